@@ -1,0 +1,17 @@
+#include "core/parallel.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace ifov {
+
+void parallel_for(std::int64_t count, int threads, const std::function<void(std::int64_t)>& body) {
+  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  arena.execute([&] {
+    tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, count, 1), [&](const auto& range) {
+      for (std::int64_t i = range.begin(); i < range.end(); ++i) body(i);
+    }, tbb::simple_partitioner());
+  });
+}
+
+}  // namespace ifov

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+
+namespace ifov {
+
+/// Asked between batches of rays by everything that takes long; may be set from a signal handler.
+class CancelToken {
+ public:
+  void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+  bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+
+ private:
+  std::atomic<bool> cancelled_{false};
+};
+
+/// Libraries never print: what they have to say goes here. Calls may come from several threads.
+class LogSink {
+ public:
+  virtual ~LogSink() = default;
+  virtual void info(const std::string& message) = 0;
+  virtual void warn(const std::string& message) = 0;
+};
+
+/// State of a running render, reported after each finished tile.
+struct Progress {
+  std::int64_t pixels_done = 0;
+  std::int64_t pixels_total = 0;
+  std::int64_t pixels_converged = 0;
+  std::int64_t rays = 0;           ///< all rays traced so far, of every kind
+  double worst_error_ratio = 0.0;  ///< largest half-width so far in units of its limit; 0 where no accuracy is asked
+  double elapsed_s = 0.0;
+};
+
+class ProgressSink {
+ public:
+  virtual ~ProgressSink() = default;
+  virtual void report(const Progress& progress) = 0;
+};
+
+}  // namespace ifov

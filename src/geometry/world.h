@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "geometry/surface_point.h"
+#include "math/ray.h"
+
+namespace ifov::geometry {
+
+/// All geometry of a scene, built once and immutable: the only door to the ray tracer. Batches are traced in
+/// packets; the answer to a ray does not depend on its neighbours in the batch. Safe to call from many threads.
+class World {
+ public:
+  virtual ~World() = default;
+
+  /// Nearest surface along each ray; equal distances go to the smallest (distance in double, instance, primitive).
+  virtual void intersect(std::span<const math::Ray> rays, std::span<SurfacePoint> hits) const = 0;
+
+  /// 1 where anything lies strictly between t_min_m and t_max_m.
+  virtual void occluded(std::span<const math::Ray> rays, std::span<std::uint8_t> blocked) const = 0;
+
+  /// Axis-aligned bounds of everything that is bounded, scene frame.
+  struct Bounds {
+    math::Point3 low_m, high_m;
+  };
+  virtual Bounds bounds() const = 0;
+
+  /// Placed objects, in order of their instance number: centre and radius of a bounding sphere (radius infinite
+  /// for planes). Seeds of small compact objects come from here.
+  struct PlacedObject {
+    math::Point3 centre_m;
+    double radius_m = 0.0;
+    math::Point3 seed_m;  ///< a point on or in the object that a ray towards it meets (centroid of its largest face
+                          ///< for open meshes, the centre for solids)
+    bool compact = false; ///< one connected thing, not a leaf or part of a larger object
+  };
+  virtual std::span<const PlacedObject> objects() const = 0;
+
+  virtual std::size_t triangle_count() const = 0;
+};
+
+}  // namespace ifov::geometry

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sampling/tile.h"
+
+namespace ifov::render {
+
+/// Name, centre and width of an output channel.
+struct ChannelInfo {
+  std::string name;
+  double centre_um = 0.0;
+  double fwhm_um = 0.0;
+};
+
+/// What every product says of itself.
+struct ImageInfo {
+  int width_px = 0, height_px = 0;
+  std::vector<ChannelInfo> channels;
+  std::vector<std::string> materials;   ///< names by material index, for abundances
+  std::string radiance_unit = "W m-2 sr-1 um-1";
+  bool has_map = false;                 ///< map coordinates of the upper left corner and the pixel size
+  double map_x_m = 0.0, map_y_m = 0.0, gsd_m = 0.0;
+  std::string map_projection;           ///< "Arbitrary" for a local ENU frame
+};
+
+/// Takes finished tiles, in any order, from any thread; each pixel comes once.
+class TileSink {
+ public:
+  virtual ~TileSink() = default;
+  virtual void begin(const ImageInfo& info) = 0;
+  virtual void write(const sampling::TileResult& tile) = 0;
+};
+
+}  // namespace ifov::render

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace ifov::sampling {
+
+/// A point of the focal plane in the image frame: pixel (i, j) covers [i, i+1) x [j, j+1), x to the right,
+/// y downwards, in pixels.
+struct FocalPoint {
+  double x_px = 0.0;
+  double y_px = 0.0;
+};
+
+/// What the ray through a point meets: equal labels mean the same instance, smooth patch, material or map class,
+/// facing and sun state. Opaque to samplers. Labels steer where rays go; they never enter an estimate as truth.
+using Label = std::uint64_t;
+
+/// One path: through `point`, with the random numbers of element `index` of the scrambled sequence `sequence`.
+struct PathRequest {
+  FocalPoint point;
+  std::uint64_t sequence = 0;
+  std::uint32_t index = 0;
+};
+
+/// Rays traced so far on behalf of a sampler, by kind.
+struct RayCounts {
+  std::uint64_t primary = 0;  ///< rays from the camera: one a label or value
+  std::uint64_t shadow = 0;   ///< rays to the Sun, for labels and for radiance
+  std::uint64_t bounce = 0;   ///< rays leaving surfaces
+  std::uint64_t total() const { return primary + shadow + bounce; }
+};
+
+/// The picture on the focal plane as a sampler sees it: two batch queries, answered in order, whose answer to a
+/// point does not depend on the rest of the batch. One object serves one tile and one thread.
+class Field {
+ public:
+  virtual ~Field() = default;
+
+  /// Numbers in a value: the channels of the sensor. Rows are `stride` floats apart (a multiple of 16).
+  virtual int columns() const = 0;
+  int stride() const { return (columns() + 15) / 16 * 16; }
+
+  virtual void labels(std::span<const FocalPoint> points, std::span<Label> labels) = 0;
+
+  /// One path each: its label, and its radiance in every column at values[k * stride() + column].
+  virtual void values(std::span<const PathRequest> requests, std::span<Label> labels, std::span<float> values) = 0;
+
+  /// Index of the material a label stands on, for abundances.
+  virtual std::uint32_t material_of(Label label) const = 0;
+
+  virtual RayCounts counts() const = 0;
+};
+
+}  // namespace ifov::sampling
