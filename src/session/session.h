@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/run_control.h"
+
+namespace ifov::io {
+struct Document;
+}
+
+namespace ifov::session {
+
+struct RunOptions {
+  int threads = 0;                      ///< 0: all cores
+  std::filesystem::path output_folder;  ///< empty: as the document says, else beside it
+  const CancelToken* cancel = nullptr;
+  ProgressSink* progress = nullptr;
+  LogSink* log = nullptr;
+};
+
+struct ProductFile {
+  std::filesystem::path path;
+  std::string what;  ///< one line for the user: "radiance, 210 channels, ENVI"
+};
+
+struct RunSummary {
+  std::filesystem::path folder;
+  std::vector<ProductFile> files;
+  Progress totals;
+  std::string accuracy_statement;  ///< plain words: what was asked for, what was reached, where it was not
+};
+
+/// The public C++ facade: one document, loaded and checked, that can be rendered.
+/// Errors: ifov::InputError for the user's input, ifov::EnvironmentError for files and memory, ifov::Cancelled.
+class Session {
+ public:
+  /// Reads every file the document names and builds the scene. `log` may be null.
+  static Session load(const io::Document& document, LogSink* log);
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
+  ~Session();
+
+  /// What was loaded, in a few lines for people (`ifov check`): objects, triangles, materials, channels, floors.
+  std::string description() const;
+
+  RunSummary render(const RunOptions& options) const;
+
+  /// The parts, for studies and benchmarks that need them in memory.
+  struct Parts;
+  const Parts& parts() const { return *parts_; }
+
+ private:
+  explicit Session(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace ifov::session
