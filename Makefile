@@ -1,0 +1,38 @@
+# The few commands a user needs; CMake and Ninja do the work.
+#
+#   make          install what is missing, build: leaves the program at build/ifov
+#   make demo     the same, render examples/demo.json, say where its pictures and report are
+#   make test     build and run every test
+#   make bench    build and run the benchmarks (BENCH="speed honesty": only these; BENCH_FLAGS=--long: the long versions)
+#   make clean    remove what was built
+
+BUILD := build
+JOBS := $(shell nproc)
+TOOLS := cmake --build $(BUILD) -j $(JOBS)
+
+all: program
+
+packages:
+	@sh tools/install_packages.sh
+
+configure: packages
+	@test -f $(BUILD)/build.ninja || cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release
+
+program: configure
+	@$(TOOLS) --target ifov
+
+demo: program
+	@$(BUILD)/ifov render examples/demo.json --output $(BUILD)/demo
+
+test: configure
+	@$(TOOLS) --target all
+	@python3 tools/run_tests.py $(BUILD) --jobs $(JOBS)
+
+bench: configure
+	@$(TOOLS) --target all benchmarks
+	@python3 benchmarks/run.py $(BUILD) $(BENCH_FLAGS) $(BENCH)
+
+clean:
+	rm -rf $(BUILD)
+
+.PHONY: all packages configure program demo test bench clean

@@ -1,0 +1,65 @@
+"""Every header compiles alone: it includes what it uses."""
+
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUILD = pathlib.Path(os.environ.get("IFOV_BUILD", ROOT / "build"))
+
+
+def compiler_and_flags():
+    """The compiler of the build, and per room the include paths and definitions that its sources are built with."""
+    flags, compiler = {}, "c++"
+    for command in json.loads((BUILD / "compile_commands.json").read_text()):
+        file = pathlib.Path(command["file"])
+        if not file.is_relative_to(ROOT / "src"):
+            continue
+        words = shlex.split(command["command"])
+        compiler = words[1] if pathlib.Path(words[0]).name == "ccache" else words[0]
+        room = file.relative_to(ROOT / "src").parts[0]
+        kept = re.findall(r"(?:^| )(-isystem \S+|-[ID]\S+)", " ".join(words))
+        flags[room] = sorted({part for group in kept for part in ([group] if " " not in group else [group])})
+    return compiler, flags
+
+
+def compile_alone(compiler, flags, header):
+    """What the compiler says to a source that includes this header alone, twice; empty where it is content."""
+    words = [word for flag in flags for word in flag.split(" ")]
+    with tempfile.NamedTemporaryFile("w", suffix=".cpp") as source:
+        source.write(f'#include "{header}"\n#include "{header}"\n')
+        source.flush()
+        command = [compiler, "-std=c++20", "-fsyntax-only", "-march=x86-64-v3", "-I", str(ROOT / "src"), *words, source.name]
+        result = subprocess.run(command, capture_output=True, text=True, check=False)
+    return "" if result.returncode == 0 else f"{header} does not compile alone:\n{result.stderr[:1500]}"
+
+
+class Headers(unittest.TestCase):
+    def test_every_header_compiles_alone(self):
+        compiler, flags = compiler_and_flags()
+        headers = [path for path in sorted((ROOT / "src").rglob("*.h"))]
+        self.assertGreater(len(headers), 10)
+
+        def check(path):
+            return compile_alone(compiler, flags.get(path.relative_to(ROOT / "src").parts[0], []), path)
+
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            complaints = [text for text in pool.map(check, headers) if text]
+        self.assertEqual(complaints, [], "\n" + "\n".join(complaints))
+
+    def test_a_header_that_leans_on_its_includer_is_caught(self):
+        compiler, _ = compiler_and_flags()
+        with tempfile.NamedTemporaryFile("w", suffix=".h") as header:
+            header.write("#pragma once\nstd::vector<int> f();\n")
+            header.flush()
+            self.assertIn("does not compile alone", compile_alone(compiler, [], header.name))
+
+
+if __name__ == "__main__":
+    unittest.main()

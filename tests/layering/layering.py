@@ -1,0 +1,122 @@
+"""The rules of docs/developer/architecture.md, read from that page and applied to a source tree."""
+
+import dataclasses
+import pathlib
+import re
+
+INCLUDE = re.compile(r'^[ \t]*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+# Printing and leaving, but not snprintf, fprintf into a named file, or members such as file.exit(...).
+PRINTS = re.compile(
+    r"(?<![\w.>])(?:std::)?(?:v?printf|puts|putchar|perror)\s*\("
+    r"|\bstd::(?:cout|cerr|clog|print|println)\b|\bfmt::print(?:ln)?\b|\b(?:stdout|stderr)\b"
+)
+EXITS = re.compile(r"(?<![\w.>:])(?:std::)?(?:exit|_exit|_Exit|quick_exit|abort|terminate)\s*\(")
+SPEAKERS = ("cli", "python")  # the rooms that own the terminal
+
+
+@dataclasses.dataclass
+class Rules:
+    levels: dict  # room -> level
+    adapters: dict  # first part of an outside header's path -> rooms that may include it
+
+
+def table_rows(page, first_heading):
+    """Rows of the Markdown table whose first heading is `first_heading`, as lists of cells."""
+    rows, inside = [], False
+    for line in page.splitlines():
+        cells = [cell.strip() for cell in line.strip().strip("|").split("|")] if line.startswith("|") else None
+        if cells is None:
+            inside = False
+        elif cells[0] == first_heading:
+            inside = True
+        elif inside and not set(cells[0]) <= set("-: "):
+            rows.append(cells)
+    return rows
+
+
+def read_rules(page):
+    names = lambda cell: re.findall(r"`([^`]+)`", cell)
+    levels = {names(row[1])[0]: int(row[0]) for row in table_rows(page, "level")}
+    adapters = {header: names(row[2]) for row in table_rows(page, "headers") for header in names(row[0])}
+    return Rules(levels, adapters)
+
+
+def without_comments_and_strings(text):
+    """Comments removed and string contents emptied; line breaks stay, so that line numbers hold."""
+    pattern = re.compile(
+        r'//[^\n]*|/\*.*?\*/|R"([^(\s]*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.DOTALL
+    )
+
+    def blank(match):
+        text = match.group(0)
+        return ('""' if text[0] in "\"R" else "") + "\n" * text.count("\n")
+
+    return pattern.sub(blank, text)
+
+
+def adapter_of(header, adapters):
+    """The row of the outside-library table that a header falls under: embree3/rtcore.h under `embree`."""
+    first = header.split("/")[0]
+    stem = first.removesuffix(".hpp").removesuffix(".h")
+    for prefix in adapters:
+        if stem == prefix or re.fullmatch(re.escape(prefix) + r"\d+", stem) or (
+            prefix.endswith("_") and stem.startswith(prefix)
+        ):
+            return prefix
+    return None
+
+
+def declared_rooms(folder):
+    """Rooms that a room's CMakeLists.txt names after ROOMS, or None where it has no such list."""
+    file = folder / "CMakeLists.txt"
+    if not file.exists():
+        return None
+    found = re.search(r"ROOMS\s+([^)]*?)(?:\bLIBRARIES\b|\))", file.read_text())
+    return found.group(1).split() if found else None
+
+
+def violations(source, rules):
+    """Everything under `source` (a src/ folder) that breaks the rules, as 'file:line: what'."""
+    found = []
+    for folder in sorted(path for path in source.iterdir() if path.is_dir()):
+        room = folder.name
+        if room not in rules.levels:
+            if any(folder.rglob("*.[ch]*")):
+                found.append(f"{room}/: not a room of the table")
+            continue
+        declared = declared_rooms(folder)
+        for file in sorted(folder.rglob("*")):
+            if file.suffix in (".h", ".hpp", ".cpp", ".cc", ".inl"):
+                found += file_violations(file, source, room, declared, rules)
+    return found
+
+
+def file_violations(file, source, room, declared, rules):
+    found = []
+    text = file.read_text()
+    name = file.relative_to(source)
+
+    def add(offset, what):
+        found.append(f"{name}:{text.count(chr(10), 0, offset) + 1}: {what}")
+
+    for match in INCLUDE.finditer(text):
+        quote, header = match.groups()
+        target = header.split("/")[0]
+        if quote == '"':
+            if "/" not in header or target not in rules.levels:
+                add(match.start(), f'"{header}" does not start at src/ with a room of the table')
+            elif target != room and rules.levels[target] >= rules.levels[room]:
+                add(match.start(), f"{room} (level {rules.levels[room]}) includes {target} (level {rules.levels[target]})")
+            elif target != room and declared is not None and target not in declared:
+                add(match.start(), f"{room} includes {target} without declaring it in {room}/CMakeLists.txt")
+        else:
+            prefix = adapter_of(header, rules.adapters)
+            if prefix and room not in rules.adapters[prefix]:
+                add(match.start(), f"<{header}> belongs in {', '.join(rules.adapters[prefix])} only")
+    if room not in SPEAKERS:
+        code = without_comments_and_strings(text)
+        for pattern, what in ((PRINTS, "a library prints"), (EXITS, "a library exits")):
+            for match in pattern.finditer(code):
+                line = code.count("\n", 0, match.start()) + 1
+                found.append(f"{name}:{line}: {what}: {match.group(0).strip()}")
+    return found

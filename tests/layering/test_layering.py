@@ -1,0 +1,103 @@
+"""The source tree keeps the rules of docs/developer/architecture.md; a tree that breaks each of them is caught."""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+sys.path.insert(0, str(HERE))
+
+from layering import read_rules, violations, without_comments_and_strings  # noqa: E402
+
+RULES = read_rules((ROOT / "docs/developer/architecture.md").read_text())
+
+
+class SourceTree(unittest.TestCase):
+    def test_tables_are_read(self):
+        self.assertEqual(RULES.levels["core"], 0)
+        self.assertEqual(RULES.levels["studies"], 11)
+        self.assertEqual(RULES.levels["cli"], 12)
+        self.assertEqual(RULES.adapters["embree"], ["geometry"])
+
+    def test_source_keeps_the_rules(self):
+        found = violations(ROOT / "src", RULES)
+        self.assertEqual(found, [], "\n" + "\n".join(found))
+
+
+class PlantedFaults(unittest.TestCase):
+    """Each fault alone, in a made-up tree, is found and named."""
+
+    def check(self, path, text, expected, cmake=None):
+        with tempfile.TemporaryDirectory() as folder:
+            source = pathlib.Path(folder)
+            file = source / path
+            file.parent.mkdir(parents=True)
+            file.write_text(text)
+            if cmake:
+                (file.parent / "CMakeLists.txt").write_text(cmake)
+            self.assertEqual(violations(source, RULES), expected)
+
+    def test_a_clean_file_passes(self):
+        self.check(
+            "render/a.cpp",
+            '#include "render/a.h"\n#include "scene/b.h"\n#include <vector>\n// printf("x"); exit(1)\n'
+            'const char* s = "std::cout";\nint n = std::snprintf(b, 2, "x");\nrun.exit(1);\n',
+            [],
+        )
+
+    def test_upward_include(self):
+        self.check("math/a.h", '\n#include "scene/scene.h"\n', ["math/a.h:2: math (level 1) includes scene (level 6)"])
+
+    def test_sideways_include(self):
+        self.check(
+            "sampling/a.h", '#include "radiometry/planck.h"\n', ["sampling/a.h:1: sampling (level 2) includes radiometry (level 2)"]
+        )
+
+    def test_undeclared_dependency(self):
+        self.check(
+            "render/a.h",
+            '#include "geodesy/sun.h"\n',
+            ["render/a.h:1: render includes geodesy without declaring it in render/CMakeLists.txt"],
+            "ifov_room(render ROOMS core math LIBRARIES x)\n",
+        )
+
+    def test_include_that_hides_its_room(self):
+        self.check("math/a.h", '#include "vec3.h"\n', ['math/a.h:1: "vec3.h" does not start at src/ with a room of the table'])
+
+    def test_outside_header_beyond_its_adapter(self):
+        for header, rooms in (
+            ("embree3/rtcore.h", "geometry"),
+            ("gdal_priv.h", "io"),
+            ("cairo/cairo.h", "io"),
+            ("cairo.h", "io"),
+            ("json/json.h", "io"),
+            ("tiny_obj_loader.h", "io"),
+            ("CLI/CLI.hpp", "cli"),
+            ("erfa.h", "geodesy"),
+            ("tbb/parallel_for.h", "core, geometry"),
+            ("mpi.h", "cluster"),
+        ):
+            self.check("scene/a.cpp", f"#include <{header}>\n", [f"scene/a.cpp:1: <{header}> belongs in {rooms} only"])
+
+    def test_printing(self):
+        for call in ("printf(", "std::printf(", "puts(", "fmt::print", "std::cerr", "stderr"):
+            self.check("io/a.cpp", f"void f() {{ {call}", [f"io/a.cpp:1: a library prints: {call}"])
+
+    def test_exiting(self):
+        for call in ("exit(", "std::exit(", "abort(", "std::terminate("):
+            self.check("io/a.cpp", f"\nvoid f() {{ {call}", [f"io/a.cpp:2: a library exits: {call}"])
+
+    def test_only_the_command_line_speaks(self):
+        self.check("cli/a.cpp", "void f() { std::printf(1); std::exit(1); }", [])
+
+    def test_unknown_room(self):
+        self.check("misc/a.h", "", ["misc/: not a room of the table"])
+
+    def test_line_numbers_survive_the_stripping(self):
+        self.assertEqual(without_comments_and_strings('a /* 1\n2 */ b // c\n"x\\"y" d'), 'a \n b \n"" d')
+
+
+if __name__ == "__main__":
+    unittest.main()
