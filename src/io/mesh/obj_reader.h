@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+
+#include "geometry/triangle_mesh.h"
+
+namespace ifov::io {
+
+/// Reads a Wavefront OBJ file: vertices, faces (polygons are cut into triangles, concave ones too), texture
+/// coordinates, normals, and the names after `usemtl` as material slots in order of first use. `.mtl` files, lines
+/// and curves are ignored. Coordinates are kept as they stand, in double.
+/// Throws InputError with file and line for anything broken, EnvironmentError if the file cannot be read.
+geometry::TriangleMesh read_obj(const std::filesystem::path& path);
+
+}  // namespace ifov::io
