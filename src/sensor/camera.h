@@ -7,8 +7,8 @@
 
 namespace ifov::sensor {
 
-/// Where light that falls on a point of the focal plane comes from. Frames: scene (ENU metres) for rays, image
-/// (pixels, x right, y down) for points.
+/// Where light that falls on a point of the focal plane comes from. Frames: scene (ENU metres) for rays,
+/// image (pixels, x right, y down) for points.
 class Camera {
  public:
   virtual ~Camera() = default;

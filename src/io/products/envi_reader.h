@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "io/products/envi_header.h"
+
+namespace ifov::io {
+
+/// An ENVI cube on disk, read line by line and converted to float.
+class EnviReader {
+ public:
+  /// Accepts the path of the data or of the header; finds `name.img.hdr` and `name.hdr`. ifov::InputError on
+  /// headers that cannot be right (with line numbers), ifov::EnvironmentError on files that are missing or
+  /// too short.
+  explicit EnviReader(const std::filesystem::path& path);
+  ~EnviReader();
+  EnviReader(EnviReader&&) noexcept;
+
+  const EnviHeader& header() const { return header_; }
+  const std::filesystem::path& data_path() const { return data_path_; }
+
+  /// Line `line` as [band * samples + sample]; `values` holds bands * samples floats.
+  void read_line(int line, std::span<float> values) const;
+
+ private:
+  EnviHeader header_;
+  std::filesystem::path data_path_;
+  int descriptor_ = -1;
+};
+
+}  // namespace ifov::io

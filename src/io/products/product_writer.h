@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/products/run_record.h"
+#include "render/tile_sink.h"
+
+namespace ifov::io {
+
+/// Which products a run leaves, and where.
+struct ProductOptions {
+  std::filesystem::path folder;  ///< made where it is missing
+  std::string name = "image";    ///< files are <folder>/<name>_radiance.img and so on
+  bool standard_error = true;    ///< cube of standard errors
+  bool half_width = true;        ///< cube of half-widths
+  bool abundance = true;         ///< cubes of material fractions and of their half-widths
+  bool geotiff = false;
+  bool quicklook = true;
+  bool report = true;
+  std::vector<int>
+      quicklook_channels;  ///< three for colour, one for a colour map; empty: chosen from wavelengths
+};
+
+/// Streams finished tiles into ENVI cubes and completes them with the other products. Everything is written
+/// under a name that ends in `.part` and renamed when all of it is whole; `<name>_run.json` is renamed last,
+/// so that its presence says "complete". Errors: ifov::EnvironmentError for folders that cannot be written
+/// and full disks. Disk space for the cubes is reserved in begin(), before the first ray; tiles that were
+/// written stay in the `.part` files.
+class ProductWriter final : public render::TileSink {
+ public:
+  ProductWriter(ProductOptions options, RunIdentity identity);
+  /// Without finish(): writes what is buffered and leaves the `.part` files.
+  ~ProductWriter() override;
+
+  void begin(const render::ImageInfo& info) override;
+  /// May be called by several threads at once.
+  void write(const sampling::TileResult& tile) override;
+
+  /// After the last tile: syncs, makes the remaining products, renames all. std::logic_error where pixels are
+  /// missing.
+  RunRecord finish(const RunOutcome& outcome);
+
+  /// Files that an unfinished run leaves behind, for messages.
+  std::vector<std::filesystem::path> part_files() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace ifov::io

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "sensor/camera.h"
+#include "sensor/camera_axes.h"
+
+namespace ifov::sensor {
+
+/// Perspective camera without distortion: an image point (x, y) in pixels looks along
+///   d = forward + (x - width/2) (p/f) right + (y - height/2) (p/f) down,
+/// with pixel pitch p and focal length f; the principal point is the middle of the image.
+class FrameCamera final : public Camera {
+ public:
+  struct Settings {
+    int width_px = 0, height_px = 0;
+    double focal_length_m = 0.0;
+    double pitch_m = 0.0;     ///< distance between the centres of neighbouring detector elements
+    math::Point3 position_m;  ///< perspective centre, scene frame
+    CameraAxes axes;
+  };
+
+  /// ifov::InputError on sizes, pitch or focal length that are not positive, or values that are not finite.
+  explicit FrameCamera(const Settings& settings);
+
+  int width_px() const override { return settings_.width_px; }
+  int height_px() const override { return settings_.height_px; }
+  void rays(std::span<const sampling::FocalPoint> points, std::span<math::Ray> rays) const override;
+  bool project(math::Point3 position_m, sampling::FocalPoint& point) const override;
+  /// Depth along the optical axis times pitch over focal length: the pixel's side on a plane parallel to the
+  /// image.
+  double gsd_m(math::Point3 position_m) const override;
+
+  const Settings& settings() const { return settings_; }
+
+ private:
+  Settings settings_;
+  math::Vec3 right_step_, down_step_;  // per pixel, at unit depth
+  math::Vec3 first_;                   // direction of image point (0, 0), at unit depth
+};
+
+}  // namespace ifov::sensor

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "sensor/camera.h"
+
+namespace ifov::sensor {
+
+/// Nadir view with parallel rays: every pixel covers the same square of the scene's horizontal plane.
+/// Unrotated, image x grows to the east and image y to the south.
+class OrthographicCamera final : public Camera {
+ public:
+  struct Settings {
+    int width_px = 0, height_px = 0;
+    double gsd_m = 1.0;                         ///< side of a pixel
+    double centre_x_m = 0.0, centre_y_m = 0.0;  ///< scene point (ENU) under the middle of the image
+    double rotation_rad = 0.0;    ///< azimuth of the image's upward direction, clockwise from north
+    double start_height_m = 0.0;  ///< z at which rays start; nothing above it is seen
+  };
+
+  /// ifov::InputError on sizes or a GSD that are not positive, or values that are not finite.
+  explicit OrthographicCamera(const Settings& settings);
+
+  int width_px() const override { return settings_.width_px; }
+  int height_px() const override { return settings_.height_px; }
+  void rays(std::span<const sampling::FocalPoint> points, std::span<math::Ray> rays) const override;
+  bool project(math::Point3 position_m, sampling::FocalPoint& point) const override;
+  double gsd_m(math::Point3) const override { return settings_.gsd_m; }
+
+  const Settings& settings() const { return settings_; }
+
+  /// Scene coordinates of the outer corner of the upper left pixel: what map information starts from.
+  math::Point3 upper_left_corner_m() const { return corner_; }
+
+ private:
+  Settings settings_;
+  math::Vec3 right_m_, down_m_;  // one pixel along image x and y, scene frame
+  math::Point3 corner_;          // of the upper left pixel, at the start height
+};
+
+}  // namespace ifov::sensor

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sampling/pixel_footprint.h"
+
+namespace ifov::sensor {
+
+/// Point spread function of the optics: a density over the focal plane in 1/px^2, cut to a finite support and
+/// normalised to 1 within it. Coordinates are image offsets in pixels, x right, y down.
+class Psf {
+ public:
+  virtual ~Psf() = default;
+
+  /// The density vanishes where |dx| or |dy| is larger.
+  virtual double half_width_px() const = 0;
+
+  /// Energy that falls on the rectangle [x0, x1] x [y0, y1].
+  virtual double energy(double x0_px, double y0_px, double x1_px, double y1_px) const = 0;
+
+  /// Size of the finest structure: tables of the density take several cells over it.
+  virtual double detail_px() const = 0;
+
+  /// One line for people: shape, parameters, where it is cut and how much energy the cut leaves out.
+  virtual std::string description() const = 0;
+};
+
+/// Gaussian exp(-r^2 / (2 sigma^2)), cut to the square |dx|, |dy| <= cut_sigmas * sigma. The default of 3.5
+/// keeps erf(3.5 / sqrt 2)^2 = 0.99907 of the energy.
+std::unique_ptr<Psf> make_gaussian_psf(double sigma_px, double cut_sigmas = 3.5);
+
+/// Diffraction at a circular aperture: h(r) = (pi / 4 q^2) [2 J1(v) / v]^2, v = pi r / q, with
+/// q = wavelength * focal length / (diameter * pitch) in pixels (Born & Wolf, Principles of Optics, 8.5.2).
+/// Cut at the radius that encircles the given share of the energy, E(v) = 1 - J0(v)^2 - J1(v)^2; 1 - E falls
+/// only as 2 / (pi v).
+struct AiryAperture {
+  double wavelength_um = 0.0;
+  double diameter_m = 0.0;
+  double focal_length_m = 0.0;
+  double pitch_m = 0.0;
+};
+std::unique_ptr<Psf> make_airy_psf(const AiryAperture& aperture, double encircled_energy = 0.95);
+
+/// A measured or computed PSF: rows x columns samples, each a constant over a square of side 1 /
+/// samples_per_pixel, the middle of the image on the middle of the pixel. Normalised here.
+std::unique_ptr<Psf> make_kernel_psf(int columns, int rows, std::vector<double> values,
+                                     double samples_per_pixel);
+
+/// Response of a pixel: the PSF convolved with the detector's sensitive square of side sqrt(fill_factor).
+/// A null PSF is perfect optics.
+sampling::PixelFootprint make_footprint(const Psf* psf, double fill_factor);
+
+}  // namespace ifov::sensor
