@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "radiometry/channel.h"
+#include "radiometry/spectrum.h"
+
+namespace ifov::radiometry {
+
+/// The spectral columns that paths carry. Each channel has one or a few nodes; light that meets several surfaces is
+/// multiplied node by node, and the nodes of a channel are then added with weights. There are as few of them as
+/// keep each channel within a tolerance of full integration, for sunlight reflected by up to three of the given
+/// surfaces and for thermal emission of 200 to 1000 K from them, directly or by one reflection.
+///
+/// Nodes are Gauss points of the measure (response x source) within a part of the channel; a spectrum enters them by
+/// its least-squares polynomial under that measure. So one reflection of sunlight is exact with any number of nodes,
+/// and two nodes are exact for products of three spectra that are linear within the channel
+/// (docs/theory/radiometry.md).
+class SpectralNodes {
+ public:
+  /// `solar_irradiance`: W m-2 um-1 at the top of the scene, Spectrum(0.0) without a Sun. `surfaces`: reflectances
+  /// and transmittances, 0 to 1. `tolerance`: allowed relative error of a channel's radiance (of a thousandth of a
+  /// white surface's radiance, where the radiance is darker than that).
+  /// A spectrum that does not cover a channel, and says that this is an error, throws InputError.
+  static SpectralNodes build(std::span<const Channel> channels, const Spectrum& solar_irradiance,
+                             std::span<const Spectrum> surfaces, double tolerance = 5e-4);
+
+  std::size_t node_count() const { return nodes_.size(); }
+  std::size_t channel_count() const { return first_node_.size() - 1; }
+  /// Nodes [first_node(c), first_node(c + 1)) belong to channel c.
+  std::size_t first_node(std::size_t channel) const { return first_node_[channel]; }
+  double node_wavelength_um(std::size_t node) const { return nodes_[node].wavelength_um; }
+  double node_weight(std::size_t node) const { return nodes_[node].weight; }
+  /// Largest relative error seen in the checks at construction.
+  double worst_error() const { return worst_error_; }
+
+  /// A factor of light (reflectance, transmittance): within [0, 1] where the spectrum is. Spans: node_count().
+  void average_surface(const Spectrum& spectrum, std::span<float> nodes) const;
+  /// A source of light (radiance, irradiance), or a product of spectra that acts as one (irradiance times
+  /// transmittance). The weighted sum over a channel's nodes is the channel's mean, exactly.
+  void average_source(const Spectrum& spectrum, std::span<float> nodes) const;
+  void average_source(std::span<const Spectrum* const> product, std::span<float> nodes) const;
+  /// Radiance of a blackbody in each node, W m-2 sr-1 um-1.
+  void planck(double temperature_k, std::span<float> nodes) const;
+  void planck(double temperature_k, std::span<double> nodes) const;
+
+  /// Weighted sums of nodes: from node_count() to channel_count() numbers. `channels` may be `nodes`.
+  void to_channels(const float* nodes, float* channels) const;
+
+ private:
+  friend class ChannelQuadrature;
+  struct Node {
+    double wavelength_um = 0.0;
+    double weight = 1.0;
+    std::size_t first_point = 0;    // its part of the channel's fine grid: [first_point, last_point)
+    std::size_t last_point = 0;
+    std::size_t first_kernel = 0;   // its kernels over that part
+    std::size_t first_sibling = 0;  // nodes of the same part of the channel: [first_sibling, last_sibling)
+    std::size_t last_sibling = 0;
+  };
+  template <class Value>
+  void project_source(const Value& value_at_point, std::span<double> nodes) const;
+
+  std::vector<Node> nodes_;
+  std::vector<std::size_t> first_node_{0};
+  std::vector<float> weight_;          // of each node
+  std::vector<double> point_um_;       // fine grids of all channels, one after the other
+  std::vector<double> factor_kernel_;  // node value of a factor = sum of kernel x value at points
+  std::vector<double> source_kernel_;  // the same for sources
+  double worst_error_ = 0.0;
+};
+
+}  // namespace ifov::radiometry
