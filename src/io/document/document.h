@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "io/document/light_document.h"
+#include "io/document/output_document.h"
+#include "io/document/sampling_document.h"
+#include "io/document/scene_document.h"
+#include "io/document/sensor_document.h"
+
+namespace ifov::io {
+
+/// Version of the document format that this program reads and writes.
+inline constexpr int kDocumentVersion = 1;
+
+/// Coordinated universal time, Gregorian calendar.
+struct UtcTime {
+  int year = 2000, month = 1, day = 1, hour = 0, minute = 0;
+  double second = 0.0;
+};
+
+/// What the user wrote, checked and in SI units (metres, kelvins, radians; wavelength in micrometres).
+/// Files it names have not been opened.
+struct Document {
+  int version = kDocumentVersion;
+  std::uint64_t seed = 1;
+  std::optional<UtcTime> time;
+  SceneDocument scene;
+  LightDocument light;
+  AtmosphereDocument atmosphere;
+  SensorDocument sensor;
+  SamplingDocument sampling;
+  OutputDocument output;
+  std::string file_name;                    ///< as the user gave it
+  std::shared_ptr<const std::string> text;  ///< as read; never null
+};
+
+/// Reads a document. Throws InputError (located, with an excerpt), EnvironmentError where the file cannot be
+/// read.
+Document read_document(const std::string& path);
+
+/// The same from text; `file_name` is used in messages and its folder for relative paths.
+Document parse_document(std::string text, const std::string& file_name);
+
+/// An input error about something in the document, for later stages (a mesh that does not load, a map without
+/// the class it needs): `message` is one sentence without a position, e.g. "mesh 'a.obj' has no faces"; the
+/// result has position, message and, where the position lies in the document, its line with a caret.
+InputError document_error(const Document& document, const SourcePosition& position, std::string_view message);
+
+/// The JSON Schema (draft 7) of a document, pretty-printed.
+std::string schema_json();
+
+/// The reference of all keys, Markdown.
+std::string schema_markdown();
+
+}  // namespace ifov::io

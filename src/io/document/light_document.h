@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "io/document/scene_document.h"
+#include "io/document/spectrum_document.h"
+
+namespace ifov::io {
+
+struct SunDocument {
+  struct Direction {
+    double zenith_rad = 0.0;
+    double azimuth_rad = 0.0;  ///< of the Sun, clockwise from north (+y)
+  };
+  std::optional<Direction> direction;  ///< absent: from the document's time and the scene's geographic
+                                       ///< origin, which are there then
+  double diameter_rad = 0.0;                   ///< angular diameter of the disc; 0 for a point
+  std::optional<double> distance_au;           ///< absent: from the document's time, else 1
+  std::optional<SpectrumDocument> irradiance;  ///< W m-2 um-1 at 1 au; absent: the built-in one
+  SourcePosition position;
+};
+
+struct NoSky {};
+struct SkyTemperature {
+  double temperature_k = 0.0;
+};
+/// Uniform over the upper hemisphere.
+struct SkyRadiance {
+  SpectrumDocument radiance;
+};
+
+/// What rays meet that leave the scene below the horizon: a Lambertian surface lit by the Sun and sky alone.
+struct SurroundingsDocument {
+  bool is_emissivity = false;
+  SpectrumDocument spectrum;
+  std::optional<double> temperature_k;  ///< absent: emits nothing
+  SourcePosition position;
+};
+
+struct LightDocument {
+  std::optional<SunDocument> sun;
+  std::variant<NoSky, SkyTemperature, SkyRadiance> sky;
+  std::optional<SurroundingsDocument> surroundings;  ///< absent: black and at 0 K
+  SourcePosition position;
+};
+
+/// Between the scene and the camera (transmittance, path radiance) and between the Sun and the scene.
+/// What is absent changes nothing.
+struct TabulatedAtmosphere {
+  std::optional<SpectrumDocument> transmittance;
+  std::optional<SpectrumDocument> path_radiance;
+  std::optional<SpectrumDocument> sun_transmittance;
+};
+
+struct AtmosphereDocument {
+  std::optional<TabulatedAtmosphere> tabulated;
+  SourcePosition position;
+};
+
+}  // namespace ifov::io

@@ -1,0 +1,161 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "io/document/spectrum_document.h"
+#include "math/vec3.h"
+
+namespace ifov::io {
+
+/// Where the scene stands. Coordinates of the document and of its files are metres east, north and up of a
+/// point; `offset_m` (map easting, northing and height of the scene's own origin, zero without a map origin)
+/// is to be subtracted from them, in double, except inside prototypes.
+struct OriginDocument {
+  struct Geographic {
+    double latitude_rad = 0.0, longitude_rad = 0.0;  ///< WGS 84, north and east positive
+  };
+  std::optional<Geographic> geographic;
+  bool has_map_offset = false;
+  math::Vec3 offset_m;
+  double height_m = 0.0;  ///< of the scene's origin above the ellipsoid
+  SourcePosition position;
+};
+
+/// A raster draped from above. Without a placement its own georeference counts.
+struct RasterDocument {
+  struct Placement {
+    double x_m = 0.0, y_m = 0.0;           ///< lower left corner
+    double width_m = 0.0, height_m = 0.0;  ///< towards +x and +y
+  };
+  DocumentFile file;
+  std::optional<Placement> placement;
+};
+
+struct TemperatureMap {
+  RasterDocument raster;
+  double offset_k = 0.0;  ///< kelvin = number in the raster + offset_k
+};
+
+struct TemperatureDocument {
+  std::variant<double, TemperatureMap> value;  ///< kelvin, or a map
+  SourcePosition position;
+};
+
+enum class Scattering { lambertian, mirror };
+
+struct MaterialDocument {
+  std::string name;
+  bool is_emissivity = false;  ///< the spectrum is emissivity; else reflectance. Opaque: the two sum to 1.
+  SpectrumDocument spectrum;
+  std::optional<TemperatureDocument> temperature;  ///< absent here and on the object: 0 K, emits nothing
+  Scattering scattering = Scattering::lambertian;
+  SourcePosition position;
+};
+
+/// A horizontal plane without end, facing up.
+struct PlaneShape {
+  double height_m = 0.0;
+};
+struct BoxShape {
+  math::Point3 low_m, high_m;  ///< low < high in each coordinate
+};
+struct SphereShape {
+  math::Point3 centre_m;
+  double radius_m = 0.0;
+};
+/// The upper half (+z) of a sphere, without a floor.
+struct HemisphereShape {
+  math::Point3 centre_m;
+  double radius_m = 0.0;
+};
+struct CylinderShape {
+  math::Point3 base_m;  ///< centre of the base
+  math::Vec3 axis_m;    ///< from the centre of the base to the centre of the top
+  double radius_m = 0.0;
+  bool capped = true;
+};
+struct DiskShape {
+  math::Point3 centre_m;
+  math::Vec3 normal;  ///< towards the front; any length above zero
+  double radius_m = 0.0;
+};
+/// Planar, concave allowed, not crossing itself; the front is where the vertices run counter-clockwise.
+struct PolygonShape {
+  std::vector<math::Point3> vertices_m;
+};
+struct MeshShape {
+  DocumentFile file;     ///< Wavefront OBJ
+  double unit_m = 1.0;   ///< metres per unit of the file
+  bool y_is_up = false;  ///< file axes (x, y, z) become scene axes (x, -z, y)
+};
+/// One copy of a prototype.
+struct InstanceShape {
+  DocumentName of;
+};
+/// Many copies of a prototype.
+struct InstancesShape {
+  DocumentName of;
+  std::vector<math::Point3> at_m;   ///< where each copy's own origin goes
+  std::optional<DocumentFile> csv;  ///< instead: rows of x, y, z (m), rotation about z (degrees,
+                                    ///< counter-clockwise from above), scale
+};
+
+using ShapeDocument = std::variant<PlaneShape, BoxShape, SphereShape, HemisphereShape, CylinderShape,
+                                   DiskShape, PolygonShape, MeshShape, InstanceShape, InstancesShape>;
+
+/// Which material a class of a raster draped from above means.
+struct MaterialMap {
+  RasterDocument raster;
+  std::vector<std::pair<std::int64_t, DocumentName>> classes;  ///< rising class numbers
+};
+
+/// Materials by the names a mesh file uses (`usemtl`).
+struct MaterialSlots {
+  std::vector<std::pair<std::string, DocumentName>> slots;
+};
+
+struct MaterialBinding {
+  std::variant<DocumentName, MaterialMap, MaterialSlots> value;
+  SourcePosition position;
+};
+
+/// Scene from object: first scale, then rotate (right-handed about `axis`), then translate.
+struct TransformDocument {
+  math::Vec3 translate_m;
+  math::Vec3 rotation_axis{0.0, 0.0, 1.0};  ///< any length above zero
+  double rotation_rad = 0.0;
+  math::Vec3 scale{1.0, 1.0, 1.0};  ///< each above zero
+};
+
+struct ObjectDocument {
+  std::string name;  ///< may be empty
+  ShapeDocument shape;
+  std::optional<MaterialBinding> material;  ///< always there except on instances, whose prototype has its own
+  std::optional<TemperatureDocument> temperature;  ///< instead of the material's
+  TransformDocument transform;
+  std::optional<bool>
+      seed;  ///< send a ray at it where it is smaller than a pixel; absent: decided by its shape
+  SourcePosition position;
+  SourcePosition shape_position;
+};
+
+struct PrototypeDocument {
+  std::string name;
+  std::vector<ObjectDocument> objects;  ///< hold no instances; coordinates about the prototype's own origin
+  SourcePosition position;
+};
+
+struct SceneDocument {
+  OriginDocument origin;
+  std::vector<MaterialDocument> materials;    ///< in the document's order; names are unique
+  std::vector<PrototypeDocument> prototypes;  ///< likewise
+  std::vector<ObjectDocument> objects;
+  SourcePosition position;
+};
+
+}  // namespace ifov::io

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "io/document/document_values.h"
+#include "math/vec3.h"
+
+namespace ifov::io {
+
+/// Looks straight down with parallel rays. Rotation 0 has north (+y) at the top of the image.
+struct OrthographicCamera {
+  double gsd_m = 0.0;
+  int width_px = 0, height_px = 0;
+  double centre_x_m = 0.0, centre_y_m = 0.0;  ///< ground point of the image's centre
+  double rotation_rad = 0.0;  ///< of the camera about the vertical, clockwise seen from above: the top of the
+                              ///< image points to this azimuth
+  std::optional<double> height_m;  ///< z at which rays start; absent: above everything
+};
+
+/// Turns the camera so that its axis passes through a point.
+struct LookAt {
+  math::Point3 target_m;
+  std::optional<math::Vec3> up;  ///< scene direction that is up in the image; absent: +z, or north (+y) where
+                                 ///< the camera looks along z
+};
+
+/// Attitude of the optical axis: azimuth clockwise from north, elevation above the horizon (nadir is -90
+/// degrees), and rotation of the camera about the axis, clockwise seen from behind it. With roll 0 the top of
+/// the image is the upward direction; at nadir, the direction of `yaw`.
+struct Attitude {
+  double yaw_rad = 0.0, pitch_rad = 0.0, roll_rad = 0.0;
+};
+
+struct FrameCamera {
+  double focal_length_m = 0.0;
+  double pitch_m = 0.0;  ///< of the detector elements
+  int width_px = 0, height_px = 0;
+  math::Point3 position_m;
+  std::variant<LookAt, Attitude> orientation;
+};
+
+struct CameraDocument {
+  std::variant<OrthographicCamera, FrameCamera> model;
+  SourcePosition position;
+};
+
+struct GaussianChannel {
+  double centre_um = 0.0, fwhm_um = 0.0;
+};
+struct TopHatChannel {
+  double from_um = 0.0, to_um = 0.0;
+};
+struct MonochromaticChannel {
+  double at_um = 0.0;
+};
+/// Relative response from columns of numbers, wavelength first.
+struct TabulatedChannel {
+  DocumentFile file;
+  double um_per_unit = 1.0;  ///< micrometres per unit of the wavelength column
+  int column = 2;            ///< which column holds the response, counted from 1
+  std::string band;          ///< which block of a file with several (";; <name>" lines); empty: the only one
+};
+
+/// Series in the document have been spread out: one entry per channel, with a name of its own.
+struct ChannelDocument {
+  std::string name;
+  std::variant<GaussianChannel, TopHatChannel, TabulatedChannel, MonochromaticChannel> response;
+  SourcePosition position;
+};
+
+struct NoPsf {};
+struct GaussianPsf {
+  double sigma_px = 0.0;
+};
+/// Diffraction of a circular aperture at one wavelength; with a frame camera only.
+struct AiryPsf {
+  double aperture_m = 0.0;
+  double wavelength_um = 0.0;
+};
+struct KernelPsf {
+  DocumentFile file;               ///< an image, its centre at the pixel's centre
+  double samples_per_pixel = 1.0;  ///< kernel samples along one pixel side
+};
+
+struct SensorDocument {
+  CameraDocument camera;
+  std::vector<ChannelDocument> channels;  ///< at least one; names are unique
+  std::variant<NoPsf, GaussianPsf, AiryPsf, KernelPsf> psf;
+  SourcePosition psf_position;
+  double fill_factor = 1.0;  ///< sensitive share of an element's area, a centred square
+  SourcePosition position;
+};
+
+}  // namespace ifov::io
