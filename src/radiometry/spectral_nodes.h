@@ -20,7 +20,7 @@ namespace ifov::radiometry {
 /// (docs/theory/radiometry.md).
 class SpectralNodes {
  public:
-  /// `solar_irradiance`: W m-2 um-1 at the top of the scene, Spectrum(0.0) without a Sun. `surfaces`: reflectances
+  /// `solar_irradiance`: W m-2 um-1 at the top of the scene, Spectrum() without a Sun. `surfaces`: reflectances
   /// and transmittances, 0 to 1. `tolerance`: allowed relative error of a channel's radiance (of a thousandth of a
   /// white surface's radiance, where the radiance is darker than that).
   /// A spectrum that does not cover a channel, and says that this is an error, throws InputError.
@@ -45,6 +45,8 @@ class SpectralNodes {
   /// Radiance of a blackbody in each node, W m-2 sr-1 um-1.
   void planck(double temperature_k, std::span<float> nodes) const;
   void planck(double temperature_k, std::span<double> nodes) const;
+  /// The same by channel: the mean of Planck's law over the response. Span: channel_count().
+  void planck_channels(double temperature_k, std::span<double> channels) const;
 
   /// Weighted sums of nodes: from node_count() to channel_count() numbers. `channels` may be `nodes`.
   void to_channels(const float* nodes, float* channels) const;

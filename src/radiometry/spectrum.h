@@ -18,9 +18,9 @@ enum class OutsideRange {
 /// unit is the caller's. Immutable.
 class Spectrum {
  public:
-  Spectrum() : Spectrum(0.0) {}
-  /// The same value everywhere.
-  explicit Spectrum(double value) : values_{value} {}
+  /// 0 everywhere.
+  Spectrum() : values_{0.0} {}
+  static Spectrum constant(double value);
   /// Values at strictly increasing wavelengths, as many of one as of the other, all finite (else InputError).
   /// `name` is what error messages call it.
   Spectrum(std::vector<double> wavelength_um, std::vector<double> values, OutsideRange outside = OutsideRange::error,
