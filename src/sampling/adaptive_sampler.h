@@ -15,7 +15,7 @@ struct AdaptiveOptions {
 };
 
 /// Sub-elements that vary, or that differ from any of their 8 neighbours (across pixel borders), are sampled up to
-/// their cap with Halton points; the others keep their one sample (Brown, Goodenough et al., section 2.2.3).
+/// their cap with Halton points; the others keep their one sample: DIRSIG's scheme (docs/theory/sampling.md).
 /// Judged in the problem's driver columns, in all columns without drivers.
 class AdaptiveSampler final : public PixelSampler {
  public:

@@ -1,0 +1,85 @@
+#include "sampling/pixel_footprint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace ifov::sampling {
+
+PixelFootprint PixelFootprint::box(double side_px) {
+  if (!(side_px > 0.0) || !std::isfinite(side_px))
+    throw std::invalid_argument("a footprint's side must be positive");
+  PixelFootprint footprint;
+  footprint.half_width_ = 0.5 * side_px;
+  return footprint;
+}
+
+PixelFootprint PixelFootprint::tabulated(double half_width_px, int cells_per_side, std::vector<double> values) {
+  if (!(half_width_px > 0.0) || !std::isfinite(half_width_px) || cells_per_side < 1)
+    throw std::invalid_argument("a footprint needs a positive half width and at least one cell");
+  const std::size_t n = static_cast<std::size_t>(cells_per_side);
+  if (values.size() != n * n) throw std::invalid_argument("a footprint needs cells_per_side^2 values");
+  double sum = 0.0;
+  for (double v : values) {
+    if (!(v >= 0.0) || !std::isfinite(v))
+      throw std::invalid_argument("a footprint's values must be finite and not negative");
+    sum += v;
+  }
+  if (sum == 0.0) throw std::invalid_argument("a footprint's values must not all be zero");
+
+  PixelFootprint footprint;
+  footprint.half_width_ = half_width_px;
+  footprint.cells_ = cells_per_side;
+  const double cell_side = 2.0 * half_width_px / cells_per_side;
+  for (double& v : values) v /= sum * cell_side * cell_side;
+  footprint.density_ = std::move(values);
+  footprint.summed_.assign((n + 1) * (n + 1), 0.0);
+  for (std::size_t j = 0; j < n; ++j) {
+    double row = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      row += footprint.density_[j * n + i] * cell_side * cell_side;
+      footprint.summed_[(j + 1) * (n + 1) + i + 1] = footprint.summed_[j * (n + 1) + i + 1] + row;
+    }
+  }
+  return footprint;
+}
+
+double PixelFootprint::density(double dx_px, double dy_px) const {
+  if (std::abs(dx_px) > half_width_ || std::abs(dy_px) > half_width_) return 0.0;
+  if (uniform()) return 0.25 / (half_width_ * half_width_);
+  const double cells_per_px = cells_ / (2.0 * half_width_);
+  // Beyond the outermost centres the outermost values hold, which keeps the integral at 1.
+  const auto locate = [&](double d, int& low, double& share) {
+    const double at = std::clamp((d + half_width_) * cells_per_px - 0.5, 0.0, cells_ - 1.0);
+    low = std::min(static_cast<int>(at), std::max(0, cells_ - 2));
+    share = at - low;
+  };
+  int i = 0, j = 0;
+  double s = 0.0, t = 0.0;
+  locate(dx_px, i, s);
+  locate(dy_px, j, t);
+  const int i1 = std::min(i + 1, cells_ - 1), j1 = std::min(j + 1, cells_ - 1);
+  const auto at = [&](int column, int row) { return density_[static_cast<std::size_t>(row * cells_ + column)]; };
+  return (1.0 - t) * ((1.0 - s) * at(i, j) + s * at(i1, j)) + t * ((1.0 - s) * at(i, j1) + s * at(i1, j1));
+}
+
+double PixelFootprint::integral(double x0_px, double y0_px, double x1_px, double y1_px) const {
+  const auto inside = [&](double d) { return std::clamp(d, -half_width_, half_width_); };
+  const double x0 = inside(x0_px), x1 = inside(x1_px), y0 = inside(y0_px), y1 = inside(y1_px);
+  if (x1 <= x0 || y1 <= y0) return 0.0;
+  if (uniform()) return (x1 - x0) * (y1 - y0) * 0.25 / (half_width_ * half_width_);
+  // Summed areas are exact at cell corners; between them each cell counts as uniform.
+  const double cells_per_px = cells_ / (2.0 * half_width_);
+  const auto summed = [&](double x, double y) {
+    const double a = (x + half_width_) * cells_per_px, b = (y + half_width_) * cells_per_px;
+    const int i = std::clamp(static_cast<int>(a), 0, cells_ - 1), j = std::clamp(static_cast<int>(b), 0, cells_ - 1);
+    const double s = a - i, t = b - j;
+    const double* low = &summed_[static_cast<std::size_t>(j * (cells_ + 1) + i)];
+    const double* high = low + cells_ + 1;
+    return (1.0 - t) * ((1.0 - s) * low[0] + s * low[1]) + t * ((1.0 - s) * high[0] + s * high[1]);
+  };
+  return summed(x1, y1) - summed(x0, y1) - summed(x1, y0) + summed(x0, y0);
+}
+
+}  // namespace ifov::sampling
