@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "geodesy/utc_time.h"
 #include "io/document/light_document.h"
 #include "io/document/output_document.h"
 #include "io/document/sampling_document.h"
@@ -17,18 +18,12 @@ namespace ifov::io {
 /// Version of the document format that this program reads and writes.
 inline constexpr int kDocumentVersion = 1;
 
-/// Coordinated universal time, Gregorian calendar.
-struct UtcTime {
-  int year = 2000, month = 1, day = 1, hour = 0, minute = 0;
-  double second = 0.0;
-};
-
 /// What the user wrote, checked and in SI units (metres, kelvins, radians; wavelength in micrometres).
 /// Files it names have not been opened.
 struct Document {
   int version = kDocumentVersion;
   std::uint64_t seed = 1;
-  std::optional<UtcTime> time;
+  std::optional<geodesy::UtcTime> time;
   SceneDocument scene;
   LightDocument light;
   AtmosphereDocument atmosphere;
