@@ -34,6 +34,8 @@ class World {
     double radius_m = 0.0;
     math::Point3 seed_m;  ///< a point on or in the object that a ray towards it meets (centroid of its largest face
                           ///< for open meshes, the centre for solids)
+    math::Vec3 half_length_m;  ///< from the centre along the longest side of the box in the object's own frame
+    double width_m = 0.0;      ///< second longest side of that box
     bool compact = false; ///< one connected thing, not a leaf or part of a larger object
   };
   virtual std::span<const PlacedObject> objects() const = 0;

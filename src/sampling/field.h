@@ -17,6 +17,8 @@ struct FocalPoint {
 using Label = std::uint64_t;
 
 /// One path: through `point`, with the random numbers of element `index` of the scrambled sequence `sequence`.
+/// Dimension pair 0 of the sequence is the sampler's (where in the stratum the point lies); paths use 1 and up, so
+/// that positions and paths are stratified together.
 struct PathRequest {
   FocalPoint point;
   std::uint64_t sequence = 0;

@@ -1,0 +1,54 @@
+#include "render/accuracy_tolerance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ifov::render {
+
+AccuracyTolerance::AccuracyTolerance(AccuracyRequest request, const ChannelBrightness& brightness,
+                                     std::vector<double> white_reflected_w_m2_sr_um, std::int64_t pixel_count)
+    : request_(std::move(request)), brightness_(brightness), white_(std::move(white_reflected_w_m2_sr_um)) {
+  const std::size_t channels = white_.size();
+  judged_.assign(channels, request_.channels.empty() ? 1 : 0);
+  for (int c : request_.channels) judged_[static_cast<std::size_t>(c)] = 1;
+  floor_.resize(channels);
+  constexpr double kReference_k = 288.15;
+  for (std::size_t c = 0; c < channels; ++c)
+    floor_[c] = request_.floor * (white_[c] + brightness_.radiance_w_m2_sr_um(static_cast<int>(c), kReference_k));
+
+  confidence_ = request_.confidence;
+  if (request_.simultaneous) {
+    const double statements =
+        static_cast<double>(std::count(judged_.begin(), judged_.end(), 1)) * static_cast<double>(pixel_count);
+    confidence_ = std::pow(request_.confidence, 1.0 / statements);  // Sidak 1967
+  }
+}
+
+void AccuracyTolerance::limits(std::span<const double> mean, std::span<double> limit) const {
+  for (std::size_t c = 0; c < mean.size(); ++c) {
+    if (!judged_[c]) {
+      limit[c] = std::numeric_limits<double>::infinity();
+      continue;
+    }
+    const double radiance = std::abs(mean[c]);
+    switch (request_.unit) {
+      case ErrorUnit::kelvin:
+        limit[c] = request_.error *
+                   brightness_.slope_w_m2_sr_um_k(static_cast<int>(c), std::max(radiance, floor_[c]));
+        break;
+      case ErrorUnit::percent:
+        limit[c] = std::max(request_.error * radiance, floor_[c]);
+        break;
+      case ErrorUnit::radiance:
+        limit[c] = request_.error;
+        break;
+      case ErrorUnit::reflectance:
+        limit[c] = request_.error * white_[c];
+        break;
+    }
+  }
+}
+
+}  // namespace ifov::render

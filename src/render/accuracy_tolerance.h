@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/channel_brightness.h"
+#include "sampling/tolerance.h"
+
+namespace ifov::render {
+
+/// The unit in which the user states the error.
+enum class ErrorUnit { kelvin, radiance, percent, reflectance };
+
+/// What the user asked for.
+struct AccuracyRequest {
+  ErrorUnit unit = ErrorUnit::percent;
+  double error = 0.01;             ///< K, W m-2 sr-1 um-1, fraction of the pixel's radiance, or reflectance
+  double confidence = 0.95;        ///< per pixel and channel
+  bool simultaneous = false;       ///< the confidence is for all judged channels of all pixels together
+  std::vector<int> channels;       ///< judged channels; empty: all
+  double floor = 1e-3;             ///< of the white reference's radiance (percent and kelvin)
+};
+
+/// Limits by channel for a pixel's radiance L. The white reference W is a level white Lambertian's radiance under
+/// the scene's Sun and sky plus a black body's of 288.15 K, so that it means something in every channel.
+/// Percent: max(error * |L|, floor * W). Kelvin: error * dL/dT at the pixel's own brightness temperature, taken no
+/// colder than that of floor * W. Reflectance: error * the white Lambertian's reflected radiance. So dark channels
+/// and pixels finish.
+class AccuracyTolerance final : public sampling::Tolerance {
+ public:
+  /// `white_reflected` is the radiance of a level white Lambertian lit by Sun and sky, by channel;
+  /// `pixel_count` counts for simultaneous confidence only.
+  AccuracyTolerance(AccuracyRequest request, const ChannelBrightness& brightness,
+                    std::vector<double> white_reflected_w_m2_sr_um, std::int64_t pixel_count);
+
+  void limits(std::span<const double> mean, std::span<double> limit) const override;
+  double confidence() const override { return confidence_; }
+
+  bool judged(int channel) const { return judged_[static_cast<std::size_t>(channel)] != 0; }
+  double floor_w_m2_sr_um(int channel) const { return floor_[static_cast<std::size_t>(channel)]; }
+
+ private:
+  AccuracyRequest request_;
+  const ChannelBrightness& brightness_;
+  std::vector<double> white_;
+  std::vector<double> floor_;
+  std::vector<char> judged_;
+  double confidence_ = 0.95;
+};
+
+}  // namespace ifov::render

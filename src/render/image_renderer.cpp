@@ -1,0 +1,91 @@
+#include "render/image_renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+#include <optional>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "render/object_seeds.h"
+#include "render/tile_grid.h"
+
+namespace ifov::render {
+
+namespace {
+
+/// Adds up finished tiles for the progress display and the totals.
+class Tally {
+ public:
+  Tally(std::int64_t pixels, ProgressSink* sink) : sink_(sink), start_(std::chrono::steady_clock::now()) {
+    total_.pixels_total = pixels;
+  }
+
+  void add(const sampling::TileResult& tile) {
+    const std::scoped_lock lock(mutex_);
+    total_.pixels_done += tile.tile.count();
+    total_.pixels_converged += std::count(tile.converged.begin(), tile.converged.end(), std::uint8_t{1});
+    total_.rays += static_cast<std::int64_t>(tile.rays.total());
+    for (float ratio : tile.worst_ratio)
+      total_.worst_error_ratio = std::max(total_.worst_error_ratio, static_cast<double>(ratio));
+    total_.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    if (sink_ != nullptr) sink_->report(total_);
+  }
+
+  const Progress& total() const { return total_; }
+
+ private:
+  ProgressSink* sink_;
+  std::chrono::steady_clock::time_point start_;
+  std::mutex mutex_;
+  Progress total_;
+};
+
+}  // namespace
+
+Progress render_image(const RenderJob& job, const RenderControl& control, TileSink& sink) {
+  const int width = job.camera.width_px(), height = job.camera.height_px();
+  const std::vector<sampling::PixelRect> tiles = tile_grid(width, height, job.tile_px);
+  const double margin_px = job.sampler.halo_px() + job.footprint.half_width_px();
+  std::optional<ObjectSeeds> seeds;
+  if (job.seed_objects) seeds.emplace(*job.scene.scene().world, job.camera, margin_px);
+
+  Tally tally(static_cast<std::int64_t>(width) * height, control.progress);
+  parallel_for(static_cast<std::int64_t>(tiles.size()), control.threads, [&](std::int64_t position) {
+    if (control.cancel != nullptr && control.cancel->cancelled()) throw Cancelled();
+    const std::size_t index = control.tile_order.empty()
+                                  ? static_cast<std::size_t>(position)
+                                  : static_cast<std::size_t>(control.tile_order[static_cast<std::size_t>(position)]);
+    const std::vector<sampling::FocalPoint> tile_seeds =
+        seeds ? seeds->near(tiles[index], margin_px) : std::vector<sampling::FocalPoint>{};
+    sampling::TileProblem problem;
+    problem.tile = tiles[index];
+    problem.image = {0, 0, width, height};
+    problem.seed = job.seed;
+    problem.footprint = &job.footprint;
+    problem.tolerance = job.tolerance;
+    problem.drivers = job.drivers;
+    problem.seeds = tile_seeds;
+    problem.cancel = control.cancel;
+
+    SceneField field(job.scene, job.camera, job.transport, job.label_detail);
+    sampling::TileResult result;
+    job.sampler.sample(problem, field, result);
+    result.rays = field.counts();
+    sink.write(result);
+    tally.add(result);
+  });
+  return tally.total();
+}
+
+std::vector<int> driver_channels(int channels, std::span<const int> always, int count) {
+  std::vector<int> chosen(always.begin(), always.end());
+  const int spread = std::min(channels, count);
+  for (int k = 0; k < spread; ++k)
+    chosen.push_back(static_cast<int>((static_cast<std::int64_t>(2 * k + 1) * channels) / (2 * spread)));
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  return chosen;
+}
+
+}  // namespace ifov::render

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/run_control.h"
+#include "render/scene_field.h"
+#include "render/tile_sink.h"
+#include "sampling/tile.h"
+
+namespace ifov::render {
+
+/// All that an image depends on. Keeps references; they must outlive the job.
+struct RenderJob {
+  const SpectralScene& scene;
+  const sensor::Camera& camera;
+  const sampling::PixelFootprint& footprint;
+  const sampling::PixelSampler& sampler;
+  const sampling::Tolerance* tolerance = nullptr;
+  TransportOptions transport;
+  LabelDetail label_detail = LabelDetail::sun_state;
+  std::uint64_t seed = 1;
+  int tile_px = 64;
+  bool seed_objects = true;        ///< send a ray at each compact object smaller than a pixel
+  std::vector<int> drivers;        ///< channels that steer the sampler
+};
+
+/// How the work is done; the result does not depend on it.
+struct RenderControl {
+  int threads = 0;
+  const CancelToken* cancel = nullptr;
+  ProgressSink* progress = nullptr;
+  std::span<const int> tile_order;  ///< positions in the tile grid; empty: row by row (for tests)
+};
+
+/// Renders tile by tile into the sink. A tile's result depends on the job and the tile alone. Throws Cancelled.
+Progress render_image(const RenderJob& job, const RenderControl& control, TileSink& sink);
+
+/// Channels that steer decisions: all of them up to `count`, else `count` spread evenly and those in `always`.
+std::vector<int> driver_channels(int channels, std::span<const int> always, int count = 16);
+
+}  // namespace ifov::render

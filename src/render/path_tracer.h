@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "math/ray.h"
+#include "render/spectral_scene.h"
+#include "sampling/field.h"
+#include "sampling/warp.h"
+
+namespace ifov::render {
+
+/// The random numbers of a path: element `index` of the scrambled sequence `sequence`.
+struct PathKey {
+  std::uint64_t sequence = 0;
+  std::uint32_t index = 0;
+};
+
+struct TransportOptions {
+  /// Surfaces a path may scatter at: 0 emission and sky only, 1 adds direct sun; negative: no limit, paths end by
+  /// Russian roulette without bias.
+  int maximum_scatterings = -1;
+};
+
+/// A spectral path tracer, breadth first: a batch of paths advances together, one bounce at a time, so that the ray
+/// tracer sees large batches, and every path carries all spectral nodes. Next-event estimation to the Sun (uniform
+/// in projected solid angle of its disc), scattering for sky and emission; the estimate is unbiased (Kajiya 1986).
+/// An object serves one thread.
+class PathTracer {
+ public:
+  /// Keeps a reference to the scene, which must outlive this.
+  PathTracer(const SpectralScene& scene, TransportOptions options);
+
+  /// Radiance along each ray towards its origin, at the sensor (view path included), in nodes: row k of `radiance`
+  /// (resized here). `first_hits` receives what each ray met. Adds shadow and bounce rays to `counts`.
+  void trace(std::span<const math::Ray> rays, std::span<const PathKey> keys, radiometry::SpectrumBlock& radiance,
+             std::span<geometry::SurfacePoint> first_hits, sampling::RayCounts& counts);
+
+ private:
+  struct Path {
+    math::Ray ray;
+    PathKey key;
+    std::uint32_t row = 0;         // of the radiance block
+    std::uint32_t throughput = 0;  // row of the throughput block
+    bool sees_sun = true;          // no next-event estimation was made for this segment
+  };
+  struct Scatter {                // a path that scatters at this depth
+    std::uint32_t path = 0;
+    std::uint32_t material = 0;
+    float sun_weight = 0.0f;      // of sun_irradiance, before visibility
+    std::uint32_t shadow = kNone; // index of its shadow ray
+    float bounce_weight = 0.0f;   // of the reflectance, in the continued path; 0 ends it
+    math::Ray next;
+    bool next_sees_sun = false;
+  };
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  void trace_segment(sampling::RayCounts& counts, int depth);
+  void advance(int depth, radiometry::SpectrumBlock& radiance, sampling::RayCounts& counts);
+  void add_escaped(const Path& path, int depth, float* radiance);
+  void scatter(const Path& path, std::uint32_t path_index, std::uint32_t material, int depth);
+  sampling::LightSample sample_sun(const scene::Sun& sun, math::Vec3 normal, sampling::Point2 u) const;
+
+  const SpectralScene& scene_;
+  TransportOptions options_;
+  std::size_t row_floats_;
+  std::optional<sampling::SolarDisc> disc_;
+  radiometry::SpectrumBlock throughput_;
+  radiometry::SpectrumBlock scratch_;
+  std::vector<Path> paths_, next_paths_;
+  std::vector<math::Ray> rays_, shadow_rays_;
+  std::vector<geometry::SurfacePoint> hits_;
+  std::vector<Scatter> scatters_;
+  std::vector<std::uint8_t> blocked_;
+};
+
+}  // namespace ifov::render

@@ -1,0 +1,114 @@
+#include "render/scene_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "materials/scattering.h"
+#include "sampling/warp.h"
+
+namespace ifov::render {
+
+namespace {
+
+/// Values are traced in groups whose rows stay in the cache.
+constexpr std::size_t kGroup = 1024;
+
+/// Three points near the rim of the disc, or its centre for a point Sun. They tell "all of it is seen" from "none"
+/// and "some"; where they are wrong the label is, which costs rays and nothing else.
+std::vector<math::Vec3> fixed_disc_points(const scene::Sun& sun) {
+  if (sun.half_angle_rad <= 0.0) return {sun.direction};
+  constexpr double kRim = 0.97;
+  const sampling::TangentFrame frame(sun.direction);
+  const double sine = kRim * std::sin(sun.half_angle_rad);
+  std::vector<math::Vec3> points;
+  for (int k = 0; k < 3; ++k) {
+    const double turn = 2.0 * std::numbers::pi * k / 3.0;
+    points.push_back(math::normalized(
+        frame.to_world({sine * std::cos(turn), sine * std::sin(turn), std::sqrt(1.0 - sine * sine)})));
+  }
+  return points;
+}
+
+}  // namespace
+
+SceneField::SceneField(const SpectralScene& scene, const sensor::Camera& camera, TransportOptions transport,
+                       LabelDetail detail)
+    : scene_(scene), camera_(camera), detail_(detail), tracer_(scene, transport) {
+  if (scene.scene().sun) disc_points_ = fixed_disc_points(*scene.scene().sun);
+}
+
+void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) {
+  rays_.resize(points.size());
+  hits_.resize(points.size());
+  camera_.rays(points, rays_);
+  scene_.scene().world->intersect(rays_, hits_);
+  counts_.primary += points.size();
+  label_hits(hits_, labels);
+}
+
+void SceneField::values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
+                        std::span<float> values) {
+  const std::size_t row_length = static_cast<std::size_t>(stride());
+  for (std::size_t first = 0; first < requests.size(); first += kGroup) {
+    const std::size_t count = std::min(kGroup, requests.size() - first);
+    points_.resize(count);
+    keys_.resize(count);
+    rays_.resize(count);
+    hits_.resize(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      points_[k] = requests[first + k].point;
+      keys_[k] = {requests[first + k].sequence, requests[first + k].index};
+    }
+    camera_.rays(points_, rays_);
+    tracer_.trace(rays_, keys_, radiance_, hits_, counts_);
+    for (std::size_t k = 0; k < count; ++k)
+      scene_.nodes().to_channels(radiance_.row(k), values.data() + (first + k) * row_length);
+    label_hits(hits_, labels.subspan(first, count));
+  }
+}
+
+void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, std::span<sampling::Label> labels) {
+  const scene::Scene& scene = scene_.scene();
+  sun_rays_.clear();
+  owner_.clear();
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    const geometry::SurfacePoint& hit = hits[k];
+    SurfaceLabel label;
+    label.material = SurfaceLabel::kSky;
+    if (hit.hit()) {
+      const std::uint32_t material = scene.resolve(hit).material;
+      label = {hit.instance, hit.patch, material, hit.front, SunState::none};
+      if (detail_ == LabelDetail::sun_state && !disc_points_.empty() &&
+          scene_.highest_reflectance(material) > 0.0 &&
+          !materials::scattering(scene.materials[material].scattering).is_delta()) {
+        const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
+        std::size_t above = 0;
+        for (const math::Vec3& direction : disc_points_) above += math::dot(direction, outward) > 0.0;
+        label.sun = above == 0 ? SunState::shaded : above < disc_points_.size() ? SunState::penumbra : SunState::lit;
+        if (label.sun == SunState::lit) {
+          owner_.push_back(static_cast<std::uint32_t>(k));
+          for (const math::Vec3& direction : disc_points_)
+            sun_rays_.push_back({hit.position_m + hit.offset_m * outward, direction});
+        }
+      }
+    }
+    labels[k] = label.pack();
+  }
+  if (sun_rays_.empty()) return;
+  blocked_.resize(sun_rays_.size());
+  scene.world->occluded(sun_rays_, blocked_);
+  counts_.shadow += sun_rays_.size();
+  const std::size_t group = disc_points_.size();
+  for (std::size_t g = 0; g < owner_.size(); ++g) {
+    const auto blocked = static_cast<std::size_t>(
+        std::count(blocked_.begin() + static_cast<std::ptrdiff_t>(g * group),
+                   blocked_.begin() + static_cast<std::ptrdiff_t>((g + 1) * group), std::uint8_t{1}));
+    if (blocked > 0) {
+      const SunState state = blocked == group ? SunState::shaded : SunState::penumbra;
+      labels[owner_[g]] = (labels[owner_[g]] & ~sampling::Label{3}) | static_cast<sampling::Label>(state);
+    }
+  }
+}
+
+}  // namespace ifov::render

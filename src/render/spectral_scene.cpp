@@ -1,0 +1,76 @@
+#include "render/spectral_scene.h"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+namespace ifov::render {
+
+SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::SpectralNodes& nodes)
+    : scene_(scene),
+      nodes_(nodes),
+      materials_(scene.materials, nodes),
+      emission_(scene.states.size(), nodes.node_count()),
+      light_(kLightRows, nodes.node_count()) {
+  std::vector<float> planck(nodes.node_count());
+  auto emit = [&](const scene::SurfaceState& state, float* row) {
+    if (state.temperature_k <= 0.0) return;
+    nodes.planck(state.temperature_k, std::span<float>(planck));
+    const float* emissivity = materials_.emissivity(state.material);
+    for (std::size_t n = 0; n < planck.size(); ++n) row[n] = emissivity[n] * planck[n];
+  };
+  for (std::size_t s = 0; s < scene.states.size(); ++s) emit(scene.states[s], emission_.row(s));
+
+  if (scene.sun) {
+    const radiometry::Spectrum* product[] = {&scene.sun->irradiance, &scene.sun->transmittance};
+    nodes.average_source(product, light_.values(kSunIrradiance));
+  }
+  if (scene.sky.radiance)
+    nodes.average_source(*scene.sky.radiance, light_.values(kSky));
+  else if (scene.sky.temperature_k)
+    nodes.planck(*scene.sky.temperature_k, light_.values(kSky));
+
+  float* around = light_.row(kSurroundings);
+  emit(scene.surroundings, around);
+  const float* reflectance = materials_.reflectance(scene.surroundings.material);
+  const double sine = scene.sun ? std::max(0.0, scene.sun->direction.z) : 0.0;
+  for (std::size_t n = 0; n < node_count(); ++n)
+    around[n] += reflectance[n] * (light_.row(kSunIrradiance)[n] * static_cast<float>(sine / std::numbers::pi) +
+                                   light_.row(kSky)[n]);
+
+  if (scene.view_path.transmittance || scene.view_path.radiance) {
+    has_view_path_ = true;
+    nodes.average_surface(scene.view_path.transmittance.value_or(radiometry::Spectrum::constant(1.0)),
+                          light_.values(kViewTransmittance));
+    if (scene.view_path.radiance) nodes.average_source(*scene.view_path.radiance, light_.values(kViewRadiance));
+  }
+
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
+  for (const scene::Covering& covering : scene.coverings) {
+    if (!covering.temperatures) continue;
+    lowest = std::min(lowest, covering.temperatures->minimum_k());
+    highest = std::max(highest, covering.temperatures->maximum_k());
+  }
+  if (highest > 0.0) planck_ = std::make_unique<radiometry::PlanckTable>(nodes, lowest - 0.5, highest + 0.5);
+}
+
+const float* SpectralScene::emission(const scene::ResolvedSurface& surface, float* scratch) const {
+  if (surface.mapped_temperature_k <= 0.0) return emission_.row(surface.state);
+  planck_->row(surface.mapped_temperature_k, scratch);
+  const float* emissivity = materials_.emissivity(surface.material);
+  for (std::size_t n = 0; n < stride(); ++n) scratch[n] *= emissivity[n];
+  return scratch;
+}
+
+std::vector<double> SpectralScene::white_reflected() const {
+  const double sine = scene_.sun ? std::max(0.0, scene_.sun->direction.z) : 0.0;
+  std::vector<double> white(nodes_.channel_count(), 0.0);
+  for (std::size_t c = 0; c < white.size(); ++c)
+    for (std::size_t n = nodes_.first_node(c); n < nodes_.first_node(c + 1); ++n) {
+      const double reflected = light_.row(kSunIrradiance)[n] * sine / std::numbers::pi + light_.row(kSky)[n];
+      white[c] += nodes_.node_weight(n) * reflected * (has_view_path_ ? view_transmittance()[n] : 1.0f);
+    }
+  return white;
+}
+
+}  // namespace ifov::render

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "materials/spectral_materials.h"
+#include "radiometry/planck_table.h"
+#include "radiometry/spectral_nodes.h"
+#include "radiometry/spectrum_block.h"
+#include "scene/scene.h"
+
+namespace ifov::render {
+
+/// The scene's spectra as rows over the spectral nodes of a sensor: what a path multiplies and adds.
+class SpectralScene {
+ public:
+  /// Keeps references to both; they must outlive this.
+  SpectralScene(const scene::Scene& scene, const radiometry::SpectralNodes& nodes);
+
+  const scene::Scene& scene() const { return scene_; }
+  const radiometry::SpectralNodes& nodes() const { return nodes_; }
+  std::size_t node_count() const { return nodes_.node_count(); }
+  std::size_t stride() const { return light_.stride(); }
+
+  const float* reflectance(std::uint32_t material) const { return materials_.reflectance(material); }
+  /// Largest reflectance over the nodes; 0 marks a black surface, which ends paths.
+  double highest_reflectance(std::uint32_t material) const { return materials_.maximum_reflectance(material); }
+
+  /// Emitted radiance of a resolved surface, W m-2 sr-1 um-1; `scratch` (stride() floats, 64-byte aligned) is
+  /// used where the temperature comes from a map.
+  const float* emission(const scene::ResolvedSurface& surface, float* scratch) const;
+
+  /// Irradiance on a surface that faces the Sun (zero without one).
+  const float* sun_irradiance() const { return light_.row(kSunIrradiance); }
+  const float* sky_radiance() const { return light_.row(kSky); }
+  const float* surroundings_radiance() const { return light_.row(kSurroundings); }
+  bool has_view_path() const { return has_view_path_; }
+  const float* view_transmittance() const { return light_.row(kViewTransmittance); }
+  const float* view_radiance() const { return light_.row(kViewRadiance); }
+
+  /// By channel: radiance of a level white Lambertian under Sun and sky, through the view path's transmittance.
+  std::vector<double> white_reflected() const;
+
+ private:
+  enum LightRow { kSunIrradiance, kSky, kSurroundings, kViewTransmittance, kViewRadiance, kLightRows };
+  const scene::Scene& scene_;
+  const radiometry::SpectralNodes& nodes_;
+  materials::SpectralMaterials materials_;
+  radiometry::SpectrumBlock emission_;  // by state
+  radiometry::SpectrumBlock light_;     // by LightRow
+  std::unique_ptr<radiometry::PlanckTable> planck_;  // only where a temperature map needs it
+  bool has_view_path_ = false;
+};
+
+}  // namespace ifov::render

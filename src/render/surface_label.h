@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+
+#include "sampling/field.h"
+
+namespace ifov::render {
+
+/// How the Sun's disc is seen from a surface point, judged at fixed points of the disc.
+enum class SunState : std::uint8_t { none = 0, lit = 1, penumbra = 2, shaded = 3 };
+
+/// The fields of a label: what the hit is. Instance and patch wrap where they outgrow their bits; two patches that
+/// share a label cost rays, never honesty.
+struct SurfaceLabel {
+  std::uint32_t instance = 0;  // 25 bits
+  std::uint32_t patch = 0;     // 21 bits
+  std::uint32_t material = 0;  // 15 bits, exact
+  bool front = true;
+  SunState sun = SunState::none;
+
+  static constexpr std::uint32_t kMaximumMaterials = (1u << 15) - 2;
+  static constexpr std::uint32_t kSky = (1u << 15) - 1;  ///< "material" of a ray that met nothing
+
+  constexpr sampling::Label pack() const {
+    return (static_cast<std::uint64_t>(instance & 0x1ffffffu) << 39) |
+           (static_cast<std::uint64_t>(patch & 0x1fffffu) << 18) |
+           (static_cast<std::uint64_t>(material & 0x7fffu) << 3) | (static_cast<std::uint64_t>(front) << 2) |
+           static_cast<std::uint64_t>(sun);
+  }
+
+  static constexpr std::uint32_t material_of(sampling::Label label) {
+    return static_cast<std::uint32_t>(label >> 3) & 0x7fffu;
+  }
+};
+
+}  // namespace ifov::render

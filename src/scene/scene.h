@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/world.h"
+#include "materials/draped_map.h"
+#include "materials/material.h"
+#include "radiometry/spectrum.h"
+
+namespace ifov::scene {
+
+/// The Sun over the scene. Its disc is uniform in radiance.
+struct Sun {
+  math::Vec3 direction;             ///< unit, from the scene towards the Sun (ENU)
+  double half_angle_rad = 0.0;      ///< of the disc; 0: a point, without penumbra
+  radiometry::Spectrum irradiance;  ///< W m-2 um-1 on a surface that faces the Sun, outside the atmosphere, at
+                                    ///< the Sun's actual distance
+  radiometry::Spectrum transmittance = radiometry::Spectrum::constant(1.0);  ///< from there to the surface
+};
+
+/// The sky: the same radiance from everywhere above the horizon.
+struct Sky {
+  std::optional<radiometry::Spectrum> radiance;  ///< W m-2 sr-1 um-1
+  std::optional<double> temperature_k;           ///< a black sky of this temperature
+};
+
+/// Between the surface and the sensor, for every pixel alike.
+struct ViewPath {
+  std::optional<radiometry::Spectrum> transmittance;
+  std::optional<radiometry::Spectrum> radiance;  ///< W m-2 sr-1 um-1, added
+};
+
+/// A material at a temperature; 0 K emits nothing.
+struct SurfaceState {
+  std::uint32_t material = 0;
+  double temperature_k = 0.0;
+  friend bool operator==(const SurfaceState&, const SurfaceState&) = default;
+};
+
+/// What covers a part of an object (SurfacePoint::material is an index into Scene::coverings): one state, or a map
+/// of classes draped from above, each with its state; a temperature map, where there is one, replaces the
+/// states' temperatures.
+struct Covering {
+  std::vector<std::uint32_t> states;  ///< indices into Scene::states; one, or by class index of the map
+  std::shared_ptr<const materials::ClassMap> classes;
+  std::shared_ptr<const materials::TemperatureMap> temperatures;
+};
+
+/// Surface found at a point: `state` always names the material; where `mapped_temperature_k` > 0 it replaces the
+/// state's own temperature.
+struct ResolvedSurface {
+  std::uint32_t state = 0;
+  std::uint32_t material = 0;
+  double mapped_temperature_k = 0.0;
+};
+
+/// The immutable assembly of geometry, materials and light. Answers "what is at this point" and "what lights it";
+/// knows nothing of sensors.
+struct Scene {
+  std::unique_ptr<geometry::World> world;
+  std::vector<materials::Material> materials;
+  std::vector<SurfaceState> states;
+  std::vector<Covering> coverings;
+  std::optional<Sun> sun;
+  Sky sky;
+  SurfaceState surroundings;  ///< an open, level plain of this state, met by rays that leave below the horizon
+  ViewPath view_path;
+
+  ResolvedSurface resolve(const geometry::SurfacePoint& point) const;
+};
+
+}  // namespace ifov::scene
