@@ -1,25 +1,28 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 namespace ifov::sampling {
 
-/// The finaliser of SplitMix64 (Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators"):
-/// a bijection of 64-bit words whose outputs pass the usual tests for successive inputs.
-constexpr std::uint64_t mix(std::uint64_t word) {
-  word += 0x9e3779b97f4a7c15ull;
-  word = (word ^ (word >> 30)) * 0xbf58476d1ce4e5b9ull;
-  word = (word ^ (word >> 27)) * 0x94d049bb133111ebull;
-  return word ^ (word >> 31);
+/// The finaliser of splitmix64 (Steele, Lea and Flood 2014): a bijection of 64-bit words in which every input bit
+/// moves every output bit.
+constexpr std::uint64_t mix(std::uint64_t z) {
+  z += 0x9e3779b97f4a7c15ull;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+  return z ^ (z >> 31);
 }
 
-/// A hash of several words in order: random numbers are keyed by what they are for, e.g. mix(seed, pixel, index).
-template <class... Words>
-constexpr std::uint64_t mix(std::uint64_t first, std::uint64_t second, Words... rest) {
-  return mix(mix(first) ^ second, static_cast<std::uint64_t>(rest)...);
+/// Key of a random number from what it is for: integers and enums, in order, e.g. hash(seed, x, y, Purpose::probe).
+/// Order matters, and so does the number of words.
+template <class First, class... Rest>
+constexpr std::uint64_t hash(First first, Rest... rest) {
+  static_assert((std::is_integral_v<First> || std::is_enum_v<First>) &&
+                ((std::is_integral_v<Rest> || std::is_enum_v<Rest>) && ...));
+  std::uint64_t h = mix(static_cast<std::uint64_t>(first));
+  ((h = mix(h + static_cast<std::uint64_t>(rest))), ...);
+  return h;
 }
-
-/// A number in [0, 1) from a hashed word (53 bits).
-constexpr double unit(std::uint64_t hashed) { return static_cast<double>(hashed >> 11) * 0x1p-53; }
 
 }  // namespace ifov::sampling
