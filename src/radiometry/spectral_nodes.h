@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "radiometry/channel.h"
+#include "radiometry/node_rule.h"
 #include "radiometry/spectrum.h"
 
 namespace ifov::radiometry {
@@ -27,12 +28,12 @@ class SpectralNodes {
   static SpectralNodes build(std::span<const Channel> channels, const Spectrum& solar_irradiance,
                              std::span<const Spectrum> surfaces, double tolerance = 5e-4);
 
-  std::size_t node_count() const { return nodes_.size(); }
+  std::size_t node_count() const { return weight_.size(); }
   std::size_t channel_count() const { return first_node_.size() - 1; }
   /// Nodes [first_node(c), first_node(c + 1)) belong to channel c.
   std::size_t first_node(std::size_t channel) const { return first_node_[channel]; }
-  double node_wavelength_um(std::size_t node) const { return nodes_[node].wavelength_um; }
-  double node_weight(std::size_t node) const { return nodes_[node].weight; }
+  double node_wavelength_um(std::size_t node) const { return wavelength_um_[node]; }
+  double node_weight(std::size_t node) const { return weight_[node]; }
   /// Largest relative error seen in the checks at construction.
   double worst_error() const { return worst_error_; }
 
@@ -52,25 +53,18 @@ class SpectralNodes {
   void to_channels(const float* nodes, float* channels) const;
 
  private:
-  friend class ChannelQuadrature;
-  struct Node {
-    double wavelength_um = 0.0;
-    double weight = 1.0;
-    std::size_t first_point = 0;    // its part of the channel's fine grid: [first_point, last_point)
-    std::size_t last_point = 0;
-    std::size_t first_kernel = 0;   // its kernels over that part
-    std::size_t first_sibling = 0;  // nodes of the same part of the channel: [first_sibling, last_sibling)
-    std::size_t last_sibling = 0;
-  };
-  template <class Value>
-  void project_source(const Value& value_at_point, std::span<double> nodes) const;
+  template <class Project>
+  void for_each_rule(std::span<float> nodes, const Project& project) const;
 
-  std::vector<Node> nodes_;
+  /// Neighbouring channels that have equally many nodes.
+  struct Run {
+    std::size_t first_channel, last_channel, first_node, nodes_per_channel;
+  };
+  std::vector<NodeRule> rules_;  // by channel
   std::vector<std::size_t> first_node_{0};
-  std::vector<float> weight_;          // of each node
-  std::vector<double> point_um_;       // fine grids of all channels, one after the other
-  std::vector<double> factor_kernel_;  // node value of a factor = sum of kernel x value at points
-  std::vector<double> source_kernel_;  // the same for sources
+  std::vector<float> weight_;
+  std::vector<double> wavelength_um_;
+  std::vector<Run> runs_;
   double worst_error_ = 0.0;
 };
 

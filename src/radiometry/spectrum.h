@@ -52,7 +52,8 @@ class Spectrum {
   std::string name_;
 };
 
-/// Integral over [first_um, last_um] of the product of some spectra, exact for piecewise linear factors.
+/// Integral over [first_um, last_um] of the product of some spectra, exact for up to
+/// seven piecewise linear factors.
 double integral_of_product(std::span<const Spectrum* const> factors, double first_um, double last_um);
 double integral(const Spectrum& spectrum, double first_um, double last_um);
 

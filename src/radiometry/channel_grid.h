@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "radiometry/channel.h"
+#include "radiometry/spectrum.h"
+
+namespace ifov::radiometry {
+
+/// A channel as a fine sum: the mean of f over the channel is the sum of response[q] f(wavelength_um[q]). At least 256
+/// points, and two between neighbouring points of the response and of the solar spectrum; a monochromatic channel
+/// has one.
+struct ChannelGrid {
+  std::vector<double> wavelength_um;
+  std::vector<double> response;    ///< sums to 1
+  std::vector<double> irradiance;  ///< of the Sun, W m-2 um-1
+  std::vector<double> reference;   ///< W m-2 sr-1 um-1: a white surface in the Sun, plus a blackbody of 300 K
+
+  ChannelGrid(const Channel& channel, const Spectrum& solar_irradiance);
+  std::size_t size() const { return wavelength_um.size(); }
+  std::vector<double> sampled(const Spectrum& spectrum) const;
+};
+
+}  // namespace ifov::radiometry

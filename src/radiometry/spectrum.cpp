@@ -1,0 +1,137 @@
+#include "radiometry/spectrum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+#include "radiometry/gauss_legendre.h"
+
+namespace ifov::radiometry {
+namespace {
+
+std::string subject(const std::string& name) {
+  return name.empty() ? std::string("a spectrum") : format("the spectrum \"{}\"", name);
+}
+
+}  // namespace
+
+Spectrum Spectrum::constant(double value) {
+  Spectrum spectrum;
+  spectrum.values_[0] = value;
+  return spectrum;
+}
+
+Spectrum::Spectrum(std::vector<double> wavelength_um, std::vector<double> values, OutsideRange outside,
+                   std::string name)
+    : wavelength_um_(std::move(wavelength_um)),
+      values_(std::move(values)),
+      outside_(outside),
+      name_(std::move(name)) {
+  if (wavelength_um_.empty() || wavelength_um_.size() != values_.size())
+    throw InputError(format("{} needs as many values as wavelengths, at least one: found {} wavelengths and {} values",
+                            subject(name_), wavelength_um_.size(), values_.size()));
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    if (!std::isfinite(values_[i]) || !std::isfinite(wavelength_um_[i]) || wavelength_um_[i] <= 0.0)
+      throw InputError(format("{} has an unusable point {}: wavelength {} um, value {}", subject(name_), i + 1,
+                              wavelength_um_[i], values_[i]));
+    if (i > 0 && wavelength_um_[i] <= wavelength_um_[i - 1])
+      throw InputError(format("wavelengths of {} must increase: {} um is followed by {} um", subject(name_),
+                              wavelength_um_[i - 1], wavelength_um_[i]));
+  }
+}
+
+double Spectrum::at(double wavelength_um) const {
+  if (is_constant()) return values_[0];
+  const double first = wavelength_um_.front(), last = wavelength_um_.back();
+  if (wavelength_um < first || wavelength_um > last) {
+    if (outside_ == OutsideRange::zero) return 0.0;
+    // A billionth of slack, so that an end which went through a change of units still belongs to the range.
+    constexpr double kSlack = 1e-9;
+    if (outside_ == OutsideRange::error && (wavelength_um < first * (1.0 - kSlack) || wavelength_um > last * (1.0 + kSlack)))
+      throw InputError(format("{} is given from {:g} to {:g} um and is needed at {:g} um", subject(name_), first,
+                              last, wavelength_um));
+    return wavelength_um < first ? values_.front() : values_.back();
+  }
+  const auto upper = std::upper_bound(wavelength_um_.begin(), wavelength_um_.end(), wavelength_um);
+  if (upper == wavelength_um_.end()) return values_.back();
+  const std::size_t i = static_cast<std::size_t>(upper - wavelength_um_.begin());
+  const double share = (wavelength_um - wavelength_um_[i - 1]) / (wavelength_um_[i] - wavelength_um_[i - 1]);
+  return values_[i - 1] + share * (values_[i] - values_[i - 1]);
+}
+
+double Spectrum::first_um() const {
+  return is_constant() ? -std::numeric_limits<double>::infinity() : wavelength_um_.front();
+}
+
+double Spectrum::last_um() const {
+  return is_constant() ? std::numeric_limits<double>::infinity() : wavelength_um_.back();
+}
+
+double Spectrum::maximum() const { return *std::max_element(values_.begin(), values_.end()); }
+double Spectrum::minimum() const { return *std::min_element(values_.begin(), values_.end()); }
+
+Spectrum Spectrum::mapped(const std::function<double(double)>& f) const {
+  Spectrum result = *this;
+  for (double& value : result.values_) value = f(value);
+  return result;
+}
+
+Spectrum Spectrum::scaled(double factor) const {
+  return mapped([factor](double value) { return factor * value; });
+}
+
+Spectrum Spectrum::complement() const {
+  return mapped([](double value) { return 1.0 - value; });
+}
+
+Spectrum Spectrum::with_outside(OutsideRange outside) const {
+  Spectrum result = *this;
+  result.outside_ = outside;
+  return result;
+}
+
+Spectrum Spectrum::with_name(std::string name) const {
+  Spectrum result = *this;
+  result.name_ = std::move(name);
+  return result;
+}
+
+std::vector<double> merged_wavelengths_um(std::span<const Spectrum* const> spectra, double first_um, double last_um) {
+  std::vector<double> merged{first_um, last_um};
+  for (const Spectrum* spectrum : spectra)
+    for (const double wavelength : spectrum->wavelength_um())
+      if (wavelength > first_um && wavelength < last_um) merged.push_back(wavelength);
+  std::sort(merged.begin(), merged.end());
+  merged.erase(std::unique(merged.begin(), merged.end()), merged.end());
+  return merged;
+}
+
+double integral_of_product(std::span<const Spectrum* const> factors, double first_um, double last_um) {
+  const std::vector<double> points = merged_wavelengths_um(factors, first_um, last_um);
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const double width = points[i + 1] - points[i];
+    for (const GaussPoint& gauss : kGauss4) {
+      double product = gauss.weight * width;
+      for (const Spectrum* factor : factors) product *= factor->at(points[i] + gauss.position * width);
+      sum += product;
+    }
+  }
+  return sum;
+}
+
+double integral(const Spectrum& spectrum, double first_um, double last_um) {
+  const Spectrum* factors[] = {&spectrum};
+  return integral_of_product(factors, first_um, last_um);
+}
+
+double weighted_mean(const Spectrum& spectrum, const Spectrum& weight) {
+  const double total = weight.is_constant() ? 0.0 : integral(weight, weight.first_um(), weight.last_um());
+  if (!(total > 0.0))
+    throw InputError(format("{} cannot weigh a mean: it needs a range and a positive integral", subject(weight.name())));
+  const Spectrum* factors[] = {&spectrum, &weight};
+  return integral_of_product(factors, weight.first_um(), weight.last_um()) / total;
+}
+
+}  // namespace ifov::radiometry
