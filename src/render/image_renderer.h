@@ -18,12 +18,12 @@ struct RenderJob {
   const sampling::PixelFootprint& footprint;
   const sampling::PixelSampler& sampler;
   const sampling::Tolerance* tolerance = nullptr;
-  TransportOptions transport;
+  TransportOptions transport{};
   LabelDetail label_detail = LabelDetail::sun_state;
   std::uint64_t seed = 1;
   int tile_px = 64;
   bool seed_objects = true;        ///< send a ray at each compact object smaller than a pixel
-  std::vector<int> drivers;        ///< channels that steer the sampler
+  std::vector<int> drivers{};      ///< channels that steer the sampler
 };
 
 /// How the work is done; the result does not depend on it.

@@ -47,6 +47,11 @@ void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<
   label_hits(hits_, labels);
 }
 
+std::uint32_t SceneField::material_of(sampling::Label label) const {
+  const std::uint32_t material = SurfaceLabel::material_of(label);
+  return material == SurfaceLabel::kSky ? scene_.scene().surroundings.material : material;
+}
+
 void SceneField::values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
                         std::span<float> values) {
   const std::size_t row_length = static_cast<std::size_t>(stride());

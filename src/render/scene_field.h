@@ -26,7 +26,8 @@ class SceneField final : public sampling::Field {
   void labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) override;
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
               std::span<float> values) override;
-  std::uint32_t material_of(sampling::Label label) const override { return SurfaceLabel::material_of(label); }
+  /// Rays that met nothing stand on the material of the surroundings, the last of the scene.
+  std::uint32_t material_of(sampling::Label label) const override;
   sampling::RayCounts counts() const override { return counts_; }
 
  private:

@@ -46,11 +46,12 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::Spectr
   }
 
   double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
-  for (const scene::Covering& covering : scene.coverings) {
-    if (!covering.temperatures) continue;
-    lowest = std::min(lowest, covering.temperatures->minimum_k());
-    highest = std::max(highest, covering.temperatures->maximum_k());
-  }
+  for (const scene::Covering& covering : scene.coverings)
+    for (const auto& map : covering.temperatures) {
+      if (!map) continue;
+      lowest = std::min(lowest, map->minimum_k());
+      highest = std::max(highest, map->maximum_k());
+    }
   if (highest > 0.0) planck_ = std::make_unique<radiometry::PlanckTable>(nodes, lowest - 0.5, highest + 0.5);
 }
 

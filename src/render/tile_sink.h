@@ -22,7 +22,8 @@ struct ImageInfo {
   std::string radiance_unit = "W m-2 sr-1 um-1";
   bool has_map = false;                 ///< map coordinates of the upper left corner and the pixel size
   double map_x_m = 0.0, map_y_m = 0.0, gsd_m = 0.0;
-  std::string map_projection;           ///< "Arbitrary" for a local ENU frame
+  double map_rotation_rad = 0.0;        ///< azimuth of the upward direction of the image, clockwise from north
+  std::string map_projection;           ///< "Arbitrary" for a local ENU frame, else well-known text
 };
 
 /// Takes finished tiles, in any order, from any thread; each pixel comes once.

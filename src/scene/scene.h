@@ -42,12 +42,13 @@ struct SurfaceState {
 };
 
 /// What covers a part of an object (SurfacePoint::material is an index into Scene::coverings): one state, or a map
-/// of classes draped from above, each with its state; a temperature map, where there is one, replaces the
-/// states' temperatures.
+/// of classes draped from above, each with its state. Where a state has a temperature map, that replaces its
+/// temperature.
 struct Covering {
   std::vector<std::uint32_t> states;  ///< indices into Scene::states; one, or by class index of the map
   std::shared_ptr<const materials::ClassMap> classes;
-  std::shared_ptr<const materials::TemperatureMap> temperatures;
+  std::vector<std::shared_ptr<const materials::TemperatureMap>> temperatures;  ///< by state; empty: none
+  friend bool operator==(const Covering&, const Covering&) = default;
 };
 
 /// Surface found at a point: `state` always names the material; where `mapped_temperature_k` > 0 it replaces the

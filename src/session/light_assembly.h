@@ -1,0 +1,11 @@
+#pragma once
+
+#include "io/document/document.h"
+#include "scene/scene.h"
+
+namespace ifov::session {
+
+/// Sun, sky, surroundings and the view path of a document, into the scene (whose materials gain the surroundings').
+void assemble_light(const io::Document& document, scene::Scene& scene);
+
+}  // namespace ifov::session

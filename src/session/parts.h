@@ -1,0 +1,28 @@
+#pragma once
+
+#include "io/document/document.h"
+#include "render/image_renderer.h"
+#include "session/sampling_assembly.h"
+#include "session/session.h"
+
+namespace ifov::session {
+
+/// What a loaded document consists of. Immutable once loaded; members refer to those above them.
+struct Session::Parts {
+  io::Document document;
+  scene::Scene scene;
+  std::vector<radiometry::Channel> channels;
+  std::unique_ptr<radiometry::SpectralNodes> nodes;
+  std::unique_ptr<sensor::Camera> camera;
+  std::unique_ptr<sampling::PixelFootprint> footprint;
+  std::unique_ptr<render::SpectralScene> spectral_scene;
+  std::unique_ptr<render::ChannelBrightness> brightness;
+  SamplingPlan plan;
+  std::unique_ptr<render::AccuracyTolerance> tolerance;  ///< null where no accuracy is asked for
+  render::ImageInfo info;
+
+  /// The job that renders the document's image.
+  render::RenderJob job() const;
+};
+
+}  // namespace ifov::session

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/document/document.h"
+#include "radiometry/channel.h"
+#include "render/accuracy_tolerance.h"
+#include "render/spectral_scene.h"
+#include "sampling/tile.h"
+
+namespace ifov::session {
+
+/// How a document's image is to be sampled.
+struct SamplingPlan {
+  std::unique_ptr<sampling::PixelSampler> sampler;
+  std::optional<render::AccuracyRequest> request;  ///< only where an accuracy is asked for
+  std::string method;                              ///< for people: "grid 10 x 10"
+  std::string accuracy_asked;                      ///< for people: "0.1 K in channel 'B10', at 95 %"; may be empty
+  bool seed_objects = false;
+  std::vector<int> drivers;
+};
+
+SamplingPlan assemble_sampling(const io::Document& document, const std::vector<radiometry::Channel>& channels);
+
+}  // namespace ifov::session

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "core/run_control.h"
+#include "io/document/document.h"
+#include "scene/scene.h"
+
+namespace ifov::session {
+
+/// Builds the scene that a document describes: reads its meshes, maps and spectra. `log` may be null.
+scene::Scene assemble_scene(const io::Document& document, LogSink* log);
+
+}  // namespace ifov::session

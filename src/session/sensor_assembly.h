@@ -1,0 +1,23 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "io/document/document.h"
+#include "radiometry/channel.h"
+#include "render/tile_sink.h"
+#include "scene/scene.h"
+#include "sensor/camera.h"
+
+namespace ifov::session {
+
+/// `scene` tells where rays of a nadir camera without a height start.
+std::unique_ptr<sensor::Camera> assemble_camera(const io::Document& document, const scene::Scene& scene);
+std::vector<radiometry::Channel> assemble_channels(const io::Document& document);
+sampling::PixelFootprint assemble_footprint(const io::Document& document);
+
+/// Names, channels and map information for products.
+render::ImageInfo image_info(const io::Document& document, const sensor::Camera& camera,
+                             const std::vector<radiometry::Channel>& channels, const scene::Scene& scene);
+
+}  // namespace ifov::session

@@ -1,0 +1,72 @@
+#include "session/statements.h"
+
+#include <algorithm>
+
+namespace ifov::session {
+
+std::string describe(const Session::Parts& parts) {
+  std::string text = format("scene: {} objects, {} triangles, {} materials\n", parts.scene.world->objects().size(),
+                            parts.scene.world->triangle_count(), parts.document.scene.materials.size());
+  text += format("light: {}, {}\n", parts.scene.sun ? "sun" : "no sun",
+                 parts.scene.sky.radiance || parts.scene.sky.temperature_k ? "sky" : "no sky");
+  text += format("sensor: {} x {} pixels, {} channels ({} spectral nodes)\n", parts.info.width_px,
+                 parts.info.height_px, parts.channels.size(), parts.nodes->node_count());
+  text += format("sampling: {}\n",
+                 parts.plan.accuracy_asked.empty() ? parts.plan.method : parts.plan.accuracy_asked);
+  for (const std::string& note : notes(parts)) text += note + "\n";
+  return text;
+}
+
+std::string accuracy_statement(const Session::Parts& parts, const Progress& totals) {
+  if (!parts.tolerance)
+    return format("No accuracy was asked for ({}); half-widths are at 95 % where the method gives any.",
+                  parts.plan.method);
+  const std::int64_t missed = totals.pixels_total - totals.pixels_converged;
+  std::string text = format("Asked for {}. ", parts.plan.accuracy_asked);
+  if (missed == 0)
+    text += format("Reached in all {} pixels; the widest interval is {:.2f} of its limit.", totals.pixels_total,
+                   totals.worst_error_ratio);
+  else
+    text += format("Reached in {} of {} pixels; {} stayed wider, at worst {:.2f} times the limit (see the quality "
+                   "product).",
+                   totals.pixels_converged, totals.pixels_total, missed, totals.worst_error_ratio);
+  return text;
+}
+
+std::vector<std::string> notes(const Session::Parts& parts) {
+  std::vector<std::string> lines;
+  if (parts.tolerance && (parts.plan.request->unit == render::ErrorUnit::percent ||
+                          parts.plan.request->unit == render::ErrorUnit::kelvin)) {
+    double low = 1e300, high = 0.0;
+    for (std::size_t c = 0; c < parts.channels.size(); ++c) {
+      const double floor = parts.tolerance->floor_w_m2_sr_um(static_cast<int>(c));
+      low = std::min(low, floor);
+      high = std::max(high, floor);
+    }
+    lines.push_back(format("floor of the accuracy: {:g} of a white surface's radiance, {:.3g} to {:.3g} W m-2 sr-1 um-1",
+                           parts.plan.request->floor, low, high));
+  }
+  if (!parts.document.light.surroundings)
+    lines.push_back("surroundings: black at 0 K (none declared) for rays that leave below the horizon");
+  return lines;
+}
+
+void DetectionTally::write(const sampling::TileResult& tile) {
+  {
+    const std::scoped_lock lock(mutex_);
+    missable_.insert(missable_.end(), tile.missable_fraction.begin(), tile.missable_fraction.end());
+  }
+  next_.write(tile);
+}
+
+std::string DetectionTally::statement() const {
+  if (missable_.empty()) return {};
+  std::vector<float> sorted = missable_;
+  std::sort(sorted.begin(), sorted.end());
+  return format(
+      "A compact feature that covers {:.2g} % of a pixel or more was found with a probability of at least 95 % in half "
+      "of the pixels; in the least sampled pixel that holds from {:.2g} % on.",
+      100.0 * sorted[sorted.size() / 2], 100.0 * sorted.back());
+}
+
+}  // namespace ifov::session

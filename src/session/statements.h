@@ -1,0 +1,35 @@
+#pragma once
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "render/tile_sink.h"
+#include "session/parts.h"
+
+namespace ifov::session {
+
+/// What was loaded, a few lines for people.
+std::string describe(const Session::Parts& parts);
+
+/// What was asked for, what was reached, and where it was not.
+std::string accuracy_statement(const Session::Parts& parts, const Progress& totals);
+
+/// Floors and assumptions that enter the result.
+std::vector<std::string> notes(const Session::Parts& parts);
+
+/// Passes tiles on and keeps what is needed to say what could have been missed.
+class DetectionTally final : public render::TileSink {
+ public:
+  explicit DetectionTally(render::TileSink& next) : next_(next) {}
+  void begin(const render::ImageInfo& info) override { next_.begin(info); }
+  void write(const sampling::TileResult& tile) override;
+  std::string statement() const;
+
+ private:
+  render::TileSink& next_;
+  std::mutex mutex_;
+  std::vector<float> missable_;
+};
+
+}  // namespace ifov::session
