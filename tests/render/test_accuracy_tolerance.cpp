@@ -1,0 +1,64 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "radiometry/planck.h"
+#include "render/accuracy_tolerance.h"
+
+namespace ifov::render {
+namespace {
+
+radiometry::SpectralNodes nodes_at(double wavelength_um) {
+  const std::vector<radiometry::Channel> channels = {radiometry::Channel::monochromatic("c", wavelength_um)};
+  return radiometry::SpectralNodes::build(channels, radiometry::Spectrum(), {});
+}
+
+TEST(ChannelBrightness, InvertsPlanck) {
+  const auto nodes = nodes_at(8.5);
+  const ChannelBrightness brightness(nodes);
+  for (const double t : {180.0, 250.3, 293.15, 303.746, 313.15, 800.7}) {
+    const double radiance = radiometry::planck_w_m2_sr_um(8.5, t);
+    EXPECT_NEAR(brightness.temperature_k(0, radiance), t, 2e-3);
+    EXPECT_NEAR(brightness.slope_w_m2_sr_um_k(0, radiance), radiometry::planck_slope_w_m2_sr_um_k(8.5, t),
+                3e-3 * radiometry::planck_slope_w_m2_sr_um_k(8.5, t));
+  }
+}
+
+TEST(AccuracyTolerance, KelvinUsesTheSlopeAtThePixel) {
+  const auto nodes = nodes_at(8.5);
+  const ChannelBrightness brightness(nodes);
+  AccuracyRequest request;
+  request.unit = ErrorUnit::kelvin;
+  request.error = 0.1;
+  const AccuracyTolerance tolerance(request, brightness, {0.0}, 9);
+  const double mean[] = {10.239994};  // a half-and-half mix of 20 and 40 degC
+  double limit[1];
+  tolerance.limits(mean, limit);
+  EXPECT_NEAR(limit[0], 0.1 * 0.188585, 1e-5);
+}
+
+TEST(AccuracyTolerance, PercentHasAFloorAndUnjudgedChannelsNone) {
+  const auto nodes = nodes_at(0.6);
+  const ChannelBrightness brightness(nodes);
+  AccuracyRequest request;
+  request.error = 0.01;
+  const AccuracyTolerance tolerance(request, brightness, {400.0}, 1);
+  double limit[1];
+  const double bright[] = {100.0}, dark[] = {0.0};
+  tolerance.limits(bright, limit);
+  EXPECT_DOUBLE_EQ(limit[0], 1.0);
+  tolerance.limits(dark, limit);
+  EXPECT_NEAR(limit[0], 0.4, 1e-9);
+}
+
+TEST(AccuracyTolerance, SimultaneousConfidenceIsTighterPerStatement) {
+  const auto nodes = nodes_at(8.5);
+  const ChannelBrightness brightness(nodes);
+  AccuracyRequest request;
+  request.simultaneous = true;
+  const AccuracyTolerance tolerance(request, brightness, {0.0}, 100);
+  EXPECT_NEAR(std::pow(tolerance.confidence(), 100.0), 0.95, 1e-9);
+}
+
+}  // namespace
+}  // namespace ifov::render
