@@ -15,7 +15,8 @@ PixelFootprint PixelFootprint::box(double side_px) {
   return footprint;
 }
 
-PixelFootprint PixelFootprint::tabulated(double half_width_px, int cells_per_side, std::vector<double> values) {
+PixelFootprint PixelFootprint::tabulated(double half_width_px, int cells_per_side,
+                                         std::vector<double> values) {
   if (!(half_width_px > 0.0) || !std::isfinite(half_width_px) || cells_per_side < 1)
     throw std::invalid_argument("a footprint needs a positive half width and at least one cell");
   const std::size_t n = static_cast<std::size_t>(cells_per_side);
@@ -60,7 +61,9 @@ double PixelFootprint::density(double dx_px, double dy_px) const {
   locate(dx_px, i, s);
   locate(dy_px, j, t);
   const int i1 = std::min(i + 1, cells_ - 1), j1 = std::min(j + 1, cells_ - 1);
-  const auto at = [&](int column, int row) { return density_[static_cast<std::size_t>(row * cells_ + column)]; };
+  const auto at = [&](int column, int row) {
+    return density_[static_cast<std::size_t>(row * cells_ + column)];
+  };
   return (1.0 - t) * ((1.0 - s) * at(i, j) + s * at(i1, j)) + t * ((1.0 - s) * at(i, j1) + s * at(i1, j1));
 }
 
@@ -73,7 +76,8 @@ double PixelFootprint::integral(double x0_px, double y0_px, double x1_px, double
   const double cells_per_px = cells_ / (2.0 * half_width_);
   const auto summed = [&](double x, double y) {
     const double a = (x + half_width_) * cells_per_px, b = (y + half_width_) * cells_per_px;
-    const int i = std::clamp(static_cast<int>(a), 0, cells_ - 1), j = std::clamp(static_cast<int>(b), 0, cells_ - 1);
+    const int i = std::clamp(static_cast<int>(a), 0, cells_ - 1),
+              j = std::clamp(static_cast<int>(b), 0, cells_ - 1);
     const double s = a - i, t = b - j;
     const double* low = &summed_[static_cast<std::size_t>(j * (cells_ + 1) + i)];
     const double* high = low + cells_ + 1;

@@ -61,7 +61,8 @@ double versine(double angle_rad) {
 UniformCone::UniformCone(double half_angle_rad)
     : versine_(versine(half_angle_rad)), solid_angle_(2.0 * pi * versine_) {}
 
-// The disk is lifted onto the cap by Lambert's equal-area map: radius r of the unit disk goes to 1 - cos = r^2 v.
+// The disk is lifted onto the cap by Lambert's equal-area map: radius r of the unit disk goes to 1 - cos =
+// r^2 v.
 Vec3 UniformCone::sample(Vec3 axis, Point2 u) const {
   const Point2 p = uniform_disk(u);
   const double depth = (p.x * p.x + p.y * p.y) * versine_;

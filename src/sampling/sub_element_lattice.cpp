@@ -1,0 +1,38 @@
+#include "sampling/sub_element_lattice.h"
+
+#include <cmath>
+
+namespace ifov::sampling {
+
+SubElementLattice::SubElementLattice(const PixelFootprint& footprint, int columns_per_pixel,
+                                     int rows_per_pixel)
+    : columns_(columns_per_pixel), rows_(rows_per_pixel), width_(columns_per_pixel), height_(rows_per_pixel) {
+  const double reach = footprint.half_width_px();
+  if (footprint.uniform() && reach <= 0.5) {
+    side_ = 2.0 * reach;
+    weights_.assign(static_cast<std::size_t>(width_ * height_), 1.0 / (width_ * height_));
+    return;
+  }
+  first_column_ = static_cast<int>(std::floor((0.5 - reach) * columns_));
+  first_row_ = static_cast<int>(std::floor((0.5 - reach) * rows_));
+  width_ = static_cast<int>(std::ceil((0.5 + reach) * columns_)) - first_column_;
+  height_ = static_cast<int>(std::ceil((0.5 + reach) * rows_)) - first_row_;
+  double sum = 0.0;
+  for (int b = 0; b < height_; ++b)
+    for (int a = 0; a < width_; ++a) {
+      const double x = static_cast<double>(first_column_ + a) / columns_ - 0.5;
+      const double y = static_cast<double>(first_row_ + b) / rows_ - 0.5;
+      weights_.push_back(footprint.integral(x, y, x + 1.0 / columns_, y + 1.0 / rows_));
+      sum += weights_.back();
+    }
+  for (double& w : weights_) w /= sum;
+}
+
+FocalPoint SubElementLattice::at(int column, int row, Point2 within) const {
+  const int i = floor_divide(column, columns_), j = floor_divide(row, rows_);
+  const double x = (column - i * columns_ + within.x) / columns_;
+  const double y = (row - j * rows_ + within.y) / rows_;
+  return {i + 0.5 + side_ * (x - 0.5), j + 0.5 + side_ * (y - 0.5)};
+}
+
+}  // namespace ifov::sampling

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "sampling/field.h"
+#include "sampling/pixel_footprint.h"
+#include "sampling/random.h"
+
+namespace ifov::sampling {
+
+/// The focal plane divided into equal sub-elements, columns x rows of them per pixel, numbered through the
+/// image: sub-element (c, r) belongs to pixel (floor(c / columns), floor(r / rows)). Under a box footprint of
+/// side 1 or less they tile the sensitive square of each pixel; under a wider footprint they tile whole
+/// pixels and are shared by all the pixels whose footprint they lie in.
+class SubElementLattice {
+ public:
+  SubElementLattice(const PixelFootprint& footprint, int columns_per_pixel, int rows_per_pixel);
+
+  int columns_per_pixel() const { return columns_; }
+  int rows_per_pixel() const { return rows_; }
+
+  /// The point at `within` ([0, 1)^2, y downwards) of sub-element (column, row).
+  FocalPoint at(int column, int row, Point2 within) const;
+
+  /// Pixel (i, j) is the sum of weight(a, b) times sub-element (i columns + first_column + a, j rows +
+  /// first_row + b) for a < width, b < height. Weights add up to 1.
+  int first_column() const { return first_column_; }
+  int first_row() const { return first_row_; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+  double weight(int a, int b) const { return weights_[static_cast<std::size_t>(b * width_ + a)]; }
+
+ private:
+  int columns_, rows_;
+  double side_ = 1.0;  // of the square that the sub-elements of one pixel tile, px
+  int first_column_ = 0, first_row_ = 0, width_, height_;
+  std::vector<double> weights_;
+};
+
+constexpr int floor_divide(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+
+}  // namespace ifov::sampling

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/error.h"
+#include "core/run_control.h"
+#include "sampling/field.h"
+
+namespace ifov::sampling {
+
+/// Purpose, in hash(seed, pixel column, pixel row, kPixelPaths), of the path numbers of a pixel's samples.
+inline constexpr std::uint64_t kPixelPaths = 0x7061746873ull;
+
+/// Rays that `field` has traced since it stood at `before`.
+inline RayCounts rays_since(const RayCounts& before, const Field& field) {
+  const RayCounts now = field.counts();
+  return {now.primary - before.primary, now.shadow - before.shadow, now.bounce - before.bounce};
+}
+
+/// Asks `field` for `count` paths in batches of bounded memory (about 4 MB of values), request(k) first and
+/// then take(k, label, values) in order of k. Throws Cancelled between batches.
+template <class Request, class Take>
+void for_each_value(Field& field, const CancelToken* cancel, std::size_t count, Request request, Take take) {
+  constexpr std::size_t kBatchFloats = 1u << 20;
+  const std::size_t stride = static_cast<std::size_t>(field.stride());
+  const std::size_t batch = std::min(count, std::max<std::size_t>(256, kBatchFloats / stride));
+  std::vector<PathRequest> requests(batch);
+  std::vector<Label> labels(batch);
+  std::vector<float> values(batch * stride);
+  for (std::size_t first = 0; first < count; first += batch) {
+    if (cancel != nullptr && cancel->cancelled()) throw Cancelled();
+    const std::size_t n = std::min(batch, count - first);
+    for (std::size_t k = 0; k < n; ++k) requests[k] = request(first + k);
+    field.values({requests.data(), n}, {labels.data(), n}, {values.data(), n * stride});
+    for (std::size_t k = 0; k < n; ++k) take(first + k, labels[k], values.data() + k * stride);
+  }
+}
+
+}  // namespace ifov::sampling

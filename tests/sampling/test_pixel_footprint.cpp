@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "sampling/pixel_footprint.h"
+
+namespace ifov::sampling {
+namespace {
+
+PixelFootprint gaussian(double sigma, double half_width, int cells) {
+  std::vector<double> values;
+  for (int j = 0; j < cells; ++j)
+    for (int i = 0; i < cells; ++i) {
+      const double x = half_width * (2.0 * (i + 0.5) / cells - 1.0),
+                   y = half_width * (2.0 * (j + 0.5) / cells - 1.0);
+      values.push_back(3.0 * std::exp(-0.5 * (x * x + y * y) / (sigma * sigma)));
+    }
+  return PixelFootprint::tabulated(half_width, cells, values);
+}
+
+TEST(PixelFootprint, BoxIsExact) {
+  const PixelFootprint box = PixelFootprint::box(0.8);
+  EXPECT_DOUBLE_EQ(box.half_width_px(), 0.4);
+  EXPECT_TRUE(box.uniform());
+  EXPECT_DOUBLE_EQ(box.density(0.39, -0.39), 1.0 / 0.64);
+  EXPECT_DOUBLE_EQ(box.density(0.41, 0.0), 0.0);
+  EXPECT_DOUBLE_EQ(box.integral(-1.0, -1.0, 1.0, 1.0), 1.0);
+  EXPECT_DOUBLE_EQ(box.integral(0.0, 0.0, 9.0, 9.0), 0.25);
+  EXPECT_DOUBLE_EQ(box.integral(0.1, 0.0, 0.3, 0.2), 0.2 * 0.2 / 0.64);
+  EXPECT_DOUBLE_EQ(box.integral(0.5, 0.5, 0.9, 0.9), 0.0);
+}
+
+TEST(PixelFootprint, TabulatedIsNormalisedAndAdditive) {
+  const PixelFootprint g = gaussian(0.6, 2.0, 64);
+  EXPECT_FALSE(g.uniform());
+  EXPECT_NEAR(g.integral(-2, -2, 2, 2), 1.0, 1e-12);
+  EXPECT_NEAR(g.integral(-2, -2, 0.137, 2) + g.integral(0.137, -2, 2, 2), 1.0, 1e-12);
+  const double half =
+      0.5 * (1.0 + std::erf(0.5 / 0.6 / std::sqrt(2.0))) / std::erf(2.0 / 0.6 / std::sqrt(2.0)) -
+      0.5 * (1.0 / std::erf(2.0 / 0.6 / std::sqrt(2.0)) - 1.0);
+  EXPECT_NEAR(g.integral(-2, -2, 0.5, 2), half, 1e-3);
+  EXPECT_NEAR(g.density(0.0, 0.0) / g.density(0.6, 0.0), std::exp(0.5), 3e-3);
+  EXPECT_EQ(g.density(2.01, 0.0), 0.0);
+}
+
+TEST(PixelFootprint, DensityIntegratesToOne) {
+  for (const PixelFootprint& f : {gaussian(0.6, 2.0, 16), PixelFootprint::tabulated(0.7, 1, {5.0}),
+                                  PixelFootprint::tabulated(1.0, 2, {1.0, 2.0, 3.0, 0.0})}) {
+    double sum = 0.0;
+    const int n = 480;
+    const double w = f.half_width_px();
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+        sum += f.density(w * (2.0 * (i + 0.5) / n - 1.0), w * (2.0 * (j + 0.5) / n - 1.0)) * 4.0 * w * w /
+               (n * n);
+    EXPECT_NEAR(sum, 1.0, 1e-4);
+  }
+}
+
+TEST(PixelFootprint, RowsRunDownwards) {
+  const PixelFootprint f = PixelFootprint::tabulated(1.0, 2, {1.0, 0.0, 0.0, 0.0});
+  EXPECT_DOUBLE_EQ(f.integral(-1, -1, 0, 0), 1.0);
+  EXPECT_DOUBLE_EQ(f.integral(0, 0, 1, 1), 0.0);
+}
+
+TEST(PixelFootprint, RefusesNonsense) {
+  EXPECT_THROW(PixelFootprint::box(0.0), std::invalid_argument);
+  EXPECT_THROW(PixelFootprint::box(std::nan("")), std::invalid_argument);
+  EXPECT_THROW(PixelFootprint::tabulated(1.0, 2, {1.0}), std::invalid_argument);
+  EXPECT_THROW(PixelFootprint::tabulated(1.0, 1, {-1.0}), std::invalid_argument);
+  EXPECT_THROW(PixelFootprint::tabulated(1.0, 1, {0.0}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace ifov::sampling
