@@ -1,0 +1,276 @@
+#include "geometry/body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "core/error.h"
+#include "geometry/polygon_triangulation.h"
+#include "geometry/smooth_patches.h"
+
+namespace ifov::geometry {
+namespace {
+
+using math::Point3;
+using math::Transform;
+using math::Vec3;
+
+bool finite(Point3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+void require_size(const char* what, double size_m) {
+  if (!(size_m > 0.0) || !std::isfinite(size_m))
+    throw InputError(format("{} must be a positive length, found {} m", what, size_m));
+}
+void require_place(const char* what, Point3 p) {
+  if (!finite(p)) throw InputError(format("{} must be finite, found ({}, {}, {})", what, p.x, p.y, p.z));
+}
+
+Transform scaled_about(Point3 origin_m, Vec3 factors) {
+  return Transform::from_columns({factors.x, 0.0, 0.0}, {0.0, factors.y, 0.0}, {0.0, 0.0, factors.z}, origin_m);
+}
+
+Body analytic_body(UnitKind kind, const Transform& object_from_unit, Point3 seed_in_unit, bool solid) {
+  Body body;
+  body.analytic.push_back({object_from_unit.inverse(), 0, 0, kind});
+  body.patch_count = unit_face_count(kind);
+  body.seed_m = object_from_unit(seed_in_unit);
+  body.seed_is_solid = solid;
+  settle_bounds(body);
+  body.seed_weight = 4.0 * std::numbers::pi * body.radius_m * body.radius_m;
+  return body;
+}
+
+Body make(const Plane&) { throw InputError("a plane cannot be part of a prototype"); }
+
+Body make(const Box& box) {
+  require_place("a corner of a box", box.low_m);
+  require_place("a corner of a box", box.high_m);
+  const Vec3 size = box.high_m - box.low_m;
+  for (const double s : {size.x, size.y, size.z}) require_size("the side of a box", s);
+  return analytic_body(UnitKind::box, scaled_about(box.low_m + size * 0.5, size * 0.5), {}, true);
+}
+
+Body make(const Sphere& sphere) {
+  require_place("the centre of a sphere", sphere.centre_m);
+  require_size("the radius of a sphere", sphere.radius_m);
+  const double r = sphere.radius_m;
+  return analytic_body(UnitKind::sphere, scaled_about(sphere.centre_m, {r, r, r}), {}, true);
+}
+
+Body make(const Hemisphere& dome) {
+  require_place("the centre of a hemisphere", dome.centre_m);
+  require_size("the radius of a hemisphere", dome.radius_m);
+  const double r = dome.radius_m;
+  // A ray towards a point below the shell meets the shell from above, from the sides and through the open floor.
+  return analytic_body(UnitKind::dome, scaled_about(dome.centre_m, {r, r, r}), {0.0, 0.0, 0.5}, false);
+}
+
+Body make(const Cylinder& cylinder) {
+  require_place("the base of a cylinder", cylinder.base_m);
+  require_size("the radius of a cylinder", cylinder.radius_m);
+  require_size("the height of a cylinder", cylinder.height_m);
+  const Transform map = scaled_about(cylinder.base_m, {cylinder.radius_m, cylinder.radius_m, cylinder.height_m});
+  if (cylinder.capped) return analytic_body(UnitKind::can, map, {0.0, 0.0, 0.5}, true);
+  return analytic_body(UnitKind::tube, map, {1.0, 0.0, 0.5}, false);
+}
+
+Body make(const Disk& disk) {
+  require_place("the centre of a disk", disk.centre_m);
+  require_size("the radius of a disk", disk.radius_m);
+  const double r = disk.radius_m;
+  return analytic_body(UnitKind::disk, scaled_about(disk.centre_m, {r, r, r}), {}, false);
+}
+
+void require_indices(const char* what, const std::vector<Triangle>& corners, std::size_t count, bool optional) {
+  for (std::size_t t = 0; t < corners.size(); ++t)
+    for (const std::uint32_t i : corners[t])
+      if (i >= count && !(optional && i == kNoIndex))
+        throw InputError(format("triangle {} of a mesh names {} {} of {}", t, what, i, count));
+}
+
+void check(const TriangleMesh& mesh) {
+  const std::size_t n = mesh.triangles.size();
+  if (n == 0) throw InputError("a mesh has no triangles");
+  if (n >= kNoIndex || mesh.vertices_m.size() >= kNoIndex) throw InputError("a mesh has too many triangles");
+  for (const Point3& p : mesh.vertices_m) require_place("a vertex of a mesh", p);
+  require_indices("vertex", mesh.triangles, mesh.vertices_m.size(), false);
+  require_indices("normal", mesh.normal_corners, mesh.normals.size(), true);
+  require_indices("texture coordinate", mesh.uv_corners, mesh.uvs.size(), true);
+  const auto same_length = [&](const char* what, std::size_t length) {
+    if (length != 0 && length != n) throw InputError(format("a mesh has {} {} for {} triangles", length, what, n));
+  };
+  same_length("material slots", mesh.slots.size());
+  same_length("normal corners", mesh.normal_corners.size());
+  same_length("texture corners", mesh.uv_corners.size());
+  if (!mesh.normals.empty() && mesh.normal_corners.empty() && mesh.normals.size() != mesh.vertices_m.size())
+    throw InputError("a mesh without normal corners needs one normal per vertex");
+  if (!mesh.uvs.empty() && mesh.uv_corners.empty() && mesh.uvs.size() != mesh.vertices_m.size())
+    throw InputError("a mesh without texture corners needs one texture coordinate per vertex");
+}
+
+/// Parity of the crossings of a slanted line from `p`: inside a closed mesh it is odd.
+bool inside(const TriangleMesh& mesh, Point3 p) {
+  const Vec3 d = math::normalized({0.12345678, 0.35467281, 0.92876543});
+  bool odd = false;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 a = mesh.vertices_m[t[0]] - p, b = mesh.vertices_m[t[1]] - p, c = mesh.vertices_m[t[2]] - p;
+    const double u = dot(cross(b, c), d), v = dot(cross(c, a), d), w = dot(cross(a, b), d);
+    const bool all_in = (u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0);
+    const Vec3 n = cross(b - a, c - a);
+    if (all_in && dot(n, a) * dot(n, d) > 0.0) odd = !odd;
+  }
+  return odd;
+}
+
+Body make(TriangleMesh mesh) {
+  check(mesh);
+  Body body;
+  body.mesh_patches = smooth_patches(mesh.vertices_m, mesh.triangles);
+  body.patch_count = *std::max_element(body.mesh_patches.begin(), body.mesh_patches.end()) + 1;
+  std::uint32_t slots = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(mesh.slot_names.size()));
+  for (const std::uint32_t s : mesh.slots) slots = std::max(slots, s + 1);
+  body.slot_count = slots;
+  body.mesh = std::move(mesh);
+  settle_bounds(body);
+
+  double largest = -1.0;
+  for (const Triangle& t : body.mesh.triangles) {
+    const Point3 a = body.mesh.vertices_m[t[0]], b = body.mesh.vertices_m[t[1]], c = body.mesh.vertices_m[t[2]];
+    const double area = 0.5 * length(cross(b - a, c - a));
+    if (area > largest) largest = area, body.seed_m = a + ((b - a) + (c - a)) / 3.0;
+  }
+  body.seed_weight = largest;
+  if (is_closed(body.mesh.vertices_m, body.mesh.triangles) && inside(body.mesh, body.centre_m)) {
+    body.seed_m = body.centre_m;
+    body.seed_is_solid = true;
+    body.seed_weight = 4.0 * std::numbers::pi * body.radius_m * body.radius_m;
+  }
+  return body;
+}
+
+Body make(const Polygon& polygon) {
+  const std::vector<Point3>& v = polygon.vertices_m;
+  if (v.size() < 3) throw InputError(format("a polygon needs at least 3 vertices, found {}", v.size()));
+  for (const Point3& p : v) require_place("a vertex of a polygon", p);
+  const Vec3 area = polygon_area_vector(v);
+  double size = 0.0;
+  for (const Point3& p : v) size = std::max(size, length(p - v[0]));
+  if (!(length(area) > 1e-12 * size * size)) throw InputError("a polygon has no area");
+  const Vec3 normal = normalized(area);
+  double lift = 0.0;
+  for (const Point3& p : v) lift = std::max(lift, std::abs(dot(normal, p - v[0])));
+  if (lift > 1e-6 * size) throw InputError(format("a polygon is not planar: a vertex lies {} m off its plane", lift));
+
+  TriangleMesh mesh;
+  mesh.vertices_m = v;
+  mesh.triangles = triangulate_polygon(v);
+  // Texture coordinates over the polygon's own rectangle: u along the first edge, v to its left.
+  Vec3 along{};
+  for (std::size_t k = 1; k < v.size() && !(length(along) > 1e-9 * size); ++k) along = v[k] - v[0];
+  const Vec3 x = normalized(along), y = cross(normal, x);
+  double x_low = 0.0, x_high = 0.0, y_low = 0.0, y_high = 0.0;
+  for (const Point3& p : v) {
+    x_low = std::min(x_low, dot(x, p - v[0])), x_high = std::max(x_high, dot(x, p - v[0]));
+    y_low = std::min(y_low, dot(y, p - v[0])), y_high = std::max(y_high, dot(y, p - v[0]));
+  }
+  for (const Point3& p : v)
+    mesh.uvs.push_back({(dot(x, p - v[0]) - x_low) / (x_high - x_low), (dot(y, p - v[0]) - y_low) / (y_high - y_low)});
+  Body body = make(std::move(mesh));
+  std::fill(body.mesh_patches.begin(), body.mesh_patches.end(), 0u);  // slivers of no area would be their own
+  body.patch_count = 1;
+  return body;
+}
+
+/// Attributes of a part, indices shifted; corners of triangles without the attribute hold kNoIndex.
+template <class T, class Map>
+void append_attribute(std::vector<T>& values, std::vector<Triangle>& corners, std::size_t triangles_before,
+                      const std::vector<T>& part_values, const std::vector<Triangle>& part_corners,
+                      const std::vector<Triangle>& part_triangles, bool flipped, const Map& map) {
+  if (part_values.empty() && values.empty()) return;
+  corners.resize(triangles_before, Triangle{kNoIndex, kNoIndex, kNoIndex});
+  const auto shift = static_cast<std::uint32_t>(values.size());
+  for (std::size_t t = 0; t < part_triangles.size(); ++t) {
+    Triangle c{kNoIndex, kNoIndex, kNoIndex};
+    if (!part_values.empty()) {
+      c = part_corners.empty() ? part_triangles[t] : part_corners[t];
+      for (std::uint32_t& i : c)
+        if (i != kNoIndex) i += shift;
+    }
+    if (flipped) std::swap(c[1], c[2]);
+    corners.push_back(c);
+  }
+  for (const T& value : part_values) values.push_back(map(value));
+}
+
+}  // namespace
+
+Body body_of(Shape shape) {
+  return std::visit([](auto&& s) { return make(std::forward<decltype(s)>(s)); }, std::move(shape));
+}
+
+void append_part(Body& whole, const Body& part, const Transform& whole_from_part,
+                 std::span<const std::uint32_t> slots) {
+  const auto slot = [&](std::uint32_t s) { return slots.empty() ? 0u : slots[s]; };
+  const bool flipped = whole_from_part.determinant() < 0.0;
+  const Transform part_from_whole = whole_from_part.inverse();
+
+  for (const UnitPrimitive& p : part.analytic)
+    whole.analytic.push_back({p.unit_from_object * part_from_whole, p.patch + whole.patch_count, slot(p.slot), p.kind});
+
+  TriangleMesh& mesh = whole.mesh;
+  const std::size_t before = mesh.triangles.size();
+  if (mesh.vertices_m.size() + part.mesh.vertices_m.size() >= kNoIndex) throw InputError("a prototype is too large");
+  const auto moved = [&](const auto& value) { return whole_from_part(value); };
+  append_attribute(mesh.normals, mesh.normal_corners, before, part.mesh.normals, part.mesh.normal_corners,
+                   part.mesh.triangles, flipped, moved);
+  append_attribute(mesh.uvs, mesh.uv_corners, before, part.mesh.uvs, part.mesh.uv_corners, part.mesh.triangles, flipped,
+                   [](Uv uv) { return uv; });
+  const auto shift = static_cast<std::uint32_t>(mesh.vertices_m.size());
+  for (const Point3& p : part.mesh.vertices_m) mesh.vertices_m.push_back(whole_from_part(p));
+  for (std::size_t t = 0; t < part.mesh.triangles.size(); ++t) {
+    Triangle c = part.mesh.triangles[t];
+    for (std::uint32_t& i : c) i += shift;
+    if (flipped) std::swap(c[1], c[2]);
+    mesh.triangles.push_back(c);
+    mesh.slots.push_back(slot(part.mesh.slots.empty() ? 0u : part.mesh.slots[t]));
+    whole.mesh_patches.push_back(part.mesh_patches[t] + whole.patch_count);
+  }
+
+  whole.patch_count += part.patch_count;
+  const double stretch = largest_stretch(whole_from_part);
+  const double weight = part.seed_weight * stretch * stretch;
+  if (std::pair(part.seed_is_solid, weight) > std::pair(whole.seed_is_solid, whole.seed_weight)) {
+    whole.seed_is_solid = part.seed_is_solid;
+    whole.seed_weight = weight;
+    whole.seed_m = whole_from_part(part.seed_m);
+  }
+}
+
+void settle_bounds(Body& body) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  World::Bounds& b = body.bounds;
+  b = {{inf, inf, inf}, {-inf, -inf, -inf}};
+  const auto include = [&](Point3 low, Point3 high) {
+    b.low_m = {std::min(b.low_m.x, low.x), std::min(b.low_m.y, low.y), std::min(b.low_m.z, low.z)};
+    b.high_m = {std::max(b.high_m.x, high.x), std::max(b.high_m.y, high.y), std::max(b.high_m.z, high.z)};
+  };
+  for (const UnitPrimitive& p : body.analytic) {
+    const World::Bounds part = unit_bounds(p.kind, p.unit_from_object.inverse());
+    include(part.low_m, part.high_m);
+  }
+  for (const Triangle& t : body.mesh.triangles)
+    for (const std::uint32_t i : t) include(body.mesh.vertices_m[i], body.mesh.vertices_m[i]);
+
+  body.centre_m = b.low_m + (b.high_m - b.low_m) * 0.5;
+  if (body.analytic.size() == 1 && body.mesh.triangles.empty() && body.analytic[0].kind == UnitKind::dome)
+    body.centre_m = body.analytic[0].unit_from_object.inverse().origin_m();
+  body.radius_m = 0.0;
+  for (const UnitPrimitive& p : body.analytic)
+    body.radius_m = std::max(body.radius_m, unit_reach_m(p.kind, p.unit_from_object.inverse(), body.centre_m));
+  for (const Triangle& t : body.mesh.triangles)
+    for (const std::uint32_t i : t) body.radius_m = std::max(body.radius_m, length(body.mesh.vertices_m[i] - body.centre_m));
+}
+
+}  // namespace ifov::geometry

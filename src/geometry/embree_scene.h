@@ -1,0 +1,36 @@
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <memory>
+#include <type_traits>
+
+#include "geometry/primitive_sets.h"
+#include "geometry/world.h"
+#include "math/transform.h"
+
+namespace ifov::geometry {
+
+struct ReleaseDevice {
+  void operator()(RTCDevice d) const { rtcReleaseDevice(d); }
+};
+struct ReleaseScene {
+  void operator()(RTCScene s) const { rtcReleaseScene(s); }
+};
+using EmbreeDevice = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
+using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
+
+/// Pinned to AVX2, so that machines with wider vectors give the same bytes. `threads` (0: all) build.
+EmbreeDevice make_device(int threads);
+
+/// Robust, of medium build quality. Geometry is attached, then committed; errors of Embree are EnvironmentError.
+EmbreeScene make_scene(RTCDevice device);
+void commit(RTCDevice device, RTCScene scene);
+
+/// The sets must outlive the scene; what a set holds for Embree alone is given away here.
+void attach_triangles(RTCDevice device, RTCScene scene, unsigned geometry, TriangleSet& set);
+void attach_analytic(RTCDevice device, RTCScene scene, unsigned geometry, const AnalyticSet& set);
+void attach_instance(RTCDevice device, RTCScene scene, unsigned geometry, RTCScene what,
+                     const math::Transform& scene_from_set);
+
+}  // namespace ifov::geometry

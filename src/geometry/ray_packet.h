@@ -1,0 +1,103 @@
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "geometry/primitive_sets.h"
+
+namespace ifov::geometry {
+
+inline constexpr int kLanes = 8;
+
+/// What a lane of a packet has met. Embree's numbers: `prim` within the set, `instance` RTC_INVALID_GEOMETRY_ID for the
+/// sets of the scene itself.
+struct Candidate {
+  enum Kind : std::uint32_t { none, plane, triangle, analytic } kind = none;
+  std::uint32_t instance = RTC_INVALID_GEOMETRY_ID;
+  std::uint32_t prim = 0;
+  std::uint32_t face = 0;
+  const void* set = nullptr;
+};
+
+/// How instances and objects are looked up while a packet is under way.
+struct InstanceTable {
+  const math::Transform* set_from_scene = nullptr;  ///< by Embree's instance number
+  const std::uint32_t* object = nullptr;            ///< by Embree's instance number
+  const std::uint32_t* first_primitive = nullptr;   ///< by object: of its triangles in the set they share
+  const std::uint32_t* first_analytic = nullptr;
+  const std::uint32_t* analytic_count = nullptr;
+};
+
+/// Eight rays in double beside Embree's float ones. Embree proposes primitives; which is nearest is decided here,
+/// by its float distance where that is clear and by the exact distance where two lie within `window_m` of each other
+/// or of the ray's ends. So neither the order in which Embree visits primitives nor its rounding shows in the answer.
+struct RayPacket {
+  RTCIntersectContext context;  // first: Embree hands back a pointer to it
+  InstanceTable table;
+  double window_m = 0.0;
+
+  // Rays from a start near the scene, in the frame about the scene's centre; distances count from that start.
+  alignas(64) double x[kLanes], y[kLanes], z[kLanes], dx[kLanes], dy[kLanes], dz[kLanes];
+  alignas(64) double low[kLanes], high[kLanes];
+  alignas(64) double near[kLanes];   ///< distance of the best candidate as Embree sees it
+  alignas(64) double exact[kLanes];  ///< the same in double; NaN: not asked for yet
+  Candidate best[kLanes];
+
+  math::Point3 start(std::size_t k) const { return {x[k], y[k], z[k]}; }
+  math::Vec3 direction(std::size_t k) const { return {dx[k], dy[k], dz[k]}; }
+
+  /// Distance in double of a triangle's plane.
+  double facet_distance(std::size_t k, const TriangleSet& set, std::uint32_t instance, std::uint32_t prim) const {
+    const Facet& f = set.facets[prim];
+    math::Point3 p = start(k);
+    math::Vec3 d = direction(k);
+    if (instance != RTC_INVALID_GEOMETRY_ID) {
+      const math::Transform& map = table.set_from_scene[instance];
+      p = map(p), d = map(d);
+    }
+    return (f.offset_m - (f.normal.x * p.x + f.normal.y * p.y + f.normal.z * p.z)) / dot(f.normal, d);
+  }
+
+  /// Instance number and primitive number in the object, for ties.
+  std::uint64_t rank(const Candidate& c) const {
+    if (c.kind == Candidate::plane) return std::uint64_t{c.prim} << 32;
+    if (c.kind == Candidate::triangle) {
+      const auto& owners = static_cast<const TriangleSet*>(c.set)->owners;
+      const bool shared = c.instance == RTC_INVALID_GEOMETRY_ID;
+      const std::uint32_t object = shared ? owners[c.prim] : table.object[c.instance];
+      const std::uint32_t first = shared ? table.first_primitive[object] : 0;
+      return (std::uint64_t{object} << 32) | (c.prim - first + table.analytic_count[object]);
+    }
+    const auto& owners = static_cast<const AnalyticSet*>(c.set)->owners;
+    const bool shared = c.instance == RTC_INVALID_GEOMETRY_ID;
+    const std::uint32_t object = shared ? owners[c.prim] : table.object[c.instance];
+    return (std::uint64_t{object} << 32) | (c.prim - (shared ? table.first_analytic[object] : 0));
+  }
+
+  /// Whether a candidate at Embree's distance `seen` becomes the best one. `t` is its exact distance, or NaN.
+  bool take(std::size_t k, double seen, double t, const Candidate& c) {
+    if (seen >= near[k] - window_m) {
+      if (seen > near[k] + window_m) return false;
+      if (std::isnan(t)) t = distance(k, c);
+      if (std::isnan(exact[k])) exact[k] = distance(k, best[k]);
+      if (!(t <= exact[k]) || (t == exact[k] && rank(c) >= rank(best[k]))) return false;
+    }
+    near[k] = seen, exact[k] = t, best[k] = c;
+    return true;
+  }
+
+  bool within(std::size_t k, double t) const { return t > low[k] && t < high[k]; }
+  /// Embree's distance says by itself that the hit lies between the ray's ends.
+  bool clearly_within(std::size_t k, double seen) const { return seen > low[k] + window_m && seen < high[k] - window_m; }
+
+ private:
+  /// Only triangles come without their exact distance.
+  double distance(std::size_t k, const Candidate& c) const {
+    return facet_distance(k, *static_cast<const TriangleSet*>(c.set), c.instance, c.prim);
+  }
+};
+
+}  // namespace ifov::geometry
