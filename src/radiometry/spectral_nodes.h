@@ -29,7 +29,7 @@ class SpectralNodes {
                              std::span<const Spectrum> surfaces, double tolerance = 5e-4);
 
   std::size_t node_count() const { return weight_.size(); }
-  std::size_t channel_count() const { return first_node_.size() - 1; }
+  std::size_t channel_count() const { return rules_.size(); }
   /// Nodes [first_node(c), first_node(c + 1)) belong to channel c.
   std::size_t first_node(std::size_t channel) const { return first_node_[channel]; }
   double node_wavelength_um(std::size_t node) const { return wavelength_um_[node]; }
