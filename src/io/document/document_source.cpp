@@ -13,7 +13,8 @@ constexpr int kShownBeforeCaret = 70;
 
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
 
-/// Characters of a line, each printable: control characters and broken UTF-8 become spaces and question marks.
+/// Characters of a line, each printable: control characters and broken UTF-8 become spaces and question
+/// marks.
 std::vector<std::string> printable_characters(std::string_view line) {
   std::vector<std::string> characters;
   for (const char c : line) {
@@ -60,7 +61,8 @@ std::string excerpt(std::string_view line_text, const SourcePosition& position) 
   for (int i = begin; i < end; ++i) shown += characters[static_cast<std::size_t>(i)];
   if (end < length) shown += "...";
   const std::string number = format("{:>5}", position.line);
-  return format("\n{} | {}\n{} | {}^", number, shown, std::string(number.size(), ' '), std::string(indent, ' '));
+  return format("\n{} | {}\n{} | {}^", number, shown, std::string(number.size(), ' '),
+                std::string(indent, ' '));
 }
 
 }  // namespace
@@ -76,8 +78,9 @@ SourcePosition DocumentSource::position(std::size_t offset) const {
   offset = std::min(offset, text_.size());
   const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
   const std::size_t start = *(after - 1);
-  const auto characters = std::count_if(text_.begin() + static_cast<std::ptrdiff_t>(start),
-                                        text_.begin() + static_cast<std::ptrdiff_t>(offset), begins_character);
+  const auto characters =
+      std::count_if(text_.begin() + static_cast<std::ptrdiff_t>(start),
+                    text_.begin() + static_cast<std::ptrdiff_t>(offset), begins_character);
   return {file_name_, static_cast<int>(after - line_starts_.begin()), static_cast<int>(characters) + 1};
 }
 

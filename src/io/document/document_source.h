@@ -19,7 +19,8 @@ class DocumentSource {
 
   SourcePosition position(std::size_t offset) const;
 
-  /// A path as written in the document, made relative to the working directory instead of the document's folder.
+  /// A path as written in the document, made relative to the working directory instead of the document's
+  /// folder.
   std::string resolve(std::string_view path) const;
 
   /// "file:line:column: message", then the line and a caret under the column.

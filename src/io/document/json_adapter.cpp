@@ -4,8 +4,8 @@
 #include <json/value.h>
 
 #include <algorithm>
-#include <cmath>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 #include "core/format.h"
@@ -118,6 +118,26 @@ Json::CharReaderBuilder strict_reader(const JsonRules& rules) {
   return builder;
 }
 
+/// The library's sentences in the words of this program's messages.
+std::string plain_words(const std::string& what) {
+  static const std::pair<const char*, const char*> kWords[] = {
+      {"Missing ',' or ']' in array declaration", "expected ',' or ']' after a value of a list"},
+      {"Missing ',' or '}' in object declaration", "expected ',' or '}' after a value of an object"},
+      {"Missing '}' or object member name",
+       "expected a key in double quotes or '}' (no comma may stand before a closing bracket)"},
+      {"Missing ':' after object member name", "expected ':' after the key"},
+      {"Syntax error: value, object or array expected",
+       "expected a value (no comma may stand before a closing bracket)"},
+      {"Extra non-whitespace after JSON value", "expected nothing more after the end of the document"},
+  };
+  for (const auto& [theirs, ours] : kWords) {
+    if (what == theirs) return ours;
+  }
+  const std::string_view twice = "Duplicate key: ";
+  if (what.starts_with(twice)) return format("the key {} is given twice", what.substr(twice.size()));
+  return format("not valid JSON: {}", what);
+}
+
 /// JsonCpp reports text: "* Line 3, Column 5\n  What is wrong.\n...". The first error counts.
 InputError syntax_error(const DocumentSource& source, const std::string& report) {
   std::size_t line = 1, column = 1;
@@ -134,8 +154,9 @@ InputError syntax_error(const DocumentSource& source, const std::string& report)
   std::string what = report.substr(begin, std::min(report.find('\n', begin), report.size()) - begin);
   if (what.ends_with('.')) what.pop_back();
   std::size_t offset = 0;
-  for (std::size_t i = 1; i < line; ++i) offset = std::min(source.text().find('\n', offset) + 1, source.text().size());
-  return source.error(source.position(offset + column - 1), format("not valid JSON: {}", what));
+  for (std::size_t i = 1; i < line; ++i)
+    offset = std::min(source.text().find('\n', offset) + 1, source.text().size());
+  return source.error(source.position(offset + column - 1), plain_words(what));
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ struct JsonRules {
   std::size_t max_values = 2'000'000;
 };
 
-/// Parses JSON (RFC 8259, UTF-8 without a byte order mark, no trailing commas). Limits are checked before memory is
-/// taken. Throws InputError with position and excerpt.
+/// Parses JSON (RFC 8259, UTF-8 without a byte order mark, no trailing commas). Limits are checked before
+/// memory is taken. Throws InputError with position and excerpt.
 DocumentTree parse_json(std::string text, const std::string& file_name, const JsonRules& rules = {});
 
 }  // namespace ifov::io

@@ -18,8 +18,8 @@ class Scanner {
 
   JsonTokens scan() {
     if (text_.size() > rules_.max_bytes) {
-      throw source_.error({}, format("the document has {} bytes, more than the {} allowed", text_.size(),
-                                     rules_.max_bytes));
+      throw source_.error(
+          {}, format("the document has {} bytes, more than the {} allowed", text_.size(), rules_.max_bytes));
     }
     check_utf8();
     while (skip_space(), at_ < text_.size()) token();
@@ -35,7 +35,9 @@ class Scanner {
 
   // RFC 3629: no overlong forms, no surrogates, nothing beyond U+10FFFF.
   void check_utf8() const {
-    const auto byte = [&](std::size_t i) { return i < text_.size() ? static_cast<unsigned char>(text_[i]) : 0U; };
+    const auto byte = [&](std::size_t i) {
+      return i < text_.size() ? static_cast<unsigned char>(text_[i]) : 0U;
+    };
     std::size_t i = 0;
     while (i < text_.size()) {
       const unsigned lead = byte(i), second = byte(i + 1);
@@ -142,13 +144,30 @@ class Scanner {
     const std::size_t begin = at_++;
     const char c = peek();
     if (c == 'u') {
-      for (std::size_t k = 1; k <= 4; ++k) {
-        if (!is_hex(peek(k))) fail(begin, "'\\u' needs four hexadecimal digits");
+      const unsigned code = code_unit(begin);
+      const bool leads = code >= 0xD800 && code <= 0xDBFF;
+      bool paired = code < 0xD800 || code > 0xDFFF;
+      if (leads && peek(1) == '\\' && peek(2) == 'u') {
+        at_ += 2;
+        const unsigned second = code_unit(begin);
+        paired = second >= 0xDC00 && second <= 0xDFFF;
       }
-      at_ += 4;
+      if (!paired) fail(begin, "half of a surrogate pair; both halves must be written");
     } else if (c == '\0' || std::string_view("\"\\/bfnrt").find(c) == std::string_view::npos) {
       fail(begin, "unknown escape; a backslash itself is written '\\\\'");
     }
+  }
+
+  // From the 'u' of an escape to its last digit.
+  unsigned code_unit(std::size_t begin) {
+    unsigned code = 0;
+    for (std::size_t k = 1; k <= 4; ++k) {
+      const char c = peek(k);
+      if (!is_hex(c)) fail(begin, "'\\u' needs four hexadecimal digits");
+      code = 16 * code + static_cast<unsigned>(is_digit(c) ? c - '0' : (c | 0x20) - 'a' + 10);
+    }
+    at_ += 4;
+    return code;
   }
 
   void digits(std::size_t begin) {
@@ -202,6 +221,8 @@ class Scanner {
 
 }  // namespace
 
-JsonTokens scan_json(const DocumentSource& source, const JsonRules& rules) { return Scanner(source, rules).scan(); }
+JsonTokens scan_json(const DocumentSource& source, const JsonRules& rules) {
+  return Scanner(source, rules).scan();
+}
 
 }  // namespace ifov::io

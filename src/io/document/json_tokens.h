@@ -14,8 +14,9 @@ struct JsonTokens {
   std::unordered_map<std::size_t, std::size_t> key_of_value;  ///< offset of a value -> offset of its key
 };
 
-/// Reads the tokens of a JSON text strictly (UTF-8, numbers, escapes, control characters, depth, count of values),
-/// which JsonCpp is lenient about. How tokens are put together is left to JsonCpp. Throws InputError.
+/// Reads the tokens of a JSON text strictly (UTF-8, numbers, escapes, control characters, depth, count of
+/// values), which JsonCpp is lenient about. How tokens are put together is left to JsonCpp. Throws
+/// InputError.
 JsonTokens scan_json(const DocumentSource& source, const JsonRules& rules);
 
 }  // namespace ifov::io

@@ -15,8 +15,8 @@ struct SunDocument {
   };
   std::optional<Direction> direction;  ///< absent: from the document's time and the scene's geographic
                                        ///< origin, which are there then
-  double diameter_rad = 0.0;                   ///< angular diameter of the disc; 0 for a point
-  std::optional<double> distance_au;           ///< absent: from the document's time, else 1
+  double diameter_rad = 0.0;           ///< angular diameter of the disc; 0 for a point
+  std::optional<double> distance_au;   ///< absent: from the document's time, else 1
   std::optional<SpectrumDocument> irradiance;  ///< W m-2 um-1 at 1 au; absent: the built-in one
   SourcePosition position;
 };

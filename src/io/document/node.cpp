@@ -94,7 +94,9 @@ std::string DocumentNode::title() const {
 
 void DocumentNode::fail(std::string_view message) const { throw source_->error(position(), message); }
 
-void DocumentNode::fail_at_key(std::string_view message) const { throw source_->error(key_position(), message); }
+void DocumentNode::fail_at_key(std::string_view message) const {
+  throw source_->error(key_position(), message);
+}
 
 void DocumentNode::fail_expected(std::string_view expected) const {
   fail(format("{} is {}, expected {}", title(), found(), expected));

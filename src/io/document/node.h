@@ -10,8 +10,8 @@
 
 namespace ifov::io {
 
-/// One value of a document: what it is, where it stands, the path of keys that leads to it. Readers see nothing but
-/// this; the JSON library stays behind json_adapter.
+/// One value of a document: what it is, where it stands, the path of keys that leads to it. Readers see
+/// nothing but this; the JSON library stays behind json_adapter.
 class DocumentNode {
  public:
   enum class Type { null, boolean, number, text, list, object };

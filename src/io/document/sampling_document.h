@@ -50,7 +50,7 @@ struct AccuracySampling {
   std::int64_t max_samples = 100000;  ///< per pixel
   double floor = 0.001;  ///< percent and K are judged as if the pixel had at least this share of the radiance
                          ///< of a white Lambertian surface
-  bool clutter = true;  ///< switch to nested stratified samples where edges are too many
+  bool clutter = true;   ///< switch to nested stratified samples where edges are too many
   SourcePosition position;
 };
 

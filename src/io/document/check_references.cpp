@@ -1,0 +1,107 @@
+#include "io/document/check_references.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/format.h"
+#include "core/names.h"
+
+namespace ifov::io {
+namespace {
+
+template <class T>
+std::vector<std::string> names_of(const std::vector<T>& things) {
+  std::vector<std::string> names;
+  for (const T& thing : things) names.push_back(thing.name);
+  return names;
+}
+
+class ReferenceCheck {
+ public:
+  explicit ReferenceCheck(const Document& document)
+      : document_(document),
+        materials_(names_of(document.scene.materials)),
+        prototypes_(names_of(document.scene.prototypes)),
+        channels_(names_of(document.sensor.channels)) {}
+
+  void run() const {
+    for (const ObjectDocument& object : document_.scene.objects) check(object);
+    for (const PrototypeDocument& prototype : document_.scene.prototypes) {
+      for (const ObjectDocument& object : prototype.objects) check(object);
+    }
+    check_channel_names();
+    if (const auto* adaptive = std::get_if<AdaptiveSampling>(&document_.sampling.method))
+      check(adaptive->channel);
+    if (const auto* accuracy = std::get_if<AccuracySampling>(&document_.sampling.method))
+      check(accuracy->channel);
+    for (const DocumentName& channel : document_.output.quicklook_channels)
+      require("channel", channel, channels_);
+    check_sun();
+  }
+
+ private:
+  void require(std::string_view what, const DocumentName& reference,
+               const std::vector<std::string>& names) const {
+    if (std::find(names.begin(), names.end(), reference.name) != names.end()) return;
+    const std::string hint = did_you_mean(reference.name, names);
+    const std::string list =
+        names.empty() ? "none is declared" : format("declared: {}", list_names(names, "and"));
+    throw document_error(document_, reference.position,
+                         format("there is no {} '{}'{} ({})", what, reference.name, hint, list));
+  }
+
+  void check(const std::optional<DocumentName>& channel) const {
+    if (channel) require("channel", *channel, channels_);
+  }
+
+  void check(const ObjectDocument& object) const {
+    if (const auto* one = std::get_if<InstanceShape>(&object.shape))
+      require("prototype", one->of, prototypes_);
+    if (const auto* many = std::get_if<InstancesShape>(&object.shape))
+      require("prototype", many->of, prototypes_);
+    if (!object.material) return;
+    if (const auto* name = std::get_if<DocumentName>(&object.material->value)) {
+      require("material", *name, materials_);
+    } else if (const auto* map = std::get_if<MaterialMap>(&object.material->value)) {
+      for (const auto& [number, material] : map->classes) require("material", material, materials_);
+    } else if (const auto* slots = std::get_if<MaterialSlots>(&object.material->value)) {
+      for (const auto& [slot, material] : slots->slots) require("material", material, materials_);
+      if (!std::holds_alternative<MeshShape>(object.shape)) {
+        throw document_error(document_, object.material->position,
+                             "only a mesh has 'slots', the names of materials in its file");
+      }
+    }
+  }
+
+  void check_channel_names() const {
+    std::set<std::string> seen;
+    for (const ChannelDocument& channel : document_.sensor.channels) {
+      if (!seen.insert(channel.name).second) {
+        throw document_error(
+            document_, channel.position,
+            format("two channels are named '{}'; give one a 'name' of its own", channel.name));
+      }
+    }
+  }
+
+  void check_sun() const {
+    const std::optional<SunDocument>& sun = document_.light.sun;
+    if (!sun || sun->direction || (document_.time && document_.scene.origin.geographic)) return;
+    throw document_error(
+        document_, sun->position,
+        format("the Sun has no direction: give 'zenith' and 'azimuth', or {}",
+               document_.time ? "the scene's 'origin' with 'latitude' and 'longitude'"
+               : document_.scene.origin.geographic
+                   ? "the document's 'time'"
+                   : "the document's 'time' and the scene's 'origin' with 'latitude' and 'longitude'"));
+  }
+
+  const Document& document_;
+  std::vector<std::string> materials_, prototypes_, channels_;
+};
+
+}  // namespace
+
+void check_references(const Document& document) { ReferenceCheck(document).run(); }
+
+}  // namespace ifov::io

@@ -1,0 +1,109 @@
+#include "io/document/record.h"
+#include "io/document/tables.h"
+
+namespace ifov::io {
+namespace {
+
+Record<SunDocument> sun_record(const std::string& name, const std::string& doc) {
+  const auto direction = [](SunDocument& s) -> SunDocument::Direction& {
+    return s.direction ? *s.direction : s.direction.emplace();
+  };
+  Record<SunDocument> record(name, doc);
+  record
+      .optional(
+          "zenith", [direction](SunDocument& s, double v) { direction(s).zenith_rad = v; },
+          quantity(kAngle, Range::between(0.0, 90.0, "deg")),
+          "zenith angle; without it the Sun stands where time and place put it")
+      .optional(
+          "azimuth", [direction](SunDocument& s, double v) { direction(s).azimuth_rad = v; },
+          quantity(kAngle, Range::between(-360.0, 360.0, "deg")), "of the Sun, clockwise from north")
+      .optional("distance", &SunDocument::distance_au, quantity(kSunDistance, Range::between(0.5, 2.0, "au")),
+                "of the Sun; without it from the document's time, else 1 au")
+      .optional("spectrum", &SunDocument::irradiance, spectrum_kind(SpectrumOf::irradiance),
+                "irradiance at 1 au; without it a built-in solar spectrum")
+      .needs("zenith", "azimuth")
+      .needs("azimuth", "zenith");
+  return record;
+}
+
+Kind<SunDocument> sun_kind() {
+  Record<SunDocument> disc =
+      sun_record("disc sun", "The Sun as a disc of uniform brightness; shadows have penumbrae.");
+  disc.with_default("diameter", &SunDocument::diameter_rad,
+                    quantity(kAngle, Range::between(0.01, 10.0, "deg")), "\"0.53 deg\"", "angular diameter");
+  const auto point = sun_record("point sun", "The Sun as a point; shadows are sharp.");
+  Record<SunDocument> record("sun", "Direct sunlight.");
+  const auto store = [](SunDocument& sun, SunDocument model) { sun = std::move(model); };
+  record.exactly_one()
+      .one("disc", store, disc.kind(), "the Sun as a disc")
+      .one("point", store, point.kind(), "the Sun as a point");
+  return record.kind();
+}
+
+struct SkyEntry {
+  std::variant<NoSky, SkyTemperature, SkyRadiance> sky;
+};
+
+Kind<SkyEntry> sky_kind() {
+  Record<SkyEntry> record("sky", "The same in every direction above the horizon.");
+  record.exactly_one()
+      .one("none", &SkyEntry::sky, Record<NoSky>("no sky", "No light from the sky.").kind(), "a black sky")
+      .one(
+          "temperature", [](SkyEntry& e, double k) { e.sky = SkyTemperature{k}; },
+          quantity(kTemperature, Range::at_least(0.0, "K")), "a blackbody of this temperature")
+      .one(
+          "radiance", [](SkyEntry& e, SpectrumDocument s) { e.sky = SkyRadiance{std::move(s)}; },
+          spectrum_kind(SpectrumOf::radiance), "spectral radiance");
+  return record.kind();
+}
+
+Kind<SurroundingsDocument> surroundings_kind() {
+  const auto store = [](bool is_emissivity) {
+    return [is_emissivity](SurroundingsDocument& s, SpectrumDocument spectrum) {
+      s.is_emissivity = is_emissivity;
+      s.spectrum = std::move(spectrum);
+    };
+  };
+  const Kind<SpectrumDocument> spectrum = spectrum_kind(SpectrumOf::fraction);
+  Record<SurroundingsDocument> record(
+      "surroundings",
+      "What rays meet that leave the scene below the horizon: a Lambertian surface "
+      "lit by Sun and sky.");
+  record.exactly_one()
+      .one("reflectance", store(false), spectrum, "spectral reflectance")
+      .one("emissivity", store(true), spectrum, "spectral emissivity")
+      .optional("temperature", &SurroundingsDocument::temperature_k,
+                quantity(kTemperature, Range::at_least(0.0, "K")), "without one they emit nothing");
+  return record.kind();
+}
+
+}  // namespace
+
+Kind<LightDocument> light_kind() {
+  Record<LightDocument> record("light", "What shines on the scene. Warm surfaces always emit.");
+  record.optional("sun", &LightDocument::sun, sun_kind(), "without it no sunlight")
+      .optional(
+          "sky", [](LightDocument& light, SkyEntry entry) { light.sky = std::move(entry.sky); }, sky_kind(),
+          "without it a black sky")
+      .optional("surroundings", &LightDocument::surroundings, surroundings_kind(),
+                "without them black and cold");
+  return record.kind();
+}
+
+Kind<AtmosphereDocument> atmosphere_kind() {
+  const Kind<SpectrumDocument> transmittance = spectrum_kind(SpectrumOf::fraction);
+  Record<TabulatedAtmosphere> tabulated("tabulated atmosphere", "An atmosphere given by its spectra.");
+  tabulated
+      .optional("transmittance", &TabulatedAtmosphere::transmittance, transmittance,
+                "from the scene to the camera")
+      .optional("path_radiance", &TabulatedAtmosphere::path_radiance, spectrum_kind(SpectrumOf::radiance),
+                "added on the way from the scene to the camera")
+      .optional("sun_transmittance", &TabulatedAtmosphere::sun_transmittance, transmittance,
+                "from the Sun to the scene");
+  Record<AtmosphereDocument> record("atmosphere", "What lies between Sun, scene and camera.");
+  record.optional("tabulated", &AtmosphereDocument::tabulated, tabulated.kind(),
+                  "spectra; those not given change nothing");
+  return record.kind();
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,57 @@
+#include <algorithm>
+
+#include "core/format.h"
+#include "io/document/record.h"
+#include "io/document/tables.h"
+
+namespace ifov::io {
+namespace {
+
+struct Quicklook {
+  std::vector<DocumentName> channels;
+};
+
+Kind<std::vector<ProductFormat>> formats_kind() {
+  const auto formats = list(choice<ProductFormat>({{"envi", ProductFormat::envi},
+                                                   {"geotiff", ProductFormat::geotiff},
+                                                   {"png", ProductFormat::png},
+                                                   {"html", ProductFormat::html}}),
+                            1, 4);
+  return formats;
+}
+
+Kind<Quicklook> quicklook_kind() {
+  Record<Quicklook> record("quick-look", "The picture for the eye.");
+  record
+      .required("channels", &Quicklook::channels, list(name_of("a channel"), 1, 3),
+                "one channel for grey, or three for red, green and blue")
+      .check([](const Quicklook& quicklook, const DocumentNode& node) {
+        if (quicklook.channels.size() == 2) {
+          node.find("channels")
+              ->fail(format("{} has two channels: a picture has one, or three for red, green and blue",
+                            node.find("channels")->title()));
+        }
+      });
+  return record.kind();
+}
+
+}  // namespace
+
+Kind<OutputDocument> output_kind() {
+  Record<OutputDocument> record("output", "What is written, and where.");
+  record
+      .optional(
+          "folder", [](OutputDocument& output, DocumentFile f) { output.folder = std::move(f.path); }, file(),
+          "folder of the products, relative to the document; the document's name with '.out' if not given")
+      .with_default("formats", &OutputDocument::formats, formats_kind(),
+                    "[\"envi\", \"geotiff\", \"png\", \"html\"]", "kinds of products")
+      .optional(
+          "quicklook",
+          [](OutputDocument& output, Quicklook quicklook) {
+            output.quicklook_channels = std::move(quicklook.channels);
+          },
+          quicklook_kind(), "channels of the picture; chosen if not given");
+  return record.kind();
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace ifov::io {
+
+/// SI (or the unit that the code works in) = number * factor + offset.
+struct Unit {
+  std::string_view spelling;
+  double factor = 1.0;
+  double offset = 0.0;
+  bool listed = true;  ///< false: another spelling of a unit in the list, accepted but not offered
+};
+
+/// A kind of quantity, with the units a document may write it in.
+struct Dimension {
+  std::string_view name;     ///< with its article: "a length"
+  std::string_view example;  ///< "1 m"
+  std::span<const Unit> units;
+
+  const Unit* find(std::string_view spelling) const;
+  std::string unit_list() const;  ///< "m, km, cm": those that are offered
+};
+
+extern const Dimension kLength;                 ///< m
+extern const Dimension kWavelength;             ///< um
+extern const Dimension kAngle;                  ///< rad
+extern const Dimension kTemperature;            ///< K
+extern const Dimension kTemperatureDifference;  ///< K
+extern const Dimension kSunDistance;            ///< au
+extern const Dimension kPixels;                 ///< px
+extern const Dimension kPercent;                ///< fraction of 1
+extern const Dimension kReflectance;            ///< fraction of 1
+extern const Dimension kRadiance;               ///< W m-2 sr-1 um-1
+extern const Dimension kIrradiance;             ///< W m-2 um-1
+
+/// A number and what follows it, as written.
+struct QuantityText {
+  double number = 0.0;
+  std::string_view unit;
+};
+
+/// Splits "12.5 km" at the end of its number; nothing where the text does not begin with a finite number.
+/// Spaces around both parts are ignored.
+std::optional<QuantityText> split_quantity(std::string_view text);
+
+/// Regular expression (ECMA 262) for the texts of a dimension; `sign` says which numbers it lets through.
+enum class Sign { any, not_negative, positive };
+std::string quantity_pattern(const Dimension& dimension, Sign sign);
+
+}  // namespace ifov::io

@@ -1,0 +1,86 @@
+#include "io/document/record.h"
+#include "io/document/tables.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr std::size_t kMostPrototypes = 10000;
+
+Kind<OriginDocument> origin_kind() {
+  const auto geographic = [](OriginDocument& o) -> OriginDocument::Geographic& {
+    return o.geographic ? *o.geographic : o.geographic.emplace();
+  };
+  Record<OriginDocument> record(
+      "origin",
+      "Where the scene stands. With easting and northing, coordinates in the document and "
+      "in its files are map coordinates, and those of the origin are subtracted from them.");
+  record
+      .optional(
+          "latitude", [geographic](OriginDocument& o, double v) { geographic(o).latitude_rad = v; },
+          quantity(kAngle, Range::between(-90.0, 90.0, "deg")), "geodetic (WGS 84), north positive")
+      .optional(
+          "longitude", [geographic](OriginDocument& o, double v) { geographic(o).longitude_rad = v; },
+          quantity(kAngle, Range::between(-180.0, 360.0, "deg")), "east positive")
+      .optional(
+          "easting",
+          [](OriginDocument& o, double v) {
+            o.has_map_offset = true;
+            o.offset_m.x = v;
+          },
+          quantity(kLength), "map coordinate of the origin")
+      .optional(
+          "northing", [](OriginDocument& o, double v) { o.offset_m.y = v; }, quantity(kLength),
+          "map coordinate of the origin")
+      .with_default("height", &OriginDocument::height_m, quantity(kLength), "\"0 m\"",
+                    "of the origin above the ellipsoid; with map coordinates, also subtracted from z")
+      .needs("latitude", "longitude")
+      .needs("longitude", "latitude")
+      .needs("easting", "northing")
+      .needs("northing", "easting");
+  return converted<OriginDocument>(record.kind(), [](OriginDocument origin) {
+    if (origin.has_map_offset) origin.offset_m.z = origin.height_m;
+    return origin;
+  });
+}
+
+template <class T>
+std::vector<T> with_names(std::vector<std::pair<std::string, T>> named) {
+  std::vector<T> values;
+  for (auto& [name, value] : named) {
+    value.name = std::move(name);
+    values.push_back(std::move(value));
+  }
+  return values;
+}
+
+Kind<std::vector<std::pair<std::string, PrototypeDocument>>> prototypes_kind() {
+  const auto objects = objects_kind(false);
+  const Kind<PrototypeDocument> prototype{objects.description,
+                                          [read = objects.read](const DocumentNode& node) {
+                                            return PrototypeDocument{{}, read(node), node.key_position()};
+                                          }};
+  return map_of(prototype, "prototypes", kMostPrototypes);
+}
+
+}  // namespace
+
+Kind<SceneDocument> scene_kind() {
+  Record<SceneDocument> record("scene", "Coordinates are metres east, north and up.");
+  record.optional("origin", &SceneDocument::origin, origin_kind(), "where the scene stands")
+      .required(
+          "materials",
+          [](SceneDocument& s, std::vector<std::pair<std::string, MaterialDocument>> m) {
+            s.materials = with_names(std::move(m));
+          },
+          materials_kind(), "what surfaces are made of")
+      .optional(
+          "prototypes",
+          [](SceneDocument& s, std::vector<std::pair<std::string, PrototypeDocument>> p) {
+            s.prototypes = with_names(std::move(p));
+          },
+          prototypes_kind(), "objects that are copied, in coordinates of their own")
+      .required("objects", &SceneDocument::objects, objects_kind(true), "what stands in the scene");
+  return record.kind();
+}
+
+}  // namespace ifov::io
