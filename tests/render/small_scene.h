@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/format.h"
 #include "geometry/world_builder.h"
 #include "radiometry/spectral_nodes.h"
 #include "render/path_tracer.h"
@@ -18,7 +19,7 @@ class SmallScene {
   std::uint32_t material(double reflectance, double temperature_k = 0.0,
                          materials::ScatteringKind kind = materials::ScatteringKind::lambertian) {
     materials::Material material;
-    material.name = "m" + std::to_string(scene_.materials.size());
+    material.name = format("m{}", scene_.materials.size());
     material.reflectance = radiometry::Spectrum::constant(reflectance);
     material.scattering = kind;
     const auto index = static_cast<std::uint32_t>(scene_.materials.size());
