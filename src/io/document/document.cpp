@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -19,6 +20,8 @@ const Kind<Document>& table() {
 }
 
 std::string read_text(const std::string& path) {
+  if (std::filesystem::is_directory(path))
+    throw EnvironmentError(format("cannot read '{}': it is a folder", path));
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   if (!file) throw EnvironmentError(format("cannot read '{}': {}", path, std::strerror(errno)));
   const std::streamoff size = file.tellg();
