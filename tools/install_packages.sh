@@ -18,7 +18,7 @@ done
 
 echo "Installing the Debian packages that ifov needs and this system lacks:"
 for package in $missing; do
-  grep -E "^$package( |\$)" "$list" | sed 's/^/  /'
+  awk -v package="$package" '$1 == package { print "  " $0 }' "$list"
 done
 
 if [ "$(id -u)" -eq 0 ]; then
