@@ -2,11 +2,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <span>
 #include <string>
 
 #include "io/products/envi_header.h"
+#include "io/products/raster_view.h"
 
 namespace ifov::io {
 
@@ -23,10 +23,14 @@ class EnviReader {
   const EnviHeader& header() const { return header_; }
   const std::filesystem::path& data_path() const { return data_path_; }
 
-  /// Line `line` as [band * samples + sample]; `values` holds bands * samples floats.
-  void read_line(int line, std::span<float> values) const;
+  /// One line of one band, `samples` values.
+  void read(int line, int band, std::span<float> values) const;
+  /// Valid as long as the reader is.
+  RasterView view() const;
 
  private:
+  void fetch(std::uint64_t offset, unsigned char* to, std::size_t bytes) const;
+
   EnviHeader header_;
   std::filesystem::path data_path_;
   int descriptor_ = -1;

@@ -1,16 +1,18 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 
+#include "io/products/raster_view.h"
 #include "io/products/run_record.h"
 
 namespace ifov::io {
 
-/// The cubes a report is made from; empty paths leave the part of the page that needs them away.
+/// The cubes a report is made from; the part of the page that needs an empty one is left away.
 struct ReportInput {
-  std::filesystem::path radiance, half_width, samples, quality;
+  RasterView radiance, half_width;  ///< one band a channel
+  RasterView samples;               ///< first band: samples per pixel
+  RasterView quality;               ///< first two bands: converged, half-width over limit
 };
 
 /// One self-contained HTML page: image with band slider, spectrum with intervals, maps, histograms,

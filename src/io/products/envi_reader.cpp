@@ -1,0 +1,155 @@
+#include "io/products/envi_reader.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <vector>
+
+#include "core/error.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr std::uintmax_t kLargestHeader = std::uintmax_t{64} << 20;
+
+std::filesystem::path find_header(const std::filesystem::path& data) {
+  std::filesystem::path appended = data, replaced = data;
+  appended += ".hdr";
+  replaced.replace_extension(".hdr");
+  for (const auto& candidate : {appended, replaced})
+    if (std::filesystem::is_regular_file(candidate)) return candidate;
+  throw EnvironmentError(format("{}: no ENVI header beside it: neither {} nor {} exists", data.string(),
+                                appended.filename().string(), replaced.filename().string()));
+}
+
+std::filesystem::path find_data(const std::filesystem::path& header) {
+  std::filesystem::path stem = header;
+  stem.replace_extension();
+  for (const char* extension : {"", ".img", ".dat", ".bil", ".bsq", ".bip", ".raw"}) {
+    std::filesystem::path candidate = stem;
+    candidate += extension;
+    if (std::filesystem::is_regular_file(candidate)) return candidate;
+  }
+  throw EnvironmentError(format("{}: no data file beside the header", header.string()));
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  if (error) throw EnvironmentError(format("{}: cannot be read: {}", path.string(), error.message()));
+  if (size > kLargestHeader) throw InputError(format("{}: too large for an ENVI header", path.string()));
+  std::string text(static_cast<std::size_t>(size), '\0');
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
+    throw EnvironmentError(format("{}: cannot be read", path.string()));
+  return text;
+}
+
+template <class T>
+float value_at(const unsigned char* bytes, bool swap) {
+  unsigned char copy[sizeof(T)];
+  std::memcpy(copy, bytes, sizeof(T));
+  if (swap) std::reverse(copy, copy + sizeof(T));
+  T value;
+  std::memcpy(&value, copy, sizeof(T));
+  return static_cast<float>(value);
+}
+
+float (*converter(EnviType type))(const unsigned char*, bool) {
+  switch (type) {
+    case EnviType::byte:
+      return value_at<std::uint8_t>;
+    case EnviType::int16:
+      return value_at<std::int16_t>;
+    case EnviType::int32:
+      return value_at<std::int32_t>;
+    case EnviType::float64:
+      return value_at<double>;
+    case EnviType::uint16:
+      return value_at<std::uint16_t>;
+    case EnviType::uint32:
+      return value_at<std::uint32_t>;
+    case EnviType::float32:
+      break;
+  }
+  return value_at<float>;
+}
+
+}  // namespace
+
+EnviReader::EnviReader(const std::filesystem::path& path) {
+  const bool is_header = path.extension() == ".hdr";
+  const auto header_path = is_header ? path : find_header(path);
+  header_ = parse_envi_header(read_text(header_path), header_path.string());
+  data_path_ = is_header ? find_data(path) : path;
+
+  descriptor_ = open(data_path_.c_str(), O_RDONLY | O_CLOEXEC);
+  struct stat info {};
+  if (descriptor_ < 0 || fstat(descriptor_, &info) != 0) {
+    const std::string reason = std::strerror(errno);
+    if (descriptor_ >= 0) close(descriptor_);
+    throw EnvironmentError(format("{}: cannot be read: {}", data_path_.string(), reason));
+  }
+  const std::uint64_t needed = header_.header_offset + header_.data_bytes();
+  if (static_cast<std::uint64_t>(info.st_size) < needed) {
+    close(descriptor_);
+    throw EnvironmentError(format("{}: the file has {} bytes, its header {} asks for {}", data_path_.string(),
+                                  info.st_size, header_path.filename().string(), needed));
+  }
+}
+
+EnviReader::EnviReader(EnviReader&& other) noexcept
+    : header_(std::move(other.header_)),
+      data_path_(std::move(other.data_path_)),
+      descriptor_(other.descriptor_) {
+  other.descriptor_ = -1;
+}
+
+EnviReader::~EnviReader() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
+void EnviReader::fetch(std::uint64_t offset, unsigned char* to, std::size_t bytes) const {
+  while (bytes > 0) {
+    const ssize_t got = pread(descriptor_, to, bytes, static_cast<off_t>(offset));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0)
+      throw EnvironmentError(format("{}: cannot be read: {}", data_path_.string(),
+                                    got < 0 ? std::strerror(errno) : "the file ends"));
+    to += got;
+    offset += static_cast<std::uint64_t>(got);
+    bytes -= static_cast<std::size_t>(got);
+  }
+}
+
+void EnviReader::read(int line, int band, std::span<float> values) const {
+  const auto samples = static_cast<std::size_t>(header_.samples),
+             bands = static_cast<std::size_t>(header_.bands);
+  const auto lines = static_cast<std::size_t>(header_.lines);
+  const auto y = static_cast<std::size_t>(line), b = static_cast<std::size_t>(band);
+  const std::size_t size = bytes_per_value(header_.data_type);
+
+  std::size_t first = (y * bands + b) * samples, step = 1;
+  if (header_.interleave == EnviInterleave::bsq) first = (b * lines + y) * samples;
+  if (header_.interleave == EnviInterleave::bip) {
+    first = y * samples * bands + b;
+    step = bands;
+  }
+  std::vector<unsigned char> raw(((samples - 1) * step + 1) * size);
+  fetch(header_.header_offset + first * size, raw.data(), raw.size());
+  const auto convert = converter(header_.data_type);
+  for (std::size_t x = 0; x < samples; ++x)
+    values[x] = convert(raw.data() + x * step * size, header_.big_endian);
+}
+
+RasterView EnviReader::view() const {
+  return {header_.samples, header_.lines, header_.bands,
+          [this](int line, int band, std::span<float> values) { read(line, band, values); }};
+}
+
+}  // namespace ifov::io

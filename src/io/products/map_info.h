@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "render/tile_sink.h"
+
+namespace ifov::io {
+
+/// Map coordinates of image point (x, y): {g0 + x g1 + y g2, g3 + x g4 + y g5}, as GDAL counts.
+std::array<double, 6> geotransform(const render::ImageInfo& info);
+
+/// Well-known text of info.map_projection ("EPSG:32633" or well-known text); empty for "Arbitrary" and
+/// nothing. ifov::InputError on text that names no coordinate system.
+std::string coordinate_system_text(const render::ImageInfo& info);
+
+/// The items of an ENVI header's "map info".
+std::vector<std::string> envi_map_info(const render::ImageInfo& info);
+
+}  // namespace ifov::io

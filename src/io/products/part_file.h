@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+namespace ifov::io {
+
+/// A file being made: it is called `<final path>.part` until publish(). Two writers of one path exclude each
+/// other. All errors are ifov::EnvironmentError and name the path, what was wanted and what was free.
+class PartFile {
+ public:
+  explicit PartFile(std::filesystem::path final_path);
+  /// Closes; the `.part` file stays.
+  ~PartFile();
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+
+  /// Takes `bytes` of disk space now, so that later writes within them cannot meet a full disk.
+  void reserve(std::uint64_t bytes);
+
+  /// Safe to call from several threads.
+  void write_at(std::uint64_t offset, const void* data, std::size_t bytes);
+  void read_at(std::uint64_t offset, void* data, std::size_t bytes) const;
+
+  void sync();
+  /// Gives the file, which must have been synced, its final name.
+  void publish();
+  /// Closes and removes the `.part` file.
+  void discard();
+
+  const std::filesystem::path& final_path() const { return final_path_; }
+  const std::filesystem::path& part_path() const { return part_path_; }
+
+ private:
+  std::filesystem::path final_path_, part_path_;
+  int descriptor_ = -1;
+};
+
+/// Writes a small file whole, synced, still under its `.part` name.
+void write_part(PartFile& file, std::string_view content);
+
+/// ifov::EnvironmentError unless the folder exists (it is made where it can be) and has `bytes` free.
+void require_space(const std::filesystem::path& folder, std::uint64_t bytes);
+
+/// Makes renames in a folder durable.
+void sync_folder(const std::filesystem::path& folder);
+
+}  // namespace ifov::io

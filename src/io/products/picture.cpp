@@ -1,0 +1,63 @@
+#include "io/products/picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "radiometry/planck.h"
+
+namespace ifov::io {
+
+Layer averaged_layer(const RasterView& raster, int band, int factor) {
+  Layer layer{(raster.width + factor - 1) / factor, (raster.height + factor - 1) / factor, {}};
+  const auto width = static_cast<std::size_t>(layer.width), step = static_cast<std::size_t>(factor);
+  layer.values.resize(width * static_cast<std::size_t>(layer.height));
+  std::vector<float> line(static_cast<std::size_t>(raster.width));
+  std::vector<double> sum(width);
+  std::vector<int> count(width);
+  for (int row = 0; row < layer.height; ++row) {
+    std::fill(sum.begin(), sum.end(), 0.0);
+    std::fill(count.begin(), count.end(), 0);
+    for (int y = row * factor; y < std::min((row + 1) * factor, raster.height); ++y) {
+      raster.read(y, band, line);
+      for (std::size_t x = 0; x < line.size(); ++x) {
+        if (!std::isfinite(line[x])) continue;
+        sum[x / step] += line[x];
+        ++count[x / step];
+      }
+    }
+    for (std::size_t x = 0; x < width; ++x)
+      layer.values[static_cast<std::size_t>(row) * width + x] = static_cast<float>(sum[x] / count[x]);
+  }
+  return layer;
+}
+
+Range percentiles(const Layer& layer, double low, double high) {
+  std::vector<float> sorted;
+  for (const float value : layer.values)
+    if (std::isfinite(value)) sorted.push_back(value);
+  if (sorted.empty()) return {};
+  const auto at = [&](double share) {
+    const auto place =
+        sorted.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
+    std::nth_element(sorted.begin(), place, sorted.end());
+    return static_cast<double>(*place);
+  };
+  Range range{at(low), at(high)};
+  if (range.high > range.low) return range;
+  range = {at(0.0), at(1.0)};  // most of the image has one value: show the rest
+  if (range.high > range.low) return range;
+  const double margin = std::max(std::abs(range.low) * 1e-3, 1e-12);
+  return {range.low - margin, range.high + margin};
+}
+
+bool is_thermal(const render::ImageInfo& info, int channel) {
+  return info.channels[static_cast<std::size_t>(channel)].centre_um > 3.0 &&
+         info.radiance_unit == "W m-2 sr-1 um-1";
+}
+
+void to_brightness_temperature_k(Layer& layer, double wavelength_um) {
+  for (float& value : layer.values)
+    value = static_cast<float>(radiometry::brightness_temperature_k(wavelength_um, value));
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/products/colour_map.h"
+#include "io/products/raster_view.h"
+#include "render/tile_sink.h"
+
+namespace ifov::io {
+
+/// Values of one channel at the picture's pixels.
+struct Layer {
+  int width = 0, height = 0;
+  std::vector<float> values;
+};
+
+/// One band, averaged over squares of `factor` pixels (what is left over at the right and lower rim is
+/// averaged over fewer); values that are not finite are left out.
+Layer averaged_layer(const RasterView& raster, int band, int factor);
+
+/// Values below which the shares `low` and `high` (in [0, 1]) of the finite values lie.
+struct Range {
+  double low = 0.0, high = 1.0;
+};
+Range percentiles(const Layer& layer, double low, double high);
+
+/// True where emission outweighs sunlight: pictures then show brightness temperature.
+bool is_thermal(const render::ImageInfo& info, int channel);
+
+/// Radiance to the temperature of a black body of the same radiance, in place.
+void to_brightness_temperature_k(Layer& layer, double wavelength_um);
+
+}  // namespace ifov::io

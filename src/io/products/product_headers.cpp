@@ -1,0 +1,57 @@
+#include "io/products/product_headers.h"
+
+#include <cmath>
+
+#include "core/format.h"
+#include "io/products/map_info.h"
+
+namespace ifov::io {
+
+EnviHeader cube_header(const CubeKind& kind, const render::ImageInfo& info, const RunIdentity& identity,
+                       const std::string& statement) {
+  EnviHeader header;
+  header.samples = info.width_px;
+  header.lines = info.height_px;
+  header.data_type = kind.type;
+  header.data_units = kind.unit.empty() ? info.radiance_unit : kind.unit;
+  header.description = format("{}, made by ifov {} from {}\nseed {}, sampler {}", kind.what, identity.version,
+                              identity.document_path, identity.seed, identity.sampler);
+  if (!identity.accuracy_asked.empty()) header.description += "\naccuracy asked: " + identity.accuracy_asked;
+  if (!statement.empty()) header.description += "\naccuracy reached: " + statement;
+
+  if (kind.spectral) {
+    header.bands = static_cast<int>(info.channels.size());
+    header.wavelength_units = "Micrometers";
+    for (const auto& channel : info.channels) {
+      header.band_names.push_back(channel.name);
+      header.wavelength.push_back(channel.centre_um);
+      header.fwhm.push_back(channel.fwhm_um);
+    }
+    for (const int channel : picture_channels(info)) header.default_bands.push_back(channel + 1);
+  } else {
+    header.bands = static_cast<int>(kind.band_names.size());
+    header.band_names = kind.band_names;
+  }
+  if (info.has_map) {
+    header.map_info = envi_map_info(info);
+    header.coordinate_system = coordinate_system_text(info);
+  }
+  return header;
+}
+
+std::vector<int> picture_channels(const render::ImageInfo& info) {
+  std::vector<int> chosen;
+  for (const double wanted_um : {0.66, 0.56, 0.48}) {
+    int best = -1;
+    double distance_um = 0.06;
+    for (std::size_t c = 0; c < info.channels.size(); ++c) {
+      const double d = std::abs(info.channels[c].centre_um - wanted_um);
+      if (d < distance_um) best = static_cast<int>(c), distance_um = d;
+    }
+    if (best >= 0 && (chosen.empty() || chosen.back() != best)) chosen.push_back(best);
+  }
+  if (chosen.size() == 3) return chosen;
+  return {static_cast<int>(info.channels.size()) / 2};
+}
+
+}  // namespace ifov::io

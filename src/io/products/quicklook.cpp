@@ -1,0 +1,230 @@
+#include "io/products/quicklook.h"
+
+#include <cairo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/error.h"
+#include "io/products/picture.h"
+#include "io/products/product_headers.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr int kLongestSide = 1600;  // larger images are averaged down
+constexpr int kWantedSide = 760;    // smaller ones are enlarged by whole factors
+constexpr double kMargin = 28.0, kTitle = 58.0, kCaption = 64.0, kBar = 120.0;
+constexpr double kLow = 0.01, kHigh = 0.99;
+
+struct Free {
+  void operator()(cairo_t* p) const { cairo_destroy(p); }
+  void operator()(cairo_surface_t* p) const { cairo_surface_destroy(p); }
+};
+using Context = std::unique_ptr<cairo_t, Free>;
+using Surface = std::unique_ptr<cairo_surface_t, Free>;
+
+struct Picture {
+  std::string title, caption, unit;
+  Range range;  // of the colour bar
+  bool bar = false;
+  const ColourMap* colours = nullptr;
+  int width = 0, height = 0;
+  std::vector<std::uint32_t> pixels;  // 0xRRGGBB
+};
+
+std::uint32_t packed(Rgb c) { return (std::uint32_t{c.r} << 16) | (std::uint32_t{c.g} << 8) | c.b; }
+
+double position(float value, const Range& range) {
+  return std::clamp((value - range.low) / (range.high - range.low), 0.0, 1.0);
+}
+
+Picture one_channel(const RasterView& radiance, const RunRecord& record, int channel, int factor) {
+  const auto& info = record.image;
+  const auto& c = info.channels[static_cast<std::size_t>(channel)];
+  Layer layer = averaged_layer(radiance, channel, factor);
+  const bool thermal = is_thermal(info, channel);
+  if (thermal) to_brightness_temperature_k(layer, c.centre_um);
+  Picture p{format("{}  {:.4g} \u00b5m", c.name, c.centre_um),
+            "",
+            thermal ? "K" : info.radiance_unit,
+            percentiles(layer, kLow, kHigh),
+            true,
+            thermal ? &heat_colours() : &sequential_colours(),
+            layer.width,
+            layer.height,
+            {}};
+  p.caption = format("{}, {:.0f} to {:.0f} % of pixels within the colour range",
+                     thermal ? "Brightness temperature" : "Radiance", 100 * kLow, 100 * kHigh);
+  for (const float value : layer.values)
+    p.pixels.push_back(
+        std::isfinite(value)
+            ? packed((*p.colours)[static_cast<std::size_t>(std::lround(255 * position(value, p.range)))])
+            : 0x808080u);
+  return p;
+}
+
+Picture three_channels(const RasterView& radiance, const RunRecord& record, const std::vector<int>& channels,
+                       int factor) {
+  Picture p;
+  std::vector<Layer> layers;
+  std::vector<Range> ranges;
+  for (const int channel : channels) {
+    const auto& c = record.image.channels[static_cast<std::size_t>(channel)];
+    layers.push_back(averaged_layer(radiance, channel, factor));
+    ranges.push_back(percentiles(layers.back(), kLow, kHigh));
+    p.title += format("{}{} {:.3g}", p.title.empty() ? "" : ", ", c.name, c.centre_um);
+  }
+  p.title = "Red, green, blue: " + p.title + " \u00b5m";
+  p.caption = format("Each channel from its {:.0f}th to its {:.0f}th percentile, linear light: ", 100 * kLow,
+                     100 * kHigh);
+  for (const Range& r : ranges)
+    p.caption += format("{:.3g} to {:.3g}{}", r.low, r.high, &r == &ranges.back() ? " " : ", ");
+  p.caption += record.image.radiance_unit;
+  p.width = layers[0].width;
+  p.height = layers[0].height;
+  for (std::size_t i = 0; i < layers[0].values.size(); ++i) {
+    Rgb colour;
+    std::uint8_t* parts[] = {&colour.r, &colour.g, &colour.b};
+    bool finite = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      finite = finite && std::isfinite(layers[k].values[i]);
+      *parts[k] = finite ? srgb_code(position(layers[k].values[i], ranges[k])) : std::uint8_t{0};
+    }
+    p.pixels.push_back(finite ? packed(colour) : 0x808080u);
+  }
+  return p;
+}
+
+/// Ticks at 1, 2 or 5 times a power of ten.
+double nice_step(double span, int most) {
+  const double raw = span / most, power = std::pow(10.0, std::floor(std::log10(raw)));
+  for (const double m : {1.0, 2.0, 5.0})
+    if (m * power >= raw * 0.999999) return m * power;
+  return 10.0 * power;
+}
+
+void text(cairo_t* c, double x, double y, double size, const std::string& words, bool bold = false) {
+  cairo_select_font_face(c, "sans", CAIRO_FONT_SLANT_NORMAL,
+                         bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(c, size);
+  cairo_move_to(c, x, y);
+  cairo_show_text(c, words.c_str());
+}
+
+double text_width(cairo_t* c, double size, const std::string& words) {
+  cairo_select_font_face(c, "sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(c, size);
+  cairo_text_extents_t extents;
+  cairo_text_extents(c, words.c_str(), &extents);
+  return extents.x_advance;
+}
+
+Surface image_surface(int width, int height) {
+  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
+  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
+    throw EnvironmentError(format("a picture of {} x {} cannot be made: {}", width, height,
+                                  cairo_status_to_string(cairo_surface_status(surface.get()))));
+  return surface;
+}
+
+void draw_pixels(cairo_t* c, const Picture& p, double x, double y, double scale) {
+  const Surface pixels = image_surface(p.width, p.height);
+  cairo_surface_flush(pixels.get());
+  unsigned char* rows = cairo_image_surface_get_data(pixels.get());
+  const int stride = cairo_image_surface_get_stride(pixels.get());
+  for (int row = 0; row < p.height; ++row)
+    std::copy_n(p.pixels.data() + static_cast<std::ptrdiff_t>(row) * p.width, p.width,
+                reinterpret_cast<std::uint32_t*>(rows + static_cast<std::ptrdiff_t>(row) * stride));
+  cairo_surface_mark_dirty(pixels.get());
+  cairo_save(c);
+  cairo_translate(c, x, y);
+  cairo_scale(c, scale, scale);
+  cairo_set_source_surface(c, pixels.get(), 0, 0);
+  cairo_pattern_set_filter(cairo_get_source(c), CAIRO_FILTER_NEAREST);
+  cairo_paint(c);
+  cairo_restore(c);
+}
+
+void draw_bar(cairo_t* c, const Picture& p, double x, double y, double height) {
+  for (int k = 0; k < 256; ++k) {
+    const Rgb colour = (*p.colours)[static_cast<std::size_t>(k)];
+    cairo_set_source_rgb(c, colour.r / 255.0, colour.g / 255.0, colour.b / 255.0);
+    cairo_rectangle(c, x, y + height * (255 - k) / 256.0, 18, height / 256.0 + 0.6);
+    cairo_fill(c);
+  }
+  cairo_set_source_rgb(c, 0.2, 0.2, 0.2);
+  const double span = p.range.high - p.range.low,
+               step = nice_step(span, std::max(2, static_cast<int>(height / 70)));
+  for (double tick = std::ceil(p.range.low / step) * step; tick <= p.range.high + 1e-9 * span; tick += step) {
+    const double at = y + height * (1.0 - (tick - p.range.low) / span);
+    cairo_rectangle(c, x + 18, at - 0.5, 5, 1);
+    cairo_fill(c);
+    text(c, x + 27, at + 4, 12, format("{:.6g}", std::abs(tick) < 1e-9 * span ? 0.0 : tick));
+  }
+}
+
+/// A bar of a round length, about a fifth of the image.
+void draw_scale(cairo_t* c, const render::ImageInfo& info, double px_per_m, double right, double y,
+                double width) {
+  if (!info.has_map) return;
+  const double length_m = nice_step(width / px_per_m / 5.0, 1);
+  const std::string words = length_m >= 1000.0 ? format("{:g} km", length_m / 1000.0)
+                            : length_m >= 1.0  ? format("{:g} m", length_m)
+                                               : format("{:g} cm", length_m * 100.0);
+  const double length = length_m * px_per_m;
+  cairo_rectangle(c, right - length, y, length, 4);
+  cairo_fill(c);
+  text(c, right - length - text_width(c, 12, words) - 8, y + 7, 12, words);
+}
+
+cairo_status_t append(void* out, const unsigned char* data, unsigned int length) {
+  static_cast<std::string*>(out)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+}  // namespace
+
+std::string make_quicklook(const RasterView& radiance, const RunRecord& record,
+                           const std::vector<int>& channels) {
+  const std::vector<int> chosen = channels.empty() ? picture_channels(record.image) : channels;
+  const int longest = std::max(radiance.width, radiance.height);
+  const int factor = (longest + kLongestSide - 1) / kLongestSide;
+  const Picture p = chosen.size() == 3 ? three_channels(radiance, record, chosen, factor)
+                                       : one_channel(radiance, record, chosen.front(), factor);
+  const int enlarge = std::max(1, kWantedSide / std::max(p.width, p.height));
+  const double width = p.width * enlarge, height = p.height * enlarge;
+  const double frame = std::max(width, 420.0);
+
+  const Surface surface = image_surface(static_cast<int>(2 * kMargin + frame + (p.bar ? kBar : 0.0)),
+                                        static_cast<int>(kTitle + height + kCaption));
+  const Context context(cairo_create(surface.get()));
+  cairo_t* c = context.get();
+  cairo_set_source_rgb(c, 1, 1, 1);
+  cairo_paint(c);
+  cairo_set_source_rgb(c, 0.1, 0.1, 0.1);
+  text(c, kMargin, 34, 17, p.title, true);
+  if (p.bar) {
+    const std::string& unit = p.unit;
+    text(c, kMargin + frame + 22, kTitle - 10, 12,
+         unit == "W m-2 sr-1 um-1" ? "W/(m\u00b2 sr \u00b5m)" : unit);
+    draw_bar(c, p, kMargin + frame + 22, kTitle, height);
+  }
+  draw_pixels(c, p, kMargin, kTitle, enlarge);
+  cairo_set_source_rgb(c, 0.25, 0.25, 0.25);
+  const double line = kTitle + height + 22;
+  const double px_per_m = enlarge / (record.image.gsd_m * factor);
+  text(c, kMargin, line, 12, p.caption);
+  text(c, kMargin, line + 20, 12,
+       record.outcome.accuracy_statement.empty() ? format("ifov {}", record.identity.version)
+                                                 : record.outcome.accuracy_statement);
+  draw_scale(c, record.image, px_per_m, kMargin + frame + (p.bar ? kBar : 0.0), line + 31, width);
+  cairo_surface_flush(surface.get());
+  std::string png;
+  if (cairo_surface_write_to_png_stream(surface.get(), append, &png) != CAIRO_STATUS_SUCCESS)
+    throw EnvironmentError("the picture cannot be encoded as PNG");
+  return png;
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,333 @@
+#include "io/report/report.h"
+
+#include <json/json.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/format.h"
+#include "io/products/picture.h"
+#include "io/products/product_headers.h"
+#include "io/report/report_data.h"
+#include "io/report/report_page.h"
+
+namespace ifov::io {
+namespace {
+
+std::string shown_unit(const std::string& unit) {
+  return unit == "W m-2 sr-1 um-1" ? "W/(m\u00b2 sr \u00b5m)" : unit;
+}
+
+std::string figure(double value) { return std::isfinite(value) ? format("{:.4g}", value) : "\u2013"; }
+
+std::string count(std::uint64_t value) {
+  const std::string digits = format("{}", value);
+  std::string grouped;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) grouped += "\u2009";
+    grouped += digits[i];
+  }
+  return grouped;
+}
+
+std::string short_count(double value) {
+  if (value < 1e4) return format("{:.0f}", value);
+  if (value < 1e6) return format("{:.1f} k", value / 1e3);
+  if (value < 1e9) return format("{:.1f} M", value / 1e6);
+  return format("{:.1f} G", value / 1e9);
+}
+
+std::string duration(double seconds) {
+  if (seconds < 120.0) return format("{:.3g} s", seconds);
+  if (seconds < 7200.0) return format("{:.0f} min", seconds / 60.0);
+  return format("{:.1f} h", seconds / 3600.0);
+}
+
+Json::Value list(const std::vector<double>& values) {
+  Json::Value result = Json::arrayValue;
+  for (const double v : values) result.append(std::isfinite(v) ? Json::Value(v) : Json::Value());
+  return result;
+}
+
+Json::Value as_json(const Histogram& h) {
+  Json::Value v;
+  v["edges"] = list(h.edges);
+  v["counts"] = Json::arrayValue;
+  for (const std::size_t n : h.counts) v["counts"].append(static_cast<Json::UInt64>(n));
+  v["logarithmic"] = h.logarithmic;
+  return v;
+}
+
+/// JSON inside a script element must not close it.
+std::string embedded_json(const Json::Value& value) {
+  Json::StreamWriterBuilder writer;
+  writer["indentation"] = "";
+  writer["emitUTF8"] = true;
+  writer["precision"] = 9;
+  const std::string text = Json::writeString(writer, value);
+  std::string safe;
+  for (const char c : text) {
+    if (c == '/' && !safe.empty() && safe.back() == '<') safe += '\\';
+    safe += c;
+  }
+  return safe;
+}
+
+std::string data_element(const std::string& id, std::string_view bytes) {
+  return format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", id, base64(bytes));
+}
+
+std::string colour_element(const std::string& id, const ColourMap& map) {
+  std::string bytes;
+  for (const Rgb c : map)
+    for (const std::uint8_t part : {c.r, c.g, c.b}) bytes += static_cast<char>(part);
+  return data_element(id, bytes);
+}
+
+class Page {
+ public:
+  Page(const RunRecord& record, const ReportInput& input, std::size_t embed_limit_bytes)
+      : record_(record), input_(input), bands_(static_cast<int>(record.image.channels.size())) {
+    const std::size_t per_pixel = 2 * (static_cast<std::size_t>(bands_) * (input.half_width ? 2 : 1) + 3);
+    step_ = thinning_step(record.image.width_px, record.image.height_px, per_pixel, embed_limit_bytes);
+    judged_ = !record.identity.accuracy_asked.empty() && static_cast<bool>(input.quality);
+  }
+
+  std::string text() {
+    const std::string title = title_text();
+    std::string page =
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n";
+    page += format("<title>{}</title>\n<style>{}</style></head>\n<body><main>\n", escape_html(title),
+                   kReportStyle);
+    page +=
+        heading(title) + statements() + tiles() + viewer() + maps() + channel_table() + cost() + provenance();
+    page += "</main>\n" + data();
+    page += format("<script>{}</script>\n</body></html>\n", kReportScript);
+    return page;
+  }
+
+ private:
+  std::string title_text() const {
+    const std::filesystem::path document = record_.identity.document_path;
+    return document.empty() ? "Synthetic image" : document.stem().string();
+  }
+
+  std::string heading(const std::string& title) const {
+    const auto& image = record_.image;
+    std::string meta = format("{} \u00d7 {} pixels, {} channel{}", image.width_px, image.height_px, bands_,
+                              bands_ == 1 ? "" : "s");
+    if (image.has_map && image.gsd_m > 0.0) meta += format(", {:g} m per pixel", image.gsd_m);
+    meta += format(" \u00b7 sampler {} \u00b7 seed {} \u00b7 ifov {}", record_.identity.sampler,
+                   record_.identity.seed, record_.identity.version);
+    return format("<h1>{}</h1>\n<p class=\"meta\">{}</p>\n", escape_html(title), escape_html(meta));
+  }
+
+  std::string statements() const {
+    const auto& o = record_.outcome;
+    std::string html;
+    const auto one = [&](const char* name, const std::string& words, const std::string& more) {
+      if (words.empty()) return;
+      html +=
+          format("<section class=\"statement\"><h2>{}</h2><p>{}</p>{}</section>\n", name, escape_html(words),
+                 more.empty() ? "" : format("<p class=\"soft\">{}</p>", escape_html(more)));
+    };
+    one("Accuracy", o.accuracy_statement,
+        record_.identity.accuracy_asked.empty() ? "" : "Asked for: " + record_.identity.accuracy_asked + ".");
+    one("Detection", o.detection_statement, "");
+    return html.empty() ? html : format("<div class=\"two\">{}</div>\n<p></p>\n", html);
+  }
+
+  std::string tiles() const {
+    const auto& s = record_.statistics;
+    const double pixels = static_cast<double>(std::max<std::uint64_t>(s.pixels, 1));
+    std::string html = "<div class=\"tiles\">";
+    const auto tile = [&](const std::string& value, const char* what) {
+      html += format("<div><b>{}</b><span>{}</span></div>", value, what);
+    };
+    if (judged_)
+      tile(format("{:.2f} %", 100.0 * static_cast<double>(s.converged) / pixels), "of pixels converged");
+    if (judged_) tile(figure(s.worst_ratio), "worst half-width over its limit");
+    tile(format("{:.4g}", static_cast<double>(s.samples) / pixels), "samples per pixel, mean");
+    tile(short_count(static_cast<double>(s.rays.total())), "rays in all");
+    tile(duration(record_.outcome.elapsed_s), record_.outcome.threads == 1 ? "on 1 thread" : "of wall time");
+    return html + "</div>\n";
+  }
+
+  std::string viewer() const {
+    const bool colour = picture_channels(record_.image).size() == 3;
+    std::string html = "<section><h2>Image and spectrum</h2>";
+    html += "<div class=\"viewer\"><div><div class=\"controls\"><span class=\"tabs\" id=\"views\">";
+    if (colour) html += "<button data-view=\"colour\">Colour</button>";
+    html += "<button data-view=\"channel\">Channel</button>";
+    if (input_.half_width) html += "<button data-view=\"width\">Half-width</button>";
+    html += format(
+        "</span><input id=\"band\" type=\"range\" min=\"0\" max=\"{}\" step=\"1\" aria-label=\"channel\"{}>"
+        "<span id=\"band-name\" class=\"soft\"></span></div>",
+        bands_ - 1, bands_ == 1 ? " hidden" : "");
+    html +=
+        "<div class=\"stage\"><canvas id=\"image\"></canvas><svg id=\"mark\"></svg></div>"
+        "<svg class=\"bar\" id=\"image-bar\"></svg></div>";
+    html += format(
+        "<figure><svg id=\"spectrum\" width=\"100%\"></svg><figcaption><span id=\"pixel\"></span><br>Click "
+        "the image to "
+        "choose a pixel.{}</figcaption></figure></div>",
+        input_.half_width ? format(" Bars are {:g} % intervals.", 100.0 * record_.identity.confidence) : "");
+    if (step_ > 1)
+      html += format(
+          "<p class=\"note\">Preview: every {}{} pixel of every {}{} line is shown here; all figures and "
+          "histograms are of "
+          "the whole image.</p>",
+          step_,
+          step_ == 2   ? "nd"
+          : step_ == 3 ? "rd"
+                       : "th",
+          step_,
+          step_ == 2   ? "nd"
+          : step_ == 3 ? "rd"
+                       : "th");
+    return html + "</section>\n";
+  }
+
+  std::string maps() const {
+    std::string html;
+    const auto map = [&](const char* id, const char* name) {
+      html += format(
+          "<section><h2>{}</h2><div class=\"stage\"><canvas id=\"map-{}\" "
+          "style=\"cursor:default\"></canvas></div>"
+          "<svg class=\"bar\" id=\"map-{}-bar\"></svg><svg id=\"hist-{}\" width=\"100%\"></svg></section>\n",
+          name, id, id, id);
+    };
+    if (input_.samples) map("samples", "Where the samples went");
+    if (judged_) map("error", "Error reached, in units of its limit");
+    return html.empty() ? html : format("<div class=\"two\">{}</div>\n<p></p>\n", html);
+  }
+
+  std::string channel_table() const {
+    std::string html = format(
+        "<section><h2>Channels</h2><div class=\"scroll\"><table><thead><tr><th>Channel</th><th>Centre, "
+        "\u00b5m</th>"
+        "<th>FWHM, \u00b5m</th><th>Mean</th><th>Std. dev.</th><th>Minimum</th><th>Maximum</th>"
+        "<th>Mean half-width</th><th>Largest half-width</th></tr></thead><tbody>");
+    for (std::size_t c = 0; c < record_.image.channels.size(); ++c) {
+      const auto& channel = record_.image.channels[c];
+      const auto& s = record_.statistics.channels.at(c);
+      html += format("<tr><td>{}</td>", escape_html(channel.name));
+      for (const double v : {channel.centre_um, channel.fwhm_um, s.mean, s.standard_deviation, s.minimum,
+                             s.maximum, s.mean_half_width, s.largest_half_width})
+        html += format("<td>{}</td>", figure(v));
+      html += "</tr>";
+    }
+    return html + format("</tbody></table></div><p class=\"soft\">Radiances in {}.</p></section>\n",
+                         escape_html(shown_unit(record_.image.radiance_unit)));
+  }
+
+  std::string cost() const {
+    const auto& s = record_.statistics;
+    std::string html = "<div class=\"two\"><section><h2>Samples</h2><table><tbody>";
+    const auto row = [&](const char* name, std::uint64_t value) {
+      html += format("<tr><td>{}</td><td>{}</td></tr>", name, count(value));
+    };
+    row("All points queried", s.samples);
+    row("Fewest in a pixel", s.fewest_samples);
+    row("Most in a pixel", s.most_samples);
+    row("Label rays", s.label_rays);
+    row("Radiance evaluations", s.radiance_evaluations);
+    row("Seeds of small objects", s.seed_samples);
+    row("Probes", s.probe_samples);
+    row("In halos of tiles", s.halo_samples);
+    html += "</tbody></table></section><section><h2>Rays</h2><table><tbody>";
+    row("From the camera", s.rays.primary);
+    row("To the Sun", s.rays.shadow);
+    row("Leaving surfaces", s.rays.bounce);
+    row("All", s.rays.total());
+    const double time = record_.outcome.elapsed_s;
+    html += format("<tr><td>Wall time</td><td>{}</td></tr><tr><td>Threads</td><td>{}</td></tr>",
+                   duration(time), record_.outcome.threads);
+    if (time > 0.0)
+      html += format("<tr><td>Rays per second</td><td>{}</td></tr>",
+                     short_count(static_cast<double>(s.rays.total()) / time));
+    return html + "</tbody></table></section></div>\n<p></p>\n";
+  }
+
+  std::string provenance() const {
+    std::string html;
+    if (!record_.outcome.notes.empty()) {
+      html += "<section><h2>Notes</h2><ul>";
+      for (const auto& note : record_.outcome.notes) html += format("<li>{}</li>", escape_html(note));
+      html += "</ul></section>\n";
+    }
+    if (!record_.files.empty()) {
+      html +=
+          "<section><details><summary>Files</summary><table class=\"files\"><thead><tr><th>File</th><th "
+          "style=\"text-align:left\">What</th><th>Bytes</th><th>SHA-256</th></tr></thead><tbody>";
+      for (const auto& file : record_.files)
+        html += format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+                       escape_html(file.path.filename().string()), escape_html(file.what), count(file.bytes),
+                       file.sha256);
+      html += "</tbody></table></details></section>\n";
+    }
+    if (!record_.identity.document_text.empty())
+      html += format("<section><details><summary>Document</summary><pre>{}</pre></details></section>\n",
+                     escape_html(record_.identity.document_text));
+    return html;
+  }
+
+  std::string data() const {
+    std::string elements;
+    Json::Value meta;
+    meta["rasters"] = Json::objectValue;
+    const auto embed = [&](const char* id, const RasterView& raster, int bands) {
+      if (!raster) return;
+      const QuantisedRaster q = quantise(raster, bands, step_);
+      meta["width"] = q.width;
+      meta["height"] = q.height;
+      meta["rasters"][id]["low"] = list(q.low);
+      meta["rasters"][id]["high"] = list(q.high);
+      elements += data_element(id, q.codes);
+    };
+    embed("radiance", input_.radiance, bands_);
+    embed("half_width", input_.half_width, bands_);
+    embed("samples", input_.samples, 1);
+    embed("quality", input_.quality, 2);
+
+    meta["step"] = step_;
+    meta["unit"] = shown_unit(record_.image.radiance_unit);
+    meta["judged"] = judged_;
+    meta["channels"] = Json::arrayValue;
+    for (int c = 0; c < bands_; ++c) {
+      const auto& channel = record_.image.channels[static_cast<std::size_t>(c)];
+      Json::Value v;
+      v["name"] = channel.name;
+      v["um"] = channel.centre_um;
+      v["thermal"] = is_thermal(record_.image, c);
+      meta["channels"].append(v);
+    }
+    const auto chosen = picture_channels(record_.image);
+    meta["first"] = chosen.front();
+    meta["rgb"] = Json::arrayValue;
+    if (chosen.size() == 3)
+      for (const int c : chosen) meta["rgb"].append(c);
+    constexpr int kBins = 40;
+    meta["histograms"]["samples"] =
+        input_.samples ? as_json(histogram(input_.samples, 0, kBins)) : as_json({});
+    meta["histograms"]["error"] = judged_ ? as_json(histogram(input_.quality, 1, kBins)) : as_json({});
+    return format("<script type=\"application/json\" id=\"meta\">{}</script>\n", embedded_json(meta)) +
+           elements + colour_element("colours-seq", sequential_colours()) +
+           colour_element("colours-heat", heat_colours());
+  }
+
+  const RunRecord& record_;
+  const ReportInput& input_;
+  int bands_;
+  int step_ = 1;
+  bool judged_ = false;
+};
+
+}  // namespace
+
+std::string make_report(const RunRecord& record, const ReportInput& input, std::size_t embed_limit_bytes) {
+  return Page(record, input, embed_limit_bytes).text();
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,111 @@
+#include <cmath>
+#include <numbers>
+
+#include "core/error.h"
+#include "sensor/energy_table.h"
+#include "sensor/psf.h"
+
+namespace ifov::sensor {
+namespace {
+
+/// Share of the energy within v = pi r / q (Born & Wolf, 8.5.2, equation 18).
+double encircled(double v) {
+  const double j0 = std::cyl_bessel_j(0.0, v), j1 = std::cyl_bessel_j(1.0, v);
+  return 1.0 - j0 * j0 - j1 * j1;
+}
+
+double radius_of(double energy, double q_px) {
+  double low = 0.0, high = 1.0;
+  while (encircled(high) < energy) high *= 2.0;
+  for (int i = 0; i < 100; ++i) (encircled(0.5 * (low + high)) < energy ? low : high) = 0.5 * (low + high);
+  return high * q_px / std::numbers::pi;
+}
+
+/// Relative intensity [2 J1(v) / v]^2.
+double intensity(double v) {
+  if (v < 1e-4) return 1.0 - v * v / 4.0;
+  const double a = 2.0 * std::cyl_bessel_j(1.0, v) / v;
+  return a * a;
+}
+
+constexpr double kCellsPerQ = 24.0;  // the first dark ring lies at 1.22 q
+constexpr int kMostCells = 2048;
+
+/// Energy of each cell by 3 x 3 Gauss points, none beyond the cut radius.
+EnergyTable tabulate(double q_px, double radius_px) {
+  const int cells =
+      2 * static_cast<int>(std::ceil(std::min(radius_px / q_px * kCellsPerQ, 0.5 * kMostCells)));
+  const double cell_px = 2.0 * radius_px / cells;
+  constexpr double kNode = 0.7745966692414834;
+  constexpr double kNodes[] = {-kNode, 0.0, kNode}, kWeights[] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+
+  // One radial table serves all cells: Bessel functions are slow.
+  const int steps = 64 * cells;
+  std::vector<double> radial(static_cast<std::size_t>(steps) + 2);
+  for (std::size_t i = 0; i < radial.size(); ++i)
+    radial[i] = intensity(std::numbers::pi * radius_px * static_cast<double>(i) / steps / q_px);
+  const auto at = [&](double r_px) {
+    const double t = r_px / radius_px * steps;
+    const auto i = static_cast<std::size_t>(t);
+    const double f = t - static_cast<double>(i);
+    return (1.0 - f) * radial[i] + f * radial[i + 1];
+  };
+
+  std::vector<double> energy;
+  energy.reserve(static_cast<std::size_t>(cells) * static_cast<std::size_t>(cells));
+  for (int j = 0; j < cells; ++j)
+    for (int i = 0; i < cells; ++i) {
+      double sum = 0.0;
+      for (int b = 0; b < 3; ++b)
+        for (int a = 0; a < 3; ++a) {
+          const double x = (i + 0.5 + 0.5 * kNodes[a]) * cell_px - radius_px;
+          const double y = (j + 0.5 + 0.5 * kNodes[b]) * cell_px - radius_px;
+          const double r = std::hypot(x, y);
+          if (r <= radius_px) sum += kWeights[a] * kWeights[b] * at(r);
+        }
+      energy.push_back(sum);
+    }
+  return {cells, cells, cell_px, energy};
+}
+
+class AiryPsf final : public Psf {
+ public:
+  AiryPsf(double q_px, double kept)
+      : q_px_(q_px), kept_(kept), radius_px_(radius_of(kept, q_px)), table_(tabulate(q_px, radius_px_)) {}
+
+  double half_width_px() const override { return radius_px_; }
+  double detail_px() const override { return 0.5 * q_px_; }
+  double energy(double x0_px, double y0_px, double x1_px, double y1_px) const override {
+    return table_.within(x0_px, y0_px, x1_px, y1_px);
+  }
+  std::string description() const override {
+    return format(
+        "Airy pattern, first dark ring at {:.4g} px, cut at {:.4g} px, which leaves out {:.2g} % of the "
+        "energy",
+        1.2196698912665045 * q_px_, radius_px_, 100.0 * (1.0 - kept_));
+  }
+
+ private:
+  double q_px_, kept_, radius_px_;
+  EnergyTable table_;
+};
+
+}  // namespace
+
+std::unique_ptr<Psf> make_airy_psf(const AiryAperture& aperture, double encircled_energy) {
+  for (const double value :
+       {aperture.wavelength_um, aperture.diameter_m, aperture.focal_length_m, aperture.pitch_m})
+    if (!(value > 0.0) || !std::isfinite(value))
+      throw InputError(
+          "an Airy PSF needs a positive wavelength, aperture diameter, focal length and detector pitch");
+  if (!(encircled_energy >= 0.5) || !(encircled_energy <= 0.995))
+    throw InputError(format("an Airy PSF cut at {} of its energy; expected 0.5 to 0.995", encircled_energy));
+  const double q_px =
+      aperture.wavelength_um * 1e-6 * aperture.focal_length_m / (aperture.diameter_m * aperture.pitch_m);
+  if (!(q_px > 1e-3) || !(q_px < 100.0))
+    throw InputError(
+        format("an Airy PSF with its first dark ring at {:.3g} px; expected 0.001 to 100 px", 1.22 * q_px));
+  return std::make_unique<AiryPsf>(q_px, encircled_energy);
+}
+
+}  // namespace ifov::sensor

@@ -1,0 +1,325 @@
+#include <gtest/gtest.h>
+#include <json/json.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "core/error.h"
+#include "io/products/envi_reader.h"
+#include "io/products/sha256.h"
+#include "io/synthetic_image.h"
+
+namespace ifov::io {
+namespace {
+
+using test::ScratchFolder;
+using test::SyntheticImage;
+
+ProductOptions options_in(const std::filesystem::path& folder) {
+  ProductOptions options;
+  options.folder = folder;
+  options.name = "demo";
+  return options;
+}
+
+/// An order that is neither row by row nor the same for every seed.
+std::vector<sampling::PixelRect> shuffled(std::vector<sampling::PixelRect> tiles, std::uint64_t seed) {
+  for (std::size_t i = tiles.size(); i > 1; --i) {
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    std::swap(tiles[i - 1], tiles[(seed >> 33) % i]);
+  }
+  return tiles;
+}
+
+RunRecord write_image(const SyntheticImage& image, const ProductOptions& options,
+                      const std::vector<sampling::PixelRect>& tiles, int threads = 1) {
+  ProductWriter writer(options, image.identity());
+  writer.begin(image.info());
+  std::atomic<std::size_t> next{0};
+  std::vector<std::thread> workers;
+  for (int t = 0; t < threads; ++t)
+    workers.emplace_back([&] {
+      for (std::size_t k; (k = next++) < tiles.size();) writer.write(image.tile(tiles[k]));
+    });
+  for (auto& worker : workers) worker.join();
+  return writer.finish(image.outcome());
+}
+
+template <class Expected>
+void expect_cube(const std::filesystem::path& path, int bands, Expected expected) {
+  const EnviReader reader(path);
+  const EnviHeader& h = reader.header();
+  ASSERT_EQ(h.bands, bands);
+  ASSERT_EQ(std::filesystem::file_size(path), h.data_bytes());
+  std::vector<float> line(static_cast<std::size_t>(h.samples));
+  for (int y = 0; y < h.lines; ++y)
+    for (int b = 0; b < bands; ++b) {
+      reader.read(y, b, line);
+      for (int x = 0; x < h.samples; ++x)
+        ASSERT_FLOAT_EQ(line[static_cast<std::size_t>(x)], expected(x, y, b))
+            << path << ' ' << x << ' ' << y << ' ' << b;
+    }
+}
+
+void expect_all_cubes(const SyntheticImage& image, const std::filesystem::path& folder) {
+  const auto at = [&](const char* ending) { return folder / (std::string("demo") + ending); };
+  expect_cube(at("_radiance.img"), image.channels,
+              [&](int x, int y, int c) { return image.radiance(x, y, c); });
+  expect_cube(at("_half_width.img"), image.channels,
+              [&](int x, int y, int c) { return image.half_width(x, y, c); });
+  expect_cube(at("_standard_error.img"), image.channels,
+              [&](int x, int y, int c) { return image.half_width(x, y, c) / 1.96f; });
+  expect_cube(at("_samples.img"), 3, [&](int x, int y, int b) {
+    return b == 2 ? 4.0f : static_cast<float>(image.samples(x, y) - (b == 1 ? 4u : 0u));
+  });
+  expect_cube(at("_quality.img"), 3, [&](int x, int y, int b) {
+    return b == 0 ? (image.ratio(x, y) <= 1.0f ? 1.0f : 0.0f) : b == 1 ? image.ratio(x, y) : 0.02f;
+  });
+  expect_cube(at("_abundance.img"), 3, [&](int x, int y, int m) {
+    return m == 0 ? image.fraction(x, y) : m == 2 ? 1.0f - image.fraction(x, y) : 0.0f;
+  });
+  expect_cube(at("_abundance_half_width.img"), 3, [](int, int, int m) {
+    return m == 0 ? 0.01f : m == 2 ? 0.02f : 0.0f;
+  });
+}
+
+std::vector<std::string> names_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    names.push_back(entry.path().filename());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+TEST(Sha256, PublishedDigests) {  // FIPS 180-4, examples
+  const auto digest = [](const std::string& text) {
+    Sha256 sum;
+    for (std::size_t i = 0; i < text.size(); i += 37)
+      sum.update(text.data() + i, std::min<std::size_t>(37, text.size() - i));
+    return sum.digest();
+  };
+  EXPECT_EQ(digest(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(digest("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(digest("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  EXPECT_EQ(digest(std::string(1000000, 'a')),
+            "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST(ProductWriter, OddSizesInAnyTileOrder) {
+  const struct {
+    SyntheticImage image;
+    int side;
+  } cases[] = {{{37, 23, 7}, 16}, {{1, 1, 1}, 16}, {{64, 16, 17}, 16}, {{5, 130, 3}, 64}, {{130, 5, 33}, 7}};
+  for (const auto& c : cases)
+    for (const std::uint64_t seed : {1u, 2u}) {
+      const ScratchFolder folder("order");
+      write_image(c.image, options_in(folder.path()), shuffled(c.image.tiles(c.side), seed));
+      expect_all_cubes(c.image, folder.path());
+    }
+}
+
+TEST(ProductWriter, TilesOfUnequalRowsAreWrittenSegmentBySegment) {
+  const SyntheticImage image{20, 12, 5};
+  const ScratchFolder folder("uneven");
+  write_image(image, options_in(folder.path()),
+              {{0, 0, 8, 12}, {8, 0, 20, 5}, {8, 5, 14, 12}, {14, 5, 20, 12}});
+  expect_all_cubes(image, folder.path());
+}
+
+TEST(ProductWriter, SameBytesFromAnyNumberOfThreads) {
+  const SyntheticImage image{61, 47, 9};
+  const ScratchFolder one("threads1"), seven("threads7");
+  const RunRecord a = write_image(image, options_in(one.path()), image.tiles(16));
+  const RunRecord b = write_image(image, options_in(seven.path()), shuffled(image.tiles(16), 9), 7);
+  ASSERT_EQ(a.files.size(), b.files.size());
+  for (std::size_t i = 0; i < a.files.size(); ++i)
+    EXPECT_EQ(a.files[i].sha256, b.files[i].sha256) << a.files[i].path;
+  for (const auto& name : names_in(one.path()))
+    EXPECT_EQ(test::read_all(one.path() / name), test::read_all(seven.path() / name)) << name;
+}
+
+TEST(ProductWriter, HeaderSaysWhatItIs) {
+  const SyntheticImage image{6, 4, 3};
+  const ScratchFolder folder("header");
+  write_image(image, options_in(folder.path()), image.tiles(16));
+  const EnviHeader h = EnviReader(folder.path() / "demo_radiance.img").header();
+  EXPECT_EQ(h.interleave, EnviInterleave::bil);
+  EXPECT_FALSE(h.big_endian);
+  EXPECT_EQ(h.wavelength, (std::vector<double>{0.4, 1.45, 2.5}));
+  EXPECT_EQ(h.fwhm, (std::vector<double>{0.01, 0.01, 0.01}));
+  EXPECT_EQ(h.wavelength_units, "Micrometers");
+  EXPECT_EQ(h.band_names, (std::vector<std::string>{"ch1", "ch2", "ch3"}));
+  EXPECT_EQ(h.data_units, "W m-2 sr-1 um-1");
+  EXPECT_EQ(h.map_info, (std::vector<std::string>{"Arbitrary", "1", "1", "1000.000000", "2000.000000", "0.5",
+                                                  "0.5", "units=Meters"}));
+  for (const char* word : {"ifov 0.1.0", "seed 42", "1 % of radiance", "98.3 % of pixels"})
+    EXPECT_NE(h.description.find(word), std::string::npos) << word << " in " << h.description;
+  EXPECT_EQ(EnviReader(folder.path() / "demo_samples.img").header().data_type, EnviType::uint32);
+}
+
+TEST(ProductWriter, RunRecordHoldsFiguresAndChecksums) {
+  const SyntheticImage image{33, 21, 4};
+  const ScratchFolder folder("record");
+  ProductOptions options = options_in(folder.path());
+  options.geotiff = true;
+  write_image(image, options, image.tiles(8));
+
+  Json::Value root;
+  std::istringstream text(test::read_all(folder.path() / "demo_run.json"));
+  text >> root;
+  EXPECT_EQ(root["document"]["text"].asString(), image.identity().document_text);
+  EXPECT_EQ(root["seed"].asUInt64(), 42u);
+  EXPECT_EQ(root["cost"]["samples"]["halo"].asUInt64(), 5 * image.tiles(8).size());
+  double sum = 0.0, squares = 0.0, widest = 0.0;
+  std::uint64_t samples = 0, converged = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      sum += image.radiance(x, y, 2);
+      squares += std::pow(image.radiance(x, y, 2), 2);
+      widest = std::max<double>(widest, image.half_width(x, y, 2));
+      samples += image.samples(x, y);
+      converged += image.ratio(x, y) <= 1.0f;
+    }
+  const double n = image.width * image.height, mean = sum / n;
+  EXPECT_NEAR(root["channels"][2]["mean"].asDouble(), mean, 1e-7 * mean);
+  EXPECT_NEAR(root["channels"][2]["standard_deviation"].asDouble(), std::sqrt(squares / n - mean * mean),
+              1e-5);
+  EXPECT_NEAR(root["channels"][2]["largest_half_width"].asDouble(), widest, 1e-7 * widest);
+  EXPECT_EQ(root["cost"]["samples"]["total"].asUInt64(), samples);
+  EXPECT_EQ(root["cost"]["rays"]["primary"].asUInt64(), samples);
+  EXPECT_EQ(root["accuracy"]["pixels_converged"].asUInt64(), converged);
+  ASSERT_EQ(root["files"].size(), 10u);  // seven cubes, GeoTIFF, picture, report
+  for (const auto& file : root["files"]) {
+    const std::string bytes = test::read_all(folder.path() / file["name"].asString());
+    Sha256 whole;
+    whole.update(bytes.data(), bytes.size());
+    EXPECT_EQ(file["bytes"].asUInt64(), bytes.size());
+    EXPECT_EQ(file["sha256"].asString(), whole.digest()) << file["name"];
+  }
+}
+
+TEST(ProductWriter, ValuesThatAreNotFiniteAreCounted) {
+  const SyntheticImage image{8, 8, 2};
+  const ScratchFolder folder("nan");
+  ProductWriter writer(options_in(folder.path()), image.identity());
+  writer.begin(image.info());
+  auto tile = image.tile({0, 0, 8, 8});
+  tile.mean[0] = std::nanf("");
+  tile.half_width[1] = INFINITY;
+  writer.write(tile);
+  const RunRecord record = writer.finish(image.outcome());
+  EXPECT_EQ(record.statistics.channels[0].not_finite, 1u);
+  EXPECT_TRUE(std::isfinite(record.statistics.channels[0].mean));
+  EXPECT_TRUE(std::isfinite(record.statistics.channels[1].mean_half_width));
+}
+
+TEST(ProductWriter, ProductsCanBeLeftAway) {
+  const SyntheticImage image{9, 9, 2};
+  const ScratchFolder folder("few");
+  write_image(image, options_in(folder.path()), image.tiles(16));
+  ProductOptions options = options_in(folder.path());
+  options.standard_error = options.half_width = options.abundance = options.quicklook = options.report =
+      false;
+  write_image(image, options, image.tiles(16));  // and what the first run left under these names goes
+  EXPECT_EQ(names_in(folder.path()),
+            (std::vector<std::string>{"demo_quality.img", "demo_quality.img.hdr", "demo_radiance.img",
+                                      "demo_radiance.img.hdr", "demo_run.json", "demo_samples.img",
+                                      "demo_samples.img.hdr"}));
+}
+
+TEST(ProductWriter, StoppingLeavesPartFilesWithTheFinishedTiles) {
+  const SyntheticImage image{40, 40, 3};
+  const ScratchFolder folder("stopped");
+  {
+    ProductWriter writer(options_in(folder.path()), image.identity());
+    writer.begin(image.info());
+    writer.write(image.tile({16, 16, 32, 32}));
+    EXPECT_THROW(writer.finish(image.outcome()), std::logic_error);
+    EXPECT_EQ(writer.part_files().size(), 7u);
+  }
+  for (const auto& name : names_in(folder.path())) EXPECT_TRUE(name.ends_with(".part")) << name;
+  const std::string bytes = test::read_all(folder.path() / "demo_radiance.img.part");
+  ASSERT_EQ(bytes.size(), 4u * 40 * 40 * 3);
+  float value = 0.0f;
+  std::memcpy(&value, bytes.data() + 4 * ((20 * 3 + 1) * 40 + 25), 4);
+  EXPECT_EQ(value, image.radiance(25, 20, 1));
+}
+
+TEST(ProductWriter, AnEarlierRunStaysUntilTheNewOneIsWhole) {
+  const SyntheticImage image{10, 10, 2};
+  const ScratchFolder folder("earlier");
+  write_image(image, options_in(folder.path()), image.tiles(16));
+  {
+    const SyntheticImage other{12, 12, 3};
+    ProductWriter writer(options_in(folder.path()), other.identity());
+    writer.begin(other.info());
+    writer.write(other.tile({0, 0, 12, 6}));
+  }
+  expect_all_cubes(image, folder.path());
+}
+
+TEST(ProductWriter, TwoRunsOfOneNameExcludeEachOther) {
+  const SyntheticImage image{10, 10, 2};
+  const ScratchFolder folder("twice");
+  ProductWriter first(options_in(folder.path()), image.identity());
+  first.begin(image.info());
+  ProductWriter second(options_in(folder.path()), image.identity());
+  try {
+    second.begin(image.info());
+    FAIL() << "no error";
+  } catch (const EnvironmentError& error) {
+    EXPECT_NE(std::string(error.what()).find("another run is writing this file"), std::string::npos)
+        << error.what();
+  }
+  first.write(image.tile({0, 0, 10, 10}));
+  first.finish(image.outcome());
+  expect_all_cubes(image, folder.path());
+}
+
+TEST(ProductWriter, UnusableFoldersAreSaid) {
+  const SyntheticImage image{10, 10, 2};
+  const ScratchFolder folder("unusable");
+  test::read_all(folder.path());
+  std::ofstream(folder.path() / "file") << "not a folder";
+  ProductWriter writer(options_in(folder.path() / "file"), image.identity());
+  try {
+    writer.begin(image.info());
+    FAIL() << "no error";
+  } catch (const EnvironmentError& error) {
+    EXPECT_NE(std::string(error.what()).find((folder.path() / "file").string()), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(ProductWriter, MorePixelsThanTheDiskHoldsAreRefusedBeforeTheFirstRay) {
+  SyntheticImage image{1000000, 1000000, 3};
+  const ScratchFolder folder("huge");
+  ProductWriter writer(options_in(folder.path()), image.identity());
+  try {
+    writer.begin(image.info());
+    FAIL() << "no error";
+  } catch (const EnvironmentError& error) {
+    EXPECT_NE(std::string(error.what()).find("the disk is full: the products take"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_TRUE(names_in(folder.path()).empty());
+}
+
+TEST(ProductWriter, WrongTilesAreBugs) {
+  const SyntheticImage image{10, 10, 2};
+  const ScratchFolder folder("wrong");
+  ProductWriter writer(options_in(folder.path()), image.identity());
+  EXPECT_THROW(writer.write(image.tile({0, 0, 4, 4})), std::logic_error);
+  writer.begin(image.info());
+  EXPECT_THROW(writer.write(image.tile({8, 8, 12, 12})), std::logic_error);
+  auto tile = image.tile({0, 0, 4, 4});
+  tile.samples.pop_back();
+  EXPECT_THROW(writer.write(tile), std::logic_error);
+}
+
+}  // namespace
+}  // namespace ifov::io
