@@ -30,7 +30,7 @@ std::vector<std::string> printable_characters(std::string_view line) {
   for (std::string& character : characters) {
     const auto lead = static_cast<unsigned char>(character[0]);
     const std::size_t expected = lead < 0x80 ? 1 : lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC0 ? 2 : 0;
-    if (character.size() != expected) character = "?";
+    if (character.size() != expected) character.assign(1, '?');
   }
   return characters;
 }
