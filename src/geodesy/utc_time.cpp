@@ -63,8 +63,8 @@ class TimeReader {
   bool empty() const { return rest_.empty(); }
 
   [[noreturn]] void fail() const {
-    throw InputError(format("found the time \"{}\"; expected ISO 8601 with a zone, such as "
-                            "\"2003-10-17T19:30:30Z\" or \"2003-10-17T12:30:30-07:00\"",
+    throw InputError(format("found the time '{}'; expected ISO 8601 with a zone, such as "
+                            "'2003-10-17T19:30:30Z' or '2003-10-17T12:30:30-07:00'",
                             all_));
   }
 

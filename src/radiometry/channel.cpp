@@ -61,7 +61,7 @@ Channel Channel::gaussian(std::string name, double centre_um, double fwhm_um) {
   constexpr double kReach = 4.0;  // standard deviations
   const double sigma = fwhm_um / kFwhmPerSigma;
   if (!(fwhm_um > 0.0) || !(centre_um > kReach * sigma))
-    throw InputError(format("channel \"{}\": a Gaussian at {:g} um with a width of {:g} um is not possible", name,
+    throw InputError(format("channel '{}': a Gaussian at {:g} um with a width of {:g} um is not possible", name,
                             centre_um, fwhm_um));
   std::vector<double> wavelength, response;
   for (int i = 0; i <= kSteps; ++i) {
@@ -75,14 +75,14 @@ Channel Channel::gaussian(std::string name, double centre_um, double fwhm_um) {
 
 Channel Channel::top_hat(std::string name, double first_um, double last_um) {
   if (!(first_um > 0.0) || !(last_um > first_um))
-    throw InputError(format("channel \"{}\": no top hat reaches from {:g} to {:g} um", name, first_um, last_um));
+    throw InputError(format("channel '{}': no top hat reaches from {:g} to {:g} um", name, first_um, last_um));
   Spectrum table({first_um, last_um}, {1.0, 1.0}, OutsideRange::zero, name);
   return {std::move(name), std::move(table), 0.5 * (first_um + last_um), last_um - first_um};
 }
 
 Channel Channel::tabulated(std::string name, const Spectrum& response) {
   if (response.wavelength_um().size() < 2 || !(response.maximum() > 0.0))
-    throw InputError(format("channel \"{}\": a response needs two wavelengths or more and a value above 0", name));
+    throw InputError(format("channel '{}': a response needs two wavelengths or more and a value above 0", name));
   Spectrum table = response.mapped([](double value) { return std::max(value, 0.0); })
                        .with_outside(OutsideRange::zero)
                        .with_name(name);
@@ -92,7 +92,7 @@ Channel Channel::tabulated(std::string name, const Spectrum& response) {
 
 Channel Channel::monochromatic(std::string name, double wavelength_um) {
   if (!(wavelength_um > 0.0))
-    throw InputError(format("channel \"{}\": a wavelength of {:g} um is not possible", name, wavelength_um));
+    throw InputError(format("channel '{}': a wavelength of {:g} um is not possible", name, wavelength_um));
   return {std::move(name), Spectrum::constant(1.0), wavelength_um, 0.0};
 }
 

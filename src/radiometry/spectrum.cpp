@@ -11,7 +11,7 @@ namespace ifov::radiometry {
 namespace {
 
 std::string subject(const std::string& name) {
-  return name.empty() ? std::string("a spectrum") : format("the spectrum \"{}\"", name);
+  return name.empty() ? std::string("a spectrum") : format("the spectrum '{}'", name);
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ TEST(UtcTime, SaysWhatItExpects) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "found the time \"17 October 2003\"; expected ISO 8601 with a zone, such as "
-                 "\"2003-10-17T19:30:30Z\" or \"2003-10-17T12:30:30-07:00\"");
+                 "found the time '17 October 2003'; expected ISO 8601 with a zone, such as "
+                 "'2003-10-17T19:30:30Z' or '2003-10-17T12:30:30-07:00'");
   }
 }
 

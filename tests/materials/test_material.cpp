@@ -21,10 +21,10 @@ std::string message_of(const Action& action) {
 TEST(Material, IsChecked) {
   Material m{"roof", radiometry::Spectrum({0.4, 0.7}, {0.2, 1.2}), ScatteringKind::lambertian, {}};
   EXPECT_EQ(message_of([&] { check(m); }),
-            "material \"roof\": reflectance must lie between 0 and 1; it reaches from 0.2 to 1.2");
+            "material 'roof': reflectance must lie between 0 and 1; it reaches from 0.2 to 1.2");
   m.reflectance = radiometry::Spectrum::constant(0.5);
   m.temperature_k = 0.0;
-  EXPECT_EQ(message_of([&] { check(m); }), "material \"roof\": a temperature must be above 0 K; found 0 K");
+  EXPECT_EQ(message_of([&] { check(m); }), "material 'roof': a temperature must be above 0 K; found 0 K");
   m.temperature_k = 300.0;
   EXPECT_NO_THROW(check(m));
 }

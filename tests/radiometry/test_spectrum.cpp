@@ -32,7 +32,7 @@ TEST(Spectrum, LinearBetweenPoints) {
 TEST(Spectrum, OutsideItsRange) {
   const Spectrum s({0.4, 0.7}, {1.0, 2.0}, OutsideRange::error, "grass");
   EXPECT_EQ(message_of([&] { s.at(8.5); }),
-            "the spectrum \"grass\" is given from 0.4 to 0.7 um and is needed at 8.5 um");
+            "the spectrum 'grass' is given from 0.4 to 0.7 um and is needed at 8.5 um");
   EXPECT_DOUBLE_EQ(s.with_outside(OutsideRange::extend).at(8.5), 2.0);
   EXPECT_DOUBLE_EQ(s.with_outside(OutsideRange::extend).at(0.1), 1.0);
   EXPECT_DOUBLE_EQ(s.with_outside(OutsideRange::zero).at(8.5), 0.0);
@@ -43,7 +43,7 @@ TEST(Spectrum, RefusesBadTables) {
   EXPECT_EQ(message_of([] { Spectrum({0.4, 0.4}, {1.0, 2.0}); }),
             "wavelengths of a spectrum must increase: 0.4 um is followed by 0.4 um");
   EXPECT_EQ(message_of([] { Spectrum({0.4, 0.5}, {1.0}, OutsideRange::error, "x"); }),
-            "the spectrum \"x\" needs as many values as wavelengths, at least one: found 2 wavelengths and 1 values");
+            "the spectrum 'x' needs as many values as wavelengths, at least one: found 2 wavelengths and 1 values");
   EXPECT_EQ(message_of([] { Spectrum({0.4, 0.5}, {1.0, 1.0 / 0.0}); }),
             "a spectrum has an unusable point 2: wavelength 0.5 um, value inf");
 }

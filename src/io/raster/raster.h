@@ -25,10 +25,10 @@ struct Raster {
   }
 };
 
-/// Reads all bands of a GeoTIFF, ENVI, PNG, JPEG, BMP, Arc/Info ASCII, Erdas Imagine or netPBM raster by GDAL; no other
-/// driver is tried, and no path into GDAL's virtual file systems is followed. Numbers too large for the type are an
-/// error, and so is a raster of more than `max_values` numbers, which is refused before memory is taken. Throws
-/// InputError where the file is not such a raster or is damaged, EnvironmentError where it is not there.
+/// Reads all bands of a GeoTIFF, ENVI, PNG, JPEG, BMP, Arc/Info ASCII, Erdas Imagine or netPBM raster by GDAL, as floats;
+/// a palette's indices count, not its colours. No other driver is tried, and no path into GDAL's virtual file systems
+/// is followed. A raster of more than `max_values` numbers is refused before memory is taken. Throws InputError where
+/// the file is not such a raster or is damaged, EnvironmentError where it is not there.
 Raster read_raster(const std::filesystem::path& path, std::size_t max_values = std::size_t{1} << 28);
 
 }  // namespace ifov::io

@@ -1,0 +1,98 @@
+#include "io/raster/raster.h"
+
+#include <cpl_error.h>
+#include <gdal.h>
+
+#include <memory>
+#include <mutex>
+
+#include "core/error.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr const char* kDrivers[] = {"GTiff", "ENVI", "PNG", "JPEG", "BMP", "AAIGrid", "HFA", "PNM", nullptr};
+constexpr GIntBig kCache_bytes = GIntBig{64} << 20;
+
+void register_drivers() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    GDALAllRegister();
+    GDALSetCacheMax64(kCache_bytes);
+  });
+}
+
+/// Keeps GDAL's messages of this thread from the terminal, and hands out the last one.
+class QuietGdal {
+ public:
+  QuietGdal() {
+    CPLPushErrorHandler(CPLQuietErrorHandler);
+    CPLErrorReset();
+  }
+  ~QuietGdal() { CPLPopErrorHandler(); }
+  QuietGdal(const QuietGdal&) = delete;
+  QuietGdal& operator=(const QuietGdal&) = delete;
+  std::string message() const {
+    const std::string text = CPLGetLastErrorMsg();
+    return text.empty() ? "GDAL gives no reason" : text;
+  }
+};
+
+struct CloseDataset {
+  void operator()(void* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<void, CloseDataset>;
+
+[[noreturn]] void fail(const std::string& name, const std::string& message) {
+  throw InputError(format("{}: {}", name, message), {name, 0, 0});
+}
+
+std::string driver_list() {
+  std::string list;
+  for (const char* const* driver = kDrivers; *driver != nullptr; ++driver)
+    list += (list.empty() ? "" : ", ") + std::string(*driver);
+  return list;
+}
+
+}  // namespace
+
+Raster read_raster(const std::filesystem::path& path, std::size_t max_values) {
+  const std::string name = path.string();
+  std::error_code error;
+  if (name.starts_with("/vsi") || !std::filesystem::is_regular_file(path, error))
+    throw EnvironmentError(format("cannot read '{}': no such file", name));
+  register_drivers();
+  const QuietGdal gdal;
+  const Dataset dataset(GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, kDrivers,
+                                   nullptr, nullptr));
+  if (!dataset) fail(name, format("not a raster of a kind that is read ({}): {}", driver_list(), gdal.message()));
+
+  Raster raster;
+  raster.width = GDALGetRasterXSize(dataset.get());
+  raster.height = GDALGetRasterYSize(dataset.get());
+  raster.bands = GDALGetRasterCount(dataset.get());
+  if (raster.width < 1 || raster.height < 1 || raster.bands < 1) fail(name, "the raster has no pixels");
+  const std::size_t width = static_cast<std::size_t>(raster.width), height = static_cast<std::size_t>(raster.height);
+  const std::size_t bands = static_cast<std::size_t>(raster.bands);
+  if (width * height > max_values / bands)
+    fail(name, format("a raster of {} x {} x {} numbers is larger than the {} that are read", raster.width,
+                      raster.height, raster.bands, max_values));
+  raster.values.resize(width * height * bands);
+  for (int band = 0; band < raster.bands; ++band) {
+    const GDALRasterBandH handle = GDALGetRasterBand(dataset.get(), band + 1);
+    if (GDALDataTypeIsComplex(GDALGetRasterDataType(handle))) fail(name, "found complex numbers; expected real ones");
+    float* values = raster.values.data() + static_cast<std::size_t>(band) * width * height;
+    if (GDALRasterIO(handle, GF_Read, 0, 0, raster.width, raster.height, values, raster.width, raster.height,
+                     GDT_Float32, 0, 0) != CE_None)
+      fail(name, format("the raster is damaged: {}", gdal.message()));
+    int has_nodata = 0;
+    const double nodata = GDALGetRasterNoDataValue(handle, &has_nodata);
+    if (has_nodata != 0 && !raster.nodata) raster.nodata = nodata;
+  }
+  std::array<double, 6> transform{};
+  if (GDALGetGeoTransform(dataset.get(), transform.data()) == CE_None) raster.geotransform = transform;
+  if (const char* wkt = GDALGetProjectionRef(dataset.get())) raster.projection = wkt;
+  return raster;
+}
+
+}  // namespace ifov::io

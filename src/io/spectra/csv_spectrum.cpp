@@ -1,0 +1,70 @@
+#include "io/spectra/csv_spectrum.h"
+
+#include "core/error.h"
+#include "io/spectra/spectrum_rows.h"
+#include "io/spectra/text_table.h"
+
+namespace ifov::io {
+namespace {
+
+std::string listed(const std::vector<Field>& fields) {
+  std::string list;
+  for (const Field& field : fields) list += format("{}'{}'", list.empty() ? "" : ", ", field.text);
+  return list;
+}
+
+/// Index of the column with a heading, from the last heading line above the numbers.
+std::size_t column_named(const TextFile& file, int heading_line, const std::vector<Field>& heading,
+                         const std::string& name) {
+  for (std::size_t i = 0; i < heading.size(); ++i)
+    if (heading[i].text == name) return i;
+  if (heading_line == 0) file.fail(0, 0, format("no heading line to find the column '{}' in", name));
+  file.fail(heading_line, 0, format("no column is called '{}'; there are {}", name, listed(heading)));
+}
+
+}  // namespace
+
+WavelengthUnit parse_wavelength_unit(const std::string& name) {
+  if (name == "um") return WavelengthUnit::micrometres;
+  if (name == "nm") return WavelengthUnit::nanometres;
+  if (name == "cm-1") return WavelengthUnit::wavenumber_per_cm;
+  throw InputError(format("found the unit '{}'; expected 'um', 'nm' or 'cm-1'", name));
+}
+
+radiometry::Spectrum read_csv_spectrum(const std::filesystem::path& path, const CsvSpectrumOptions& options) {
+  const TextFile file(path);
+  if (options.wavelength_column < 1 || options.value_column < 1)
+    throw InputError(format("{}: columns count from 1", file.name()));
+  const std::size_t x = static_cast<std::size_t>(options.wavelength_column - 1);
+  std::size_t y = static_cast<std::size_t>(options.value_column - 1);
+  std::vector<Field> heading;
+  int heading_line = 0;
+  char separator = '\0';
+  SpectrumRows rows;
+  for (int number = 1; number <= file.line_count(); ++number) {
+    const std::string_view line = file.line(number);
+    if (is_blank(line) || is_comment(line)) continue;
+    if (separator == '\0') separator = separator_of(line);
+    std::vector<Field> fields = split(line, separator);
+    const std::optional<double> wavelength = x < fields.size() ? number_in(fields[x].text) : std::nullopt;
+    if (rows.empty() && !wavelength) {
+      heading = std::move(fields);
+      heading_line = number;
+      separator = '\0';  // headings may be prose
+      continue;
+    }
+    if (rows.empty() && !options.value_name.empty()) y = column_named(file, heading_line, heading, options.value_name);
+    if (x >= fields.size() || y >= fields.size())
+      file.fail(number, 0, format("found {} columns; column {} is wanted", fields.size(), std::max(x, y) + 1));
+    const std::optional<double> value = number_in(fields[y].text);
+    if (!wavelength || !value) {
+      const Field& bad = wavelength ? fields[y] : fields[x];
+      file.fail(number, bad.column, format("found '{}'; expected a number", bad.text));
+    }
+    rows.add(file, number, fields[x], *wavelength, options.scale * *value, options.unit);
+  }
+  if (rows.empty()) file.fail(0, 0, "found no row of numbers; expected wavelengths and values");
+  return rows.spectrum(file, options.outside, path.filename().string());
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,106 @@
+#include "io/spectra/text_table.h"
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "core/error.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\v\f";
+constexpr std::uintmax_t kLargest_bytes = std::uintmax_t{256} << 20;
+
+/// A line as it can be shown: cut to a length, with bytes that are not plain ASCII made harmless.
+std::string shown(std::string_view line) {
+  std::string text(line.substr(0, 100));
+  for (char& symbol : text)
+    if (symbol < ' ' || symbol > '~') symbol = symbol == '\t' ? ' ' : '?';
+  return text;
+}
+
+}  // namespace
+
+TextFile::TextFile(const std::filesystem::path& path) : name_(path.string()) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) throw EnvironmentError(format("cannot read '{}': no such file", name_));
+  if (std::filesystem::file_size(path, error) > kLargest_bytes)
+    fail(0, 0, "a table of more than 256 MiB is not read");
+  std::ifstream stream(path, std::ios::binary);
+  text_.assign(std::istreambuf_iterator<char>(stream), {});
+  if (!stream) throw EnvironmentError(format("cannot read '{}'", name_));
+  std::string_view rest = text_;
+  if (rest.substr(0, 3) == "\xef\xbb\xbf") rest.remove_prefix(3);
+  while (!rest.empty()) {
+    const std::size_t end = rest.find_first_of("\r\n");
+    lines_.push_back(rest.substr(0, end));
+    if (end == std::string_view::npos) break;
+    rest.remove_prefix(rest.substr(end, 2) == "\r\n" ? end + 2 : end + 1);
+  }
+}
+
+void TextFile::fail(int line, int column, const std::string& message) const {
+  std::string text = name_;
+  if (line > 0) text += format(":{}", line);
+  if (column > 0) text += format(":{}", column);
+  text += ": " + message;
+  if (line > 0 && line <= line_count()) {
+    text += "\n  " + shown(this->line(line));
+    if (column > 0 && column <= 100) text += "\n  " + std::string(static_cast<std::size_t>(column - 1), ' ') + "^";
+  }
+  throw InputError(text, {name_, line, column});
+}
+
+std::vector<Field> split(std::string_view line, char separator) {
+  std::vector<Field> fields;
+  const std::string_view separators = separator == ' ' ? kBlanks : std::string_view(&separator, 1);
+  std::size_t at = separator == ' ' ? line.find_first_not_of(kBlanks) : 0;
+  while (at != std::string_view::npos && at <= line.size()) {
+    const std::size_t end = std::min(line.find_first_of(separators, at), line.size());
+    std::size_t first = at, last = end;
+    const auto trim = [&](std::string_view symbols) {
+      while (first < last && symbols.find(line[first]) != std::string_view::npos) ++first;
+      while (last > first && symbols.find(line[last - 1]) != std::string_view::npos) --last;
+    };
+    trim(kBlanks);
+    trim("\"");
+    fields.push_back({line.substr(first, last - first), static_cast<int>(first) + 1});
+    if (end == line.size()) break;
+    at = separator == ' ' ? line.find_first_not_of(kBlanks, end) : end + 1;
+  }
+  return fields;
+}
+
+char separator_of(std::string_view line) {
+  for (const char separator : {';', ',', '\t'})
+    if (line.find(separator) != std::string_view::npos) return separator;
+  return ' ';
+}
+
+std::optional<double> number_in(std::string_view text) {
+  if (!text.empty() && text[0] == '+') text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || code != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    return std::nullopt;
+  return value;
+}
+
+bool is_comment(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(kBlanks);
+  return first != std::string_view::npos &&
+         (line[first] == '#' || line[first] == ';' || line.substr(first, 2) == "//");
+}
+
+bool is_blank(std::string_view line) { return line.find_first_not_of(kBlanks) == std::string_view::npos; }
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& symbol : lower)
+    if (symbol >= 'A' && symbol <= 'Z') symbol = static_cast<char>(symbol - 'A' + 'a');
+  return lower;
+}
+
+}  // namespace ifov::io

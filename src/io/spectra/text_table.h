@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ifov::io {
+
+/// The lines of a text file, without their ends (LF, CR LF or CR); a byte-order mark is dropped.
+class TextFile {
+ public:
+  /// Throws EnvironmentError where the file cannot be read, InputError where it is larger than 256 MiB.
+  explicit TextFile(const std::filesystem::path& path);
+
+  int line_count() const { return static_cast<int>(lines_.size()); }
+  std::string_view line(int number) const { return lines_[static_cast<std::size_t>(number - 1)]; }  ///< from 1
+  const std::string& name() const { return name_; }
+
+  /// Throws an InputError that shows the place: "file:line:column: message", the line, a caret. Line 0: the file as
+  /// a whole; column 0: the line as a whole.
+  [[noreturn]] void fail(int line, int column, const std::string& message) const;
+
+ private:
+  std::string name_;
+  std::string text_;
+  std::vector<std::string_view> lines_;
+};
+
+/// A piece of a line, without blanks and quotes around it, and its column from 1.
+struct Field {
+  std::string_view text;
+  int column = 0;
+};
+
+/// Fields separated by `separator`; ' ' stands for any run of blanks and tabs.
+std::vector<Field> split(std::string_view line, char separator);
+
+/// The separator of a table, from one of its lines: ';', ',' or a tab where there is one, else blanks.
+char separator_of(std::string_view line);
+
+/// The number that is the whole of a text, if it is one and finite.
+std::optional<double> number_in(std::string_view text);
+
+bool is_comment(std::string_view line);  ///< starts with #, ; or //
+bool is_blank(std::string_view line);
+std::string lower_case(std::string_view text);
+
+}  // namespace ifov::io
