@@ -37,6 +37,7 @@ class ReferenceCheck {
     for (const DocumentName& channel : document_.output.quicklook_channels)
       require("channel", channel, channels_);
     check_sun();
+    check_psf();
   }
 
  private:
@@ -94,6 +95,14 @@ class ReferenceCheck {
                : document_.scene.origin.geographic
                    ? "the document's 'time'"
                    : "the document's 'time' and the scene's 'origin' with 'latitude' and 'longitude'"));
+  }
+
+  void check_psf() const {
+    const SensorDocument& sensor = document_.sensor;
+    const bool frame = std::holds_alternative<FrameCamera>(sensor.camera.model);
+    if (!std::holds_alternative<AiryPsf>(sensor.psf) || frame) return;
+    throw document_error(document_, sensor.psf_position,
+                         "an Airy PSF needs a 'frame' camera, whose focal length and pitch give its size in pixels");
   }
 
   const Document& document_;
