@@ -1,0 +1,100 @@
+#include "studies/figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/format.h"
+#include "studies/html_page.h"
+
+namespace ifov::studies {
+
+std::string number_text(double value) { return std::isfinite(value) ? format("{:.6g}", value) : "-"; }
+
+void FigureTable::report(std::string name, double value, std::string unit, std::string meaning) {
+  add({std::move(name), value, std::move(unit), "", std::nullopt, std::move(meaning)});
+}
+
+void FigureTable::at_most(std::string name, double value, double limit, std::string unit,
+                          std::string meaning) {
+  add({std::move(name), value, std::move(unit), format("<= {:g}", limit), value <= limit,
+       std::move(meaning)});
+}
+
+void FigureTable::at_least(std::string name, double value, double limit, std::string unit,
+                           std::string meaning) {
+  add({std::move(name), value, std::move(unit), format(">= {:g}", limit), value >= limit,
+       std::move(meaning)});
+}
+
+void FigureTable::between(std::string name, double value, double low, double high, std::string unit,
+                          std::string meaning) {
+  const std::string must = low == high ? format("= {:.10g}", low) : format("{:.10g} to {:.10g}", low, high);
+  add({std::move(name), value, std::move(unit), must, value >= low && value <= high, std::move(meaning)});
+}
+
+bool FigureTable::all_met() const {
+  return std::all_of(figures_.begin(), figures_.end(), [](const Figure& f) { return f.ok.value_or(true); });
+}
+
+namespace {
+
+std::string json_text(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::string verdict(const Figure& figure) { return !figure.ok ? "" : *figure.ok ? "ok" : "NO"; }
+
+}  // namespace
+
+std::string FigureTable::json() const {
+  std::string out = "{\n";
+  for (std::size_t k = 0; k < figures_.size(); ++k) {
+    const Figure& f = figures_[k];
+    out += format("  {}: {{\"value\": {}, \"unit\": {}, \"must\": {}, \"ok\": {}, \"meaning\": {}}}{}\n",
+                  json_text(f.name), std::isfinite(f.value) ? format("{:.9g}", f.value) : "null",
+                  json_text(f.unit), json_text(f.must),
+                  !f.ok   ? "null"
+                  : *f.ok ? "true"
+                          : "false",
+                  json_text(f.meaning), k + 1 < figures_.size() ? "," : "");
+  }
+  return out + "}\n";
+}
+
+std::string FigureTable::text() const {
+  std::size_t name = 6, unit = 4, must = 4;
+  for (const Figure& f : figures_) {
+    name = std::max(name, f.name.size());
+    unit = std::max(unit, f.unit.size());
+    must = std::max(must, f.must.size());
+  }
+  std::string out;
+  const auto row = [&](const std::string& a, const std::string& b, const std::string& c, const std::string& d,
+                       const std::string& e) {
+    std::string line = format("{:<{}}  {:>12}  {:<{}}  {:<{}}  {}", a, name, b, c, unit, d, must, e);
+    out += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+  };
+  row("figure", "value", "unit", "must", "");
+  for (const Figure& f : figures_) row(f.name, number_text(f.value), f.unit, f.must, verdict(f));
+  return out;
+}
+
+std::string FigureTable::html() const {
+  std::string out = "<table class=\"figures\"><tr><th>figure</th><th>value</th><th>must</th><th></th></tr>\n";
+  for (const Figure& f : figures_) {
+    const std::string colour = !f.ok ? "" : *f.ok ? " class=\"met\"" : " class=\"missed\"";
+    out += format(
+        "<tr><td>{}<br><small>{}</small></td><td class=\"n\">{} {}</td><td>{}</td><td{}>{}</td></tr>\n",
+        html_text(f.meaning), html_text(f.name), number_text(f.value), html_text(f.unit), html_text(f.must),
+        colour, verdict(f));
+  }
+  return out + "</table>\n";
+}
+
+}  // namespace ifov::studies

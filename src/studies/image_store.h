@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "render/tile_sink.h"
+
+namespace ifov::studies {
+
+/// A finished image in memory, with what it cost.
+class ImageStore final : public render::TileSink {
+ public:
+  void begin(const render::ImageInfo& info) override;
+  void write(const sampling::TileResult& tile) override;
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  int columns() const { return columns_; }
+  std::size_t index(int x_px, int y_px) const { return static_cast<std::size_t>(y_px * width_ + x_px); }
+
+  /// Row by row, columns of a pixel side by side.
+  const std::vector<float>& mean() const { return mean_; }
+  const std::vector<float>& half_width() const { return half_width_; }
+  const std::vector<std::uint32_t>& samples() const { return samples_; }
+  const std::vector<std::uint32_t>& radiance_evaluations() const { return evaluations_; }
+
+  /// Points queried, by purpose, and rays, by kind.
+  struct Cost {
+    std::uint64_t samples = 0;                                  ///< all points, the halo's included
+    std::uint64_t halo = 0, seed = 0, probe = 0, radiance = 0;  ///< of which
+    sampling::RayCounts rays;
+    Cost& operator+=(const Cost& other);
+  };
+  const Cost& cost() const { return cost_; }
+
+ private:
+  std::mutex mutex_;
+  int width_ = 0, height_ = 0, columns_ = 0;
+  std::vector<float> mean_, half_width_;
+  std::vector<std::uint32_t> samples_, evaluations_;
+  Cost cost_;
+};
+
+}  // namespace ifov::studies

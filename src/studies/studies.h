@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/run_control.h"
+
+namespace ifov::studies {
+
+struct StudyOptions {
+  std::filesystem::path output_folder;  ///< made where it does not exist
+  int trials = 1000;                    ///< random shifts of each scene; fewer give a quick look
+  int threads = 0;                      ///< 0: all cores
+  std::uint64_t seed = 1;               ///< of the shifts and of the renderings
+  const CancelToken* cancel = nullptr;
+  ProgressSink* progress = nullptr;
+  LogSink* log = nullptr;
+};
+
+struct StudyOutcome {
+  std::string table;                         ///< the figures and their verdicts, for a terminal
+  std::vector<std::filesystem::path> files;  ///< figures.json, report.html, the documents that were rendered
+  bool all_met = false;                      ///< every figure of which something is asked meets it
+};
+
+/// One command of `ifov study`. run() throws as session::Session does.
+struct StudyEntry {
+  std::string_view name;
+  std::string_view summary;  ///< one line for help
+  StudyOutcome (*run)(const StudyOptions& options);
+};
+
+/// All studies, in the order of the help page.
+std::span<const StudyEntry> all_studies();
+
+/// null where there is none of that name.
+const StudyEntry* find_study(std::string_view name);
+
+}  // namespace ifov::studies
