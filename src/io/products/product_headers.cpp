@@ -39,6 +39,10 @@ EnviHeader cube_header(const CubeKind& kind, const render::ImageInfo& info, cons
   return header;
 }
 
+std::string shown_unit(const std::string& unit) {
+  return unit == "W m-2 sr-1 um-1" ? "W/(m\u00b2 sr \u00b5m)" : unit;
+}
+
 std::vector<int> picture_channels(const render::ImageInfo& info) {
   std::vector<int> chosen;
   for (const double wanted_um : {0.66, 0.56, 0.48}) {

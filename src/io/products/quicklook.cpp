@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <sstream>
 
 #include "core/error.h"
 #include "io/products/picture.h"
@@ -15,8 +16,9 @@ namespace {
 
 constexpr int kLongestSide = 1600;  // larger images are averaged down
 constexpr int kWantedSide = 760;    // smaller ones are enlarged by whole factors
-constexpr double kMargin = 28.0, kTitle = 58.0, kCaption = 64.0, kBar = 120.0;
+constexpr double kMargin = 28.0, kTitle = 58.0, kLine = 19.0, kBar = 120.0;
 constexpr double kLow = 0.01, kHigh = 0.99;
+constexpr const char *kLowName = "1st", *kHighName = "99th";
 
 struct Free {
   void operator()(cairo_t* p) const { cairo_destroy(p); }
@@ -26,7 +28,8 @@ using Context = std::unique_ptr<cairo_t, Free>;
 using Surface = std::unique_ptr<cairo_surface_t, Free>;
 
 struct Picture {
-  std::string title, caption, unit;
+  std::string title, unit;
+  std::vector<std::string> caption;
   Range range;  // of the colour bar
   bool bar = false;
   const ColourMap* colours = nullptr;
@@ -47,16 +50,16 @@ Picture one_channel(const RasterView& radiance, const RunRecord& record, int cha
   const bool thermal = is_thermal(info, channel);
   if (thermal) to_brightness_temperature_k(layer, c.centre_um);
   Picture p{format("{}  {:.4g} \u00b5m", c.name, c.centre_um),
-            "",
-            thermal ? "K" : info.radiance_unit,
+            thermal ? "K" : shown_unit(info.radiance_unit),
+            {},
             percentiles(layer, kLow, kHigh),
             true,
             thermal ? &heat_colours() : &sequential_colours(),
             layer.width,
             layer.height,
             {}};
-  p.caption = format("{}, {:.0f} to {:.0f} % of pixels within the colour range",
-                     thermal ? "Brightness temperature" : "Radiance", 100 * kLow, 100 * kHigh);
+  p.caption = {format("{}; colours from the {} to the {} percentile",
+                      thermal ? "Brightness temperature" : "Radiance", kLowName, kHighName)};
   for (const float value : layer.values)
     p.pixels.push_back(
         std::isfinite(value)
@@ -77,11 +80,11 @@ Picture three_channels(const RasterView& radiance, const RunRecord& record, cons
     p.title += format("{}{} {:.3g}", p.title.empty() ? "" : ", ", c.name, c.centre_um);
   }
   p.title = "Red, green, blue: " + p.title + " \u00b5m";
-  p.caption = format("Each channel from its {:.0f}th to its {:.0f}th percentile, linear light: ", 100 * kLow,
-                     100 * kHigh);
+  std::string limits;
   for (const Range& r : ranges)
-    p.caption += format("{:.3g} to {:.3g}{}", r.low, r.high, &r == &ranges.back() ? " " : ", ");
-  p.caption += record.image.radiance_unit;
+    limits += format("{}{:.3g} to {:.3g}", limits.empty() ? "" : ", ", r.low, r.high);
+  p.caption = {format("Each channel from its {} to its {} percentile, in linear light:", kLowName, kHighName),
+               format("{} {}", limits, shown_unit(record.image.radiance_unit))};
   p.width = layers[0].width;
   p.height = layers[0].height;
   for (std::size_t i = 0; i < layers[0].values.size(); ++i) {
@@ -119,6 +122,20 @@ double text_width(cairo_t* c, double size, const std::string& words) {
   cairo_text_extents_t extents;
   cairo_text_extents(c, words.c_str(), &extents);
   return extents.x_advance;
+}
+
+/// Lines of at most `width`, broken between words.
+std::vector<std::string> wrapped(cairo_t* c, const std::string& words, double width) {
+  std::vector<std::string> lines{""};
+  std::istringstream stream(words);
+  for (std::string word; stream >> word;) {
+    const std::string longer = lines.back().empty() ? word : format("{} {}", lines.back(), word);
+    if (lines.back().empty() || text_width(c, 12, longer) <= width)
+      lines.back() = longer;
+    else
+      lines.push_back(word);
+  }
+  return lines;
 }
 
 Surface image_surface(int width, int height) {
@@ -166,9 +183,7 @@ void draw_bar(cairo_t* c, const Picture& p, double x, double y, double height) {
 }
 
 /// A bar of a round length, about a fifth of the image.
-void draw_scale(cairo_t* c, const render::ImageInfo& info, double px_per_m, double right, double y,
-                double width) {
-  if (!info.has_map) return;
+void draw_scale(cairo_t* c, double px_per_m, double right, double y, double width) {
   const double length_m = nice_step(width / px_per_m / 5.0, 1);
   const std::string words = length_m >= 1000.0 ? format("{:g} km", length_m / 1000.0)
                             : length_m >= 1.0  ? format("{:g} m", length_m)
@@ -196,9 +211,20 @@ std::string make_quicklook(const RasterView& radiance, const RunRecord& record,
   const int enlarge = std::max(1, kWantedSide / std::max(p.width, p.height));
   const double width = p.width * enlarge, height = p.height * enlarge;
   const double frame = std::max(width, 420.0);
+  const double full = frame + (p.bar ? kBar : 0.0);
+  std::vector<std::string> lines = p.caption;
+  {
+    const Surface scratch = image_surface(1, 1);
+    const Context measure(cairo_create(scratch.get()));
+    const std::string& said = record.outcome.accuracy_statement;
+    for (const auto& line :
+         wrapped(measure.get(), said.empty() ? "ifov " + record.identity.version : said, full))
+      lines.push_back(line);
+  }
+  const double bottom = kLine * static_cast<double>(lines.size()) + (record.image.has_map ? 44.0 : 20.0);
 
-  const Surface surface = image_surface(static_cast<int>(2 * kMargin + frame + (p.bar ? kBar : 0.0)),
-                                        static_cast<int>(kTitle + height + kCaption));
+  const Surface surface =
+      image_surface(static_cast<int>(2 * kMargin + full), static_cast<int>(kTitle + height + bottom));
   const Context context(cairo_create(surface.get()));
   cairo_t* c = context.get();
   cairo_set_source_rgb(c, 1, 1, 1);
@@ -206,20 +232,17 @@ std::string make_quicklook(const RasterView& radiance, const RunRecord& record,
   cairo_set_source_rgb(c, 0.1, 0.1, 0.1);
   text(c, kMargin, 34, 17, p.title, true);
   if (p.bar) {
-    const std::string& unit = p.unit;
-    text(c, kMargin + frame + 22, kTitle - 10, 12,
-         unit == "W m-2 sr-1 um-1" ? "W/(m\u00b2 sr \u00b5m)" : unit);
+    text(c, kMargin + frame + 22, kTitle - 10, 12, p.unit);
     draw_bar(c, p, kMargin + frame + 22, kTitle, height);
   }
   draw_pixels(c, p, kMargin, kTitle, enlarge);
   cairo_set_source_rgb(c, 0.25, 0.25, 0.25);
-  const double line = kTitle + height + 22;
-  const double px_per_m = enlarge / (record.image.gsd_m * factor);
-  text(c, kMargin, line, 12, p.caption);
-  text(c, kMargin, line + 20, 12,
-       record.outcome.accuracy_statement.empty() ? format("ifov {}", record.identity.version)
-                                                 : record.outcome.accuracy_statement);
-  draw_scale(c, record.image, px_per_m, kMargin + frame + (p.bar ? kBar : 0.0), line + 31, width);
+  double line = kTitle + height;
+  if (record.image.has_map) {
+    draw_scale(c, enlarge / (record.image.gsd_m * factor), kMargin + width, line + 12, width);
+    line += 24.0;
+  }
+  for (const auto& words : lines) text(c, kMargin, line += kLine, 12, words);
   cairo_surface_flush(surface.get());
   std::string png;
   if (cairo_surface_write_to_png_stream(surface.get(), append, &png) != CAIRO_STATUS_SUCCESS)

@@ -14,10 +14,6 @@
 namespace ifov::io {
 namespace {
 
-std::string shown_unit(const std::string& unit) {
-  return unit == "W m-2 sr-1 um-1" ? "W/(m\u00b2 sr \u00b5m)" : unit;
-}
-
 std::string figure(double value) { return std::isfinite(value) ? format("{:.4g}", value) : "\u2013"; }
 
 std::string count(std::uint64_t value) {
@@ -310,7 +306,7 @@ class Page {
       for (const int c : chosen) meta["rgb"].append(c);
     constexpr int kBins = 40;
     meta["histograms"]["samples"] =
-        input_.samples ? as_json(histogram(input_.samples, 0, kBins)) : as_json({});
+        input_.samples ? as_json(histogram(input_.samples, 0, kBins, true)) : as_json({});
     meta["histograms"]["error"] = judged_ ? as_json(histogram(input_.quality, 1, kBins)) : as_json({});
     return format("<script type=\"application/json\" id=\"meta\">{}</script>\n", embedded_json(meta)) +
            elements + colour_element("colours-seq", sequential_colours()) +

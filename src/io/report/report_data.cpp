@@ -77,7 +77,7 @@ QuantisedRaster quantise(const RasterView& raster, int bands, int step) {
   return result;
 }
 
-Histogram histogram(const RasterView& raster, int band, int bins) {
+Histogram histogram(const RasterView& raster, int band, int bins, bool whole) {
   std::vector<float> line(static_cast<std::size_t>(raster.width));
   double low = std::numeric_limits<double>::infinity(), high = -low;
   const auto each_value = [&](const auto& use) {
@@ -94,6 +94,12 @@ Histogram histogram(const RasterView& raster, int band, int bins) {
   Histogram result;
   if (low > high) return result;
   result.logarithmic = low > 0.0 && high > 30.0 * low;
+  if (whole && !result.logarithmic) {
+    const double values_per_bin = std::ceil((high - low + 1.0) / bins);
+    bins = static_cast<int>(std::ceil((high - low + 1.0) / values_per_bin));
+    low -= 0.5;
+    high = low + bins * values_per_bin;
+  }
   if (!(high > low)) {
     low -= 0.5;
     high += 0.5;

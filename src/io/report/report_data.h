@@ -31,7 +31,7 @@ struct Histogram {
   std::vector<std::size_t> counts;
   bool logarithmic = false;
 };
-Histogram histogram(const RasterView& raster, int band, int bins);
+Histogram histogram(const RasterView& raster, int band, int bins, bool whole = false);
 
 /// Smallest step at which ceil(width / step) * ceil(height / step) * bytes_per_pixel <= limit_bytes.
 int thinning_step(int width, int height, std::size_t bytes_per_pixel, std::size_t limit_bytes);

@@ -87,7 +87,7 @@ const char* const kReportScript = R"js(
   }
   function colourBar(svg, range, map, label, back = v => v) {
     const w = 480;
-    clear(svg, w, 44);
+    clear(svg, w, 48);
     const id = svg.id + "-gradient", gradient = add(add(svg, "defs", {}), "linearGradient", {id});
     for (let k = 0; k <= 32; ++k) {
       const c = 3 * Math.round(255 * k / 32);
@@ -120,7 +120,7 @@ const char* const kReportScript = R"js(
     $("band-name").textContent = `${c.name} \u00b7 ${brief(c.um)} \u00b5m`;
     if (state.view === "colour") {
       paintColour($("image"));
-      clear($("image-bar"), 480, 44);
+      clear($("image-bar"), 480, 48);
       const names = meta.rgb.map(b => `${meta.channels[b].name} (${brief(meta.channels[b].um)} \u00b5m)`).join(", ");
       add($("image-bar"), "text", {x: 0, y: 14}, "Red, green, blue: " + names);
     } else {
@@ -159,8 +159,8 @@ const char* const kReportScript = R"js(
     return {px, py};
   }
   function drawSpectrum() {
-    const svg = $("spectrum"), i = state.y * W + state.x, box = {l: 58, t: 26, w: 440, h: 270};
-    clear(svg, 510, 340);
+    const svg = $("spectrum"), i = state.y * W + state.x, box = {l: 58, t: 26, w: 440, h: 330};
+    clear(svg, 510, 396);
     const points = meta.channels.map((c, b) => ({x: c.um, y: radiance.value(b, i), e: width ? width.value(b, i) : NaN}))
       .filter(p => isFinite(p.y)).sort((a, b) => a.x - b.x);
     if (!points.length) return;
@@ -209,7 +209,7 @@ const char* const kReportScript = R"js(
       y: Math.min(py(n), py(0) - 0.8), height: Math.max(0.8, py(0) - py(n)), class: "hist"}));
     if (limit !== undefined && scale(limit) >= xr[0] && scale(limit) <= xr[1]) {
       add(svg, "line", {x1: px(scale(limit)), x2: px(scale(limit)), y1: box.t, y2: box.t + box.h, class: "limit"});
-      add(svg, "text", {x: px(scale(limit)) - 5, y: box.t + 12, "text-anchor": "end", class: "limit-text"}, "limit");
+      add(svg, "text", {x: px(scale(limit)), y: box.t - 5, "text-anchor": "middle", class: "limit-text"}, "limit");
     }
   }
 

@@ -24,7 +24,7 @@ section{background:var(--paper);border:1px solid var(--line);border-radius:8px;p
 .tiles span{color:var(--soft);font-size:13px}
 .viewer{display:grid;grid-template-columns:minmax(0,1.08fr) minmax(0,1fr);gap:30px}
 .stage{position:relative;line-height:0;background:#eceff1}
-.stage canvas{width:100%;image-rendering:pixelated;image-rendering:crisp-edges;image-rendering:pixelated;cursor:crosshair}
+.stage canvas{width:100%;image-rendering:pixelated;cursor:crosshair}
 .stage svg{position:absolute;inset:0;width:100%;height:100%;pointer-events:none}
 .controls{display:flex;flex-wrap:wrap;gap:10px 16px;align-items:center;margin:0 0 12px}
 .controls input[type=range]{flex:1;min-width:140px;accent-color:var(--accent)}
@@ -33,7 +33,7 @@ section{background:var(--paper);border:1px solid var(--line);border-radius:8px;p
 .tabs button:last-child{border-right:0}
 .tabs button[aria-pressed=true]{background:var(--accent);color:#fff}
 .tabs button:focus-visible,input:focus-visible{outline:2px solid var(--accent);outline-offset:1px}
-.bar{display:block;width:100%;height:44px;margin-top:8px}
+.bar{display:block;width:100%;margin-top:8px}
 svg text{font:12px "Source Sans 3","Segoe UI","Helvetica Neue",Arial,sans-serif;fill:var(--soft)}
 svg .axis{stroke:#9aa6b1;fill:none}
 svg .grid{stroke:#e8edf0}
