@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/error.h"
+#include "geometry/mesh_topology.h"
 #include "geometry/polygon_triangulation.h"
-#include "geometry/smooth_patches.h"
 
 namespace ifov::geometry {
 namespace {
@@ -127,8 +127,10 @@ bool inside(const TriangleMesh& mesh, Point3 p) {
 Body make(TriangleMesh mesh) {
   check(mesh);
   Body body;
-  body.mesh_patches = smooth_patches(mesh.vertices_m, mesh.triangles);
-  body.patch_count = *std::max_element(body.mesh_patches.begin(), body.mesh_patches.end()) + 1;
+  MeshTopology topology = topology_of(mesh.vertices_m, mesh.triangles);
+  body.mesh_patches = std::move(topology.patches);
+  body.patch_count = topology.patch_count;
+  if (!topology.loose) body.surface_triangles = mesh.triangles.size();
   std::uint32_t slots = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(mesh.slot_names.size()));
   for (const std::uint32_t s : mesh.slots) slots = std::max(slots, s + 1);
   body.slot_count = slots;
@@ -142,7 +144,7 @@ Body make(TriangleMesh mesh) {
     if (area > largest) largest = area, body.seed_m = a + ((b - a) + (c - a)) / 3.0;
   }
   body.seed_weight = largest;
-  if (is_closed(body.mesh.vertices_m, body.mesh.triangles) && inside(body.mesh, body.centre_m)) {
+  if (topology.closed && inside(body.mesh, body.centre_m)) {
     body.seed_m = body.centre_m;
     body.seed_is_solid = true;
     body.seed_weight = 4.0 * std::numbers::pi * body.radius_m * body.radius_m;
@@ -239,6 +241,7 @@ void append_part(Body& whole, const Body& part, const Transform& whole_from_part
   }
 
   whole.patch_count += part.patch_count;
+  whole.surface_triangles += part.surface_triangles;
   const double stretch = largest_stretch(whole_from_part);
   const double weight = part.seed_weight * stretch * stretch;
   if (std::pair(part.seed_is_solid, weight) > std::pair(whole.seed_is_solid, whole.seed_weight)) {

@@ -18,6 +18,7 @@ struct Body {
   TriangleMesh mesh;
   std::vector<std::uint32_t> mesh_patches;  ///< per triangle
   std::uint32_t patch_count = 0;
+  std::size_t surface_triangles = 0;  ///< in meshes that are surfaces rather than heaps of small things
   std::uint32_t slot_count = 1;
   World::Bounds bounds{};
   math::Point3 centre_m;    ///< of the bounding sphere

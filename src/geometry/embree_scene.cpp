@@ -122,10 +122,10 @@ EmbreeDevice make_device(int threads) {
   return device;
 }
 
-EmbreeScene make_scene(RTCDevice device) {
+EmbreeScene make_scene(RTCDevice device, bool robust) {
   EmbreeScene scene(rtcNewScene(device));
   check(device);
-  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneFlags(scene.get(), robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
   rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_MEDIUM);
   return scene;
 }

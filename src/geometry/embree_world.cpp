@@ -81,7 +81,7 @@ bool EmbreeWorld::load(RayPacket& packet, std::span<const Ray> rays, double* shi
     enter[k] = first, leave[k] = last;
   }
   // The ray starts a little before the scene's box and before t_min, in double; then it becomes float.
-  const double before = 0.25 * window_m_;
+  const double before = std::ldexp(window_m_, -5);
   int any = 0;
   for (std::size_t k = 0; k < kLanes; ++k) {
     const bool meets = enter[k] <= leave[k] && scene_;

@@ -127,7 +127,8 @@ void EmbreeWorld::build_scene(WorldContent& content, const std::vector<bool>& in
     for (const Placement& place : content.placements)
       if (place.of == t) shrink = std::max(shrink, largest_stretch(place.scene_from_object.inverse()));
     prototype->analytic.padding_m = padding * shrink;
-    prototype->scene = make_scene(device_.get());
+    // In a heap of leaves there is nothing behind a shared vertex to leak into.
+    prototype->scene = make_scene(device_.get(), 20 * body.surface_triangles > body.mesh.triangles.size());
     if (!prototype->triangles.facets.empty()) attach_triangles(device_.get(), prototype->scene.get(), 0, prototype->triangles);
     if (!prototype->analytic.shapes.empty()) attach_analytic(device_.get(), prototype->scene.get(), 1, prototype->analytic);
     commit(device_.get(), prototype->scene.get());
@@ -164,7 +165,7 @@ void EmbreeWorld::build_scene(WorldContent& content, const std::vector<bool>& in
   if (!any) return;
 
   analytic_.padding_m = padding;
-  scene_ = make_scene(device_.get());
+  scene_ = make_scene(device_.get(), true);
   const auto instances = static_cast<unsigned>(scene_from_set.size());
   set_from_scene_.reserve(instances);
   for (unsigned i = 0; i < instances; ++i) {

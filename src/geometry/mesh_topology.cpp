@@ -1,4 +1,4 @@
-#include "geometry/smooth_patches.h"
+#include "geometry/mesh_topology.h"
 
 #include <algorithm>
 #include <array>
@@ -32,9 +32,10 @@ std::vector<std::uint32_t> merged_vertices(std::span<const Point3> vertices_m) {
   return first;
 }
 
-/// One side of a triangle: its ends in rising order, whether the triangle runs along it that way.
+/// One side of a triangle: its ends, the smaller first, and whether the triangle runs along it that way.
 struct Edge {
-  std::uint32_t low, high, triangle;
+  std::uint64_t ends;
+  std::uint32_t triangle;
   bool rising;
 };
 
@@ -46,64 +47,72 @@ std::vector<Edge> sorted_edges(std::span<const Point3> vertices_m, std::span<con
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t a = first[triangles[t][k]], b = first[triangles[t][(k + 1) % 3]];
-      if (a != b) edges.push_back({std::min(a, b), std::max(a, b), t, a < b});
+      if (a != b) edges.push_back({(std::uint64_t{std::min(a, b)} << 32) | std::max(a, b), t, a < b});
     }
   }
   std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-    return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.triangle < b.triangle;
+    return a.ends != b.ends ? a.ends < b.ends : a.triangle < b.triangle;
   });
   return edges;
 }
 
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t t) {
-  while (parent[t] != t) t = parent[t] = parent[parent[t]];
-  return t;
+/// Sets of triangles that grow together; the smallest triangle stands for its set.
+class Groups {
+ public:
+  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+  std::uint32_t root(std::uint32_t t) {
+    while (parent_[t] != t) t = parent_[t] = parent_[parent_[t]];
+    return t;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t ra = root(a), rb = root(b);
+    parent_[std::max(ra, rb)] = std::min(ra, rb);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+bool mostly_small(Groups& pieces, std::size_t count) {
+  std::vector<std::uint32_t> size(count);
+  for (std::uint32_t t = 0; t < count; ++t) ++size[pieces.root(t)];
+  std::size_t in_large = 0;
+  for (const std::uint32_t n : size) in_large += n > 3 ? n : 0;
+  return 20 * in_large <= count;
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> smooth_patches(std::span<const Point3> vertices_m, std::span<const Triangle> triangles) {
+MeshTopology topology_of(std::span<const Point3> vertices_m, std::span<const Triangle> triangles) {
   const double smooth_cosine = std::cos(kCreaseAngleDeg * std::numbers::pi / 180.0);
   const auto area_vector = [&](std::uint32_t t) {
     const Point3 a = vertices_m[triangles[t][0]];
     return cross(vertices_m[triangles[t][1]] - a, vertices_m[triangles[t][2]] - a);
   };
-  std::vector<std::uint32_t> parent(triangles.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-
   const std::vector<Edge> edges = sorted_edges(vertices_m, triangles);
+  Groups smooth(triangles.size()), pieces(triangles.size());
+  MeshTopology topology;
+  topology.closed = !edges.empty();
   for (std::size_t begin = 0, end; begin < edges.size(); begin = end) {
     end = begin + 1;
-    while (end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high) ++end;
+    while (end < edges.size() && edges[end].ends == edges[begin].ends) ++end;
+    if (end - begin != 2 || edges[begin].rising == edges[begin + 1].rising) topology.closed = false;
     for (std::size_t i = begin; i + 1 < end; ++i) {
       const Edge &a = edges[i], &b = edges[i + 1];
-      const Vec3 na = area_vector(a.triangle), nb = area_vector(b.triangle);
+      pieces.join(a.triangle, b.triangle);
       // Neighbours that are wound alike run along their common edge in opposite ways.
+      const Vec3 na = area_vector(a.triangle), nb = area_vector(b.triangle);
       const double cosine = (a.rising == b.rising ? -1.0 : 1.0) * dot(na, nb) / (length(na) * length(nb));
-      if (!(cosine > smooth_cosine)) continue;
-      const std::uint32_t ra = root_of(parent, a.triangle), rb = root_of(parent, b.triangle);
-      parent[std::max(ra, rb)] = std::min(ra, rb);
+      if (cosine > smooth_cosine) smooth.join(a.triangle, b.triangle);
     }
   }
-
-  std::vector<std::uint32_t> patch(triangles.size());
-  std::uint32_t count = 0;
+  topology.loose = mostly_small(pieces, triangles.size());
+  topology.patches.resize(triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    const std::uint32_t root = root_of(parent, t);  // the smallest triangle of its patch
-    patch[t] = root == t ? count++ : patch[root];
+    const std::uint32_t root = smooth.root(t);
+    topology.patches[t] = root == t ? topology.patch_count++ : topology.patches[root];
   }
-  return patch;
-}
-
-bool is_closed(std::span<const Point3> vertices_m, std::span<const Triangle> triangles) {
-  const std::vector<Edge> edges = sorted_edges(vertices_m, triangles);
-  if (edges.empty() || edges.size() % 2 != 0) return false;
-  for (std::size_t i = 0; i < edges.size(); i += 2) {
-    const Edge &a = edges[i], &b = edges[i + 1];
-    if (a.low != b.low || a.high != b.high || a.rising == b.rising) return false;
-    if (i + 2 < edges.size() && edges[i + 2].low == a.low && edges[i + 2].high == a.high) return false;
-  }
-  return true;
+  return topology;
 }
 
 }  // namespace ifov::geometry
