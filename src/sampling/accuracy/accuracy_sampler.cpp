@@ -1,0 +1,30 @@
+#include "sampling/accuracy/accuracy_sampler.h"
+
+#include <stdexcept>
+
+#include "sampling/accuracy/tile_work.h"
+
+namespace ifov::sampling {
+
+AccuracySampler::AccuracySampler(AccuracyOptions options, AccuracyFaults faults)
+    : options_(options), faults_(faults) {
+  if (options.lattice < 1 || options.lattice > 32)
+    throw std::invalid_argument("lattice must be 1 to 32 cells per pixel");
+  if (options.probes_per_side < 0 || options.probes_per_side > 16)
+    throw std::invalid_argument("probes per side must be 0 to 16");
+  if (!(options.initial_bracket_px > 0.0 && options.thinnest_px > 0.0))
+    throw std::invalid_argument("bracket and thinnest width must be positive");
+}
+
+void AccuracySampler::sample(const TileProblem& problem, Field& field, TileResult& result) const {
+  if (problem.tolerance == nullptr || problem.footprint == nullptr || problem.drivers.empty())
+    throw std::invalid_argument("the accuracy sampler needs a tolerance, a footprint and driver columns");
+  TileWork work(problem, field, options_, faults_, result);
+  work.trace_lattice();
+  work.switch_clutter();
+  work.trace_borders();
+  work.estimate();
+  work.report();
+}
+
+}  // namespace ifov::sampling

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "sampling/accuracy/options.h"
+#include "sampling/tile.h"
+
+namespace ifov::sampling {
+
+/// Finds the rays that each pixel needs for the accuracy that the user states, and says how accurate it is.
+///
+/// Borders between labels are traced over a lattice shared by all pixels of the tile; the radiance inside
+/// each label is estimated from stratified paths; the footprint (PSF and detector) weights the traced model,
+/// so that no ray is drawn from it. Two statements come out: an interval for what was resolved, and how large
+/// a compact feature could have been missed (missable_fraction). docs/theory/accuracy_sampler.md derives
+/// both.
+class AccuracySampler final : public PixelSampler {
+ public:
+  /// Errors: std::invalid_argument where an option is out of its range (lattice 1..32, probes 0..16).
+  explicit AccuracySampler(AccuracyOptions options = {}, AccuracyFaults faults = {});
+
+  /// Errors: std::invalid_argument without a tolerance, a footprint or drivers; Cancelled.
+  void sample(const TileProblem& problem, Field& field, TileResult& result) const override;
+
+  /// One pixel, so that the pixels beside a tile's rim are traced as they are in the neighbouring tile.
+  int halo_px() const override { return 1; }
+
+  const AccuracyOptions& options() const { return options_; }
+
+ private:
+  AccuracyOptions options_;
+  AccuracyFaults faults_;
+};
+
+}  // namespace ifov::sampling

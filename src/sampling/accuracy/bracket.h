@@ -1,0 +1,89 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "sampling/accuracy/lattice.h"
+#include "sampling/hash.h"
+
+namespace ifov::sampling {
+
+/// Where the labels change along one lattice edge: [low, high], in px from the edge's start, with label
+/// `first` at low and `last` at high. The bracket starts on a grid of equal steps shifted by a hashed phase
+/// (the dither), so that its centre errs uniformly within half a step and independently of every other edge;
+/// later it is halved.
+struct Bracket {
+  std::int32_t x = 0, y = 0;  ///< the edge's start, fine units
+  bool vertical = false;
+  bool third_label = false;  ///< a label other than those of the two ends was met
+  std::uint32_t first = 0, last = 0;
+  double length_px = 0.0;
+  double low = 0.0, high = 0.0;
+  double phase = 1.0, step = 0.0;
+  int grid_low = 0, grid_high = 1, grid_count = 1;
+  std::uint32_t cells[2] = {0, 0};  ///< the cells whose chords end here (index + 1; 0: none)
+
+  double width() const { return high - low; }
+  double centre() const { return 0.5 * (low + high); }
+  double nearer_end() const { return std::min(centre(), length_px - centre()); }
+  bool on_grid() const { return grid_high - grid_low > 1; }
+
+  /// Lays the grid: 2^n - 1 whole steps, about `target_px` wide; dithered by `key`, or 2^n plain ones.
+  void lay_grid(double target_px, std::uint64_t key, bool dither) {
+    const double bits = std::round(std::log2(length_px / target_px + 1.0));
+    const int n = std::clamp(static_cast<int>(bits), 1, 20);
+    grid_count = 1 << n;
+    phase = dither ? static_cast<double>(mix(key) >> 11) * 0x1p-53 : 1.0;
+    step = length_px / (dither ? grid_count - 1 : grid_count);
+    grid_low = 0;
+    grid_high = grid_count;
+    low = 0.0;
+    high = length_px;
+  }
+
+  /// The next point to look at, in px from the start.
+  double next() const { return on_grid() ? grid_position((grid_low + grid_high) / 2) : 0.5 * (low + high); }
+
+  void take(std::uint32_t label) {
+    const bool before = label == first;
+    if (!before && label != last) {
+      third_label = true;
+      last = label;
+    }
+    if (on_grid()) {
+      const int middle = (grid_low + grid_high) / 2;
+      (before ? grid_low : grid_high) = middle;
+      (before ? low : high) = grid_position(middle);
+    } else {
+      (before ? low : high) = 0.5 * (low + high);
+    }
+  }
+
+  /// Whether a feature as narrow as the distance to the nearer end could hide in the bracket.
+  bool wants_thin_refinement(double floor_px) const {
+    return width() > std::max(floor_px, 0.7 * nearer_end());
+  }
+
+  FocalPoint at(const Lattice& lattice, double t) const {
+    return vertical ? FocalPoint{lattice.x_px(x), lattice.y_px(y) + t}
+                    : FocalPoint{lattice.x_px(x) + t, lattice.y_px(y)};
+  }
+
+  /// Takes over what is known about the whole edge whose half (starting at `offset_px`) this edge is.
+  void inherit(const Bracket& parent, double offset_px) {
+    low = std::clamp(parent.low - offset_px, 0.0, length_px);
+    high = std::clamp(parent.high - offset_px, 0.0, length_px);
+    grid_low = 0;
+    grid_high = 1;
+  }
+
+ private:
+  double grid_position(int j) const {
+    if (j <= 0) return 0.0;
+    if (j >= grid_count) return length_px;
+    return std::min(length_px, (j - 1 + phase) * step);
+  }
+};
+
+}  // namespace ifov::sampling

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cmath>
+
+namespace ifov::sampling {
+
+/// Rays that stratified sampling needs in a pixel with borders of the given length (px) for one allowed
+/// standard error: its error is 0.46 contrast sqrt(length) n^(-3/4) for n points one to a cell (contrast in
+/// allowed standard errors), since only the cells that a border crosses err.
+inline double stratified_cost(double contrast, double border_length_px) {
+  return std::pow(0.46 * contrast * std::sqrt(border_length_px), 4.0 / 3.0);
+}
+
+/// Rays that tracing needs: about this many for each lattice side with unlike ends.
+constexpr double kTracingCostPerCrossing = 5.0;
+
+/// Fewer stratified rays than this never say anything about their own error.
+constexpr double kFewestStratified = 32.0;
+
+/// Mean number of lattice sides crossed by a border of length 1 px on a lattice of spacing 1 / k: 4 k / pi.
+inline double crossings_per_length(int lattice) { return 1.27 * lattice; }
+
+}  // namespace ifov::sampling

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "sampling/field.h"
+#include "sampling/tile.h"
+
+namespace ifov::sampling {
+
+/// Refinement of a lattice cell stops after this many halvings.
+constexpr int kMaxLevel = 9;
+
+/// The integer-keyed lattice of a tile and its halo. Positions count in fine units of 1 / (cells <<
+/// kMaxLevel) px from the top left corner of the domain; a cell of level l is (1 << kMaxLevel) >> l units
+/// wide. The image-wide position of a vertex is what its random numbers are keyed by, so that neighbouring
+/// tiles agree about it.
+class Lattice {
+ public:
+  Lattice(PixelRect domain, int cells_per_pixel)
+      : domain_(domain),
+        cells_(cells_per_pixel),
+        units_per_px_(cells_per_pixel << kMaxLevel),
+        unit_px_(1.0 / units_per_px_) {}
+
+  const PixelRect& domain() const { return domain_; }
+  int cells_per_pixel() const { return cells_; }
+  int columns() const { return domain_.width() * cells_; }  ///< root cells per row
+  int rows() const { return domain_.height() * cells_; }
+  double unit_px() const { return unit_px_; }
+  std::int32_t width() const { return domain_.width() * units_per_px_; }  ///< fine units
+  std::int32_t height() const { return domain_.height() * units_per_px_; }
+  static constexpr std::int32_t side(int level) { return (std::int32_t{1} << kMaxLevel) >> level; }
+  double side_px(int level) const { return side(level) * unit_px_; }
+
+  /// Image coordinates of a fine position; the integer part is added last, so that tiles agree bit for bit.
+  double x_px(std::int32_t x) const { return at_px(x, domain_.x0); }
+  double y_px(std::int32_t y) const { return at_px(y, domain_.y0); }
+  FocalPoint point(std::int32_t x, std::int32_t y) const { return {x_px(x), y_px(y)}; }
+
+  /// Row-major index in the domain of the pixel that holds an image point; points on the rim go inside.
+  int pixel_at(FocalPoint p) const {
+    return clamp_index(static_cast<int>(std::floor(p.y_px)) - domain_.y0, domain_.height()) *
+               domain_.width() +
+           clamp_index(static_cast<int>(std::floor(p.x_px)) - domain_.x0, domain_.width());
+  }
+  /// The same for the top left corner of a cell.
+  int pixel_of_cell(std::int32_t x, std::int32_t y) const {
+    return clamp_index(y / units_per_px_, domain_.height()) * domain_.width() +
+           clamp_index(x / units_per_px_, domain_.width());
+  }
+
+  /// Keys within the domain, for tables.
+  static std::uint64_t vertex_key(std::int32_t x, std::int32_t y) {
+    return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 32) | static_cast<std::uint32_t>(y);
+  }
+  static std::uint64_t edge_key(std::int32_t x, std::int32_t y, bool vertical, int level) {
+    return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 34) |
+           (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 5) |
+           (static_cast<std::uint64_t>(level) << 1) | static_cast<std::uint64_t>(vertical);
+  }
+
+  /// Image-wide position, for random numbers.
+  std::int64_t image_x(std::int32_t x) const {
+    return static_cast<std::int64_t>(domain_.x0) * units_per_px_ + x;
+  }
+  std::int64_t image_y(std::int32_t y) const {
+    return static_cast<std::int64_t>(domain_.y0) * units_per_px_ + y;
+  }
+
+ private:
+  static int clamp_index(int i, int count) { return i < 0 ? 0 : i >= count ? count - 1 : i; }
+  double at_px(std::int32_t fine, int origin) const {
+    const std::int32_t whole = fine / units_per_px_;
+    return (origin + whole) + (fine - whole * units_per_px_) * unit_px_;
+  }
+
+  PixelRect domain_;
+  int cells_;
+  std::int32_t units_per_px_;
+  double unit_px_;
+};
+
+}  // namespace ifov::sampling

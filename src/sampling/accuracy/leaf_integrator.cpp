@@ -1,0 +1,167 @@
+#include "sampling/accuracy/leaf_integrator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ifov::sampling {
+
+std::uint32_t PixelModel::region_of(std::uint32_t label) const {
+  const auto found = std::find(labels.begin(), labels.end(), label);
+  return static_cast<std::uint32_t>(found - labels.begin());
+}
+
+LeafIntegrator::LeafIntegrator(const EdgeTracer& tracer, const PixelFootprint& footprint, PixelRect tile)
+    : tracer_(tracer),
+      footprint_(footprint),
+      tile_(tile),
+      unit_box_(footprint.uniform() && footprint.half_width_px() == 0.5) {
+  const std::vector<Cell>& cells = tracer.cells();
+  first_leaf_.assign(static_cast<std::size_t>(tracer.lattice().domain().count()) + 1, 0);
+  for (const Cell& cell : cells)
+    if (cell.kind != CellKind::split) ++first_leaf_[cell.pixel + 1];
+  for (std::size_t p = 1; p < first_leaf_.size(); ++p) first_leaf_[p] += first_leaf_[p - 1];
+  leaves_.resize(first_leaf_.back());
+  std::vector<std::uint32_t> next(first_leaf_.begin(), first_leaf_.end() - 1);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (cells[i].kind != CellKind::split) leaves_[next[cells[i].pixel]++] = static_cast<std::uint32_t>(i);
+}
+
+Point2 LeafIntegrator::centre(int output) const {
+  return {tile_.x0 + output % tile_.width() + 0.5, tile_.y0 + output / tile_.width() + 0.5};
+}
+
+void LeafIntegrator::outputs_of(int source, std::vector<int>& outputs) const {
+  const PixelRect& domain = tracer_.lattice().domain();
+  const int x = domain.x0 + source % domain.width(), y = domain.y0 + source / domain.width();
+  const int reach = std::max(0, static_cast<int>(std::ceil(footprint_.half_width_px() - 0.5 - 1e-12)));
+  outputs.clear();
+  for (int j = std::max(tile_.y0, y - reach); j <= std::min(tile_.y1 - 1, y + reach); ++j)
+    for (int i = std::max(tile_.x0, x - reach); i <= std::min(tile_.x1 - 1, x + reach); ++i)
+      outputs.push_back((j - tile_.y0) * tile_.width() + i - tile_.x0);
+}
+
+double LeafIntegrator::whole_weight(int source, int output) const {
+  const PixelRect& domain = tracer_.lattice().domain();
+  const Point2 c = centre(output);
+  const double x = domain.x0 + source % domain.width() - c.x, y = domain.y0 + source / domain.width() - c.y;
+  return footprint_.integral(x, y, x + 1.0, y + 1.0);
+}
+
+double LeafIntegrator::over_polygon(const Polygon& polygon, Point2 c) const {
+  if (footprint_.uniform()) {
+    const double h = footprint_.half_width_px();
+    const Polygon inside = polygon.clipped(-1.0, 0.0, -(c.x - h))
+                               .clipped(1.0, 0.0, c.x + h)
+                               .clipped(0.0, -1.0, -(c.y - h))
+                               .clipped(0.0, 1.0, c.y + h);
+    return std::abs(inside.signed_area()) * 0.25 / (h * h);
+  }
+  // A fan of triangles, each by the rule of its three edge midpoints, exact to the second degree.
+  double sum = 0.0;
+  const Point2 o = polygon.vertex[0];
+  for (int i = 1; i + 1 < polygon.count; ++i) {
+    const Point2 p = polygon.vertex[i], q = polygon.vertex[i + 1];
+    const double twice_area = cross(p - o, q - o);
+    double h = 0.0;
+    for (const Point2 m : {0.5 * (o + p), 0.5 * (p + q), 0.5 * (q + o)})
+      h += footprint_.density(m.x - c.x, m.y - c.y);
+    sum += twice_area * h;
+  }
+  return std::abs(sum) / 6.0;
+}
+
+void LeafIntegrator::pixel(int source, PixelModel& model) const {
+  outputs_of(source, model.outputs);
+  const std::size_t outputs = model.outputs.size();
+  model.labels.clear();
+  model.area.clear();
+  model.borders.clear();
+  model.loose.clear();
+  const auto begin = leaves_.begin() + first_leaf_[source], end = leaves_.begin() + first_leaf_[source + 1];
+  const auto region = [&](std::uint32_t label) {
+    const std::uint32_t r = model.region_of(label);
+    if (r == model.labels.size()) {
+      model.labels.push_back(label);
+      model.area.push_back(0.0);
+    }
+    return r;
+  };
+  const auto pair = [&](std::uint32_t a, std::uint32_t b) {
+    if (a > b) std::swap(a, b);
+    for (std::size_t i = 0; i < model.borders.size(); ++i)
+      if (model.borders[i].inner == a && model.borders[i].outer == b) return i;
+    model.borders.push_back({a, b});
+    return model.borders.size() - 1;
+  };
+  for (auto leaf = begin; leaf != end; ++leaf) {
+    const Cell& cell = tracer_.cells()[*leaf];
+    if (cell.kind == CellKind::uniform) {
+      region(cell.corner[0]);
+    } else if (cell.kind == CellKind::complex) {
+      model.loose.push_back({{cell.corner[0], cell.corner[1], cell.corner[2], cell.corner[3]}});
+      for (std::uint32_t l : cell.corner) region(l);
+    } else {
+      const Curve& curve = tracer_.curve_of(cell);
+      region(curve.inner);
+      region(curve.outer);
+      pair(curve.inner, curve.outer);
+    }
+  }
+  const std::size_t regions = model.labels.size(), pairs = model.borders.size(), loose = model.loose.size();
+  model.weight.assign(outputs * regions, 0.0);
+  model.border_variance.assign(outputs * pairs, 0.0);
+  model.loose_weight.assign(outputs * loose, 0.0);
+
+  const Lattice& lattice = tracer_.lattice();
+  std::size_t loose_index = 0;
+  for (auto leaf = begin; leaf != end; ++leaf) {
+    const Cell& cell = tracer_.cells()[*leaf];
+    const double x0 = lattice.x_px(cell.x), y0 = lattice.y_px(cell.y), side = lattice.side_px(cell.level);
+    const double cell_area = side * side;
+    const auto cell_weight = [&](std::size_t o) {
+      if (unit_box_) return cell_area;
+      const Point2 c = centre(model.outputs[o]);
+      return footprint_.integral(x0 - c.x, y0 - c.y, x0 + side - c.x, y0 + side - c.y);
+    };
+    if (cell.kind == CellKind::uniform) {
+      const std::uint32_t r = model.region_of(cell.corner[0]);
+      model.area[r] += cell_area;
+      for (std::size_t o = 0; o < outputs; ++o) model.weight[o * regions + r] += cell_weight(o);
+      continue;
+    }
+    if (cell.kind == CellKind::complex) {
+      for (std::size_t o = 0; o < outputs; ++o) model.loose_weight[o * loose + loose_index] = cell_weight(o);
+      for (std::uint32_t l : cell.corner) {
+        const std::uint32_t r = model.region_of(l);
+        model.area[r] += 0.25 * cell_area;
+        for (std::size_t o = 0; o < outputs; ++o)
+          model.weight[o * regions + r] += 0.25 * model.loose_weight[o * loose + loose_index];
+      }
+      ++loose_index;
+      continue;
+    }
+    const Curve& curve = tracer_.curve_of(cell);
+    const std::uint32_t in = model.region_of(curve.inner), out = model.region_of(curve.outer);
+    const std::size_t b = pair(curve.inner, curve.outer);
+    const Polygon polygon = tracer_.inner_region(cell);
+    const double area = std::clamp(std::abs(polygon.signed_area()), 0.0, cell_area);
+    const double variance = tracer_.area_variance(cell);
+    const Point2 middle = 0.5 * (polygon.vertex[0] + polygon.vertex[curve.side[1] - curve.side[0] + 1]);
+    model.area[in] += area;
+    model.area[out] += cell_area - area;
+    for (std::size_t o = 0; o < outputs; ++o) {
+      const double whole = cell_weight(o);
+      double inner = area, density = 1.0;
+      if (!unit_box_) {
+        const Point2 c = centre(model.outputs[o]);
+        inner = std::min(over_polygon(polygon, c), whole);
+        density = footprint_.density(middle.x - c.x, middle.y - c.y);
+      }
+      model.weight[o * regions + in] += inner;
+      model.weight[o * regions + out] += whole - inner;
+      model.border_variance[o * pairs + b] += variance * density * density;
+    }
+  }
+}
+
+}  // namespace ifov::sampling

@@ -1,0 +1,74 @@
+#include "sampling/accuracy/probing.h"
+
+namespace ifov::sampling {
+
+/// One batch of points; the model is refined until it agrees with all of them. Tells which ones contradicted
+/// it.
+std::vector<std::uint8_t> Prober::look(const std::vector<FocalPoint>& points, Purpose purpose) {
+  std::vector<std::uint32_t> labels;
+  tracer_.ask_at(points, labels, purpose);
+  std::vector<std::uint8_t> contradicted(points.size(), 0);
+  for (int level = 0; level <= 2 * kMaxLevel; ++level) {
+    bool any = false;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (tracer_.contradict(points[i], labels[i])) contradicted[i] = any = true;
+    if (!any) break;
+    tracer_.settle();
+  }
+  return contradicted;
+}
+
+void Prober::follow_seeds(std::span<const FocalPoint> seeds) {
+  const PixelRect& domain = tracer_.lattice().domain();
+  std::vector<FocalPoint> points;
+  for (const FocalPoint& p : seeds)
+    if (p.x_px >= domain.x0 && p.x_px < domain.x1 && p.y_px >= domain.y0 && p.y_px < domain.y1)
+      points.push_back(p);
+  if (!points.empty()) look(points, Purpose::seed);
+}
+
+void Prober::probe_until_clean() {
+  const Lattice& lattice = tracer_.lattice();
+  const PixelRect& domain = lattice.domain();
+  const int width = domain.width(), height = domain.height(), side = options_.probes_per_side;
+  if (side <= 0) return;
+  std::vector<std::uint8_t> cause(static_cast<std::size_t>(domain.count()));
+  for (std::size_t p = 0; p < cause.size(); ++p) cause[p] = tracer_.suspect(static_cast<std::uint32_t>(p));
+
+  for (int round = 0; round < options_.max_probe_rounds; ++round) {
+    std::vector<int> probed;
+    std::vector<FocalPoint> points;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        bool flagged = false;
+        for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1) && !flagged; ++j)
+          for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i)
+            flagged |= cause[j * width + i] != 0;
+        if (!flagged || tracer_.abandoned(static_cast<std::uint32_t>(y * width + x))) continue;
+        probed.push_back(y * width + x);
+        for (int j = 0; j < side; ++j)
+          for (int i = 0; i < side; ++i) {
+            const std::uint64_t key =
+                hash(seed_, 0x70726f6265, domain.x0 + x, domain.y0 + y, round, j * side + i);
+            points.push_back({domain.x0 + x + (i + unit_double(key)) / side,
+                              domain.y0 + y + (j + unit_double(mix(key))) / side});
+          }
+      }
+    if (points.empty()) return;
+    const std::vector<std::uint8_t> contradicted = look(points, Purpose::probe);
+    std::fill(cause.begin(), cause.end(), std::uint8_t{0});
+    const std::size_t per_pixel = static_cast<std::size_t>(side * side);
+    bool any = false;
+    for (std::size_t n = 0; n < probed.size(); ++n) {
+      bool dirty = false;
+      for (std::size_t i = 0; i < per_pixel; ++i) dirty |= contradicted[n * per_pixel + i] != 0;
+      if (dirty)
+        cause[probed[n]] = any = true;
+      else
+        ++clean_rounds_[probed[n]];
+    }
+    if (!any) return;
+  }
+}
+
+}  // namespace ifov::sampling

@@ -1,0 +1,238 @@
+#include "sampling/accuracy/radiance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sampling/sequence.h"
+
+namespace ifov::sampling {
+
+namespace {
+
+/// Weight, in degrees of freedom, of the borrowed variance beside a stratum's own.
+constexpr double kBorrowed = 2.0;
+/// A jittered grid has at most this many cells per pixel side, even for slivers.
+constexpr int kFinestGrid = 128;
+
+constexpr std::uint64_t kStratumKey = 0x7374726174, kNetKey = 0x6e657473;
+
+}  // namespace
+
+Radiance::Radiance(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable& table,
+                   const LabelSpread& spread, const LatticeValues& lattice_values,
+                   const AccuracyFaults& faults, std::uint64_t seed)
+    : tracer_(tracer),
+      ledger_(ledger),
+      table_(table),
+      spread_(spread),
+      lattice_(lattice_values),
+      faults_(faults),
+      seed_(seed),
+      stride_(lattice_values.stride) {}
+
+void Radiance::add_pixel(int source, const LeafIntegrator& integrator) {
+  Pixel pixel;
+  pixel.source = source;
+  pixel.cluttered = tracer_.abandoned(static_cast<std::uint32_t>(source));
+  integrator.pixel(source, pixel.model);
+  if (pixel.cluttered) {
+    pixel.strata.assign(kReplicates, Stratum{EdgeTracer::kNoLabel, 0, {}, {}, {}});
+  } else {
+    for (std::uint32_t label : pixel.model.labels) pixel.strata.push_back({label, 0, {}, {}, {}});
+  }
+  pixels_.push_back(std::move(pixel));
+}
+
+void Radiance::plan(std::size_t p, std::size_t s, double count) {
+  Pixel& pixel = pixels_[p];
+  Stratum& stratum = pixel.strata[s];
+  const PixelRect& domain = tracer_.lattice().domain();
+  const int px = domain.x0 + pixel.source % domain.width(), py = domain.y0 + pixel.source / domain.width();
+  const double area = std::max(pixel.model.area[s], 1e-9);
+  int side = static_cast<int>(std::ceil(std::sqrt(count / area)));
+  side = std::clamp(side + side % 2, 2, kFinestGrid);
+  const std::uint64_t key = hash(seed_, kStratumKey, px, py, table_.label(stratum.label), stratum.round++);
+  for (int j = 0; j < side; j += 2)
+    for (int i = 0; i < side; i += 2)
+      for (int quarter = 0; quarter < 4; ++quarter) {
+        const int a = i + quarter % 2, b = j + quarter / 2;
+        const std::uint64_t cell = hash(key, a, b);
+        const Point2 at{px + (a + unit_double(cell)) / side, py + (b + unit_double(mix(cell))) / side};
+        const std::uint32_t model = tracer_.model_label({at.x, at.y});
+        if (model != stratum.label && model != EdgeTracer::kNoLabel) continue;
+        requests_.push_back({{at.x, at.y}, mix(cell + 1), 0});
+        planned_.push_back({p, s, static_cast<std::uint32_t>((j / 2) * (side / 2) + i / 2),
+                            static_cast<std::uint8_t>(quarter)});
+      }
+}
+
+void Radiance::plan_nets(std::size_t p, std::uint32_t count) {
+  Pixel& pixel = pixels_[p];
+  const PixelRect& domain = tracer_.lattice().domain();
+  const int px = domain.x0 + pixel.source % domain.width(), py = domain.y0 + pixel.source / domain.width();
+  for (std::size_t r = 0; r < pixel.strata.size(); ++r) {
+    const std::uint64_t key = hash(seed_, kNetKey, px, py, r);
+    for (std::uint32_t i = pixel.net_size; i < count; ++i) {
+      const Point2 u = sequence_point(key, i, 0);
+      requests_.push_back({{px + u.x, py + u.y}, mix(key), i});
+      planned_.push_back({p, r, i, 0});
+    }
+  }
+  pixel.net_size = count;
+}
+
+void Radiance::trace() {
+  std::vector<std::uint32_t> labels;
+  const std::size_t first = labels_.size();
+  values_.resize((first + requests_.size()) * stride_);
+  ledger_.values(requests_, labels, std::span<float>(values_).subspan(first * stride_));
+  labels_.insert(labels_.end(), labels.begin(), labels.end());
+  for (const PathRequest& r : requests_) x_.push_back({r.point.x_px, r.point.y_px});
+
+  std::size_t open = ~std::size_t{0};
+  for (std::size_t i = 0; i < planned_.size(); ++i) {
+    const Planned& planned = planned_[i];
+    Pixel& pixel = pixels_[planned.pixel];
+    Stratum& stratum = pixel.strata[planned.stratum];
+    const bool same_block = open != ~std::size_t{0} && planned_[open].pixel == planned.pixel &&
+                            planned_[open].stratum == planned.stratum &&
+                            planned_[open].block == planned.block;
+    // The model put this point into the stratum and the ray says otherwise: what lies on the wrong side of a
+    // border is part of the border's variance, and has no say about the radiance inside.
+    if (!pixel.cluttered && labels[i] != stratum.label) continue;
+    if (!same_block) {
+      stratum.block_starts.push_back(static_cast<std::uint32_t>(stratum.samples.size()));
+      stratum.full_block.push_back(0);
+      open = i;
+    }
+    stratum.samples.push_back(static_cast<std::uint32_t>(first + i));
+    stratum.full_block.back() = stratum.samples.size() - stratum.block_starts.back() == 4;
+  }
+  planned_.clear();
+  requests_.clear();
+}
+
+void Radiance::moments(const Pixel& pixel, std::size_t s, std::span<const int> columns,
+                       StratumMoments& out) const {
+  const Stratum& stratum = pixel.strata[s];
+  const std::uint32_t label = stratum.label;
+  const std::size_t n = columns.size();
+  out.mean.assign(n, 0.0);
+  out.variance.assign(n, 0.0);
+  out.sampled = !stratum.samples.empty();
+
+  if (out.sampled) {
+    const double share = 1.0 / static_cast<double>(stratum.samples.size());
+    for (std::uint32_t i : stratum.samples)
+      for (std::size_t c = 0; c < n; ++c) out.mean[c] += share * values_[i * stride_ + columns[c]];
+    double blocks = 0.0;
+    for (std::size_t b = 0; b < stratum.block_starts.size(); ++b) {
+      const std::size_t begin = stratum.block_starts[b];
+      const std::size_t end =
+          b + 1 < stratum.block_starts.size() ? stratum.block_starts[b + 1] : stratum.samples.size();
+      const std::size_t count = end - begin;
+      if (count < 2) continue;
+      const float* v[4];
+      for (std::size_t i = 0; i < std::min<std::size_t>(count, 4); ++i)
+        v[i] = &values_[stratum.samples[begin + i] * stride_];
+      for (std::size_t c = 0; c < n; ++c) {
+        const int k = columns[c];
+        if (stratum.full_block[b]) {
+          const double twist =
+              (static_cast<double>(v[0][k]) - v[1][k]) - (static_cast<double>(v[2][k]) - v[3][k]);
+          out.variance[c] += 0.25 * twist * twist;
+        } else {
+          const double difference = static_cast<double>(v[0][k]) - v[1][k];
+          out.variance[c] += 0.5 * difference * difference;
+        }
+      }
+      blocks += 1.0;
+    }
+    for (std::size_t c = 0; c < n; ++c)
+      out.variance[c] =
+          (out.variance[c] + kBorrowed * spread_.local(label, columns[c])) / (blocks + kBorrowed);
+    out.freedom = blocks + kBorrowed;
+    if (faults_.zero_variance_single_samples && blocks == 0.0)
+      std::fill(out.variance.begin(), out.variance.end(), 0.0);
+    return;
+  }
+
+  const Lattice& lattice = tracer_.lattice();
+  const int k = lattice.cells_per_pixel(), row = lattice.columns() + 1;
+  const int x = pixel.source % lattice.domain().width() * k, y = pixel.source / lattice.domain().width() * k;
+  double weight = 0.0, count = 0.0;
+  std::vector<double> squares(n, 0.0);
+  for (int j = 0; j <= k; ++j)
+    for (int i = 0; i <= k; ++i) {
+      const std::size_t v = static_cast<std::size_t>(y + j) * row + x + i;
+      if (lattice_.labels[v] != label) continue;
+      const double w = (i == 0 || i == k ? 0.5 : 1.0) * (j == 0 || j == k ? 0.5 : 1.0);
+      weight += w;
+      count += 1.0;
+      for (std::size_t c = 0; c < n; ++c) {
+        const double value = lattice_.values[v * stride_ + columns[c]], old = out.mean[c];
+        out.mean[c] += w / weight * (value - old);
+        squares[c] += w * (value - old) * (value - out.mean[c]);
+      }
+    }
+  for (std::size_t c = 0; c < n; ++c) {
+    if (count == 0.0) out.mean[c] = table_.mean(label)[columns[c]];
+    const double own =
+        count > 1.0 ? squares[c] / weight * count / (count - 1.0) : spread_.total(label, columns[c]);
+    out.variance[c] = std::max(own, spread_.local(label, columns[c]));
+  }
+  out.freedom = std::max(2.0, count - 1.0);
+  if (faults_.zero_variance_single_samples && count < 2.0)
+    std::fill(out.variance.begin(), out.variance.end(), 0.0);
+}
+
+double Radiance::weigh(const Pixel& pixel, std::size_t s, const PixelFootprint& footprint, Point2 centre,
+                       std::span<const int> columns, std::vector<double>& mean) const {
+  const Stratum& stratum = pixel.strata[s];
+  double sum = 0.0, squares = 0.0;
+  std::vector<double> weights;
+  for (std::uint32_t i : stratum.samples) {
+    const double w = footprint.density(x_[i].x - centre.x, x_[i].y - centre.y);
+    weights.push_back(w);
+    sum += w;
+    squares += w * w;
+  }
+  if (sum == 0.0) return 1.0;
+  std::fill(mean.begin(), mean.end(), 0.0);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      mean[c] += weights[i] / sum * values_[stratum.samples[i] * stride_ + columns[c]];
+  return squares / (sum * sum);
+}
+
+void Radiance::nets(const Pixel& pixel, const PixelFootprint* footprint, Point2 centre,
+                    std::span<const int> columns, std::vector<double>& mean,
+                    std::vector<double>& variance) const {
+  const std::size_t n = columns.size();
+  mean.assign(n, 0.0);
+  variance.assign(n, 0.0);
+  std::vector<double> replicate(n);
+  double replicates = 0.0;
+  for (const Stratum& stratum : pixel.strata) {
+    std::fill(replicate.begin(), replicate.end(), 0.0);
+    double sum = 0.0;
+    for (std::uint32_t i : stratum.samples) {
+      const double w =
+          footprint == nullptr ? 1.0 : footprint->density(x_[i].x - centre.x, x_[i].y - centre.y);
+      if (w == 0.0) continue;
+      sum += w;
+      for (std::size_t c = 0; c < n; ++c)
+        replicate[c] += w / sum * (values_[i * stride_ + columns[c]] - replicate[c]);
+    }
+    if (sum == 0.0) continue;
+    replicates += 1.0;
+    for (std::size_t c = 0; c < n; ++c) {
+      const double d = replicate[c] - mean[c];
+      mean[c] += d / replicates;
+      variance[c] += d * (replicate[c] - mean[c]);
+    }
+  }
+  for (std::size_t c = 0; c < n; ++c) variance[c] /= std::max(1.0, (replicates - 1.0) * replicates);
+}
+
+}  // namespace ifov::sampling

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sampling/accuracy/edge_tracer.h"
+#include "sampling/accuracy/leaf_integrator.h"
+#include "sampling/accuracy/spread.h"
+#include "sampling/accuracy/stopping.h"
+
+namespace ifov::sampling {
+
+/// Values at the lattice's vertices, shared by the pixels around them.
+struct LatticeValues {
+  std::vector<std::uint32_t> labels;  ///< row by row, columns + 1 per row
+  std::vector<float> values;          ///< rows of `stride` floats
+  std::size_t stride = 0;
+};
+
+/// Mean of one stratum (a label within a source pixel) and the variance of one of its values.
+struct StratumMoments {
+  std::vector<double> mean, variance;  ///< per asked column; `variance` is that of one value
+  double freedom = 0.0;                ///< degrees of freedom behind `variance`
+  bool sampled = false;                ///< false: lattice values only, which count as one random value
+};
+
+/// The radiance within labels: values at stratified points, uniform inside each (pixel, label) stratum of a
+/// group of source pixels, in rounds. docs/theory/accuracy_sampler.md, section 6.
+class Radiance {
+ public:
+  struct Stratum {
+    std::uint32_t label;
+    std::uint32_t round = 0;
+    std::vector<std::uint32_t> samples;  ///< indices of accepted values
+    std::vector<std::uint32_t>
+        block_starts;  ///< consecutive values that stand in one block of the jittered grid
+    std::vector<std::uint8_t> full_block;  ///< the block holds four values, one per quarter
+  };
+  struct Pixel {
+    int source = 0;  ///< index in the domain
+    PixelModel model;
+    std::vector<Stratum> strata;  ///< one per region of the model; for a cluttered pixel one per replicate
+    bool cluttered = false;
+    std::uint32_t net_size = 0;  ///< values per replicate of a cluttered pixel
+  };
+
+  Radiance(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable& table, const LabelSpread& spread,
+           const LatticeValues& lattice_values, const AccuracyFaults& faults, std::uint64_t seed);
+
+  static constexpr int kReplicates = 8;
+
+  std::vector<Pixel>& pixels() { return pixels_; }
+  void clear() {
+    pixels_.clear();
+    x_.clear();
+    values_.clear();
+    labels_.clear();
+  }
+  void add_pixel(int source, const LeafIntegrator& integrator);
+
+  /// Plans about `count` more values in a stratum, or nets of `count` values per replicate in a cluttered
+  /// pixel.
+  void plan(std::size_t pixel, std::size_t stratum, double count);
+  void plan_nets(std::size_t pixel, std::uint32_t count);
+  /// Traces what was planned.
+  void trace();
+
+  /// Moments over the given columns. Weights of values under output `centre` follow the footprint (null:
+  /// equal).
+  void moments(const Pixel& pixel, std::size_t stratum, std::span<const int> columns,
+               StratumMoments& out) const;
+
+  /// Sum over a stratum's values of squared relative weights: 1 / n where all weigh the same. With them, the
+  /// weighted mean replaces the plain one.
+  double weigh(const Pixel& pixel, std::size_t stratum, const PixelFootprint& footprint, Point2 centre,
+               std::span<const int> columns, std::vector<double>& mean) const;
+
+  /// Mean over the nets of a cluttered pixel and the variance of that mean, by its replicates.
+  void nets(const Pixel& pixel, const PixelFootprint* footprint, Point2 centre, std::span<const int> columns,
+            std::vector<double>& mean, std::vector<double>& variance) const;
+
+  const std::vector<std::uint32_t>& labels() const { return labels_; }
+
+ private:
+  struct Planned {
+    std::size_t pixel, stratum;
+    std::uint32_t block;
+    std::uint8_t quarter;
+  };
+
+  const EdgeTracer& tracer_;
+  RayLedger& ledger_;
+  const LabelTable& table_;
+  const LabelSpread& spread_;
+  const LatticeValues& lattice_;
+  const AccuracyFaults& faults_;
+  std::uint64_t seed_;
+  std::size_t stride_;
+
+  std::vector<Pixel> pixels_;
+  std::vector<Planned> planned_;
+  std::vector<PathRequest> requests_;
+  std::vector<Point2> x_;
+  std::vector<std::uint32_t> labels_;
+  std::vector<float> values_;
+};
+
+}  // namespace ifov::sampling

@@ -1,0 +1,69 @@
+#include "sampling/accuracy/spread.h"
+
+namespace ifov::sampling {
+
+namespace {
+
+/// Weight, in values, of what all labels say about one of them.
+constexpr double kBorrowed = 2.0;
+
+/// Sums of squares and degrees of freedom become variances; row `labels` is the pool, which every row borrows
+/// from.
+void pool(std::vector<double>& squares, const std::vector<double>& freedom, std::size_t labels,
+          std::size_t columns) {
+  double total_freedom = 0.0;
+  for (std::size_t l = 0; l < labels; ++l) total_freedom += freedom[l];
+  double* all = &squares[labels * columns];
+  for (std::size_t c = 0; c < columns; ++c) {
+    double sum = 0.0;
+    for (std::size_t l = 0; l < labels; ++l) sum += squares[l * columns + c];
+    all[c] = total_freedom > 0.0 ? sum / total_freedom : 0.0;
+    for (std::size_t l = 0; l < labels; ++l)
+      squares[l * columns + c] = (squares[l * columns + c] + kBorrowed * all[c]) / (freedom[l] + kBorrowed);
+  }
+}
+
+}  // namespace
+
+LabelSpread::LabelSpread(const Lattice& lattice, const LabelTable& table, int columns,
+                         std::span<const std::uint32_t> labels, std::span<const float> values,
+                         std::size_t stride)
+    : columns_(static_cast<std::size_t>(columns)),
+      labels_(table.size()),
+      local_((labels_ + 1) * columns_, 0.0),
+      total_((labels_ + 1) * columns_, 0.0) {
+  std::vector<double> local_freedom(labels_, 0.0), total_freedom(labels_, -1.0);
+  const std::size_t row_length = static_cast<std::size_t>(lattice.columns()) + 1;
+  for (std::size_t v = 0; v < labels.size(); ++v) {
+    const std::uint32_t l = labels[v];
+    const double* mean = table.mean(l);
+    for (std::size_t c = 0; c < columns_; ++c) {
+      const double d = values[v * stride + c] - mean[c];
+      total_[l * columns_ + c] += d * d;
+    }
+    total_freedom[l] += 1.0;
+  }
+  for (double& f : total_freedom) f = f < 0.0 ? 0.0 : f;
+  for (int j = 0; j < lattice.rows(); ++j)
+    for (int i = 0; i < lattice.columns(); ++i) {
+      const std::size_t v = j * row_length + i, w = v + row_length;
+      const std::uint32_t l = labels[v];
+      if (labels[v + 1] != l || labels[w] != l || labels[w + 1] != l) continue;
+      const float *a = &values[v * stride], *b = a + stride, *d = &values[w * stride], *e = d + stride;
+      for (std::size_t c = 0; c < columns_; ++c) {
+        const double twist = (static_cast<double>(a[c]) - b[c]) - (static_cast<double>(d[c]) - e[c]);
+        local_[l * columns_ + c] += 0.25 * twist * twist;
+      }
+      local_freedom[l] += 1.0;
+    }
+  double any = 0.0;
+  for (double f : local_freedom) any += f;
+  if (any == 0.0) {
+    local_ = total_;
+    local_freedom = total_freedom;
+  }
+  pool(local_, local_freedom, labels_, columns_);
+  pool(total_, total_freedom, labels_, columns_);
+}
+
+}  // namespace ifov::sampling

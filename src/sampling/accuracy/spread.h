@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sampling/accuracy/label_table.h"
+#include "sampling/accuracy/lattice.h"
+
+namespace ifov::sampling {
+
+/// How much single values of one label differ, per column, learnt from the lattice of the tile. Strata with
+/// few values of their own borrow it; a label seen seldom borrows in turn from all labels, so that no
+/// variance is zero unless every value of every label agrees with its neighbours.
+class LabelSpread {
+ public:
+  /// `labels` and `values` (rows of `stride` floats) of the lattice's vertices, row by row.
+  LabelSpread(const Lattice& lattice, const LabelTable& table, int columns,
+              std::span<const std::uint32_t> labels, std::span<const float> values, std::size_t stride);
+
+  /// Variance of a value about the plane through its neighbours: noise and fine texture. Labels found later
+  /// than the lattice have that of all labels.
+  double local(std::uint32_t label, int column) const { return row(local_, label)[column]; }
+
+  /// Variance of a value about the label's mean over the tile.
+  double total(std::uint32_t label, int column) const { return row(total_, label)[column]; }
+
+ private:
+  const double* row(const std::vector<double>& table, std::uint32_t label) const {
+    return &table[static_cast<std::size_t>(label < labels_ ? label : labels_) * columns_];
+  }
+
+  std::size_t columns_, labels_;
+  std::vector<double> local_, total_;  // [label][column], the last row for all labels together
+};
+
+}  // namespace ifov::sampling

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "sampling/accuracy/edge_tracer.h"
+#include "sampling/accuracy/leaf_integrator.h"
+#include "sampling/accuracy/probing.h"
+#include "sampling/accuracy/radiance.h"
+#include "sampling/accuracy/spread.h"
+#include "sampling/accuracy/stopping.h"
+#include "sampling/tile.h"
+
+namespace ifov::sampling {
+
+/// The stages of the accuracy sampler on one tile, in the order of their calls.
+class TileWork {
+ public:
+  TileWork(const TileProblem& problem, Field& field, const AccuracyOptions& options,
+           const AccuracyFaults& faults, TileResult& result);
+
+  void trace_lattice();   ///< labels and values at the vertices; limits from the first means
+  void switch_clutter();  ///< leaves pixels to stratified samples where that is cheaper
+  void trace_borders();   ///< edges, seeds, probes
+  void estimate();        ///< radiance in rounds, intervals
+  void report();          ///< counts, materials, the detection statement
+
+ private:
+  /// One output pixel: sums over source pixels, per asked column.
+  struct Sums {
+    std::vector<double> mean, geometry;
+    std::vector<Satterthwaite> path;
+    std::vector<double>
+        deviation;  ///< sum of weight * standard deviation of one value, for Neyman's allocation
+  };
+  struct Output {
+    int look = 0;
+    bool satisfied = false;
+    std::vector<double> path_budget;  ///< per driver: variance that paths may leave
+  };
+
+  void set_limits();
+  double geometry_share(int source) const;
+  void tighten_borders();
+  void gather(const LeafIntegrator& integrator, std::span<const int> columns, std::vector<Sums>& sums) const;
+  bool plan_round(const LeafIntegrator& integrator);
+  void finish(const LeafIntegrator& integrator, const std::vector<int>& outputs);
+  int nearest_output(int source) const;
+  int source_of(int output) const;
+
+  const TileProblem& problem_;
+  const AccuracyOptions& options_;
+  TileResult& result_;
+  int columns_;
+  Stopping stopping_;
+  Lattice lattice_;
+  LabelTable table_;
+  RayLedger ledger_;
+  Contrast contrast_;
+  EdgeTracer tracer_;
+  Prober prober_;
+  LatticeValues lattice_values_;
+  std::unique_ptr<LabelSpread> spread_;
+  std::unique_ptr<Radiance> radiance_;
+  std::vector<int> all_columns_;
+  std::vector<Output> outputs_;
+  std::vector<std::uint32_t> net_sizes_;  // per source pixel, 0 where it was traced
+  AccuracyFaults faults_;
+};
+
+}  // namespace ifov::sampling
