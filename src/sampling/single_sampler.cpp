@@ -1,21 +1,26 @@
 #include "sampling/single_sampler.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "sampling/hash.h"
-#include "sampling/pixel_writer.h"
 #include "sampling/value_batch.h"
 
 namespace ifov::sampling {
 
 void SingleSampler::sample(const TileProblem& problem, Field& field, TileResult& result) const {
-  result.reset(problem.tile, field.columns());
+  result.reset(problem.tile, field.columns(), false);
   const RayCounts before = field.counts();
   const int width = problem.tile.width();
   const std::size_t columns = static_cast<std::size_t>(field.columns());
-  PixelEstimate estimate;
-  estimate.variance_geometry.assign(columns, std::numeric_limits<double>::quiet_NaN());
-  estimate.variance_path.assign(columns, std::numeric_limits<double>::quiet_NaN());
+  // One point finds a feature of area a with probability a.
+  constexpr float kFoundArea = 0.95f;
+  result.samples.assign(result.samples.size(), 1);
+  result.radiance_evaluations.assign(result.samples.size(), 1);
+  result.missable_fraction.assign(result.samples.size(), kFoundArea);
+  if (problem.tolerance != nullptr)
+    result.worst_ratio.assign(result.samples.size(), std::numeric_limits<float>::infinity());
+  result.abundances.reserve(result.samples.size());
   for_each_value(
       field, problem.cancel, static_cast<std::size_t>(problem.tile.count()),
       [&](std::size_t pixel) {
@@ -24,10 +29,9 @@ void SingleSampler::sample(const TileProblem& problem, Field& field, TileResult&
         return PathRequest{{i + 0.5, j + 0.5}, hash(problem.seed, i, j, kPixelPaths), 0};
       },
       [&](std::size_t pixel, Label label, const float* values) {
-        estimate.mean.assign(values, values + columns);
-        estimate.materials = {{field.material_of(label), {1.0, std::numeric_limits<double>::quiet_NaN()}}};
-        result.samples[pixel] = result.radiance_evaluations[pixel] = 1;
-        write_pixel(estimate, problem, pixel, result);
+        std::copy(values, values + columns, result.mean.begin() + static_cast<std::ptrdiff_t>(pixel * columns));
+        result.abundances.push_back({static_cast<std::uint32_t>(pixel), field.material_of(label), 1.0f,
+                                     std::numeric_limits<float>::quiet_NaN()});
       });
   result.rays = rays_since(before, field);
 }

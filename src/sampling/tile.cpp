@@ -2,15 +2,16 @@
 
 namespace ifov::sampling {
 
-void TileResult::reset(PixelRect tile_pixels, int column_count) {
+void TileResult::reset(PixelRect tile_pixels, int column_count, bool with_errors) {
   tile = tile_pixels;
   columns = column_count;
   const std::size_t pixels = static_cast<std::size_t>(tile.count());
   const std::size_t cells = pixels * static_cast<std::size_t>(columns);
   mean.assign(cells, 0.0f);
-  variance_geometry.assign(cells, 0.0f);
-  variance_path.assign(cells, 0.0f);
-  half_width.assign(cells, 0.0f);
+  const std::size_t error_cells = with_errors ? cells : 0;
+  variance_geometry.assign(error_cells, 0.0f);
+  variance_path.assign(error_cells, 0.0f);
+  half_width.assign(error_cells, 0.0f);
   samples.assign(pixels, 0);
   label_rays.assign(pixels, 0);
   radiance_evaluations.assign(pixels, 0);

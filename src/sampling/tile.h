@@ -40,7 +40,8 @@ struct Abundance {
   float half_width = 0.0f;
 };
 
-/// One flat record per tile. Per-column arrays hold [pixel * columns + column], pixels row by row.
+/// One flat record per tile. Per-column arrays hold [pixel * columns + column], pixels row by row; the three that
+/// speak of errors are empty where the method says nothing of its error (single ray).
 struct TileResult {
   PixelRect tile;
   int columns = 0;
@@ -60,7 +61,8 @@ struct TileResult {
   std::uint64_t seed_samples = 0, probe_samples = 0;  ///< of all points, by purpose
   RayCounts rays;
 
-  void reset(PixelRect tile_pixels, int column_count);
+  void reset(PixelRect tile_pixels, int column_count, bool with_errors = true);
+  bool has_errors() const { return !half_width.empty(); }
 };
 
 /// One way of turning a tile into pixel values.

@@ -49,6 +49,7 @@ struct Plan {
     SamplingPlan plan;
     plan.sampler = std::make_unique<sampling::SingleSampler>();
     plan.method = "single ray";
+    plan.knows_errors = false;
     return plan;
   }
 

@@ -91,7 +91,9 @@ RunSummary Session::render(const RunOptions& options) const {
   identity.accuracy_asked = p.plan.accuracy_asked;
   if (p.tolerance) identity.confidence = p.tolerance->confidence();
 
-  io::ProductWriter writer(product_options(p.document, folder), identity);
+  io::ProductOptions products = product_options(p.document, folder);
+  products.standard_error = products.half_width = p.plan.knows_errors;
+  io::ProductWriter writer(products, identity);
   writer.begin(p.info);
   DetectionTally detection(writer);
   render::RenderControl control;

@@ -19,8 +19,8 @@ std::string describe(const Session::Parts& parts) {
 
 std::string accuracy_statement(const Session::Parts& parts, const Progress& totals) {
   if (!parts.tolerance)
-    return format("No accuracy was asked for ({}); half-widths are at 95 % where the method gives any.",
-                  parts.plan.method);
+    return format("No accuracy was asked for ({}); {}.", parts.plan.method,
+                  parts.plan.knows_errors ? "half-widths are at 95 %" : "the method says nothing of its error");
   const std::int64_t missed = totals.pixels_total - totals.pixels_converged;
   std::string text = format("Asked for {}. ", parts.plan.accuracy_asked);
   if (missed == 0)

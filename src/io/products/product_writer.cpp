@@ -64,12 +64,13 @@ CubeKind kind_of(CubeIndex index, const render::ImageInfo& info) {
       EnviType::float32};
 }
 
-void require_consistent(const sampling::TileResult& tile, const render::ImageInfo& info) {
+void require_consistent(const sampling::TileResult& tile, const render::ImageInfo& info, bool with_errors) {
   const auto pixels = static_cast<std::size_t>(std::max(tile.tile.count(), 0));
   const std::size_t cells = pixels * info.channels.size();
+  const std::size_t error_cells = with_errors || tile.has_errors() ? cells : 0;
   if (tile.columns != static_cast<int>(info.channels.size()) || tile.mean.size() != cells ||
-      tile.variance_geometry.size() != cells || tile.variance_path.size() != cells ||
-      tile.half_width.size() != cells || tile.samples.size() != pixels || tile.label_rays.size() != pixels ||
+      tile.variance_geometry.size() != error_cells || tile.variance_path.size() != error_cells ||
+      tile.half_width.size() != error_cells || tile.samples.size() != pixels || tile.label_rays.size() != pixels ||
       tile.radiance_evaluations.size() != pixels || tile.converged.size() != pixels ||
       tile.worst_ratio.size() != pixels || tile.missable_fraction.size() != pixels)
     throw std::logic_error("a tile's arrays do not match its size");
@@ -327,7 +328,7 @@ void ProductWriter::begin(const render::ImageInfo& info) {
 void ProductWriter::write(const sampling::TileResult& tile) {
   State& s = *state_;
   if (!s.begun) throw std::logic_error("begin() comes before write()");
-  require_consistent(tile, s.info);
+  require_consistent(tile, s.info, s.options.standard_error || s.options.half_width);
   s.cubes[kRadiance]->raster.write(tile.tile, std::span<const float>(tile.mean));
   if (s.cubes[kStandardError]) {
     std::vector<float> error(tile.mean.size());
