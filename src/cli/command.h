@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "cli/exit_code.h"
+
+namespace CLI {
+class App;
+}
+
+namespace ifov::cli {
+
+/// A subcommand: what the command line parser knows it by, and what it does. `run` throws InputError,
+/// EnvironmentError and Cancelled.
+struct Command {
+  CLI::App* parser = nullptr;
+  std::function<ExitCode()> run;
+};
+
+/// Each adds one subcommand with its options and help.
+Command add_render_command(CLI::App& app);
+Command add_check_command(CLI::App& app);
+Command add_info_command(CLI::App& app);
+Command add_schema_command(CLI::App& app);
+
+}  // namespace ifov::cli

@@ -1,0 +1,55 @@
+#include "cli/progress_line.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/format.h"
+
+namespace ifov::cli {
+namespace {
+
+constexpr int kBarWidth = 24;
+
+std::string bar(double done) {
+  const int filled = static_cast<int>(std::floor(done * kBarWidth));
+  return format("[{:#<{}}{:-<{}}]", "", filled, "", kBarWidth - filled);
+}
+
+}  // namespace
+
+std::string short_count(double count) {
+  const char* const suffixes[] = {"", " k", " M", " G", " T"};
+  int step = 0;
+  while (count >= 999.5 && step < 4) {
+    count /= 1000.0;
+    ++step;
+  }
+  const int decimals = step == 0 || count >= 99.95 ? 0 : count >= 9.995 ? 1 : 2;
+  return format("{:.{}f}{}", count, decimals, suffixes[step]);
+}
+
+std::string short_duration(double seconds) {
+  const long whole = std::lround(std::clamp(seconds, 0.0, 3.6e8));
+  const long hours = whole / 3600, minutes = whole / 60 % 60;
+  return hours > 0 ? format("{}:{:02}:{:02}", hours, minutes, whole % 60)
+                   : format("{}:{:02}", minutes, whole % 60);
+}
+
+std::string progress_line(const Progress& progress, int width) {
+  const double total = static_cast<double>(std::max<std::int64_t>(progress.pixels_total, 1));
+  const double done = std::clamp(static_cast<double>(progress.pixels_done) / total, 0.0, 1.0);
+  std::string line = format("{} {:3.0f} %", bar(done), std::floor(100.0 * done));
+  if (done > 0.0) line += format("  {} left", short_duration(progress.elapsed_s * (1.0 - done) / done));
+  if (progress.elapsed_s > 0.0) {
+    line += format("  {} rays/s", short_count(static_cast<double>(progress.rays) / progress.elapsed_s));
+  }
+  if (progress.worst_error_ratio > 0.0 && progress.pixels_done > 0) {
+    const double converged =
+        static_cast<double>(progress.pixels_converged) / static_cast<double>(progress.pixels_done);
+    line += format("  {:.1f} % converged  worst error {:.2f} x limit", std::floor(1000.0 * converged) / 10.0,
+                   progress.worst_error_ratio);
+  }
+  return line.substr(0, static_cast<std::size_t>(std::max(width, 1)));
+}
+
+}  // namespace ifov::cli
