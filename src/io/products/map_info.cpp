@@ -1,5 +1,6 @@
 #include "io/products/map_info.h"
 
+#include <cpl_error.h>
 #include <ogr_spatialref.h>
 
 #include <cmath>
@@ -15,6 +16,7 @@ bool is_local(const render::ImageInfo& info) {
 }
 
 OGRSpatialReference reference(const render::ImageInfo& info) {
+  const CPLErrorHandlerPusher quiet(CPLQuietErrorHandler);
   OGRSpatialReference result;
   const std::string& text = info.map_projection;
   const bool known = text.starts_with("EPSG:")
@@ -67,7 +69,8 @@ std::vector<std::string> envi_map_info(const render::ImageInfo& info) {
   }
   items.push_back("units=Meters");
   if (info.map_rotation_rad != 0.0)
-    items.push_back(format("rotation={:.10g}", info.map_rotation_rad * 180.0 / std::numbers::pi));
+    // ENVI turns the image counter-clockwise, as GDAL's reader shows.
+    items.push_back(format("rotation={:.10g}", -info.map_rotation_rad * 180.0 / std::numbers::pi));
   return items;
 }
 

@@ -60,11 +60,12 @@ std::string embedded_json(const Json::Value& value) {
   writer["indentation"] = "";
   writer["emitUTF8"] = true;
   writer["precision"] = 9;
-  const std::string text = Json::writeString(writer, value);
   std::string safe;
-  for (const char c : text) {
-    if (c == '/' && !safe.empty() && safe.back() == '<') safe += '\\';
-    safe += c;
+  for (const char c : Json::writeString(writer, value)) {
+    if (c == '<')
+      safe += "\\u003c";
+    else
+      safe += c;
   }
   return safe;
 }
