@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "core/format.h"
 #include "io/report/report.h"
 #include "io/report/report_data.h"
 #include "io/synthetic_image.h"
