@@ -38,7 +38,7 @@ std::string short_duration(double seconds) {
 std::string progress_line(const Progress& progress, int width) {
   const double total = static_cast<double>(std::max<std::int64_t>(progress.pixels_total, 1));
   const double done = std::clamp(static_cast<double>(progress.pixels_done) / total, 0.0, 1.0);
-  std::string line = format("{} {:3.0f} %", bar(done), std::floor(100.0 * done));
+  std::string line = format("{} {:5.1f} %", bar(done), std::floor(1000.0 * done) / 10.0);
   if (done > 0.0) line += format("  {} left", short_duration(progress.elapsed_s * (1.0 - done) / done));
   if (progress.elapsed_s > 0.0) {
     line += format("  {} rays/s", short_count(static_cast<double>(progress.rays) / progress.elapsed_s));
