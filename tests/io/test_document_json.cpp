@@ -1,0 +1,195 @@
+// The low-level parser: the public JSON test suite, positions, limits, and damaged texts.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "../support/truth_data.h"
+#include "io/document/json_adapter.h"
+
+namespace ifov::io {
+namespace {
+
+using Type = DocumentNode::Type;
+
+JsonRules plain_json() {
+  JsonRules rules;
+  rules.comments = false;
+  rules.unique_keys = false;
+  rules.max_depth = 600;
+  return rules;
+}
+
+std::string read_all(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+std::string message_of(const std::string& text, const JsonRules& rules = {}) {
+  try {
+    parse_json(text, "a.json", rules);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(DocumentJson, AgreesWithTheJsonTestSuite) {
+  const auto archive = test::truth_file("malformed/json-test-parsing.tar.gz");
+  if (!archive) GTEST_SKIP() << "reference data not found: malformed/json-test-parsing.tar.gz";
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "ifov_json_suite";
+  std::filesystem::create_directories(folder);
+  const std::string unpack = "tar -xzf '" + archive->string() + "' -C '" + folder.string() + "'";
+  ASSERT_EQ(std::system(unpack.c_str()), 0);
+  int rejected = 0, accepted = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path().extension() != ".json") continue;
+    const bool accepts = message_of(read_all(entry.path()), plain_json()) == "accepted";
+    if (name.starts_with("n_")) {
+      EXPECT_FALSE(accepts) << name;
+      ++rejected;
+    } else if (name.starts_with("y_")) {
+      EXPECT_TRUE(accepts) << name;
+      ++accepted;
+    }
+  }
+  std::filesystem::remove_all(folder);
+  EXPECT_GT(rejected, 150);
+  EXPECT_GT(accepted, 80);
+}
+
+TEST(DocumentJson, KnowsWhereValuesAndKeysStand) {
+  const DocumentTree tree = parse_json("// note\n{\"a\": [1, 2.5],\n \"\xC3\xA9\": /* x */ {\"b\" : \"c\"}}", "f.json");
+  const DocumentNode& root = *tree.root;
+  ASSERT_EQ(root.members().size(), 2u);
+  const DocumentNode& list = *root.find("a");
+  EXPECT_EQ(list.items()[0].type(), Type::number);
+  EXPECT_TRUE(list.items()[0].is_integer());
+  EXPECT_EQ(list.items()[1].number(), 2.5);
+  EXPECT_FALSE(list.items()[1].is_integer());
+  EXPECT_EQ(list.items()[1].path(), "a[1]");
+  EXPECT_EQ(list.items()[1].position().line, 2);
+  EXPECT_EQ(list.items()[1].position().column, 11);
+  EXPECT_EQ(list.key_position().column, 2);
+  const DocumentNode& object = *root.find("\xC3\xA9");
+  EXPECT_EQ(object.position().line, 3);
+  EXPECT_EQ(object.position().column, 15);  // characters, not bytes
+  EXPECT_EQ(object.key_position().column, 2);
+  EXPECT_EQ(object.find("b")->path(), "\xC3\xA9.b");
+}
+
+TEST(DocumentJson, RemembersWhatWasRead) {
+  const DocumentTree tree = parse_json("{\"used\": [1], \"idle\": {\"x\": 1}}", "f.json");
+  EXPECT_EQ(tree.root->find("used")->items().size(), 1u);
+  EXPECT_FALSE(tree.root->members()[1].was_read());
+  EXPECT_THROW(reject_unread(*tree.root), InputError);
+  EXPECT_NE(tree.root->find("idle")->find("x"), nullptr);
+  EXPECT_NO_THROW(reject_unread(*tree.root));
+}
+
+TEST(DocumentJson, ReadingAsAnotherTypeIsABug) {
+  const DocumentTree tree = parse_json("{\"a\": 1.5}", "f.json");
+  EXPECT_THROW(tree.root->find("a")->text(), std::logic_error);
+  EXPECT_THROW(tree.root->find("a")->integer(), std::logic_error);
+  EXPECT_THROW(tree.root->find("a")->find("b"), std::logic_error);
+}
+
+TEST(DocumentJson, BoundsSizesBeforeTakingMemory) {
+  JsonRules rules;
+  rules.max_bytes = 10;
+  EXPECT_EQ(message_of("[1,2,3,4,5,6]", rules), "a.json: the document has 13 bytes, more than the 10 allowed");
+  rules = {};
+  rules.max_values = 4;
+  EXPECT_EQ(message_of("[1,2,3,4,5]", rules),
+            "a.json:1:8: the document has more than 4 values\n"
+            "    1 | [1,2,3,4,5]\n"
+            "      |        ^");
+  EXPECT_EQ(message_of(std::string(100000, '[')).substr(0, 61),
+            "a.json:1:65: lists and objects are nested more than 64 deep\n ");
+}
+
+TEST(DocumentJson, SyntaxErrorsSayWhatIsExpected) {
+  EXPECT_EQ(message_of("{\"a\": 1,}"),
+            "a.json:1:9: expected a key in double quotes or '}' (no comma may stand before a closing bracket)\n"
+            "    1 | {\"a\": 1,}\n"
+            "      |         ^");
+  EXPECT_EQ(message_of("{\"a\": 1\n \"b\": 2}"),
+            "a.json:2:2: expected ',' or '}' after a value of an object\n"
+            "    2 |  \"b\": 2}\n"
+            "      |  ^");
+  EXPECT_EQ(message_of("[1 2]"),
+            "a.json:1:4: expected ',' or ']' after a value of a list\n"
+            "    1 | [1 2]\n"
+            "      |    ^");
+  EXPECT_EQ(message_of("{\"a\" 1}"),
+            "a.json:1:6: expected ':' after the key\n"
+            "    1 | {\"a\" 1}\n"
+            "      |      ^");
+  EXPECT_EQ(message_of("[1,]"),
+            "a.json:1:4: expected a value (no comma may stand before a closing bracket)\n"
+            "    1 | [1,]\n"
+            "      |    ^");
+  EXPECT_EQ(message_of("{} {}"),
+            "a.json:1:4: expected nothing more after the end of the document\n"
+            "    1 | {} {}\n"
+            "      |    ^");
+  EXPECT_EQ(message_of("{\"a\": 1, \"a\": 2}"),
+            "a.json:1:10: the key 'a' is given twice\n"
+            "    1 | {\"a\": 1, \"a\": 2}\n"
+            "      |          ^");
+  EXPECT_EQ(message_of("{\"a\": 1 m}"),
+            "a.json:1:9: unexpected 'm'; texts and keys stand in double quotes: \"...\"\n"
+            "    1 | {\"a\": 1 m}\n"
+            "      |         ^");
+  EXPECT_EQ(message_of("{\"a\": 1m}"),
+            "a.json:1:7: this is not a number as JSON writes it; a value with a unit is a text: \"1.5 m\"\n"
+            "    1 | {\"a\": 1m}\n"
+            "      |       ^");
+  EXPECT_EQ(message_of("{'a': 1}"),
+            "a.json:1:2: texts and keys stand in double quotes: \"...\"\n"
+            "    1 | {'a': 1}\n"
+            "      |  ^");
+  EXPECT_EQ(message_of("{\"a\": \"b\n}"),
+            "a.json:1:7: this text does not end on its line: '\"' is missing\n"
+            "    1 | {\"a\": \"b\n"
+            "      |       ^");
+  EXPECT_EQ(message_of("{} /* no end"),
+            "a.json:1:4: this comment does not end: '*/' is missing\n"
+            "    1 | {} /* no end\n"
+            "      |    ^");
+  EXPECT_EQ(message_of("[1e400]").substr(0, 11), "a.json:1:2:");
+  EXPECT_EQ(message_of("[\"\\ud800\"]"),
+            "a.json:1:3: half of a surrogate pair; both halves must be written\n"
+            "    1 | [\"\\ud800\"]\n"
+            "      |   ^");
+}
+
+TEST(DocumentJson, ExcerptsShowTheWindowAboutTheCaret) {
+  const std::string message = message_of("{" + std::string(300, ' ') + "x" + std::string(300, ' ') + "}");
+  const std::size_t line = message.find('\n') + 1;
+  const std::size_t caret_line = message.find('\n', line) + 1;
+  const std::string excerpt = message.substr(line, caret_line - line - 1);
+  const std::size_t caret = message.size() - 1 - caret_line;
+  EXPECT_LE(excerpt.size(), 120u);
+  EXPECT_EQ(excerpt[caret], 'x');
+  EXPECT_EQ(message.back(), '^');
+  EXPECT_TRUE(excerpt.ends_with("..."));
+}
+
+TEST(DocumentJson, ExcerptsReplaceWhatCannotBePrinted) {
+  EXPECT_EQ(message_of("[\t\"\x01\"]"),
+            "a.json:1:4: a control character within a text; write it as \\t or \\u00XX\n"
+            "    1 | [ \" \"]\n"
+            "      |    ^");
+  EXPECT_EQ(message_of("[\"\xFF\"]"),
+            "a.json:1:3: the text is not UTF-8 here\n"
+            "    1 | [\"?\"]\n"
+            "      |   ^");
+}
+
+}  // namespace
+}  // namespace ifov::io
