@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -7,14 +8,24 @@
 
 namespace ifov::radiometry {
 
-/// The nodes of one channel: the channel is cut into parts of equal measure (response x reference radiance), and each
-/// part has the one or two Gauss points of that measure. Projection takes a spectrum, as values at the points of the
-/// channel's grid, to its values at the nodes (docs/theory/radiometry.md, equations 5 to 9).
+/// A set of points of a channel's grid, not always neighbours, that one or two nodes stand for. With two nodes,
+/// spectra enter as linear functions of `variable`.
+struct ChannelPart {
+  std::vector<std::uint32_t> points;
+  std::vector<double> variable;  ///< by point; used where order is 2
+  int order = 1;                 ///< nodes: 1 or 2
+};
+
+/// The nodes of one channel: the Gauss points of the measure (response x reference radiance) of each of its parts.
+/// Projection takes a spectrum, as values at the points of the channel's grid, to its values at the nodes
+/// (docs/theory/radiometry.md, equations 6 to 10).
 class NodeRule {
  public:
-  NodeRule(const ChannelGrid& grid, int parts, int order);
+  /// The parts hold every point of the grid once.
+  NodeRule(const ChannelGrid& grid, std::span<const ChannelPart> parts);
 
   std::size_t node_count() const { return nodes_.size(); }
+  /// Mean wavelength of what the node stands for.
   double wavelength_um(std::size_t node) const { return nodes_[node].wavelength_um; }
   /// The channel's radiance is the sum of weight x radiance of nodes; weights add up to 1.
   double weight(std::size_t node) const { return nodes_[node].weight; }
@@ -35,20 +46,20 @@ class NodeRule {
     double measure = 1.0;
     std::vector<double> factor_kernel;  // over the points of the part
     std::vector<double> source_kernel;
-    std::vector<double> planck_kernel;  // over the part's Chebyshev points
+    std::vector<double> planck_kernel;  // over planck_um_
   };
   struct Part {
-    std::size_t first_point, last_point;
+    std::vector<std::uint32_t> points;
     std::size_t first_node, last_node;
-    std::vector<double> planck_um;
   };
-  void add_part(const ChannelGrid& grid, std::size_t first_point, std::size_t last_point, int order);
-  void add_planck_points(const ChannelGrid& grid, Part& part);
+  void add_part(const ChannelGrid& grid, const ChannelPart& part);
+  void choose_planck_points();
   void keep_positive(const Part& part, std::span<double> at_nodes) const;
 
   std::vector<double> grid_um_;
   std::vector<Node> nodes_;
   std::vector<Part> parts_;
+  std::vector<double> planck_um_;
 };
 
 }  // namespace ifov::radiometry

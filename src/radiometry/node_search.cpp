@@ -4,15 +4,23 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "radiometry/planck.h"
 
 namespace ifov::radiometry {
 namespace {
 
-constexpr std::array kTemperatures_k{200.0, 300.0, 450.0, 700.0, 1000.0};
+constexpr int kTemperatures = 5;  // at which emission is checked, from the coldest to the hottest
 constexpr std::size_t kMostInPairs = 16;  // products of different surfaces are checked among the most varied ones
-constexpr double kDarkShare = 1e-3;       // of a white surface's radiance: below it errors count as of it
+constexpr double kDarkShare = 1e-2;
+
+std::vector<double> temperatures_k(const NodeDemands& demands) {
+  std::vector<double> result;
+  for (int i = 0; i < kTemperatures; ++i)
+    result.push_back(demands.coldest_k * std::pow(demands.hottest_k / demands.coldest_k, i / (kTemperatures - 1.0)));
+  return result;
+}
 
 /// One source of light and the surfaces it met on its way, as indices; -1 for none.
 struct Product {
@@ -23,10 +31,11 @@ struct Product {
 /// The products that a rule is judged by, with their channel radiance by full integration.
 class Trial {
  public:
-  Trial(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces) : surfaces_(surfaces) {
+  Trial(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces, const NodeDemands& demands)
+      : surfaces_(surfaces), reflections_(demands.reflections) {
     sources_.push_back(grid.irradiance);
     for (double& value : sources_[0]) value /= std::numbers::pi;
-    for (const double temperature : kTemperatures_k) {
+    for (const double temperature : temperatures_k(demands)) {
       std::vector<double> planck(grid.size());
       for (std::size_t q = 0; q < grid.size(); ++q)
         planck[q] = planck_w_m2_sr_um(grid.wavelength_um[q], temperature);
@@ -48,7 +57,7 @@ class Trial {
       const bool thermal = product.source > 0;
       const double judged = thermal ? std::min(sum, scale - sum) : sum;
       expected_.push_back(sum);
-      scale_.push_back(std::max(judged, kDarkShare * std::max(white, thermal ? scale : 0.0)));
+      scale_.push_back(std::max({judged, kDarkShare * white, thermal ? 0.1 * scale : 0.0}));
     }
   }
 
@@ -87,35 +96,146 @@ class Trial {
     std::sort(by_variation.begin(), by_variation.end());
     for (std::size_t rank = 0; rank < by_variation.size(); ++rank) {
       const int a = by_variation[rank].second;
-      for (std::size_t source = 0; source < sources_.size(); ++source) {
-        products_.push_back({source, {a, -1, -1}});
-        products_.push_back({source, {a, a, -1}});
-      }
-      products_.push_back({0, {a, a, a}});
-      for (std::size_t other = 0; rank < kMostInPairs && other < rank; ++other) {
-        const int b = by_variation[other].second;
-        for (std::size_t source = 0; source < sources_.size(); ++source) products_.push_back({source, {a, b, -1}});
-        products_.push_back({0, {a, a, b}});
-        products_.push_back({0, {a, b, b}});
-      }
+      for (std::size_t source = 0; source < sources_.size(); ++source) products_.push_back({source, {a, -1, -1}});
+      add_products(a, a);
+      for (std::size_t other = 0; rank < kMostInPairs && other < rank; ++other)
+        add_products(a, by_variation[other].second);
     }
   }
 
+  void add_products(int a, int b) {
+    if (reflections_ >= 2)
+      for (std::size_t source = 0; source < sources_.size(); ++source) products_.push_back({source, {a, b, -1}});
+    if (reflections_ < 3) return;
+    products_.push_back({0, {a, a, b}});
+    if (a != b) products_.push_back({0, {a, b, b}});
+  }
+
   std::span<const std::vector<double>> surfaces_;
+  int reflections_;
   std::vector<std::vector<double>> sources_;  // the Sun on a white surface, then blackbodies
   std::vector<Product> products_;
   std::vector<double> expected_, scale_;
 };
 
+/// A part of the channel with what tells how well its nodes stand for it.
+struct TrialPart {
+  ChannelPart part;
+  double variance = 0.0;  // of the spectra within it, times its measure
+  double residual = 0.0;  // what is left of that when they are taken as linear in the part's variable
+  double left() const { return part.order == 1 ? variance : residual; }
+};
+
+/// Spectra as deviations that matter equally: reflectances by their channel mean (of 0.1 at least, the square root of
+/// kDarkShare), blackbodies by the reference radiance.
+class Shapes {
+ public:
+  Shapes(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces, const NodeDemands& demands) {
+    measure_.resize(grid.size());
+    for (std::size_t q = 0; q < grid.size(); ++q) measure_[q] = grid.response[q] * grid.reference[q];
+    const auto add = [&](auto value, double least) {
+      std::vector<double> shape(grid.size());
+      double mean = 0.0, total = 0.0;
+      for (std::size_t q = 0; q < grid.size(); ++q) {
+        shape[q] = value(q);
+        mean += measure_[q] * shape[q];
+        total += measure_[q];
+      }
+      for (double& v : shape) v /= std::max(mean / total, least);
+      shapes_.push_back(std::move(shape));
+    };
+    for (const auto& surface : surfaces) add([&](std::size_t q) { return surface[q]; }, std::sqrt(kDarkShare));
+    for (const double temperature : temperatures_k(demands))
+      add([&](std::size_t q) { return planck_w_m2_sr_um(grid.wavelength_um[q], temperature) / grid.reference[q]; },
+          std::sqrt(kDarkShare));
+  }
+
+  /// Finds the first principal component of the shapes over the part, which becomes its variable.
+  TrialPart analysed(std::vector<std::uint32_t> points) const {
+    const std::size_t count = points.size();
+    double total = 0.0;
+    for (const std::uint32_t q : points) total += measure_[q];
+    std::vector<std::vector<double>> deviation;
+    TrialPart result;
+    for (const auto& shape : shapes_) {
+      double mean = 0.0;
+      for (const std::uint32_t q : points) mean += measure_[q] / total * shape[q];
+      auto& d = deviation.emplace_back(count);
+      for (std::size_t i = 0; i < count; ++i) {
+        d[i] = shape[points[i]] - mean;
+        result.variance += measure_[points[i]] * d[i] * d[i];
+      }
+    }
+    // Power iteration, from the sum of all deviations' squares as a start that no component is orthogonal to.
+    std::vector<double> component(count);
+    for (std::size_t i = 0; i < count; ++i) component[i] = static_cast<double>(i) - 0.5 * static_cast<double>(count - 1);
+    double along = 0.0;
+    for (int step = 0; step < 12; ++step) {
+      double norm = 0.0;
+      for (std::size_t i = 0; i < count; ++i) norm += measure_[points[i]] * component[i] * component[i];
+      if (!(norm > 0.0)) break;
+      for (double& value : component) value /= std::sqrt(norm);
+      std::vector<double> next(count, 0.0);
+      along = 0.0;
+      for (const auto& d : deviation) {
+        double amount = 0.0;
+        for (std::size_t i = 0; i < count; ++i) amount += measure_[points[i]] * component[i] * d[i];
+        along += amount * amount;
+        for (std::size_t i = 0; i < count; ++i) next[i] += amount * d[i];
+      }
+      if (along <= 0.0) break;
+      component = std::move(next);
+    }
+    result.residual = std::max(0.0, result.variance - along);
+    result.part = {std::move(points), std::move(component), 1};
+    return result;
+  }
+
+ private:
+  std::vector<double> measure_;
+  std::vector<std::vector<double>> shapes_;
+};
+
+/// Two nodes for a part that has one; two parts for a part that has two. False where nothing more can be done.
+bool refine(std::vector<TrialPart>& parts, const Shapes& shapes) {
+  const auto worst = std::max_element(parts.begin(), parts.end(),
+                                      [](const TrialPart& a, const TrialPart& b) { return a.left() < b.left(); });
+  if (!(worst->left() > 0.0) || worst->part.points.size() < 2) return false;
+  if (worst->part.order == 1) {
+    worst->part.order = 2;
+    return true;
+  }
+  std::vector<std::uint32_t> low, high;
+  for (std::size_t i = 0; i < worst->part.points.size(); ++i)
+    (worst->part.variable[i] < 0.0 ? low : high).push_back(worst->part.points[i]);
+  if (low.empty() || high.empty()) return false;
+  *worst = shapes.analysed(std::move(low));
+  parts.push_back(shapes.analysed(std::move(high)));
+  return true;
+}
+
+NodeRule rule_of(const ChannelGrid& grid, const std::vector<TrialPart>& parts) {
+  std::vector<ChannelPart> plain;
+  for (const TrialPart& part : parts) plain.push_back(part.part);
+  return NodeRule(grid, plain);
+}
+
 }  // namespace
 
-FoundRule find_rule(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces, double tolerance) {
-  NodeRule rule(grid, 1, 1);
-  if (grid.size() == 1 || surfaces.empty()) return {std::move(rule), 0.0};
-  const Trial trial(grid, surfaces);
+FoundRule find_rule(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces, const NodeDemands& demands) {
+  std::vector<std::uint32_t> all(grid.size());
+  std::iota(all.begin(), all.end(), 0u);
+  if (grid.size() == 1 || surfaces.empty()) {
+    const ChannelPart whole{std::move(all), {}, 1};
+    return {NodeRule(grid, std::span(&whole, 1)), 0.0};
+  }
+  const Trial trial(grid, surfaces, demands);
+  const Shapes shapes(grid, surfaces, demands);
+  std::vector<TrialPart> parts{shapes.analysed(std::move(all))};
+  NodeRule rule = rule_of(grid, parts);
   double worst = trial.worst_error(rule);
-  for (int parts = 1; worst > tolerance && parts <= kMostParts; ++parts) {
-    rule = NodeRule(grid, parts, 2);
+  while (worst > demands.tolerance && rule.node_count() < kMostNodes && refine(parts, shapes)) {
+    rule = rule_of(grid, parts);
     worst = trial.worst_error(rule);
   }
   return {std::move(rule), worst};

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "radiometry/node_demands.h"
 #include "radiometry/node_rule.h"
 
 namespace ifov::radiometry {
@@ -13,9 +14,9 @@ struct FoundRule {
   double worst_error = 0.0;
 };
 
-/// `surfaces`: reflectances at the points of the grid. Stops at `kMostParts` parts, whatever the error then.
-FoundRule find_rule(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces, double tolerance);
+/// `surfaces`: reflectances at the points of the grid. Stops at `kMostNodes` nodes, whatever the error then.
+FoundRule find_rule(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces, const NodeDemands& demands);
 
-inline constexpr int kMostParts = 32;
+inline constexpr std::size_t kMostNodes = 64;
 
 }  // namespace ifov::radiometry

@@ -1,26 +1,30 @@
 #include "radiometry/spectral_nodes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "radiometry/node_search.h"
 
 namespace ifov::radiometry {
+namespace {
+
+/// Numbers that no sensor sees become 0, because denormal floats would slow every product.
+float flushed(double value) { return std::abs(value) < 1e-30 ? 0.0f : static_cast<float>(value); }
+
+}  // namespace
 
 SpectralNodes SpectralNodes::build(std::span<const Channel> channels, const Spectrum& solar_irradiance,
-                                   std::span<const Spectrum> surfaces, double tolerance) {
+                                   std::span<const Spectrum> surfaces, const NodeDemands& demands) {
   SpectralNodes result;
   for (const Channel& channel : channels) {
     const ChannelGrid grid(channel, solar_irradiance);
     std::vector<std::vector<double>> sampled;
     for (const Spectrum& surface : surfaces)
       if (!surface.is_constant()) sampled.push_back(grid.sampled(surface));
-    FoundRule found = find_rule(grid, sampled, tolerance);
+    FoundRule found = find_rule(grid, sampled, demands);
     result.worst_error_ = std::max(result.worst_error_, found.worst_error);
 
     const std::size_t count = found.rule.node_count();
-    if (result.runs_.empty() || result.runs_.back().nodes_per_channel != count)
-      result.runs_.push_back({result.channel_count(), result.channel_count(), result.node_count(), count});
-    ++result.runs_.back().last_channel;
     for (std::size_t node = 0; node < count; ++node) {
       result.weight_.push_back(static_cast<float>(found.rule.weight(node)));
       result.wavelength_um_.push_back(found.rule.wavelength_um(node));
@@ -28,7 +32,27 @@ SpectralNodes SpectralNodes::build(std::span<const Channel> channels, const Spec
     result.first_node_.push_back(result.weight_.size());
     result.rules_.push_back(std::move(found.rule));
   }
+  if (result.node_count() != result.channel_count()) result.arrange_sums();
   return result;
+}
+
+void SpectralNodes::arrange_sums() {
+  for (std::size_t first = 0; first < channel_count(); first += kLanes) {
+    const std::size_t last = std::min(first + kLanes, channel_count());
+    std::size_t depth = 0;
+    for (std::size_t channel = first; channel < last; ++channel)
+      depth = std::max(depth, rules_[channel].node_count());
+    slices_.push_back({slice_weight_.size(), depth});
+    for (std::size_t level = 0; level < depth; ++level)
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        // Where a channel has fewer nodes, its first one with no weight.
+        const std::size_t channel = std::min(first + lane, channel_count() - 1);
+        const bool used = first + lane < last && level < rules_[channel].node_count();
+        const std::size_t node = first_node_[channel] + (used ? level : 0);
+        slice_weight_.push_back(used ? weight_[node] : 0.0f);
+        slice_node_.push_back(static_cast<std::int32_t>(node));
+      }
+  }
 }
 
 template <class Project>
@@ -40,7 +64,7 @@ void SpectralNodes::for_each_rule(std::span<float> nodes, const Project& project
     at_nodes.resize(rule.node_count());
     project(rule, at_points, at_nodes);
     std::transform(at_nodes.begin(), at_nodes.end(), nodes.begin() + static_cast<std::ptrdiff_t>(first_node_[channel]),
-                   [](double value) { return static_cast<float>(value); });
+                   [](double value) { return flushed(value); });
   }
 }
 
@@ -90,18 +114,19 @@ void SpectralNodes::planck_channels(double temperature_k, std::span<double> chan
 }
 
 void SpectralNodes::to_channels(const float* nodes, float* channels) const {
-  for (const Run& run : runs_) {
-    const float* node = nodes + run.first_node;
-    if (run.nodes_per_channel == 1) {
-      std::copy(node, node + (run.last_channel - run.first_channel), channels + run.first_channel);
-      continue;
-    }
-    const float* weight = weight_.data() + run.first_node;
-    for (std::size_t channel = run.first_channel; channel < run.last_channel; ++channel) {
-      float sum = 0.0f;
-      for (std::size_t i = 0; i < run.nodes_per_channel; ++i) sum += *weight++ * *node++;
-      channels[channel] = sum;
-    }
+  if (slices_.empty()) {
+    std::copy(nodes, nodes + node_count(), channels);
+    return;
+  }
+  std::size_t first = 0;
+  for (const Slice& slice : slices_) {
+    float sum[kLanes] = {};
+    const float* weight = slice_weight_.data() + slice.first_entry;
+    const std::int32_t* node = slice_node_.data() + slice.first_entry;
+    for (std::size_t level = 0; level < slice.depth; ++level, weight += kLanes, node += kLanes)
+      for (std::size_t lane = 0; lane < kLanes; ++lane) sum[lane] += weight[lane] * nodes[node[lane]];
+    std::copy(sum, sum + std::min(kLanes, channel_count() - first), channels + first);
+    first += kLanes;
   }
 }
 

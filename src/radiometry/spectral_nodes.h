@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "radiometry/channel.h"
+#include "radiometry/node_demands.h"
 #include "radiometry/node_rule.h"
 #include "radiometry/spectrum.h"
 
@@ -13,20 +15,19 @@ namespace ifov::radiometry {
 /// The spectral columns that paths carry. Each channel has one or a few nodes; light that meets several surfaces is
 /// multiplied node by node, and the nodes of a channel are then added with weights. There are as few of them as
 /// keep each channel within a tolerance of full integration, for sunlight reflected by up to three of the given
-/// surfaces and for thermal emission of 200 to 1000 K from them, directly or by one reflection.
+/// surfaces and for thermal emission of 200 to 1000 K, direct or after one or two reflections (NodeDemands).
 ///
-/// Nodes are Gauss points of the measure (response x source) within a part of the channel; a spectrum enters them by
-/// its least-squares polynomial under that measure. So one reflection of sunlight is exact with any number of nodes,
-/// and two nodes are exact for products of three spectra that are linear within the channel
-/// (docs/theory/radiometry.md).
+/// Nodes are Gauss points of the measure (response x source) over a part of the channel; a spectrum enters them by
+/// its least-squares line in a variable along which the given surfaces vary most. So one reflection of sunlight is
+/// exact with any number of nodes, and two nodes are exact for products of three spectra that are linear in that
+/// variable (docs/theory/radiometry.md).
 class SpectralNodes {
  public:
-  /// `solar_irradiance`: W m-2 um-1 at the top of the scene, Spectrum() without a Sun. `surfaces`: reflectances
-  /// and transmittances, 0 to 1. `tolerance`: allowed relative error of a channel's radiance (of a thousandth of a
-  /// white surface's radiance, where the radiance is darker than that).
-  /// A spectrum that does not cover a channel, and says that this is an error, throws InputError.
+  /// `solar_irradiance`: W m-2 um-1 at the top of the scene, Spectrum() without a Sun. `surfaces`: reflectances and
+  /// transmittances, 0 to 1. A spectrum that does not cover a channel, and says that this is an error, throws
+  /// InputError.
   static SpectralNodes build(std::span<const Channel> channels, const Spectrum& solar_irradiance,
-                             std::span<const Spectrum> surfaces, double tolerance = 5e-4);
+                             std::span<const Spectrum> surfaces, const NodeDemands& demands = {});
 
   std::size_t node_count() const { return weight_.size(); }
   std::size_t channel_count() const { return rules_.size(); }
@@ -49,22 +50,27 @@ class SpectralNodes {
   /// The same by channel: the mean of Planck's law over the response. Span: channel_count().
   void planck_channels(double temperature_k, std::span<double> channels) const;
 
-  /// Weighted sums of nodes: from node_count() to channel_count() numbers. `channels` may be `nodes`.
+  /// Weighted sums of nodes: from node_count() to channel_count() numbers, which may stand in the same place.
   void to_channels(const float* nodes, float* channels) const;
 
  private:
   template <class Project>
   void for_each_rule(std::span<float> nodes, const Project& project) const;
 
-  /// Neighbouring channels that have equally many nodes.
-  struct Run {
-    std::size_t first_channel, last_channel, first_node, nodes_per_channel;
+  static constexpr std::size_t kLanes = 8;
+  /// Eight channels, summed side by side: `depth` rows of eight weights and eight node numbers.
+  struct Slice {
+    std::size_t first_entry, depth;
   };
+  void arrange_sums();
+
   std::vector<NodeRule> rules_;  // by channel
   std::vector<std::size_t> first_node_{0};
   std::vector<float> weight_;
   std::vector<double> wavelength_um_;
-  std::vector<Run> runs_;
+  std::vector<Slice> slices_;  // empty where every channel has one node
+  std::vector<float> slice_weight_;
+  std::vector<std::int32_t> slice_node_;
   double worst_error_ = 0.0;
 };
 

@@ -1,0 +1,89 @@
+#include <gtest/gtest.h>
+
+#include "io/raster/raster.h"
+#include "io/spectra_files.h"
+#include "support/truth_data.h"
+
+namespace ifov::io {
+namespace {
+
+using test::ScratchFile;
+
+const std::string kGrid =
+    "ncols 3\nnrows 2\nxllcorner 100.0\nyllcorner 200.0\ncellsize 10.0\nNODATA_value -9\n1 2 3\n4 5.5 -9\n";
+
+TEST(Raster, ReadsAnAsciiGrid) {
+  const ScratchFile file("grid.asc", kGrid);
+  const Raster raster = read_raster(file.path());
+  EXPECT_EQ(raster.width, 3);
+  EXPECT_EQ(raster.height, 2);
+  EXPECT_EQ(raster.bands, 1);
+  EXPECT_FLOAT_EQ(raster.at(0, 0, 2), 3.0f);
+  EXPECT_FLOAT_EQ(raster.at(0, 1, 1), 5.5f);
+  ASSERT_TRUE(raster.nodata.has_value());
+  EXPECT_DOUBLE_EQ(*raster.nodata, -9.0);
+  ASSERT_TRUE(raster.geotransform.has_value());
+  EXPECT_DOUBLE_EQ((*raster.geotransform)[0], 100.0);
+  EXPECT_DOUBLE_EQ((*raster.geotransform)[3], 220.0);
+  EXPECT_DOUBLE_EQ((*raster.geotransform)[5], -10.0);
+}
+
+TEST(Raster, ABarePictureHasNoMap) {
+  const ScratchFile file("p.pgm", std::string("P5\n2 2\n255\n") + '\x01' + '\x02' + '\x03' + '\x04');
+  const Raster raster = read_raster(file.path());
+  EXPECT_FALSE(raster.geotransform.has_value());
+  EXPECT_FALSE(raster.nodata.has_value());
+  EXPECT_FLOAT_EQ(raster.at(0, 1, 0), 3.0f);
+}
+
+TEST(Raster, SizeIsCheckedFirst) {
+  const ScratchFile file("grid.asc", kGrid);
+  EXPECT_EQ(test::input_error(file.path(), [](const std::filesystem::path& p) { read_raster(p, 5); }),
+            "FILE: a raster of 3 x 2 x 1 numbers is larger than the 5 that are read");
+  EXPECT_NO_THROW(read_raster(file.path(), 6));
+  const ScratchFile huge("huge.asc",
+                         "ncols 2000000000\nnrows 2000000000\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n");
+  EXPECT_THROW(read_raster(huge.path()), InputError);
+}
+
+TEST(Raster, OtherDriversAndVirtualFilesAreNotTried) {
+  const ScratchFile grid("grid.asc", kGrid);
+  const ScratchFile vrt("a.vrt", "<VRTDataset rasterXSize=\"3\" rasterYSize=\"2\"><VRTRasterBand dataType=\"Float32\" "
+                                 "band=\"1\"><SimpleSource><SourceFilename>" + grid.path().string() +
+                                 "</SourceFilename></SimpleSource></VRTRasterBand></VRTDataset>");
+  EXPECT_NE(test::input_error(vrt.path(), [](const auto& p) { read_raster(p); })
+                .find("not a raster of a kind that is read (GTiff, ENVI, PNG, JPEG, BMP, AAIGrid, HFA, PNM)"),
+            std::string::npos);
+  EXPECT_THROW(read_raster("/vsizip/a.zip/b.tif"), EnvironmentError);
+  EXPECT_THROW(read_raster("/nowhere/a.tif"), EnvironmentError);
+  EXPECT_THROW(read_raster(std::filesystem::temp_directory_path()), EnvironmentError);
+}
+
+TEST(Raster, DamagedFilesAreErrors) {
+  const auto file = test::truth_file("malformed/rasterio/corrupt.tif");
+  if (!file) GTEST_SKIP() << "reference data not found: malformed/rasterio/corrupt.tif";
+  EXPECT_NE(test::input_error(*file, [](const auto& p) { read_raster(p); }).find("the raster is damaged"),
+            std::string::npos);
+}
+
+TEST(Raster, CutFilesNeverCrash) {
+  for (std::size_t length = 0; length < kGrid.size(); length += 3) {
+    const ScratchFile file("cut.asc", kGrid.substr(0, length));
+    try {
+      read_raster(file.path());
+    } catch (const InputError&) {
+    }
+  }
+}
+
+TEST(Raster, ReferenceElevations) {
+  const auto file = test::truth_file("scenes/dem/dem.tif");
+  if (!file) GTEST_SKIP() << "reference data not found: scenes/dem/dem.tif";
+  const Raster raster = read_raster(*file);
+  EXPECT_GT(raster.width, 1);
+  EXPECT_FALSE(raster.projection.empty());
+  EXPECT_TRUE(raster.geotransform.has_value());
+}
+
+}  // namespace
+}  // namespace ifov::io
