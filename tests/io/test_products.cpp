@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstring>
+#include <fstream>
+#include <sstream>
 #include <thread>
 
 #include "core/error.h"
+#include "io/products/bil_cube.h"
 #include "io/products/envi_reader.h"
 #include "io/products/sha256.h"
 #include "io/synthetic_image.h"
@@ -113,7 +117,8 @@ TEST(ProductWriter, OddSizesInAnyTileOrder) {
   const struct {
     SyntheticImage image;
     int side;
-  } cases[] = {{{37, 23, 7}, 16}, {{1, 1, 1}, 16}, {{64, 16, 17}, 16}, {{5, 130, 3}, 64}, {{130, 5, 33}, 7}};
+  } cases[] = {{{37, 23, 7}, 16}, {{1, 1, 1}, 16},   {{64, 16, 17}, 16},
+               {{5, 130, 3}, 64}, {{130, 5, 33}, 7}, {{256, 9, 19}, 16}};
   for (const auto& c : cases)
     for (const std::uint64_t seed : {1u, 2u}) {
       const ScratchFolder folder("order");
@@ -128,6 +133,32 @@ TEST(ProductWriter, TilesOfUnequalRowsAreWrittenSegmentBySegment) {
   write_image(image, options_in(folder.path()),
               {{0, 0, 8, 12}, {8, 0, 20, 5}, {8, 5, 14, 12}, {14, 5, 20, 12}});
   expect_all_cubes(image, folder.path());
+}
+
+TEST(BilCube, BoundedMemoryHoldsWhatComesInAnyOrder) {
+  for (const int width : {256, 100}) {
+    const SyntheticImage image{width, 70, 5};
+    const ScratchFolder folder("bounded");
+    BilCube cube(folder.path() / "x.img", image.width, image.height, image.channels, BilCube::Values::real,
+                 1);
+    const auto tiles = shuffled(image.tiles(8), 3);
+    std::atomic<std::size_t> next{0};
+    std::vector<std::thread> workers;
+    for (int t = 0; t < 4; ++t)
+      workers.emplace_back([&] {
+        for (std::size_t k; (k = next++) < tiles.size();)
+          cube.write(tiles[k], std::span<const float>(image.tile(tiles[k]).mean));
+      });
+    for (auto& worker : workers) worker.join();
+    cube.flush();
+    const RasterView view = cube.view();
+    std::vector<float> line(static_cast<std::size_t>(width));
+    for (int y = 0; y < image.height; ++y)
+      for (int c = 0; c < image.channels; ++c) {
+        view.read(y, c, line);
+        for (int x = 0; x < width; ++x) ASSERT_EQ(line[static_cast<std::size_t>(x)], image.radiance(x, y, c));
+      }
+  }
 }
 
 TEST(ProductWriter, SameBytesFromAnyNumberOfThreads) {

@@ -1,174 +1,172 @@
 #include "io/products/bil_cube.h"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <bit>
-#include <cstring>
+#include <cstdlib>
+#include <new>
 #include <stdexcept>
 
-#include "core/format.h"
+#include "io/products/turned_bands.h"
 
 namespace ifov::io {
 namespace {
 
-// Bands turned together: a block of them for one tile row stays in the first-level cache.
-constexpr int kBandBlock = 16;
+// Rows of such lengths in values would share the same few sets of the caches: turning bands then takes 2.5
+// times as long.
+constexpr int kBadStride = 256;
+constexpr int kPadding = 16;
 
-// Lines are gathered into pieces of about this many values before they are written.
-constexpr std::size_t kPieceWords = std::size_t{1} << 20;
+constexpr std::size_t kMostSpares = 4;
 
-std::size_t words(int a, int b = 1, int c = 1) {
+constexpr std::size_t kHugePage = std::size_t{2} << 20;
+
+std::size_t product(int a, int b = 1, int c = 1) {
   return static_cast<std::size_t>(a) * static_cast<std::size_t>(b) * static_cast<std::size_t>(c);
 }
 
-/// [pixel][band] of one tile to [row][band][x], the values' bits unchanged.
-template <class T>
-std::unique_ptr<std::uint32_t[]> turned(sampling::PixelRect tile, int bands, std::span<const T> values) {
-  if (values.size() != words(tile.width(), tile.height(), bands))
-    throw std::logic_error("a tile's values do not match its size");
-  auto result = std::make_unique_for_overwrite<std::uint32_t[]>(values.size());
-  const std::size_t width = words(tile.width()), band_count = words(bands);
-  for (int row = 0; row < tile.height(); ++row) {
-    const T* from = values.data() + words(row, tile.width(), bands);
-    std::uint32_t* to = result.get() + words(row, tile.width(), bands);
-    for (std::size_t first = 0; first < band_count; first += kBandBlock) {
-      const std::size_t last = std::min<std::size_t>(first + kBandBlock, band_count);
-      for (std::size_t x = 0; x < width; ++x)
-        for (std::size_t band = first; band < last; ++band)
-          to[band * width + x] = std::bit_cast<std::uint32_t>(from[x * band_count + band]);
-    }
-  }
-  return result;
-}
-
 }  // namespace
+
+void BilCube::Free::operator()(void* memory) const { std::free(memory); }
 
 BilCube::BilCube(std::filesystem::path path, int width, int height, int bands, Values values,
                  std::size_t buffer_limit_bytes)
     : width_(width),
       height_(height),
       bands_(bands),
+      stride_(width % kBadStride == 0 ? width + kPadding : width),
       values_(values),
       buffer_limit_bytes_(buffer_limit_bytes),
       file_(std::move(path)) {
   static_assert(std::endian::native == std::endian::little, "headers say byte order = 0");
 }
 
-std::uint64_t BilCube::bytes() const {
-  return std::uint64_t{4} * static_cast<std::uint64_t>(width_) * static_cast<std::uint64_t>(height_) *
-         static_cast<std::uint64_t>(bands_);
-}
+std::uint64_t BilCube::bytes() const { return 4 * product(width_, height_, bands_); }
 
 void BilCube::write(sampling::PixelRect tile, std::span<const float> values) {
-  add(tile, turned(tile, bands_, values));
+  add(tile, values.data(), values.size());
 }
 
 void BilCube::write(sampling::PixelRect tile, std::span<const std::uint32_t> values) {
-  add(tile, turned(tile, bands_, values));
+  add(tile, values.data(), values.size());
 }
 
-void BilCube::add(sampling::PixelRect tile, std::unique_ptr<std::uint32_t[]> values) {
+void BilCube::add(sampling::PixelRect tile, const void* values, std::size_t count) {
   if (tile.x0 < 0 || tile.y0 < 0 || tile.x1 > width_ || tile.y1 > height_ || tile.x0 >= tile.x1 ||
       tile.y0 >= tile.y1)
     throw std::logic_error("a tile lies outside the image");
-  Strip ready;
-  {
-    const std::lock_guard lock(mutex_);
-    const auto key = std::pair(tile.y0, tile.y1);
-    Strip& strip = strips_[key];
-    strip.y0 = tile.y0;
-    strip.y1 = tile.y1;
-    strip.pixels += tile.count();
-    strip.blocks.push_back({tile.x0, tile.width(), std::move(values)});
-    buffered_bytes_ += 4 * words(tile.width(), tile.height(), bands_);
-    if (strip.pixels == static_cast<std::int64_t>(width_) * tile.height()) {
-      ready = take(strips_.find(key));
-    } else if (buffered_bytes_ > buffer_limit_bytes_) {
-      ready = take(std::max_element(strips_.begin(), strips_.end(), [this](const auto& a, const auto& b) {
-        return strip_bytes(a.second) < strip_bytes(b.second);
-      }));
-    }
-  }
-  write_strip(std::move(ready));
+  if (count != product(tile.width(), tile.height(), bands_))
+    throw std::logic_error("a tile's values do not match its size");
+
+  const auto strip = enter(tile);
+  const auto* from = static_cast<const std::byte*>(values);
+  for (int row = 0; row < tile.height(); ++row)
+    turn_bands(from + 4 * product(row, tile.width(), bands_), product(tile.width()), product(bands_),
+               strip->buffer.get() + 4 * (product(row, stride_, bands_) + product(tile.x0)),
+               product(stride_));
+  for (Strip& ready : leave(strip, tile)) write_strip(ready);
 }
 
-BilCube::Strip BilCube::take(std::map<std::pair<int, int>, Strip>::iterator place) {
-  Strip strip = std::move(place->second);
-  strips_.erase(place);
-  buffered_bytes_ -= strip_bytes(strip);
+BilCube::Strips::iterator BilCube::enter(sampling::PixelRect tile) {
+  const std::lock_guard lock(mutex_);
+  auto strip = std::find_if(strips_.begin(), strips_.end(),
+                            [&](const Strip& s) { return s.y0 == tile.y0 && s.y1 == tile.y1; });
+  if (strip == strips_.end()) {
+    Strip fresh;
+    fresh.y0 = tile.y0;
+    fresh.y1 = tile.y1;
+    fresh.bytes = 4 * product(stride_, tile.height(), bands_);
+    fresh.buffer = new_buffer(fresh.bytes);
+    buffered_bytes_ += fresh.bytes;
+    strips_.push_front(std::move(fresh));
+    strip = strips_.begin();
+  }
+  ++strip->writers;
   return strip;
 }
 
-std::size_t BilCube::strip_bytes(const Strip& strip) const {
-  return 4 * static_cast<std::size_t>(strip.pixels) * words(bands_);
+/// The strips that are to be written now.
+BilCube::Strips BilCube::leave(Strips::iterator strip, sampling::PixelRect tile) {
+  const std::lock_guard lock(mutex_);
+  --strip->writers;
+  strip->pixels += tile.count();
+  strip->extents.emplace_back(tile.x0, tile.x1);
+  Strips ready;
+  const auto take = [&](Strips::iterator which) {
+    buffered_bytes_ -= which->bytes;
+    ready.splice(ready.end(), strips_, which);
+  };
+  if (strip->writers == 0 && strip->pixels == static_cast<std::int64_t>(width_) * tile.height()) take(strip);
+  // Too many open strips: the fullest that nobody is at work in goes, whole or not.
+  while (buffered_bytes_ > buffer_limit_bytes_) {
+    auto fullest = strips_.end();
+    for (auto s = strips_.begin(); s != strips_.end(); ++s)
+      if (s->writers == 0 && (fullest == strips_.end() || s->pixels > fullest->pixels)) fullest = s;
+    if (fullest == strips_.end()) break;
+    take(fullest);
+  }
+  return ready;
+}
+
+BilCube::Buffer BilCube::new_buffer(std::size_t bytes) {
+  if (!spares_.empty() && spare_bytes_ == bytes) {
+    Buffer buffer = std::move(spares_.back());
+    spares_.pop_back();
+    return buffer;
+  }
+  const std::size_t alignment = bytes >= kHugePage ? kHugePage : 64;
+  const std::size_t size = (bytes + alignment - 1) / alignment * alignment;
+  Buffer buffer(static_cast<std::byte*>(std::aligned_alloc(alignment, size)));
+  if (!buffer) throw std::bad_alloc();
+  if (bytes >= kHugePage) madvise(buffer.get(), size, MADV_HUGEPAGE);
+  return buffer;
 }
 
 void BilCube::flush() {
-  while (true) {
-    Strip strip;
-    {
-      const std::lock_guard lock(mutex_);
-      if (strips_.empty()) return;
-      strip = take(strips_.begin());
-    }
-    write_strip(std::move(strip));
-  }
+  for (Strip& strip : strips_) write_strip(strip);
+  strips_.clear();
+  buffered_bytes_ = 0;
+  spares_.clear();
 }
 
-void BilCube::write_strip(Strip strip) {
-  auto& blocks = strip.blocks;
-  std::sort(blocks.begin(), blocks.end(), [](const Block& a, const Block& b) { return a.x0 < b.x0; });
-  for (std::size_t first = 0; first < blocks.size();) {
-    std::size_t last = first + 1;  // blocks [first, last) lie side by side
-    while (last < blocks.size() && blocks[last].x0 == blocks[last - 1].x0 + blocks[last - 1].width) ++last;
-    write_run(strip, first, last);
-    first = last;
+void BilCube::write_strip(Strip& strip) {
+  if (strip.pixels == static_cast<std::int64_t>(width_) * (strip.y1 - strip.y0)) {
+    file_.write_rows_at(4 * product(strip.y0, width_, bands_), strip.buffer.get(), 4 * product(width_),
+                        4 * product(stride_), product(strip.y1 - strip.y0, bands_));
+  } else {
+    std::sort(strip.extents.begin(), strip.extents.end());
+    for (std::size_t first = 0; first < strip.extents.size();) {
+      std::size_t last = first;  // extents [first, last] lie side by side
+      while (last + 1 < strip.extents.size() && strip.extents[last + 1].first == strip.extents[last].second)
+        ++last;
+      write_segments(strip, strip.extents[first].first, strip.extents[last].second);
+      first = last + 1;
+    }
   }
+  const std::lock_guard lock(mutex_);
+  if (spare_bytes_ != strip.bytes) spares_.clear();
+  spare_bytes_ = strip.bytes;
+  if (spares_.size() < kMostSpares) spares_.push_back(std::move(strip.buffer));
 }
 
-void BilCube::write_run(const Strip& strip, std::size_t first, std::size_t last) {
-  const int x0 = strip.blocks[first].x0;
-  const int run = strip.blocks[last - 1].x0 + strip.blocks[last - 1].width - x0;
-  const int rows = strip.y1 - strip.y0;
-  const std::size_t line_words = words(run, bands_);
-  const int lines_at_once =
-      static_cast<int>(std::clamp<std::size_t>(kPieceWords / line_words, 1, static_cast<std::size_t>(rows)));
-  auto piece = std::make_unique_for_overwrite<std::uint32_t[]>(line_words * words(lines_at_once));
-
-  for (int row0 = 0; row0 < rows; row0 += lines_at_once) {
-    const int row1 = std::min(row0 + lines_at_once, rows);
-    for (int row = row0; row < row1; ++row) {
-      std::uint32_t* line = piece.get() + line_words * words(row - row0);
-      for (std::size_t b = first; b < last; ++b) {
-        const Block& block = strip.blocks[b];
-        const std::uint32_t* from = block.words.get() + words(row, block.width, bands_);
-        std::uint32_t* to = line + (block.x0 - x0);
-        for (int band = 0; band < bands_; ++band, from += block.width, to += run)
-          std::memcpy(to, from, 4 * words(block.width));
-      }
+void BilCube::write_segments(const Strip& strip, int x0, int x1) {
+  const std::size_t bytes = 4 * product(x1 - x0);
+  for (int row = 0; row < strip.y1 - strip.y0; ++row)
+    for (int band = 0; band < bands_; ++band) {
+      const std::size_t in_strip = (product(row, bands_) + product(band)) * product(stride_) + product(x0);
+      const std::size_t in_file =
+          (product(strip.y0 + row, bands_) + product(band)) * product(width_) + product(x0);
+      file_.write_at(4 * in_file, strip.buffer.get() + 4 * in_strip, bytes);
     }
-    if (run == width_) {
-      file_.write_at(4 * words(strip.y0 + row0) * line_words, piece.get(),
-                     4 * line_words * words(row1 - row0));
-      continue;
-    }
-    for (int row = row0; row < row1; ++row)
-      for (int band = 0; band < bands_; ++band) {
-        const std::size_t target = (words(strip.y0 + row, bands_) + words(band)) * words(width_) + words(x0);
-        file_.write_at(4 * target, piece.get() + line_words * words(row - row0) + words(band, run),
-                       4 * words(run));
-      }
-  }
 }
 
 RasterView BilCube::view() const {
   return {width_, height_, bands_, [this](int line, int band, std::span<float> values) {
-            const std::uint64_t offset = 4 * (words(line, bands_) + words(band)) * words(width_);
-            file_.read_at(offset, values.data(), 4 * words(width_));
+            const std::uint64_t offset = 4 * (product(line, bands_) + product(band)) * product(width_);
+            file_.read_at(offset, values.data(), 4 * product(width_));
             if (values_ == Values::integer)
-              for (int x = 0; x < width_; ++x) {
-                float& value = values[static_cast<std::size_t>(x)];
-                value = static_cast<float>(std::bit_cast<std::uint32_t>(value));
-              }
+              for (float& value : values) value = static_cast<float>(std::bit_cast<std::uint32_t>(value));
           }};
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
+#include <list>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -15,12 +15,13 @@
 namespace ifov::io {
 
 /// A band-interleaved-by-line cube of 4-byte values, filled tile by tile in any order, from any thread. Tiles
-/// side by side wait in memory until they make whole lines, which go out in one piece: a line of one band of
-/// one tile is only some dozen bytes. What waits is bounded; beyond it incomplete strips are written segment
-/// by segment.
+/// side by side are gathered in memory into whole lines, which go out in one piece: a line of one band of one
+/// tile is only some dozen bytes. What waits is bounded; beyond it incomplete strips are written segment by
+/// segment.
 class BilCube {
  public:
   enum class Values { real, integer };  ///< float or 32-bit unsigned
+
   BilCube(std::filesystem::path path, int width, int height, int bands, Values values = Values::real,
           std::size_t buffer_limit_bytes = std::size_t{192} << 20);
 
@@ -34,7 +35,7 @@ class BilCube {
   void write(sampling::PixelRect tile, std::span<const float> values);
   void write(sampling::PixelRect tile, std::span<const std::uint32_t> values);
 
-  /// Writes all that waits.
+  /// Writes all that waits; no write() may be under way.
   void flush();
 
   /// After flush(): one line of one band as floats; integer cubes are converted. Valid as long as the cube
@@ -45,29 +46,40 @@ class BilCube {
   const PartFile& file() const { return file_; }
 
  private:
-  struct Block {  // one tile, turned to [row][band][x]
-    int x0 = 0, width = 0;
-    std::unique_ptr<std::uint32_t[]> words;
+  struct Free {
+    void operator()(void* memory) const;
   };
+  using Buffer = std::unique_ptr<std::byte, Free>;
+
+  /// All tiles that share their first and last line, as the file will have them: [row][band][x],
+  /// x padded to stride_.
   struct Strip {
     int y0 = 0, y1 = 0;
-    std::int64_t pixels = 0;
-    std::vector<Block> blocks;
+    std::int64_t pixels = 0;                   // finished
+    int writers = 0;                           // at work in it
+    std::vector<std::pair<int, int>> extents;  // [x0, x1) of finished tiles
+    Buffer buffer;
+    std::size_t bytes = 0;
   };
+  using Strips = std::list<Strip>;
 
-  void add(sampling::PixelRect tile, std::unique_ptr<std::uint32_t[]> values);
-  Strip take(std::map<std::pair<int, int>, Strip>::iterator place);
-  void write_strip(Strip strip);
-  void write_run(const Strip& strip, std::size_t first, std::size_t last);
-  std::size_t strip_bytes(const Strip& strip) const;
+  void add(sampling::PixelRect tile, const void* values, std::size_t count);
+  Strips::iterator enter(sampling::PixelRect tile);
+  Strips leave(Strips::iterator strip, sampling::PixelRect tile);
+  void write_strip(Strip& strip);
+  void write_segments(const Strip& strip, int x0, int x1);
+  Buffer new_buffer(std::size_t bytes);
 
   int width_, height_, bands_;
+  int stride_;  // of a row in memory
   Values values_;
   std::size_t buffer_limit_bytes_;
   PartFile file_;
   std::mutex mutex_;
-  std::map<std::pair<int, int>, Strip> strips_;  // by first and last line
+  Strips strips_;
   std::size_t buffered_bytes_ = 0;
+  std::vector<Buffer> spares_;  // of strips that were written: fresh pages cost more than filling them
+  std::size_t spare_bytes_ = 0;
 };
 
 }  // namespace ifov::io

@@ -3,11 +3,14 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/statvfs.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+#include <vector>
 
 #include "core/error.h"
 
@@ -85,6 +88,24 @@ void PartFile::write_at(std::uint64_t offset, const void* data, std::size_t byte
     from += written;
     offset += static_cast<std::uint64_t>(written);
     bytes -= static_cast<std::size_t>(written);
+  }
+}
+
+void PartFile::write_rows_at(std::uint64_t offset, const void* data, std::size_t row_bytes,
+                             std::size_t stride_bytes, std::size_t rows) {
+  if (row_bytes == stride_bytes) return write_at(offset, data, row_bytes * rows);
+  constexpr std::size_t kAtOnce = 1024;  // IOV_MAX of Linux
+  std::vector<iovec> pieces(std::min(rows, kAtOnce));
+  const auto* from = static_cast<const std::byte*>(data);
+  for (std::size_t first = 0; first < rows; first += kAtOnce) {
+    const std::size_t count = std::min(rows - first, kAtOnce);
+    for (std::size_t k = 0; k < count; ++k)
+      pieces[k] = {const_cast<std::byte*>(from + (first + k) * stride_bytes), row_bytes};
+    const ssize_t written = pwritev(descriptor_, pieces.data(), static_cast<int>(count),
+                                    static_cast<off_t>(offset + first * row_bytes));
+    if (written == static_cast<ssize_t>(count * row_bytes)) continue;
+    for (std::size_t k = 0; k < count; ++k)  // interrupted or failing: row by row, which says why
+      write_at(offset + (first + k) * row_bytes, pieces[k].iov_base, row_bytes);
   }
 }
 

@@ -22,6 +22,9 @@ class PartFile {
 
   /// Safe to call from several threads.
   void write_at(std::uint64_t offset, const void* data, std::size_t bytes);
+  /// Rows that lie `stride_bytes` apart in memory, one behind the other in the file.
+  void write_rows_at(std::uint64_t offset, const void* data, std::size_t row_bytes, std::size_t stride_bytes,
+                     std::size_t rows);
   void read_at(std::uint64_t offset, void* data, std::size_t bytes) const;
 
   void sync();
