@@ -11,7 +11,8 @@
 namespace ifov::geodesy {
 namespace {
 
-/// The Sun as seen from the Earth's centre in the celestial frame (GCRS), au: light time and aberration applied.
+/// The Sun as seen from the Earth's centre in the celestial frame (GCRS), au: light time and aberration
+/// applied.
 void apparent_sun_au(double tt1, double tt2, double sun_au[3]) {
   // TDB differs from TT by less than 2 ms, in which the Earth moves 60 m.
   double heliocentric[2][3], barycentric[2][3];
@@ -37,7 +38,8 @@ void apparent_sun_au(double tt1, double tt2, double sun_au[3]) {
 SunPosition sun_position(UtcTime time, double latitude_rad, double longitude_rad, double height_m,
                          double ut1_minus_utc_s) {
   if (!(std::abs(latitude_rad) <= 0.5 * std::numbers::pi))
-    throw InputError(format("a latitude of {:g} degrees is beyond the poles", latitude_rad * 180.0 / std::numbers::pi));
+    throw InputError(
+        format("a latitude of {:g} degrees is beyond the poles", latitude_rad * 180.0 / std::numbers::pi));
   double tai1, tai2, tt1, tt2, ut11, ut12;
   // 1 is a warning: leap seconds for that year are not known.
   if (eraUtctai(time.jd1, time.jd2, &tai1, &tai2) < 0 ||
@@ -62,11 +64,11 @@ SunPosition sun_position(UtcTime time, double latitude_rad, double longitude_rad
 
   SunPosition sun;
   sun.distance_au = math::length(to_sun);
-  sun.direction_enu = math::normalized({math::dot(to_sun, east), math::dot(to_sun, north), math::dot(to_sun, up)});
+  sun.direction_enu =
+      math::normalized({math::dot(to_sun, east), math::dot(to_sun, north), math::dot(to_sun, up)});
   sun.azimuth_rad = std::atan2(sun.direction_enu.x, sun.direction_enu.y);
   if (sun.azimuth_rad < 0.0) sun.azimuth_rad += 2.0 * std::numbers::pi;
-  sun.elevation_rad =
-      std::atan2(sun.direction_enu.z, std::hypot(sun.direction_enu.x, sun.direction_enu.y));
+  sun.elevation_rad = std::atan2(sun.direction_enu.z, std::hypot(sun.direction_enu.x, sun.direction_enu.y));
   return sun;
 }
 

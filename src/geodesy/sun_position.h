@@ -10,13 +10,13 @@ struct SunPosition {
   double azimuth_rad = 0.0;    ///< clockwise from north, [0, 2 pi)
   double elevation_rad = 0.0;  ///< above the plane normal to the ellipsoid, geometric
   double distance_au = 1.0;
-  math::Vec3 direction_enu;    ///< unit, from the place towards the Sun, east-north-up
+  math::Vec3 direction_enu;  ///< unit, from the place towards the Sun, east-north-up
 };
 
 /// `latitude_rad` and `longitude_rad` (east positive) are geodetic on WGS 84, `height_m` above the ellipsoid.
 /// `ut1_minus_utc_s`: 0 where not known costs at most 0.9 s of time, 13.5 arc seconds.
-/// IAU 2006/2000A precession-nutation and the Earth ephemeris of Bretagnon and Simon as ERFA has them (about 0.01 arc
-/// seconds 1900-2100). Throws InputError for latitudes beyond the poles or years that ERFA refuses.
+/// IAU 2006/2000A precession-nutation and the Earth ephemeris of Bretagnon and Simon as ERFA has them (about
+/// 0.01 arc seconds 1900-2100). Throws InputError for latitudes beyond the poles or years that ERFA refuses.
 SunPosition sun_position(UtcTime time, double latitude_rad, double longitude_rad, double height_m = 0.0,
                          double ut1_minus_utc_s = 0.0);
 

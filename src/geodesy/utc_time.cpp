@@ -10,7 +10,8 @@
 namespace ifov::geodesy {
 namespace {
 
-/// Reads the parts of a time one after the other; any part that is not there is an error about the whole text.
+/// Reads the parts of a time one after the other; any part that is not there is an error about the whole
+/// text.
 class TimeReader {
  public:
   explicit TimeReader(std::string_view text) : all_(text), rest_(text) {}
@@ -63,9 +64,10 @@ class TimeReader {
   bool empty() const { return rest_.empty(); }
 
   [[noreturn]] void fail() const {
-    throw InputError(format("found the time '{}'; expected ISO 8601 with a zone, such as "
-                            "'2003-10-17T19:30:30Z' or '2003-10-17T12:30:30-07:00'",
-                            all_));
+    throw InputError(
+        format("found the time '{}'; expected ISO 8601 with a zone, such as "
+               "'2003-10-17T19:30:30Z' or '2003-10-17T12:30:30-07:00'",
+               all_));
   }
 
  private:
@@ -104,7 +106,8 @@ UtcTime parse_utc(std::string_view text) {
 std::string format_utc(UtcTime time) {
   int year = 0, month = 0, day = 0, hms[4] = {};
   eraD2dtf("UTC", 3, time.jd1, time.jd2, &year, &month, &day, hms);
-  return format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:03}Z", year, month, day, hms[0], hms[1], hms[2], hms[3]);
+  return format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:03}Z", year, month, day, hms[0], hms[1], hms[2],
+                hms[3]);
 }
 
 }  // namespace ifov::geodesy

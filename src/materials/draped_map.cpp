@@ -10,11 +10,12 @@ namespace {
 
 void check(const MapGrid& grid, std::size_t count) {
   if (grid.width < 1 || grid.height < 1 || !(grid.cell_width_m > 0.0) || !(grid.cell_height_m > 0.0))
-    throw InputError(format("a map needs cells of some size: found {} x {} cells of {:g} m x {:g} m", grid.width,
-                            grid.height, grid.cell_width_m, grid.cell_height_m));
+    throw InputError(format("a map needs cells of some size: found {} x {} cells of {:g} m x {:g} m",
+                            grid.width, grid.height, grid.cell_width_m, grid.cell_height_m));
   const std::size_t expected = static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height);
   if (count != expected)
-    throw InputError(format("a map of {} x {} cells needs {} values: found {}", grid.width, grid.height, expected, count));
+    throw InputError(
+        format("a map of {} x {} cells needs {} values: found {}", grid.width, grid.height, expected, count));
 }
 
 /// Cell index of a position in cells, clamped while still a double (an int may not hold it).
@@ -24,7 +25,8 @@ int cell(double position, int count) {
 
 }  // namespace
 
-ClassMap::ClassMap(MapGrid grid, std::vector<std::uint16_t> classes) : grid_(grid), classes_(std::move(classes)) {
+ClassMap::ClassMap(MapGrid grid, std::vector<std::uint16_t> classes)
+    : grid_(grid), classes_(std::move(classes)) {
   check(grid_, classes_.size());
 }
 
@@ -52,15 +54,20 @@ double TemperatureMap::at_k(double x_m, double y_m) const {
   const int right = std::min(column + 1, grid_.width - 1), below = std::min(row + 1, grid_.height - 1);
   const double across = x - column, down = y - row;
   const auto value = [&](int r, int c) {
-    return static_cast<double>(temperature_k_[static_cast<std::size_t>(r) * static_cast<std::size_t>(grid_.width) +
-                                              static_cast<std::size_t>(c)]);
+    return static_cast<double>(
+        temperature_k_[static_cast<std::size_t>(r) * static_cast<std::size_t>(grid_.width) +
+                       static_cast<std::size_t>(c)]);
   };
   const double upper = value(row, column) + across * (value(row, right) - value(row, column));
   const double lower = value(below, column) + across * (value(below, right) - value(below, column));
   return upper + down * (lower - upper);
 }
 
-double TemperatureMap::minimum_k() const { return *std::min_element(temperature_k_.begin(), temperature_k_.end()); }
-double TemperatureMap::maximum_k() const { return *std::max_element(temperature_k_.begin(), temperature_k_.end()); }
+double TemperatureMap::minimum_k() const {
+  return *std::min_element(temperature_k_.begin(), temperature_k_.end());
+}
+double TemperatureMap::maximum_k() const {
+  return *std::max_element(temperature_k_.begin(), temperature_k_.end());
+}
 
 }  // namespace ifov::materials

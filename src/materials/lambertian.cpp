@@ -13,7 +13,8 @@ ScatterSample Lambertian::sample(math::Vec3, math::Normal3 normal, double u1, do
 }
 
 double Lambertian::evaluate(math::Vec3 outgoing, math::Vec3 incoming, math::Normal3 normal) const {
-  return math::dot(normal, incoming) > 0.0 && math::dot(normal, outgoing) > 0.0 ? 1.0 / std::numbers::pi : 0.0;
+  return math::dot(normal, incoming) > 0.0 && math::dot(normal, outgoing) > 0.0 ? 1.0 / std::numbers::pi
+                                                                                : 0.0;
 }
 
 double Lambertian::pdf(math::Vec3, math::Vec3 incoming, math::Normal3 normal) const {

@@ -4,8 +4,8 @@
 
 namespace ifov::materials {
 
-/// Lambert (1760): the same radiance to all sides, BRDF = reflectance / pi. Sampled in proportion to the cosine, so
-/// that the weight is 1.
+/// Lambert (1760): the same radiance to all sides, BRDF = reflectance / pi. Sampled in proportion to the
+/// cosine, so that the weight is 1.
 class Lambertian final : public Scattering {
  public:
   bool is_delta() const override { return false; }

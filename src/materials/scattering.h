@@ -22,9 +22,9 @@ struct UnitSquarePoint {
 };
 
 /// How a surface spreads the light it reflects. The spectral part is a factor outside: BRDF(lambda) =
-/// reflectance(lambda) x evaluate(). All directions are unit vectors that point away from the surface; the normal is
-/// on the side of `outgoing`. Reciprocal, and scatters all that the factor leaves: the directional-hemispherical
-/// reflectance of the shape is 1, so emissivity is 1 - reflectance (Kirchhoff).
+/// reflectance(lambda) x evaluate(). All directions are unit vectors that point away from the surface; the
+/// normal is on the side of `outgoing`. Reciprocal, and scatters all that the factor leaves: the
+/// directional-hemispherical reflectance of the shape is 1, so emissivity is 1 - reflectance (Kirchhoff).
 class Scattering {
  public:
   virtual ~Scattering() = default;

@@ -4,7 +4,8 @@
 
 namespace ifov::materials {
 
-SpectralMaterials::SpectralMaterials(std::span<const Material> materials, const radiometry::SpectralNodes& nodes)
+SpectralMaterials::SpectralMaterials(std::span<const Material> materials,
+                                     const radiometry::SpectralNodes& nodes)
     : reflectance_(materials.size(), nodes.node_count()),
       emissivity_(materials.size(), nodes.node_count()),
       emission_(materials.size(), nodes.node_count()) {

@@ -10,8 +10,8 @@
 
 namespace ifov::materials {
 
-/// The materials of a scene in the nodes of a sensor: aligned rows that the integrator multiplies. Rows are indexed
-/// by material, padded and aligned as SpectrumBlock says.
+/// The materials of a scene in the nodes of a sensor: aligned rows that the integrator multiplies. Rows are
+/// indexed by material, padded and aligned as SpectrumBlock says.
 class SpectralMaterials {
  public:
   SpectralMaterials(std::span<const Material> materials, const radiometry::SpectralNodes& nodes);

@@ -13,7 +13,8 @@ namespace {
 constexpr double kFwhmPerSigma = 2.3548200450309493;  // 2 sqrt(2 ln 2)
 
 double centroid_um(const Spectrum& response) {
-  const Spectrum wavelength({response.first_um(), response.last_um()}, {response.first_um(), response.last_um()});
+  const Spectrum wavelength({response.first_um(), response.last_um()},
+                            {response.first_um(), response.last_um()});
   return weighted_mean(wavelength, response);
 }
 
@@ -61,8 +62,8 @@ Channel Channel::gaussian(std::string name, double centre_um, double fwhm_um) {
   constexpr double kReach = 4.0;  // standard deviations
   const double sigma = fwhm_um / kFwhmPerSigma;
   if (!(fwhm_um > 0.0) || !(centre_um > kReach * sigma))
-    throw InputError(format("channel '{}': a Gaussian at {:g} um with a width of {:g} um is not possible", name,
-                            centre_um, fwhm_um));
+    throw InputError(format("channel '{}': a Gaussian at {:g} um with a width of {:g} um is not possible",
+                            name, centre_um, fwhm_um));
   std::vector<double> wavelength, response;
   for (int i = 0; i <= kSteps; ++i) {
     const double z = kReach * (2.0 * i / kSteps - 1.0);
@@ -75,14 +76,16 @@ Channel Channel::gaussian(std::string name, double centre_um, double fwhm_um) {
 
 Channel Channel::top_hat(std::string name, double first_um, double last_um) {
   if (!(first_um > 0.0) || !(last_um > first_um))
-    throw InputError(format("channel '{}': no top hat reaches from {:g} to {:g} um", name, first_um, last_um));
+    throw InputError(
+        format("channel '{}': no top hat reaches from {:g} to {:g} um", name, first_um, last_um));
   Spectrum table({first_um, last_um}, {1.0, 1.0}, OutsideRange::zero, name);
   return {std::move(name), std::move(table), 0.5 * (first_um + last_um), last_um - first_um};
 }
 
 Channel Channel::tabulated(std::string name, const Spectrum& response) {
   if (response.wavelength_um().size() < 2 || !(response.maximum() > 0.0))
-    throw InputError(format("channel '{}': a response needs two wavelengths or more and a value above 0", name));
+    throw InputError(
+        format("channel '{}': a response needs two wavelengths or more and a value above 0", name));
   Spectrum table = response.mapped([](double value) { return std::max(value, 0.0); })
                        .with_outside(OutsideRange::zero)
                        .with_name(name);
@@ -97,16 +100,18 @@ Channel Channel::monochromatic(std::string name, double wavelength_um) {
 }
 
 double channel_mean(const Channel& channel, const Spectrum& spectrum) {
-  return channel.is_monochromatic() ? spectrum.at(channel.centre_um) : weighted_mean(spectrum, channel.response);
+  return channel.is_monochromatic() ? spectrum.at(channel.centre_um)
+                                    : weighted_mean(spectrum, channel.response);
 }
 
 double channel_planck_w_m2_sr_um(const Channel& channel, double temperature_k) {
-  return mean_of(channel, [&](double wavelength_um) { return planck_w_m2_sr_um(wavelength_um, temperature_k); });
+  return mean_of(channel,
+                 [&](double wavelength_um) { return planck_w_m2_sr_um(wavelength_um, temperature_k); });
 }
 
 double channel_planck_slope_w_m2_sr_um_k(const Channel& channel, double temperature_k) {
-  return mean_of(channel,
-                 [&](double wavelength_um) { return planck_slope_w_m2_sr_um_k(wavelength_um, temperature_k); });
+  return mean_of(
+      channel, [&](double wavelength_um) { return planck_slope_w_m2_sr_um_k(wavelength_um, temperature_k); });
 }
 
 double channel_brightness_temperature_k(const Channel& channel, double radiance_w_m2_sr_um) {
@@ -119,7 +124,8 @@ double channel_brightness_temperature_k(const Channel& channel, double radiance_
     if (!(radiance > 0.0) || !(slope > 0.0)) break;
     const double change = std::log(radiance_w_m2_sr_um / radiance) * radiance / slope;  // of T, first order
     const double next = 1.0 / (1.0 / temperature - change / (temperature * temperature));
-    const double bounded = next > 0.0 ? std::clamp(next, 0.5 * temperature, 2.0 * temperature) : 2.0 * temperature;
+    const double bounded =
+        next > 0.0 ? std::clamp(next, 0.5 * temperature, 2.0 * temperature) : 2.0 * temperature;
     const bool done = std::abs(bounded - temperature) <= 1e-12 * temperature;
     temperature = bounded;
     if (done) break;

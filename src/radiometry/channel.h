@@ -6,8 +6,8 @@
 
 namespace ifov::radiometry {
 
-/// One channel of a sensor: a name and a relative spectral response to energy (any scale, 0 outside its table). The
-/// radiance of a channel is the mean of spectral radiance weighted with the response.
+/// One channel of a sensor: a name and a relative spectral response to energy (any scale, 0 outside its
+/// table). The radiance of a channel is the mean of spectral radiance weighted with the response.
 struct Channel {
   std::string name;
   Spectrum response;       ///< a table; a constant for a monochromatic channel
@@ -20,8 +20,8 @@ struct Channel {
   static Channel gaussian(std::string name, double centre_um, double fwhm_um);
   /// 1 between the two wavelengths, 0 elsewhere.
   static Channel top_hat(std::string name, double first_um, double last_um);
-  /// A table, linear between its points; values below 0 (noise of the measurement) count as 0. Throws InputError
-  /// where no value is above 0.
+  /// A table, linear between its points; values below 0 (noise of the measurement) count as 0. Throws
+  /// InputError where no value is above 0.
   static Channel tabulated(std::string name, const Spectrum& response);
   /// A single wavelength.
   static Channel monochromatic(std::string name, double wavelength_um);

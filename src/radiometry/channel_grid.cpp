@@ -10,8 +10,8 @@
 namespace ifov::radiometry {
 namespace {
 
-// Fine enough that a kink between two points of the grid does not matter; and so dark that no sensor sees it, but
-// keeps the reference from vanishing where there is neither Sun nor heat.
+// Fine enough that a kink between two points of the grid does not matter; and so dark that no sensor sees it,
+// but keeps the reference from vanishing where there is neither Sun nor heat.
 constexpr double kIntervals = 128.0;
 constexpr double kDarkest_w_m2_sr_um = 1e-6;
 

@@ -7,9 +7,9 @@
 
 namespace ifov::radiometry {
 
-/// A channel as a fine sum: the mean of f over the channel is the sum of response[q] f(wavelength_um[q]). At least 256
-/// points, and two between neighbouring points of the response and of the solar spectrum; a monochromatic channel
-/// has one.
+/// A channel as a fine sum: the mean of f over the channel is the sum of response[q] f(wavelength_um[q]). At
+/// least 256 points, and two between neighbouring points of the response and of the solar spectrum; a
+/// monochromatic channel has one.
 struct ChannelGrid {
   std::vector<double> wavelength_um;
   std::vector<double> response;    ///< sums to 1

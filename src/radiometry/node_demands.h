@@ -4,11 +4,11 @@ namespace ifov::radiometry {
 
 /// What the nodes of a channel have to be right for. Asking for less gives fewer nodes.
 struct NodeDemands {
-  /// Allowed relative error of a channel's radiance; radiances darker than a hundredth of a white surface's (a tenth of
-  /// a blackbody's, for thermal light) may err by as much as that would.
+  /// Allowed relative error of a channel's radiance; radiances darker than a hundredth of a white surface's
+  /// (a tenth of a blackbody's, for thermal light) may err by as much as that would.
   double tolerance = 7e-4;
-  /// Surfaces that sunlight meets on its way, 1 to 3; thermal light meets one less. With 1, and nothing that glows, each
-  /// sunlit channel has one node.
+  /// Surfaces that sunlight meets on its way, 1 to 3; thermal light meets one less. With 1, and nothing that
+  /// glows, each sunlit channel has one node.
   int reflections = 3;
   /// Temperatures of what emits.
   double coldest_k = 200.0;

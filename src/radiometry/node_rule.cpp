@@ -20,7 +20,8 @@ std::vector<double> gathered(std::span<const double> values, const std::vector<s
   return result;
 }
 
-/// Gauss points (in standard deviations from the mean) and weights of a measure, and the variable in these units.
+/// Gauss points (in standard deviations from the mean) and weights of a measure, and the variable in these
+/// units.
 struct GaussRule {
   std::vector<double> abscissa{0.0}, share{1.0}, t;
 };
@@ -59,7 +60,8 @@ double allowed_share(double value, double mean, double low, double high) {
 
 }  // namespace
 
-NodeRule::NodeRule(const ChannelGrid& grid, std::span<const ChannelPart> parts) : grid_um_(grid.wavelength_um) {
+NodeRule::NodeRule(const ChannelGrid& grid, std::span<const ChannelPart> parts)
+    : grid_um_(grid.wavelength_um) {
   for (const ChannelPart& part : parts) add_part(grid, part);
   double weights = 0.0;
   for (const Node& node : nodes_) weights += node.weight;
@@ -103,7 +105,8 @@ void NodeRule::add_part(const ChannelGrid& grid, const ChannelPart& part) {
     const double at_node = plain + least * (inverse_reference[i - first_node] - plain);
     node.weight = node.measure * at_node;
     node.source_kernel.resize(count);
-    for (std::size_t q = 0; q < count; ++q) node.source_kernel[q] = node.factor_kernel[q] * inverse[q] / at_node;
+    for (std::size_t q = 0; q < count; ++q)
+      node.source_kernel[q] = node.factor_kernel[q] * inverse[q] / at_node;
   }
   std::vector<double> wavelengths(nodes_.size());
   project_factor(grid.wavelength_um, wavelengths);
@@ -129,7 +132,8 @@ void NodeRule::choose_planck_points() {
   }
   std::vector<double> basis(points);
   for (const Part& part : parts_) {
-    for (std::size_t i = part.first_node; i < part.last_node; ++i) nodes_[i].planck_kernel.assign(planck_um_.size(), 0.0);
+    for (std::size_t i = part.first_node; i < part.last_node; ++i)
+      nodes_[i].planck_kernel.assign(planck_um_.size(), 0.0);
     for (std::size_t q = 0; q < part.points.size(); ++q) {
       if (on_grid) {
         for (std::size_t i = part.first_node; i < part.last_node; ++i)
@@ -172,7 +176,8 @@ void NodeRule::project_source(std::span<const double> at_points, std::span<doubl
     const std::vector<double> values = gathered(at_points, part.points);
     for (std::size_t i = part.first_node; i < part.last_node; ++i)
       at_nodes[i] = sum_of_products(nodes_[i].source_kernel, values);
-    if (std::all_of(values.begin(), values.end(), [](double v) { return v >= 0.0; })) keep_positive(part, at_nodes);
+    if (std::all_of(values.begin(), values.end(), [](double v) { return v >= 0.0; }))
+      keep_positive(part, at_nodes);
   }
 }
 

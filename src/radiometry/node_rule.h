@@ -8,17 +8,17 @@
 
 namespace ifov::radiometry {
 
-/// A set of points of a channel's grid, not always neighbours, that one or two nodes stand for. With two nodes,
-/// spectra enter as linear functions of `variable`.
+/// A set of points of a channel's grid, not always neighbours, that one or two nodes stand for. With two
+/// nodes, spectra enter as linear functions of `variable`.
 struct ChannelPart {
   std::vector<std::uint32_t> points;
   std::vector<double> variable;  ///< by point; used where order is 2
   int order = 1;                 ///< nodes: 1 or 2
 };
 
-/// The nodes of one channel: the Gauss points of the measure (response x reference radiance) of each of its parts.
-/// Projection takes a spectrum, as values at the points of the channel's grid, to its values at the nodes
-/// (docs/theory/radiometry.md, equations 6 to 10).
+/// The nodes of one channel: the Gauss points of the measure (response x reference radiance) of each of its
+/// parts. Projection takes a spectrum, as values at the points of the channel's grid, to its values at the
+/// nodes (docs/theory/radiometry.md, equations 6 to 10).
 class NodeRule {
  public:
   /// The parts hold every point of the grid once.
@@ -33,8 +33,8 @@ class NodeRule {
 
   /// Values of a factor at the nodes, never beyond the values within the node's part.
   void project_factor(std::span<const double> at_points, std::span<double> at_nodes) const;
-  /// Values of a source: their weighted sum over the channel is the channel's mean. Never negative where the source
-  /// is not.
+  /// Values of a source: their weighted sum over the channel is the channel's mean. Never negative where the
+  /// source is not.
   void project_source(std::span<const double> at_points, std::span<double> at_nodes) const;
   /// The same for Planck's law, which needs few points because it is smooth.
   void project_planck(double temperature_k, std::span<double> at_nodes) const;

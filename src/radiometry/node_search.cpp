@@ -12,13 +12,15 @@ namespace ifov::radiometry {
 namespace {
 
 constexpr int kTemperatures = 5;  // at which emission is checked, from the coldest to the hottest
-constexpr std::size_t kMostInPairs = 16;  // products of different surfaces are checked among the most varied ones
+constexpr std::size_t kMostInPairs =
+    16;  // products of different surfaces are checked among the most varied ones
 constexpr double kDarkShare = 1e-2;
 
 std::vector<double> temperatures_k(const NodeDemands& demands) {
   std::vector<double> result;
   for (int i = 0; i < kTemperatures; ++i)
-    result.push_back(demands.coldest_k * std::pow(demands.hottest_k / demands.coldest_k, i / (kTemperatures - 1.0)));
+    result.push_back(demands.coldest_k *
+                     std::pow(demands.hottest_k / demands.coldest_k, i / (kTemperatures - 1.0)));
   return result;
 }
 
@@ -96,7 +98,8 @@ class Trial {
     std::sort(by_variation.begin(), by_variation.end());
     for (std::size_t rank = 0; rank < by_variation.size(); ++rank) {
       const int a = by_variation[rank].second;
-      for (std::size_t source = 0; source < sources_.size(); ++source) products_.push_back({source, {a, -1, -1}});
+      for (std::size_t source = 0; source < sources_.size(); ++source)
+        products_.push_back({source, {a, -1, -1}});
       add_products(a, a);
       for (std::size_t other = 0; rank < kMostInPairs && other < rank; ++other)
         add_products(a, by_variation[other].second);
@@ -105,7 +108,8 @@ class Trial {
 
   void add_products(int a, int b) {
     if (reflections_ >= 2)
-      for (std::size_t source = 0; source < sources_.size(); ++source) products_.push_back({source, {a, b, -1}});
+      for (std::size_t source = 0; source < sources_.size(); ++source)
+        products_.push_back({source, {a, b, -1}});
     if (reflections_ < 3) return;
     products_.push_back({0, {a, a, b}});
     if (a != b) products_.push_back({0, {a, b, b}});
@@ -126,8 +130,8 @@ struct TrialPart {
   double left() const { return part.order == 1 ? variance : residual; }
 };
 
-/// Spectra as deviations that matter equally: reflectances by their channel mean (of 0.1 at least, the square root of
-/// kDarkShare), blackbodies by the reference radiance.
+/// Spectra as deviations that matter equally: reflectances by their channel mean (of 0.1 at least, the square
+/// root of kDarkShare), blackbodies by the reference radiance.
 class Shapes {
  public:
   Shapes(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces, const NodeDemands& demands) {
@@ -144,9 +148,13 @@ class Shapes {
       for (double& v : shape) v /= std::max(mean / total, least);
       shapes_.push_back(std::move(shape));
     };
-    for (const auto& surface : surfaces) add([&](std::size_t q) { return surface[q]; }, std::sqrt(kDarkShare));
+    for (const auto& surface : surfaces)
+      add([&](std::size_t q) { return surface[q]; }, std::sqrt(kDarkShare));
     for (const double temperature : temperatures_k(demands))
-      add([&](std::size_t q) { return planck_w_m2_sr_um(grid.wavelength_um[q], temperature) / grid.reference[q]; },
+      add(
+          [&](std::size_t q) {
+            return planck_w_m2_sr_um(grid.wavelength_um[q], temperature) / grid.reference[q];
+          },
           std::sqrt(kDarkShare));
   }
 
@@ -168,7 +176,8 @@ class Shapes {
     }
     // Power iteration, from the sum of all deviations' squares as a start that no component is orthogonal to.
     std::vector<double> component(count);
-    for (std::size_t i = 0; i < count; ++i) component[i] = static_cast<double>(i) - 0.5 * static_cast<double>(count - 1);
+    for (std::size_t i = 0; i < count; ++i)
+      component[i] = static_cast<double>(i) - 0.5 * static_cast<double>(count - 1);
     double along = 0.0;
     for (int step = 0; step < 12; ++step) {
       double norm = 0.0;
@@ -196,10 +205,11 @@ class Shapes {
   std::vector<std::vector<double>> shapes_;
 };
 
-/// Two nodes for a part that has one; two parts for a part that has two. False where nothing more can be done.
+/// Two nodes for a part that has one; two parts for a part that has two. False where nothing more can be
+/// done.
 bool refine(std::vector<TrialPart>& parts, const Shapes& shapes) {
-  const auto worst = std::max_element(parts.begin(), parts.end(),
-                                      [](const TrialPart& a, const TrialPart& b) { return a.left() < b.left(); });
+  const auto worst = std::max_element(
+      parts.begin(), parts.end(), [](const TrialPart& a, const TrialPart& b) { return a.left() < b.left(); });
   if (!(worst->left() > 0.0) || worst->part.points.size() < 2) return false;
   if (worst->part.order == 1) {
     worst->part.order = 2;
@@ -222,7 +232,8 @@ NodeRule rule_of(const ChannelGrid& grid, const std::vector<TrialPart>& parts) {
 
 }  // namespace
 
-FoundRule find_rule(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces, const NodeDemands& demands) {
+FoundRule find_rule(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces,
+                    const NodeDemands& demands) {
   std::vector<std::uint32_t> all(grid.size());
   std::iota(all.begin(), all.end(), 0u);
   if (grid.size() == 1 || surfaces.empty()) {

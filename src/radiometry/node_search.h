@@ -15,7 +15,8 @@ struct FoundRule {
 };
 
 /// `surfaces`: reflectances at the points of the grid. Stops at `kMostNodes` nodes, whatever the error then.
-FoundRule find_rule(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces, const NodeDemands& demands);
+FoundRule find_rule(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces,
+                    const NodeDemands& demands);
 
 inline constexpr std::size_t kMostNodes = 64;
 

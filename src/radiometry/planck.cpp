@@ -30,8 +30,9 @@ double planck_slope_w_m2_sr_um_k(double wavelength_um, double temperature_k) {
 double brightness_temperature_k(double wavelength_um, double radiance_w_m2_sr_um) {
   if (!(radiance_w_m2_sr_um > 0.0)) return 0.0;
   const double ratio = kFirst / (fifth_power(wavelength_um) * radiance_w_m2_sr_um);
-  const double x = ratio < 1e300 ? std::log1p(ratio)
-                                 : std::log(kFirst) - 5.0 * std::log(wavelength_um) - std::log(radiance_w_m2_sr_um);
+  const double x = ratio < 1e300
+                       ? std::log1p(ratio)
+                       : std::log(kFirst) - 5.0 * std::log(wavelength_um) - std::log(radiance_w_m2_sr_um);
   return kSecond / (wavelength_um * x);
 }
 

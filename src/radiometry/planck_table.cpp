@@ -55,7 +55,8 @@ double PlanckTable::worst_error(const SpectralNodes& nodes) const {
     nodes.planck(temperature, std::span<double>(exact));
     row(temperature, interpolated.row(0));
     for (std::size_t n = 0; n < exact.size(); ++n)
-      worst = std::max(worst, std::abs(interpolated.row(0)[n] - exact[n]) / std::max(exact[n], kDark_w_m2_sr_um));
+      worst =
+          std::max(worst, std::abs(interpolated.row(0)[n] - exact[n]) / std::max(exact[n], kDark_w_m2_sr_um));
   }
   return worst;
 }

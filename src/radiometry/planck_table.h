@@ -7,16 +7,16 @@
 
 namespace ifov::radiometry {
 
-/// Blackbody radiance of every node between two temperatures, for surfaces whose temperature varies from point to
-/// point: cubic Hermite interpolation, relative error at most 1e-5 (of 1e-6 W m-2 sr-1 um-1 where the radiance is
-/// below that).
+/// Blackbody radiance of every node between two temperatures, for surfaces whose temperature varies from
+/// point to point: cubic Hermite interpolation, relative error at most 1e-5 (of 1e-6 W m-2 sr-1 um-1 where
+/// the radiance is below that).
 class PlanckTable {
  public:
   /// Throws InputError unless 0 < t_low_k < t_high_k.
   PlanckTable(const SpectralNodes& nodes, double t_low_k, double t_high_k);
 
-  /// Writes a row of nodes, padded to a multiple of 16 floats as rows of a SpectrumBlock are. Temperatures outside
-  /// the table's range are taken as its nearest end.
+  /// Writes a row of nodes, padded to a multiple of 16 floats as rows of a SpectrumBlock are. Temperatures
+  /// outside the table's range are taken as its nearest end.
   void row(double temperature_k, float* nodes) const;
 
   double t_low_k() const { return t_low_k_; }

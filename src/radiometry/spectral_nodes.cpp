@@ -63,16 +63,19 @@ void SpectralNodes::for_each_rule(std::span<float> nodes, const Project& project
     at_points.resize(rule.grid_um().size());
     at_nodes.resize(rule.node_count());
     project(rule, at_points, at_nodes);
-    std::transform(at_nodes.begin(), at_nodes.end(), nodes.begin() + static_cast<std::ptrdiff_t>(first_node_[channel]),
+    std::transform(at_nodes.begin(), at_nodes.end(),
+                   nodes.begin() + static_cast<std::ptrdiff_t>(first_node_[channel]),
                    [](double value) { return flushed(value); });
   }
 }
 
 void SpectralNodes::average_surface(const Spectrum& spectrum, std::span<float> nodes) const {
-  for_each_rule(nodes, [&](const NodeRule& rule, std::vector<double>& at_points, std::vector<double>& at_nodes) {
-    for (std::size_t q = 0; q < at_points.size(); ++q) at_points[q] = spectrum.at(rule.grid_um()[q]);
-    rule.project_factor(at_points, at_nodes);
-  });
+  for_each_rule(nodes,
+                [&](const NodeRule& rule, std::vector<double>& at_points, std::vector<double>& at_nodes) {
+                  for (std::size_t q = 0; q < at_points.size(); ++q)
+                    at_points[q] = spectrum.at(rule.grid_um()[q]);
+                  rule.project_factor(at_points, at_nodes);
+                });
 }
 
 void SpectralNodes::average_source(const Spectrum& spectrum, std::span<float> nodes) const {
@@ -81,13 +84,14 @@ void SpectralNodes::average_source(const Spectrum& spectrum, std::span<float> no
 }
 
 void SpectralNodes::average_source(std::span<const Spectrum* const> product, std::span<float> nodes) const {
-  for_each_rule(nodes, [&](const NodeRule& rule, std::vector<double>& at_points, std::vector<double>& at_nodes) {
-    for (std::size_t q = 0; q < at_points.size(); ++q) {
-      at_points[q] = 1.0;
-      for (const Spectrum* factor : product) at_points[q] *= factor->at(rule.grid_um()[q]);
-    }
-    rule.project_source(at_points, at_nodes);
-  });
+  for_each_rule(nodes,
+                [&](const NodeRule& rule, std::vector<double>& at_points, std::vector<double>& at_nodes) {
+                  for (std::size_t q = 0; q < at_points.size(); ++q) {
+                    at_points[q] = 1.0;
+                    for (const Spectrum* factor : product) at_points[q] *= factor->at(rule.grid_um()[q]);
+                  }
+                  rule.project_source(at_points, at_nodes);
+                });
 }
 
 void SpectralNodes::planck(double temperature_k, std::span<float> nodes) const {

@@ -12,20 +12,21 @@
 
 namespace ifov::radiometry {
 
-/// The spectral columns that paths carry. Each channel has one or a few nodes; light that meets several surfaces is
-/// multiplied node by node, and the nodes of a channel are then added with weights. There are as few of them as
-/// keep each channel within a tolerance of full integration, for sunlight reflected by up to three of the given
-/// surfaces and for thermal emission of 200 to 1000 K, direct or after one or two reflections (NodeDemands).
+/// The spectral columns that paths carry. Each channel has one or a few nodes; light that meets several
+/// surfaces is multiplied node by node, and the nodes of a channel are then added with weights. There are as
+/// few of them as keep each channel within a tolerance of full integration, for sunlight reflected by up to
+/// three of the given surfaces and for thermal emission of 200 to 1000 K, direct or after one or two
+/// reflections (NodeDemands).
 ///
-/// Nodes are Gauss points of the measure (response x source) over a part of the channel; a spectrum enters them by
-/// its least-squares line in a variable along which the given surfaces vary most. So one reflection of sunlight is
-/// exact with any number of nodes, and two nodes are exact for products of three spectra that are linear in that
-/// variable (docs/theory/radiometry.md).
+/// Nodes are Gauss points of the measure (response x source) over a part of the channel; a spectrum enters
+/// them by its least-squares line in a variable along which the given surfaces vary most. So one reflection
+/// of sunlight is exact with any number of nodes, and two nodes are exact for products of three spectra that
+/// are linear in that variable (docs/theory/radiometry.md).
 class SpectralNodes {
  public:
-  /// `solar_irradiance`: W m-2 um-1 at the top of the scene, Spectrum() without a Sun. `surfaces`: reflectances and
-  /// transmittances, 0 to 1. A spectrum that does not cover a channel, and says that this is an error, throws
-  /// InputError.
+  /// `solar_irradiance`: W m-2 um-1 at the top of the scene, Spectrum() without a Sun. `surfaces`:
+  /// reflectances and transmittances, 0 to 1. A spectrum that does not cover a channel, and says that this is
+  /// an error, throws InputError.
   static SpectralNodes build(std::span<const Channel> channels, const Spectrum& solar_irradiance,
                              std::span<const Spectrum> surfaces, const NodeDemands& demands = {});
 
@@ -38,7 +39,8 @@ class SpectralNodes {
   /// Largest relative error seen in the checks at construction.
   double worst_error() const { return worst_error_; }
 
-  /// A factor of light (reflectance, transmittance): within [0, 1] where the spectrum is. Spans: node_count().
+  /// A factor of light (reflectance, transmittance): within [0, 1] where the spectrum is. Spans:
+  /// node_count().
   void average_surface(const Spectrum& spectrum, std::span<float> nodes) const;
   /// A source of light (radiance, irradiance), or a product of spectra that acts as one (irradiance times
   /// transmittance). The weighted sum over a channel's nodes is the channel's mean, exactly.

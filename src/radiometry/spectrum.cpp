@@ -29,12 +29,13 @@ Spectrum::Spectrum(std::vector<double> wavelength_um, std::vector<double> values
       outside_(outside),
       name_(std::move(name)) {
   if (wavelength_um_.empty() || wavelength_um_.size() != values_.size())
-    throw InputError(format("{} needs as many values as wavelengths, at least one: found {} wavelengths and {} values",
-                            subject(name_), wavelength_um_.size(), values_.size()));
+    throw InputError(
+        format("{} needs as many values as wavelengths, at least one: found {} wavelengths and {} values",
+               subject(name_), wavelength_um_.size(), values_.size()));
   for (std::size_t i = 0; i < values_.size(); ++i) {
     if (!std::isfinite(values_[i]) || !std::isfinite(wavelength_um_[i]) || wavelength_um_[i] <= 0.0)
-      throw InputError(format("{} has an unusable point {}: wavelength {} um, value {}", subject(name_), i + 1,
-                              wavelength_um_[i], values_[i]));
+      throw InputError(format("{} has an unusable point {}: wavelength {} um, value {}", subject(name_),
+                              i + 1, wavelength_um_[i], values_[i]));
     if (i > 0 && wavelength_um_[i] <= wavelength_um_[i - 1])
       throw InputError(format("wavelengths of {} must increase: {} um is followed by {} um", subject(name_),
                               wavelength_um_[i - 1], wavelength_um_[i]));
@@ -48,9 +49,10 @@ double Spectrum::at(double wavelength_um) const {
     if (outside_ == OutsideRange::zero) return 0.0;
     // A billionth of slack, so that an end which went through a change of units still belongs to the range.
     constexpr double kSlack = 1e-9;
-    if (outside_ == OutsideRange::error && (wavelength_um < first * (1.0 - kSlack) || wavelength_um > last * (1.0 + kSlack)))
-      throw InputError(format("{} is given from {:g} to {:g} um and is needed at {:g} um", subject(name_), first,
-                              last, wavelength_um));
+    if (outside_ == OutsideRange::error &&
+        (wavelength_um < first * (1.0 - kSlack) || wavelength_um > last * (1.0 + kSlack)))
+      throw InputError(format("{} is given from {:g} to {:g} um and is needed at {:g} um", subject(name_),
+                              first, last, wavelength_um));
     return wavelength_um < first ? values_.front() : values_.back();
   }
   const auto upper = std::upper_bound(wavelength_um_.begin(), wavelength_um_.end(), wavelength_um);
@@ -97,7 +99,8 @@ Spectrum Spectrum::with_name(std::string name) const {
   return result;
 }
 
-std::vector<double> merged_wavelengths_um(std::span<const Spectrum* const> spectra, double first_um, double last_um) {
+std::vector<double> merged_wavelengths_um(std::span<const Spectrum* const> spectra, double first_um,
+                                          double last_um) {
   std::vector<double> merged{first_um, last_um};
   for (const Spectrum* spectrum : spectra)
     for (const double wavelength : spectrum->wavelength_um())
@@ -129,7 +132,8 @@ double integral(const Spectrum& spectrum, double first_um, double last_um) {
 double weighted_mean(const Spectrum& spectrum, const Spectrum& weight) {
   const double total = weight.is_constant() ? 0.0 : integral(weight, weight.first_um(), weight.last_um());
   if (!(total > 0.0))
-    throw InputError(format("{} cannot weigh a mean: it needs a range and a positive integral", subject(weight.name())));
+    throw InputError(
+        format("{} cannot weigh a mean: it needs a range and a positive integral", subject(weight.name())));
   const Spectrum* factors[] = {&spectrum, &weight};
   return integral_of_product(factors, weight.first_um(), weight.last_um()) / total;
 }

@@ -14,8 +14,8 @@ enum class OutsideRange {
   zero,    ///< nothing there (spectral responses)
 };
 
-/// A function of wavelength, linear between given points, or one number for all wavelengths. Any quantity: the
-/// unit is the caller's. Immutable.
+/// A function of wavelength, linear between given points, or one number for all wavelengths. Any quantity:
+/// the unit is the caller's. Immutable.
 class Spectrum {
  public:
   /// 0 everywhere.
@@ -23,8 +23,8 @@ class Spectrum {
   static Spectrum constant(double value);
   /// Values at strictly increasing wavelengths, as many of one as of the other, all finite (else InputError).
   /// `name` is what error messages call it.
-  Spectrum(std::vector<double> wavelength_um, std::vector<double> values, OutsideRange outside = OutsideRange::error,
-           std::string name = {});
+  Spectrum(std::vector<double> wavelength_um, std::vector<double> values,
+           OutsideRange outside = OutsideRange::error, std::string name = {});
 
   double at(double wavelength_um) const;
   bool is_constant() const { return wavelength_um_.empty(); }
@@ -57,11 +57,13 @@ class Spectrum {
 double integral_of_product(std::span<const Spectrum* const> factors, double first_um, double last_um);
 double integral(const Spectrum& spectrum, double first_um, double last_um);
 
-/// Mean of `spectrum` weighted with `weight`, over the range of `weight` (which must be a table with a positive
-/// integral, else InputError).
+/// Mean of `spectrum` weighted with `weight`, over the range of `weight` (which must be a table with a
+/// positive integral, else InputError).
 double weighted_mean(const Spectrum& spectrum, const Spectrum& weight);
 
-/// Points between which all the spectra are linear, within [first_um, last_um], ends included; sorted, each once.
-std::vector<double> merged_wavelengths_um(std::span<const Spectrum* const> spectra, double first_um, double last_um);
+/// Points between which all the spectra are linear, within [first_um, last_um], ends included; sorted, each
+/// once.
+std::vector<double> merged_wavelengths_um(std::span<const Spectrum* const> spectra, double first_um,
+                                          double last_um);
 
 }  // namespace ifov::radiometry

@@ -1,31 +1,31 @@
-#include "geodesy/sun_position.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "core/error.h"
+#include "geodesy/sun_position.h"
 
 namespace ifov::geodesy {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// The worked example of Reda and Andreas (2004), NREL/TP-560-34302, table A5.1: UT1 = UTC, and a TT that is 2.8 s
-// late, in which the Sun moves 3e-5 degrees.
+// The worked example of Reda and Andreas (2004), NREL/TP-560-34302, table A5.1: UT1 = UTC, and a TT that
+// is 2.8 s late, in which the Sun moves 3e-5 degrees.
 TEST(SunPosition, NrelSpaExample) {
-  const SunPosition sun = sun_position(parse_utc("2003-10-17T12:30:30-07:00"), 39.742476 * kDegree,
-                                       -105.1786 * kDegree, 1830.14);
+  const SunPosition sun =
+      sun_position(parse_utc("2003-10-17T12:30:30-07:00"), 39.742476 * kDegree, -105.1786 * kDegree, 1830.14);
   EXPECT_NEAR(sun.elevation_rad / kDegree, 39.872046, 1e-4);
   EXPECT_NEAR(sun.azimuth_rad / kDegree, 194.340241, 1e-4);
   EXPECT_NEAR(sun.distance_au, 0.9965422974, 5e-5);  // ours is topocentric
   EXPECT_NEAR(refraction_rad(sun.elevation_rad, 820.0, 11.0) / kDegree, 0.016332, 1e-6);
 }
 
-// Meeus, Astronomical Algorithms, example 25.b: 1992 October 13, 0 h TD, apparent right ascension 198.378178 and
-// declination -7.783871 degrees, distance 0.99760775 au. Seen from the pole the elevation is the declination, less
-// the parallax (8.8 arc seconds x cos(declination)) and the tilt of the ellipsoid's normal, which is none there.
+// Meeus, Astronomical Algorithms, example 25.b: 1992 October 13, 0 h TD, apparent right ascension 198.378178
+// and declination -7.783871 degrees, distance 0.99760775 au. Seen from the pole the elevation is the
+// declination, less the parallax (8.8 arc seconds x cos(declination)) and the tilt of the ellipsoid's normal,
+// which is none there.
 TEST(SunPosition, MeeusDeclination) {
   // TD is ahead of UTC by 32.184 + 27 s in 1992.
   const SunPosition sun = sun_position(parse_utc("1992-10-12T23:59:00.816Z"), 90.0 * kDegree, 0.0);
@@ -34,13 +34,14 @@ TEST(SunPosition, MeeusDeclination) {
   EXPECT_NEAR(sun.distance_au, 0.99760775, 2e-5);
 }
 
-// Declinations at solstices over a century: the obliquity of the ecliptic (Laskar: 23.4458 in 1950, 23.4263 in
-// 2100), nutation at most 0.003 degrees.
+// Declinations at solstices over a century: the obliquity of the ecliptic (Laskar: 23.4458 in 1950, 23.4263
+// in 2100), nutation at most 0.003 degrees.
 TEST(SunPosition, SolsticesFrom1950To2050) {
   const struct {
     const char* time;
     double declination_deg;
-  } cases[] = {{"1950-06-21T23:36:00Z", 23.446}, {"2000-06-21T01:48:00Z", 23.439}, {"2050-06-21T03:32:00Z", 23.433}};
+  } cases[] = {
+      {"1950-06-21T23:36:00Z", 23.446}, {"2000-06-21T01:48:00Z", 23.439}, {"2050-06-21T03:32:00Z", 23.433}};
   for (const auto& c : cases) {
     const SunPosition sun = sun_position(parse_utc(c.time), 90.0 * kDegree, 0.0);
     EXPECT_NEAR(sun.elevation_rad / kDegree + 0.0024, c.declination_deg, 0.004) << c.time;
@@ -49,7 +50,8 @@ TEST(SunPosition, SolsticesFrom1950To2050) {
 
 TEST(SunPosition, DirectionAndAnglesAgree) {
   for (const double latitude : {-89.0, -33.0, 0.0, 52.0}) {
-    const SunPosition sun = sun_position(parse_utc("2021-03-05T15:07:09Z"), latitude * kDegree, 4.4 * kDegree);
+    const SunPosition sun =
+        sun_position(parse_utc("2021-03-05T15:07:09Z"), latitude * kDegree, 4.4 * kDegree);
     const math::Vec3 d = direction_enu(sun.azimuth_rad, sun.elevation_rad);
     EXPECT_NEAR(math::length(d - sun.direction_enu), 0.0, 1e-12);
     EXPECT_GE(sun.azimuth_rad, 0.0);
@@ -60,8 +62,10 @@ TEST(SunPosition, DirectionAndAnglesAgree) {
 
 TEST(SunPosition, NoonIsSouthInTheNorthAndNorthInTheSouth) {
   // Equation of time at 2021-04-15 is near zero: at longitude 0 the Sun culminates near 12 h.
-  EXPECT_NEAR(sun_position(parse_utc("2021-04-15T12:00:00Z"), 50.0 * kDegree, 0.0).azimuth_rad / kDegree, 180.0, 0.5);
-  const double south = sun_position(parse_utc("2021-04-15T12:00:00Z"), -50.0 * kDegree, 0.0).azimuth_rad / kDegree;
+  EXPECT_NEAR(sun_position(parse_utc("2021-04-15T12:00:00Z"), 50.0 * kDegree, 0.0).azimuth_rad / kDegree,
+              180.0, 0.5);
+  const double south =
+      sun_position(parse_utc("2021-04-15T12:00:00Z"), -50.0 * kDegree, 0.0).azimuth_rad / kDegree;
   EXPECT_NEAR(std::min(south, 360.0 - south), 0.0, 0.5);
 }
 

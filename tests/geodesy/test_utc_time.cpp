@@ -1,8 +1,7 @@
-#include "geodesy/utc_time.h"
-
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "geodesy/utc_time.h"
 
 namespace ifov::geodesy {
 namespace {
@@ -29,10 +28,10 @@ TEST(UtcTime, SaysWhatItExpects) {
 }
 
 TEST(UtcTime, RefusesWhatIsNoTime) {
-  for (const char* text : {"", "2003", "2003-10-17T19:30:30", "2003-13-01T00:00:00Z", "2003-02-29", "2003-10-17T24:30:00Z",
-                           "2003-10-17T19:60:00Z", "2003-10-17T19:30:61Z", "2017-12-31T23:59:60Z",
-                           "2003-10-17T19:30:30Zx", "2003-10-17T19:30:30+7:00", "2003-10-17T19:30:30.Z",
-                           "2003-10-17T19:30:30+15:00", "2003-10-17 19:30:30Z"})
+  for (const char* text : {"", "2003", "2003-10-17T19:30:30", "2003-13-01T00:00:00Z", "2003-02-29",
+                           "2003-10-17T24:30:00Z", "2003-10-17T19:60:00Z", "2003-10-17T19:30:61Z",
+                           "2017-12-31T23:59:60Z", "2003-10-17T19:30:30Zx", "2003-10-17T19:30:30+7:00",
+                           "2003-10-17T19:30:30.Z", "2003-10-17T19:30:30+15:00", "2003-10-17 19:30:30Z"})
     EXPECT_THROW(parse_utc(text), InputError) << text;
 }
 

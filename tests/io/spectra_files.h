@@ -28,7 +28,8 @@ class ScratchFile {
   std::filesystem::path path_;
 };
 
-/// The message of the InputError that reading a file throws, without the file's path; "no error" where it throws none.
+/// The message of the InputError that reading a file throws, without the file's path; "no error" where it
+/// throws none.
 template <class Read>
 std::string input_error(const std::filesystem::path& path, const Read& read) {
   try {
@@ -36,7 +37,8 @@ std::string input_error(const std::filesystem::path& path, const Read& read) {
   } catch (const InputError& error) {
     std::string text = error.what();
     const std::string name = path.string();
-    if (const std::size_t at = text.find(name); at != std::string::npos) text.replace(at, name.size(), "FILE");
+    if (const std::size_t at = text.find(name); at != std::string::npos)
+      text.replace(at, name.size(), "FILE");
     return text;
   }
   return "no error";

@@ -48,9 +48,11 @@ TEST(Raster, SizeIsCheckedFirst) {
 
 TEST(Raster, OtherDriversAndVirtualFilesAreNotTried) {
   const ScratchFile grid("grid.asc", kGrid);
-  const ScratchFile vrt("a.vrt", "<VRTDataset rasterXSize=\"3\" rasterYSize=\"2\"><VRTRasterBand dataType=\"Float32\" "
-                                 "band=\"1\"><SimpleSource><SourceFilename>" + grid.path().string() +
-                                 "</SourceFilename></SimpleSource></VRTRasterBand></VRTDataset>");
+  const ScratchFile vrt("a.vrt",
+                        "<VRTDataset rasterXSize=\"3\" rasterYSize=\"2\"><VRTRasterBand dataType=\"Float32\" "
+                        "band=\"1\"><SimpleSource><SourceFilename>" +
+                            grid.path().string() +
+                            "</SourceFilename></SimpleSource></VRTRasterBand></VRTDataset>");
   EXPECT_NE(test::input_error(vrt.path(), [](const auto& p) { read_raster(p); })
                 .find("not a raster of a kind that is read (GTiff, ENVI, PNG, JPEG, BMP, AAIGrid, HFA, PNM)"),
             std::string::npos);

@@ -50,7 +50,8 @@ TEST(ChannelTable, CentresAndWidths) {
 
 TEST(ChannelTable, ErrorsShowThePlace) {
   EXPECT_EQ(error_of("# BAND 1\n400 0\n450 x\n"), "FILE:3:5: found 'x'; expected a number\n  450 x\n      ^");
-  EXPECT_EQ(error_of("# BAND 1\n400\n"), "FILE:2: found 1 numbers; expected a wavelength and a response\n  400");
+  EXPECT_EQ(error_of("# BAND 1\n400\n"),
+            "FILE:2: found 1 numbers; expected a wavelength and a response\n  400");
   EXPECT_EQ(error_of("nm,a\n400,1\n410,1,2\n"),
             "FILE:3: found 3 columns; expected 2 as in the heading\n  410,1,2");
   EXPECT_EQ(error_of("nm,a,b\n400,1,\n410,1,\n"), "FILE:1: the channel 'b' has no values\n  nm,a,b");
@@ -73,9 +74,9 @@ radiometry::Spectrum thuillier() {
   return radiometry::Spectrum(x, y);
 }
 
-// Centroids and widths to 1e-5 um, solar irradiance to 0.1 %, radiance at 300 K to 0.01 %. The table treats gaps
-// between rows (MODIS out of band, MODIS 1 and 9 to 11) and negative responses (ECOSTRESS) in another way than by a straight
-// line and by 0, and thermal widths are of a finer grid: there the bounds are wider.
+// Centroids and widths to 1e-5 um, solar irradiance to 0.1 %, radiance at 300 K to 0.01 %. The table treats
+// gaps between rows (MODIS out of band, MODIS 1 and 9 to 11) and negative responses (ECOSTRESS) in another
+// way than by a straight line and by 0, and thermal widths are of a finer grid: there the bounds are wider.
 TEST(ChannelTable, ReferenceBands) {
   const auto table = test::truth_file("sensors/expected_bands.csv");
   if (!table) GTEST_SKIP() << "reference data not found: sensors/expected_bands.csv";
@@ -92,8 +93,10 @@ TEST(ChannelTable, ReferenceBands) {
     for (std::string* cell : {&sensor, &band, &n, &first, &last, &centroid, &fwhm, &esun, &l300})
       std::getline(cells, *cell, ',');
     auto& channels = sensors[sensor];
-    if (channels.empty()) channels = read_channels(*test::truth_file("sensors/rsr-acolite/" + sensor + ".txt"));
-    const auto found = std::find_if(channels.begin(), channels.end(), [&](const auto& c) { return c.name == band; });
+    if (channels.empty())
+      channels = read_channels(*test::truth_file("sensors/rsr-acolite/" + sensor + ".txt"));
+    const auto found =
+        std::find_if(channels.begin(), channels.end(), [&](const auto& c) { return c.name == band; });
     ASSERT_NE(found, channels.end()) << sensor << ' ' << band;
     EXPECT_EQ(found->response.values().size(), std::stoul(n)) << sensor << ' ' << band;
     const bool differs = sensor == "Terra_MODIS" || sensor == "ISS_ECOSTRESS";
@@ -103,7 +106,8 @@ TEST(ChannelTable, ReferenceBands) {
       EXPECT_NEAR(channel_mean(*found, sun) / std::stod(esun), 1.0, 1e-3) << sensor << ' ' << band;
     }
     if (!l300.empty()) {
-      EXPECT_NEAR(channel_planck_w_m2_sr_um(*found, 300.0) / std::stod(l300), 1.0, 1e-4) << sensor << ' ' << band;
+      EXPECT_NEAR(channel_planck_w_m2_sr_um(*found, 300.0) / std::stod(l300), 1.0, 1e-4)
+          << sensor << ' ' << band;
     }
     ++bands;
   }
@@ -122,7 +126,8 @@ TEST(ChannelTable, EveryReferenceFileReads) {
   EXPECT_EQ(counts.at("L7_ETM"), 7u);
   EXPECT_EQ(counts.at("L5_TM_B6"), 1u);
   for (const char* name : {"desis", "emit", "enmap", "prisma"})
-    EXPECT_GT(read_channels(*test::truth_file(std::string("sensors/channels/") + name + ".csv")).size(), 200u) << name;
+    EXPECT_GT(read_channels(*test::truth_file(std::string("sensors/channels/") + name + ".csv")).size(), 200u)
+        << name;
 }
 
 }  // namespace

@@ -14,13 +14,16 @@ radiometry::Spectrum read(const std::string& content, const CsvSpectrumOptions& 
 }
 
 std::string error_of(const std::string& content, const CsvSpectrumOptions& options = {}) {
-  return test::input_error(content, [&](const std::filesystem::path& path) { read_csv_spectrum(path, options); });
+  return test::input_error(content,
+                           [&](const std::filesystem::path& path) { read_csv_spectrum(path, options); });
 }
 
 TEST(CsvSpectrum, AnySeparator) {
   for (const char* content :
        {"0.4,0.1\n0.5,0.3\n", "0.4;0.1\n0.5;0.3\n", "0.4\t0.1\n0.5\t0.3\n", "  0.4   0.1\r\n  0.5 \t 0.3\r\n",
-        "# a comment\n\nwavelength, reflectance\n0.4 , 0.1\n// another\n0.5 , 0.3", "\xef\xbb\xbf""0.4,\"0.1\"\r0.5,\"0.3\"\r",
+        "# a comment\n\nwavelength, reflectance\n0.4 , 0.1\n// another\n0.5 , 0.3",
+        "\xef\xbb\xbf"
+        "0.4,\"0.1\"\r0.5,\"0.3\"\r",
         "Reflectance of a leaf, measured in 2001; see text\nwavelength value\n0.4 0.1\n0.5 0.3\n",
         "0.5,0.3\n0.4,0.1\n"}) {
     const auto s = read(content);
@@ -47,10 +50,13 @@ TEST(CsvSpectrum, UnitsColumnsAndScale) {
 TEST(CsvSpectrum, ErrorsShowThePlace) {
   EXPECT_EQ(error_of("0.4,0.1\n0.5,O.3\n"), "FILE:2:5: found 'O.3'; expected a number\n  0.5,O.3\n      ^");
   EXPECT_EQ(error_of("0.4,0.1\n0.5\n"), "FILE:2: found 1 columns; column 2 is wanted\n  0.5");
-  EXPECT_EQ(error_of("0.4,0.1\n0.5,0.2\n0.45,0.3\n"),
-            "FILE:3: found a wavelength out of order; expected rows that ascend or descend throughout\n  0.45,0.3");
-  EXPECT_EQ(error_of("0.5,0.1\n0.4,0.2\n0.4,0.3\n"), "FILE:3: found a wavelength twice; expected each once\n  0.4,0.3");
-  EXPECT_EQ(error_of("-0.4,0.1\n"), "FILE:1:1: found a wavelength of -0.4; expected one above 0\n  -0.4,0.1\n  ^");
+  EXPECT_EQ(
+      error_of("0.4,0.1\n0.5,0.2\n0.45,0.3\n"),
+      "FILE:3: found a wavelength out of order; expected rows that ascend or descend throughout\n  0.45,0.3");
+  EXPECT_EQ(error_of("0.5,0.1\n0.4,0.2\n0.4,0.3\n"),
+            "FILE:3: found a wavelength twice; expected each once\n  0.4,0.3");
+  EXPECT_EQ(error_of("-0.4,0.1\n"),
+            "FILE:1:1: found a wavelength of -0.4; expected one above 0\n  -0.4,0.1\n  ^");
   EXPECT_EQ(error_of("nothing here\n"), "FILE: found no row of numbers; expected wavelengths and values");
   EXPECT_EQ(error_of(""), "FILE: found no row of numbers; expected wavelengths and values");
   EXPECT_EQ(error_of("0.4,nan\n"), "FILE:1:5: found 'nan'; expected a number\n  0.4,nan\n      ^");
@@ -74,7 +80,8 @@ TEST(CsvSpectrum, SpoiledFilesNeverCrash) {
     for (const char symbol : {'\0', '\n', ';', '-', 'x', '9', '\xff'}) {
       std::string spoiled = good;
       spoiled[at] = symbol;
-      for (const std::string& text : {spoiled, good.substr(0, at)}) (error_of(text) == "no error" ? read_ones : refused)++;
+      for (const std::string& text : {spoiled, good.substr(0, at)})
+        (error_of(text) == "no error" ? read_ones : refused)++;
     }
   EXPECT_GT(read_ones, 100);
   EXPECT_GT(refused, 50);

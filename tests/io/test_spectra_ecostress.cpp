@@ -44,7 +44,8 @@ TEST(Ecostress, DescendingPercentLatin1WrappedHeader) {
 TEST(Ecostress, ErrorsShowThePlace) {
   EXPECT_EQ(error_of(replaced("Number of X Values: 3", "Number of X Values: 4")),
             "FILE:10: the header states '4' values; found 3\n  Number of X Values: 4");
-  EXPECT_EQ(error_of(replaced("40.0", "4o.0")), "FILE:14:13: found '4o.0'; expected a number\n     2.0000   4o.0\n              ^");
+  EXPECT_EQ(error_of(replaced("40.0", "4o.0")),
+            "FILE:14:13: found '4o.0'; expected a number\n     2.0000   4o.0\n              ^");
   EXPECT_EQ(error_of(replaced("40.0", "140.0")),
             "FILE:14:13: found a reflectance of 1.4; expected 0 to 1\n     2.0000   140.0\n              ^");
   EXPECT_EQ(error_of(replaced("(percent)", "(furlongs)")),
@@ -54,7 +55,8 @@ TEST(Ecostress, ErrorsShowThePlace) {
             "FILE:7: found a transmittance; expected a reflectance\n  Y Units:Transmittance (percent)");
   EXPECT_EQ(error_of(replaced("First X Value: 14.0", "First X Value: 15.0")),
             "FILE:8: the header states '15.0'; found 14 um\n  First X Value: 15.0");
-  EXPECT_EQ(error_of(replaced("X Units: Wavelength (micrometers)\n", "")), "FILE: the header has no 'X Units:' line");
+  EXPECT_EQ(error_of(replaced("X Units: Wavelength (micrometers)\n", "")),
+            "FILE: the header has no 'X Units:' line");
   EXPECT_EQ(error_of(replaced("2.0000", "15.000")),
             "FILE:15: found a wavelength out of order; expected rows that ascend or descend throughout\n"
             "     0.4000   -0.1");
@@ -84,8 +86,7 @@ TEST(Ecostress, JoinTakesTheThermalPartFromItsStart) {
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
   std::stringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');)
-    cells.push_back(cell);
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
   cells.resize(17);  // an empty last cell makes none
   return cells;
 }
@@ -113,7 +114,8 @@ TEST(Ecostress, ReferenceValues) {
         ++values;
       }
     if (!cells[16].empty()) {
-      EXPECT_NEAR(1.0 - radiometry::integral(reflectance, 8.0, 12.0) / 4.0, std::stod(cells[16]), 1e-5) << cells[0];
+      EXPECT_NEAR(1.0 - radiometry::integral(reflectance, 8.0, 12.0) / 4.0, std::stod(cells[16]), 1e-5)
+          << cells[0];
     }
     ++files;
   }
@@ -131,8 +133,10 @@ TEST(Ecostress, AsterFilesHaveEmptyLinesInTheHeader) {
 }
 
 TEST(Ecostress, HalvesJoin) {
-  const auto vswir = test::truth_file("spectra/ecostress/vegetation.grass.avena.fatua.vswir.vh352.ucsb.asd.spectrum.txt");
-  const auto tir = test::truth_file("spectra/ecostress/vegetation.grass.avena.fatua.tir.vh352.ucsb.nicolet.spectrum.txt");
+  const auto vswir =
+      test::truth_file("spectra/ecostress/vegetation.grass.avena.fatua.vswir.vh352.ucsb.asd.spectrum.txt");
+  const auto tir =
+      test::truth_file("spectra/ecostress/vegetation.grass.avena.fatua.tir.vh352.ucsb.nicolet.spectrum.txt");
   if (!vswir || !tir) GTEST_SKIP() << "reference data not found: spectra/ecostress";
   const auto joined = join(read_ecostress(*vswir).reflectance, read_ecostress(*tir).reflectance);
   EXPECT_NEAR(joined.first_um(), 0.35, 1e-9);

@@ -18,8 +18,8 @@ using radiometry::Channel;
 using radiometry::SpectralNodes;
 using radiometry::Spectrum;
 
-/// All spectra of the library's sample that reach from 0.42 um to 12.5 um, and joined halves of leaves and grass;
-/// none where the reference data are absent.
+/// All spectra of the library's sample that reach from 0.42 um to 12.5 um, and joined halves of leaves and
+/// grass; none where the reference data are absent.
 std::vector<Spectrum> library() {
   std::vector<Spectrum> spectra;
   const auto folder = test::truth_file("spectra/ecostress");
@@ -35,7 +35,8 @@ std::vector<Spectrum> library() {
       const auto tir = std::find_if(files.begin(), files.end(), [&](const auto& other) {
         return other.filename().string().starts_with(partner);
       });
-      spectrum = join(spectrum, read_ecostress(*tir).reflectance).with_outside(radiometry::OutsideRange::extend);
+      spectrum =
+          join(spectrum, read_ecostress(*tir).reflectance).with_outside(radiometry::OutsideRange::extend);
     }
     spectra.push_back(std::move(spectrum));
   }
@@ -43,7 +44,8 @@ std::vector<Spectrum> library() {
 }
 
 /// Channel mean of a product by steps of at most 1 nm, and at least 400 in a channel.
-double full_integration(const Channel& channel, const std::vector<const Spectrum*>& product, double planck_k = 0.0) {
+double full_integration(const Channel& channel, const std::vector<const Spectrum*>& product,
+                        double planck_k = 0.0) {
   const double first = channel.response.first_um(), last = channel.response.last_um();
   const int steps = std::max(400, static_cast<int>(std::ceil((last - first) * 1000.0)));
   double sum = 0.0, total = 0.0;
@@ -58,10 +60,10 @@ double full_integration(const Channel& channel, const std::vector<const Spectrum
   return sum / total;
 }
 
-/// Largest error of the nodes over surfaces singly, in pairs and in threes under the Sun, and emitting at some
-/// temperatures, relative to the channel's radiance (or a hundredth of a white surface's).
-double worst_error(const std::vector<Channel>& channels, const std::vector<Spectrum>& surfaces, const SpectralNodes& nodes,
-                   bool sunlit) {
+/// Largest error of the nodes over surfaces singly, in pairs and in threes under the Sun, and emitting at
+/// some temperatures, relative to the channel's radiance (or a hundredth of a white surface's).
+double worst_error(const std::vector<Channel>& channels, const std::vector<Spectrum>& surfaces,
+                   const SpectralNodes& nodes, bool sunlit) {
   const Spectrum& sun = radiometry::solar_irradiance_1au();
   std::vector<std::vector<float>> rows;
   for (const Spectrum& s : surfaces) nodes.average_surface(s, rows.emplace_back(nodes.node_count()));
@@ -71,7 +73,8 @@ double worst_error(const std::vector<Channel>& channels, const std::vector<Spect
     nodes.to_channels(light.data(), found.data());
     for (std::size_t i = 0; i < channels.size(); ++i) {
       const double expected = full_integration(channels[i], product, planck_k);
-      const double white = planck_k > 0.0 ? full_integration(channels[i], {}, 300.0) : full_integration(channels[i], {&sun});
+      const double white =
+          planck_k > 0.0 ? full_integration(channels[i], {}, 300.0) : full_integration(channels[i], {&sun});
       worst = std::max(worst, std::abs(found[i] - expected) / std::max(expected, 1e-2 * white));
     }
   };
@@ -108,8 +111,8 @@ TEST(SpectralNodesOfRealSpectra, ImagingSpectrometer) {
   std::vector<Channel> channels;
   for (int i = 0; i < 210; ++i) channels.push_back(Channel::gaussian("", 0.4 + 0.01 * i, 0.010));
   const auto nodes = SpectralNodes::build(channels, radiometry::solar_irradiance_1au(), surfaces);
-  std::printf("%zu surfaces, 210 channels of 10 nm: %zu nodes, worst error in construction %.1e\n", surfaces.size(),
-              nodes.node_count(), nodes.worst_error());
+  std::printf("%zu surfaces, 210 channels of 10 nm: %zu nodes, worst error in construction %.1e\n",
+              surfaces.size(), nodes.node_count(), nodes.worst_error());
   EXPECT_LT(nodes.node_count(), 420u);
   EXPECT_LE(worst_error(channels, surfaces, nodes, true), 1e-3);
 }
@@ -122,7 +125,8 @@ TEST(SpectralNodesOfRealSpectra, FewMaterialsNeedFewNodes) {
   for (std::size_t i = 0; i < surfaces.size(); i += 6) few.push_back(surfaces[i]);
   std::vector<Channel> channels;
   for (int i = 0; i < 210; ++i) channels.push_back(Channel::gaussian("", 0.4 + 0.01 * i, 0.010));
-  const auto nodes = SpectralNodes::build(channels, radiometry::solar_irradiance_1au(), few, {.hottest_k = 350.0});
+  const auto nodes =
+      SpectralNodes::build(channels, radiometry::solar_irradiance_1au(), few, {.hottest_k = 350.0});
   const auto single = SpectralNodes::build(channels, radiometry::solar_irradiance_1au(), few,
                                            {.reflections = 1, .hottest_k = 350.0});
   std::printf("%zu surfaces, 210 channels of 10 nm: %zu nodes, %zu for one reflection\n", few.size(),

@@ -1,9 +1,8 @@
-#include "materials/material.h"
-
 #include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "materials/draped_map.h"
+#include "materials/material.h"
 
 namespace ifov::materials {
 namespace {
@@ -57,9 +56,13 @@ TEST(TemperatureMap, BilinearBetweenCentres) {
 
 TEST(DrapedMaps, RefuseWhatDoesNotFit) {
   EXPECT_EQ(message_of([] { ClassMap(kGrid, {1, 2}); }), "a map of 3 x 2 cells needs 6 values: found 2");
-  EXPECT_EQ(message_of([] { ClassMap({0, 0, 0, 1, 1, 1}, {1}); }),
+  EXPECT_EQ(message_of([] {
+              ClassMap({0, 0, 0, 1, 1, 1}, {1});
+            }),
             "a map needs cells of some size: found 1 x 1 cells of 0 m x 1 m");
-  EXPECT_EQ(message_of([] { TemperatureMap({0, 0, 1, 1, 1, 1}, {-3.0f}); }),
+  EXPECT_EQ(message_of([] {
+              TemperatureMap({0, 0, 1, 1, 1, 1}, {-3.0f});
+            }),
             "a temperature map holds -3 K; temperatures must be above 0 K");
 }
 

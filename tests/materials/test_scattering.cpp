@@ -1,5 +1,3 @@
-#include "materials/scattering.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,19 +6,21 @@
 #include <vector>
 
 #include "materials/lambertian.h"
+#include "materials/scattering.h"
 
 namespace ifov::materials {
 namespace {
 
 using math::Vec3;
 
-/// Points of a regular grid, shifted off its edges: deterministic, and finer than any random set of that size.
+/// Points of a regular grid, shifted off its edges: deterministic, and finer than any random set of that
+/// size.
 double grid(int i, int n) { return (i + 0.5) / n; }
 
 const math::Normal3 kTilted = math::as_normal(math::normalized({0.3, -0.5, 0.7}));
 
-/// Largest relative deviation of sample() from pdf() over 64 cells of equal solid angle, for a grid of `draws` x
-/// `draws` numbers, which leaves no noise but that of the cells' edges.
+/// Largest relative deviation of sample() from pdf() over 64 cells of equal solid angle, for a grid of
+/// `draws` x `draws` numbers, which leaves no noise but that of the cells' edges.
 double worst_cell(const Scattering& shape, int draws) {
   constexpr int kRings = 8, kSectors = 8;
   const Vec3 n = kTilted.as_vector(), outgoing = n;
@@ -42,10 +42,12 @@ double worst_cell(const Scattering& shape, int draws) {
   constexpr int kFine = 40;
   for (int i = 0; i < kRings * kFine; ++i)
     for (int j = 0; j < kSectors * kFine; ++j) {
-      const double z = grid(i, kRings * kFine), azimuth = 2.0 * std::numbers::pi * (grid(j, kSectors * kFine) - 0.5);
+      const double z = grid(i, kRings * kFine),
+                   azimuth = 2.0 * std::numbers::pi * (grid(j, kSectors * kFine) - 0.5);
       const double r = std::sqrt(1.0 - z * z);
       const Vec3 d = r * std::cos(azimuth) * a + r * std::sin(azimuth) * b + z * n;
-      expected[cell(d)] += shape.pdf(outgoing, d, kTilted) * 2.0 * std::numbers::pi / (kRings * kSectors * kFine * kFine);
+      expected[cell(d)] +=
+          shape.pdf(outgoing, d, kTilted) * 2.0 * std::numbers::pi / (kRings * kSectors * kFine * kFine);
     }
   double worst = 0.0, total = 0.0;
   for (std::size_t c = 0; c < counted.size(); ++c) {
@@ -64,14 +66,17 @@ class Skewed final : public Scattering {
     const Vec3 n = normal.as_vector();
     const Vec3 a = math::normalized(math::cross(n, {1.0, 0.0, 0.0})), b = math::cross(n, a);
     const double r = std::sqrt(1.0 - u1 * u1), azimuth = 2.0 * std::numbers::pi * u2;
-    return {r * std::cos(azimuth) * a + r * std::sin(azimuth) * b + u1 * n, 1.0, u1 / std::numbers::pi, false};
+    return {r * std::cos(azimuth) * a + r * std::sin(azimuth) * b + u1 * n, 1.0, u1 / std::numbers::pi,
+            false};
   }
   double evaluate(Vec3 o, Vec3 i, math::Normal3 n) const override { return Lambertian().evaluate(o, i, n); }
   double pdf(Vec3 o, Vec3 i, math::Normal3 n) const override { return Lambertian().pdf(o, i, n); }
   UnitSquarePoint invert(Vec3, Vec3, math::Normal3) const override { return {}; }
 };
 
-TEST(Lambertian, SamplesFollowTheDensity) { EXPECT_LT(worst_cell(scattering(ScatteringKind::lambertian), 1000), 0.05); }
+TEST(Lambertian, SamplesFollowTheDensity) {
+  EXPECT_LT(worst_cell(scattering(ScatteringKind::lambertian), 1000), 0.05);
+}
 
 TEST(Lambertian, AWrongDensityIsSeen) { EXPECT_GT(worst_cell(Skewed(), 1000), 0.2); }
 
@@ -92,7 +97,8 @@ TEST(Lambertian, ScattersAllAndWeightsAreTheBrdf) {
 
 TEST(Lambertian, InvertsItsWarp) {
   const Scattering& shape = scattering(ScatteringKind::lambertian);
-  for (const math::Normal3 n : {kTilted, math::Normal3{0, 0, 1}, math::Normal3{0, 0, -1}, math::Normal3{1, 0, 0}})
+  for (const math::Normal3 n :
+       {kTilted, math::Normal3{0, 0, 1}, math::Normal3{0, 0, -1}, math::Normal3{1, 0, 0}})
     for (int i = 0; i < 17; ++i)
       for (int j = 0; j < 17; ++j) {
         const auto s = shape.sample(n.as_vector(), n, grid(i, 17), grid(j, 17));

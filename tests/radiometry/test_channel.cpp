@@ -1,10 +1,9 @@
-#include "radiometry/channel.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/error.h"
+#include "radiometry/channel.h"
 #include "radiometry/planck.h"
 
 namespace ifov::radiometry {
@@ -25,7 +24,8 @@ TEST(Channel, TabulatedMoments) {
   const Channel c = Channel::tabulated("t", Spectrum({1.0, 1.2, 1.6}, {0.0, 2.0, 0.0}));
   EXPECT_NEAR(c.centre_um, (1.0 + 1.2 + 1.6) / 3.0, 1e-12);
   EXPECT_NEAR(c.fwhm_um, 0.3, 1e-12);
-  const Channel noisy = Channel::tabulated("n", Spectrum({1.0, 1.2, 1.6, 1.7, 1.8}, {0.0, 2.0, 0.0, -0.5, 0.0}));
+  const Channel noisy =
+      Channel::tabulated("n", Spectrum({1.0, 1.2, 1.6, 1.7, 1.8}, {0.0, 2.0, 0.0, -0.5, 0.0}));
   EXPECT_NEAR(noisy.centre_um, c.centre_um, 1e-12);
 }
 

@@ -1,11 +1,10 @@
-#include "radiometry/solar_spectrum.h"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "radiometry/solar_spectrum.h"
 #include "support/truth_data.h"
 
 namespace ifov::radiometry {
@@ -33,7 +32,9 @@ TEST(SolarSpectrum, AgreesWithE490) {
     y.push_back(b);
   }
   const Spectrum e490(x, y);
-  const auto ratio = [&](double a, double b) { return integral(solar_irradiance_1au(), a, b) / integral(e490, a, b); };
+  const auto ratio = [&](double a, double b) {
+    return integral(solar_irradiance_1au(), a, b) / integral(e490, a, b);
+  };
   for (double a = 0.40; a < 2.45; a += 0.05) EXPECT_NEAR(ratio(a, a + 0.05), 1.0, 0.04) << a;
   for (const double a : {2.5, 3.0, 4.0, 6.0, 8.0, 10.0, 14.0}) EXPECT_NEAR(ratio(a, a + 1.0), 1.0, 0.04) << a;
   EXPECT_NEAR(ratio(0.3, 20.0), 1361.0 / 1366.1, 0.003);

@@ -1,5 +1,3 @@
-#include "radiometry/spectral_nodes.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,19 +8,20 @@
 #include "radiometry/planck.h"
 #include "radiometry/planck_table.h"
 #include "radiometry/solar_spectrum.h"
+#include "radiometry/spectral_nodes.h"
 
 namespace ifov::radiometry {
 namespace {
 
 /// Vegetation, soil and snow in outline: a red edge, a slope, water bands.
 std::vector<Spectrum> outlines() {
-  return {
-      Spectrum({0.3, 0.5, 0.55, 0.60, 0.68, 0.72, 0.76, 1.3, 1.45, 1.65, 1.95, 2.2, 2.6, 20.0},
-               {0.03, 0.04, 0.10, 0.06, 0.04, 0.22, 0.45, 0.46, 0.15, 0.30, 0.05, 0.14, 0.02, 0.02}),
-      Spectrum({0.3, 0.6, 1.0, 2.0, 2.6, 8.0, 9.0, 9.6, 14.0, 20.0},
-               {0.05, 0.18, 0.30, 0.38, 0.30, 0.05, 0.30, 0.12, 0.03, 0.03}),
-      Spectrum({0.3, 0.9, 1.05, 1.2, 1.5, 1.8, 2.0, 2.3, 20.0}, {0.98, 0.9, 0.75, 0.5, 0.03, 0.15, 0.01, 0.1, 0.01}),
-      Spectrum::constant(0.25)};
+  return {Spectrum({0.3, 0.5, 0.55, 0.60, 0.68, 0.72, 0.76, 1.3, 1.45, 1.65, 1.95, 2.2, 2.6, 20.0},
+                   {0.03, 0.04, 0.10, 0.06, 0.04, 0.22, 0.45, 0.46, 0.15, 0.30, 0.05, 0.14, 0.02, 0.02}),
+          Spectrum({0.3, 0.6, 1.0, 2.0, 2.6, 8.0, 9.0, 9.6, 14.0, 20.0},
+                   {0.05, 0.18, 0.30, 0.38, 0.30, 0.05, 0.30, 0.12, 0.03, 0.03}),
+          Spectrum({0.3, 0.9, 1.05, 1.2, 1.5, 1.8, 2.0, 2.3, 20.0},
+                   {0.98, 0.9, 0.75, 0.5, 0.03, 0.15, 0.01, 0.1, 0.01}),
+          Spectrum::constant(0.25)};
 }
 
 std::vector<Channel> imaging_spectrometer() {
@@ -115,7 +114,9 @@ TEST(SpectralNodes, OneAveragePerChannelWouldNotDo) {
   const auto twice = Rows(nodes, surfaces, sun).reflected({0, 0});
   double worst = 0.0;
   for (std::size_t i = 0; i < channels.size(); ++i)
-    worst = std::max(worst, std::abs(twice[i] / brute_force(channels[i], {&sun, &surfaces[0], &surfaces[0]}, 20000.0) - 1));
+    worst = std::max(
+        worst,
+        std::abs(twice[i] / brute_force(channels[i], {&sun, &surfaces[0], &surfaces[0]}, 20000.0) - 1));
   EXPECT_GT(worst, 0.01);
 }
 
@@ -165,14 +166,16 @@ TEST(SpectralNodes, PlanckOfChannelsIsExact) {
     nodes.planck_channels(temperature, found);
     for (std::size_t i = 0; i < channels.size(); ++i) {
       const double expected = channel_planck_w_m2_sr_um(channels[i], temperature);
-      EXPECT_NEAR(found[i], expected, 1e-5 * std::max(expected, 1e-6)) << channels[i].name << ' ' << temperature;
+      EXPECT_NEAR(found[i], expected, 1e-5 * std::max(expected, 1e-6))
+          << channels[i].name << ' ' << temperature;
     }
   }
 }
 
 TEST(SpectralNodes, OneReflectionNeedsOneNode) {
   const auto channels = imaging_spectrometer();
-  const auto nodes = SpectralNodes::build(channels, solar_irradiance_1au(), outlines(), {.reflections = 1, .hottest_k = 350.0});
+  const auto nodes = SpectralNodes::build(channels, solar_irradiance_1au(), outlines(),
+                                          {.reflections = 1, .hottest_k = 350.0});
   EXPECT_EQ(nodes.node_count(), channels.size());
 }
 

@@ -1,8 +1,7 @@
-#include "radiometry/spectrum.h"
-
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "radiometry/spectrum.h"
 
 namespace ifov::radiometry {
 namespace {
@@ -40,11 +39,18 @@ TEST(Spectrum, OutsideItsRange) {
 }
 
 TEST(Spectrum, RefusesBadTables) {
-  EXPECT_EQ(message_of([] { Spectrum({0.4, 0.4}, {1.0, 2.0}); }),
+  EXPECT_EQ(message_of([] {
+              Spectrum({0.4, 0.4}, {1.0, 2.0});
+            }),
             "wavelengths of a spectrum must increase: 0.4 um is followed by 0.4 um");
-  EXPECT_EQ(message_of([] { Spectrum({0.4, 0.5}, {1.0}, OutsideRange::error, "x"); }),
-            "the spectrum 'x' needs as many values as wavelengths, at least one: found 2 wavelengths and 1 values");
-  EXPECT_EQ(message_of([] { Spectrum({0.4, 0.5}, {1.0, 1.0 / 0.0}); }),
+  EXPECT_EQ(
+      message_of([] {
+        Spectrum({0.4, 0.5}, {1.0}, OutsideRange::error, "x");
+      }),
+      "the spectrum 'x' needs as many values as wavelengths, at least one: found 2 wavelengths and 1 values");
+  EXPECT_EQ(message_of([] {
+              Spectrum({0.4, 0.5}, {1.0, 1.0 / 0.0});
+            }),
             "a spectrum has an unusable point 2: wavelength 0.5 um, value inf");
 }
 
@@ -63,7 +69,9 @@ TEST(Spectrum, IntegralsOfProductsAreExact) {
 }
 
 TEST(Spectrum, AWeightNeedsAnIntegral) {
-  EXPECT_EQ(message_of([] { weighted_mean(Spectrum::constant(1.0), Spectrum({1.0, 2.0}, {0.0, 0.0})); }),
+  EXPECT_EQ(message_of([] {
+              weighted_mean(Spectrum::constant(1.0), Spectrum({1.0, 2.0}, {0.0, 0.0}));
+            }),
             "a spectrum cannot weigh a mean: it needs a range and a positive integral");
 }
 

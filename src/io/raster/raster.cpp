@@ -63,16 +63,18 @@ Raster read_raster(const std::filesystem::path& path, std::size_t max_values) {
     throw EnvironmentError(format("cannot read '{}': no such file", name));
   register_drivers();
   const QuietGdal gdal;
-  const Dataset dataset(GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, kDrivers,
-                                   nullptr, nullptr));
-  if (!dataset) fail(name, format("not a raster of a kind that is read ({}): {}", driver_list(), gdal.message()));
+  const Dataset dataset(GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+                                   kDrivers, nullptr, nullptr));
+  if (!dataset)
+    fail(name, format("not a raster of a kind that is read ({}): {}", driver_list(), gdal.message()));
 
   Raster raster;
   raster.width = GDALGetRasterXSize(dataset.get());
   raster.height = GDALGetRasterYSize(dataset.get());
   raster.bands = GDALGetRasterCount(dataset.get());
   if (raster.width < 1 || raster.height < 1 || raster.bands < 1) fail(name, "the raster has no pixels");
-  const std::size_t width = static_cast<std::size_t>(raster.width), height = static_cast<std::size_t>(raster.height);
+  const std::size_t width = static_cast<std::size_t>(raster.width),
+                    height = static_cast<std::size_t>(raster.height);
   const std::size_t bands = static_cast<std::size_t>(raster.bands);
   if (width * height > max_values / bands)
     fail(name, format("a raster of {} x {} x {} numbers is larger than the {} that are read", raster.width,
@@ -80,7 +82,8 @@ Raster read_raster(const std::filesystem::path& path, std::size_t max_values) {
   raster.values.resize(width * height * bands);
   for (int band = 0; band < raster.bands; ++band) {
     const GDALRasterBandH handle = GDALGetRasterBand(dataset.get(), band + 1);
-    if (GDALDataTypeIsComplex(GDALGetRasterDataType(handle))) fail(name, "found complex numbers; expected real ones");
+    if (GDALDataTypeIsComplex(GDALGetRasterDataType(handle)))
+      fail(name, "found complex numbers; expected real ones");
     float* values = raster.values.data() + static_cast<std::size_t>(band) * width * height;
     if (GDALRasterIO(handle, GF_Read, 0, 0, raster.width, raster.height, values, raster.width, raster.height,
                      GDT_Float32, 0, 0) != CE_None)

@@ -14,21 +14,24 @@ struct Raster {
   int width = 0, height = 0, bands = 0;
   std::vector<float> values;  ///< [(band * height + row) * width + column]
   std::optional<double> nodata;
-  /// Map coordinates: x = t[0] + column t[1] + row t[2], y = t[3] + column t[4] + row t[5]; none: a bare picture.
+  /// Map coordinates: x = t[0] + column t[1] + row t[2], y = t[3] + column t[4] + row t[5]; none: a bare
+  /// picture.
   std::optional<std::array<double, 6>> geotransform;
-  std::string projection;     ///< WKT; empty where the file has none
+  std::string projection;  ///< WKT; empty where the file has none
 
   float at(int band, int row, int column) const {
     return values[(static_cast<std::size_t>(band) * static_cast<std::size_t>(height) +
-                   static_cast<std::size_t>(row)) * static_cast<std::size_t>(width) +
+                   static_cast<std::size_t>(row)) *
+                      static_cast<std::size_t>(width) +
                   static_cast<std::size_t>(column)];
   }
 };
 
-/// Reads all bands of a GeoTIFF, ENVI, PNG, JPEG, BMP, Arc/Info ASCII, Erdas Imagine or netPBM raster by GDAL, as floats;
-/// a palette's indices count, not its colours. No other driver is tried, and no path into GDAL's virtual file systems
-/// is followed. A raster of more than `max_values` numbers is refused before memory is taken. Throws InputError where
-/// the file is not such a raster or is damaged, EnvironmentError where it is not there.
+/// Reads all bands of a GeoTIFF, ENVI, PNG, JPEG, BMP, Arc/Info ASCII, Erdas Imagine or netPBM raster by
+/// GDAL, as floats; a palette's indices count, not its colours. No other driver is tried, and no path into
+/// GDAL's virtual file systems is followed. A raster of more than `max_values` numbers is refused before
+/// memory is taken. Throws InputError where the file is not such a raster or is damaged, EnvironmentError
+/// where it is not there.
 Raster read_raster(const std::filesystem::path& path, std::size_t max_values = std::size_t{1} << 28);
 
 }  // namespace ifov::io

@@ -23,14 +23,17 @@ struct NamedCells {
   std::vector<Cell> cells;
 };
 
-bool word_symbol(char symbol) { return std::isalnum(static_cast<unsigned char>(symbol)) != 0 || symbol == '_'; }
+bool word_symbol(char symbol) {
+  return std::isalnum(static_cast<unsigned char>(symbol)) != 0 || symbol == '_';
+}
 
 /// The word after "band" in a comment line; empty where there is none.
 std::string band_name(std::string_view line) {
   const std::string lower = lower_case(line);
   for (std::size_t at = lower.find("band"); at != std::string::npos; at = lower.find("band", at + 1)) {
     const std::size_t end = at + 4;
-    if ((at > 0 && word_symbol(lower[at - 1])) || end >= lower.size() || (lower[end] != ' ' && lower[end] != '\t'))
+    if ((at > 0 && word_symbol(lower[at - 1])) || end >= lower.size() ||
+        (lower[end] != ' ' && lower[end] != '\t'))
       continue;
     const std::vector<Field> words = split(line.substr(end), ' ');
     if (!words.empty()) return std::string(words[0].text);
@@ -85,7 +88,8 @@ std::vector<NamedCells> read_columns(const TextFile& file, int heading_line) {
     if (is_blank(line) || is_comment(line)) continue;
     const std::vector<Field> fields = split(line, separator);
     if (fields.size() != heading.size())
-      file.fail(number, 0, format("found {} columns; expected {} as in the heading", fields.size(), heading.size()));
+      file.fail(number, 0,
+                format("found {} columns; expected {} as in the heading", fields.size(), heading.size()));
     const double wavelength = number_at(file, number, fields[0]);
     for (std::size_t i = 1; i < fields.size(); ++i)
       if (!fields[i].text.empty())
@@ -125,10 +129,12 @@ radiometry::Channel located(const TextFile& file, int line, const Make& make) {
 
 }  // namespace
 
-std::vector<radiometry::Channel> read_channels(const std::filesystem::path& path, std::optional<WavelengthUnit> unit) {
+std::vector<radiometry::Channel> read_channels(const std::filesystem::path& path,
+                                               std::optional<WavelengthUnit> unit) {
   const TextFile file(path);
   const int heading = heading_line_of(file);
-  std::vector<NamedCells> bands = heading > 0 ? read_columns(file, heading) : read_blocks(file, path.stem().string());
+  std::vector<NamedCells> bands =
+      heading > 0 ? read_columns(file, heading) : read_blocks(file, path.stem().string());
   const WavelengthUnit used = unit.value_or(unit_of(bands));
   std::vector<radiometry::Channel> channels;
   if (heading > 0 && bands.size() == 1 && lower_case(bands[0].name) == "fwhm") {
@@ -143,7 +149,8 @@ std::vector<radiometry::Channel> read_channels(const std::filesystem::path& path
     for (NamedCells& band : bands) {
       if (band.cells.empty()) file.fail(heading, 0, format("the channel '{}' has no values", band.name));
       SpectrumRows rows;
-      for (const Cell& cell : band.cells) rows.add(file, cell.line, cell.wavelength_field, cell.wavelength, cell.value, used);
+      for (const Cell& cell : band.cells)
+        rows.add(file, cell.line, cell.wavelength_field, cell.wavelength, cell.value, used);
       const radiometry::Spectrum response = rows.spectrum(file, radiometry::OutsideRange::zero, band.name);
       channels.push_back(located(file, band.cells.front().line,
                                  [&] { return radiometry::Channel::tabulated(band.name, response); }));

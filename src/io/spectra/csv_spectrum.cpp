@@ -53,9 +53,11 @@ radiometry::Spectrum read_csv_spectrum(const std::filesystem::path& path, const 
       separator = '\0';  // headings may be prose
       continue;
     }
-    if (rows.empty() && !options.value_name.empty()) y = column_named(file, heading_line, heading, options.value_name);
+    if (rows.empty() && !options.value_name.empty())
+      y = column_named(file, heading_line, heading, options.value_name);
     if (x >= fields.size() || y >= fields.size())
-      file.fail(number, 0, format("found {} columns; column {} is wanted", fields.size(), std::max(x, y) + 1));
+      file.fail(number, 0,
+                format("found {} columns; column {} is wanted", fields.size(), std::max(x, y) + 1));
     const std::optional<double> value = number_in(fields[y].text);
     if (!wavelength || !value) {
       const Field& bad = wavelength ? fields[y] : fields[x];

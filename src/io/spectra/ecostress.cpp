@@ -48,13 +48,16 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// Whether a line of the header starts a new entry: a short key of letters before a colon. Wrapped text does not.
+/// Whether a line of the header starts a new entry: a short key of letters before a colon. Wrapped text does
+/// not.
 std::size_t key_length(std::string_view line) {
   const std::size_t colon = line.find(':');
   if (colon == std::string_view::npos || colon < 2 || colon > 30 || line[0] < 'A' || line[0] > 'Z') return 0;
-  const bool words = std::all_of(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(colon), [](char symbol) {
-    return (symbol >= 'a' && symbol <= 'z') || (symbol >= 'A' && symbol <= 'Z') || symbol == ' ' || symbol == '.';
-  });
+  const bool words =
+      std::all_of(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(colon), [](char symbol) {
+        return (symbol >= 'a' && symbol <= 'z') || (symbol >= 'A' && symbol <= 'Z') || symbol == ' ' ||
+               symbol == '.';
+      });
   return words ? colon : 0;
 }
 
@@ -85,7 +88,8 @@ WavelengthUnit wavelength_unit(const TextFile& file, const Header::Entry& entry)
     return WavelengthUnit::micrometres;
   if (text.find("nanometer") != std::string::npos) return WavelengthUnit::nanometres;
   if (text.find("wavenumber") != std::string::npos) return WavelengthUnit::wavenumber_per_cm;
-  file.fail(entry.line, 0, "found an unknown unit of wavelength; expected micrometers, nanometers or wavenumbers");
+  file.fail(entry.line, 0,
+            "found an unknown unit of wavelength; expected micrometers, nanometers or wavenumbers");
 }
 
 double value_scale(const TextFile& file, const Header::Entry& entry) {
@@ -97,7 +101,8 @@ double value_scale(const TextFile& file, const Header::Entry& entry) {
   file.fail(entry.line, 0, "found an unknown unit of reflectance; expected percent or a fraction");
 }
 
-void check_statements(const TextFile& file, const Header& header, const SpectrumRows& rows, WavelengthUnit unit) {
+void check_statements(const TextFile& file, const Header& header, const SpectrumRows& rows,
+                      WavelengthUnit unit) {
   const Header::Entry& count = header.need(file, "Number of X Values");
   const std::optional<double> stated = number_in(count.value);
   if (!stated || *stated != static_cast<double>(rows.size()))
@@ -124,9 +129,11 @@ LibrarySpectrum read_ecostress(const std::filesystem::path& path, radiometry::Ou
     const std::vector<Field> fields = split(file.line(number), ' ');
     if (fields.empty()) continue;
     for (const Field& field : fields)
-      if (!number_in(field.text)) file.fail(number, field.column, format("found '{}'; expected a number", field.text));
+      if (!number_in(field.text))
+        file.fail(number, field.column, format("found '{}'; expected a number", field.text));
     if (fields.size() != 2)
-      file.fail(number, 0, format("found {} numbers; expected a wavelength and a reflectance", fields.size()));
+      file.fail(number, 0,
+                format("found {} numbers; expected a wavelength and a reflectance", fields.size()));
     const double value = scale * *number_in(fields[1].text);
     if (value < -kNoise || value > 1.0 + kNoise)
       file.fail(number, fields[1].column, format("found a reflectance of {:g}; expected 0 to 1", value));

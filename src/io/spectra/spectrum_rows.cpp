@@ -18,16 +18,18 @@ double to_um(double wavelength, WavelengthUnit unit) {
   return wavelength;
 }
 
-void SpectrumRows::add(const TextFile& file, int line, const Field& wavelength_field, double wavelength, double value,
-                       WavelengthUnit unit) {
+void SpectrumRows::add(const TextFile& file, int line, const Field& wavelength_field, double wavelength,
+                       double value, WavelengthUnit unit) {
   if (!(wavelength > 0.0))
-    file.fail(line, wavelength_field.column, format("found a wavelength of {:g}; expected one above 0", wavelength));
+    file.fail(line, wavelength_field.column,
+              format("found a wavelength of {:g}; expected one above 0", wavelength));
   wavelength_um_.push_back(to_um(wavelength, unit));
   values_.push_back(value);
   lines_.push_back(line);
 }
 
-radiometry::Spectrum SpectrumRows::spectrum(const TextFile& file, radiometry::OutsideRange outside, std::string name) {
+radiometry::Spectrum SpectrumRows::spectrum(const TextFile& file, radiometry::OutsideRange outside,
+                                            std::string name) {
   if (size() > 1 && wavelength_um_[1] < wavelength_um_[0]) {
     std::reverse(wavelength_um_.begin(), wavelength_um_.end());
     std::reverse(values_.begin(), values_.end());

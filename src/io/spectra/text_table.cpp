@@ -25,7 +25,8 @@ std::string shown(std::string_view line) {
 
 TextFile::TextFile(const std::filesystem::path& path) : name_(path.string()) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) throw EnvironmentError(format("cannot read '{}': no such file", name_));
+  if (!std::filesystem::is_regular_file(path, error))
+    throw EnvironmentError(format("cannot read '{}': no such file", name_));
   if (std::filesystem::file_size(path, error) > kLargest_bytes)
     fail(0, 0, "a table of more than 256 MiB is not read");
   std::ifstream stream(path, std::ios::binary);
@@ -48,7 +49,8 @@ void TextFile::fail(int line, int column, const std::string& message) const {
   text += ": " + message;
   if (line > 0 && line <= line_count()) {
     text += "\n  " + shown(this->line(line));
-    if (column > 0 && column <= 100) text += "\n  " + std::string(static_cast<std::size_t>(column - 1), ' ') + "^";
+    if (column > 0 && column <= 100)
+      text += "\n  " + std::string(static_cast<std::size_t>(column - 1), ' ') + "^";
   }
   throw InputError(text, {name_, line, column});
 }

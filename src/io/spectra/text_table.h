@@ -15,11 +15,13 @@ class TextFile {
   explicit TextFile(const std::filesystem::path& path);
 
   int line_count() const { return static_cast<int>(lines_.size()); }
-  std::string_view line(int number) const { return lines_[static_cast<std::size_t>(number - 1)]; }  ///< from 1
+  std::string_view line(int number) const {
+    return lines_[static_cast<std::size_t>(number - 1)];
+  }  ///< from 1
   const std::string& name() const { return name_; }
 
-  /// Throws an InputError that shows the place: "file:line:column: message", the line, a caret. Line 0: the file as
-  /// a whole; column 0: the line as a whole.
+  /// Throws an InputError that shows the place: "file:line:column: message", the line, a caret. Line 0: the
+  /// file as a whole; column 0: the line as a whole.
   [[noreturn]] void fail(int line, int column, const std::string& message) const;
 
  private:
