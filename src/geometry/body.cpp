@@ -28,7 +28,8 @@ void require_place(const char* what, Point3 p) {
 }
 
 Transform scaled_about(Point3 origin_m, Vec3 factors) {
-  return Transform::from_columns({factors.x, 0.0, 0.0}, {0.0, factors.y, 0.0}, {0.0, 0.0, factors.z}, origin_m);
+  return Transform::from_columns({factors.x, 0.0, 0.0}, {0.0, factors.y, 0.0}, {0.0, 0.0, factors.z},
+                                 origin_m);
 }
 
 Body analytic_body(UnitKind kind, const Transform& object_from_unit, Point3 seed_in_unit, bool solid) {
@@ -63,7 +64,8 @@ Body make(const Hemisphere& dome) {
   require_place("the centre of a hemisphere", dome.centre_m);
   require_size("the radius of a hemisphere", dome.radius_m);
   const double r = dome.radius_m;
-  // A ray towards a point below the shell meets the shell from above, from the sides and through the open floor.
+  // A ray towards a point below the shell meets the shell from above, from the sides and through the open
+  // floor.
   return analytic_body(UnitKind::dome, scaled_about(dome.centre_m, {r, r, r}), {0.0, 0.0, 0.5}, false);
 }
 
@@ -71,7 +73,8 @@ Body make(const Cylinder& cylinder) {
   require_place("the base of a cylinder", cylinder.base_m);
   require_size("the radius of a cylinder", cylinder.radius_m);
   require_size("the height of a cylinder", cylinder.height_m);
-  const Transform map = scaled_about(cylinder.base_m, {cylinder.radius_m, cylinder.radius_m, cylinder.height_m});
+  const Transform map =
+      scaled_about(cylinder.base_m, {cylinder.radius_m, cylinder.radius_m, cylinder.height_m});
   if (cylinder.capped) return analytic_body(UnitKind::can, map, {0.0, 0.0, 0.5}, true);
   return analytic_body(UnitKind::tube, map, {1.0, 0.0, 0.5}, false);
 }
@@ -83,7 +86,8 @@ Body make(const Disk& disk) {
   return analytic_body(UnitKind::disk, scaled_about(disk.centre_m, {r, r, r}), {}, false);
 }
 
-void require_indices(const char* what, const std::vector<Triangle>& corners, std::size_t count, bool optional) {
+void require_indices(const char* what, const std::vector<Triangle>& corners, std::size_t count,
+                     bool optional) {
   for (std::size_t t = 0; t < corners.size(); ++t)
     for (const std::uint32_t i : corners[t])
       if (i >= count && !(optional && i == kNoIndex))
@@ -99,7 +103,8 @@ void check(const TriangleMesh& mesh) {
   require_indices("normal", mesh.normal_corners, mesh.normals.size(), true);
   require_indices("texture coordinate", mesh.uv_corners, mesh.uvs.size(), true);
   const auto same_length = [&](const char* what, std::size_t length) {
-    if (length != 0 && length != n) throw InputError(format("a mesh has {} {} for {} triangles", length, what, n));
+    if (length != 0 && length != n)
+      throw InputError(format("a mesh has {} {} for {} triangles", length, what, n));
   };
   same_length("material slots", mesh.slots.size());
   same_length("normal corners", mesh.normal_corners.size());
@@ -139,7 +144,8 @@ Body make(TriangleMesh mesh) {
 
   double largest = -1.0;
   for (const Triangle& t : body.mesh.triangles) {
-    const Point3 a = body.mesh.vertices_m[t[0]], b = body.mesh.vertices_m[t[1]], c = body.mesh.vertices_m[t[2]];
+    const Point3 a = body.mesh.vertices_m[t[0]], b = body.mesh.vertices_m[t[1]],
+                 c = body.mesh.vertices_m[t[2]];
     const double area = 0.5 * length(cross(b - a, c - a));
     if (area > largest) largest = area, body.seed_m = a + ((b - a) + (c - a)) / 3.0;
   }
@@ -163,7 +169,8 @@ Body make(const Polygon& polygon) {
   const Vec3 normal = normalized(area);
   double lift = 0.0;
   for (const Point3& p : v) lift = std::max(lift, std::abs(dot(normal, p - v[0])));
-  if (lift > 1e-6 * size) throw InputError(format("a polygon is not planar: a vertex lies {} m off its plane", lift));
+  if (lift > 1e-6 * size)
+    throw InputError(format("a polygon is not planar: a vertex lies {} m off its plane", lift));
 
   TriangleMesh mesh;
   mesh.vertices_m = v;
@@ -178,7 +185,8 @@ Body make(const Polygon& polygon) {
     y_low = std::min(y_low, dot(y, p - v[0])), y_high = std::max(y_high, dot(y, p - v[0]));
   }
   for (const Point3& p : v)
-    mesh.uvs.push_back({(dot(x, p - v[0]) - x_low) / (x_high - x_low), (dot(y, p - v[0]) - y_low) / (y_high - y_low)});
+    mesh.uvs.push_back(
+        {(dot(x, p - v[0]) - x_low) / (x_high - x_low), (dot(y, p - v[0]) - y_low) / (y_high - y_low)});
   Body body = make(std::move(mesh));
   std::fill(body.mesh_patches.begin(), body.mesh_patches.end(), 0u);  // slivers of no area would be their own
   body.patch_count = 1;
@@ -219,16 +227,18 @@ void append_part(Body& whole, const Body& part, const Transform& whole_from_part
   const Transform part_from_whole = whole_from_part.inverse();
 
   for (const UnitPrimitive& p : part.analytic)
-    whole.analytic.push_back({p.unit_from_object * part_from_whole, p.patch + whole.patch_count, slot(p.slot), p.kind});
+    whole.analytic.push_back(
+        {p.unit_from_object * part_from_whole, p.patch + whole.patch_count, slot(p.slot), p.kind});
 
   TriangleMesh& mesh = whole.mesh;
   const std::size_t before = mesh.triangles.size();
-  if (mesh.vertices_m.size() + part.mesh.vertices_m.size() >= kNoIndex) throw InputError("a prototype is too large");
+  if (mesh.vertices_m.size() + part.mesh.vertices_m.size() >= kNoIndex)
+    throw InputError("a prototype is too large");
   const auto moved = [&](const auto& value) { return whole_from_part(value); };
   append_attribute(mesh.normals, mesh.normal_corners, before, part.mesh.normals, part.mesh.normal_corners,
                    part.mesh.triangles, flipped, moved);
-  append_attribute(mesh.uvs, mesh.uv_corners, before, part.mesh.uvs, part.mesh.uv_corners, part.mesh.triangles, flipped,
-                   [](Uv uv) { return uv; });
+  append_attribute(mesh.uvs, mesh.uv_corners, before, part.mesh.uvs, part.mesh.uv_corners,
+                   part.mesh.triangles, flipped, [](Uv uv) { return uv; });
   const auto shift = static_cast<std::uint32_t>(mesh.vertices_m.size());
   for (const Point3& p : part.mesh.vertices_m) mesh.vertices_m.push_back(whole_from_part(p));
   for (std::size_t t = 0; t < part.mesh.triangles.size(); ++t) {
@@ -271,9 +281,11 @@ void settle_bounds(Body& body) {
     body.centre_m = body.analytic[0].unit_from_object.inverse().origin_m();
   body.radius_m = 0.0;
   for (const UnitPrimitive& p : body.analytic)
-    body.radius_m = std::max(body.radius_m, unit_reach_m(p.kind, p.unit_from_object.inverse(), body.centre_m));
+    body.radius_m =
+        std::max(body.radius_m, unit_reach_m(p.kind, p.unit_from_object.inverse(), body.centre_m));
   for (const Triangle& t : body.mesh.triangles)
-    for (const std::uint32_t i : t) body.radius_m = std::max(body.radius_m, length(body.mesh.vertices_m[i] - body.centre_m));
+    for (const std::uint32_t i : t)
+      body.radius_m = std::max(body.radius_m, length(body.mesh.vertices_m[i] - body.centre_m));
 }
 
 }  // namespace ifov::geometry

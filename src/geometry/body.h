@@ -11,8 +11,8 @@
 
 namespace ifov::geometry {
 
-/// What one placed object consists of, in its own frame: analytic shapes and one triangle mesh. Primitives are
-/// numbered analytic shapes first, then triangles; patches likewise.
+/// What one placed object consists of, in its own frame: analytic shapes and one triangle mesh. Primitives
+/// are numbered analytic shapes first, then triangles; patches likewise.
 struct Body {
   std::vector<UnitPrimitive> analytic;
   TriangleMesh mesh;
@@ -21,10 +21,10 @@ struct Body {
   std::size_t surface_triangles = 0;  ///< in meshes that are surfaces rather than heaps of small things
   std::uint32_t slot_count = 1;
   World::Bounds bounds{};
-  math::Point3 centre_m;    ///< of the bounding sphere
+  math::Point3 centre_m;  ///< of the bounding sphere
   double radius_m = 0.0;
-  math::Point3 seed_m;      ///< a point in a solid, or on a face
-  double seed_weight = 0.0; ///< what the seed stands for: area of the face, or of the ball about a solid
+  math::Point3 seed_m;       ///< a point in a solid, or on a face
+  double seed_weight = 0.0;  ///< what the seed stands for: area of the face, or of the ball about a solid
   bool seed_is_solid = false;
 };
 

@@ -17,14 +17,15 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 void check(RTCDevice device) {
   const RTCError error = rtcGetDeviceError(device);
-  if (error == RTC_ERROR_OUT_OF_MEMORY) throw EnvironmentError("out of memory while building the ray tracer's tree");
+  if (error == RTC_ERROR_OUT_OF_MEMORY)
+    throw EnvironmentError("out of memory while building the ray tracer's tree");
   if (error != RTC_ERROR_NONE) throw EnvironmentError(format("the ray tracer reports error {}", int(error)));
 }
 
 RayPacket& packet_of(RTCIntersectContext* context) { return *reinterpret_cast<RayPacket*>(context); }
 
-/// Embree's rays carry their lane number as their id. The ray's far end moves to the hit and a window beyond it,
-/// so that whatever might be nearer in double is proposed too.
+/// Embree's rays carry their lane number as their id. The ray's far end moves to the hit and a window beyond
+/// it, so that whatever might be nearer in double is proposed too.
 void propose_triangle(const RTCFilterFunctionNArguments* a) {
   RayPacket& packet = packet_of(a->context);
   const auto& set = *static_cast<const TriangleSet*>(a->geometryUserPtr);
@@ -32,7 +33,8 @@ void propose_triangle(const RTCFilterFunctionNArguments* a) {
     if (a->valid[i] == 0) continue;
     const std::size_t k = RTCRayN_id(a->ray, a->N, i);
     const double seen = double(RTCRayN_tfar(a->ray, a->N, i));
-    const Candidate c{Candidate::triangle, RTCHitN_instID(a->hit, a->N, i, 0), RTCHitN_primID(a->hit, a->N, i), 0, &set};
+    const Candidate c{Candidate::triangle, RTCHitN_instID(a->hit, a->N, i, 0),
+                      RTCHitN_primID(a->hit, a->N, i), 0, &set};
     double t = kUnknown;
     bool taken = true;
     if (!packet.clearly_within(k, seen)) {
@@ -56,20 +58,23 @@ void propose_occluder(const RTCFilterFunctionNArguments* a) {
     if (a->valid[i] == 0) continue;
     const std::size_t k = RTCRayN_id(a->ray, a->N, i);
     if (packet.clearly_within(k, double(RTCRayN_tfar(a->ray, a->N, i)))) continue;
-    const double t = packet.facet_distance(k, set, RTCHitN_instID(a->hit, a->N, i, 0), RTCHitN_primID(a->hit, a->N, i));
+    const double t =
+        packet.facet_distance(k, set, RTCHitN_instID(a->hit, a->N, i, 0), RTCHitN_primID(a->hit, a->N, i));
     if (!packet.within(k, t)) a->valid[i] = 0;
   }
 }
 
 /// The shape in double against lane `k`, up to `t_max`.
-UnitHit meet(const RayPacket& packet, std::size_t k, const UnitPrimitive& shape, unsigned instance, double t_max) {
+UnitHit meet(const RayPacket& packet, std::size_t k, const UnitPrimitive& shape, unsigned instance,
+             double t_max) {
   Point3 p = packet.start(k);
   Vec3 d = packet.direction(k);
   if (instance != RTC_INVALID_GEOMETRY_ID) {
     const math::Transform& map = packet.table.set_from_scene[instance];
     p = map(p), d = map(d);
   }
-  return intersect_unit(shape.kind, shape.unit_from_object(p), shape.unit_from_object(d), packet.low[k], t_max);
+  return intersect_unit(shape.kind, shape.unit_from_object(p), shape.unit_from_object(d), packet.low[k],
+                        t_max);
 }
 
 void intersect_analytic(const RTCIntersectFunctionNArguments* a) {
@@ -81,8 +86,10 @@ void intersect_analytic(const RTCIntersectFunctionNArguments* a) {
     if (a->valid[i] == 0) continue;
     const std::size_t k = RTCRayN_id(rays, a->N, i);
     const UnitHit hit = meet(packet, k, set.shapes[a->primID], instance, packet.high[k]);
-    if (hit.t < packet.high[k] && packet.take(k, hit.t, hit.t, {Candidate::analytic, instance, a->primID, hit.face, &set}))
-      RTCRayN_tfar(rays, a->N, i) = std::min(RTCRayN_tfar(rays, a->N, i), static_cast<float>(hit.t + packet.window_m));
+    if (hit.t < packet.high[k] &&
+        packet.take(k, hit.t, hit.t, {Candidate::analytic, instance, a->primID, hit.face, &set}))
+      RTCRayN_tfar(rays, a->N, i) =
+          std::min(RTCRayN_tfar(rays, a->N, i), static_cast<float>(hit.t + packet.window_m));
   }
 }
 
@@ -101,9 +108,14 @@ void bound_analytic(const RTCBoundsFunctionArguments* a) {
   const auto& set = *static_cast<const AnalyticSet*>(a->geometryUserPtr);
   const UnitPrimitive& shape = set.shapes[a->primID];
   const World::Bounds b = unit_bounds(shape.kind, shape.unit_from_object.inverse());
-  const auto down = [&](double v) { return std::nextafter(static_cast<float>(v - set.padding_m), -kFloatInfinity); };
-  const auto up = [&](double v) { return std::nextafter(static_cast<float>(v + set.padding_m), kFloatInfinity); };
-  *a->bounds_o = {down(b.low_m.x), down(b.low_m.y), down(b.low_m.z), 0.0f, up(b.high_m.x), up(b.high_m.y), up(b.high_m.z), 0.0f};
+  const auto down = [&](double v) {
+    return std::nextafter(static_cast<float>(v - set.padding_m), -kFloatInfinity);
+  };
+  const auto up = [&](double v) {
+    return std::nextafter(static_cast<float>(v + set.padding_m), kFloatInfinity);
+  };
+  *a->bounds_o = {down(b.low_m.x), down(b.low_m.y), down(b.low_m.z), 0.0f,
+                  up(b.high_m.x),  up(b.high_m.y),  up(b.high_m.z),  0.0f};
 }
 
 void attach(RTCDevice device, RTCScene scene, RTCGeometry geometry, unsigned number) {

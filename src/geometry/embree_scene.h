@@ -23,8 +23,8 @@ using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScen
 /// Pinned to AVX2, so that machines with wider vectors give the same bytes. `threads` (0: all) build.
 EmbreeDevice make_device(int threads);
 
-/// Of medium build quality; `robust`: watertight where triangles share vertices, at a tenth of the speed. Geometry is
-/// attached, then committed; errors of Embree are EnvironmentError.
+/// Of medium build quality; `robust`: watertight where triangles share vertices, at a tenth of the speed.
+/// Geometry is attached, then committed; errors of Embree are EnvironmentError.
 EmbreeScene make_scene(RTCDevice device, bool robust);
 void commit(RTCDevice device, RTCScene scene);
 

@@ -35,8 +35,9 @@ class FlushDenormals {
 /// Outward normal in the scene of one known in a frame `frame_from_scene` leads to.
 Normal3 normal_in_scene(const Transform& frame_from_scene, Normal3 n) {
   const Vec3 v = n.as_vector();
-  return math::as_normal(math::normalized(
-      {dot(frame_from_scene.column_x(), v), dot(frame_from_scene.column_y(), v), dot(frame_from_scene.column_z(), v)}));
+  return math::as_normal(
+      math::normalized({dot(frame_from_scene.column_x(), v), dot(frame_from_scene.column_y(), v),
+                        dot(frame_from_scene.column_z(), v)}));
 }
 
 /// Barycentric weights of a point in the plane of a triangle.
@@ -55,15 +56,18 @@ bool complete(const Triangle& t) { return t[0] != kNoIndex && t[1] != kNoIndex &
 }  // namespace
 
 InstanceTable EmbreeWorld::table() const {
-  return {set_from_scene_.data(), instance_object_.data(), first_triangle_.data(), first_analytic_.data(), analytic_count_.data()};
+  return {set_from_scene_.data(), instance_object_.data(), first_triangle_.data(), first_analytic_.data(),
+          analytic_count_.data()};
 }
 
-bool EmbreeWorld::load(RayPacket& packet, std::span<const Ray> rays, double* shift, RTCRay8& embree, int* valid) const {
+bool EmbreeWorld::load(RayPacket& packet, std::span<const Ray> rays, double* shift, RTCRay8& embree,
+                       int* valid) const {
   const std::size_t count = rays.size();
   alignas(64) double t_min[kLanes], t_max[kLanes];
   for (std::size_t k = 0; k < kLanes; ++k) {
     const Ray& ray = rays[std::min(k, count - 1)];
-    packet.x[k] = ray.origin_m.x - centre_m_.x, packet.y[k] = ray.origin_m.y - centre_m_.y, packet.z[k] = ray.origin_m.z - centre_m_.z;
+    packet.x[k] = ray.origin_m.x - centre_m_.x, packet.y[k] = ray.origin_m.y - centre_m_.y,
+    packet.z[k] = ray.origin_m.z - centre_m_.z;
     packet.dx[k] = ray.direction.x, packet.dy[k] = ray.direction.y, packet.dz[k] = ray.direction.z;
     t_min[k] = ray.t_min_m, t_max[k] = ray.t_max_m;
   }
@@ -93,8 +97,10 @@ bool EmbreeWorld::load(RayPacket& packet, std::span<const Ray> rays, double* shi
     packet.best[k].kind = Candidate::none;
     valid[k] = meets && k < count ? -1 : 0;
     any |= valid[k];
-    embree.org_x[k] = float(packet.x[k]), embree.org_y[k] = float(packet.y[k]), embree.org_z[k] = float(packet.z[k]);
-    embree.dir_x[k] = float(packet.dx[k]), embree.dir_y[k] = float(packet.dy[k]), embree.dir_z[k] = float(packet.dz[k]);
+    embree.org_x[k] = float(packet.x[k]), embree.org_y[k] = float(packet.y[k]),
+    embree.org_z[k] = float(packet.z[k]);
+    embree.dir_x[k] = float(packet.dx[k]), embree.dir_y[k] = float(packet.dy[k]),
+    embree.dir_z[k] = float(packet.dz[k]);
     embree.tnear[k] = 0.0f, embree.tfar[k] = float(leave[k] - s + window_m_), embree.time[k] = 0.0f;
     embree.mask[k] = ~0u, embree.id[k] = unsigned(k), embree.flags[k] = 0;
   }
@@ -130,7 +136,8 @@ void EmbreeWorld::intersect(std::span<const Ray> rays, std::span<SurfacePoint> h
         embree.ray.tfar[k] = std::min(embree.ray.tfar[k], float(packet.near[k] + window_m_));
     }
     if (any) {
-      for (std::size_t k = 0; k < kLanes; ++k) embree.hit.geomID[k] = embree.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+      for (std::size_t k = 0; k < kLanes; ++k)
+        embree.hit.geomID[k] = embree.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
       rtcIntersect8(valid, scene_.get(), &packet.context, &embree);
     }
     for (std::size_t k = 0; k < count; ++k) finish(packet, k, rays[begin + k], shift[k], hits[begin + k]);
@@ -156,11 +163,13 @@ void EmbreeWorld::occluded(std::span<const Ray> rays, std::span<std::uint8_t> bl
     }
     if (any) rtcOccluded8(valid, scene_.get(), &packet.context, &embree);
     for (std::size_t k = 0; k < count; ++k)
-      blocked[begin + k] = packet.best[k].kind == Candidate::plane || (valid[k] != 0 && embree.tfar[k] < 0.0f);
+      blocked[begin + k] =
+          packet.best[k].kind == Candidate::plane || (valid[k] != 0 && embree.tfar[k] < 0.0f);
   }
 }
 
-void EmbreeWorld::finish(const RayPacket& packet, std::size_t k, const Ray& ray, double shift, SurfacePoint& hit) const {
+void EmbreeWorld::finish(const RayPacket& packet, std::size_t k, const Ray& ray, double shift,
+                         SurfacePoint& hit) const {
   const Candidate& c = packet.best[k];
   if (c.kind == Candidate::none) {
     hit = SurfacePoint{};
@@ -168,8 +177,10 @@ void EmbreeWorld::finish(const RayPacket& packet, std::size_t k, const Ray& ray,
   }
   double t = packet.exact[k];
   if (c.kind == Candidate::triangle) {
-    if (std::isnan(t)) t = packet.facet_distance(k, *static_cast<const TriangleSet*>(c.set), c.instance, c.prim);
-    // A ray within the plane of a triangle meets that plane anywhere: then Embree's distance is the better one.
+    if (std::isnan(t))
+      t = packet.facet_distance(k, *static_cast<const TriangleSet*>(c.set), c.instance, c.prim);
+    // A ray within the plane of a triangle meets that plane anywhere: then Embree's distance is the better
+    // one.
     if (!(std::abs(t - packet.near[k]) <= 64.0 * window_m_)) t = packet.near[k];
   }
   hit.distance_m = shift + t;
@@ -213,14 +224,16 @@ void EmbreeWorld::finish_triangle(const Candidate& c, SurfacePoint& hit) const {
   hit.patch = tag.patch;
   hit.material = materials_[materials_of_[hit.instance] + tag.slot];
   hit.offset_m = std::max(triangle_offset_m_, analytic_offset(hit));
-  if (!attributes_of_.empty() && attributes_of_[hit.instance] != kNoIndex) apply_attributes(hit.instance, triangle, hit);
+  if (!attributes_of_.empty() && attributes_of_[hit.instance] != kNoIndex)
+    apply_attributes(hit.instance, triangle, hit);
 }
 
 void EmbreeWorld::apply_attributes(std::uint32_t object, std::uint32_t triangle, SurfacePoint& hit) const {
   const TriangleMesh& mesh = attributes_[attributes_of_[object]].mesh;
   const Transform& map = object_from_scene_[attribute_map_of_[object]];
   const Triangle& v = mesh.triangles[triangle];
-  const auto w = weights(mesh.vertices_m[v[0]], mesh.vertices_m[v[1]], mesh.vertices_m[v[2]], map(hit.position_m));
+  const auto w =
+      weights(mesh.vertices_m[v[0]], mesh.vertices_m[v[1]], mesh.vertices_m[v[2]], map(hit.position_m));
   if (!mesh.uvs.empty()) {
     const Triangle& i = corners(mesh.uv_corners, mesh, triangle);
     if (complete(i)) {
@@ -232,7 +245,8 @@ void EmbreeWorld::apply_attributes(std::uint32_t object, std::uint32_t triangle,
   if (!mesh.normals.empty()) {
     const Triangle& i = corners(mesh.normal_corners, mesh, triangle);
     if (!complete(i)) return;
-    const Vec3 n = mesh.normals[i[0]].as_vector() * w[0] + mesh.normals[i[1]].as_vector() * w[1] + mesh.normals[i[2]].as_vector() * w[2];
+    const Vec3 n = mesh.normals[i[0]].as_vector() * w[0] + mesh.normals[i[1]].as_vector() * w[1] +
+                   mesh.normals[i[2]].as_vector() * w[2];
     const Normal3 shading = normal_in_scene(map, math::as_normal(n));
     const double side = dot(shading, hit.geometric_normal.as_vector());
     if (std::isfinite(side)) hit.shading_normal = side < 0.0 ? -shading : shading;

@@ -13,9 +13,9 @@
 
 namespace ifov::geometry {
 
-/// The world on Embree. The scene is moved about the centre of its bounds in double before it becomes float; bodies
-/// that stand in several places become Embree instances about their own centres, all others lie in the scene itself;
-/// planes are met beside Embree.
+/// The world on Embree. The scene is moved about the centre of its bounds in double before it becomes float;
+/// bodies that stand in several places become Embree instances about their own centres, all others lie in the
+/// scene itself; planes are met beside Embree.
 class EmbreeWorld final : public World {
  public:
   EmbreeWorld(WorldContent content, int threads);
@@ -48,9 +48,11 @@ class EmbreeWorld final : public World {
   void keep_attributes(WorldContent& content);
 
   // Queries of one packet; `count` lanes are in use. False where no lane needs Embree.
-  bool load(RayPacket& packet, std::span<const math::Ray> rays, double* shift, RTCRay8& embree, int* valid) const;
+  bool load(RayPacket& packet, std::span<const math::Ray> rays, double* shift, RTCRay8& embree,
+            int* valid) const;
   void meet_planes(RayPacket& packet, std::size_t count) const;
-  void finish(const RayPacket& packet, std::size_t k, const math::Ray& ray, double shift, SurfacePoint& hit) const;
+  void finish(const RayPacket& packet, std::size_t k, const math::Ray& ray, double shift,
+              SurfacePoint& hit) const;
   void finish_plane(const Candidate& c, SurfacePoint& hit) const;
   void finish_triangle(const Candidate& c, SurfacePoint& hit) const;
   void finish_analytic(const RayPacket& packet, std::size_t k, SurfacePoint& hit) const;
@@ -67,19 +69,19 @@ class EmbreeWorld final : public World {
 
   math::Point3 centre_m_;  ///< of the scene's bounds: Embree's origin
   Bounds bounds_{};
-  Bounds padded_{};        ///< about the centre, widened
-  double scale_m_ = 0.0;   ///< largest coordinate about the centre
+  Bounds padded_{};       ///< about the centre, widened
+  double scale_m_ = 0.0;  ///< largest coordinate about the centre
   double window_m_ = 0.0;
   double triangle_offset_m_ = 0.0;
 
   // By object.
   std::vector<PlacedObject> objects_;
-  std::vector<std::uint32_t> materials_of_;       ///< where an object's materials begin
-  std::vector<std::uint32_t> first_triangle_;     ///< in triangles_; 0 in instances
-  std::vector<std::uint32_t> first_analytic_;     ///< in analytic_; 0 in instances
+  std::vector<std::uint32_t> materials_of_;    ///< where an object's materials begin
+  std::vector<std::uint32_t> first_triangle_;  ///< in triangles_; 0 in instances
+  std::vector<std::uint32_t> first_analytic_;  ///< in analytic_; 0 in instances
   std::vector<std::uint32_t> analytic_count_;
-  std::vector<std::uint32_t> attributes_of_;      ///< index into attributes_, or kNoIndex
-  std::vector<std::uint32_t> attribute_map_of_;   ///< index into object_from_scene_
+  std::vector<std::uint32_t> attributes_of_;     ///< index into attributes_, or kNoIndex
+  std::vector<std::uint32_t> attribute_map_of_;  ///< index into object_from_scene_
   // By Embree's instance number.
   std::vector<math::Transform> set_from_scene_;
   std::vector<std::uint32_t> instance_object_;

@@ -20,7 +20,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kCopiedTriangles = 4, kCopiedShapes = 2;
 
 bool better_copied(const Template& t) {
-  return t.uses == 1 || (t.body.mesh.triangles.size() <= kCopiedTriangles && t.body.analytic.size() <= kCopiedShapes);
+  return t.uses == 1 ||
+         (t.body.mesh.triangles.size() <= kCopiedTriangles && t.body.analytic.size() <= kCopiedShapes);
 }
 
 Transform moved_by(Point3 centre_m, double sign) {
@@ -32,7 +33,8 @@ World::Bounds image_of(const World::Bounds& b, const Transform& map) {
   const Point3 middle = map(b.low_m + (b.high_m - b.low_m) * 0.5);
   const Vec3 half = (b.high_m - b.low_m) * 0.5;
   const Vec3 x = map.column_x() * half.x, y = map.column_y() * half.y, z = map.column_z() * half.z;
-  const Vec3 reach{std::abs(x.x) + std::abs(y.x) + std::abs(z.x), std::abs(x.y) + std::abs(y.y) + std::abs(z.y),
+  const Vec3 reach{std::abs(x.x) + std::abs(y.x) + std::abs(z.x),
+                   std::abs(x.y) + std::abs(y.y) + std::abs(z.y),
                    std::abs(x.z) + std::abs(y.z) + std::abs(z.z)};
   return {middle - reach, middle + reach};
 }
@@ -91,8 +93,10 @@ void EmbreeWorld::place_objects(const WorldContent& content) {
       const Bounds b = placed_bounds(t.body, map, better_copied(t));
       if (!any) bounds_ = b;
       any = true;
-      bounds_.low_m = {std::min(bounds_.low_m.x, b.low_m.x), std::min(bounds_.low_m.y, b.low_m.y), std::min(bounds_.low_m.z, b.low_m.z)};
-      bounds_.high_m = {std::max(bounds_.high_m.x, b.high_m.x), std::max(bounds_.high_m.y, b.high_m.y), std::max(bounds_.high_m.z, b.high_m.z)};
+      bounds_.low_m = {std::min(bounds_.low_m.x, b.low_m.x), std::min(bounds_.low_m.y, b.low_m.y),
+                       std::min(bounds_.low_m.z, b.low_m.z)};
+      bounds_.high_m = {std::max(bounds_.high_m.x, b.high_m.x), std::max(bounds_.high_m.y, b.high_m.y),
+                        std::max(bounds_.high_m.z, b.high_m.z)};
     }
     objects_.push_back(object);
   }
@@ -104,7 +108,8 @@ void EmbreeWorld::place_objects(const WorldContent& content) {
   window_m_ = std::ldexp(scale_m_, -17);
   triangle_offset_m_ = std::ldexp(scale_m_, -22);
   const double padding = std::ldexp(scale_m_, -20);
-  padded_ = {{-half.x - padding, -half.y - padding, -half.z - padding}, {half.x + padding, half.y + padding, half.z + padding}};
+  padded_ = {{-half.x - padding, -half.y - padding, -half.z - padding},
+             {half.x + padding, half.y + padding, half.z + padding}};
 }
 
 void EmbreeWorld::build_scene(WorldContent& content, const std::vector<bool>& instanced) {
@@ -129,8 +134,10 @@ void EmbreeWorld::build_scene(WorldContent& content, const std::vector<bool>& in
     prototype->analytic.padding_m = padding * shrink;
     // In a heap of leaves there is nothing behind a shared vertex to leak into.
     prototype->scene = make_scene(device_.get(), 20 * body.surface_triangles > body.mesh.triangles.size());
-    if (!prototype->triangles.facets.empty()) attach_triangles(device_.get(), prototype->scene.get(), 0, prototype->triangles);
-    if (!prototype->analytic.shapes.empty()) attach_analytic(device_.get(), prototype->scene.get(), 1, prototype->analytic);
+    if (!prototype->triangles.facets.empty())
+      attach_triangles(device_.get(), prototype->scene.get(), 0, prototype->triangles);
+    if (!prototype->analytic.shapes.empty())
+      attach_analytic(device_.get(), prototype->scene.get(), 1, prototype->analytic);
     commit(device_.get(), prototype->scene.get());
     prototypes_[t] = std::move(prototype);
   }
@@ -153,7 +160,8 @@ void EmbreeWorld::build_scene(WorldContent& content, const std::vector<bool>& in
       scene_from_set.push_back(centred_from_object * moved_by(t.body.centre_m, 1.0));
       instance_object_.push_back(object);
     } else {
-      if (triangles_.facets.size() + t.body.mesh.triangles.size() >= kNoIndex) throw InputError("the scene has too many triangles");
+      if (triangles_.facets.size() + t.body.mesh.triangles.size() >= kNoIndex)
+        throw InputError("the scene has too many triangles");
       first_triangle_[object] = static_cast<std::uint32_t>(triangles_.facets.size());
       first_analytic_[object] = static_cast<std::uint32_t>(analytic_.shapes.size());
       triangles_.append(t.body, centred_from_object);

@@ -40,7 +40,8 @@ bool is_ear(const std::vector<Flat>& flat, const std::vector<std::uint32_t>& lef
   if (!(twice_area(a, b, c) > 0.0)) return false;
   for (std::size_t k = 2; k + 1 < n; ++k) {
     const Flat p = flat[left[(at + k) % n]];
-    const bool corner = (p.x == a.x && p.y == a.y) || (p.x == b.x && p.y == b.y) || (p.x == c.x && p.y == c.y);
+    const bool corner =
+        (p.x == a.x && p.y == a.y) || (p.x == b.x && p.y == b.y) || (p.x == c.x && p.y == c.y);
     if (!corner && twice_area(a, b, p) >= 0.0 && twice_area(b, c, p) >= 0.0 && twice_area(c, a, p) >= 0.0)
       return false;
   }
@@ -67,7 +68,8 @@ std::vector<Triangle> triangulate_polygon(std::span<const Point3> vertices_m) {
   std::iota(left.begin(), left.end(), 0u);
   std::size_t at = 1, tried = 0;
   while (left.size() > 3) {
-    // A polygon without an ear crosses itself or has no area: cut it all the same, so that every corner is used.
+    // A polygon without an ear crosses itself or has no area: cut it all the same, so that every corner is
+    // used.
     if (is_ear(flat, left, at % left.size()) || tried == left.size()) {
       const std::size_t k = at % left.size(), m = left.size();
       triangles.push_back({left[(k + m - 1) % m], left[k], left[(k + 1) % m]});

@@ -12,8 +12,8 @@ namespace ifov::geometry {
 
 inline constexpr int kLanes = 8;
 
-/// What a lane of a packet has met. Embree's numbers: `prim` within the set, `instance` RTC_INVALID_GEOMETRY_ID for the
-/// sets of the scene itself.
+/// What a lane of a packet has met. Embree's numbers: `prim` within the set, `instance`
+/// RTC_INVALID_GEOMETRY_ID for the sets of the scene itself.
 struct Candidate {
   enum Kind : std::uint32_t { none, plane, triangle, analytic } kind = none;
   std::uint32_t instance = RTC_INVALID_GEOMETRY_ID;
@@ -31,9 +31,10 @@ struct InstanceTable {
   const std::uint32_t* analytic_count = nullptr;
 };
 
-/// Eight rays in double beside Embree's float ones. Embree proposes primitives; which is nearest is decided here,
-/// by its float distance where that is clear and by the exact distance where two lie within `window_m` of each other
-/// or of the ray's ends. So neither the order in which Embree visits primitives nor its rounding shows in the answer.
+/// Eight rays in double beside Embree's float ones. Embree proposes primitives; which is nearest is decided
+/// here, by its float distance where that is clear and by the exact distance where two lie within `window_m`
+/// of each other or of the ray's ends. So neither the order in which Embree visits primitives nor its
+/// rounding shows in the answer.
 struct RayPacket {
   RTCIntersectContext context;  // first: Embree hands back a pointer to it
   InstanceTable table;
@@ -50,7 +51,8 @@ struct RayPacket {
   math::Vec3 direction(std::size_t k) const { return {dx[k], dy[k], dz[k]}; }
 
   /// Distance in double of a triangle's plane.
-  double facet_distance(std::size_t k, const TriangleSet& set, std::uint32_t instance, std::uint32_t prim) const {
+  double facet_distance(std::size_t k, const TriangleSet& set, std::uint32_t instance,
+                        std::uint32_t prim) const {
     const Facet& f = set.facets[prim];
     math::Point3 p = start(k);
     math::Vec3 d = direction(k);
@@ -91,7 +93,9 @@ struct RayPacket {
 
   bool within(std::size_t k, double t) const { return t > low[k] && t < high[k]; }
   /// Embree's distance says by itself that the hit lies between the ray's ends.
-  bool clearly_within(std::size_t k, double seen) const { return seen > low[k] + window_m && seen < high[k] - window_m; }
+  bool clearly_within(std::size_t k, double seen) const {
+    return seen > low[k] + window_m && seen < high[k] - window_m;
+  }
 
  private:
   /// Only triangles come without their exact distance.

@@ -8,7 +8,8 @@
 
 namespace ifov::geometry {
 
-// Shapes in their object's frame, metres. A transform (rotation, scale, also unequal) places them in the scene.
+// Shapes in their object's frame, metres. A transform (rotation, scale, also unequal) places them in the
+// scene.
 
 /// The horizontal plane z = z_m, without end; outside is up. Texture coordinates are x and y in metres.
 struct Plane {

@@ -24,8 +24,8 @@ struct TriangleMesh {
   std::vector<math::Point3> vertices_m;
   std::vector<Triangle> triangles;
 
-  std::vector<std::uint32_t> slots;      ///< material slot per triangle; empty: all 0
-  std::vector<std::string> slot_names;   ///< as in the file; empty: one slot without a name
+  std::vector<std::uint32_t> slots;     ///< material slot per triangle; empty: all 0
+  std::vector<std::string> slot_names;  ///< as in the file; empty: one slot without a name
 
   std::vector<math::Normal3> normals;    ///< vertex normals; may be empty
   std::vector<Triangle> normal_corners;  ///< into `normals`, per triangle; empty: the triangles' own indices

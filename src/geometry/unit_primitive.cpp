@@ -13,8 +13,8 @@ using math::Vec3;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The two crossings of a line with a unit circle or sphere in the span of the given components, from the point of
-/// closest approach: the textbook discriminant loses all digits when the start is far away.
+/// The two crossings of a line with a unit circle or sphere in the span of the given components, from the
+/// point of closest approach: the textbook discriminant loses all digits when the start is far away.
 struct Crossings {
   double t[2] = {kInfinity, kInfinity};
 };
@@ -182,9 +182,11 @@ World::Bounds unit_bounds(UnitKind kind, const math::Transform& object_from_unit
 }
 
 double unit_reach_m(UnitKind kind, const math::Transform& object_from_unit, Point3 from_m) {
-  const Vec3 x = object_from_unit.column_x(), y = object_from_unit.column_y(), z = object_from_unit.column_z();
+  const Vec3 x = object_from_unit.column_x(), y = object_from_unit.column_y(),
+             z = object_from_unit.column_z();
   const Vec3 w = object_from_unit.origin_m() - from_m;
-  // |w + M e|^2 <= |w|^2 + 2 |M^T w| + |M|^2 for unit vectors e: exact where w is orthogonal or M a similarity.
+  // |w + M e|^2 <= |w|^2 + 2 |M^T w| + |M|^2 for unit vectors e: exact where w is orthogonal or M a
+  // similarity.
   const auto ball = [&] {
     const double stretch = largest_stretch(object_from_unit);
     return std::sqrt(dot(w, w) + 2.0 * math::length({dot(x, w), dot(y, w), dot(z, w)}) + stretch * stretch);

@@ -27,7 +27,8 @@ struct UnitPrimitive {
   UnitKind kind = UnitKind::sphere;
 };
 
-/// Where a line p + t d meets a unit shape: the smallest t strictly between the limits, and the face met there.
+/// Where a line p + t d meets a unit shape: the smallest t strictly between the limits, and the face met
+/// there.
 struct UnitHit {
   double t = std::numeric_limits<double>::infinity();
   std::uint32_t face = 0;

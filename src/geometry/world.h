@@ -10,12 +10,14 @@
 namespace ifov::geometry {
 
 /// All geometry of a scene, built once and immutable: the only door to the ray tracer. Batches are traced in
-/// packets; the answer to a ray does not depend on its neighbours in the batch. Safe to call from many threads.
+/// packets; the answer to a ray does not depend on its neighbours in the batch. Safe to call from many
+/// threads.
 class World {
  public:
   virtual ~World() = default;
 
-  /// Nearest surface along each ray; equal distances go to the smallest (distance in double, instance, primitive).
+  /// Nearest surface along each ray; equal distances go to the smallest (distance in double, instance,
+  /// primitive).
   virtual void intersect(std::span<const math::Ray> rays, std::span<SurfacePoint> hits) const = 0;
 
   /// 1 where anything lies strictly between t_min_m and t_max_m.
@@ -27,16 +29,17 @@ class World {
   };
   virtual Bounds bounds() const = 0;
 
-  /// Placed objects, in order of their instance number: centre and radius of a bounding sphere (radius infinite
-  /// for planes). Seeds of small compact objects come from here.
+  /// Placed objects, in order of their instance number: centre and radius of a bounding sphere (radius
+  /// infinite for planes). Seeds of small compact objects come from here.
   struct PlacedObject {
     math::Point3 centre_m;
     double radius_m = 0.0;
-    math::Point3 seed_m;  ///< a point on or in the object that a ray towards it meets (centroid of its largest face
-                          ///< for open meshes, the centre for solids)
-    math::Vec3 half_length_m;  ///< from the centre along the longest side of the box in the object's own frame
-    double width_m = 0.0;      ///< second longest side of that box
-    bool compact = false; ///< one connected thing, not a leaf or part of a larger object
+    math::Point3 seed_m;  ///< a point on or in the object that a ray towards it meets (centroid of its
+                          ///< largest face for open meshes, the centre for solids)
+    math::Vec3
+        half_length_m;     ///< from the centre along the longest side of the box in the object's own frame
+    double width_m = 0.0;  ///< second longest side of that box
+    bool compact = false;  ///< one connected thing, not a leaf or part of a larger object
   };
   virtual std::span<const PlacedObject> objects() const = 0;
 

@@ -12,7 +12,8 @@
 namespace ifov::geometry {
 
 struct WorldBuilder::Content : WorldContent {
-  std::map<std::vector<std::uint32_t>, std::uint32_t> known_materials;  ///< list of an object -> where it begins
+  std::map<std::vector<std::uint32_t>, std::uint32_t>
+      known_materials;  ///< list of an object -> where it begins
 
   const Template& at(ShapeId id) const {
     if (id.value >= templates.size()) throw InputError(format("there is no shape number {}", id.value));
@@ -61,7 +62,8 @@ ShapeId WorldBuilder::add_prototype(std::span<const Part> parts) {
     const Template& t = content_->at(part.what);
     if (t.plane) throw InputError("a plane cannot be part of a prototype");
     if (!part.slots.empty() && part.slots.size() != t.body.slot_count)
-      throw InputError(format("a part has {} material slots, {} are given", t.body.slot_count, part.slots.size()));
+      throw InputError(
+          format("a part has {} material slots, {} are given", t.body.slot_count, part.slots.size()));
     require_invertible(part.prototype_from_part);
     for (const std::uint32_t s : part.slots) whole.body.slot_count = std::max(whole.body.slot_count, s + 1);
     append_part(whole.body, t.body, part.prototype_from_part, part.slots);
@@ -84,13 +86,15 @@ std::uint32_t WorldBuilder::place(ShapeId what, const math::Transform& scene_fro
   require_invertible(scene_from_object);
   Template& t = content_->templates[what.value];
   if (t.plane) {
-    const math::Vec3 x = scene_from_object.column_x(), y = scene_from_object.column_y(), z = scene_from_object.column_z();
+    const math::Vec3 x = scene_from_object.column_x(), y = scene_from_object.column_y(),
+                     z = scene_from_object.column_z();
     if (std::abs(x.z) > 1e-12 * length(x) || std::abs(y.z) > 1e-12 * length(y) || !(z.z > 0.0))
       throw InputError("a plane must stay horizontal, its outer side up");
   }
   if (content_->placements.size() >= kNoIndex) throw InputError("there are too many objects");
   ++t.uses;
-  content_->placements.push_back({what.value, content_->materials_begin(material_of_slot), seed, scene_from_object});
+  content_->placements.push_back(
+      {what.value, content_->materials_begin(material_of_slot), seed, scene_from_object});
   return static_cast<std::uint32_t>(content_->placements.size() - 1);
 }
 

@@ -20,11 +20,12 @@ struct ShapeId {
 struct Part {
   ShapeId what;
   math::Transform prototype_from_part;
-  std::vector<std::uint32_t> slots;  ///< the prototype's material slot for each slot of the part; empty: all 0
+  std::vector<std::uint32_t>
+      slots;  ///< the prototype's material slot for each slot of the part; empty: all 0
 };
 
-/// Collects shapes and where they stand, then builds the world. Shapes are kept once, however often they are placed.
-/// Errors in what it is given are InputError.
+/// Collects shapes and where they stand, then builds the world. Shapes are kept once, however often they are
+/// placed. Errors in what it is given are InputError.
 class WorldBuilder {
  public:
   WorldBuilder();
@@ -41,9 +42,10 @@ class WorldBuilder {
   /// Number of material slots that `place` expects; 1 for every shape but meshes and prototypes.
   std::size_t slot_count(ShapeId what) const;
 
-  /// Returns the instance number: 0, 1, 2, ... in the order of placing. `material_of_slot` has slot_count entries.
-  /// `seed`: whether the object, if it is compact, may serve as a seed (false for a leaf or a part of something
-  /// larger that is placed on its own). Planes may be moved and turned about the vertical, not tilted.
+  /// Returns the instance number: 0, 1, 2, ... in the order of placing. `material_of_slot` has slot_count
+  /// entries. `seed`: whether the object, if it is compact, may serve as a seed (false for a leaf or a part
+  /// of something larger that is placed on its own). Planes may be moved and turned about the vertical, not
+  /// tilted.
   std::uint32_t place(ShapeId what, const math::Transform& scene_from_object,
                       std::span<const std::uint32_t> material_of_slot, bool seed = true);
 

@@ -13,7 +13,9 @@ Transform Transform::scaling(Vec3 factors) {
 Transform Transform::rotation(Vec3 axis, double angle_rad) {
   const Vec3 k = normalized(axis);
   const double c = std::cos(angle_rad), s = std::sin(angle_rad);
-  const auto turned = [&](Vec3 v) { return v * c + cross(k, v) * s + k * (dot(k, v) * (1.0 - c)); };  // Rodrigues
+  const auto turned = [&](Vec3 v) {
+    return v * c + cross(k, v) * s + k * (dot(k, v) * (1.0 - c));
+  };  // Rodrigues
   return from_columns(turned({1.0, 0.0, 0.0}), turned({0.0, 1.0, 0.0}), turned({0.0, 0.0, 1.0}), {});
 }
 

@@ -6,8 +6,9 @@
 
 namespace ifov::math {
 
-/// An affine map between two frames, named destination_from_source: `scene_from_object(p)`. Rotation, translation and
-/// scale (also unequal and mirrored); it must be invertible wherever `inverse` or a normal is asked for.
+/// An affine map between two frames, named destination_from_source: `scene_from_object(p)`. Rotation,
+/// translation and scale (also unequal and mirrored); it must be invertible wherever `inverse` or a normal is
+/// asked for.
 class Transform {
  public:
   constexpr Transform() = default;

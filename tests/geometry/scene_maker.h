@@ -31,12 +31,15 @@ inline geometry::TriangleMesh height_field(int n, math::Point3 centre, std::uint
   for (int j = 0; j <= n; ++j)
     for (int i = 0; i <= n; ++i) {
       const auto at = static_cast<std::uint64_t>(j * (n + 1) + i);
-      mesh.vertices_m.push_back(centre + math::Vec3{i - 0.5 * n + 0.2 * uniform(key, 3 * at), j - 0.5 * n + 0.2 * uniform(key, 3 * at + 1),
-                                                    2.0 * std::sin(0.3 * i) * std::cos(0.2 * j) + 0.4 * uniform(key, 3 * at + 2)});
+      mesh.vertices_m.push_back(
+          centre + math::Vec3{i - 0.5 * n + 0.2 * uniform(key, 3 * at),
+                              j - 0.5 * n + 0.2 * uniform(key, 3 * at + 1),
+                              2.0 * std::sin(0.3 * i) * std::cos(0.2 * j) + 0.4 * uniform(key, 3 * at + 2)});
     }
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
-      const auto a = static_cast<std::uint32_t>(j * (n + 1) + i), b = a + 1, c = a + static_cast<std::uint32_t>(n) + 1, d = c + 1;
+      const auto a = static_cast<std::uint32_t>(j * (n + 1) + i), b = a + 1,
+                 c = a + static_cast<std::uint32_t>(n) + 1, d = c + 1;
       mesh.triangles.push_back({a, b, d});
       mesh.triangles.push_back({a, d, c});
     }
@@ -50,10 +53,14 @@ inline geometry::TriangleMesh ball(int rings, int sectors, double radius_m, math
   for (int r = 1; r < rings; ++r)
     for (int s = 0; s < sectors; ++s) {
       const double polar = 3.141592653589793 * r / rings, a = 6.283185307179586 * s / sectors;
-      mesh.vertices_m.push_back(centre + math::Vec3{std::sin(polar) * std::cos(a), std::sin(polar) * std::sin(a), std::cos(polar)} * radius_m);
+      mesh.vertices_m.push_back(
+          centre + math::Vec3{std::sin(polar) * std::cos(a), std::sin(polar) * std::sin(a), std::cos(polar)} *
+                       radius_m);
     }
   mesh.vertices_m.push_back(centre - math::Vec3{0.0, 0.0, radius_m});
-  const auto at = [&](int r, int s) { return static_cast<std::uint32_t>(1 + (r - 1) * sectors + s % sectors); };
+  const auto at = [&](int r, int s) {
+    return static_cast<std::uint32_t>(1 + (r - 1) * sectors + s % sectors);
+  };
   const auto last = static_cast<std::uint32_t>(mesh.vertices_m.size() - 1);
   for (int s = 0; s < sectors; ++s) {
     mesh.triangles.push_back({0, at(1, s), at(1, s + 1)});
@@ -66,17 +73,20 @@ inline geometry::TriangleMesh ball(int rings, int sectors, double radius_m, math
   return mesh;
 }
 
-/// The nearest triangle along a ray by plain double arithmetic, every triangle tried; t is infinite where none is met.
+/// The nearest triangle along a ray by plain double arithmetic, every triangle tried; t is infinite where
+/// none is met.
 struct BruteHit {
   double t = std::numeric_limits<double>::infinity();
   std::size_t triangle = 0;
   double margin = 0.0;  ///< smallest barycentric weight: how far from an edge the hit lies
 };
-inline BruteHit brute_force(const std::vector<math::Point3>& vertices, const std::vector<geometry::Triangle>& triangles, const math::Ray& ray) {
+inline BruteHit brute_force(const std::vector<math::Point3>& vertices,
+                            const std::vector<geometry::Triangle>& triangles, const math::Ray& ray) {
   BruteHit best;
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     const math::Point3 a = vertices[triangles[k][0]];
-    const math::Vec3 e1 = vertices[triangles[k][1]] - a, e2 = vertices[triangles[k][2]] - a;  // Moeller and Trumbore, 1997
+    const math::Vec3 e1 = vertices[triangles[k][1]] - a,
+                     e2 = vertices[triangles[k][2]] - a;  // Moeller and Trumbore, 1997
     const math::Vec3 p = cross(ray.direction, e2);
     const double det = dot(e1, p);
     if (det == 0.0) continue;

@@ -99,7 +99,8 @@ TEST(World, SphereIsExact) {
 }
 
 TEST(World, UnequalScaleMakesAnEllipsoid) {
-  const Transform map = Transform::translation({10, 20, 30}) * Transform::rotation({0, 0, 1}, std::numbers::pi / 2) * Transform::scaling({1, 2, 3});
+  const Transform map = Transform::translation({10, 20, 30}) *
+                        Transform::rotation({0, 0, 1}, std::numbers::pi / 2) * Transform::scaling({1, 2, 3});
   const auto world = world_of(Sphere{{}, 1.0}, map);
   const SurfacePoint side = hit_of(*world, {0, 20, 30}, {1, 0, 0});  // the axis of length 2, turned onto -x
   EXPECT_NEAR(side.position_m.x, 8.0, 1e-12);
@@ -116,7 +117,8 @@ TEST(World, BoxHasSixPatches) {
   const std::array<Vec3, 6> outward{Vec3{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
   const Point3 middle{0, 0, 1.5};
   for (std::uint32_t face = 0; face < 6; ++face) {
-    const SurfacePoint hit = hit_of(*world, middle + outward[face] * 50.0 + Vec3{0.1, 0.1, 0.1}, -outward[face]);
+    const SurfacePoint hit =
+        hit_of(*world, middle + outward[face] * 50.0 + Vec3{0.1, 0.1, 0.1}, -outward[face]);
     ASSERT_TRUE(hit.hit());
     EXPECT_EQ(hit.patch, face);
     EXPECT_NEAR(dot(hit.geometric_normal, outward[face]), 1.0, 1e-15);
@@ -140,7 +142,8 @@ TEST(World, HemisphereHasNoFloor) {
 }
 
 TEST(World, CylinderCappedAndNot) {
-  const auto capped = world_of(Cylinder{{1, 1, 0}, 0.5, 4.0, true}), open = world_of(Cylinder{{1, 1, 0}, 0.5, 4.0, false});
+  const auto capped = world_of(Cylinder{{1, 1, 0}, 0.5, 4.0, true}),
+             open = world_of(Cylinder{{1, 1, 0}, 0.5, 4.0, false});
   const SurfacePoint top = hit_of(*capped, {1.1, 1.0, 50}, {0, 0, -1});
   EXPECT_EQ(top.patch, 2u);
   EXPECT_NEAR(top.position_m.z, 4.0, 1e-12);
@@ -187,7 +190,8 @@ TEST(World, MeshEqualsBruteForce) {
   const auto world = world_of(mesh);
   EXPECT_EQ(world->triangle_count(), 800u);
   for (std::uint64_t i = 0; i < 3000; ++i) {
-    const Ray ray{{24 * test::uniform(10, 2 * i) - 12, 24 * test::uniform(10, 2 * i + 1) - 12, 30}, normalized(test::direction(11, i) * 0.3 + Vec3{0, 0, -1})};
+    const Ray ray{{24 * test::uniform(10, 2 * i) - 12, 24 * test::uniform(10, 2 * i + 1) - 12, 30},
+                  normalized(test::direction(11, i) * 0.3 + Vec3{0, 0, -1})};
     SurfacePoint hit;
     world->intersect({&ray, 1}, {&hit, 1});
     const test::BruteHit truth = test::brute_force(mesh.vertices_m, mesh.triangles, ray);
@@ -227,7 +231,9 @@ TEST(World, ShapesStandOnAPlane) {
   WorldBuilder builder;
   const ShapeId plane = builder.add_shape(Plane{}), box = builder.add_shape(Box{{0, 0, 0}, {1, 1, 1}});
   builder.place(plane, {}, std::array<std::uint32_t, 1>{1});
-  for (int i = 0; i < 50; ++i) builder.place(box, Transform::translation({3.0 * i, 0, 0}), std::array<std::uint32_t, 1>{std::uint32_t(2 + i)});
+  for (int i = 0; i < 50; ++i)
+    builder.place(box, Transform::translation({3.0 * i, 0, 0}),
+                  std::array<std::uint32_t, 1>{std::uint32_t(2 + i)});
   const auto world = builder.build(1);
   for (int i = 0; i < 50; ++i) {
     EXPECT_EQ(hit_of(*world, {3.0 * i + 0.5, 0.5, 100}, {0, 0, -1}).instance, std::uint32_t(i + 1));
@@ -242,12 +248,15 @@ TEST(World, EqualDistancesGoToTheFirstInstanceAndPrimitive) {
   WorldBuilder builder;
   TriangleMesh sheet = test::height_field(6, {});
   const std::size_t triangles = sheet.triangles.size();
-  sheet.triangles.insert(sheet.triangles.end(), sheet.triangles.begin(), sheet.triangles.end());  // every facet twice
+  sheet.triangles.insert(sheet.triangles.end(), sheet.triangles.begin(),
+                         sheet.triangles.end());  // every facet twice
   const ShapeId id = builder.add_shape(sheet);
   for (int i = 0; i < 3; ++i) builder.place(id, {}, kOne);  // and thrice as instances
   const auto world = builder.build(1);
   for (std::uint64_t i = 0; i < 500; ++i) {
-    const SurfacePoint hit = hit_of(*world, {5 * test::uniform(12, 2 * i) - 2.5, 5 * test::uniform(12, 2 * i + 1) - 2.5, 9}, {0.02, 0.05, -1});
+    const SurfacePoint hit =
+        hit_of(*world, {5 * test::uniform(12, 2 * i) - 2.5, 5 * test::uniform(12, 2 * i + 1) - 2.5, 9},
+               {0.02, 0.05, -1});
     ASSERT_TRUE(hit.hit());
     EXPECT_EQ(hit.instance, 0u);
     EXPECT_LT(hit.primitive, triangles);

@@ -17,12 +17,14 @@ using math::Transform;
 using math::Vec3;
 
 bool equal(const SurfacePoint& a, const SurfacePoint& b) {
-  return a.position_m == b.position_m && a.geometric_normal == b.geometric_normal && a.shading_normal == b.shading_normal &&
-         a.distance_m == b.distance_m && a.u == b.u && a.v == b.v && a.instance == b.instance && a.patch == b.patch &&
-         a.material == b.material && a.primitive == b.primitive && a.front == b.front && a.offset_m == b.offset_m;
+  return a.position_m == b.position_m && a.geometric_normal == b.geometric_normal &&
+         a.shading_normal == b.shading_normal && a.distance_m == b.distance_m && a.u == b.u && a.v == b.v &&
+         a.instance == b.instance && a.patch == b.patch && a.material == b.material &&
+         a.primitive == b.primitive && a.front == b.front && a.offset_m == b.offset_m;
 }
 
-/// Ground twice over (every facet exactly doubled), balls that pierce each other and the ground, boxes, a plane below.
+/// Ground twice over (every facet exactly doubled), balls that pierce each other and the ground, boxes, a
+/// plane below.
 std::unique_ptr<World> crowded_world() {
   WorldBuilder builder;
   const std::array<std::uint32_t, 1> one{0};
@@ -30,10 +32,12 @@ std::unique_ptr<World> crowded_world() {
   const std::size_t n = ground.triangles.size();
   for (std::size_t k = 0; k < n; k += 2) ground.triangles.push_back(ground.triangles[k]);
   const ShapeId field = builder.add_shape(ground), ball = builder.add_shape(test::ball(12, 20, 1.5));
-  const ShapeId box = builder.add_shape(Box{{-1, -1, -1}, {1, 1, 1}}), sphere = builder.add_shape(Sphere{{}, 1.0});
+  const ShapeId box = builder.add_shape(Box{{-1, -1, -1}, {1, 1, 1}}),
+                sphere = builder.add_shape(Sphere{{}, 1.0});
   builder.place(field, {}, one);
   for (std::uint64_t i = 0; i < 400; ++i) {
-    const Vec3 at{90 * test::uniform(40, 3 * i) - 45, 90 * test::uniform(40, 3 * i + 1) - 45, 3 * test::uniform(40, 3 * i + 2)};
+    const Vec3 at{90 * test::uniform(40, 3 * i) - 45, 90 * test::uniform(40, 3 * i + 1) - 45,
+                  3 * test::uniform(40, 3 * i + 2)};
     const Transform map = Transform::translation(at) * Transform::rotation(test::direction(41, i), 1.0);
     builder.place(ball, map, one);
     if (i % 3 == 0) builder.place(ball, map, one);  // two in one place
@@ -53,7 +57,10 @@ TEST(WorldPackets, OrderAndCompanyDoNotShow) {
     const Vec3 d = normalized(test::direction(42, i) + Vec3{0, 0, -0.8});
     math::Point3 target{90 * test::uniform(43, 2 * i) - 45, 90 * test::uniform(43, 2 * i + 1) - 45, 0.5};
     // A third is aimed at vertices, where many triangles are equally near.
-    if (i % 3 == 0) target = ground.vertices_m[static_cast<std::size_t>(test::uniform(44, i) * double(ground.vertices_m.size()))];
+    if (i % 3 == 0)
+      target =
+          ground
+              .vertices_m[static_cast<std::size_t>(test::uniform(44, i) * double(ground.vertices_m.size()))];
     rays.push_back({target - d * (i % 2 ? 60.0 : 4.0), d});
   }
   std::vector<SurfacePoint> hits(kRays);
@@ -70,7 +77,8 @@ TEST(WorldPackets, OrderAndCompanyDoNotShow) {
   for (std::uint64_t round = 0; round < 3; ++round) {
     std::vector<std::size_t> order(kRays);
     for (std::size_t i = 0; i < kRays; ++i) order[i] = i;
-    for (std::size_t i = kRays - 1; i > 0; --i) std::swap(order[i], order[static_cast<std::size_t>(test::uniform(45 + round, i) * double(i + 1))]);
+    for (std::size_t i = kRays - 1; i > 0; --i)
+      std::swap(order[i], order[static_cast<std::size_t>(test::uniform(45 + round, i) * double(i + 1))]);
     std::vector<Ray> shuffled;
     for (const std::size_t i : order) shuffled.push_back(rays[i]);
     std::vector<SurfacePoint> other_hits(kRays);
@@ -96,12 +104,15 @@ TEST(WorldPackets, OrderAndCompanyDoNotShow) {
 TEST(WorldPackets, TwinsGoToTheFirst) {
   WorldBuilder builder;
   const std::array<std::uint32_t, 1> one{0};
-  const ShapeId ball = builder.add_shape(test::ball(10, 16, 2.0)), disk = builder.add_shape(Disk{{0, 0, 5}, 1.0});
+  const ShapeId ball = builder.add_shape(test::ball(10, 16, 2.0)),
+                disk = builder.add_shape(Disk{{0, 0, 5}, 1.0});
   for (int copy = 0; copy < 5; ++copy) builder.place(ball, {}, one);
   for (int copy = 0; copy < 5; ++copy) builder.place(disk, {}, one);
   const auto world = builder.build(1);
   std::vector<Ray> rays;
-  for (std::uint64_t i = 0; i < 4000; ++i) rays.push_back({math::Point3{} - test::direction(47, i) * 50.0 + test::direction(48, i) * 1.5, test::direction(47, i)});
+  for (std::uint64_t i = 0; i < 4000; ++i)
+    rays.push_back({math::Point3{} - test::direction(47, i) * 50.0 + test::direction(48, i) * 1.5,
+                    test::direction(47, i)});
   std::vector<SurfacePoint> hits(rays.size());
   world->intersect(rays, hits);
   for (const SurfacePoint& hit : hits) {

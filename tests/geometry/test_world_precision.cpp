@@ -21,21 +21,23 @@ using math::Vec3;
 const std::array<std::uint32_t, 1> kOne{0};
 constexpr double kTolerance_m = 1e-4;
 
-/// Two patches of ground 16 km apart, so that one lies 8 km from the middle of the scene; the scene itself stands at
-/// `origin`. `instanced`: the patch is one of two copies of a prototype.
+/// Two patches of ground 16 km apart, so that one lies 8 km from the middle of the scene; the scene itself
+/// stands at `origin`. `instanced`: the patch is one of two copies of a prototype.
 void expect_exact(Point3 origin, double range_m, bool instanced) {
   const Point3 at = origin + Vec3{8000.0, 5000.0, 100.0};
   TriangleMesh patch = test::height_field(48, {});
   WorldBuilder builder;
   std::vector<Point3> placed;
   if (instanced) {
-    const Transform map = Transform::translation(at - Point3{}) * Transform::rotation({0.1, 0.2, 1.0}, 0.7) * Transform::scaling({1.1, 1.1, 1.1});
+    const Transform map = Transform::translation(at - Point3{}) * Transform::rotation({0.1, 0.2, 1.0}, 0.7) *
+                          Transform::scaling({1.1, 1.1, 1.1});
     const ShapeId id = builder.add_shape(patch);
     builder.place(id, map, kOne);
     builder.place(id, Transform::translation(origin - Vec3{8000, 5000, 0} - Point3{}), kOne);
     for (const Point3& p : patch.vertices_m) placed.push_back(map(p));
   } else {
-    const TriangleMesh near = test::height_field(48, at), far = test::height_field(8, origin - Vec3{8000, 5000, 0});
+    const TriangleMesh near = test::height_field(48, at),
+                       far = test::height_field(8, origin - Vec3{8000, 5000, 0});
     builder.place(builder.add_shape(near), {}, kOne);
     builder.place(builder.add_shape(far), {}, kOne);
     placed = near.vertices_m;
@@ -44,8 +46,10 @@ void expect_exact(Point3 origin, double range_m, bool instanced) {
 
   std::vector<Ray> rays;
   for (std::uint64_t i = 0; i < 600; ++i) {
-    const Point3 target = at + Vec3{30 * test::uniform(20, 2 * i) - 15, 30 * test::uniform(20, 2 * i + 1) - 15, 1.0};
-    const double off = std::tan(0.5 * test::uniform(21, 2 * i)), a = 6.283185307179586 * test::uniform(21, 2 * i + 1);
+    const Point3 target =
+        at + Vec3{30 * test::uniform(20, 2 * i) - 15, 30 * test::uniform(20, 2 * i + 1) - 15, 1.0};
+    const double off = std::tan(0.5 * test::uniform(21, 2 * i)),
+                 a = 6.283185307179586 * test::uniform(21, 2 * i + 1);
     const Point3 from = target + Vec3{off * std::cos(a), off * std::sin(a), 1.0} * range_m;
     rays.push_back({from, normalized(target - from)});
   }
@@ -68,9 +72,13 @@ void expect_exact(Point3 origin, double range_m, bool instanced) {
 TEST(WorldPrecision, EightKilometresFromTheMiddle) { expect_exact({}, 3000.0, false); }
 TEST(WorldPrecision, FromOrbit) { expect_exact({}, 700e3, false); }
 TEST(WorldPrecision, SceneAtFiveHundredKilometres) { expect_exact({500e3, -300e3, 200.0}, 3000.0, false); }
-TEST(WorldPrecision, SceneAtFiveHundredKilometresFromOrbit) { expect_exact({500e3, 400e3, 0.0}, 700e3, false); }
+TEST(WorldPrecision, SceneAtFiveHundredKilometresFromOrbit) {
+  expect_exact({500e3, 400e3, 0.0}, 700e3, false);
+}
 TEST(WorldPrecision, InstancesEightKilometresFromTheMiddle) { expect_exact({}, 3000.0, true); }
-TEST(WorldPrecision, InstancesAtFiveHundredKilometresFromOrbit) { expect_exact({500e3, -300e3, 0.0}, 700e3, true); }
+TEST(WorldPrecision, InstancesAtFiveHundredKilometresFromOrbit) {
+  expect_exact({500e3, -300e3, 0.0}, 700e3, true);
+}
 
 /// Analytic shapes do not know Embree's rounding at all.
 TEST(WorldPrecision, SphereAtFiveHundredKilometres) {

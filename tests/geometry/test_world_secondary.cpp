@@ -20,10 +20,12 @@ using math::Vec3;
 const std::array<std::uint32_t, 1> kOne{0};
 
 /// Secondary rays from where rays from `from` towards `target` (spread over `spread_m`) met something.
-std::vector<Ray> secondary_rays(const World& world, Point3 from, Point3 target, double spread_m, std::size_t count) {
+std::vector<Ray> secondary_rays(const World& world, Point3 from, Point3 target, double spread_m,
+                                std::size_t count) {
   std::vector<Ray> rays;
   for (std::uint64_t i = 0; i < count; ++i)
-    rays.push_back({from, normalized(target + test::direction(30, i) * (spread_m * test::uniform(31, i)) - from)});
+    rays.push_back(
+        {from, normalized(target + test::direction(30, i) * (spread_m * test::uniform(31, i)) - from)});
   std::vector<SurfacePoint> hits(count);
   world.intersect(rays, hits);
   std::vector<Ray> leaving;
@@ -34,7 +36,8 @@ std::vector<Ray> secondary_rays(const World& world, Point3 from, Point3 target, 
     // Uniform over the hemisphere, down to the horizon.
     Vec3 local = test::direction(32, i);
     local.z = std::abs(local.z);
-    leaving.push_back({hits[i].position_m + n * hits[i].offset_m, math::frame_from_normal(side).outer_from_local(local)});
+    leaving.push_back(
+        {hits[i].position_m + n * hits[i].offset_m, math::frame_from_normal(side).outer_from_local(local)});
   }
   return leaving;
 }
@@ -70,8 +73,10 @@ std::unique_ptr<World> world_of(const Case& c, Point3 at) {
   const ShapeId id = builder.add_shape(c.shape);
   const Transform turn = Transform::rotation({1, 2, 3}, 0.8) * Transform::scaling({1.2, 1.2, 1.2});
   builder.place(id, Transform::translation(at - Point3{}) * turn, kOne);
-  if (c.instanced) builder.place(id, Transform::translation({-8000, -8000, 0}), kOne);
-  else builder.place(builder.add_shape(Sphere{{-8000, -8000, 0}, 1.0}), {}, kOne);
+  if (c.instanced)
+    builder.place(id, Transform::translation({-8000, -8000, 0}), kOne);
+  else
+    builder.place(builder.add_shape(Sphere{{-8000, -8000, 0}, 1.0}), {}, kOne);
   return builder.build(1);
 }
 
@@ -139,12 +144,15 @@ TEST(WorldSecondary, SharedVerticesAndEdgesDoNotLeak) {
     WorldBuilder builder;
     const ShapeId id = builder.add_shape(ground);
     builder.place(id, {}, kOne);
-    if (instanced) builder.place(id, Transform::translation({-16000, -11200, 0}), kOne);
-    else builder.place(builder.add_shape(Sphere{{-8000, -5600, 0}, 1.0}), {}, kOne);
+    if (instanced)
+      builder.place(id, Transform::translation({-16000, -11200, 0}), kOne);
+    else
+      builder.place(builder.add_shape(Sphere{{-8000, -5600, 0}, 1.0}), {}, kOne);
     const auto world = builder.build(1);
     std::vector<Ray> rays;
     for (std::uint64_t i = 0; i < 40000; ++i) {
-      const auto x = static_cast<std::uint32_t>(8 + 48 * test::uniform(36, 2 * i)), y = static_cast<std::uint32_t>(8 + 48 * test::uniform(36, 2 * i + 1));
+      const auto x = static_cast<std::uint32_t>(8 + 48 * test::uniform(36, 2 * i)),
+                 y = static_cast<std::uint32_t>(8 + 48 * test::uniform(36, 2 * i + 1));
       const Point3 a = ground.vertices_m[y * 65 + x], b = ground.vertices_m[(y + 1) * 65 + x + 1];
       const Point3 target = a + (b - a) * (i % 2 ? test::uniform(37, i) : 0.0);
       const Vec3 d = normalized(test::direction(38, i) * 0.4 + Vec3{0, 0, -1});

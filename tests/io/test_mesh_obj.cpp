@@ -1,8 +1,7 @@
 #include <gtest/gtest.h>
-
-#include <algorithm>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -22,7 +21,8 @@ using math::Point3;
 using math::Vec3;
 
 TriangleMesh parsed(const std::string& text) {
-  const std::filesystem::path path = std::filesystem::temp_directory_path() / ("ifov_obj_" + std::to_string(::getpid()) + ".obj");
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("ifov_obj_" + std::to_string(::getpid()) + ".obj");
   std::ofstream(path, std::ios::binary) << text;
   struct Remove {
     std::filesystem::path path;
@@ -64,7 +64,8 @@ TEST(MeshObj, ReadsFacesAttributesAndSlots) {
   const TriangleMesh mesh = parsed(
       "\xef\xbb\xbf# a comment\r\nv 0 0 0\r\nv 1 0 0 # another\r\nv 1 1 0 1.0\r\nv +0 1e0 0 .5 .5 .5\r\n"
       "vt 0 0\nvt 1 0\nvt 1 1\nvt 0.5\nvn 0 0 1\n"
-      "f 1 2 3\nusemtl two words\nf 1/1/1 2/2/1 \\\n  3/3/1 -1/-1/-1\nusemtl other\nf 1//1 3//1 4//1\nusemtl two words\nf 1/1 2/2 3/3");
+      "f 1 2 3\nusemtl two words\nf 1/1/1 2/2/1 \\\n  3/3/1 -1/-1/-1\nusemtl other\nf 1//1 3//1 4//1\nusemtl "
+      "two words\nf 1/1 2/2 3/3");
   EXPECT_EQ(mesh.vertices_m.size(), 4u);
   ASSERT_EQ(mesh.triangles.size(), 5u);
   EXPECT_EQ(mesh.slot_names, (std::vector<std::string>{"", "two words", "other"}));
@@ -78,7 +79,8 @@ TEST(MeshObj, ReadsFacesAttributesAndSlots) {
 }
 
 TEST(MeshObj, KeepsCityCoordinatesInDouble) {
-  const TriangleMesh mesh = parsed("v 85001.0625 440002.015625 1\nv 85002 440002 1\nv 85002 440003 1\nf 1 2 3\n");
+  const TriangleMesh mesh =
+      parsed("v 85001.0625 440002.015625 1\nv 85002 440002 1\nv 85002 440003 1\nf 1 2 3\n");
   EXPECT_EQ(mesh.vertices_m[0], (Point3{85001.0625, 440002.015625, 1.0}));
 }
 
@@ -87,7 +89,8 @@ TEST(MeshObj, FacesThatRunRoundTwiceCountOnce) {
 }
 
 TEST(MeshObj, ErrorsShowThePlace) {
-  EXPECT_EQ(message_of("v 0 0 0\nv 1 0 zero\n"), ":2:7: expected a finite number, found 'zero'\n  v 1 0 zero\n        ^");
+  EXPECT_EQ(message_of("v 0 0 0\nv 1 0 zero\n"),
+            ":2:7: expected a finite number, found 'zero'\n  v 1 0 zero\n        ^");
   EXPECT_EQ(message_of("v 0 0 0\nv 1 0\n"), ":2:6: a vertex needs 3 numbers, found 2\n  v 1 0\n       ^");
   EXPECT_EQ(message_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"),
             ":4:7: there is no vertex number 4: the file has 3 so far\n  f 1 2 4\n        ^");
@@ -95,7 +98,8 @@ TEST(MeshObj, ErrorsShowThePlace) {
             ":5:5: there is no texture coordinate number 2: the file has 1 so far\n  f 1/2 2 3\n      ^");
   EXPECT_EQ(message_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n"),
             ":4:7: there is no vertex number 0: the file has 3 so far\n  f 1 2 0\n        ^");
-  EXPECT_EQ(message_of("v 0 0 0\nf 1 1\n"), ":2:6: a face needs at least 3 corners, found 2\n  f 1 1\n       ^");
+  EXPECT_EQ(message_of("v 0 0 0\nf 1 1\n"),
+            ":2:6: a face needs at least 3 corners, found 2\n  f 1 1\n       ^");
   EXPECT_EQ(message_of("v 0 0 0\nf -4 -3 -2\n"),
             ":2:3: there is no vertex number -4: the file has 1 so far\n  f -4 -3 -2\n    ^");
   EXPECT_EQ(message_of("v 0 nan 0\n"), ":1:5: expected a finite number, found 'nan'\n  v 0 nan 0\n      ^");
@@ -133,10 +137,11 @@ TEST(MeshObj, EqualsTheReferenceTable) {
     EXPECT_EQ(mesh.triangles.size(), longline ? 12u : static_cast<std::size_t>(number(3)));
     const double size = length(m.high - m.low);
     const double bounds[6] = {m.low.x, m.low.y, m.low.z, m.high.x, m.high.y, m.high.z};
-    for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(bounds[k], number(4 + k), 1e-5 * std::max(size, std::abs(number(4 + k))));
+    for (std::size_t k = 0; k < 6; ++k)
+      EXPECT_NEAR(bounds[k], number(4 + k), 1e-5 * std::max(size, std::abs(number(4 + k))));
     if (!longline) {
-      // The table cuts faces into fans, whose triangles overlap in this concave one in the plane x = -1.146; the
-      // signed volume does not mind and gives the area of the face.
+      // The table cuts faces into fans, whose triangles overlap in this concave one in the plane x = -1.146;
+      // the signed volume does not mind and gives the area of the face.
       const double area = file.ends_with("concave_polygon.obj") ? 3.0 * number(11) / -1.146 : number(10);
       EXPECT_NEAR(m.area, area, 1e-5 * area);
       const double reach = std::max({length(m.high - Point3{}), length(m.low - Point3{})});
@@ -170,7 +175,9 @@ TEST(MeshObj, BrokenFilesNeverPass) {
 
 /// Every good text cut short, and with one byte changed: never a crash, never an index out of range.
 TEST(MeshObj, DamagedTextIsHandled) {
-  const std::string good = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nusemtl a\nf 1/1/1 2/1/1 \\\n 3/1/1 4/1/1\nf -1 -2 -3\n";
+  const std::string good =
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nusemtl a\nf 1/1/1 2/1/1 \\\n 3/1/1 4/1/1\nf -1 "
+      "-2 -3\n";
   int errors = 0;
   const auto attempt = [&](const std::string& text) {
     try {

@@ -22,7 +22,8 @@ std::string_view without_end_blanks(std::string_view text) {
 
 ObjLines::ObjLines(const std::filesystem::path& path) : name_(path.string()) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) throw EnvironmentError(format("cannot read '{}': no such file", name_));
+  if (!std::filesystem::is_regular_file(path, error))
+    throw EnvironmentError(format("cannot read '{}': no such file", name_));
   std::ifstream stream(path, std::ios::binary);
   text_.assign(std::istreambuf_iterator<char>(stream), {});
   if (!stream) throw EnvironmentError(format("cannot read '{}'", name_));
@@ -82,8 +83,9 @@ void ObjLines::fail(int column, const std::string& message) const {
   for (char& symbol : excerpt)
     if (symbol < ' ' || symbol > '~') symbol = symbol == '\t' ? ' ' : '?';
   const std::size_t caret = static_cast<std::size_t>(std::max(column, 1)) - 1 - from;
-  throw InputError(format("{}:{}:{}: {}\n  {}\n  {}^", name_, line_, column, message, excerpt, std::string(caret, ' ')),
-                   {name_, line_, column});
+  throw InputError(
+      format("{}:{}:{}: {}\n  {}\n  {}^", name_, line_, column, message, excerpt, std::string(caret, ' ')),
+      {name_, line_, column});
 }
 
 std::optional<double> obj_number(std::string_view word) {

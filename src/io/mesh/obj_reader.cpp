@@ -62,7 +62,8 @@ class Reader {
       const ObjWord word = lines_.word();
       if (word.text.empty() && k >= needed) break;
       const auto value = obj_number(word.text);
-      if (word.text.empty()) lines_.fail(word.column, format("{} needs {} numbers, found {}", what, needed, k));
+      if (word.text.empty())
+        lines_.fail(word.column, format("{} needs {} numbers, found {}", what, needed, k));
       if (!value) lines_.fail(word.column, format("expected a finite number, found '{}'", word.text));
       values[k] = *value;
     }
@@ -90,7 +91,8 @@ class Reader {
     if (first == word.text.size()) return c;
     const std::size_t second = std::min(word.text.find('/', first + 1), word.text.size());
     const std::string_view uv = word.text.substr(first + 1, second - first - 1);
-    const std::string_view normal = second == word.text.size() ? std::string_view{} : word.text.substr(second + 1);
+    const std::string_view normal =
+        second == word.text.size() ? std::string_view{} : word.text.substr(second + 1);
     // Some writers number normals or texture coordinates that they never write.
     if (!uv.empty() && !mesh_.uvs.empty())
       c.uv = index(uv, word.column + static_cast<int>(first) + 1, "texture coordinate", mesh_.uvs.size());
@@ -127,7 +129,8 @@ class Reader {
     const std::size_t n = corners_.size();
     for (std::size_t round = 3; round <= n / 2; ++round) {
       if (n % round != 0) continue;
-      if (std::equal(corners_.begin() + static_cast<std::ptrdiff_t>(round), corners_.end(), corners_.begin())) {
+      if (std::equal(corners_.begin() + static_cast<std::ptrdiff_t>(round), corners_.end(),
+                     corners_.begin())) {
         corners_.resize(round);
         return;
       }
