@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <fstream>
+#include <system_error>
 
 #include "core/error.h"
 #include "core/format.h"
@@ -68,6 +69,13 @@ RenderTimes render_document(const std::string& text, const std::filesystem::path
   control.cancel = cancel;
   render::render_image(job, control, image);
   return {seconds(loaded - start), seconds(Clock::now() - loaded)};
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw EnvironmentError(format("cannot make the folder '{}': {}", folder.string(), error.message()));
 }
 
 void write_file(const std::filesystem::path& path, std::string_view content) {

@@ -45,6 +45,9 @@ RenderTimes render_document(const std::string& text, const std::filesystem::path
                             const CancelToken* cancel, ImageStore& image,
                             const sampling::PixelSampler* sampler = nullptr);
 
+/// Makes a folder where there is none; EnvironmentError where that fails.
+void make_folder(const std::filesystem::path& folder);
+
 /// Writes a file whole; EnvironmentError where that fails.
 void write_file(const std::filesystem::path& path, std::string_view content);
 

@@ -1,0 +1,25 @@
+#include "studies/studies.h"
+
+#include "studies/aliasing_study.h"
+#include "studies/thermal_study.h"
+
+namespace ifov::studies {
+
+namespace {
+
+constexpr StudyEntry kStudies[] = {
+    {"aliasing", "a resolution chart by every sampler, against the exact answer", run_aliasing_study},
+    {"thermal", "hot targets smaller than a pixel: samples needed for an accuracy", run_thermal_study},
+};
+
+}  // namespace
+
+std::span<const StudyEntry> all_studies() { return kStudies; }
+
+const StudyEntry* find_study(std::string_view name) {
+  for (const StudyEntry& study : kStudies)
+    if (study.name == name) return &study;
+  return nullptr;
+}
+
+}  // namespace ifov::studies
