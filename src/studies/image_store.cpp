@@ -1,6 +1,7 @@
 #include "studies/image_store.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace ifov::studies {
 
@@ -10,7 +11,7 @@ void ImageStore::begin(const render::ImageInfo& info) {
   columns_ = static_cast<int>(info.channels.size());
   const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   mean_.assign(pixels * info.channels.size(), 0.0f);
-  half_width_ = mean_;
+  half_width_.assign(mean_.size(), std::numeric_limits<float>::quiet_NaN());
   samples_.assign(pixels, 0);
   evaluations_.assign(pixels, 0);
   cost_ = {};
@@ -28,7 +29,7 @@ void ImageStore::write(const sampling::TileResult& tile) {
     for (int i = tile.tile.x0; i < tile.tile.x1; ++i, ++from) {
       const std::size_t to = index(i, j);
       std::copy_n(&tile.mean[from * columns], columns, &mean_[to * columns]);
-      std::copy_n(&tile.half_width[from * columns], columns, &half_width_[to * columns]);
+      if (tile.has_errors()) std::copy_n(&tile.half_width[from * columns], columns, &half_width_[to * columns]);
       samples_[to] = tile.samples[from];
       evaluations_[to] = tile.radiance_evaluations[from];
       cost.samples += tile.samples[from];

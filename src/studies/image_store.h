@@ -22,6 +22,7 @@ class ImageStore final : public render::TileSink {
 
   /// Row by row, columns of a pixel side by side.
   const std::vector<float>& mean() const { return mean_; }
+  /// NaN where the sampling says nothing of its error.
   const std::vector<float>& half_width() const { return half_width_; }
   const std::vector<std::uint32_t>& samples() const { return samples_; }
   const std::vector<std::uint32_t>& radiance_evaluations() const { return evaluations_; }
