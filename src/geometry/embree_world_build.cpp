@@ -119,6 +119,12 @@ void EmbreeWorld::build_scene(WorldContent& content, const std::vector<bool>& in
   analytic_count_.assign(count, 0);
   const double padding = std::ldexp(scale_m_, -20);
 
+  // Rays reach an instance with the rounding of the scene, seen at the instance's scale.
+  std::vector<double> shrink(content.templates.size(), 1.0);
+  for (const Placement& place : content.placements)
+    if (instanced[place.of])
+      shrink[place.of] = std::max(shrink[place.of], largest_stretch(place.scene_from_object.inverse()));
+
   prototypes_.resize(content.templates.size());
   for (std::size_t t = 0; t < content.templates.size(); ++t) {
     if (!instanced[t] || content.templates[t].uses == 0) continue;
@@ -127,11 +133,7 @@ void EmbreeWorld::build_scene(WorldContent& content, const std::vector<bool>& in
     const Transform set_from_object = moved_by(body.centre_m, -1.0);
     prototype->triangles.append(body, set_from_object);
     prototype->analytic.append(body, set_from_object);
-    // Rays reach an instance with the rounding of the scene, seen at the instance's scale.
-    double shrink = 1.0;
-    for (const Placement& place : content.placements)
-      if (place.of == t) shrink = std::max(shrink, largest_stretch(place.scene_from_object.inverse()));
-    prototype->analytic.padding_m = padding * shrink;
+    prototype->analytic.padding_m = padding * shrink[t];
     // In a heap of leaves there is nothing behind a shared vertex to leak into.
     prototype->scene = make_scene(device_.get(), 20 * body.surface_triangles > body.mesh.triangles.size());
     if (!prototype->triangles.facets.empty())
