@@ -1,12 +1,11 @@
 // What comes out of a document: every section, units, defaults.
-#include "io/document/document.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "document_maker.h"
+#include "io/document/document.h"
 
 namespace ifov::io {
 namespace {
@@ -71,7 +70,8 @@ Shape shape_from(const std::string& json) {
 
 TEST(Document, Shapes) {
   EXPECT_EQ(shape_from<PlaneShape>(R"("plane": {"height": "2 m"})").height_m, 2.0);
-  const auto box = shape_from<BoxShape>(R"("box": {"low": ["0 m", "0 m", "0 m"], "high": ["1 m", "2 m", "3 m"]})");
+  const auto box =
+      shape_from<BoxShape>(R"("box": {"low": ["0 m", "0 m", "0 m"], "high": ["1 m", "2 m", "3 m"]})");
   EXPECT_EQ(box.high_m, (math::Point3{1.0, 2.0, 3.0}));
   const auto upright = shape_from<CylinderShape>(
       R"("cylinder": {"base": ["0 m", "0 m", "0 m"], "height": "2 m", "radius": "1 m", "capped": false})");
@@ -120,12 +120,11 @@ TEST(Document, Bindings) {
 }
 
 TEST(Document, TransformsAndTemperatures) {
-  const ObjectDocument object =
-      parsed_with("{\"plane\": {}, \"material\": \"soil\"}",
-                  R"({"plane": {}, "material": "soil", "seed": false,
+  const ObjectDocument object = parsed_with("{\"plane\": {}, \"material\": \"soil\"}",
+                                            R"({"plane": {}, "material": "soil", "seed": false,
                       "temperature": {"map": {"file": "t.tif", "unit": "degC"}},
                       "transform": {"translate": ["1 m", "0 m", "0 m"], "rotate": {"angle": "90 deg"}, "scale": 2}})")
-          .scene.objects[0];
+                                    .scene.objects[0];
   EXPECT_EQ(object.transform.scale, (math::Vec3{2.0, 2.0, 2.0}));
   EXPECT_EQ(object.transform.rotation_axis, (math::Vec3{0.0, 0.0, 1.0}));
   EXPECT_NEAR(object.transform.rotation_rad, std::numbers::pi / 2.0, 1e-15);
@@ -156,13 +155,14 @@ TEST(Document, Light) {
 }
 
 TEST(Document, PointSunByTimeAndPlaceUnderARadiantSky) {
-  const LightDocument light = parsed_with(R"({"disc": {"zenith": "30 deg", "azimuth": "180 deg"}},
+  const LightDocument light =
+      parsed_with(R"({"disc": {"zenith": "30 deg", "azimuth": "180 deg"}},
     "sky": {"temperature": "-10 degC"})",
-                                          R"({"point": {"distance": "1.01 au", "spectrum": "1800 W m-2 um-1"}},
+                  R"({"point": {"distance": "1.01 au", "spectrum": "1800 W m-2 um-1"}},
     "sky": {"radiance": {"table": {"wavelength": ["0.4 um", "900 nm"], "values": ["1 W/m2/sr/um", "2 uW cm-2 sr-1 nm-1"]},
                          "outside": "extend"}},
     "surroundings": {"emissivity": 0.9, "temperature": "290 K"})")
-                                  .light;
+          .light;
   EXPECT_EQ(light.sun->diameter_rad, 0.0);
   EXPECT_FALSE(light.sun->direction);
   EXPECT_EQ(light.sun->distance_au, 1.01);
@@ -228,14 +228,17 @@ TEST(Document, SamplingMethods) {
   EXPECT_EQ(accuracy.probes, 9);
   EXPECT_FALSE(accuracy.lattice);
   const std::string method = R"({"accuracy": {"error": "0.1 K", "channel": "8.5 um"}})";
-  EXPECT_TRUE(std::holds_alternative<SingleSampling>(parsed_with(method, R"({"single": {}})").sampling.method));
-  const auto grid = parsed_with(method, R"({"grid": {"elements": [10, 5]}, "tile": 16, "max_depth": 2})").sampling;
+  EXPECT_TRUE(
+      std::holds_alternative<SingleSampling>(parsed_with(method, R"({"single": {}})").sampling.method));
+  const auto grid =
+      parsed_with(method, R"({"grid": {"elements": [10, 5]}, "tile": 16, "max_depth": 2})").sampling;
   EXPECT_EQ(std::get<GridSampling>(grid.method).columns, 10);
   EXPECT_EQ(std::get<GridSampling>(grid.method).rows, 5);
   EXPECT_EQ(grid.tile_px, 16);
   EXPECT_EQ(grid.max_depth, 2);
   const auto adaptive = std::get<AdaptiveSampling>(
-      parsed_with(method, R"({"adaptive": {"sub_elements": [3, 3], "allowed_difference": "2 %"}})").sampling.method);
+      parsed_with(method, R"({"adaptive": {"sub_elements": [3, 3], "allowed_difference": "2 %"}})")
+          .sampling.method);
   EXPECT_EQ(adaptive.allowed_difference.unit, ErrorSize::Unit::fraction);
   EXPECT_EQ(adaptive.allowed_difference.value, 0.02);
   EXPECT_EQ(adaptive.max_samples, 100);
@@ -244,7 +247,8 @@ TEST(Document, SamplingMethods) {
 TEST(Document, ErrorsInFourUnits) {
   const auto error = [](const std::string& size) {
     return std::get<AccuracySampling>(
-               parsed_with(R"({"error": "0.1 K", "channel": "8.5 um"})", "{\"error\": \"" + size + "\"}").sampling.method)
+               parsed_with(R"({"error": "0.1 K", "channel": "8.5 um"})", "{\"error\": \"" + size + "\"}")
+                   .sampling.method)
         .error;
   };
   EXPECT_EQ(error("50 mK").value, 0.05);

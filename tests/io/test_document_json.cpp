@@ -63,7 +63,8 @@ TEST(DocumentJson, AgreesWithTheJsonTestSuite) {
 }
 
 TEST(DocumentJson, KnowsWhereValuesAndKeysStand) {
-  const DocumentTree tree = parse_json("// note\n{\"a\": [1, 2.5],\n \"\xC3\xA9\": /* x */ {\"b\" : \"c\"}}", "f.json");
+  const DocumentTree tree =
+      parse_json("// note\n{\"a\": [1, 2.5],\n \"\xC3\xA9\": /* x */ {\"b\" : \"c\"}}", "f.json");
   const DocumentNode& root = *tree.root;
   ASSERT_EQ(root.members().size(), 2u);
   const DocumentNode& list = *root.find("a");
@@ -101,7 +102,8 @@ TEST(DocumentJson, ReadingAsAnotherTypeIsABug) {
 TEST(DocumentJson, BoundsSizesBeforeTakingMemory) {
   JsonRules rules;
   rules.max_bytes = 10;
-  EXPECT_EQ(message_of("[1,2,3,4,5,6]", rules), "a.json: the document has 13 bytes, more than the 10 allowed");
+  EXPECT_EQ(message_of("[1,2,3,4,5,6]", rules),
+            "a.json: the document has 13 bytes, more than the 10 allowed");
   rules = {};
   rules.max_values = 4;
   EXPECT_EQ(message_of("[1,2,3,4,5]", rules),
@@ -113,10 +115,11 @@ TEST(DocumentJson, BoundsSizesBeforeTakingMemory) {
 }
 
 TEST(DocumentJson, SyntaxErrorsSayWhatIsExpected) {
-  EXPECT_EQ(message_of("{\"a\": 1,}"),
-            "a.json:1:9: expected a key in double quotes or '}' (no comma may stand before a closing bracket)\n"
-            "    1 | {\"a\": 1,}\n"
-            "      |         ^");
+  EXPECT_EQ(
+      message_of("{\"a\": 1,}"),
+      "a.json:1:9: expected a key in double quotes or '}' (no comma may stand before a closing bracket)\n"
+      "    1 | {\"a\": 1,}\n"
+      "      |         ^");
   EXPECT_EQ(message_of("{\"a\": 1\n \"b\": 2}"),
             "a.json:2:2: expected ',' or '}' after a value of an object\n"
             "    2 |  \"b\": 2}\n"
