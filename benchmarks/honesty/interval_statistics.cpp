@@ -35,7 +35,6 @@ void IntervalStatistics::add(const sampling::TileResult& result) {
       sums.half_width += half_width;
       sums.squared_error += error * error;
       sums.reference_variance += reference_error * reference_error;
-      sums.largest_reference_error = std::max(sums.largest_reference_error, reference_error);
       sums.geometry += geometry;
       sums.path += path;
       image_error[c] += error / static_cast<double>(pixels_.size());
@@ -57,7 +56,7 @@ std::vector<ChannelHonesty> IntervalStatistics::summary() const {
     channel.half_width_to_rms = channel.mean_half_width / channel.rms_error;
     channel.geometric_sigma = std::sqrt(sums.geometry / n);
     channel.path_sigma = std::sqrt(sums.path / n);
-    channel.reference_to_half_width = sums.largest_reference_error / channel.mean_half_width;
+    channel.reference_to_half_width = std::sqrt(sums.reference_variance / n) / channel.mean_half_width;
     channel.small_misses = sums.small_misses;
 
     double mean = 0.0, scatter = 0.0;

@@ -21,7 +21,7 @@ struct ChannelHonesty {
   double rms_error = 0.0;
   double geometric_sigma = 0.0;     ///< root mean variance that the sampler states for where edges lie,
   double path_sigma = 0.0;          ///< and for paths
-  double reference_to_half_width = 0.0;  ///< largest standard error of the reference over the mean half-width
+  double reference_to_half_width = 0.0;  ///< root mean square error of the reference over the mean half-width
   std::int64_t small_misses = 0;    ///< intervals that miss by more than a feature below the detection size could
 
   /// What the intervals must keep; empty where they do, else in words which they break.
@@ -42,7 +42,6 @@ class IntervalStatistics {
   struct Sums {
     std::int64_t count = 0, covered = 0, beyond_four = 0, small_misses = 0;
     double half_width = 0.0, squared_error = 0.0, reference_variance = 0.0, geometry = 0.0, path = 0.0;
-    double largest_reference_error = 0.0;
     std::vector<double> image_error;  ///< mean over the pixels, by seed
   };
   std::vector<PixelIndex> pixels_;

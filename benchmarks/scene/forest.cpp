@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "core/format.h"
+
 namespace ifov::benchmarks {
 
 namespace {
@@ -155,6 +157,41 @@ std::vector<ForestPlace> forest_places() {
 
 double forest_reflectance(int material, int band) {
   return 0.05 + 0.5 * uniform(kSpectrum, static_cast<std::uint64_t>(material) * 4096 + static_cast<std::uint64_t>(band));
+}
+
+std::string forest_document(const ForestView& view) {
+  const auto wavelength_um = [&view](int band) { return 0.4 + (view.gaussian ? 0.01 : 0.002) * band; };
+  std::string wavelengths, materials, ground, channels;
+  for (int band = 0; band < view.bands; ++band) {
+    const char* comma = band > 0 ? ", " : "";
+    wavelengths += format("{}\"{:.3f} um\"", comma, wavelength_um(band));
+    channels += view.gaussian
+                    ? format(R"({}{{"gaussian": {{"center": "{:.3f} um", "fwhm": "0.01 um"}}}})", comma, wavelength_um(band))
+                    : format(R"({}{{"monochromatic": {{"at": "{:.3f} um"}}}})", comma, wavelength_um(band));
+  }
+  for (int m = 0; m < kForestGroundMaterials + 2; ++m) {
+    const std::string name = m < kForestGroundMaterials ? format("ground{}", m) : format("tree{}", m - kForestGroundMaterials);
+    std::string values;
+    for (int band = 0; band < view.bands; ++band)
+      values += format("{}{:.9f}", band > 0 ? ", " : "", forest_reflectance(m, band));
+    materials += format(R"({}"{}": {{"reflectance": {{"table": {{"wavelength": [{}], "values": [{}]}}, "outside": "extend"}}}})",
+                        m > 0 ? ",\n" : "", name, wavelengths, values);
+    if (m < kForestGroundMaterials) ground += format(R"({}"{}": "{}")", m > 0 ? ", " : "", name, name);
+  }
+  const std::string sky =
+      view.sky_w_m2_sr_um > 0.0 ? format(R"(, "sky": {{"radiance": "{} W m-2 sr-1 um-1"}})", view.sky_w_m2_sr_um) : "";
+  return format(R"({{"ifov": 1,
+ "scene": {{
+  "materials": {{{}}},
+  "prototypes": {{"tree": [{{"mesh": {{"file": "tree.obj"}}, "material": {{"slots": {{"tree0": "tree0", "tree1": "tree1"}}}}}}]}},
+  "objects": [{{"mesh": {{"file": "terrain.obj"}}, "material": {{"slots": {{{}}}}}}},
+              {{"instances": {{"of": "tree", "csv": "trees.csv"}}}}]}},
+ "light": {{"sun": {{"point": {{"zenith": "35 deg", "azimuth": "135 deg", "distance": "1 au", "spectrum": "{} W m-2 um-1"}}}}{}}},
+ "sensor": {{"camera": {{"orthographic": {{"gsd": "{} m", "pixels": [{}, {}]}}}}, "channels": [{}]}},
+ "sampling": {}}}
+)",
+                materials, ground, kForestSun_w_m2_um, sky, view.side_m / view.pixels, view.pixels, view.pixels, channels,
+                view.sampling);
 }
 
 void write_forest(const std::filesystem::path& folder) {

@@ -1,0 +1,170 @@
+#include "honesty/scene_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+
+#include "core/format.h"
+#include "core/parallel.h"
+#include "io/document/document.h"
+#include "sampling/accuracy/accuracy_sampler.h"
+#include "scene/forest.h"
+#include "session/parts.h"
+
+namespace ifov::benchmarks {
+
+namespace {
+
+constexpr std::size_t kMixedPixels = 64;
+constexpr double kPsfSigma_px = 0.6;
+
+class OneTile final : public render::TileSink {
+ public:
+  void begin(const render::ImageInfo&) override {}
+  void write(const sampling::TileResult& tile) override { result = tile; }
+  sampling::TileResult result;
+};
+
+session::Session load(const HonestyCase& which, const std::filesystem::path& work) {
+  const std::string name = which.scene + ".json";
+  std::ifstream file(std::filesystem::path(IFOV_SOURCE_DIR) / "benchmarks/honesty/scenes" / name);
+  if (!file) throw std::runtime_error("no scene " + name);
+  std::stringstream text;
+  text << file.rdbuf();
+  io::Document document = io::parse_document(text.str(), (work / name).string());
+  if (which.psf) document.sensor.psf = io::GaussianPsf{kPsfSigma_px};
+  return session::Session::load(document, nullptr);
+}
+
+/// A scene with the sampler that is judged, which may have a planted fault.
+class Trial {
+ public:
+  Trial(const HonestyCase& which, const std::filesystem::path& work)
+      : session_(load(which, work)), which_(which), sampler_(options_of(session_), which.faults) {}
+
+  const session::Session::Parts& parts() const { return session_.parts(); }
+
+  sampling::TileResult render(std::uint64_t seed) const {
+    const session::Session::Parts& p = parts();
+    const render::RenderJob plan = p.job();
+    render::RenderJob job{plan.scene, plan.camera, plan.footprint, sampler_};
+    job.tolerance = plan.tolerance;
+    job.transport = plan.transport;
+    job.label_detail = which_.sun_state ? plan.label_detail : render::LabelDetail::material;
+    job.seed = seed;
+    job.tile_px = plan.tile_px;
+    job.seed_objects = plan.seed_objects;
+    job.drivers = plan.drivers;
+    render::RenderControl control;
+    control.threads = 1;
+    OneTile tile;
+    render::render_image(job, control, tile);
+    return tile.result;
+  }
+
+  PlainMeans plain(std::span<const PixelIndex> pixels, std::span<const double> wanted, std::int64_t least,
+                   std::int64_t most, std::uint64_t seed) const {
+    const session::Session::Parts& p = parts();
+    const FieldFactory make_field = [&p] {
+      return std::make_unique<render::SceneField>(*p.spectral_scene, *p.camera, p.job().transport,
+                                                  render::LabelDetail::material);
+    };
+    return plain_means(make_field, *p.footprint, pixels, wanted, least, most, seed, 0);
+  }
+
+ private:
+  static sampling::AccuracyOptions options_of(const session::Session& session) {
+    const auto* sampler = dynamic_cast<const sampling::AccuracySampler*>(session.parts().plan.sampler.get());
+    if (sampler == nullptr) throw std::runtime_error("a scene of the honesty benchmark does not ask for an accuracy");
+    return sampler->options();
+  }
+  session::Session session_;
+  HonestyCase which_;
+  sampling::AccuracySampler sampler_;
+};
+
+std::vector<PixelIndex> mixed_pixels(const Trial& trial) {
+  std::vector<PixelIndex> all;
+  for (int y = 0; y < trial.parts().camera->height_px(); ++y)
+    for (int x = 0; x < trial.parts().camera->width_px(); ++x) all.push_back({x, y});
+  const PlainMeans pilot = trial.plain(all, {}, 512, 512, 20240229);
+  const auto columns = static_cast<std::size_t>(pilot.columns);
+  std::vector<double> spread(all.size());
+  for (std::size_t k = 0; k < all.size() * columns; ++k)
+    spread[k / columns] = std::max(spread[k / columns], pilot.spread[k] / pilot.mean[k]);
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return spread[a] > spread[b]; });
+  std::vector<PixelIndex> mixed;
+  for (const std::size_t k : order)
+    if (mixed.size() < kMixedPixels && spread[k] > 0.01) mixed.push_back(all[k]);
+  return mixed;
+}
+
+/// Standard errors that the reference has to reach: a seventh of the half-width, or of half the mean one where a
+/// pixel's own is smaller still.
+std::vector<double> wanted_errors(const sampling::TileResult& result, std::span<const PixelIndex> pixels) {
+  const auto columns = static_cast<std::size_t>(result.columns);
+  std::vector<double> wanted(pixels.size() * columns), mean(columns);
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    const PixelIndex pixel = pixels[k / columns];
+    wanted[k] = static_cast<double>(
+        result.half_width[static_cast<std::size_t>(pixel.y * result.tile.width() + pixel.x) * columns + k % columns]);
+    mean[k % columns] += wanted[k] / static_cast<double>(pixels.size());
+  }
+  for (std::size_t k = 0; k < wanted.size(); ++k) wanted[k] = std::max(wanted[k], 0.5 * mean[k % columns]) / 7.0;
+  return wanted;
+}
+
+}  // namespace
+
+HonestyOutcome run_case(const HonestyCase& which, const std::filesystem::path& work) {
+  const Trial trial(which, work);
+  const std::vector<PixelIndex> pixels = mixed_pixels(trial);
+
+  constexpr std::uint64_t kFirstSeed = 1000;
+  std::vector<sampling::TileResult> results(static_cast<std::size_t>(which.seeds));
+  parallel_for(which.seeds, 0, [&](std::int64_t k) {
+    results[static_cast<std::size_t>(k)] = trial.render(kFirstSeed + static_cast<std::uint64_t>(k));
+  });
+  const std::vector<double> wanted = wanted_errors(results.front(), pixels);
+  IntervalStatistics statistics(pixels, trial.plain(pixels, wanted, 4096, std::int64_t{1} << 21, 77));
+
+  HonestyOutcome outcome;
+  for (const sampling::TileResult& result : results) {
+    statistics.add(result);
+    for (const PixelIndex& pixel : pixels) {
+      const auto k = static_cast<std::size_t>(pixel.y * result.tile.width() + pixel.x);
+      outcome.samples_per_pixel += result.samples[k];
+      outcome.paths_per_pixel += result.radiance_evaluations[k];
+    }
+  }
+  const double count = static_cast<double>(pixels.size()) * which.seeds;
+  outcome.samples_per_pixel /= count;
+  outcome.paths_per_pixel /= count;
+  outcome.pixels = pixels.size();
+  outcome.honesty = statistics.summary();
+  for (const render::ChannelInfo& channel : trial.parts().info.channels) outcome.channels.push_back(channel.name);
+  return outcome;
+}
+
+void write_scene_files(const std::filesystem::path& work) {
+  write_forest(work);
+  // A smooth pattern of 0.25 m cells: sums of waves without a common period, 16 to 34 degrees Celsius.
+  constexpr int kCells = 128;
+  std::ofstream map(work / "texture.asc");
+  map << format("ncols {0}\nnrows {0}\nxllcorner -16\nyllcorner -16\ncellsize 0.25\n", kCells);
+  for (int j = 0; j < kCells; ++j) {
+    for (int i = 0; i < kCells; ++i)
+      map << format("{:.3f} ", 25.0 + 4.0 * std::sin(0.9 * i + 0.31 * j) + 3.0 * std::sin(0.23 * i - 1.1 * j) +
+                                   2.0 * std::sin(1.7 * i + 1.3 * j));
+    map << '\n';
+  }
+  map.close();
+  if (!map) throw std::runtime_error("cannot write " + (work / "texture.asc").string());
+}
+
+}  // namespace ifov::benchmarks

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "honesty/interval_statistics.h"
+#include "sampling/accuracy/options.h"
+
+namespace ifov::benchmarks {
+
+/// One run of a scene of benchmarks/honesty/scenes.
+struct HonestyCase {
+  std::string scene;                ///< file name without .json
+  bool psf = false;                 ///< a Gaussian PSF of 0.6 pixels
+  bool sun_state = true;            ///< false: a planted fault, labels without the Sun's state
+  sampling::AccuracyFaults faults;  ///< planted
+  int seeds = 24;
+};
+
+struct HonestyOutcome {
+  std::vector<std::string> channels;
+  std::vector<ChannelHonesty> honesty;  ///< by channel
+  std::size_t pixels = 0;               ///< judged
+  double samples_per_pixel = 0.0;
+  double paths_per_pixel = 0.0;
+};
+
+/// Renders the scene with every seed and compares each of its mixed pixels with the plain reference. Mixed pixels are
+/// the 64 whose radiance differs most from path to path in a small plain rendering of its own seed, so they are fixed
+/// before the sampler looks; pixels that do not differ by 1 % are left out. `work` holds the files that scenes name.
+HonestyOutcome run_case(const HonestyCase& which, const std::filesystem::path& work);
+
+/// Writes the mesh and the temperature map that scenes name.
+void write_scene_files(const std::filesystem::path& work);
+
+}  // namespace ifov::benchmarks
