@@ -57,6 +57,14 @@ RunRecord record_of(const SyntheticImage& image) {
   return record;
 }
 
+TEST(Report, HalfWidthsThatAreNoNumbersAreNotOffered) {
+  const SyntheticImage image{5, 5, 2};
+  auto record = record_of(image);
+  EXPECT_NE(make_report(record, views(image)).find("data-view=\"width\""), std::string::npos);
+  for (auto& channel : record.statistics.channels) channel.largest_half_width = std::nan("");
+  EXPECT_EQ(make_report(record, views(image)).find("data-view=\"width\""), std::string::npos);
+}
+
 TEST(Base64, PublishedExamples) {  // RFC 4648, section 10
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");

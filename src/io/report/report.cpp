@@ -10,34 +10,10 @@
 #include "io/products/product_headers.h"
 #include "io/report/report_data.h"
 #include "io/report/report_page.h"
+#include "io/report/report_words.h"
 
 namespace ifov::io {
 namespace {
-
-std::string figure(double value) { return std::isfinite(value) ? format("{:.4g}", value) : "\u2013"; }
-
-std::string count(std::uint64_t value) {
-  const std::string digits = format("{}", value);
-  std::string grouped;
-  for (std::size_t i = 0; i < digits.size(); ++i) {
-    if (i > 0 && (digits.size() - i) % 3 == 0) grouped += "\u2009";
-    grouped += digits[i];
-  }
-  return grouped;
-}
-
-std::string short_count(double value) {
-  if (value < 1e4) return format("{:.0f}", value);
-  if (value < 1e6) return format("{:.1f} k", value / 1e3);
-  if (value < 1e9) return format("{:.1f} M", value / 1e6);
-  return format("{:.1f} G", value / 1e9);
-}
-
-std::string duration(double seconds) {
-  if (seconds < 120.0) return format("{:.3g} s", seconds);
-  if (seconds < 7200.0) return format("{:.0f} min", seconds / 60.0);
-  return format("{:.1f} h", seconds / 3600.0);
-}
 
 Json::Value list(const std::vector<double>& values) {
   Json::Value result = Json::arrayValue;
@@ -85,9 +61,14 @@ class Page {
  public:
   Page(const RunRecord& record, const ReportInput& input, std::size_t embed_limit_bytes)
       : record_(record), input_(input), bands_(static_cast<int>(record.image.channels.size())) {
-    const std::size_t per_pixel = 2 * (static_cast<std::size_t>(bands_) * (input.half_width ? 2 : 1) + 3);
+    // Samplers without an error estimate write half-widths that are no numbers.
+    const auto& figures = record.statistics.channels;
+    if (std::none_of(figures.begin(), figures.end(),
+                     [](const ChannelStatistics& s) { return std::isfinite(s.largest_half_width); }))
+      input_.half_width = {};
+    const std::size_t per_pixel = 2 * (static_cast<std::size_t>(bands_) * (input_.half_width ? 2 : 1) + 3);
     step_ = thinning_step(record.image.width_px, record.image.height_px, per_pixel, embed_limit_bytes);
-    judged_ = !record.identity.accuracy_asked.empty() && static_cast<bool>(input.quality);
+    judged_ = !record.identity.accuracy_asked.empty() && static_cast<bool>(input_.quality);
   }
 
   std::string text() {
@@ -172,17 +153,10 @@ class Page {
         input_.half_width ? format(" Bars are {:g} % intervals.", 100.0 * record_.identity.confidence) : "");
     if (step_ > 1)
       html += format(
-          "<p class=\"note\">Preview: every {}{} pixel of every {}{} line is shown here; all figures and "
+          "<p class=\"note\">Preview: every {} pixel of every {} line is shown here; all figures and "
           "histograms are of "
           "the whole image.</p>",
-          step_,
-          step_ == 2   ? "nd"
-          : step_ == 3 ? "rd"
-                       : "th",
-          step_,
-          step_ == 2   ? "nd"
-          : step_ == 3 ? "rd"
-                       : "th");
+          ordinal(step_), ordinal(step_));
     return html + "</section>\n";
   }
 
@@ -315,7 +289,7 @@ class Page {
   }
 
   const RunRecord& record_;
-  const ReportInput& input_;
+  ReportInput input_;
   int bands_;
   int step_ = 1;
   bool judged_ = false;
