@@ -51,6 +51,7 @@ TrialSummary run_series(const TrialSeries& series, const TextureMap& texture,
   TrialSummary summary;
   summary.trials = options.trials;
   std::vector<double> samples;
+  int held = 0, seen = 0;
   for (const ThermalTrial& trial : trials) {
     samples.push_back(static_cast<double>(trial.cost.samples));
     summary.mean_samples += samples.back() / options.trials;
@@ -61,6 +62,8 @@ TrialSummary run_series(const TrialSeries& series, const TextureMap& texture,
     summary.seen += trial.target_seen / double(options.trials);
     summary.absolute_error_c.push_back(std::abs(trial.error_c));
   }
+  summary.coverage = static_cast<double>(held) / options.trials;
+  summary.seen = static_cast<double>(seen) / options.trials;
   summary.rms_c = std::sqrt(summary.rms_c);
   summary.samples_95 = quantile(samples, 0.95);
   summary.error_95_c = quantile(summary.absolute_error_c, 0.95);

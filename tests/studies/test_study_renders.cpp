@@ -1,0 +1,143 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "studies/clutter_scene.h"
+#include "studies/clutter_trials.h"
+#include "studies/sampling_sweep.h"
+#include "studies/studies.h"
+
+namespace ifov::studies {
+namespace {
+
+const std::filesystem::path kFolder = std::filesystem::temp_directory_path();
+
+/// The studies' figures, for fewer trials: from a document through the ray tracer and the samplers.
+StudyOptions few(int trials) {
+  StudyOptions options;
+  options.trials = trials;
+  options.threads = 2;
+  options.output_folder = kFolder;
+  return options;
+}
+
+TEST(StudyRenders, GridOfThePaper) {
+  const ThermalScene dome = dome_scene(paper_dome());
+  const ThermalTrial n40 = render_thermal(dome, grid_sampling(40), 1, kFolder, nullptr);
+  const ThermalTrial n42 = render_thermal(dome, grid_sampling(42), 1, kFolder, nullptr);
+  EXPECT_EQ(n42.cost.samples, 15876u);
+  EXPECT_EQ(n42.cost.rays.primary, 15876u);
+  EXPECT_NEAR(std::abs(n40.error_c), 0.149, 0.0005);
+  EXPECT_NEAR(std::abs(n42.error_c), 0.022, 0.001);
+}
+
+TEST(StudyRenders, AdaptiveOfThePaper) {
+  const ThermalTrial n20 = render_thermal(dome_scene(paper_dome()), paper_adaptive(20), 1, kFolder, nullptr);
+  EXPECT_EQ(n20.cost.samples, 1119u);
+  EXPECT_NEAR(std::abs(n20.error_c), 0.149, 0.0005);
+}
+
+TEST(StudyRenders, SamplesThatStayWithin) {
+  std::vector<SweepPoint> sweep(4);
+  const double errors[] = {0.05, -0.2, 0.09, -0.1};
+  for (std::size_t k = 0; k < 4; ++k) {
+    sweep[k].trial.error_c = errors[k];
+    sweep[k].trial.cost.samples = 10 * (k + 1);
+  }
+  EXPECT_EQ(samples_that_stay_within(sweep, 0.1), 30.0);
+  EXPECT_EQ(samples_that_stay_within(sweep, 0.2), 10.0);
+  EXPECT_TRUE(std::isnan(samples_that_stay_within(sweep, 0.01)));
+}
+
+TEST(StudyRenders, AccuracyReachesWhatWasAsked) {
+  const TextureMap none(1, 1.0);
+  StudyProgress progress(0, nullptr);
+  const TrialSummary dome = run_series({"dome", Family::dome, accuracy_sampling(radiance_of_error(0.1))},
+                                       none, kFolder, few(100), progress);
+  EXPECT_GE(dome.within(0.1), 0.95);
+  EXPECT_LE(dome.mean_samples, 185.0);
+  EXPECT_GE(dome.coverage, 0.9);
+}
+
+TEST(StudyRenders, SeedsFindSmallTargetsAndNothingElseDoes) {
+  const TextureMap none(1, 1.0);
+  StudyProgress progress(0, nullptr);
+  const std::string error = radiance_of_error(0.1);
+  const TrialSummary seeded = run_series({"seeded", Family::small_target, accuracy_sampling(error)}, none,
+                                         kFolder, few(60), progress);
+  const TrialSummary unseeded =
+      run_series({"unseeded", Family::small_target, accuracy_sampling(error, ", \"seeds\": false")}, none,
+                 kFolder, few(60), progress);
+  EXPECT_EQ(seeded.seen, 1.0);
+  EXPECT_LT(unseeded.seen, 0.5);
+}
+
+TEST(StudyRenders, TexturedTruthIsWhatAFineGridSees) {
+  const TextureMap texture(2, 8.0);
+  const auto folder = kFolder / "ifov_textured";
+  make_folder(folder);
+  texture.write(folder, "ground", kCold_k);
+  texture.write(folder, "target", kHot_k);
+  const ThermalScene scene = random_scene(Family::textured_dome, 2, 0, texture);
+  const ThermalTrial trial = render_thermal(scene, grid_sampling(200), 1, folder, nullptr);
+  EXPECT_LT(std::abs(trial.error_c), 0.02);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(ClutterScene, CellsTileTheImage) {
+  const ClutterScene scene(8, 1.5, 3);
+  const std::vector<double> truth = scene.pixel_truth();
+  for (double radiance : truth) {
+    EXPECT_GT(radiance, cold_radiance() - 1e-9);
+    EXPECT_LT(radiance, hot_radiance() + 1e-9);
+  }
+  ImageStore image;
+  render_document(scene.document(grid_sampling(60), "", 1).text(), kFolder, 2, nullptr, image);
+  double squares = 0.0;
+  for (std::size_t p = 0; p < truth.size(); ++p)
+    squares += std::pow(error_c(static_cast<double>(image.mean()[p]) - truth[p]), 2);
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(truth.size())), 0.06);
+}
+
+TEST(ClutterScene, BlurredTruthIsWhatAFineGridSees) {
+  const ClutterScene scene(8, 1.5, 3);
+  const std::vector<double> truth = scene.blurred_truth(0.6, 24);
+  ImageStore image;
+  render_document(scene.document(grid_sampling(24), "{\"gaussian\": {\"sigma\": \"0.6 px\"}}", 1).text(),
+                  kFolder, 2, nullptr, image);
+  for (int y = 3; y < 5; ++y)
+    for (int x = 3; x < 5; ++x) {
+      const std::size_t p = image.index(x, y);
+      EXPECT_NEAR(error_c(static_cast<double>(image.mean()[p]) - truth[p]), 0.0, 0.06);
+    }
+}
+
+TEST(ClutterScene, RaysAtAnRmsAreInterpolated) {
+  const std::vector<ClutterResult> results = {{"a", 0.2, 1.0, 10.0, 0.0}, {"b", 0.05, 1.0, 40.0, 0.0}};
+  EXPECT_NEAR(rays_at_rms(results, 0.1), 20.0, 1e-9);
+  EXPECT_TRUE(std::isinf(rays_at_rms(results, 0.01)));
+  EXPECT_EQ(rays_at_rms(results, 0.5), 10.0);
+}
+
+TEST(Studies, AreFoundByName) {
+  ASSERT_NE(find_study("thermal"), nullptr);
+  ASSERT_NE(find_study("aliasing"), nullptr);
+  EXPECT_EQ(find_study("thermic"), nullptr);
+  EXPECT_EQ(all_studies().size(), 2u);
+}
+
+TEST(Studies, AliasingWritesItsFiles) {
+  StudyOptions options = few(1);
+  options.output_folder = kFolder / "ifov_aliasing";
+  const StudyOutcome outcome = find_study("aliasing")->run(options);
+  ASSERT_EQ(outcome.files.size(), 3u);
+  for (const auto& file : outcome.files) EXPECT_GT(std::filesystem::file_size(file), 1000u) << file;
+  EXPECT_NE(outcome.table.find("grid_10_rms"), std::string::npos);
+  EXPECT_EQ(outcome.all_met, outcome.table.find("  NO\n") == std::string::npos);
+  std::filesystem::remove_all(options.output_folder);
+}
+
+}  // namespace
+}  // namespace ifov::studies
