@@ -1,0 +1,107 @@
+"""Progress on a terminal, and stopping: a pseudo-terminal takes the user's place."""
+
+import os
+import pty
+import select
+import signal
+import subprocess
+import time
+import unittest
+
+from program import LONG, PROGRAM, Folder
+
+
+class Terminal:
+    """The program with its messages on a pseudo-terminal."""
+
+    def __init__(self, folder, *arguments):
+        self._screen, writer = pty.openpty()
+        self.process = subprocess.Popen(
+            [PROGRAM, *arguments], cwd=folder, stdin=writer, stderr=writer, stdout=subprocess.PIPE
+        )
+        os.close(writer)
+        self.text = ""
+
+    def read(self, seconds, until=None):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end and (until is None or until not in self.text):
+            if not select.select([self._screen], [], [], 0.05)[0]:
+                continue
+            try:
+                self.text += os.read(self._screen, 65536).decode()
+            except OSError:  # the other end was closed
+                break
+
+    def close(self):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.communicate()
+        os.close(self._screen)
+
+
+class Interrupt(unittest.TestCase):
+    def test_the_bar_tells_rate_and_time_left(self):
+        with Folder(long=LONG) as folder:
+            terminal = Terminal(folder, "render", "long.json")
+            try:
+                terminal.read(30, until="rays/s")
+                self.assertRegex(terminal.text, r"\[[#-]{24}\] +\d+\.\d %  [\d:]+ left  [\d.]+ ?[kMG]? rays/s")
+            finally:
+                terminal.close()
+
+    def test_quiet_draws_no_bar(self):
+        with Folder(long=LONG) as folder:
+            terminal = Terminal(folder, "render", "long.json", "--quiet")
+            try:
+                terminal.read(2)
+                self.assertEqual(terminal.text, "")
+                self.assertIsNone(terminal.process.poll())
+            finally:
+                terminal.close()
+
+    def test_without_a_terminal_there_is_no_bar(self):
+        with Folder(long=LONG) as folder:
+            process = subprocess.Popen(
+                [PROGRAM, "render", "long.json"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+            )
+            time.sleep(2)
+            process.send_signal(signal.SIGTERM)
+            output, errors = process.communicate(timeout=20)
+            self.assertEqual(process.returncode, 130)
+            self.assertEqual(output, "")
+            self.assertEqual(errors, "ifov: stopped on request; unfinished products carry the ending .part\n")
+
+    def test_ctrl_c_stops_within_a_second_and_leaves_nothing_that_looks_complete(self):
+        with Folder(long=LONG) as folder:
+            terminal = Terminal(folder, "render", "long.json", "--log", "run.log")
+            try:
+                terminal.read(30, until="rays/s")
+                begin = time.monotonic()
+                terminal.process.send_signal(signal.SIGINT)
+                self.assertEqual(terminal.process.wait(timeout=20), 130)
+                self.assertLess(time.monotonic() - begin, 1.0)
+                terminal.read(1, until=".part")
+                self.assertTrue(terminal.text.endswith("\r\x1b[Kifov: stopped on request; unfinished products carry the "
+                                                       "ending .part\r\n"), terminal.text[-200:])
+                left = os.listdir(folder / "long.out")
+                self.assertEqual([name for name in left if not name.endswith(".part")], [])
+                self.assertIn("ended: stopped on request", (folder / "run.log").read_text())
+            finally:
+                terminal.close()
+
+    def test_a_second_ctrl_c_ends_at_once(self):
+        with Folder(long=LONG) as folder:
+            terminal = Terminal(folder, "render", "long.json")
+            try:
+                terminal.read(30, until="rays/s")
+                terminal.process.send_signal(signal.SIGINT)
+                time.sleep(0.001)
+                terminal.process.send_signal(signal.SIGINT)
+                # Stopped by the first where that was quick enough, else killed by the second.
+                self.assertIn(terminal.process.wait(timeout=20), (130, -signal.SIGINT))
+            finally:
+                terminal.close()
+
+
+if __name__ == "__main__":
+    unittest.main()
