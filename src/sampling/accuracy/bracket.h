@@ -16,6 +16,7 @@ namespace ifov::sampling {
 struct Bracket {
   std::int32_t x = 0, y = 0;  ///< the edge's start, fine units
   bool vertical = false;
+  std::uint8_t level = 0;
   bool third_label = false;  ///< a label other than those of the two ends was met
   std::uint32_t first = 0, last = 0;
   double length_px = 0.0;
@@ -61,8 +62,8 @@ struct Bracket {
   }
 
   /// Whether a feature as narrow as the distance to the nearer end could hide in the bracket.
-  bool wants_thin_refinement(double floor_px) const {
-    return width() > std::max(floor_px, 0.7 * nearer_end());
+  bool wants_thin_refinement(double floor_px, double share) const {
+    return width() > std::max(floor_px, share * nearer_end());
   }
 
   FocalPoint at(const Lattice& lattice, double t) const {

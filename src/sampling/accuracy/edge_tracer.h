@@ -52,7 +52,7 @@ class EdgeTracer {
 
   /// Whether tracing met anything in the pixel that the lattice alone had not announced.
   bool suspect(std::uint32_t pixel) const { return suspect_[pixel] != 0; }
-  void mark_suspect(std::uint32_t pixel) { suspect_[pixel] = 1; }
+  std::vector<std::uint8_t>& suspects() { return suspect_; }
 
   const Lattice& lattice() const { return lattice_; }
   const std::vector<Cell>& cells() const { return cells_; }
@@ -93,10 +93,12 @@ class EdgeTracer {
   bool isolated_corner(const Cell& cell) const;
   void value_new_labels();
 
-  // Verification (edge_tracer_verify.cpp)
+  // Verification (edge_tracer_verify.cpp, edge_tracer_shape.cpp)
   void verify();
   struct Check;
   void predict(Check& check);
+  void weigh_answers(Check& check, const std::uint32_t* seen);
+  void refuse(Check& check);
   void accept(Check& check);
   Ends ends(const Curve& curve) const;
   Point2 end_point(std::uint32_t bracket) const;

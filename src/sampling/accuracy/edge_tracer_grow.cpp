@@ -9,6 +9,10 @@ namespace {
 
 /// Share of the allowed standard error that one unresolved cell may claim at first.
 constexpr double kLooseCell = 0.2;
+/// Brackets are refined to this share of the distance to the vertex inside a narrow feature.
+constexpr double kThinShare = 0.5;
+/// First width of a bracket, in units of what the tolerance allows to a crossing of one side of its cell.
+constexpr double kFirstWidth = 1.6;
 /// Standard deviation of a fraction that may be anything: 1 / sqrt(12).
 constexpr double kUniformSpread = 0.28867513459481287;
 
@@ -314,11 +318,15 @@ std::uint32_t EdgeTracer::bracket_on(const Cell& cell, int side_index) {
   b.x = x;
   b.y = y;
   b.vertical = vertical;
+  b.level = cell.level;
   b.length_px = lattice_.side_px(cell.level);
   b.first = known_vertex(x, y);
   b.last = vertical ? known_vertex(x, y + side) : known_vertex(x + side, y);
   const std::uint64_t key = hash(seed_, lattice_.image_x(x), lattice_.image_y(y), vertical, cell.level);
-  b.lay_grid(options_.initial_bracket_px, key, !faults_.undithered_brackets);
+  const double contrast = contrast_(cell.pixel, b.first, b.last);
+  const double tolerable = kFirstWidth * std::sqrt(allowed_variance_[cell.pixel]) / (contrast * b.length_px + 1e-300);
+  b.lay_grid(std::max(options_.initial_bracket_px, std::min(tolerable, b.length_px / 6.0)), key,
+             !faults_.undithered_brackets);
 
   // A crossing located on a longer edge that this one is part of need not be searched again.
   for (int level = cell.level - 1; level >= 0; --level) {
@@ -339,13 +347,20 @@ std::uint32_t EdgeTracer::bracket_on(const Cell& cell, int side_index) {
 }
 
 void EdgeTracer::locate(std::vector<std::uint32_t>& active) {
-  const double floor_px = options_.thinnest_px / 8.0;
+  // A crossing near a vertex means a narrow feature only if the line is crossed again on the vertex's other side.
+  const auto thin = [&](const Bracket& b) {
+    if (!b.wants_thin_refinement(options_.thinnest_px / 8.0, kThinShare)) return false;
+    const std::int32_t step = b.centre() < 0.5 * b.length_px ? -Lattice::side(b.level) : Lattice::side(b.level);
+    const std::int32_t x = b.vertical ? b.x : b.x + step, y = b.vertical ? b.y + step : b.y;
+    return x >= 0 && y >= 0 &&
+           bracket_index_.find(Lattice::edge_key(x, y, b.vertical, b.level)) != FlatMap::kAbsent;
+  };
   std::vector<std::uint32_t> labels;
   for (;;) {
     std::size_t kept = 0;
     for (std::uint32_t b : active)
       if (!brackets_[b].third_label &&
-          (brackets_[b].on_grid() || brackets_[b].wants_thin_refinement(floor_px)))
+          (brackets_[b].on_grid() || thin(brackets_[b])))
         active[kept++] = b;
     active.resize(kept);
     if (active.empty()) return;

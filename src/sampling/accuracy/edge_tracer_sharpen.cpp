@@ -26,7 +26,18 @@ struct MiddleTerm {
 struct LooseTerm {
   std::uint32_t pixel, cell;
   double variance;
+  bool coherent;
 };
+
+bool two_labels(const Cell& cell) {
+  std::uint32_t other = cell.corner[0];
+  for (std::uint32_t l : cell.corner)
+    if (l != cell.corner[0]) {
+      if (other != cell.corner[0] && other != l) return false;
+      other = l;
+    }
+  return true;
+}
 
 template <class Term>
 std::size_t end_of_pixel(const std::vector<Term>& terms, std::size_t first) {
@@ -64,7 +75,7 @@ void EdgeTracer::sharpen() {
     if (cell.kind == CellKind::complex) {
       const double side = lattice_.side_px(cell.level);
       const double error = side * side * contrast_.among(cell.pixel, cell.corner);
-      loose.push_back({cell.pixel, index, error * error / 12.0});
+      loose.push_back({cell.pixel, index, error * error / 12.0, two_labels(cell)});
       continue;
     }
     const Curve& curve = curves_[cell.chord];
@@ -77,7 +88,7 @@ void EdgeTracer::sharpen() {
     }
     middles.push_back({cell.pixel, index, 4.0 / 9.0 * (d.x * d.x + d.y * d.y) * square / 12.0});
     if (curve.loose_area > 0.0)
-      loose.push_back({cell.pixel, index, curve.loose_area * curve.loose_area * square});
+      loose.push_back({cell.pixel, index, curve.loose_area * curve.loose_area * square, false});
   }
   edge_cells_.resize(kept);
   const auto by_pixel = [](const auto& a, const auto& b) { return a.pixel < b.pixel; };
@@ -90,12 +101,17 @@ void EdgeTracer::sharpen() {
   });
 
   // 1. What no model follows: the largest are split until the rest fits.
-  std::vector<double> left_loose(allowed_variance_.size(), 0.0);
-  for (const LooseTerm& term : loose) left_loose[term.pixel] += term.variance;
+  // Errors of two-label cells add up (a strip too thin for them errs the same way all along).
+  std::vector<double> left_loose(allowed_variance_.size(), 0.0), coherent(allowed_variance_.size(), 0.0);
+  for (const LooseTerm& term : loose)
+    (term.coherent ? coherent : left_loose)[term.pixel] += term.coherent ? std::sqrt(term.variance) : term.variance;
+  for (std::size_t p = 0; p < left_loose.size(); ++p) left_loose[p] += coherent[p] * coherent[p];
   for (const LooseTerm& term : loose) {
     if (left_loose[term.pixel] <= kLooseShare * allowed_variance_[term.pixel]) continue;
     if (cells_[term.cell].level == kMaxLevel) continue;
-    left_loose[term.pixel] -= term.variance;
+    const double deviation = std::sqrt(term.variance);
+    left_loose[term.pixel] -= term.coherent ? deviation * (2.0 * coherent[term.pixel] - deviation) : term.variance;
+    if (term.coherent) coherent[term.pixel] -= deviation;
     split(term.cell);
   }
 
@@ -179,7 +195,6 @@ void EdgeTracer::sharpen() {
         curve.wanted_middle = wanted;
       } else if (curve.middle_width > 1.05 * wanted) {
         curve.wanted_middle = wanted;
-        curve.predicted = false;
         cell.kind = CellKind::tentative;
         tentative_.push_back(term.cell);
       }

@@ -12,46 +12,82 @@ constexpr int kCornerX[4] = {0, 1, 1, 0}, kCornerY[4] = {0, 0, 1, 1};
 /// Area between curve and chord that a refused curve may hide, as a share of chord^2.
 constexpr double kRefusedShare = 0.12;
 /// Share of the allowed standard error below which a curve that fails verification is not worth more rays.
-constexpr double kLooseCurve = 0.2;
+constexpr double kLooseCurve = 0.02;
+/// A corner is looked for between these multiples of the predicted distance from the chord.
+constexpr double kCornerNear = 0.4, kCornerFar = 1.5;
+
+/// Curvature of a border from that found towards its two ends: their mean where they tell of one smooth curve, the
+/// smaller one where a corner on one side makes them differ, none where they bend opposite ways.
+double limited_mean(const double curvature[2], const double weight[2]) {
+  if (weight[0] == 0.0) return curvature[1];
+  if (weight[1] == 0.0) return curvature[0];
+  if (curvature[0] * curvature[1] <= 0.0) return 0.0;
+  const double small = std::min(std::abs(curvature[0]), std::abs(curvature[1]));
+  const double large = std::max(std::abs(curvature[0]), std::abs(curvature[1]));
+  if (large > 2.0 * small) return std::copysign(small, curvature[0]);
+  return (weight[0] * curvature[0] + weight[1] * curvature[1]) / (weight[0] + weight[1]);
+}
+
+double dot(Point2 a, Point2 b) { return a.x * b.x + a.y * b.y; }
+
+void add_point(std::vector<FocalPoint>& points, Point2 p) { points.push_back({p.x, p.y}); }
 
 }  // namespace
 
-/// One tentative curve on its way through verification.
+/// One tentative curve on its way through verification. Its middle is looked for on a line through the chord's
+/// middle; beyond the curve on that line the label is `far`, before it `near`.
 struct EdgeTracer::Check {
-  enum class Stage { middle, far_side, bisect, quarters, done };
+  enum class Stage { middle, far_side, bisect, legs, done };
   std::uint32_t cell = 0;
   Stage stage = Stage::middle;
   Ends ends;
   Point2 centre, normal;
-  double chord = 0.0, reach = 0.0, tolerance = 0.0, predicted = 0.0, sagitta = 0.0;
-  double low = 0.0, high = 0.0;
-  std::uint32_t left = 0, right = 0;  // labels on the side of the normal and on the other
-  bool smooth = false, up_wrong = false;
+  double chord = 0.0, least = 0.0, most = 0.0, tolerance = 0.0, predicted = 0.0;
+  double low = 0.0, high = 0.0, blur = 0.0;
+  std::uint32_t far = 0, near = 0;
+  bool smooth = false, beyond_wrong = false, has_apex = false, corner = false, confirmed = false;
+  Point2 apex;
   std::size_t first_point = 0;
-};
 
-Point2 EdgeTracer::end_point(std::uint32_t bracket) const {
-  const Bracket& b = brackets_[bracket];
-  const FocalPoint p = b.at(lattice_, b.centre());
-  return {p.x_px, p.y_px};
-}
+  double middle() const { return 0.5 * (low + high); }
 
-EdgeTracer::Ends EdgeTracer::ends(const Curve& curve) const {
-  return {end_point(curve.bracket[0]), end_point(curve.bracket[1])};
-}
-
-bool EdgeTracer::neighbour_end(const Curve& curve, int end, Point2& point) const {
-  const std::uint32_t shared = curve.bracket[end];
-  for (std::uint32_t entry : brackets_[shared].cells) {
-    if (entry == 0 || entry - 1 == curve.cell) continue;
-    const Cell& cell = cells_[entry - 1];
-    if (cell.kind != CellKind::tentative && cell.kind != CellKind::chord) continue;
-    const Curve& next = curves_[cell.chord];
-    point = end_point(next.bracket[next.bracket[0] == shared ? 1 : 0]);
-    return true;
+  /// From an arc to two legs that meet at the apex.
+  void try_corner() {
+    const Point2 to_apex = apex - centre;
+    const double height = length(to_apex);
+    if (dot(to_apex, normal) < 0.0) std::swap(far, near);
+    normal = (1.0 / height) * to_apex;
+    predicted = height;
+    least = kCornerNear * height;
+    most = kCornerFar * height;
+    corner = true;
+    has_apex = false;
+    confirmed = false;
+    stage = Stage::middle;
   }
-  return false;
-}
+
+  /// Next to the curve at a quarter of the way from each end, on either side: far, near, far, near.
+  void add_leg_points(std::vector<FocalPoint>& points) const {
+    for (const Point2 end : {ends.a, ends.b}) {
+      Point2 foot, across;
+      double margin = tolerance;
+      if (corner) {
+        const Point2 tip = centre + middle() * normal, leg = tip - end;
+        const double reach = length(leg);
+        foot = 0.5 * (tip + end);
+        across = reach > 0.0 ? Point2{-leg.y / reach, leg.x / reach} : normal;
+        if (dot(across, normal) < 0.0) across = -1.0 * across;
+        margin = std::max(margin, blur);
+      } else {
+        foot = 0.5 * (centre + end) + (0.75 * middle()) * normal;
+        across = normal;
+        margin = std::max(margin, 0.15 * std::abs(middle()));
+      }
+      add_point(points, foot + margin * across);
+      add_point(points, foot - margin * across);
+    }
+  }
+};
 
 void EdgeTracer::predict(Check& check) {
   const Cell& cell = cells_[check.cell];
@@ -60,267 +96,219 @@ void EdgeTracer::predict(Check& check) {
   const Point2 a = check.ends.a, b = check.ends.b, d = b - a;
   check.chord = length(d);
   check.centre = 0.5 * (a + b);
-  const double floor_px = 1e-9;
-  if (check.chord < floor_px) {
-    check.stage = Check::Stage::done;
+  if (check.chord < 1e-9) {
+    accept(check);
     return;
   }
   check.normal = {-d.y / check.chord, d.x / check.chord};
-  const double side = lattice_.side_px(cell.level);
+  const double x0 = lattice_.x_px(cell.x), y0 = lattice_.y_px(cell.y), side = lattice_.side_px(cell.level);
   const int corner = (curve.side[0] + 1) % 4;
-  const Point2 inner_corner{lattice_.x_px(cell.x) + kCornerX[corner] * side,
-                            lattice_.y_px(cell.y) + kCornerY[corner] * side};
-  const Point2 to_corner = inner_corner - a;
-  const bool inner_left = to_corner.x * check.normal.x + to_corner.y * check.normal.y > 0.0;
-  check.left = inner_left ? curve.inner : curve.outer;
-  check.right = inner_left ? curve.outer : curve.inner;
+  const Point2 inner_corner{x0 + kCornerX[corner] * side, y0 + kCornerY[corner] * side};
+  const bool inner_far = dot(inner_corner - a, check.normal) > 0.0;
+  check.far = inner_far ? curve.inner : curve.outer;
+  check.near = inner_far ? curve.outer : curve.inner;
 
-  double curvature[2] = {0.0, 0.0}, weighted = 0.0, weight = 0.0;
+  double curvature[2] = {0.0, 0.0}, weights[2] = {0.0, 0.0};
+  Point2 beyond[2];
   int neighbours = 0;
   for (int end = 0; end < 2; ++end) {
-    Point2 beyond;
-    if (!neighbour_end(curve, end, beyond)) continue;
-    const double reach = length(beyond - (end == 0 ? a : b));
-    const double blur = brackets_[curve.bracket[end]].width();
-    if (reach <= 3.0 * blur) continue;
-    curvature[end] = end == 0 ? menger_curvature(beyond, a, b) : menger_curvature(a, b, beyond);
-    const double w = std::min(reach, check.chord);
-    weighted += w * curvature[end];
-    weight += w;
+    if (!neighbour_end(curve, end, beyond[end])) continue;
+    const double reach = length(beyond[end] - (end == 0 ? a : b));
+    if (reach <= 3.0 * brackets_[curve.bracket[end]].width()) continue;
+    curvature[end] = end == 0 ? menger_curvature(beyond[0], a, b) : menger_curvature(a, b, beyond[1]);
+    weights[end] = std::min(reach, check.chord);
     ++neighbours;
   }
-  check.predicted = weight > 0.0 ? sagitta_of_curvature(weighted / weight, check.chord) : 0.0;
-  check.reach = kLargestSagitta * check.chord;
   const double blur = 0.5 * (brackets_[curve.bracket[0]].width() + brackets_[curve.bracket[1]].width());
+  check.blur = blur;
   check.tolerance =
       std::clamp(curve.wanted_middle > 0.0 ? curve.wanted_middle : blur, 1e-7, check.chord / 6.0);
+  check.predicted = sagitta_of_curvature(limited_mean(curvature, weights), check.chord);
+  check.most = kLargestSagitta * check.chord;
+  check.least = -check.most;
 
-  const double contrast = contrast_(cell.pixel, curve.inner, curve.outer);
-  const double worth = kLooseCurve * std::sqrt(allowed_variance_[cell.pixel]);
-  if (std::abs(check.predicted) > check.reach && weight > 0.0) {
+  // The neighbours' chords, extended into this cell, meet at the apex of a corner.
+  if (curve.corner) {
+    check.apex = curve.origin + (0.5 * (curve.low + curve.high)) * curve.normal;
+    check.has_apex = true;
+  } else if (neighbours == 2) {
+    const Point2 u = a - beyond[0], v = b - beyond[1];
+    const double turn = cross(u, v);
+    if (std::abs(turn) > 1e-3 * length(u) * length(v)) {
+      const double s = cross(d, v) / turn, t = cross(d, u) / turn;
+      check.apex = a + s * u;
+      const bool inside = check.apex.x >= x0 && check.apex.x <= x0 + side && check.apex.y >= y0 &&
+                          check.apex.y <= y0 + side;
+      check.has_apex = s > 0.0 && t > 0.0 && inside &&
+                       std::abs(dot(check.apex - check.centre, check.normal)) > 2.0 * check.tolerance;
+    }
+  }
+  if (curve.corner || (std::abs(check.predicted) > check.most && check.has_apex)) {
+    check.try_corner();
+    return;
+  }
+  if (std::abs(check.predicted) > check.most) {
+    const double contrast = contrast_(cell.pixel, curve.inner, curve.outer);
+    const double worth = kLooseCurve * std::sqrt(allowed_variance_[cell.pixel]);
     if (cell.level < kMaxLevel && kRefusedShare * check.chord * check.chord * contrast > worth) {
-      split(check.cell);
       check.stage = Check::Stage::done;
+      split(check.cell);
       return;
     }
-    check.predicted = std::clamp(check.predicted, -check.reach, check.reach);
+    check.predicted = std::clamp(check.predicted, check.least, check.most);
   }
   const double disagreement = std::abs(curvature[0] - curvature[1]) * check.chord * check.chord / 8.0;
   check.smooth = neighbours == 2 && disagreement <= std::max(1.5 * std::max(check.tolerance, blur),
                                                              0.35 * std::abs(check.predicted));
 }
 
-namespace {
-
-void add_on_normal(std::vector<FocalPoint>& points, Point2 centre, Point2 normal, double t) {
-  const Point2 p = centre + t * normal;
-  points.push_back({p.x, p.y});
-}
-
-}  // namespace
-
 void EdgeTracer::verify() {
   std::vector<Check> checks;
-  for (std::uint32_t cell : tentative_) {
+  std::vector<std::uint32_t> open;
+  open.swap(tentative_);
+  for (std::uint32_t cell : open) {
     if (cells_[cell].kind != CellKind::tentative || abandoned_[cells_[cell].pixel]) continue;
     Check check;
     check.cell = cell;
-    checks.push_back(check);
-  }
-  tentative_.clear();
-  for (Check& check : checks) {
-    if (cells_[check.cell].kind != CellKind::tentative) continue;
     predict(check);
-    if (check.stage == Check::Stage::done && cells_[check.cell].kind == CellKind::tentative) accept(check);
+    if (check.stage != Check::Stage::done) checks.push_back(check);
   }
-
-  const auto refuse = [&](Check& check, double sagitta) {
-    const Cell cell = cells_[check.cell];
-    const Curve& curve = curves_[cell.chord];
-    suspect_[cell.pixel] = 1;
-    const double contrast = contrast_(cell.pixel, curve.inner, curve.outer);
-    const double hidden = kRefusedShare * check.chord * check.chord;
-    const double worth = kLooseCurve * std::sqrt(allowed_variance_[cell.pixel]);
-    const bool must_follow = lattice_.side_px(cell.level) > options_.thinnest_px && isolated_corner(cell);
-    check.stage = Check::Stage::done;
-    if (cell.level < kMaxLevel && (must_follow || hidden * contrast > worth)) {
-      split(check.cell);
-      return;
-    }
-    check.sagitta = sagitta;
-    check.low = check.high = sagitta;
-    curves_[cell.chord].loose_area = hidden;
-    accept(check);
-  };
-
   std::vector<std::uint32_t> labels;
-  for (;;) {
-    bool any = false;
+  while (!checks.empty()) {
     for (Check& check : checks) {
-      if (cells_[check.cell].kind != CellKind::tentative) check.stage = Check::Stage::done;
       check.first_point = points_.size();
+      const auto on_line = [&](double t) { add_point(points_, check.centre + t * check.normal); };
       switch (check.stage) {
         case Check::Stage::middle:
-          add_on_normal(points_, check.centre, check.normal, check.predicted + check.tolerance);
-          add_on_normal(points_, check.centre, check.normal, check.predicted - check.tolerance);
+          on_line(check.predicted + check.tolerance);
+          on_line(check.predicted - check.tolerance);
           break;
         case Check::Stage::far_side:
-          add_on_normal(points_, check.centre, check.normal, check.up_wrong ? check.high : check.low);
+          on_line(check.beyond_wrong ? check.high : check.low);
           break;
         case Check::Stage::bisect:
-          add_on_normal(points_, check.centre, check.normal, 0.5 * (check.low + check.high));
+          on_line(check.middle());
           break;
-        case Check::Stage::quarters:
-          for (double f : {-0.25, 0.25}) {
-            const Point2 foot = check.centre + (f * check.chord) * Point2{check.normal.y, -check.normal.x};
-            const double height = 0.75 * check.sagitta;
-            const double margin = std::max(check.tolerance, 0.15 * std::abs(check.sagitta));
-            add_on_normal(points_, foot, check.normal, height + margin);
-            add_on_normal(points_, foot, check.normal, height - margin);
-          }
+        case Check::Stage::legs:
+          check.add_leg_points(points_);
           break;
         case Check::Stage::done:
-          continue;
+          break;
       }
-      any = true;
     }
-    if (!any) break;
     ask(labels);
-
-    for (Check& check : checks) {
-      if (check.stage == Check::Stage::done) continue;
-      const std::uint32_t* seen = &labels[check.first_point];
-      const auto finish_middle = [&] {
-        check.sagitta = 0.5 * (check.low + check.high);
-        check.stage = Check::Stage::quarters;
-      };
-      switch (check.stage) {
-        case Check::Stage::middle: {
-          const bool up = seen[0] == check.left, down = seen[1] == check.right;
-          check.low = check.predicted - check.tolerance;
-          check.high = check.predicted + check.tolerance;
-          if (up && down) {
-            curves_[cells_[check.cell].chord].predicted = true;
-            finish_middle();
-            if (check.smooth || check.chord <= 6.0 * check.tolerance) accept(check);
-          } else if (up == down || (!up && seen[0] != check.right) || (!down && seen[1] != check.left)) {
-            refuse(check, check.predicted);
-          } else {
-            check.up_wrong = !up;
-            check.stage = Check::Stage::far_side;
-            if (check.up_wrong) {
-              check.low = check.high;
-              check.high = std::max(check.reach, check.low + 2.0 * check.tolerance);
-            } else {
-              check.high = check.low;
-              check.low = std::min(-check.reach, check.high - 2.0 * check.tolerance);
-            }
-          }
-          break;
-        }
-        case Check::Stage::far_side:
-          if (seen[0] != (check.up_wrong ? check.left : check.right))
-            refuse(check, check.up_wrong ? check.high : check.low);
-          else
-            check.stage = Check::Stage::bisect;
-          break;
-        case Check::Stage::bisect:
-          (seen[0] == check.left ? check.high : check.low) = 0.5 * (check.low + check.high);
-          if (check.high - check.low <= check.tolerance) {
-            finish_middle();
-            if (std::abs(check.sagitta) > 1.001 * check.reach)
-              refuse(check, check.sagitta);
-            else if (check.chord <= 6.0 * check.tolerance)
-              accept(check);
-          }
-          break;
-        case Check::Stage::quarters:
-          if (seen[0] == check.left && seen[1] == check.right && seen[2] == check.left &&
-              seen[3] == check.right)
-            accept(check);
-          else
-            refuse(check, check.sagitta);
-          break;
-        case Check::Stage::done:
-          break;
-      }
-    }
+    for (Check& check : checks) weigh_answers(check, &labels[check.first_point]);
+    std::erase_if(checks, [](const Check& check) { return check.stage == Check::Stage::done; });
   }
+}
+
+void EdgeTracer::weigh_answers(Check& check, const std::uint32_t* seen) {
+  switch (check.stage) {
+    case Check::Stage::middle: {
+      const bool beyond = seen[0] == check.far, before = seen[1] == check.near;
+      check.low = check.predicted - check.tolerance;
+      check.high = check.predicted + check.tolerance;
+      if (beyond && before) {
+        check.confirmed = true;
+        check.stage = Check::Stage::legs;
+        if (!check.corner && (check.smooth || check.chord <= 6.0 * check.tolerance)) accept(check);
+      } else if (beyond == before || (!beyond && seen[0] != check.near) || (!before && seen[1] != check.far)) {
+        refuse(check);
+      } else {
+        check.beyond_wrong = !beyond;
+        check.stage = Check::Stage::far_side;
+        if (check.beyond_wrong) {
+          check.low = check.high;
+          check.high = std::max(check.most, check.low + 2.0 * check.tolerance);
+        } else {
+          check.high = check.low;
+          check.low = std::min(check.least, check.high - 2.0 * check.tolerance);
+        }
+      }
+      return;
+    }
+    case Check::Stage::far_side:
+      if (seen[0] == (check.beyond_wrong ? check.far : check.near))
+        check.stage = Check::Stage::bisect;
+      else
+        refuse(check);
+      return;
+    case Check::Stage::bisect:
+      (seen[0] == check.far ? check.high : check.low) = check.middle();
+      if (check.high - check.low > check.tolerance) return;
+      check.stage = Check::Stage::legs;
+      if (check.middle() > 1.001 * check.most || check.middle() < 1.001 * check.least)
+        refuse(check);
+      else if (!check.corner && check.chord <= 6.0 * check.tolerance)
+        accept(check);
+      return;
+    case Check::Stage::legs:
+      if (seen[0] == check.far && seen[1] == check.near && seen[2] == check.far && seen[3] == check.near)
+        accept(check);
+      else
+        refuse(check);
+      return;
+    case Check::Stage::done:
+      return;
+  }
+}
+
+/// The curve is not where it was looked for: a corner instead of an arc, then smaller cells, unless what may be
+/// hidden matters little.
+void EdgeTracer::refuse(Check& check) {
+  if (check.has_apex) {
+    check.try_corner();
+    return;
+  }
+  const Cell cell = cells_[check.cell];
+  Curve& curve = curves_[cell.chord];
+  suspect_[cell.pixel] = 1;
+  const double hidden = kRefusedShare * check.chord * check.chord;
+  const double worth = kLooseCurve * std::sqrt(allowed_variance_[cell.pixel]);
+  const bool must_follow = lattice_.side_px(cell.level) > options_.thinnest_px && isolated_corner(cell);
+  if (cell.level < kMaxLevel &&
+      (must_follow || hidden * contrast_(cell.pixel, curve.inner, curve.outer) > worth)) {
+    check.stage = Check::Stage::done;
+    split(check.cell);
+    return;
+  }
+  check.low = check.high = 0.0;
+  check.corner = false;
+  curve.loose_area = hidden;
+  accept(check);
 }
 
 void EdgeTracer::accept(Check& check) {
   check.stage = Check::Stage::done;
   Cell& cell = cells_[check.cell];
   Curve& curve = curves_[cell.chord];
+  curve.corner = check.corner;
   curve.origin = check.centre;
   curve.normal = check.normal;
   curve.low = check.low;
   curve.high = check.high;
-  curve.middle_width = curve.predicted ? 0.5 * (check.high - check.low) : check.high - check.low;
+  curve.middle_width = (check.confirmed ? 0.5 : 1.0) * (check.high - check.low);
+  curve.leg_width = check.corner ? 2.0 * std::max(check.tolerance, check.blur) : 0.0;
+  cell.kind = CellKind::chord;
+  if (check.corner) return;
 
   // An arc that leaves its cell through a side with equal ends would be counted in two cells: it may do so
   // only within its own pixel.
   Point2 knots[3];
-  arc_knots(check.ends.a, check.ends.b, 0.5 * (check.low + check.high), knots);
+  arc_knots(check.ends.a, check.ends.b, check.middle(), knots);
   const double x0 = lattice_.x_px(cell.x), y0 = lattice_.y_px(cell.y), side = lattice_.side_px(cell.level);
   double outside = 0.0;
   for (const Point2& knot : knots)
     if (static_cast<std::uint32_t>(lattice_.pixel_at({knot.x, knot.y})) != cell.pixel)
       outside = std::max({outside, x0 - knot.x, knot.x - x0 - side, y0 - knot.y, knot.y - y0 - side});
+  if (outside == 0.0) return;
   const double loss = 0.5 * outside * check.chord;
-  if (loss > 0.0) {
-    const double contrast = contrast_(cell.pixel, curve.inner, curve.outer);
-    if (cell.level < kMaxLevel &&
-        loss * contrast > 0.25 * kLooseCurve * std::sqrt(allowed_variance_[cell.pixel])) {
-      split(check.cell);
-      return;
-    }
+  const double contrast = contrast_(cell.pixel, curve.inner, curve.outer);
+  if (cell.level < kMaxLevel &&
+      loss * contrast > 0.25 * kLooseCurve * std::sqrt(allowed_variance_[cell.pixel]))
+    split(check.cell);
+  else
     curve.loose_area = std::max(curve.loose_area, loss);
-  }
-  cell.kind = CellKind::chord;
-}
-
-double EdgeTracer::sagitta(const Curve& curve, const Ends& e) const {
-  const Point2 d = e.b - e.a;
-  const double chord = length(d);
-  if (chord == 0.0) return 0.0;
-  const Point2 middle = curve.origin + (0.5 * (curve.low + curve.high)) * curve.normal;
-  const Point2 from_chord = middle - 0.5 * (e.a + e.b);
-  const double s = (-d.y * from_chord.x + d.x * from_chord.y) / chord;
-  return std::clamp(s, -0.5 * chord, 0.5 * chord);
-}
-
-Polygon EdgeTracer::inner_region(const Cell& cell) const {
-  const Curve& curve = curves_[cell.chord];
-  const Ends e = ends(curve);
-  const double x0 = lattice_.x_px(cell.x), y0 = lattice_.y_px(cell.y), side = lattice_.side_px(cell.level);
-  Polygon region;
-  region.add(e.a);
-  for (int corner = curve.side[0] + 1; corner <= curve.side[1]; ++corner)
-    region.add({x0 + kCornerX[corner] * side, y0 + kCornerY[corner] * side});
-  region.add(e.b);
-  if (cell.kind == CellKind::chord) {
-    Point2 knots[3];
-    arc_knots(e.a, e.b, sagitta(curve, e), knots);
-    for (int i = 2; i >= 0; --i) region.add(knots[i]);
-  }
-  return region;
-}
-
-double EdgeTracer::area_variance(const Cell& cell) const {
-  const Curve& curve = curves_[cell.chord];
-  const Ends e = ends(curve);
-  const Point2 d = e.b - e.a;
-  double variance = curve.loose_area * curve.loose_area;
-  for (int t = 0; t < 2; ++t) {
-    // A crossing that moves along its side sweeps sin(angle between side and chord) of the motion; half of
-    // the swept area is this cell's, and the cell beyond errs the same way, hence 1/2 instead of 1/4.
-    const Bracket& b = brackets_[curve.bracket[t]];
-    const double swept = b.vertical ? d.x : d.y;
-    variance += 0.5 * swept * swept * b.width() * b.width() / 12.0;
-  }
-  const double lens = 2.0 / 3.0 * length(d) * curve.middle_width;
-  return variance + lens * lens / 12.0;
 }
 
 }  // namespace ifov::sampling

@@ -70,6 +70,32 @@ double LeafIntegrator::over_polygon(const Polygon& polygon, Point2 c) const {
   return std::abs(sum) / 6.0;
 }
 
+namespace {
+
+/// Cells of the same two labels are one entry: what no model follows (a strip too thin for the cells, say) is the
+/// same all along, so that their errors add up. Where three labels meet, each cell errs for itself.
+std::size_t loose_entry(PixelModel& model, const Cell& cell) {
+  std::uint32_t low = cell.corner[0], high = cell.corner[0];
+  for (std::uint32_t l : cell.corner) {
+    low = std::min(low, l);
+    high = std::max(high, l);
+  }
+  bool two_labels = true;
+  for (std::uint32_t l : cell.corner) two_labels &= l == low || l == high;
+  for (std::size_t i = 0; i < model.loose.size(); ++i) {
+    const PixelModel::Loose& entry = model.loose[i];
+    if (two_labels ? entry.two_labels && entry.corner[0] == low && entry.corner[3] == high
+                   : entry.x == cell.x && entry.y == cell.y && !entry.two_labels)
+      return i;
+  }
+  PixelModel::Loose entry{{low, low, high, high}, two_labels, cell.x, cell.y};
+  if (!two_labels) std::copy_n(cell.corner, 4, entry.corner);
+  model.loose.push_back(entry);
+  return model.loose.size() - 1;
+}
+
+}  // namespace
+
 void LeafIntegrator::pixel(int source, PixelModel& model) const {
   outputs_of(source, model.outputs);
   const std::size_t outputs = model.outputs.size();
@@ -98,7 +124,7 @@ void LeafIntegrator::pixel(int source, PixelModel& model) const {
     if (cell.kind == CellKind::uniform) {
       region(cell.corner[0]);
     } else if (cell.kind == CellKind::complex) {
-      model.loose.push_back({{cell.corner[0], cell.corner[1], cell.corner[2], cell.corner[3]}});
+      loose_entry(model, cell);
       for (std::uint32_t l : cell.corner) region(l);
     } else {
       const Curve& curve = tracer_.curve_of(cell);
@@ -113,7 +139,6 @@ void LeafIntegrator::pixel(int source, PixelModel& model) const {
   model.loose_weight.assign(outputs * loose, 0.0);
 
   const Lattice& lattice = tracer_.lattice();
-  std::size_t loose_index = 0;
   for (auto leaf = begin; leaf != end; ++leaf) {
     const Cell& cell = tracer_.cells()[*leaf];
     const double x0 = lattice.x_px(cell.x), y0 = lattice.y_px(cell.y), side = lattice.side_px(cell.level);
@@ -130,14 +155,13 @@ void LeafIntegrator::pixel(int source, PixelModel& model) const {
       continue;
     }
     if (cell.kind == CellKind::complex) {
-      for (std::size_t o = 0; o < outputs; ++o) model.loose_weight[o * loose + loose_index] = cell_weight(o);
-      for (std::uint32_t l : cell.corner) {
-        const std::uint32_t r = model.region_of(l);
-        model.area[r] += 0.25 * cell_area;
-        for (std::size_t o = 0; o < outputs; ++o)
-          model.weight[o * regions + r] += 0.25 * model.loose_weight[o * loose + loose_index];
+      const std::size_t entry = loose_entry(model, cell);
+      for (std::size_t o = 0; o < outputs; ++o) {
+        const double w = cell_weight(o);
+        model.loose_weight[o * loose + entry] += w;
+        for (std::uint32_t l : cell.corner) model.weight[o * regions + model.region_of(l)] += 0.25 * w;
       }
-      ++loose_index;
+      for (std::uint32_t l : cell.corner) model.area[model.region_of(l)] += 0.25 * cell_area;
       continue;
     }
     const Curve& curve = tracer_.curve_of(cell);

@@ -24,7 +24,11 @@ void Prober::follow_seeds(std::span<const FocalPoint> seeds) {
   for (const FocalPoint& p : seeds)
     if (p.x_px >= domain.x0 && p.x_px < domain.x1 && p.y_px >= domain.y0 && p.y_px < domain.y1)
       points.push_back(p);
-  if (!points.empty()) look(points, Purpose::seed);
+  if (points.empty()) return;
+  // A known object that shows up where it was expected is no sign of unknown ones beside it.
+  const std::vector<std::uint8_t> suspects = tracer_.suspects();
+  look(points, Purpose::seed);
+  tracer_.suspects() = suspects;
 }
 
 void Prober::probe_until_clean() {

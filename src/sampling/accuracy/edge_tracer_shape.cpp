@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sampling/accuracy/edge_tracer.h"
+
+namespace ifov::sampling {
+
+namespace {
+
+constexpr int kCornerX[4] = {0, 1, 1, 0}, kCornerY[4] = {0, 0, 1, 1};
+
+}  // namespace
+
+Point2 EdgeTracer::end_point(std::uint32_t bracket) const {
+  const Bracket& b = brackets_[bracket];
+  const FocalPoint p = b.at(lattice_, b.centre());
+  return {p.x_px, p.y_px};
+}
+
+EdgeTracer::Ends EdgeTracer::ends(const Curve& curve) const {
+  return {end_point(curve.bracket[0]), end_point(curve.bracket[1])};
+}
+
+bool EdgeTracer::neighbour_end(const Curve& curve, int end, Point2& point) const {
+  const std::uint32_t shared = curve.bracket[end];
+  for (std::uint32_t entry : brackets_[shared].cells) {
+    if (entry == 0 || entry - 1 == curve.cell) continue;
+    const Cell& cell = cells_[entry - 1];
+    if (cell.kind != CellKind::tentative && cell.kind != CellKind::chord) continue;
+    const Curve& next = curves_[cell.chord];
+    point = end_point(next.bracket[next.bracket[0] == shared ? 1 : 0]);
+    return true;
+  }
+  return false;
+}
+
+double EdgeTracer::sagitta(const Curve& curve, const Ends& e) const {
+  const Point2 d = e.b - e.a;
+  const double chord = length(d);
+  if (chord == 0.0) return 0.0;
+  const Point2 middle = curve.origin + (0.5 * (curve.low + curve.high)) * curve.normal;
+  const Point2 from_chord = middle - 0.5 * (e.a + e.b);
+  const double s = (-d.y * from_chord.x + d.x * from_chord.y) / chord;
+  return std::clamp(s, -0.5 * chord, 0.5 * chord);
+}
+
+Polygon EdgeTracer::inner_region(const Cell& cell) const {
+  const Curve& curve = curves_[cell.chord];
+  const Ends e = ends(curve);
+  const double x0 = lattice_.x_px(cell.x), y0 = lattice_.y_px(cell.y), side = lattice_.side_px(cell.level);
+  Polygon region;
+  region.add(e.a);
+  for (int corner = curve.side[0] + 1; corner <= curve.side[1]; ++corner)
+    region.add({x0 + kCornerX[corner] * side, y0 + kCornerY[corner] * side});
+  region.add(e.b);
+  if (cell.kind == CellKind::chord && curve.corner) {
+    region.add(curve.origin + (0.5 * (curve.low + curve.high)) * curve.normal);
+  } else if (cell.kind == CellKind::chord) {
+    Point2 knots[3];
+    arc_knots(e.a, e.b, sagitta(curve, e), knots);
+    for (int i = 2; i >= 0; --i) region.add(knots[i]);
+  }
+  return region;
+}
+
+double EdgeTracer::area_variance(const Cell& cell) const {
+  const Curve& curve = curves_[cell.chord];
+  const Ends e = ends(curve);
+  const Point2 d = e.b - e.a;
+  double variance = curve.loose_area * curve.loose_area;
+  for (int t = 0; t < 2; ++t) {
+    // A crossing that moves along its side sweeps sin(angle between side and chord) of the motion; half of
+    // the swept area is this cell's, and the cell beyond errs the same way, hence 1/2 instead of 1/4.
+    const Bracket& b = brackets_[curve.bracket[t]];
+    const double swept = b.vertical ? d.x : d.y;
+    variance += 0.5 * swept * swept * b.width() * b.width() / 12.0;
+  }
+  // The area under an arc is 2/3 chord * height, under a corner 1/2.
+  const double lens = (curve.corner ? 0.5 * std::abs(cross(d, curve.normal)) : 2.0 / 3.0 * length(d)) * curve.middle_width;
+  // A leg that bends by its band's width in the middle moves half of leg * width.
+  const double leg = 0.25 * length(d) * curve.leg_width;
+  return variance + lens * lens / 12.0 + 2.0 * leg * leg / 12.0;
+}
+
+}  // namespace ifov::sampling
