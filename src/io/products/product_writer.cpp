@@ -4,6 +4,7 @@
 #include <mutex>
 #include <optional>
 #include <stdexcept>
+#include <thread>
 
 #include "core/error.h"
 #include "io/products/cube_set.h"
@@ -164,6 +165,7 @@ RunRecord ProductWriter::finish(const RunOutcome& outcome) {
     throw std::logic_error(format("finish() with {} of {} pixels written: the image is not whole",
                                   s.statistics.pixels, s.pixels()));
   RunRecord record{s.identity, outcome, s.info, s.statistics, {}};
+  if (outcome.threads < 1) record.outcome.threads = static_cast<int>(std::thread::hardware_concurrency());
   s.cubes->complete(record);
   s.cubes->write_headers(s.identity, outcome.accuracy_statement);
 

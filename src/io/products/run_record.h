@@ -27,7 +27,7 @@ struct RunOutcome {
   std::string detection_statement;  ///< plain words: what could have been missed, with what probability
   std::vector<std::string> notes;   ///< floors, warnings
   double elapsed_s = 0.0;
-  int threads = 0;
+  int threads = 0;  ///< 0: all cores, whose number is then recorded
 };
 
 /// Figures of one channel over the image. Values that are not finite are left out and counted.

@@ -110,8 +110,9 @@ class Page {
           format("<section class=\"statement\"><h2>{}</h2><p>{}</p>{}</section>\n", name, escape_html(words),
                  more.empty() ? "" : format("<p class=\"soft\">{}</p>", escape_html(more)));
     };
-    one("Accuracy", o.accuracy_statement,
-        record_.identity.accuracy_asked.empty() ? "" : "Asked for: " + record_.identity.accuracy_asked + ".");
+    const std::string& asked = record_.identity.accuracy_asked;
+    const bool said = asked.empty() || o.accuracy_statement.find(asked) != std::string::npos;
+    one("Accuracy", o.accuracy_statement, said ? "" : format("Asked for: {}.", asked));
     one("Detection", o.detection_statement, "");
     return html.empty() ? html : format("<div class=\"two\">{}</div>\n<p></p>\n", html);
   }

@@ -161,15 +161,18 @@ const char* const kReportScript = R"js(
   function drawSpectrum() {
     const svg = $("spectrum"), i = state.y * W + state.x, box = {l: 58, t: 26, w: 440, h: 330};
     clear(svg, 510, 396);
-    const points = meta.channels.map((c, b) => ({x: c.um, y: radiance.value(b, i), e: width ? width.value(b, i) : NaN}))
+    // Reflective and thermal channels together need a logarithmic axis.
+    const um = meta.channels.map(c => c.um), wide = Math.max(...um) > 6 * Math.min(...um), scale = wide ? Math.log10 : v => v;
+    const points = meta.channels.map((c, b) => ({x: scale(c.um), y: radiance.value(b, i), e: width ? width.value(b, i) : NaN}))
       .filter(p => isFinite(p.y)).sort((a, b) => a.x - b.x);
     if (!points.length) return;
     const e = p => isFinite(p.e) ? p.e : 0;
     let low = Math.min(...points.map(p => p.y - e(p))), high = Math.max(...points.map(p => p.y + e(p)));
     const margin = (high - low || Math.abs(high) || 1) * 0.06;
     low = low >= 0 && low < (high - low) * 0.6 ? 0 : low - margin;
-    const x0 = points[0].x, x1 = points[points.length - 1].x, xm = (x1 - x0) * 0.03 || x0 * 0.1 || 1;
-    const {px, py} = axes(svg, box, [x0 - xm, x1 + xm], [low, high + margin], "wavelength, \u00b5m", `radiance, ${meta.unit}`);
+    const x0 = points[0].x, x1 = points[points.length - 1].x, xm = (x1 - x0) * 0.03 || Math.abs(x0) * 0.1 || 1;
+    const decades = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100].map(t => [Math.log10(t), String(t)]).filter(t => t[0] >= x0 - xm && t[0] <= x1 + xm);
+    const {px, py} = axes(svg, box, [x0 - xm, x1 + xm], [low, high + margin], "wavelength, \u00b5m", `radiance, ${meta.unit}`, wide ? decades : undefined);
     if (bands > 60 && points.some(p => e(p) > 0))
       add(svg, "path", {d: "M" + points.map(p => `${px(p.x)},${py(p.y + e(p))}`).join("L") + "L" +
         points.slice().reverse().map(p => `${px(p.x)},${py(p.y - e(p))}`).join("L") + "Z", fill: "#0b6b7d", opacity: 0.22});
