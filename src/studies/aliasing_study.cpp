@@ -35,8 +35,9 @@ ChartResult measure(const std::string& name, const std::string& sampling,
     auto image = std::make_unique<ImageStore>();
     double fastest = 0.0;
     for (int k = 0; k < repeats; ++k) {
-      const RenderTimes times = render_document(chart.document(sampling, options.seed).text(),
-                                                options.output_folder, 1, options.cancel, *image);
+      const RenderTimes times =
+          render_document(chart.document(sampling, options.seed).text(), options.output_folder,
+                          {1, options.cancel, nullptr, {}}, *image);
       fastest = k == 0 ? times.render_s : std::min(fastest, times.render_s);
       progress.add(ChartScene::kWidth_px * ChartScene::kWidth_px, image->cost().rays.total());
     }

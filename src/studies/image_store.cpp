@@ -29,7 +29,8 @@ void ImageStore::write(const sampling::TileResult& tile) {
     for (int i = tile.tile.x0; i < tile.tile.x1; ++i, ++from) {
       const std::size_t to = index(i, j);
       std::copy_n(&tile.mean[from * columns], columns, &mean_[to * columns]);
-      if (tile.has_errors()) std::copy_n(&tile.half_width[from * columns], columns, &half_width_[to * columns]);
+      if (tile.has_errors())
+        std::copy_n(&tile.half_width[from * columns], columns, &half_width_[to * columns]);
       samples_[to] = tile.samples[from];
       evaluations_[to] = tile.radiance_evaluations[from];
       cost.samples += tile.samples[from];

@@ -48,9 +48,8 @@ std::string accuracy_sampling(std::string_view error, std::string_view more) {
   return format("{{\"accuracy\": {{\"error\": \"{}\", \"confidence\": 0.95{}}}}}", error, more);
 }
 
-RenderTimes render_document(const std::string& text, const std::filesystem::path& folder, int threads,
-                            const CancelToken* cancel, ImageStore& image,
-                            const sampling::PixelSampler* sampler) {
+RenderTimes render_document(const std::string& text, const std::filesystem::path& folder,
+                            const RenderChoices& choices, ImageStore& image) {
   using Clock = std::chrono::steady_clock;
   const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };
   const Clock::time_point start = Clock::now();
@@ -59,14 +58,17 @@ RenderTimes render_document(const std::string& text, const std::filesystem::path
   const Clock::time_point loaded = Clock::now();
   const session::Session::Parts& parts = session.parts();
   const render::RenderJob own = parts.job();
-  const render::RenderJob job{
-      own.scene,     own.camera,       own.footprint,    sampler != nullptr ? *sampler : own.sampler,
-      own.tolerance, own.transport,    own.label_detail, own.seed,
-      own.tile_px,   own.seed_objects, own.drivers};
+  const render::RenderJob job{own.scene,        own.camera,
+                              own.footprint,    choices.sampler != nullptr ? *choices.sampler : own.sampler,
+                              own.tolerance,    own.transport,
+                              own.label_detail, own.seed,
+                              own.tile_px,      own.seed_objects,
+                              own.drivers};
   image.begin(parts.info);
   render::RenderControl control;
-  control.threads = threads;
-  control.cancel = cancel;
+  control.threads = choices.threads;
+  control.cancel = choices.cancel;
+  control.tile_order = choices.tile_order;
   render::render_image(job, control, image);
   return {seconds(loaded - start), seconds(Clock::now() - loaded)};
 }

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -39,11 +39,18 @@ struct RenderTimes {
   double load_s = 0.0, render_s = 0.0;
 };
 
+/// How a rendering is done. Only `sampler` changes the result.
+struct RenderChoices {
+  int threads = 1;
+  const CancelToken* cancel = nullptr;
+  const sampling::PixelSampler* sampler = nullptr;  ///< takes the place of the document's
+  std::span<const int> tile_order;                  ///< as in render::RenderControl
+};
+
 /// Reads the text as a document, loads it by session::Session and renders it into `image`. Files it names are
-/// looked for in `folder`. `sampler`, where not null, takes the place of the document's.
-RenderTimes render_document(const std::string& text, const std::filesystem::path& folder, int threads,
-                            const CancelToken* cancel, ImageStore& image,
-                            const sampling::PixelSampler* sampler = nullptr);
+/// looked for in `folder`.
+RenderTimes render_document(const std::string& text, const std::filesystem::path& folder,
+                            const RenderChoices& choices, ImageStore& image);
 
 /// Makes a folder where there is none; EnvironmentError where that fails.
 void make_folder(const std::filesystem::path& folder);

@@ -24,7 +24,7 @@ double quantile(std::vector<double> values, double share) {
 ThermalTrial render_thermal(const ThermalScene& scene, const std::string& sampling, std::uint64_t seed,
                             const std::filesystem::path& folder, const CancelToken* cancel) {
   ImageStore image;
-  render_document(scene.document(sampling, seed).text(), folder, 1, cancel, image);
+  render_document(scene.document(sampling, seed).text(), folder, {1, cancel, nullptr, {}}, image);
   const std::size_t centre = image.index(1, 1);
   ThermalTrial trial;
   trial.radiance = static_cast<double>(image.mean()[centre]);

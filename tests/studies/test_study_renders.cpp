@@ -94,7 +94,7 @@ TEST(ClutterScene, CellsTileTheImage) {
     EXPECT_LT(radiance, hot_radiance() + 1e-9);
   }
   ImageStore image;
-  render_document(scene.document(grid_sampling(60), "", 1).text(), kFolder, 2, nullptr, image);
+  render_document(scene.document(grid_sampling(60), "", 1).text(), kFolder, {2, nullptr, nullptr, {}}, image);
   double squares = 0.0;
   for (std::size_t p = 0; p < truth.size(); ++p)
     squares += std::pow(error_c(static_cast<double>(image.mean()[p]) - truth[p]), 2);
@@ -106,7 +106,7 @@ TEST(ClutterScene, BlurredTruthIsWhatAFineGridSees) {
   const std::vector<double> truth = scene.blurred_truth(0.6, 24);
   ImageStore image;
   render_document(scene.document(grid_sampling(24), "{\"gaussian\": {\"sigma\": \"0.6 px\"}}", 1).text(),
-                  kFolder, 2, nullptr, image);
+                  kFolder, {2, nullptr, nullptr, {}}, image);
   for (int y = 3; y < 5; ++y)
     for (int x = 3; x < 5; ++x) {
       const std::size_t p = image.index(x, y);
