@@ -10,7 +10,7 @@ struct NodeDemands {
   /// Surfaces that sunlight meets on its way, 1 to 3; thermal light meets one less. With 1, and nothing that
   /// glows, each sunlit channel has one node.
   int reflections = 3;
-  /// Temperatures of what emits.
+  /// Temperatures of what emits; a hottest of 0: nothing does.
   double coldest_k = 200.0;
   double hottest_k = 1000.0;
 };

@@ -18,6 +18,7 @@ constexpr double kDarkShare = 1e-2;
 
 std::vector<double> temperatures_k(const NodeDemands& demands) {
   std::vector<double> result;
+  if (demands.hottest_k <= 0.0) return result;
   for (int i = 0; i < kTemperatures; ++i)
     result.push_back(demands.coldest_k *
                      std::pow(demands.hottest_k / demands.coldest_k, i / (kTemperatures - 1.0)));

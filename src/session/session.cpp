@@ -1,5 +1,7 @@
 #include "session/session.h"
 
+#include <algorithm>
+#include <limits>
 #include <set>
 
 #include "core/version.h"
@@ -26,6 +28,45 @@ io::ProductOptions product_options(const io::Document& document, const std::file
       if (document.sensor.channels[c].name == channel.name)
         options.quicklook_channels.push_back(static_cast<int>(c));
   return options;
+}
+
+/// Channels integrate within this of a full integration.
+constexpr double kChannelError = 1e-3;
+
+/// Spectral nodes for what light can do in the scene: how often it is reflected, and how hot surfaces are.
+radiometry::SpectralNodes build_nodes(const Session::Parts& parts) {
+  const scene::Scene& scene = parts.scene;
+  std::vector<radiometry::Spectrum> surfaces;
+  for (const materials::Material& material : scene.materials) surfaces.push_back(material.reflectance);
+  if (scene.sun) surfaces.push_back(scene.sun->transmittance);
+  if (scene.view_path.transmittance) surfaces.push_back(*scene.view_path.transmittance);
+
+  radiometry::NodeDemands demands;
+  if (const std::optional<int>& depth = parts.document.sampling.max_depth)
+    demands.reflections = std::clamp(*depth, 1, demands.reflections);
+  double coldest_k = std::numeric_limits<double>::infinity(), hottest_k = 0.0;
+  const auto include = [&](double temperature_k) {
+    if (temperature_k <= 0.0) return;
+    coldest_k = std::min(coldest_k, temperature_k);
+    hottest_k = std::max(hottest_k, temperature_k);
+  };
+  for (const scene::SurfaceState& state : scene.states) include(state.temperature_k);
+  include(scene.surroundings.temperature_k);
+  include(scene.sky.temperature_k.value_or(0.0));
+  for (const scene::Covering& covering : scene.coverings)
+    for (const auto& map : covering.temperatures)
+      if (map) {
+        include(map->minimum_k());
+        include(map->maximum_k());
+      }
+  if (hottest_k > 0.0) {
+    demands.coldest_k = coldest_k;
+    demands.hottest_k = hottest_k;
+  } else {
+    demands.coldest_k = demands.hottest_k = 0.0;
+  }
+  const radiometry::Spectrum sun = scene.sun ? scene.sun->irradiance : radiometry::Spectrum();
+  return radiometry::SpectralNodes::build(parts.channels, sun, surfaces, demands);
 }
 
 }  // namespace
@@ -56,14 +97,13 @@ Session Session::load(const io::Document& document, LogSink* log) {
   p.camera = assemble_camera(document, p.scene);
   p.footprint = std::make_unique<sampling::PixelFootprint>(assemble_footprint(document));
   p.plan = assemble_sampling(document, p.channels);
-  std::vector<radiometry::Spectrum> surfaces;
-  for (const materials::Material& material : p.scene.materials) surfaces.push_back(material.reflectance);
   with_position(document, document.sensor.position, [&] {
-    const radiometry::Spectrum sun = p.scene.sun ? p.scene.sun->irradiance : radiometry::Spectrum();
-    p.nodes = std::make_unique<radiometry::SpectralNodes>(
-        radiometry::SpectralNodes::build(p.channels, sun, surfaces));
+    p.nodes = std::make_unique<radiometry::SpectralNodes>(build_nodes(p));
     p.spectral_scene = std::make_unique<render::SpectralScene>(p.scene, *p.nodes);
   });
+  if (log != nullptr && p.nodes->worst_error() > kChannelError)
+    log->warn(format("the nodes of the channels integrate some product of spectra only within {:.2g} %",
+                     100.0 * p.nodes->worst_error()));
   p.brightness = std::make_unique<render::ChannelBrightness>(*p.nodes);
   if (p.plan.request)
     p.tolerance = std::make_unique<render::AccuracyTolerance>(
