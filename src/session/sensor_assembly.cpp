@@ -138,14 +138,13 @@ render::ImageInfo image_info(const io::Document& document, const sensor::Camera&
   for (const materials::Material& material : scene.materials) info.materials.push_back(material.name);
   if (const auto* nadir = dynamic_cast<const sensor::OrthographicCamera*>(&camera)) {
     const sensor::OrthographicCamera::Settings& settings = nadir->settings();
-    if (settings.rotation_rad == 0.0) {
-      const math::Point3 corner_m = nadir->upper_left_corner_m() + document.scene.origin.offset_m;
-      info.has_map = true;
-      info.map_x_m = corner_m.x;
-      info.map_y_m = corner_m.y;
-      info.gsd_m = settings.gsd_m;
-      info.map_projection = "Arbitrary";
-    }
+    const math::Point3 corner_m = nadir->upper_left_corner_m() + document.scene.origin.offset_m;
+    info.has_map = true;
+    info.map_x_m = corner_m.x;
+    info.map_y_m = corner_m.y;
+    info.gsd_m = settings.gsd_m;
+    info.map_rotation_rad = settings.rotation_rad;
+    info.map_projection = "Arbitrary";
   }
   return info;
 }
