@@ -3,31 +3,60 @@
 
 #include "cli/command.h"
 #include "cli/console.h"
+#include "core/error.h"
+#include "core/format.h"
 #include "io/document/document.h"
 #include "session/session.h"
 
 namespace ifov::cli {
+namespace {
+
+struct CheckArguments {
+  std::vector<std::string> files;
+  bool quiet = false;
+};
+
+std::string description_of(const std::string& file, LogSink& log) {
+  std::string text = session::Session::load(io::read_document(file), &log).description();
+  if (text.empty() || text.back() != '\n') text += '\n';
+  return text;
+}
+
+/// All files are looked at, whatever is wrong with the first of them.
+ExitCode check(const CheckArguments& arguments) {
+  Console console(arguments.quiet, "");
+  ExitCode outcome = ExitCode::ok;
+  for (const std::string& file : arguments.files) {
+    try {
+      const std::string text = description_of(file, console);
+      const std::string title = arguments.files.size() > 1 ? format("{}:\n", file) : std::string();
+      if (!arguments.quiet) std::fputs((title + text).c_str(), stdout);
+    } catch (const InputError& error) {
+      std::fprintf(stderr, "%s\n", error.what());
+      outcome = std::max(outcome, ExitCode::input);
+    } catch (const EnvironmentError& error) {
+      std::fprintf(stderr, "ifov: %s\n", error.what());
+      outcome = std::max(outcome, ExitCode::environment);
+    }
+  }
+  return outcome;
+}
+
+}  // namespace
 
 Command add_check_command(CLI::App& app) {
-  auto file = std::make_shared<std::string>();
-  auto quiet = std::make_shared<bool>(false);
+  auto arguments = std::make_shared<CheckArguments>();
   CLI::App* parser =
-      app.add_subcommand("check", "Read a document and all files it names, and say what is wrong");
-  parser->add_option("FILE", *file, "The document (JSON)")->required();
-  parser->add_flag("-q,--quiet", *quiet, "Print nothing but errors");
+      app.add_subcommand("check", "Read documents and all files they name, and say what is wrong");
+  parser->add_option("FILE", arguments->files, "The document (JSON), or several")->required();
+  parser->add_flag("-q,--quiet", arguments->quiet, "Print nothing but errors");
   parser->footer(
       "Prints what was loaded: objects, triangles, materials, channels and the floors of the accuracy.\n"
       "An error names file, line and column and shows the line.\n\n"
-      "Example:\n"
-      "  ifov check scene.json && ifov render scene.json");
-  return {parser, [file, quiet] {
-            Console console(*quiet, "");
-            const session::Session session = session::Session::load(io::read_document(*file), &console);
-            std::string text = session.description();
-            if (text.empty() || text.back() != '\n') text += '\n';
-            if (!*quiet) std::fputs(text.c_str(), stdout);
-            return ExitCode::ok;
-          }};
+      "Examples:\n"
+      "  ifov check scene.json && ifov render scene.json\n"
+      "  ifov check --quiet scenes/*.json");
+  return {parser, [arguments] { return check(*arguments); }};
 }
 
 }  // namespace ifov::cli

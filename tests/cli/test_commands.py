@@ -66,6 +66,15 @@ class Check(unittest.TestCase):
             self.assertRegex(done.stderr, r"^dome\.json:7:\d+: .*roof\.txt")
             self.assertIn('    7 |       "roof": {"emissivity": {"ecostress": "roof.txt"}}\n', done.stderr)
 
+    def test_looks_at_all_of_several_documents(self):
+        with Folder(a="{", b=DOME, c="[]") as folder:
+            done = run("check", "a.json", "b.json", "c.json", "d.json", cwd=folder)
+            self.assertEqual(done.returncode, 2)
+            self.assertTrue(done.stdout.startswith("b.json:\nscene: 2 objects"))
+            self.assertEqual(
+                [line.split(":")[0] for line in done.stderr.splitlines() if line[0] != " "], ["a.json", "c.json", "ifov"]
+            )
+
     def test_a_document_that_is_not_there(self):
         done = run("check", "/no/such/file.json")
         self.assertEqual(done.returncode, 2)
