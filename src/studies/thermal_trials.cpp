@@ -57,9 +57,8 @@ TrialSummary run_series(const TrialSeries& series, const TextureMap& texture,
     summary.mean_samples += samples.back() / options.trials;
     summary.mean_cost_total += trial.cost;
     summary.rms_c += trial.error_c * trial.error_c / options.trials;
-    summary.coverage += (std::abs(trial.error_c) <= trial.half_width_c + error_c(kStorage * trial.radiance)) /
-                        double(options.trials);
-    summary.seen += trial.target_seen / double(options.trials);
+    held += std::abs(trial.error_c) <= trial.half_width_c + error_c(kStorage * trial.radiance);
+    seen += trial.target_seen;
     summary.absolute_error_c.push_back(std::abs(trial.error_c));
   }
   summary.coverage = static_cast<double>(held) / options.trials;
