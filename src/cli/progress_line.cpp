@@ -8,11 +8,14 @@
 namespace ifov::cli {
 namespace {
 
-constexpr int kBarWidth = 24;
+constexpr int kLongestBar = 24, kShortestBar = 4;
 
-std::string bar(double done) {
-  const int filled = static_cast<int>(std::floor(done * kBarWidth));
-  return format("[{:#<{}}{:-<{}}]", "", filled, "", kBarWidth - filled);
+/// "[####----] " of `width` columns; nothing where there is too little room.
+std::string bar(double done, int width) {
+  const int inside = std::min(width - 3, kLongestBar);
+  if (inside < kShortestBar) return {};
+  const int filled = static_cast<int>(std::floor(done * inside));
+  return format("[{:#<{}}{:-<{}}] ", "", filled, "", inside - filled);
 }
 
 }  // namespace
@@ -38,7 +41,7 @@ std::string short_duration(double seconds) {
 std::string progress_line(const Progress& progress, int width) {
   const double total = static_cast<double>(std::max<std::int64_t>(progress.pixels_total, 1));
   const double done = std::clamp(static_cast<double>(progress.pixels_done) / total, 0.0, 1.0);
-  std::string line = format("{} {:5.1f} %", bar(done), std::floor(1000.0 * done) / 10.0);
+  std::string line = format("{:5.1f} %", std::floor(1000.0 * done) / 10.0);
   if (done > 0.0) line += format("  {} left", short_duration(progress.elapsed_s * (1.0 - done) / done));
   if (progress.elapsed_s > 0.0) {
     line += format("  {} rays/s", short_count(static_cast<double>(progress.rays) / progress.elapsed_s));
@@ -46,9 +49,10 @@ std::string progress_line(const Progress& progress, int width) {
   if (progress.worst_error_ratio > 0.0 && progress.pixels_done > 0) {
     const double converged =
         static_cast<double>(progress.pixels_converged) / static_cast<double>(progress.pixels_done);
-    line += format("  {:.1f} % converged  worst error {:.2f} x limit", std::floor(1000.0 * converged) / 10.0,
+    line += format("  {:.1f} % converged  worst {:.2f} x limit", std::floor(1000.0 * converged) / 10.0,
                    progress.worst_error_ratio);
   }
+  line = bar(done, width - static_cast<int>(line.size())) + line;
   return line.substr(0, static_cast<std::size_t>(std::max(width, 1)));
 }
 

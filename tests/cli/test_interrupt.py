@@ -2,6 +2,7 @@
 
 import os
 import pty
+import re
 import select
 import signal
 import subprocess
@@ -46,6 +47,20 @@ class Interrupt(unittest.TestCase):
             try:
                 terminal.read(30, until="rays/s")
                 self.assertRegex(terminal.text, r"\[[#-]{24}\] +\d+\.\d %  [\d:]+ left  [\d.]+ ?[kMG]? rays/s")
+            finally:
+                terminal.close()
+
+    def test_the_bar_tells_how_far_the_accuracy_is(self):
+        accuracy = '"sampling": {"accuracy": {"error": "0.01 K", "channel": "B"}}'
+        text = re.sub(r'"sampling": \{.*\}', accuracy, LONG)
+        with Folder(long=text) as folder:
+            terminal = Terminal(folder, "render", "long.json")
+            try:
+                terminal.read(30, until="x limit")
+                terminal.read(0.3)
+                lines = terminal.text.split("\r\x1b[K")
+                self.assertLess(max(map(len, lines)), 80)
+                self.assertRegex(terminal.text, r"\[[#-]+\] +\d+\.\d %  [\d:]+ left  [\d.]+ ?[kMG]? rays/s  \d+\.\d % converged  worst \d+\.\d\d x limit")
             finally:
                 terminal.close()
 

@@ -101,8 +101,9 @@ class ReferenceCheck {
     const SensorDocument& sensor = document_.sensor;
     const bool frame = std::holds_alternative<FrameCamera>(sensor.camera.model);
     if (!std::holds_alternative<AiryPsf>(sensor.psf) || frame) return;
-    throw document_error(document_, sensor.psf_position,
-                         "an Airy PSF needs a 'frame' camera, whose focal length and pitch give its size in pixels");
+    throw document_error(
+        document_, sensor.psf_position,
+        "an Airy PSF needs a 'frame' camera, whose focal length and pitch give its size in pixels");
   }
 
   const Document& document_;
