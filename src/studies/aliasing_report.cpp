@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/format.h"
 #include "studies/html_page.h"
@@ -25,7 +26,10 @@ std::string panels(const ChartResult& result, const std::string& name) {
   std::vector<double> samples(result.image->samples().begin(), result.image->samples().end());
   std::vector<double> error = first_chart(result.error);
   for (double& e : error) e = std::abs(e);
-  const double most = *std::max_element(samples.begin(), samples.end());
+  // A few hard pixels must not hide where the other samples went.
+  std::vector<double> sorted = samples;
+  std::sort(sorted.begin(), sorted.end());
+  const double most = sorted[static_cast<std::size_t>(0.995 * static_cast<double>(sorted.size()))];
   const double brightest = *std::max_element(radiance.begin(), radiance.end());
   return "<div class=\"row\">" +
          svg_image(panel(name, std::move(radiance), 0.0, brightest, "W m-2 sr-1 um-1")) +
@@ -76,6 +80,8 @@ std::string table(const AliasingResults& r) {
 
 std::string aliasing_report(const AliasingResults& r) {
   const ChartResult& best = r.results[r.chosen];
+  std::vector<double> white;
+  for (double black : r.black_fraction) white.push_back(1.0 - black);
   const std::string body =
       "<p>A USAF-1951 chart, black on white, turned against the pixels so that no line falls in step with "
       "them. Its bars "
@@ -83,7 +89,7 @@ std::string aliasing_report(const AliasingResults& r) {
       "chart's outlines; "
       "errors are in units of the contrast between black and white, over all pixels.</p>\n" +
       r.figures.html() + "<h2>Images (figure 9 of the paper)</h2>\n" +
-      svg_image(panel("exact", std::vector<double>(r.black_fraction), 0.0, 1.0, "share of black")) +
+      svg_image(panel("exact", std::move(white), 0.0, 1.0, "share of white")) +
       panels(r.results[0], "(a) one ray a pixel") + panels(r.results[1], "(b) grid, 100 rays a pixel") +
       panels(r.results[2], "(c, d) adaptive, 9 to 100 samples") + panels(best, best.name) +
       "<h2>Cost and error</h2>\n<figure>" + error_plot(r) +

@@ -28,7 +28,8 @@ std::string html_text(std::string_view text) {
 std::string html_page(std::string_view title, std::string_view body) {
   constexpr std::string_view kStyle = R"(
 body { font: 16px/1.5 sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; color: #222; }
-table { border-collapse: collapse; margin: 1em 0; }
+table { border-collapse: collapse; margin: 1em 0; display: block; overflow-x: auto; }
+td:first-child { min-width: 11em; }
 th, td { border-bottom: 1px solid #ddd; padding: .25em .8em; text-align: left; vertical-align: top; }
 td.n { text-align: right; white-space: nowrap; }
 td.met { color: #00703c; font-weight: bold; }
