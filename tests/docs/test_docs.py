@@ -1,0 +1,117 @@
+"""What README and docs show is true: documents are valid, commands run as written, links lead somewhere."""
+
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("IFOV_PROGRAM", str(ROOT / "build" / "ifov"))
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+BLOCK = re.compile(r"^```(\w+)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+
+
+def blocks(page):
+    """(language, text, name): the name is the last `file.json` in backquotes before a JSON block, if there is one."""
+    text = page.read_text()
+    for match in BLOCK.finditer(text):
+        names = re.findall(r"`([\w-]+\.json)`", text[: match.start()].rsplit("```", 1)[-1])
+        yield match.group(1), match.group(2), names[-1] if names else None
+
+
+def is_document(text):
+    return re.search(r'"ifov"\s*:', text) is not None
+
+
+class Docs(unittest.TestCase):
+    def run_in(self, folder, command):
+        return subprocess.run(command, cwd=folder, shell=True, capture_output=True, text=True, timeout=200, check=False)
+
+    def test_documents_are_valid(self):
+        checked = 0
+        for page in PAGES:
+            for language, text, _ in blocks(page):
+                if language != "json" or not is_document(text):
+                    continue
+                with self.subTest(page=page.relative_to(ROOT), text=text[:60]), tempfile.TemporaryDirectory() as folder:
+                    (pathlib.Path(folder) / "document.json").write_text(text)
+                    result = self.run_in(folder, f"{PROGRAM} check document.json")
+                    self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+                    checked += 1
+        self.assertGreater(checked, 1)
+
+    def test_a_wrong_document_would_be_noticed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            text = next(text for language, text, _ in blocks(ROOT / "README.md") if language == "json")
+            (pathlib.Path(folder) / "document.json").write_text(text.replace('"radius"', '"radios"'))
+            result = self.run_in(folder, f"{PROGRAM} check document.json")
+            self.assertEqual(result.returncode, 1)
+            self.assertIn("radius", result.stderr)
+
+    def test_commands_run_as_written(self):
+        for page in PAGES:
+            page_blocks = list(blocks(page))
+            commands = [
+                line for language, text, _ in page_blocks if language == "sh" for line in text.splitlines()
+                if line.startswith("build/ifov ") and "examples/" not in line and " study " not in line
+            ]
+            if not commands:
+                continue
+            with tempfile.TemporaryDirectory() as folder:
+                for language, text, name in page_blocks:
+                    if language == "json" and name:
+                        (pathlib.Path(folder) / name).write_text(text)
+                for command in commands:
+                    with self.subTest(page=page.relative_to(ROOT), command=command):
+                        result = self.run_in(folder, command.replace("build/ifov", shlex.quote(PROGRAM), 1))
+                        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+
+    def test_ten_lines_are_ten_lines(self):
+        text = next(text for language, text, _ in blocks(ROOT / "README.md") if language == "json")
+        self.assertEqual(len(text.splitlines()), 10)
+
+    def test_products_of_the_readme_exist(self):
+        page = ROOT / "README.md"
+        text, name = next((text, name) for language, text, name in blocks(page) if language == "json")
+        stem = name.removesuffix(".json")
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / name).write_text(text)
+            result = self.run_in(folder, f"{PROGRAM} render {name}")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            files = set(re.findall(r"^\| .*?`(image_[\w.]+)`", page.read_text(), re.MULTILINE))
+            self.assertGreater(len(files), 5)
+            for file in files:
+                self.assertTrue((pathlib.Path(folder) / f"{stem}.out" / file).exists(), file)
+
+    def test_make_targets_exist(self):
+        targets = set(re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text(), re.MULTILINE))
+        for page in PAGES:
+            for language, text, _ in blocks(page):
+                for line in text.splitlines() if language == "sh" else []:
+                    for word in line.split("#")[0].split()[1:] if line.startswith("make") else []:
+                        if re.fullmatch(r"[a-z]+", word):
+                            self.assertIn(word, targets, f"{page.relative_to(ROOT)}: {line}")
+
+    def test_links_lead_somewhere(self):
+        for page in PAGES:
+            for target in re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", page.read_text()):
+                if "://" not in target:
+                    with self.subTest(page=page.relative_to(ROOT), target=target):
+                        self.assertTrue((page.parent / target).exists())
+
+    def test_examples_are_valid(self):
+        documents = sorted((ROOT / "examples").rglob("*.json"))
+        self.assertGreater(len(documents), 0)
+        for document in documents:
+            with self.subTest(document=document.relative_to(ROOT)):
+                result = self.run_in(ROOT, f"{PROGRAM} check {document}")
+                if "/shared/" in result.stderr and "no such file" in result.stderr:
+                    self.skipTest("reference data not found: " + result.stderr.strip().splitlines()[0])
+                self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
