@@ -126,7 +126,7 @@ ClutterStudy run_clutter(const std::filesystem::path& folder, const StudyOptions
   drawn.probes_per_side = 0;
   drawn.footprint_by_model = false;
   const sampling::AccuracySampler drawn_sampler(drawn);
-  for (double error : {8.0, 4.0, 2.0, 1.0, 0.5}) {
+  for (double error : {4.0, 2.0, 1.0, 0.5, 0.25, 0.12}) {
     const std::string asked = radiance_of_error(error);
     study.psf_model.push_back(
         blurred.run(format("accuracy {} °C", error),
