@@ -62,7 +62,7 @@ class EdgeTracer {
   /// The region of `inner` in a cell with a curve, as a polygon in image coordinates.
   Polygon inner_region(const Cell& cell) const;
 
-  /// Variance of the area of `inner` in px^4.
+  /// Variance of the area of `inner` in px^4, from crossings, middle and legs; Curve::loose_area comes on top.
   double area_variance(const Cell& cell) const;
 
  private:
@@ -90,7 +90,7 @@ class EdgeTracer {
   void settle_complex(std::uint32_t cell);
   std::uint32_t bracket_on(const Cell& cell, int side);
   void locate(std::vector<std::uint32_t>& brackets);
-  bool isolated_corner(const Cell& cell) const;
+  bool narrow_corner(const Cell& cell) const;
   void value_new_labels();
 
   // Verification (edge_tracer_verify.cpp, edge_tracer_shape.cpp)
@@ -103,6 +103,7 @@ class EdgeTracer {
   Ends ends(const Curve& curve) const;
   Point2 end_point(std::uint32_t bracket) const;
   double sagitta(const Curve& curve, const Ends& e) const;
+  bool within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model, std::uint32_t seen) const;
   bool neighbour_end(const Curve& curve, int end, Point2& point) const;
 
   // Precision (edge_tracer_sharpen.cpp)

@@ -8,7 +8,7 @@ namespace ifov::sampling {
 namespace {
 
 /// Share of the allowed standard error that one unresolved cell may claim at first.
-constexpr double kLooseCell = 0.2;
+constexpr double kLooseCell = 0.3;
 /// Brackets are refined to this share of the distance to the vertex inside a narrow feature.
 constexpr double kThinShare = 0.5;
 /// First width of a bracket, in units of what the tolerance allows to a crossing of one side of its cell.
@@ -143,7 +143,7 @@ bool EdgeTracer::contradict(FocalPoint point, std::uint32_t label) {
   const Cell& cell = cells_[leaf];
   if (cell.level == kMaxLevel || abandoned_[cell.pixel]) return false;
   const std::uint32_t model = model_label(point);
-  if (model == label || model == kNoLabel) return false;
+  if (model == label || model == kNoLabel || within_tolerance(cell, point, model, label)) return false;
   suspect_[cell.pixel] = 1;
   split(leaf);
   return true;
@@ -251,7 +251,7 @@ void EdgeTracer::classify(std::uint32_t index, std::vector<std::uint32_t>& await
   const double area = lattice_.side_px(cell.level) * lattice_.side_px(cell.level);
   const double error = kUniformSpread * area * contrast_.among(cell.pixel, cell.corner);
   const bool negligible = error < 0.1 * kLooseCell * std::sqrt(allowed_variance_[cell.pixel]);
-  if (!two_labels || crossings != 2 || (negligible && !isolated_corner(cell))) {
+  if (!two_labels || crossings != 2 || (negligible && !narrow_corner(cell))) {
     if (two_labels && crossings == 4) suspect_[cell.pixel] = 1;
     settle_complex(index);
     return;
@@ -276,31 +276,27 @@ void EdgeTracer::settle_complex(std::uint32_t index) {
   Cell& cell = cells_[index];
   const double side_px = lattice_.side_px(cell.level);
   const double error = kUniformSpread * side_px * side_px * contrast_.among(cell.pixel, cell.corner);
-  const bool must_follow = side_px > options_.thinnest_px && error > 0.0 && isolated_corner(cell);
+  const bool must_follow = side_px > options_.thinnest_px && error > 0.0 && narrow_corner(cell);
   cell.kind = CellKind::complex;
   if (cell.level < kMaxLevel && !abandoned_[cell.pixel] &&
       (must_follow || error > kLooseCell * std::sqrt(allowed_variance_[cell.pixel])))
     split(index);
 }
 
-bool EdgeTracer::isolated_corner(const Cell& cell) const {
+/// Whether some corner of the cell lies in a feature no wider than two cells: the next vertices of the same spacing,
+/// on both sides along a lattice line, are known and unlike it.
+bool EdgeTracer::narrow_corner(const Cell& cell) const {
   const std::int32_t side = Lattice::side(cell.level);
   for (int i = 0; i < 4; ++i) {
-    int equal = 0;
-    for (int j = 0; j < 4; ++j) equal += cell.corner[j] == cell.corner[i];
-    if (equal != 1) continue;
     const std::int32_t x = cell.x + kCornerX[i] * side, y = cell.y + kCornerY[i] * side;
-    bool isolated = true;
-    constexpr int kStepX[4] = {1, -1, 0, 0}, kStepY[4] = {0, 0, 1, -1};
-    for (int s = 0; s < 4 && isolated; ++s) {
-      const std::int32_t nx = x + kStepX[s] * side, ny = y + kStepY[s] * side;
-      if (nx < 0 || ny < 0 || nx > lattice_.width() || ny > lattice_.height()) continue;
+    const auto unlike = [&](std::int32_t nx, std::int32_t ny) {
+      if (nx < 0 || ny < 0 || nx > lattice_.width() || ny > lattice_.height()) return false;
       constexpr std::int32_t kRoot = Lattice::side(0);
       const bool root = nx % kRoot == 0 && ny % kRoot == 0;
-      if (!root && vertex_index_.find(Lattice::vertex_key(nx, ny)) == FlatMap::kAbsent) continue;
-      isolated = known_vertex(nx, ny) != cell.corner[i];
-    }
-    if (isolated) return true;
+      if (!root && vertex_index_.find(Lattice::vertex_key(nx, ny)) == FlatMap::kAbsent) return false;
+      return known_vertex(nx, ny) != cell.corner[i];
+    };
+    if ((unlike(x - side, y) && unlike(x + side, y)) || (unlike(x, y - side) && unlike(x, y + side))) return true;
   }
   return false;
 }
@@ -325,7 +321,7 @@ std::uint32_t EdgeTracer::bracket_on(const Cell& cell, int side_index) {
   const std::uint64_t key = hash(seed_, lattice_.image_x(x), lattice_.image_y(y), vertical, cell.level);
   const double contrast = contrast_(cell.pixel, b.first, b.last);
   const double tolerable = kFirstWidth * std::sqrt(allowed_variance_[cell.pixel]) / (contrast * b.length_px + 1e-300);
-  b.lay_grid(std::max(options_.initial_bracket_px, std::min(tolerable, b.length_px / 6.0)), key,
+  b.lay_grid(std::max(options_.initial_bracket_px, std::min(tolerable, b.length_px / 4.0)), key,
              !faults_.undithered_brackets);
 
   // A crossing located on a longer edge that this one is part of need not be searched again.

@@ -8,6 +8,8 @@ namespace ifov::sampling {
 namespace {
 
 constexpr int kCornerX[4] = {0, 1, 1, 0}, kCornerY[4] = {0, 0, 1, 1};
+/// Share of the allowed standard error below which a whole cell may be wrong.
+constexpr double kNegligible = 0.1;
 
 }  // namespace
 
@@ -63,11 +65,34 @@ Polygon EdgeTracer::inner_region(const Cell& cell) const {
   return region;
 }
 
+/// Whether a contradiction is one that the intervals already allow for: beside a border, no farther than it is
+/// uncertain, or in a cell too small to matter.
+bool EdgeTracer::within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model, std::uint32_t seen) const {
+  const double side = lattice_.side_px(cell.level);
+  const double error = side * side * contrast_(cell.pixel, model, seen) / std::sqrt(12.0);
+  if (error < kNegligible * std::sqrt(allowed_variance_[cell.pixel])) return true;
+  if (cell.kind != CellKind::chord) return false;
+  const Curve& curve = curves_[cell.chord];
+  if (seen != curve.inner && seen != curve.outer) return false;
+  const double width = std::max({brackets_[curve.bracket[0]].width(), brackets_[curve.bracket[1]].width(),
+                                 2.0 * curve.middle_width, curve.leg_width});
+  const Polygon region = inner_region(cell);
+  const int first = curve.side[1] - curve.side[0] + 1;   // from the end of the curve back to its start
+  for (int i = first; i < region.count; ++i) {
+    const Point2 p = region.vertex[i], d = region.vertex[(i + 1) % region.count] - p;
+    const Point2 to{point.x_px - p.x, point.y_px - p.y};
+    const double square = d.x * d.x + d.y * d.y;
+    const double t = square > 0.0 ? std::clamp((to.x * d.x + to.y * d.y) / square, 0.0, 1.0) : 0.0;
+    if (length(to - t * d) <= width) return true;
+  }
+  return false;
+}
+
 double EdgeTracer::area_variance(const Cell& cell) const {
   const Curve& curve = curves_[cell.chord];
   const Ends e = ends(curve);
   const Point2 d = e.b - e.a;
-  double variance = curve.loose_area * curve.loose_area;
+  double variance = 0.0;
   for (int t = 0; t < 2; ++t) {
     // A crossing that moves along its side sweeps sin(angle between side and chord) of the motion; half of
     // the swept area is this cell's, and the cell beyond errs the same way, hence 1/2 instead of 1/4.

@@ -88,7 +88,7 @@ void EdgeTracer::sharpen() {
     }
     middles.push_back({cell.pixel, index, 4.0 / 9.0 * (d.x * d.x + d.y * d.y) * square / 12.0});
     if (curve.loose_area > 0.0)
-      loose.push_back({cell.pixel, index, curve.loose_area * curve.loose_area * square, false});
+      loose.push_back({cell.pixel, index, curve.loose_area * curve.loose_area * square, true});
   }
   edge_cells_.resize(kept);
   const auto by_pixel = [](const auto& a, const auto& b) { return a.pixel < b.pixel; };

@@ -12,7 +12,16 @@ constexpr int kCornerX[4] = {0, 1, 1, 0}, kCornerY[4] = {0, 0, 1, 1};
 /// Area between curve and chord that a refused curve may hide, as a share of chord^2.
 constexpr double kRefusedShare = 0.12;
 /// Share of the allowed standard error below which a curve that fails verification is not worth more rays.
-constexpr double kLooseCurve = 0.02;
+constexpr double kLooseCurve = 0.2;
+/// The same in narrow features, where a refused curve may be the near end of a long one.
+constexpr double kLooseNarrowCurve = 0.02;
+/// Width of the error of a middle that was predicted but not verified, as a share of the chord. Where the tolerance
+/// can bear it, no ray is spent.
+constexpr double kUnverifiedWidth = 0.25;
+/// Only borders that go on gently on both sides may stay unverified: sagitta over chord, by either neighbour.
+constexpr double kGentleBend = 0.1;
+/// Likewise for what an arc loses at its pixel's rim.
+constexpr double kBulge = 0.02;
 /// A corner is looked for between these multiples of the predicted distance from the chord.
 constexpr double kCornerNear = 0.4, kCornerFar = 1.5;
 
@@ -143,6 +152,15 @@ void EdgeTracer::predict(Check& check) {
                        std::abs(dot(check.apex - check.centre, check.normal)) > 2.0 * check.tolerance;
     }
   }
+  const double unverified_width = kUnverifiedWidth * check.chord;
+  const double bend = std::max(std::abs(curvature[0]), std::abs(curvature[1])) * check.chord / 8.0;
+  if (unverified_width <= curve.wanted_middle && neighbours == 2 && bend < kGentleBend) {
+    check.predicted = std::clamp(check.predicted, check.least, check.most);
+    check.low = check.predicted - 0.5 * unverified_width;
+    check.high = check.predicted + 0.5 * unverified_width;
+    accept(check);
+    return;
+  }
   if (curve.corner || (std::abs(check.predicted) > check.most && check.has_apex)) {
     check.try_corner();
     return;
@@ -264,10 +282,10 @@ void EdgeTracer::refuse(Check& check) {
   Curve& curve = curves_[cell.chord];
   suspect_[cell.pixel] = 1;
   const double hidden = kRefusedShare * check.chord * check.chord;
-  const double worth = kLooseCurve * std::sqrt(allowed_variance_[cell.pixel]);
-  const bool must_follow = lattice_.side_px(cell.level) > options_.thinnest_px && isolated_corner(cell);
+  const bool narrow = narrow_corner(cell);
+  const double share = narrow ? kLooseNarrowCurve : kLooseCurve;
   if (cell.level < kMaxLevel &&
-      (must_follow || hidden * contrast_(cell.pixel, curve.inner, curve.outer) > worth)) {
+      hidden * contrast_(cell.pixel, curve.inner, curve.outer) > share * std::sqrt(allowed_variance_[cell.pixel])) {
     check.stage = Check::Stage::done;
     split(check.cell);
     return;
@@ -305,7 +323,7 @@ void EdgeTracer::accept(Check& check) {
   const double loss = 0.5 * outside * check.chord;
   const double contrast = contrast_(cell.pixel, curve.inner, curve.outer);
   if (cell.level < kMaxLevel &&
-      loss * contrast > 0.25 * kLooseCurve * std::sqrt(allowed_variance_[cell.pixel]))
+      loss * contrast > kBulge * std::sqrt(allowed_variance_[cell.pixel]))
     split(check.cell);
   else
     curve.loose_area = std::max(curve.loose_area, loss);

@@ -72,24 +72,28 @@ double LeafIntegrator::over_polygon(const Polygon& polygon, Point2 c) const {
 
 namespace {
 
-/// Cells of the same two labels are one entry: what no model follows (a strip too thin for the cells, say) is the
-/// same all along, so that their errors add up. Where three labels meet, each cell errs for itself.
-std::size_t loose_entry(PixelModel& model, const Cell& cell) {
-  std::uint32_t low = cell.corner[0], high = cell.corner[0];
-  for (std::uint32_t l : cell.corner) {
-    low = std::min(low, l);
-    high = std::max(high, l);
-  }
-  bool two_labels = true;
-  for (std::uint32_t l : cell.corner) two_labels &= l == low || l == high;
+/// What no model follows between the same two labels (a strip too thin for the cells, say) is the same all along, so
+/// that such errors add up: one entry. Where three labels meet, each cell errs for itself.
+std::size_t loose_pair(PixelModel& model, std::uint32_t a, std::uint32_t b) {
+  if (a > b) std::swap(a, b);
   for (std::size_t i = 0; i < model.loose.size(); ++i) {
     const PixelModel::Loose& entry = model.loose[i];
-    if (two_labels ? entry.two_labels && entry.corner[0] == low && entry.corner[3] == high
-                   : entry.x == cell.x && entry.y == cell.y && !entry.two_labels)
-      return i;
+    if (entry.two_labels && entry.corner[0] == a && entry.corner[3] == b) return i;
   }
-  PixelModel::Loose entry{{low, low, high, high}, two_labels, cell.x, cell.y};
-  if (!two_labels) std::copy_n(cell.corner, 4, entry.corner);
+  model.loose.push_back({{a, a, b, b}, true, 0, 0});
+  return model.loose.size() - 1;
+}
+
+std::size_t loose_cell(PixelModel& model, const Cell& cell) {
+  const auto [low, high] = std::minmax_element(cell.corner, cell.corner + 4);
+  if (std::all_of(cell.corner, cell.corner + 4, [&](std::uint32_t l) { return l == *low || l == *high; }))
+    return loose_pair(model, *low, *high);
+  for (std::size_t i = 0; i < model.loose.size(); ++i) {
+    const PixelModel::Loose& entry = model.loose[i];
+    if (!entry.two_labels && entry.x == cell.x && entry.y == cell.y) return i;
+  }
+  PixelModel::Loose entry{{}, false, cell.x, cell.y};
+  std::copy_n(cell.corner, 4, entry.corner);
   model.loose.push_back(entry);
   return model.loose.size() - 1;
 }
@@ -124,13 +128,14 @@ void LeafIntegrator::pixel(int source, PixelModel& model) const {
     if (cell.kind == CellKind::uniform) {
       region(cell.corner[0]);
     } else if (cell.kind == CellKind::complex) {
-      loose_entry(model, cell);
+      loose_cell(model, cell);
       for (std::uint32_t l : cell.corner) region(l);
     } else {
       const Curve& curve = tracer_.curve_of(cell);
       region(curve.inner);
       region(curve.outer);
       pair(curve.inner, curve.outer);
+      if (curve.loose_area > 0.0) loose_pair(model, curve.inner, curve.outer);
     }
   }
   const std::size_t regions = model.labels.size(), pairs = model.borders.size(), loose = model.loose.size();
@@ -155,7 +160,7 @@ void LeafIntegrator::pixel(int source, PixelModel& model) const {
       continue;
     }
     if (cell.kind == CellKind::complex) {
-      const std::size_t entry = loose_entry(model, cell);
+      const std::size_t entry = loose_cell(model, cell);
       for (std::size_t o = 0; o < outputs; ++o) {
         const double w = cell_weight(o);
         model.loose_weight[o * loose + entry] += w;
@@ -184,6 +189,9 @@ void LeafIntegrator::pixel(int source, PixelModel& model) const {
       model.weight[o * regions + in] += inner;
       model.weight[o * regions + out] += whole - inner;
       model.border_variance[o * pairs + b] += variance * density * density;
+      if (curve.loose_area > 0.0)
+        model.loose_weight[o * loose + loose_pair(model, curve.inner, curve.outer)] +=
+            std::sqrt(12.0) * curve.loose_area * density;
     }
   }
 }
