@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <mutex>
-#include <span>
 #include <vector>
 
 #include "render/tile_sink.h"
@@ -25,7 +24,6 @@ class ImageStore final : public render::TileSink {
   /// NaN where the sampling says nothing of its error.
   const std::vector<float>& half_width() const { return half_width_; }
   const std::vector<std::uint32_t>& samples() const { return samples_; }
-  const std::vector<std::uint32_t>& radiance_evaluations() const { return evaluations_; }
 
   /// Points queried, by purpose, and rays, by kind.
   struct Cost {
@@ -40,7 +38,7 @@ class ImageStore final : public render::TileSink {
   std::mutex mutex_;
   int width_ = 0, height_ = 0, columns_ = 0;
   std::vector<float> mean_, half_width_;
-  std::vector<std::uint32_t> samples_, evaluations_;
+  std::vector<std::uint32_t> samples_;
   Cost cost_;
 };
 
