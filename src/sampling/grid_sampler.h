@@ -4,9 +4,9 @@
 
 namespace ifov::sampling {
 
-/// N x M rays through the centres of equal sub-elements. A box footprint of side 1 or less is divided itself, all
-/// rays weighing the same; under a wider footprint each pixel of the focal plane is divided once, the rays are
-/// shared by the pixels around them, and each weighs the footprint's integral over its sub-element.
+/// N x M rays through the centres of equal sub-elements. A box footprint of side 1 or less is divided itself,
+/// all rays weighing the same; under a wider footprint each pixel of the focal plane is divided once, the
+/// rays are shared by the pixels around them, and each weighs the footprint's integral over its sub-element.
 /// The variance is the one that random points of the same spread of values would have: an upper estimate.
 class GridSampler final : public PixelSampler {
  public:

@@ -17,8 +17,8 @@ constexpr double radical_inverse(std::uint32_t index, std::uint32_t base) {
   return result;
 }
 
-/// Element `index`, counted from 0, of the Halton sequence in bases 2 and 3 without its first point, the origin
-/// (Halton 1960).
+/// Element `index`, counted from 0, of the Halton sequence in bases 2 and 3 without its first point, the
+/// origin (Halton 1960).
 constexpr Point2 halton_point(std::uint32_t index) {
   return {radical_inverse(index + 1, 2), radical_inverse(index + 1, 3)};
 }

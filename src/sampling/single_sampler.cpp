@@ -29,7 +29,8 @@ void SingleSampler::sample(const TileProblem& problem, Field& field, TileResult&
         return PathRequest{{i + 0.5, j + 0.5}, hash(problem.seed, i, j, kPixelPaths), 0};
       },
       [&](std::size_t pixel, Label label, const float* values) {
-        std::copy(values, values + columns, result.mean.begin() + static_cast<std::ptrdiff_t>(pixel * columns));
+        std::copy(values, values + columns,
+                  result.mean.begin() + static_cast<std::ptrdiff_t>(pixel * columns));
         result.abundances.push_back({static_cast<std::uint32_t>(pixel), field.material_of(label), 1.0f,
                                      std::numeric_limits<float>::quiet_NaN()});
       });

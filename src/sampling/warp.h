@@ -3,8 +3,8 @@
 #include "math/vec3.h"
 #include "sampling/random.h"
 
-/// Maps from the unit square to the domains that light and optics are sampled over. Each has its density and its
-/// inverse. Directions are unit vectors; local ones have the surface's normal along +z.
+/// Maps from the unit square to the domains that light and optics are sampled over. Each has its density and
+/// its inverse. Directions are unit vectors; local ones have the surface's normal along +z.
 namespace ifov::sampling {
 
 /// Unit disk, uniform, by Shirley and Chiu's (1997) concentric map; density 1/pi.
@@ -20,14 +20,16 @@ Point2 cosine_hemisphere_inverse(math::Vec3 direction);
 struct TangentFrame {
   math::Vec3 first, second, normal;
   explicit TangentFrame(math::Vec3 unit_normal);
-  math::Vec3 to_world(math::Vec3 local) const { return local.x * first + local.y * second + local.z * normal; }
+  math::Vec3 to_world(math::Vec3 local) const {
+    return local.x * first + local.y * second + local.z * normal;
+  }
   math::Vec3 to_local(math::Vec3 world) const {
     return {math::dot(world, first), math::dot(world, second), math::dot(world, normal)};
   }
 };
 
-/// Cone of directions within `half_angle_rad` of an axis, uniform in solid angle. Accurate for cones as narrow as
-/// the Sun's.
+/// Cone of directions within `half_angle_rad` of an axis, uniform in solid angle. Accurate for cones as
+/// narrow as the Sun's.
 class UniformCone {
  public:
   explicit UniformCone(double half_angle_rad);
@@ -41,17 +43,17 @@ class UniformCone {
   double solid_angle_;
 };
 
-/// A direction towards a light with its weight: irradiance = radiance of the light * mean of the weights of the
-/// directions that reach it.
+/// A direction towards a light with its weight: irradiance = radiance of the light * mean of the weights of
+/// the directions that reach it.
 struct LightSample {
   math::Vec3 direction;
   double weight_sr = 0.0;  ///< cos(theta) over the density of the direction
 };
 
-/// The Sun's disc as a plane surface sees it. A cap of half-angle a about `axis` projects onto the surface's plane
-/// as an ellipse of area pi sin^2(a) cos(theta); points uniform in that ellipse are directions uniform in projected
-/// solid angle, all with that weight: no variance where the whole disc is seen. Where the horizon cuts the disc,
-/// directions are uniform in the cone and weigh their cosine.
+/// The Sun's disc as a plane surface sees it. A cap of half-angle a about `axis` projects onto the surface's
+/// plane as an ellipse of area pi sin^2(a) cos(theta); points uniform in that ellipse are directions uniform
+/// in projected solid angle, all with that weight: no variance where the whole disc is seen. Where the
+/// horizon cuts the disc, directions are uniform in the cone and weigh their cosine.
 class SolarDisc {
  public:
   explicit SolarDisc(double half_angle_rad);

@@ -14,7 +14,8 @@
 /// Statistical tests for samplers: chi-square against a density, and the round trip through an inverse.
 namespace ifov::test {
 
-/// Upper tail Q(a, x) of the regularised incomplete gamma function (series below a + 1, continued fraction above).
+/// Upper tail Q(a, x) of the regularised incomplete gamma function (series below a + 1, continued fraction
+/// above).
 inline double upper_gamma(double a, double x) {
   if (x <= 0.0) return 1.0;
   const double scale = std::exp(-x + a * std::log(x) - std::lgamma(a));
@@ -40,12 +41,13 @@ inline double chi_square_p_value(double statistic, double degrees_of_freedom) {
   return upper_gamma(0.5 * degrees_of_freedom, 0.5 * statistic);
 }
 
-/// p-value of counts against expected counts of the same sum; cells that expect fewer than 5 are pooled, and one
-/// that expects nothing yet was hit refutes at once.
+/// p-value of counts against expected counts of the same sum; cells that expect fewer than 5 are pooled, and
+/// one that expects nothing yet was hit refutes at once.
 inline double chi_square_test(const std::vector<double>& observed, const std::vector<double>& expected) {
   std::vector<std::size_t> order(expected.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return expected[a] < expected[b]; });
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return expected[a] < expected[b]; });
   double statistic = 0.0, pooled_observed = 0.0, pooled_expected = 0.0;
   int cells = 0;
   for (std::size_t i : order) {
@@ -61,8 +63,8 @@ inline double chi_square_test(const std::vector<double>& observed, const std::ve
   return cells < 2 ? 1.0 : chi_square_p_value(statistic, cells - 1);
 }
 
-/// p-value of directions sample(u) against density(direction) per steradian. Cells are equal in cosine and azimuth
-/// about `axis`, from cos_low to 1; `count` random u from `seed`.
+/// p-value of directions sample(u) against density(direction) per steradian. Cells are equal in cosine and
+/// azimuth about `axis`, from cos_low to 1; `count` random u from `seed`.
 template <class Sample, class Density>
 double direction_test(math::Vec3 axis, double cos_low, int count, std::uint64_t seed, Sample sample,
                       Density density) {
