@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "sampling/sequence.h"
 
@@ -13,8 +14,10 @@ namespace {
 constexpr double kBorrowed = 2.0;
 /// A jittered grid has at most this many cells per pixel side, even for slivers.
 constexpr int kFinestGrid = 128;
+/// Points of a sequence looked at for each value of a stratum, before the net is left incomplete.
+constexpr double kAttemptsPerValue = 4.0;
 
-constexpr std::uint64_t kStratumKey = 0x7374726174, kNetKey = 0x6e657473;
+constexpr std::uint64_t kStratumKey = 0x7374726174, kNetKey = 0x6e657473, kStratumNetKey = 0x736e657473;
 
 }  // namespace
 
@@ -36,9 +39,9 @@ void Radiance::add_pixel(int source, const LeafIntegrator& integrator) {
   pixel.cluttered = tracer_.abandoned(static_cast<std::uint32_t>(source));
   integrator.pixel(source, pixel.model);
   if (pixel.cluttered) {
-    pixel.strata.assign(kReplicates, Stratum{EdgeTracer::kNoLabel, 0, {}, {}, {}});
+    pixel.strata.assign(kReplicates, Stratum{EdgeTracer::kNoLabel, 0, {}, {}, {}, {}});
   } else {
-    for (std::uint32_t label : pixel.model.labels) pixel.strata.push_back({label, 0, {}, {}, {}});
+    for (std::uint32_t label : pixel.model.labels) pixel.strata.push_back({label, 0, {}, {}, {}, {}});
   }
   pixels_.push_back(std::move(pixel));
 }
@@ -81,7 +84,91 @@ void Radiance::plan_nets(std::size_t p, std::uint32_t count) {
   pixel.net_size = count;
 }
 
+void Radiance::plan_stratum_nets(std::size_t p, std::size_t s, std::uint32_t count) {
+  Pixel& pixel = pixels_[p];
+  Stratum& stratum = pixel.strata[s];
+  Nets& nets = stratum.nets;
+  if (nets.size == 0) {
+    // The first values chose the size of the nets; an estimate that left them in would favour their luck.
+    stratum.samples.clear();
+    stratum.block_starts.clear();
+    stratum.full_block.clear();
+    nets.drawn.assign(kStratumReplicates, 0);
+    nets.paths.assign(kStratumReplicates, 0);
+    nets.accepted.assign(kStratumReplicates, 0);
+    nets.sum.assign(kStratumReplicates * stride_, 0.0);
+  }
+  const PixelRect& domain = tracer_.lattice().domain();
+  const int px = domain.x0 + pixel.source % domain.width(), py = domain.y0 + pixel.source / domain.width();
+  const double attempts = kAttemptsPerValue * (count / std::max(pixel.model.area[s], 1e-6) + 1.0);
+  for (std::size_t r = 0; r < kStratumReplicates; ++r) {
+    const std::uint64_t key = hash(seed_, kStratumNetKey, px, py, table_.label(stratum.label), r);
+    while (nets.paths[r] < count && nets.drawn[r] < attempts) {
+      const Point2 u = sequence_point(key, nets.drawn[r]++, 0);
+      const Point2 at{px + u.x, py + u.y};
+      const std::uint32_t model = tracer_.model_label({at.x, at.y});
+      if (model != stratum.label && model != EdgeTracer::kNoLabel) continue;
+      // Paths count on their own: pairs of dimensions are scrambled apart, so a net of paths stays whole
+      // whatever points the stratum's shape refuses.
+      net_requests_.push_back({{at.x, at.y}, key, nets.paths[r]++});
+      net_planned_.push_back({p, s, r});
+    }
+  }
+  nets.size = count;
+}
+
+void Radiance::trace_nets() {
+  constexpr std::size_t kBatch = 4096;
+  std::vector<std::uint32_t> labels;
+  std::vector<float> values(std::min(kBatch, net_requests_.size()) * stride_);
+  for (std::size_t first = 0; first < net_requests_.size(); first += kBatch) {
+    const std::size_t count = std::min(kBatch, net_requests_.size() - first);
+    labels.clear();
+    ledger_.values(std::span<const PathRequest>(net_requests_).subspan(first, count), labels,
+                   std::span<float>(values).first(count * stride_));
+    for (std::size_t i = 0; i < count; ++i) {
+      const PlannedInNet& planned = net_planned_[first + i];
+      Stratum& stratum = pixels_[planned.pixel].strata[planned.stratum];
+      if (labels[i] != stratum.label) continue;
+      ++stratum.nets.accepted[planned.replicate];
+      double* sum = &stratum.nets.sum[planned.replicate * stride_];
+      const float* value = &values[i * stride_];
+      for (std::size_t c = 0; c < stride_; ++c) sum[c] += value[c];
+    }
+  }
+  net_requests_.clear();
+  net_planned_.clear();
+}
+
+void Radiance::net_moments(const Nets& nets, std::span<const int> columns, StratumMoments& out) const {
+  const std::size_t n = columns.size();
+  std::vector<double> squares(n, 0.0);
+  double replicates = 0.0, count = 0.0;
+  for (std::size_t r = 0; r < kStratumReplicates; ++r) {
+    if (nets.accepted[r] == 0) continue;
+    replicates += 1.0;
+    count += nets.accepted[r];
+    for (std::size_t c = 0; c < n; ++c) {
+      const double d = nets.sum[r * stride_ + columns[c]] / nets.accepted[r] - out.mean[c];
+      out.mean[c] += d / replicates;
+      squares[c] += d * (nets.sum[r * stride_ + columns[c]] / nets.accepted[r] - out.mean[c]);
+    }
+  }
+  out.sampled = replicates > 0.0;
+  out.freedom = std::max(1.0, replicates - 1.0);
+  // As the variance of one of `count` independent values, which is what allocation compares.
+  for (std::size_t c = 0; c < n; ++c)
+    out.variance[c] = squares[c] / (std::max(1.0, replicates - 1.0) * std::max(1.0, replicates)) * count;
+}
+
+std::size_t Radiance::Stratum::count() const {
+  if (nets.size == 0) return samples.size();
+  return std::accumulate(nets.accepted.begin(), nets.accepted.end(), std::size_t{0});
+}
+
 void Radiance::trace() {
+  trace_nets();
+  if (requests_.empty()) return;
   std::vector<std::uint32_t> labels;
   const std::size_t first = labels_.size();
   values_.resize((first + requests_.size()) * stride_);
@@ -119,6 +206,10 @@ void Radiance::moments(const Pixel& pixel, std::size_t s, std::span<const int> c
   const std::size_t n = columns.size();
   out.mean.assign(n, 0.0);
   out.variance.assign(n, 0.0);
+  if (stratum.nets.size > 0) {
+    net_moments(stratum.nets, columns, out);
+    if (out.sampled) return;
+  }
   out.sampled = !stratum.samples.empty();
 
   if (out.sampled) {

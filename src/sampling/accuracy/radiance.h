@@ -29,6 +29,16 @@ struct StratumMoments {
 /// group of source pixels, in rounds. docs/theory/accuracy_sampler.md, section 6.
 class Radiance {
  public:
+  /// A stratum starts with values at jittered points. Where paths vary so much that many are needed, those are
+  /// replaced by replicated nets: scrambled sequences whose paths are stratified among themselves, so that the
+  /// spread of the replicates' means shows what that gains. Only sums of such values are kept.
+  struct Nets {
+    std::uint32_t size = 0;               ///< values planned per replicate; 0: none
+    std::vector<std::uint32_t> drawn;     ///< points of each replicate's sequence used so far
+    std::vector<std::uint32_t> paths;     ///< values planned
+    std::vector<std::uint32_t> accepted;  ///< values whose label was the stratum's
+    std::vector<double> sum;              ///< [replicate][column] of the accepted
+  };
   struct Stratum {
     std::uint32_t label;
     std::uint32_t round = 0;
@@ -36,6 +46,8 @@ class Radiance {
     std::vector<std::uint32_t>
         block_starts;  ///< consecutive values that stand in one block of the jittered grid
     std::vector<std::uint8_t> full_block;  ///< the block holds four values, one per quarter
+    Nets nets;
+    std::size_t count() const;             ///< values that the estimate rests on
   };
   struct Pixel {
     int source = 0;  ///< index in the domain
@@ -49,6 +61,7 @@ class Radiance {
            const LatticeValues& lattice_values, const AccuracyFaults& faults, std::uint64_t seed);
 
   static constexpr int kReplicates = 8;
+  static constexpr int kStratumReplicates = 16;
 
   std::vector<Pixel>& pixels() { return pixels_; }
   void clear() {
@@ -63,6 +76,8 @@ class Radiance {
   /// pixel.
   void plan(std::size_t pixel, std::size_t stratum, double count);
   void plan_nets(std::size_t pixel, std::uint32_t count);
+  /// Replaces a stratum's values by nets of `count` values per replicate, or makes its nets that large.
+  void plan_stratum_nets(std::size_t pixel, std::size_t stratum, std::uint32_t count);
   /// Traces what was planned.
   void trace();
 
@@ -89,6 +104,12 @@ class Radiance {
     std::uint8_t quarter;
   };
 
+  struct PlannedInNet {
+    std::size_t pixel, stratum, replicate;
+  };
+  void trace_nets();
+  void net_moments(const Nets& nets, std::span<const int> columns, StratumMoments& out) const;
+
   const EdgeTracer& tracer_;
   RayLedger& ledger_;
   const LabelTable& table_;
@@ -101,6 +122,8 @@ class Radiance {
   std::vector<Pixel> pixels_;
   std::vector<Planned> planned_;
   std::vector<PathRequest> requests_;
+  std::vector<PlannedInNet> net_planned_;
+  std::vector<PathRequest> net_requests_;
   std::vector<Point2> x_;
   std::vector<std::uint32_t> labels_;
   std::vector<float> values_;

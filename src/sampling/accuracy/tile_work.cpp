@@ -16,6 +16,8 @@ constexpr double kGeometryShareWithPaths = 0.35;
 constexpr double kPilot = 16.0, kFewest = 4.0;
 /// Planned rounds aim a little beyond the limit, because variances are estimates.
 constexpr double kMargin = 1.1;
+/// From here on replicated nets cost less than jittered values.
+constexpr double kManyValues = 64.0;
 
 PixelRect source_domain(const TileProblem& problem, int halo) {
   const int reach =
@@ -225,7 +227,7 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
         double share = 1.0;
         if (moments[r].sampled)
           share = integrator.unit_box()
-                      ? 1.0 / static_cast<double>(pixel.strata[r].samples.size())
+                      ? 1.0 / static_cast<double>(pixel.strata[r].count())
                       : radiance_->weigh(pixel, r, integrator.footprint(),
                                          integrator.centre(model.outputs[o]), columns, weighted);
         for (std::size_t c = 0; c < n; ++c) {
@@ -270,12 +272,7 @@ void TileWork::tighten_borders() {
                                            problem_.seed);
     for (int p = 0; p < lattice_.domain().count(); ++p) radiance_->add_pixel(p, integrator);
     std::vector<Sums> sums(outputs_.size());
-    for (Sums& s : sums) {
-      s.mean.assign(n, 0.0);
-      s.geometry.assign(n, 0.0);
-      s.path.assign(n, {});
-      s.deviation.assign(n, 0.0);
-    }
+    for (Sums& s : sums) s.clear(n);
     gather(integrator, problem_.drivers, sums);
     bool any = false;
     std::vector<double> factor(tracer_.allowed_variance().size(), 1.0);
@@ -314,27 +311,79 @@ void TileWork::estimate() {
       radiance_->add_pixel(p, integrator);
       for (int o : radiance_->pixels().back().model.outputs) touched[o] = 1;
     }
-    while (plan_round(integrator)) radiance_->trace();
     std::vector<int> outputs;
     for (std::size_t o = 0; o < touched.size(); ++o)
       if (touched[o]) outputs.push_back(static_cast<int>(o));
+    steering_.assign(problem_.drivers.begin(), problem_.drivers.end());
+    do {
+      while (plan_round(integrator)) radiance_->trace();
+    } while (steer_by_more(integrator, outputs));
     finish(integrator, outputs);
   }
 }
 
+/// Drivers stand for all columns. Where they are satisfied and another column is not, it steers as well.
+bool TileWork::steer_by_more(const LeafIntegrator& integrator, const std::vector<int>& outputs) {
+  const std::size_t n = static_cast<std::size_t>(columns_);
+  if (steering_.size() == n) return false;
+  std::vector<Sums> sums(outputs_.size());
+  for (int o : outputs) sums[o].clear(n);
+  gather(integrator, all_columns_, sums);
+  std::vector<double> limit(n);
+  std::vector<int> more;
+  for (int o : outputs) {
+    if (outputs_[o].look >= Stopping::kLooks) continue;
+    problem_.tolerance->limits(sums[o].mean, limit);
+    double worst = 1.0 + 1e-6;
+    int column = -1;
+    for (std::size_t c = 0; c < n; ++c) {
+      const double ratio = half_width(sums[o], c, outputs_[o].look) / limit[c];
+      if (ratio > worst && sums[o].path[c].variance() > 0.0) worst = ratio, column = static_cast<int>(c);
+    }
+    if (column < 0) continue;
+    if (std::find(steering_.begin(), steering_.end(), column) != steering_.end()) continue;
+    outputs_[o].satisfied = false;
+    if (std::find(more.begin(), more.end(), column) == more.end()) more.push_back(column);
+  }
+  steering_.insert(steering_.end(), more.begin(), more.end());
+  return !more.empty();
+}
+
+double TileWork::half_width(const Sums& sum, std::size_t column, int look) const {
+  const double path = sum.path[column].variance();
+  const double t = path > 0.0 ? stopping_.student(look, sum.path[column].degrees_of_freedom()) : 0.0;
+  return std::sqrt(stopping_.normal() * stopping_.normal() * sum.geometry[column] + t * t * path);
+}
+
+void TileWork::Sums::clear(std::size_t columns) {
+  mean.assign(columns, 0.0);
+  geometry.assign(columns, 0.0);
+  path.assign(columns, {});
+  deviation.assign(columns, 0.0);
+}
+
+/// Nets grow by doubling, at most fourfold between looks: their error falls faster than that of independent
+/// values, by which `wanted` is reckoned.
+std::uint32_t TileWork::net_size(const Radiance::Stratum& stratum, double wanted, double room) {
+  constexpr double kGain = 16.0;  // more than nets are likely to save
+  const double most = std::max(4.0, (room + static_cast<double>(stratum.count())) / Radiance::kStratumReplicates);
+  std::uint32_t size = std::max(4u, stratum.nets.size);
+  const double target = stratum.nets.size == 0
+                            ? wanted / kGain / Radiance::kStratumReplicates
+                            : std::min(4.0 * size, wanted / Radiance::kStratumReplicates);
+  while (size < target && 2.0 * size <= most) size *= 2;
+  return size;
+}
+
 /// Looks at the intervals so far and plans values where they are too wide; false when nothing is left to do.
 bool TileWork::plan_round(const LeafIntegrator& integrator) {
-  const std::size_t n = problem_.drivers.size();
+  const std::size_t n = steering_.size();
   std::vector<Sums> sums(outputs_.size());
   bool cluttered_start = false;
   for (std::size_t p = 0; p < radiance_->pixels().size(); ++p) {
     const Radiance::Pixel& pixel = radiance_->pixels()[p];
     for (int o : pixel.model.outputs) {
-      Sums& s = sums[o];
-      s.mean.assign(n, 0.0);
-      s.geometry.assign(n, 0.0);
-      s.path.assign(n, {});
-      s.deviation.assign(n, 0.0);
+      sums[o].clear(n);
     }
     if (pixel.cluttered && pixel.net_size == 0 && !pixel.model.outputs.empty()) {
       radiance_->plan_nets(p, 4);
@@ -342,21 +391,20 @@ bool TileWork::plan_round(const LeafIntegrator& integrator) {
     }
   }
   if (cluttered_start) return true;
-  gather(integrator, problem_.drivers, sums);
+  gather(integrator, steering_, sums);
 
   std::vector<double> mean(static_cast<std::size_t>(columns_)), limit(mean.size());
   for (std::size_t o = 0; o < sums.size(); ++o) {
     Output& output = outputs_[o];
     if (sums[o].mean.empty() || output.satisfied) continue;
-    const auto allowed = contrast_.allowed(source_of(static_cast<int>(o)));
+    for (std::size_t d = 0; d < n; ++d) mean[steering_[d]] = sums[o].mean[d];
+    problem_.tolerance->limits(mean, limit);
     output.path_budget.assign(n, 0.0);
     output.satisfied = true;
     for (std::size_t d = 0; d < n; ++d) {
-      const double limit_d = allowed[d] * stopping_.normal();
+      const double limit_d = limit[steering_[d]];
       const double from_borders = stopping_.normal() * stopping_.normal() * sums[o].geometry[d];
-      const double t = stopping_.student(output.look, sums[o].path[d].degrees_of_freedom());
-      if (from_borders + t * t * sums[o].path[d].variance() > limit_d * limit_d &&
-          sums[o].path[d].variance() > 0.0)
+      if (half_width(sums[o], d, output.look) > limit_d && sums[o].path[d].variance() > 0.0)
         output.satisfied = false;
       const double planned_t = stopping_.student(std::max(output.look + 1, 2),
                                                  std::max(sums[o].path[d].degrees_of_freedom(), 20.0));
@@ -376,7 +424,7 @@ bool TileWork::plan_round(const LeafIntegrator& integrator) {
     const double room = options_.max_samples_per_pixel - spent;
     const std::size_t strata = pixel.cluttered ? 1 : model.labels.size();
     for (std::size_t s = 0; s < strata; ++s) {
-      if (!pixel.cluttered) radiance_->moments(pixel, s, problem_.drivers, moments);
+      if (!pixel.cluttered) radiance_->moments(pixel, s, steering_, moments);
       double wanted = 0.0;
       for (std::size_t o = 0; o < model.outputs.size(); ++o) {
         const Output& output = outputs_[model.outputs[o]];
@@ -402,8 +450,17 @@ bool TileWork::plan_round(const LeafIntegrator& integrator) {
         if (net == pixel.net_size) continue;
         radiance_->plan_nets(p, net);
       } else {
-        const double have = static_cast<double>(pixel.strata[s].samples.size());
+        const Radiance::Stratum& stratum = pixel.strata[s];
+        const double have = static_cast<double>(stratum.count());
         if (wanted <= std::max(1.0, have)) continue;
+        if (integrator.unit_box() && (stratum.nets.size > 0 || (have > 0.0 && wanted > kManyValues))) {
+          const std::uint32_t size = net_size(stratum, wanted, room);
+          if (size == stratum.nets.size) continue;
+          radiance_->plan_stratum_nets(p, s, size);
+          any = true;
+          for (int o : model.outputs) looked[o] = 1;
+          continue;
+        }
         double more = kMargin * wanted - have;
         if (have == 0.0) more = std::min(std::max(more, kFewest), std::max(kFewest, kPilot * model.area[s]));
         radiance_->plan(p, s, std::min(std::max(more, kFewest), room));
@@ -420,12 +477,7 @@ bool TileWork::plan_round(const LeafIntegrator& integrator) {
 void TileWork::finish(const LeafIntegrator& integrator, const std::vector<int>& outputs) {
   const std::size_t n = static_cast<std::size_t>(columns_);
   std::vector<Sums> sums(outputs_.size());
-  for (int o : outputs) {
-    sums[o].mean.assign(n, 0.0);
-    sums[o].geometry.assign(n, 0.0);
-    sums[o].path.assign(n, {});
-    sums[o].deviation.assign(n, 0.0);
-  }
+  for (int o : outputs) sums[o].clear(n);
   gather(integrator, all_columns_, sums);
   std::vector<double> limit(n);
   for (int o : outputs) {
@@ -434,10 +486,7 @@ void TileWork::finish(const LeafIntegrator& integrator, const std::vector<int>& 
     double worst = 0.0;
     for (std::size_t c = 0; c < n; ++c) {
       const std::size_t i = static_cast<std::size_t>(o) * n + c;
-      const double path = sum.path[c].variance();
-      const double t =
-          path > 0.0 ? stopping_.student(outputs_[o].look, sum.path[c].degrees_of_freedom()) : 0.0;
-      const double half = std::sqrt(stopping_.normal() * stopping_.normal() * sum.geometry[c] + t * t * path);
+      const double path = sum.path[c].variance(), half = half_width(sum, c, outputs_[o].look);
       result_.mean[i] = static_cast<float>(sum.mean[c]);
       result_.variance_geometry[i] = static_cast<float>(sum.geometry[c]);
       result_.variance_path[i] = static_cast<float>(path);

@@ -33,6 +33,7 @@ class TileWork {
     std::vector<Satterthwaite> path;
     std::vector<double>
         deviation;  ///< sum of weight * standard deviation of one value, for Neyman's allocation
+    void clear(std::size_t columns);
   };
   struct Output {
     int look = 0;
@@ -45,6 +46,9 @@ class TileWork {
   void tighten_borders();
   void gather(const LeafIntegrator& integrator, std::span<const int> columns, std::vector<Sums>& sums) const;
   bool plan_round(const LeafIntegrator& integrator);
+  bool steer_by_more(const LeafIntegrator& integrator, const std::vector<int>& outputs);
+  static std::uint32_t net_size(const Radiance::Stratum& stratum, double wanted, double room);
+  double half_width(const Sums& sum, std::size_t column, int look) const;
   void finish(const LeafIntegrator& integrator, const std::vector<int>& outputs);
   int nearest_output(int source) const;
   int source_of(int output) const;
@@ -64,6 +68,7 @@ class TileWork {
   std::unique_ptr<LabelSpread> spread_;
   std::unique_ptr<Radiance> radiance_;
   std::vector<int> all_columns_;
+  std::vector<int> steering_;  // columns whose intervals decide how many values are drawn
   std::vector<Output> outputs_;
   std::vector<std::uint32_t> net_sizes_;  // per source pixel, 0 where it was traced
   AccuracyFaults faults_;
