@@ -28,6 +28,17 @@ struct Cell {
   CellKind kind = CellKind::fresh;
 };
 
+/// Whether no third label is among the corners.
+inline bool has_two_labels(const Cell& cell) {
+  std::uint32_t other = cell.corner[0];
+  for (std::uint32_t l : cell.corner) {
+    if (l == cell.corner[0]) continue;
+    if (other != cell.corner[0] && other != l) return false;
+    other = l;
+  }
+  return true;
+}
+
 /// The border between two labels in a cell: it runs from bracket[0] on side side[0] to bracket[1] on side
 /// side[1], side[0] < side[1]. Corners side[0] + 1 ... side[1] carry label `inner`, the others `outer`.
 struct Curve {

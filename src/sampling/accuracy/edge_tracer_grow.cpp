@@ -9,6 +9,8 @@ namespace {
 
 /// Share of the allowed standard error that one unresolved cell may claim at first.
 constexpr double kLooseCell = 0.3;
+/// The same in narrow features, whose cells err alike.
+constexpr double kLooseNarrowCell = 0.02;
 /// Brackets are refined to this share of the distance to the vertex inside a narrow feature.
 constexpr double kThinShare = 0.5;
 /// First width of a bracket, in units of what the tolerance allows to a crossing of one side of its cell.
@@ -276,10 +278,12 @@ void EdgeTracer::settle_complex(std::uint32_t index) {
   Cell& cell = cells_[index];
   const double side_px = lattice_.side_px(cell.level);
   const double error = kUniformSpread * side_px * side_px * contrast_.among(cell.pixel, cell.corner);
-  const bool must_follow = side_px > options_.thinnest_px && error > 0.0 && narrow_corner(cell);
+  const double allowed = std::sqrt(allowed_variance_[cell.pixel]);
+  const bool must_follow = side_px > options_.thinnest_px && error > kLooseNarrowCell * allowed &&
+                           has_two_labels(cell) && narrow_corner(cell);
   cell.kind = CellKind::complex;
   if (cell.level < kMaxLevel && !abandoned_[cell.pixel] &&
-      (must_follow || error > kLooseCell * std::sqrt(allowed_variance_[cell.pixel])))
+      (must_follow || error > kLooseCell * allowed))
     split(index);
 }
 

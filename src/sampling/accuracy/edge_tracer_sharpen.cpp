@@ -29,16 +29,6 @@ struct LooseTerm {
   bool coherent;
 };
 
-bool two_labels(const Cell& cell) {
-  std::uint32_t other = cell.corner[0];
-  for (std::uint32_t l : cell.corner)
-    if (l != cell.corner[0]) {
-      if (other != cell.corner[0] && other != l) return false;
-      other = l;
-    }
-  return true;
-}
-
 template <class Term>
 std::size_t end_of_pixel(const std::vector<Term>& terms, std::size_t first) {
   std::size_t last = first;
@@ -75,7 +65,7 @@ void EdgeTracer::sharpen() {
     if (cell.kind == CellKind::complex) {
       const double side = lattice_.side_px(cell.level);
       const double error = side * side * contrast_.among(cell.pixel, cell.corner);
-      loose.push_back({cell.pixel, index, error * error / 12.0, two_labels(cell)});
+      loose.push_back({cell.pixel, index, error * error / 12.0, has_two_labels(cell)});
       continue;
     }
     const Curve& curve = curves_[cell.chord];

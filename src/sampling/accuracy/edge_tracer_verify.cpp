@@ -12,7 +12,7 @@ constexpr int kCornerX[4] = {0, 1, 1, 0}, kCornerY[4] = {0, 0, 1, 1};
 /// Area between curve and chord that a refused curve may hide, as a share of chord^2.
 constexpr double kRefusedShare = 0.12;
 /// Share of the allowed standard error below which a curve that fails verification is not worth more rays.
-constexpr double kLooseCurve = 0.2;
+constexpr double kLooseCurve = 0.05;
 /// The same in narrow features, where a refused curve may be the near end of a long one.
 constexpr double kLooseNarrowCurve = 0.02;
 /// Width of the error of a middle that was predicted but not verified, as a share of the chord. Where the tolerance
@@ -154,7 +154,7 @@ void EdgeTracer::predict(Check& check) {
   }
   const double unverified_width = kUnverifiedWidth * check.chord;
   const double bend = std::max(std::abs(curvature[0]), std::abs(curvature[1])) * check.chord / 8.0;
-  if (unverified_width <= curve.wanted_middle && neighbours == 2 && bend < kGentleBend) {
+  if (unverified_width <= curve.wanted_middle && neighbours > 0 && bend < kGentleBend && !narrow_corner(cell)) {
     check.predicted = std::clamp(check.predicted, check.least, check.most);
     check.low = check.predicted - 0.5 * unverified_width;
     check.high = check.predicted + 0.5 * unverified_width;

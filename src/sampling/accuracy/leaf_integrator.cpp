@@ -86,8 +86,7 @@ std::size_t loose_pair(PixelModel& model, std::uint32_t a, std::uint32_t b) {
 
 std::size_t loose_cell(PixelModel& model, const Cell& cell) {
   const auto [low, high] = std::minmax_element(cell.corner, cell.corner + 4);
-  if (std::all_of(cell.corner, cell.corner + 4, [&](std::uint32_t l) { return l == *low || l == *high; }))
-    return loose_pair(model, *low, *high);
+  if (has_two_labels(cell)) return loose_pair(model, *low, *high);
   for (std::size_t i = 0; i < model.loose.size(); ++i) {
     const PixelModel::Loose& entry = model.loose[i];
     if (!entry.two_labels && entry.x == cell.x && entry.y == cell.y) return i;

@@ -31,7 +31,7 @@ void Prober::follow_seeds(std::span<const FocalPoint> seeds) {
   tracer_.suspects() = suspects;
 }
 
-void Prober::probe_until_clean() {
+void Prober::probe_until_clean(const std::vector<std::uint8_t>& worth) {
   const Lattice& lattice = tracer_.lattice();
   const PixelRect& domain = lattice.domain();
   const int width = domain.width(), height = domain.height(), side = options_.probes_per_side;
@@ -48,8 +48,9 @@ void Prober::probe_until_clean() {
         for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1) && !flagged; ++j)
           for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i)
             flagged |= cause[j * width + i] != 0;
-        if (!flagged || tracer_.abandoned(static_cast<std::uint32_t>(y * width + x))) continue;
-        probed.push_back(y * width + x);
+        const int pixel = y * width + x;
+        if (!flagged || !worth[pixel] || tracer_.abandoned(static_cast<std::uint32_t>(pixel))) continue;
+        probed.push_back(pixel);
         for (int j = 0; j < side; ++j)
           for (int i = 0; i < side; ++i) {
             const std::uint64_t key =

@@ -19,7 +19,8 @@ class Prober {
   }
 
   void follow_seeds(std::span<const FocalPoint> seeds);
-  void probe_until_clean();
+  /// `worth`: the pixels of the domain where a find would matter.
+  void probe_until_clean(const std::vector<std::uint8_t>& worth);
 
   /// Rounds of probes_per_side^2 points in which nothing contradicted the model of the pixel.
   int clean_rounds(int pixel) const { return clean_rounds_[pixel]; }

@@ -12,6 +12,9 @@ namespace {
 
 /// Share of the allowed variance that borders may take where paths vary as well.
 constexpr double kGeometryShareWithPaths = 0.35;
+/// Source pixels that weigh less than this in every output are traced as if they weighed so much, and those below
+/// twice of it are not probed.
+constexpr double kLeastImportance = 0.2;
 /// A pilot round draws about this many values per pixel, and at least a few per stratum.
 constexpr double kPilot = 16.0, kFewest = 4.0;
 /// Planned rounds aim a little beyond the limit, because variances are estimates.
@@ -78,6 +81,15 @@ int TileWork::source_of(int output) const {
   return (t.y0 + output / t.width() - d.y0) * d.width() + t.x0 + output % t.width() - d.x0;
 }
 
+/// Weight of a source pixel in the output where it weighs most, relative to that of the output's own pixel.
+double TileWork::relative_weight(int source) const {
+  const PixelRect &d = lattice_.domain(), &t = problem_.tile;
+  const int x = d.x0 + source % d.width(), y = d.y0 + source / d.width();
+  const double dx = x - std::clamp(x, t.x0, t.x1 - 1), dy = y - std::clamp(y, t.y0, t.y1 - 1);
+  return problem_.footprint->integral(dx - 0.5, dy - 0.5, dx + 0.5, dy + 0.5) /
+         problem_.footprint->integral(-0.5, -0.5, 0.5, 0.5);
+}
+
 void TileWork::trace_lattice() {
   std::vector<PathRequest> requests;
   for (int j = 0; j <= lattice_.rows(); ++j)
@@ -100,8 +112,10 @@ void TileWork::trace_lattice() {
           spread_->local(static_cast<std::uint32_t>(l), problem_.drivers[d]);
   set_limits();
   const double energy = footprint_energy(*problem_.footprint);
-  for (int p = 0; p < lattice_.domain().count(); ++p)
-    tracer_.allowed_variance()[p] = geometry_share(p) / energy;
+  for (int p = 0; p < lattice_.domain().count(); ++p) {
+    const double importance = std::max(relative_weight(p), kLeastImportance);
+    tracer_.allowed_variance()[p] = geometry_share(p) / (energy * importance * importance);
+  }
   tracer_.plant(lattice_values_.labels);
 }
 
@@ -187,7 +201,9 @@ void TileWork::switch_clutter() {
 void TileWork::trace_borders() {
   tracer_.settle();
   if (options_.seeds) prober_.follow_seeds(problem_.seeds);
-  prober_.probe_until_clean();
+  std::vector<std::uint8_t> worth(static_cast<std::size_t>(lattice_.domain().count()));
+  for (std::size_t p = 0; p < worth.size(); ++p) worth[p] = relative_weight(static_cast<int>(p)) > 2.0 * kLeastImportance;
+  prober_.probe_until_clean(worth);
   tighten_borders();
 }
 

@@ -43,6 +43,7 @@ class TileWork {
 
   void set_limits();
   double geometry_share(int source) const;
+  double relative_weight(int source) const;
   void tighten_borders();
   void gather(const LeafIntegrator& integrator, std::span<const int> columns, std::vector<Sums>& sums) const;
   bool plan_round(const LeafIntegrator& integrator);
