@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "geometry/embree_world.h"
+#include "geometry/oriented_extent.h"
 
 namespace ifov::geometry {
 namespace {
@@ -76,6 +77,11 @@ void EmbreeWorld::place_objects(const WorldContent& content) {
   const std::size_t count = content.placements.size();
   objects_.reserve(count);
   materials_of_.reserve(count);
+  std::vector<HalfSides> sides_of;
+  for (const Template& t : content.templates)
+    sides_of.push_back(oriented_extent(
+        t.body.analytic.empty() ? std::span<const Point3>(t.body.mesh.vertices_m) : std::span<const Point3>(),
+        t.body.bounds));
   bool any = false;
   for (const Placement& place : content.placements) {
     const Template& t = content.templates[place.of];
@@ -90,6 +96,11 @@ void EmbreeWorld::place_objects(const WorldContent& content) {
       object.radius_m = t.body.radius_m * largest_stretch(map);
       object.seed_m = map(t.body.seed_m);
       object.compact = place.seed;
+      HalfSides sides = sides_of[place.of];
+      for (Vec3& side : sides) side = map(side);
+      std::sort(sides.begin(), sides.end(), [](Vec3 a, Vec3 b) { return dot(a, a) > dot(b, b); });
+      object.half_length_m = sides[0];
+      object.width_m = 2.0 * length(sides[1]);
       const Bounds b = placed_bounds(t.body, map, better_copied(t));
       if (!any) bounds_ = b;
       any = true;
