@@ -73,7 +73,6 @@ class PlantedFaults(unittest.TestCase):
             ("cairo/cairo.h", "io"),
             ("cairo.h", "io"),
             ("json/json.h", "io"),
-            ("tiny_obj_loader.h", "io"),
             ("CLI/CLI.hpp", "cli"),
             ("erfa.h", "geodesy"),
             ("tbb/parallel_for.h", "core, geometry"),
