@@ -46,11 +46,11 @@ struct Curve {
   std::uint32_t bracket[2] = {};
   std::uint32_t inner = 0, outer = 0;
   std::uint8_t side[2] = {};
-  bool corner = false;     ///< two straight legs that meet at the middle, instead of an arc
+  bool corner = false;           ///< two straight legs that meet at the middle, instead of an arc
   Point2 origin, normal;         ///< the line on which the middle was looked for
   double low = 0.0, high = 0.0;  ///< the curve meets that line between origin + low n and origin + high n
   double middle_width = 0.0;     ///< width of the error claimed for it, px
-  double leg_width = 0.0;     ///< of a corner: width of the band in which its legs were confirmed, px
+  double leg_width = 0.0;        ///< of a corner: width of the band in which its legs were confirmed, px
   double loose_area = 0.0;       ///< standard deviation of the area that the model cannot follow, px^2
   double wanted_middle = 0.0;    ///< half-distance of the two verifying rays, set by the tolerance
 };

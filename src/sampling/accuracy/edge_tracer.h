@@ -62,7 +62,8 @@ class EdgeTracer {
   /// The region of `inner` in a cell with a curve, as a polygon in image coordinates.
   Polygon inner_region(const Cell& cell) const;
 
-  /// Variance of the area of `inner` in px^4, from crossings, middle and legs; Curve::loose_area comes on top.
+  /// Variance of the area of `inner` in px^4, from crossings, middle and legs; Curve::loose_area comes on
+  /// top.
   double area_variance(const Cell& cell) const;
 
  private:

@@ -282,13 +282,12 @@ void EdgeTracer::settle_complex(std::uint32_t index) {
   const bool must_follow = side_px > options_.thinnest_px && error > kLooseNarrowCell * allowed &&
                            has_two_labels(cell) && narrow_corner(cell);
   cell.kind = CellKind::complex;
-  if (cell.level < kMaxLevel && !abandoned_[cell.pixel] &&
-      (must_follow || error > kLooseCell * allowed))
+  if (cell.level < kMaxLevel && !abandoned_[cell.pixel] && (must_follow || error > kLooseCell * allowed))
     split(index);
 }
 
-/// Whether some corner of the cell lies in a feature no wider than two cells: the next vertices of the same spacing,
-/// on both sides along a lattice line, are known and unlike it.
+/// Whether some corner of the cell lies in a feature no wider than two cells: the next vertices of the same
+/// spacing, on both sides along a lattice line, are known and unlike it.
 bool EdgeTracer::narrow_corner(const Cell& cell) const {
   const std::int32_t side = Lattice::side(cell.level);
   for (int i = 0; i < 4; ++i) {
@@ -300,7 +299,8 @@ bool EdgeTracer::narrow_corner(const Cell& cell) const {
       if (!root && vertex_index_.find(Lattice::vertex_key(nx, ny)) == FlatMap::kAbsent) return false;
       return known_vertex(nx, ny) != cell.corner[i];
     };
-    if ((unlike(x - side, y) && unlike(x + side, y)) || (unlike(x, y - side) && unlike(x, y + side))) return true;
+    if ((unlike(x - side, y) && unlike(x + side, y)) || (unlike(x, y - side) && unlike(x, y + side)))
+      return true;
   }
   return false;
 }
@@ -324,7 +324,8 @@ std::uint32_t EdgeTracer::bracket_on(const Cell& cell, int side_index) {
   b.last = vertical ? known_vertex(x, y + side) : known_vertex(x + side, y);
   const std::uint64_t key = hash(seed_, lattice_.image_x(x), lattice_.image_y(y), vertical, cell.level);
   const double contrast = contrast_(cell.pixel, b.first, b.last);
-  const double tolerable = kFirstWidth * std::sqrt(allowed_variance_[cell.pixel]) / (contrast * b.length_px + 1e-300);
+  const double tolerable =
+      kFirstWidth * std::sqrt(allowed_variance_[cell.pixel]) / (contrast * b.length_px + 1e-300);
   b.lay_grid(std::max(options_.initial_bracket_px, std::min(tolerable, b.length_px / 4.0)), key,
              !faults_.undithered_brackets);
 
@@ -347,10 +348,12 @@ std::uint32_t EdgeTracer::bracket_on(const Cell& cell, int side_index) {
 }
 
 void EdgeTracer::locate(std::vector<std::uint32_t>& active) {
-  // A crossing near a vertex means a narrow feature only if the line is crossed again on the vertex's other side.
+  // A crossing near a vertex means a narrow feature only if the line is crossed again on the vertex's other
+  // side.
   const auto thin = [&](const Bracket& b) {
     if (!b.wants_thin_refinement(options_.thinnest_px / 8.0, kThinShare)) return false;
-    const std::int32_t step = b.centre() < 0.5 * b.length_px ? -Lattice::side(b.level) : Lattice::side(b.level);
+    const std::int32_t step =
+        b.centre() < 0.5 * b.length_px ? -Lattice::side(b.level) : Lattice::side(b.level);
     const std::int32_t x = b.vertical ? b.x : b.x + step, y = b.vertical ? b.y + step : b.y;
     return x >= 0 && y >= 0 &&
            bracket_index_.find(Lattice::edge_key(x, y, b.vertical, b.level)) != FlatMap::kAbsent;
@@ -359,9 +362,7 @@ void EdgeTracer::locate(std::vector<std::uint32_t>& active) {
   for (;;) {
     std::size_t kept = 0;
     for (std::uint32_t b : active)
-      if (!brackets_[b].third_label &&
-          (brackets_[b].on_grid() || thin(brackets_[b])))
-        active[kept++] = b;
+      if (!brackets_[b].third_label && (brackets_[b].on_grid() || thin(brackets_[b]))) active[kept++] = b;
     active.resize(kept);
     if (active.empty()) return;
     for (std::uint32_t b : active) points_.push_back(brackets_[b].at(lattice_, brackets_[b].next()));

@@ -65,9 +65,10 @@ Polygon EdgeTracer::inner_region(const Cell& cell) const {
   return region;
 }
 
-/// Whether a contradiction is one that the intervals already allow for: beside a border, no farther than it is
-/// uncertain, or in a cell too small to matter.
-bool EdgeTracer::within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model, std::uint32_t seen) const {
+/// Whether a contradiction is one that the intervals already allow for: beside a border, no farther than it
+/// is uncertain, or in a cell too small to matter.
+bool EdgeTracer::within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model,
+                                  std::uint32_t seen) const {
   const double side = lattice_.side_px(cell.level);
   const double error = side * side * contrast_(cell.pixel, model, seen) / std::sqrt(12.0);
   if (error < kNegligible * std::sqrt(allowed_variance_[cell.pixel])) return true;
@@ -77,7 +78,7 @@ bool EdgeTracer::within_tolerance(const Cell& cell, FocalPoint point, std::uint3
   const double width = std::max({brackets_[curve.bracket[0]].width(), brackets_[curve.bracket[1]].width(),
                                  2.0 * curve.middle_width, curve.leg_width});
   const Polygon region = inner_region(cell);
-  const int first = curve.side[1] - curve.side[0] + 1;   // from the end of the curve back to its start
+  const int first = curve.side[1] - curve.side[0] + 1;  // from the end of the curve back to its start
   for (int i = first; i < region.count; ++i) {
     const Point2 p = region.vertex[i], d = region.vertex[(i + 1) % region.count] - p;
     const Point2 to{point.x_px - p.x, point.y_px - p.y};
@@ -101,7 +102,8 @@ double EdgeTracer::area_variance(const Cell& cell) const {
     variance += 0.5 * swept * swept * b.width() * b.width() / 12.0;
   }
   // The area under an arc is 2/3 chord * height, under a corner 1/2.
-  const double lens = (curve.corner ? 0.5 * std::abs(cross(d, curve.normal)) : 2.0 / 3.0 * length(d)) * curve.middle_width;
+  const double lens =
+      (curve.corner ? 0.5 * std::abs(cross(d, curve.normal)) : 2.0 / 3.0 * length(d)) * curve.middle_width;
   // A leg that bends by its band's width in the middle moves half of leg * width.
   const double leg = 0.25 * length(d) * curve.leg_width;
   return variance + lens * lens / 12.0 + 2.0 * leg * leg / 12.0;

@@ -94,13 +94,15 @@ void EdgeTracer::sharpen() {
   // Errors of two-label cells add up (a strip too thin for them errs the same way all along).
   std::vector<double> left_loose(allowed_variance_.size(), 0.0), coherent(allowed_variance_.size(), 0.0);
   for (const LooseTerm& term : loose)
-    (term.coherent ? coherent : left_loose)[term.pixel] += term.coherent ? std::sqrt(term.variance) : term.variance;
+    (term.coherent ? coherent : left_loose)[term.pixel] +=
+        term.coherent ? std::sqrt(term.variance) : term.variance;
   for (std::size_t p = 0; p < left_loose.size(); ++p) left_loose[p] += coherent[p] * coherent[p];
   for (const LooseTerm& term : loose) {
     if (left_loose[term.pixel] <= kLooseShare * allowed_variance_[term.pixel]) continue;
     if (cells_[term.cell].level == kMaxLevel) continue;
     const double deviation = std::sqrt(term.variance);
-    left_loose[term.pixel] -= term.coherent ? deviation * (2.0 * coherent[term.pixel] - deviation) : term.variance;
+    left_loose[term.pixel] -=
+        term.coherent ? deviation * (2.0 * coherent[term.pixel] - deviation) : term.variance;
     if (term.coherent) coherent[term.pixel] -= deviation;
     split(term.cell);
   }

@@ -15,8 +15,8 @@ constexpr double kRefusedShare = 0.12;
 constexpr double kLooseCurve = 0.05;
 /// The same in narrow features, where a refused curve may be the near end of a long one.
 constexpr double kLooseNarrowCurve = 0.02;
-/// Width of the error of a middle that was predicted but not verified, as a share of the chord. Where the tolerance
-/// can bear it, no ray is spent.
+/// Width of the error of a middle that was predicted but not verified, as a share of the chord. Where the
+/// tolerance can bear it, no ray is spent.
 constexpr double kUnverifiedWidth = 0.25;
 /// Only borders that go on gently on both sides may stay unverified: sagitta over chord, by either neighbour.
 constexpr double kGentleBend = 0.1;
@@ -25,8 +25,8 @@ constexpr double kBulge = 0.02;
 /// A corner is looked for between these multiples of the predicted distance from the chord.
 constexpr double kCornerNear = 0.4, kCornerFar = 1.5;
 
-/// Curvature of a border from that found towards its two ends: their mean where they tell of one smooth curve, the
-/// smaller one where a corner on one side makes them differ, none where they bend opposite ways.
+/// Curvature of a border from that found towards its two ends: their mean where they tell of one smooth
+/// curve, the smaller one where a corner on one side makes them differ, none where they bend opposite ways.
 double limited_mean(const double curvature[2], const double weight[2]) {
   if (weight[0] == 0.0) return curvature[1];
   if (weight[1] == 0.0) return curvature[0];
@@ -43,8 +43,8 @@ void add_point(std::vector<FocalPoint>& points, Point2 p) { points.push_back({p.
 
 }  // namespace
 
-/// One tentative curve on its way through verification. Its middle is looked for on a line through the chord's
-/// middle; beyond the curve on that line the label is `far`, before it `near`.
+/// One tentative curve on its way through verification. Its middle is looked for on a line through the
+/// chord's middle; beyond the curve on that line the label is `far`, before it `near`.
 struct EdgeTracer::Check {
   enum class Stage { middle, far_side, bisect, legs, done };
   std::uint32_t cell = 0;
@@ -146,15 +146,16 @@ void EdgeTracer::predict(Check& check) {
     if (std::abs(turn) > 1e-3 * length(u) * length(v)) {
       const double s = cross(d, v) / turn, t = cross(d, u) / turn;
       check.apex = a + s * u;
-      const bool inside = check.apex.x >= x0 && check.apex.x <= x0 + side && check.apex.y >= y0 &&
-                          check.apex.y <= y0 + side;
+      const bool inside =
+          check.apex.x >= x0 && check.apex.x <= x0 + side && check.apex.y >= y0 && check.apex.y <= y0 + side;
       check.has_apex = s > 0.0 && t > 0.0 && inside &&
                        std::abs(dot(check.apex - check.centre, check.normal)) > 2.0 * check.tolerance;
     }
   }
   const double unverified_width = kUnverifiedWidth * check.chord;
   const double bend = std::max(std::abs(curvature[0]), std::abs(curvature[1])) * check.chord / 8.0;
-  if (unverified_width <= curve.wanted_middle && neighbours > 0 && bend < kGentleBend && !narrow_corner(cell)) {
+  if (unverified_width <= curve.wanted_middle && neighbours > 0 && bend < kGentleBend &&
+      !narrow_corner(cell)) {
     check.predicted = std::clamp(check.predicted, check.least, check.most);
     check.low = check.predicted - 0.5 * unverified_width;
     check.high = check.predicted + 0.5 * unverified_width;
@@ -230,7 +231,8 @@ void EdgeTracer::weigh_answers(Check& check, const std::uint32_t* seen) {
         check.confirmed = true;
         check.stage = Check::Stage::legs;
         if (!check.corner && (check.smooth || check.chord <= 6.0 * check.tolerance)) accept(check);
-      } else if (beyond == before || (!beyond && seen[0] != check.near) || (!before && seen[1] != check.far)) {
+      } else if (beyond == before || (!beyond && seen[0] != check.near) ||
+                 (!before && seen[1] != check.far)) {
         refuse(check);
       } else {
         check.beyond_wrong = !beyond;
@@ -271,8 +273,8 @@ void EdgeTracer::weigh_answers(Check& check, const std::uint32_t* seen) {
   }
 }
 
-/// The curve is not where it was looked for: a corner instead of an arc, then smaller cells, unless what may be
-/// hidden matters little.
+/// The curve is not where it was looked for: a corner instead of an arc, then smaller cells, unless what may
+/// be hidden matters little.
 void EdgeTracer::refuse(Check& check) {
   if (check.has_apex) {
     check.try_corner();
@@ -284,8 +286,8 @@ void EdgeTracer::refuse(Check& check) {
   const double hidden = kRefusedShare * check.chord * check.chord;
   const bool narrow = narrow_corner(cell);
   const double share = narrow ? kLooseNarrowCurve : kLooseCurve;
-  if (cell.level < kMaxLevel &&
-      hidden * contrast_(cell.pixel, curve.inner, curve.outer) > share * std::sqrt(allowed_variance_[cell.pixel])) {
+  if (cell.level < kMaxLevel && hidden * contrast_(cell.pixel, curve.inner, curve.outer) >
+                                    share * std::sqrt(allowed_variance_[cell.pixel])) {
     check.stage = Check::Stage::done;
     split(check.cell);
     return;
@@ -322,8 +324,7 @@ void EdgeTracer::accept(Check& check) {
   if (outside == 0.0) return;
   const double loss = 0.5 * outside * check.chord;
   const double contrast = contrast_(cell.pixel, curve.inner, curve.outer);
-  if (cell.level < kMaxLevel &&
-      loss * contrast > kBulge * std::sqrt(allowed_variance_[cell.pixel]))
+  if (cell.level < kMaxLevel && loss * contrast > kBulge * std::sqrt(allowed_variance_[cell.pixel]))
     split(check.cell);
   else
     curve.loose_area = std::max(curve.loose_area, loss);

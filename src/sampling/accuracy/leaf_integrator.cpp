@@ -72,8 +72,8 @@ double LeafIntegrator::over_polygon(const Polygon& polygon, Point2 c) const {
 
 namespace {
 
-/// What no model follows between the same two labels (a strip too thin for the cells, say) is the same all along, so
-/// that such errors add up: one entry. Where three labels meet, each cell errs for itself.
+/// What no model follows between the same two labels (a strip too thin for the cells, say) is the same all
+/// along, so that such errors add up: one entry. Where three labels meet, each cell errs for itself.
 std::size_t loose_pair(PixelModel& model, std::uint32_t a, std::uint32_t b) {
   if (a > b) std::swap(a, b);
   for (std::size_t i = 0; i < model.loose.size(); ++i) {

@@ -18,7 +18,7 @@ struct PixelModel {
   struct Loose {
     std::uint32_t corner[4];
     bool two_labels;
-    std::int32_t x, y;   // of the cell, where it stands alone
+    std::int32_t x, y;  // of the cell, where it stands alone
   };
   std::vector<int> outputs;           ///< row-major indices in the tile
   std::vector<std::uint32_t> labels;  ///< one region per label
@@ -26,8 +26,8 @@ struct PixelModel {
   std::vector<double> weight;         ///< [output][region]: integral of the footprint over the region
   std::vector<Border> borders;        ///< pairs of labels that share traced borders
   std::vector<double>
-      border_variance;               ///< [output][pair]: variance of the weight that lies on the wrong side
-  std::vector<Loose> loose;          ///< cells counted by their corners, those of the same two labels together
+      border_variance;       ///< [output][pair]: variance of the weight that lies on the wrong side
+  std::vector<Loose> loose;  ///< cells counted by their corners, those of the same two labels together
   std::vector<double> loose_weight;  ///< [output][cell]
 
   std::uint32_t region_of(std::uint32_t label) const;

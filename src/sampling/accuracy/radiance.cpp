@@ -39,9 +39,9 @@ void Radiance::add_pixel(int source, const LeafIntegrator& integrator) {
   pixel.cluttered = tracer_.abandoned(static_cast<std::uint32_t>(source));
   integrator.pixel(source, pixel.model);
   if (pixel.cluttered) {
-    pixel.strata.assign(kReplicates, Stratum{EdgeTracer::kNoLabel, 0, {}, {}, {}, {}});
+    pixel.strata.assign(kReplicates, Stratum{EdgeTracer::kNoLabel, 0, {}, {}, {}, {}, {}});
   } else {
-    for (std::uint32_t label : pixel.model.labels) pixel.strata.push_back({label, 0, {}, {}, {}, {}});
+    for (std::uint32_t label : pixel.model.labels) pixel.strata.push_back({label, 0, {}, {}, {}, {}, {}});
   }
   pixels_.push_back(std::move(pixel));
 }
@@ -49,6 +49,7 @@ void Radiance::add_pixel(int source, const LeafIntegrator& integrator) {
 void Radiance::plan(std::size_t p, std::size_t s, double count) {
   Pixel& pixel = pixels_[p];
   Stratum& stratum = pixel.strata[s];
+  stratum.round_starts.push_back(static_cast<std::uint32_t>(stratum.block_starts.size()));
   const PixelRect& domain = tracer_.lattice().domain();
   const int px = domain.x0 + pixel.source % domain.width(), py = domain.y0 + pixel.source / domain.width();
   const double area = std::max(pixel.model.area[s], 1e-9);
@@ -93,6 +94,7 @@ void Radiance::plan_stratum_nets(std::size_t p, std::size_t s, std::uint32_t cou
     stratum.samples.clear();
     stratum.block_starts.clear();
     stratum.full_block.clear();
+    stratum.round_starts.clear();
     nets.drawn.assign(kStratumReplicates, 0);
     nets.paths.assign(kStratumReplicates, 0);
     nets.accepted.assign(kStratumReplicates, 0);
@@ -199,6 +201,60 @@ void Radiance::trace() {
   requests_.clear();
 }
 
+Radiance::Block Radiance::block_at(const Stratum& stratum, std::size_t b) const {
+  const std::size_t begin = stratum.block_starts[b];
+  const std::size_t end =
+      b + 1 < stratum.block_starts.size() ? stratum.block_starts[b + 1] : stratum.samples.size();
+  Block block;
+  block.count = std::min<std::size_t>(end - begin, 4);
+  block.full = stratum.full_block[b] != 0;
+  for (std::size_t i = 0; i < block.count; ++i)
+    block.value[i] = &values_[stratum.samples[begin + i] * stride_];
+  return block;
+}
+
+/// One degree of freedom about the variance of a value: of four quarters what a plane does not explain, of
+/// fewer values half the square of a difference.
+double Radiance::block_square(const Block& block, int k) {
+  const float* const* v = block.value;
+  if (!block.full) {
+    const double difference = static_cast<double>(v[0][k]) - v[1][k];
+    return 0.5 * difference * difference;
+  }
+  const double twist = (static_cast<double>(v[0][k]) - v[1][k]) - (static_cast<double>(v[2][k]) - v[3][k]);
+  return 0.25 * twist * twist;
+}
+
+double Radiance::with_trend(const Pixel& pixel, std::size_t s, std::span<const int> drivers,
+                            double count) const {
+  const Stratum& stratum = pixel.strata[s];
+  const std::size_t rounds = stratum.round_starts.size();
+  const std::size_t first[3] = {stratum.round_starts[rounds - 2], stratum.round_starts[rounds - 1],
+                                stratum.block_starts.size()};
+  if (first[0] == first[1] || first[1] == first[2]) return count;
+  const double growth = static_cast<double>(first[2] - first[1]) / static_cast<double>(first[1] - first[0]);
+  double slowest = 1.0;
+  for (int column : drivers) {
+    double variance[2] = {0.0, 0.0};
+    for (int r = 0; r < 2; ++r) {
+      double blocks = 0.0;
+      for (std::size_t b = first[r]; b < first[r + 1]; ++b) {
+        const Block block = block_at(stratum, b);
+        if (block.count < 2) continue;
+        variance[r] += block_square(block, column);
+        blocks += 1.0;
+      }
+      variance[r] /= std::max(1.0, blocks);
+    }
+    if (variance[1] == 0.0) continue;
+    const double fall =
+        growth > 1.5 && variance[0] > 0.0 ? std::log(variance[0] / variance[1]) / std::log(growth) : 0.0;
+    slowest = std::min(slowest, std::clamp(fall, 0.0, 1.0));
+  }
+  const double have = static_cast<double>(stratum.samples.size());
+  return count <= have ? count : have * std::pow(count / have, 1.0 / (1.0 + slowest));
+}
+
 void Radiance::moments(const Pixel& pixel, std::size_t s, std::span<const int> columns,
                        StratumMoments& out) const {
   const Stratum& stratum = pixel.strata[s];
@@ -218,25 +274,9 @@ void Radiance::moments(const Pixel& pixel, std::size_t s, std::span<const int> c
       for (std::size_t c = 0; c < n; ++c) out.mean[c] += share * values_[i * stride_ + columns[c]];
     double blocks = 0.0;
     for (std::size_t b = 0; b < stratum.block_starts.size(); ++b) {
-      const std::size_t begin = stratum.block_starts[b];
-      const std::size_t end =
-          b + 1 < stratum.block_starts.size() ? stratum.block_starts[b + 1] : stratum.samples.size();
-      const std::size_t count = end - begin;
-      if (count < 2) continue;
-      const float* v[4];
-      for (std::size_t i = 0; i < std::min<std::size_t>(count, 4); ++i)
-        v[i] = &values_[stratum.samples[begin + i] * stride_];
-      for (std::size_t c = 0; c < n; ++c) {
-        const int k = columns[c];
-        if (stratum.full_block[b]) {
-          const double twist =
-              (static_cast<double>(v[0][k]) - v[1][k]) - (static_cast<double>(v[2][k]) - v[3][k]);
-          out.variance[c] += 0.25 * twist * twist;
-        } else {
-          const double difference = static_cast<double>(v[0][k]) - v[1][k];
-          out.variance[c] += 0.5 * difference * difference;
-        }
-      }
+      const Block block = block_at(stratum, b);
+      if (block.count < 2) continue;
+      for (std::size_t c = 0; c < n; ++c) out.variance[c] += block_square(block, columns[c]);
       blocks += 1.0;
     }
     for (std::size_t c = 0; c < n; ++c)

@@ -29,9 +29,9 @@ struct StratumMoments {
 /// group of source pixels, in rounds. docs/theory/accuracy_sampler.md, section 6.
 class Radiance {
  public:
-  /// A stratum starts with values at jittered points. Where paths vary so much that many are needed, those are
-  /// replaced by replicated nets: scrambled sequences whose paths are stratified among themselves, so that the
-  /// spread of the replicates' means shows what that gains. Only sums of such values are kept.
+  /// A stratum starts with values at jittered points. Where paths vary so much that many are needed, those
+  /// are replaced by replicated nets: scrambled sequences whose paths are stratified among themselves, so
+  /// that the spread of the replicates' means shows what that gains. Only sums of such values are kept.
   struct Nets {
     std::uint32_t size = 0;               ///< values planned per replicate; 0: none
     std::vector<std::uint32_t> drawn;     ///< points of each replicate's sequence used so far
@@ -45,9 +45,10 @@ class Radiance {
     std::vector<std::uint32_t> samples;  ///< indices of accepted values
     std::vector<std::uint32_t>
         block_starts;  ///< consecutive values that stand in one block of the jittered grid
-    std::vector<std::uint8_t> full_block;  ///< the block holds four values, one per quarter
+    std::vector<std::uint32_t> round_starts;  ///< first block of each round
+    std::vector<std::uint8_t> full_block;     ///< the block holds four values, one per quarter
     Nets nets;
-    std::size_t count() const;             ///< values that the estimate rests on
+    std::size_t count() const;  ///< values that the estimate rests on
   };
   struct Pixel {
     int source = 0;  ///< index in the domain
@@ -86,6 +87,11 @@ class Radiance {
   void moments(const Pixel& pixel, std::size_t stratum, std::span<const int> columns,
                StratumMoments& out) const;
 
+  /// The number of values that reaches what `count` values would reach at the variance of the last round, if
+  /// the variance within blocks goes on falling with their size as it did from the round before.
+  double with_trend(const Pixel& pixel, std::size_t stratum, std::span<const int> drivers,
+                    double count) const;
+
   /// Sum over a stratum's values of squared relative weights: 1 / n where all weigh the same. With them, the
   /// weighted mean replaces the plain one.
   double weigh(const Pixel& pixel, std::size_t stratum, const PixelFootprint& footprint, Point2 centre,
@@ -98,6 +104,14 @@ class Radiance {
   const std::vector<std::uint32_t>& labels() const { return labels_; }
 
  private:
+  struct Block {
+    const float* value[4] = {};
+    std::size_t count = 0;
+    bool full = false;
+  };
+  Block block_at(const Stratum& stratum, std::size_t b) const;
+  static double block_square(const Block& block, int column);
+
   struct Planned {
     std::size_t pixel, stratum;
     std::uint32_t block;

@@ -9,7 +9,7 @@
 namespace ifov::sampling {
 
 /// Quantiles for intervals that are looked at more than once. The chance of error alpha is spent over the
-/// looks (most on the third: the first is the lattice alone, the second a pilot, the third planned), so that
+/// looks (most on the third and fourth: the lattice alone, a pilot, a first and a final plan), so that
 /// whichever look stops, the interval holds; by Bonferroni.
 class Stopping {
  public:
@@ -32,7 +32,7 @@ class Stopping {
   }
 
  private:
-  static constexpr double kShare[kLooks] = {0.05, 0.15, 0.5, 0.15, 0.07, 0.04, 0.02, 0.02};
+  static constexpr double kShare[kLooks] = {0.05, 0.1, 0.3, 0.4, 0.1, 0.03, 0.01, 0.01};
   double confidence_, normal_;
   mutable std::vector<double> cache_;
 };

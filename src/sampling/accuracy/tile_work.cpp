@@ -11,16 +11,18 @@ namespace ifov::sampling {
 namespace {
 
 /// Share of the allowed variance that borders may take where paths vary as well.
-constexpr double kGeometryShareWithPaths = 0.35;
-/// Source pixels that weigh less than this in every output are traced as if they weighed so much, and those below
-/// twice of it are not probed.
+constexpr double kGeometryShareWithPaths = 0.15;
+/// Source pixels that weigh less than this in every output are traced as if they weighed so much, and those
+/// below twice of it are not probed.
 constexpr double kLeastImportance = 0.2;
 /// A pilot round draws about this many values per pixel, and at least a few per stratum.
 constexpr double kPilot = 16.0, kFewest = 4.0;
 /// Planned rounds aim a little beyond the limit, because variances are estimates.
-constexpr double kMargin = 1.1;
+constexpr double kMargin = 1.15;
+/// After a pilot, a stratum grows at most this many times, until two rounds have told how its variance falls.
+constexpr double kFirstGrowth = 12.0;
 /// From here on replicated nets cost less than jittered values.
-constexpr double kManyValues = 64.0;
+constexpr double kManyValues = 1024.0;
 
 PixelRect source_domain(const TileProblem& problem, int halo) {
   const int reach =
@@ -202,7 +204,8 @@ void TileWork::trace_borders() {
   tracer_.settle();
   if (options_.seeds) prober_.follow_seeds(problem_.seeds);
   std::vector<std::uint8_t> worth(static_cast<std::size_t>(lattice_.domain().count()));
-  for (std::size_t p = 0; p < worth.size(); ++p) worth[p] = relative_weight(static_cast<int>(p)) > 2.0 * kLeastImportance;
+  for (std::size_t p = 0; p < worth.size(); ++p)
+    worth[p] = relative_weight(static_cast<int>(p)) > 2.0 * kLeastImportance;
   prober_.probe_until_clean(worth);
   tighten_borders();
 }
@@ -382,11 +385,11 @@ void TileWork::Sums::clear(std::size_t columns) {
 /// values, by which `wanted` is reckoned.
 std::uint32_t TileWork::net_size(const Radiance::Stratum& stratum, double wanted, double room) {
   constexpr double kGain = 16.0;  // more than nets are likely to save
-  const double most = std::max(4.0, (room + static_cast<double>(stratum.count())) / Radiance::kStratumReplicates);
+  const double most =
+      std::max(4.0, (room + static_cast<double>(stratum.count())) / Radiance::kStratumReplicates);
   std::uint32_t size = std::max(4u, stratum.nets.size);
-  const double target = stratum.nets.size == 0
-                            ? wanted / kGain / Radiance::kStratumReplicates
-                            : std::min(4.0 * size, wanted / Radiance::kStratumReplicates);
+  const double target = stratum.nets.size == 0 ? wanted / kGain / Radiance::kStratumReplicates
+                                               : std::min(4.0 * size, wanted / Radiance::kStratumReplicates);
   while (size < target && 2.0 * size <= most) size *= 2;
   return size;
 }
@@ -477,6 +480,10 @@ bool TileWork::plan_round(const LeafIntegrator& integrator) {
           for (int o : model.outputs) looked[o] = 1;
           continue;
         }
+        if (pixel.strata[s].round_starts.size() >= 2)
+          wanted = radiance_->with_trend(pixel, s, steering_, wanted);
+        else if (have > 0.0)
+          wanted = std::min(wanted, kFirstGrowth * have);
         double more = kMargin * wanted - have;
         if (have == 0.0) more = std::min(std::max(more, kFewest), std::max(kFewest, kPilot * model.area[s]));
         radiance_->plan(p, s, std::min(std::max(more, kFewest), room));
