@@ -30,6 +30,28 @@ io::ProductOptions product_options(const io::Document& document, const std::file
   return options;
 }
 
+/// Beyond this wavelength light is mostly emitted.
+constexpr double kThermal_um = 5.0;
+
+/// Where light is mostly emitted, a surface without a temperature is as dark as space.
+void warn_of_cold_surfaces(const Session::Parts& parts, LogSink& log) {
+  const bool thermal = std::any_of(parts.channels.begin(), parts.channels.end(),
+                                   [](const auto& channel) { return channel.centre_um > kThermal_um; });
+  if (!thermal) return;
+  std::string names;
+  for (std::size_t s = 0; s < parts.scene.states.size(); ++s) {
+    const bool mapped = std::any_of(parts.scene.coverings.begin(), parts.scene.coverings.end(), [&](const auto& c) {
+      for (std::size_t k = 0; k < c.temperatures.size(); ++k)
+        if (c.states[k] == s && c.temperatures[k]) return true;
+      return false;
+    });
+    if (parts.scene.states[s].temperature_k > 0.0 || mapped) continue;
+    names += (names.empty() ? "'" : ", '") + parts.scene.materials[parts.scene.states[s].material].name + "'";
+  }
+  if (!names.empty())
+    log.warn(format("there are thermal channels, and no temperature for {}: what has none emits nothing", names));
+}
+
 /// Channels integrate within this of a full integration.
 constexpr double kChannelError = 1e-3;
 
@@ -104,6 +126,7 @@ Session Session::load(const io::Document& document, LogSink* log) {
   if (log != nullptr && p.nodes->worst_error() > kChannelError)
     log->warn(format("the nodes of the channels integrate some product of spectra only within {:.2g} %",
                      100.0 * p.nodes->worst_error()));
+  if (log != nullptr) warn_of_cold_surfaces(p, *log);
   p.brightness = std::make_unique<render::ChannelBrightness>(*p.nodes);
   if (p.plan.request)
     p.tolerance = std::make_unique<render::AccuracyTolerance>(

@@ -213,9 +213,9 @@ TEST(Document, FrameCamera) {
   EXPECT_EQ(std::get<LookAt>(looking.orientation).up->y, 1.0);
   const auto turned = std::get<FrameCamera>(
       parsed_with(nadir, R"({"frame": {"focal_length": "50 mm", "pitch": "5 um", "pixels": [4, 5],
-         "position": ["0 m", "0 m", "1 km"], "attitude": {"yaw": "10 deg", "pitch": "-90 deg"}}})")
+         "position": ["0 m", "0 m", "1 km"], "attitude": {"yaw": "10 deg", "pitch": "-10 deg"}}})")
           .sensor.camera.model);
-  EXPECT_NEAR(std::get<Attitude>(turned.orientation).pitch_rad, -90.0 * kDegree, 1e-15);
+  EXPECT_NEAR(std::get<Attitude>(turned.orientation).pitch_rad, -10.0 * kDegree, 1e-15);
 }
 
 TEST(Document, SamplingMethods) {

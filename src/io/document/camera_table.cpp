@@ -47,12 +47,14 @@ Kind<OrthographicCamera> orthographic_kind() {
 }
 
 Kind<Attitude> attitude_kind() {
-  Record<Attitude> record("attitude", "Directions of the camera's axis and of its image.");
-  record.required("yaw", &Attitude::yaw_rad, quantity(kAngle), "azimuth of the axis, clockwise from north")
-      .required("pitch", &Attitude::pitch_rad, quantity(kAngle, Range::between(-90.0, 90.0, "deg")),
-                "elevation of the axis above the horizon; nadir is -90 deg")
-      .with_default("roll", &Attitude::roll_rad, quantity(kAngle), "\"0 deg\"",
-                    "rotation of the camera about its axis, clockwise seen from behind");
+  Record<Attitude> record("attitude",
+                          "Attitude of the aircraft that the camera hangs below, its axis along the body's down and the "
+                          "top of the image at the nose: 3-2-1 sequence in north-east-down axes. All zero looks "
+                          "straight down with north at the top.");
+  record.with_default("yaw", &Attitude::yaw_rad, quantity(kAngle), "\"0 deg\"", "heading, clockwise from north")
+      .with_default("pitch", &Attitude::pitch_rad, quantity(kAngle, Range::between(-90.0, 90.0, "deg")),
+                    "\"0 deg\"", "nose up")
+      .with_default("roll", &Attitude::roll_rad, quantity(kAngle), "\"0 deg\"", "right wing down");
   return record.kind();
 }
 

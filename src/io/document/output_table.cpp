@@ -44,7 +44,7 @@ Kind<OutputDocument> output_kind() {
           "folder", [](OutputDocument& output, DocumentFile f) { output.folder = std::move(f.path); }, file(),
           "folder of the products, relative to the document; the document's name with '.out' if not given")
       .with_default("formats", &OutputDocument::formats, formats_kind(),
-                    "[\"envi\", \"geotiff\", \"png\", \"html\"]", "kinds of products")
+                    "[\"envi\", \"geotiff\", \"png\", \"html\"]", "kinds of products; the ENVI cubes and the run record are always written")
       .optional(
           "quicklook",
           [](OutputDocument& output, Quicklook quicklook) {

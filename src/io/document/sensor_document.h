@@ -27,9 +27,9 @@ struct LookAt {
                                  ///< the camera looks along z
 };
 
-/// Attitude of the optical axis: azimuth clockwise from north, elevation above the horizon (nadir is -90
-/// degrees), and rotation of the camera about the axis, clockwise seen from behind it. With roll 0 the top of
-/// the image is the upward direction; at nadir, the direction of `yaw`.
+/// Attitude of the aircraft that the camera hangs below, its axis along the body's down and the top of the
+/// image at the nose: yaw clockwise from north, pitch nose up, roll right wing down, the 3-2-1 sequence in
+/// north-east-down axes. All zero looks straight down with north at the top.
 struct Attitude {
   double yaw_rad = 0.0, pitch_rad = 0.0, roll_rad = 0.0;
 };
