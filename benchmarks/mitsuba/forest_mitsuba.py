@@ -64,34 +64,42 @@ def film(pixels, bands, spectral):
     return result
 
 
+def placed(points, faces, places):
+    """One mesh of all copies: Mitsuba's vectorised variants slow down with every instance, hundreds are too many."""
+    copies = []
+    for x, y, z, yaw, scale in places:
+        c, s = scale * np.cos(np.radians(yaw)), scale * np.sin(np.radians(yaw))
+        copies.append(points @ np.array([[c, s, 0], [-s, c, 0], [0, 0, scale]]) + [x, y, z])
+    offsets = len(points) * np.arange(len(places))
+    return np.concatenate(copies), (faces[None, :, :] + offsets[:, None, None]).reshape(-1, 3)
+
+
 def load_forest(mi, folder, reflectance, light, pixels, side_m, spectral):
-    """The scene, with a material per row of `reflectance` (32 of ground, leaves, bark)."""
+    """The scene, with a material per row of `reflectance` (32 of ground, leaves, bark) and the trees that the view or
+    its light can meet."""
     bands = reflectance.shape[1]
-    material = lambda m: {"type": "twosided", "bsdf": {"type": "diffuse", "reflectance": spectrum(reflectance[m], spectral)}}
     scene = {"type": "scene", "integrator": {"type": "path", "max_depth": -1, "rr_depth": 4}}
-    tree = {"type": "shapegroup"}
+    places = np.loadtxt(folder / "trees.csv", delimiter=",", skiprows=1)
+    near = np.max(np.abs(places[:, :2]), axis=1) < side_m / 2 + 60.0
     number = 0
-    for file, target in (("terrain.obj", scene), ("tree.obj", tree)):
+    for file in ("terrain.obj", "tree.obj"):
         points, groups = read_obj(folder / file)
         for name, faces in groups:
             ply = folder / f"{name}.ply"
-            write_ply(ply, points, faces)
-            target[name] = {"type": "ply", "filename": str(ply), "face_normals": True, "bsdf": material(number)}
+            write_ply(ply, *(placed(points, faces, places[near]) if file == "tree.obj" else (points, faces)))
+            scene[name] = {
+                "type": "ply", "filename": str(ply), "face_normals": True,
+                "bsdf": {"type": "twosided", "bsdf": {"type": "diffuse", "reflectance": spectrum(reflectance[number], spectral)}},
+            }
             number += 1
-    scene["tree"] = tree
     transform = mi.ScalarTransform4f
-    for k, (x, y, z, yaw, scale) in enumerate(np.loadtxt(folder / "trees.csv", delimiter=",", skiprows=1)):
-        scene[f"copy{k}"] = {
-            "type": "instance", "shapegroup": {"type": "ref", "id": "tree"},
-            "to_world": transform().translate([x, y, z]).rotate([0, 0, 1], yaw).scale([scale, scale, scale]),
-        }
     scene["sun"] = {"type": "directional", "direction": [-c for c in light["sun_direction"]],
                     "irradiance": spectrum(np.full(bands, light["sun_irradiance"]), spectral)}
     scene["sky"] = {"type": "constant", "radiance": spectrum(np.full(bands, light["sky_radiance"]), spectral)}
     scene["sensor"] = {
         "type": "orthographic", "film": film(pixels, bands, spectral),
         "to_world": transform().look_at(origin=[0, 0, 400], target=[0, 0, 0], up=[0, 1, 0]).scale([side_m / 2, side_m / 2, 1]),
-        "sampler": {"type": "independent"},
+        "sampler": {"type": "multijitter"},
     }
     return mi.load_dict(scene)
 
@@ -109,8 +117,8 @@ def main():
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--scene", type=pathlib.Path, required=True, help="JSON: reflectance, light, pixels, side_m")
     parser.add_argument("--variant", default="llvm_ad_rgb")
-    parser.add_argument("--samples", type=int, default=64)
-    parser.add_argument("--reference", type=int, default=1024, help="samples of the reference")
+    parser.add_argument("--samples", type=int, nargs="+", default=[16, 256], help="a pixel; one run of each")
+    parser.add_argument("--reference", type=int, default=4096, help="samples of the reference")
     parser.add_argument("--threads", type=int, default=0)
     arguments = parser.parse_args()
 
@@ -126,21 +134,19 @@ def main():
     scene = load_forest(mi, arguments.folder, reflectance, description["light"], description["pixels"],
                         description["side_m"], spectral)
 
-    timed_render(mi, dr, scene, arguments.samples, 1)  # compiles the kernel
-    passes = max(1, arguments.reference // arguments.samples)
-    reference = np.mean([timed_render(mi, dr, scene, arguments.samples, 1000 + k)[0] for k in range(passes)], axis=0)
-    trials = [timed_render(mi, dr, scene, arguments.samples, 10 + k) for k in range(3)]
-    # The reference's own error is part of the difference: remove it, both being independent.
-    share = 1.0 + arguments.samples / (passes * arguments.samples)
-    errors = [np.sqrt(np.mean((image - reference) ** 2, axis=(0, 1)) / share) for image, _ in trials]
-    print(json.dumps({
-        "variant": arguments.variant,
-        "mitsuba": mi.__version__,
-        "samples": arguments.samples,
-        "seconds": float(np.median([seconds for _, seconds in trials])),
-        "rms": np.mean(errors, axis=0).tolist(),
-        "mean": np.mean(reference, axis=(0, 1)).tolist(),
-    }))
+    passes = max(1, arguments.reference // 256)
+    reference = np.mean([timed_render(mi, dr, scene, 256, 1000 + k)[0] for k in range(passes)], axis=0)
+    runs = []
+    for samples in arguments.samples:
+        timed_render(mi, dr, scene, samples, 1)  # compiles the kernel
+        trials = [timed_render(mi, dr, scene, samples, 10 + k) for k in range(3)]
+        # The reference's own error is part of the difference: remove it, both being independent.
+        share = 1.0 + samples / (256 * passes)
+        errors = [np.sqrt(np.mean((image - reference) ** 2, axis=(0, 1)) / share) for image, _ in trials]
+        runs.append({"samples": samples, "seconds": float(np.median([seconds for _, seconds in trials])),
+                     "rms": np.mean(errors, axis=0).tolist()})
+    print(json.dumps({"variant": arguments.variant, "mitsuba": mi.__version__, "runs": runs,
+                      "mean": np.mean(reference, axis=(0, 1)).tolist()}))
 
 
 if __name__ == "__main__":

@@ -70,20 +70,14 @@ std::string list(const std::vector<double>& values) {
   return "[" + text + "]";
 }
 
-}  // namespace
-
-std::string converge(const std::filesystem::path& folder, const CloseView& view, const std::string& error,
-                     int reference_samples) {
-  const int side = static_cast<int>(std::lround(std::sqrt(reference_samples)));
-  const auto bands = static_cast<std::size_t>(view.bands);
-  Image reference(view.pixels, view.pixels, view.bands);
-  render_s(load(folder, view_of(view, format(R"({{"grid": {{"elements": [{}, {}]}}}})", side, side))), 4711, reference);
-
-  const session::Session session =
-      load(folder, view_of(view, format(R"({{"accuracy": {{"error": "{}"}}, "tile": 32}})", error)));
-  std::vector<double> seconds, rms(bands), mean(bands);
-  double samples = 0.0, paths = 0.0;
+/// Three renderings of the view against the reference, as JSON. The variance of a rendering is taken to fall with its
+/// paths, so that the share of the difference that is the reference's own can be removed.
+std::string measure(const session::Session& session, const CloseView& view, const Image& reference, double reference_paths) {
   constexpr int kTrials = 3;
+  const auto bands = static_cast<std::size_t>(view.bands);
+  const double pixels = static_cast<double>(view.pixels) * view.pixels;
+  std::vector<double> seconds, rms(bands);
+  double samples = 0.0, paths = 0.0;
   for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
     Image image(view.pixels, view.pixels, view.bands);
     seconds.push_back(render_s(session, 100 + trial, image));
@@ -92,16 +86,31 @@ std::string converge(const std::filesystem::path& folder, const CloseView& view,
       const double difference = static_cast<double>(image.mean[k]) - static_cast<double>(reference.mean[k]);
       squares[k % bands] += difference * difference;
     }
-    const double pixels = static_cast<double>(view.pixels) * view.pixels;
-    for (std::size_t b = 0; b < bands; ++b) rms[b] += std::sqrt(squares[b] / pixels) / kTrials;
+    const double own_share = 1.0 / (1.0 + image.paths / pixels / reference_paths);
+    for (std::size_t b = 0; b < bands; ++b) rms[b] += std::sqrt(own_share * squares[b] / pixels) / kTrials;
     samples += image.samples / pixels / kTrials;
     paths += image.paths / pixels / kTrials;
   }
+  std::sort(seconds.begin(), seconds.end());
+  return format(R"({{"seconds": {}, "rms": {}, "samples": {}, "paths": {}}})", seconds[kTrials / 2], list(rms), samples, paths);
+}
+
+}  // namespace
+
+std::string converge(const std::filesystem::path& folder, const CloseView& view, const std::string& error,
+                     int reference_samples) {
+  const auto bands = static_cast<std::size_t>(view.bands);
+  const auto grid = [](int side) { return format(R"({{"grid": {{"elements": [{}, {}]}}, "tile": 32}})", side, side); };
+  Image reference(view.pixels, view.pixels, view.bands);
+  render_s(load(folder, view_of(view, grid(static_cast<int>(std::lround(std::sqrt(reference_samples)))))), 4711, reference);
+  std::vector<double> mean(bands);
   for (std::size_t k = 0; k < reference.mean.size(); ++k)
     mean[k % bands] += static_cast<double>(reference.mean[k]) / (static_cast<double>(view.pixels) * view.pixels);
-  std::sort(seconds.begin(), seconds.end());
-  return format(R"({{"seconds": {}, "rms": {}, "mean": {}, "samples": {}, "paths": {}}})", seconds[kTrials / 2], list(rms),
-                list(mean), samples, paths);
+
+  const std::string accuracy = format(R"({{"accuracy": {{"error": "{}"}}, "tile": 32}})", error);
+  return format(R"({{"accuracy": {}, "grid": {}, "mean": {}}})",
+                measure(load(folder, view_of(view, accuracy)), view, reference, reference_samples),
+                measure(load(folder, view_of(view, grid(6))), view, reference, reference_samples), list(mean));
 }
 
 std::string describe(const CloseView& view) {
