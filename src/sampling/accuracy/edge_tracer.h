@@ -132,6 +132,8 @@ class EdgeTracer {
   std::vector<FocalPoint> points_, first_seen_point_;
   std::vector<double> allowed_variance_;
   std::vector<std::uint8_t> abandoned_, suspect_;
+  std::vector<std::uint8_t> stirred_;     // pixels whose cells, curves or brackets changed since they were sharpened
+  std::vector<double> sharpened_for_;     // allowed variance of each pixel when it was sharpened last
 };
 
 }  // namespace ifov::sampling

@@ -35,7 +35,9 @@ EdgeTracer::EdgeTracer(const Lattice& lattice, RayLedger& ledger, LabelTable& ta
       seed_(seed),
       allowed_variance_(static_cast<std::size_t>(lattice.domain().count()), 1.0),
       abandoned_(allowed_variance_.size(), 0),
-      suspect_(allowed_variance_.size(), 0) {}
+      suspect_(allowed_variance_.size(), 0),
+      stirred_(allowed_variance_.size(), 1),
+      sharpened_for_(allowed_variance_.size(), 0.0) {}
 
 void EdgeTracer::plant(std::span<const std::uint32_t> vertex_labels) {
   root_vertices_.assign(vertex_labels.begin(), vertex_labels.end());
@@ -129,6 +131,7 @@ void EdgeTracer::split(std::uint32_t index) {
   for (int j = 0; j < 2; ++j)
     for (int i = 0; i < 2; ++i) push_cell(parent.x + i * half, parent.y + j * half, parent.level + 1);
   cells_[index].kind = CellKind::split;
+  stirred_[cells_[index].pixel] = 1;
   cells_[index].children = children;
   for (int j = 0; j < 3; ++j)
     for (int i = 0; i < 3; ++i) vertex(parent.x + i * half, parent.y + j * half);
@@ -220,6 +223,7 @@ void EdgeTracer::grow() {
         settle_complex(index);
       } else {
         cells_[index].kind = CellKind::tentative;
+        stirred_[cells_[index].pixel] = 1;
         tentative_.push_back(index);
       }
     }
@@ -246,6 +250,7 @@ void EdgeTracer::classify(std::uint32_t index, std::vector<std::uint32_t>& await
     return;
   }
   edge_cells_.push_back(index);
+  stirred_[cell.pixel] = 1;
   if (abandoned_[cell.pixel]) {
     cell.kind = CellKind::complex;
     return;
@@ -282,6 +287,7 @@ void EdgeTracer::settle_complex(std::uint32_t index) {
   const bool must_follow = side_px > options_.thinnest_px && error > kLooseNarrowCell * allowed &&
                            has_two_labels(cell) && narrow_corner(cell);
   cell.kind = CellKind::complex;
+  stirred_[cell.pixel] = 1;
   if (cell.level < kMaxLevel && !abandoned_[cell.pixel] && (must_follow || error > kLooseCell * allowed))
     split(index);
 }

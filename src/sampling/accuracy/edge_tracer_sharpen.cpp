@@ -51,8 +51,14 @@ void EdgeTracer::settle() {
 }
 
 /// Makes crossings precise enough for every pixel's allowed variance, sets how precisely the middles of
-/// curves must be verified, and splits what spoils the variance without being a curve.
+/// curves must be verified, and splits what spoils the variance without being a curve. Pixels in which nothing
+/// changed since are left out.
 void EdgeTracer::sharpen() {
+  for (std::size_t p = 0; p < allowed_variance_.size(); ++p)
+    if (allowed_variance_[p] != sharpened_for_[p]) stirred_[p] = 1;
+  sharpened_for_ = allowed_variance_;
+  std::vector<std::uint8_t> due(stirred_.size(), 0);
+  due.swap(stirred_);
   std::vector<CrossingTerm> crossings;
   std::vector<MiddleTerm> middles;
   std::vector<LooseTerm> loose;
@@ -61,7 +67,7 @@ void EdgeTracer::sharpen() {
     const Cell& cell = cells_[index];
     if (cell.kind == CellKind::split) continue;
     edge_cells_[kept++] = index;
-    if (abandoned_[cell.pixel]) continue;
+    if (abandoned_[cell.pixel] || !due[cell.pixel]) continue;
     if (cell.kind == CellKind::complex) {
       const double side = lattice_.side_px(cell.level);
       const double error = side * side * contrast_.among(cell.pixel, cell.corner);
@@ -157,6 +163,8 @@ void EdgeTracer::sharpen() {
     for (std::size_t i = 0; i < active.size(); ++i) {
       Bracket& b = brackets_[active[i]];
       b.take(labels[i]);
+      for (std::uint32_t entry : b.cells)
+        if (entry != 0) stirred_[cells_[entry - 1].pixel] = 1;
       if (b.third_label) {
         for (std::uint32_t entry : b.cells)
           if (entry != 0 && cells_[entry - 1].kind != CellKind::split) {
