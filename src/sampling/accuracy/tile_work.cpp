@@ -22,7 +22,7 @@ constexpr double kMargin = 1.15;
 /// After a pilot, a stratum grows at most this many times, until two rounds have told how its variance falls.
 constexpr double kFirstGrowth = 12.0;
 /// From here on replicated nets cost less than jittered values.
-constexpr double kManyValues = 1024.0;
+constexpr double kManyValues = 4096.0;
 
 PixelRect source_domain(const TileProblem& problem, int halo) {
   const int reach =
@@ -65,6 +65,7 @@ TileWork::TileWork(const TileProblem& problem, Field& field, const AccuracyOptio
       prober_(tracer_, ledger_, options, problem.seed),
       all_columns_(static_cast<std::size_t>(columns_)),
       outputs_(static_cast<std::size_t>(problem.tile.count())),
+      sums_(outputs_.size()),
       net_sizes_(static_cast<std::size_t>(lattice_.domain().count()), 0),
       faults_(faults) {
   std::iota(all_columns_.begin(), all_columns_.end(), 0);
@@ -290,7 +291,7 @@ void TileWork::tighten_borders() {
     radiance_ = std::make_unique<Radiance>(tracer_, ledger_, table_, *spread_, lattice_values_, faults_,
                                            problem_.seed);
     for (int p = 0; p < lattice_.domain().count(); ++p) radiance_->add_pixel(p, integrator);
-    std::vector<Sums> sums(outputs_.size());
+    std::vector<Sums>& sums = sums_;
     for (Sums& s : sums) s.clear(n);
     gather(integrator, problem_.drivers, sums);
     bool any = false;
@@ -335,7 +336,7 @@ void TileWork::estimate() {
       if (touched[o]) outputs.push_back(static_cast<int>(o));
     steering_.assign(problem_.drivers.begin(), problem_.drivers.end());
     do {
-      while (plan_round(integrator)) radiance_->trace();
+      while (plan_round(integrator, outputs)) radiance_->trace();
     } while (steer_by_more(integrator, outputs));
     finish(integrator, outputs);
   }
@@ -345,7 +346,7 @@ void TileWork::estimate() {
 bool TileWork::steer_by_more(const LeafIntegrator& integrator, const std::vector<int>& outputs) {
   const std::size_t n = static_cast<std::size_t>(columns_);
   if (steering_.size() == n) return false;
-  std::vector<Sums> sums(outputs_.size());
+  std::vector<Sums>& sums = sums_;
   for (int o : outputs) sums[o].clear(n);
   gather(integrator, all_columns_, sums);
   std::vector<double> limit(n);
@@ -395,27 +396,25 @@ std::uint32_t TileWork::net_size(const Radiance::Stratum& stratum, double wanted
 }
 
 /// Looks at the intervals so far and plans values where they are too wide; false when nothing is left to do.
-bool TileWork::plan_round(const LeafIntegrator& integrator) {
+bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<int>& outputs) {
   const std::size_t n = steering_.size();
-  std::vector<Sums> sums(outputs_.size());
+  std::vector<Sums>& sums = sums_;
   bool cluttered_start = false;
   for (std::size_t p = 0; p < radiance_->pixels().size(); ++p) {
     const Radiance::Pixel& pixel = radiance_->pixels()[p];
-    for (int o : pixel.model.outputs) {
-      sums[o].clear(n);
-    }
     if (pixel.cluttered && pixel.net_size == 0 && !pixel.model.outputs.empty()) {
       radiance_->plan_nets(p, 4);
       cluttered_start = true;
     }
   }
   if (cluttered_start) return true;
+  for (int o : outputs) sums[o].clear(n);
   gather(integrator, steering_, sums);
 
   std::vector<double> mean(static_cast<std::size_t>(columns_)), limit(mean.size());
-  for (std::size_t o = 0; o < sums.size(); ++o) {
+  for (int o : outputs) {
     Output& output = outputs_[o];
-    if (sums[o].mean.empty() || output.satisfied) continue;
+    if (output.satisfied) continue;
     for (std::size_t d = 0; d < n; ++d) mean[steering_[d]] = sums[o].mean[d];
     problem_.tolerance->limits(mean, limit);
     output.path_budget.assign(n, 0.0);
@@ -499,7 +498,7 @@ bool TileWork::plan_round(const LeafIntegrator& integrator) {
 
 void TileWork::finish(const LeafIntegrator& integrator, const std::vector<int>& outputs) {
   const std::size_t n = static_cast<std::size_t>(columns_);
-  std::vector<Sums> sums(outputs_.size());
+  std::vector<Sums>& sums = sums_;
   for (int o : outputs) sums[o].clear(n);
   gather(integrator, all_columns_, sums);
   std::vector<double> limit(n);
@@ -604,6 +603,9 @@ double missable(const std::vector<double>& rounds) {
 
 void TileWork::report() {
   const PixelRect &d = lattice_.domain(), &t = problem_.tile;
+  // Neighbours were mostly looked at alike.
+  std::pair<int, std::uint32_t> known_looks{-1, 0};
+  float known_fraction = 1.0f;
   for (int p = 0; p < d.count(); ++p) {
     const int x = d.x0 + p % d.width(), y = d.y0 + p / d.width();
     if (x < t.x0 || x >= t.x1 || y < t.y0 || y >= t.y1) {
@@ -614,11 +616,16 @@ void TileWork::report() {
     result_.label_rays[o] = ledger_.label_rays(p);
     result_.radiance_evaluations[o] = ledger_.value_rays(p);
     result_.samples[o] = ledger_.spent(p);
-    std::vector<double> rounds{static_cast<double>(options_.lattice) * options_.lattice};
-    for (int r = 0; r < prober_.clean_rounds(p); ++r)
-      rounds.push_back(static_cast<double>(options_.probes_per_side) * options_.probes_per_side);
-    if (net_sizes_[p] > 0) rounds.push_back(static_cast<double>(Radiance::kReplicates) * net_sizes_[p]);
-    result_.missable_fraction[o] = static_cast<float>(missable(rounds));
+    const std::pair<int, std::uint32_t> looks{prober_.clean_rounds(p), net_sizes_[p]};
+    if (looks != known_looks) {
+      known_looks = looks;
+      std::vector<double> rounds{static_cast<double>(options_.lattice) * options_.lattice};
+      for (int r = 0; r < looks.first; ++r)
+        rounds.push_back(static_cast<double>(options_.probes_per_side) * options_.probes_per_side);
+      if (looks.second > 0) rounds.push_back(static_cast<double>(Radiance::kReplicates) * looks.second);
+      known_fraction = static_cast<float>(missable(rounds));
+    }
+    result_.missable_fraction[o] = known_fraction;
   }
   result_.seed_samples = ledger_.seed_rays();
   result_.probe_samples = ledger_.probe_rays();

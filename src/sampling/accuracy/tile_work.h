@@ -46,7 +46,7 @@ class TileWork {
   double relative_weight(int source) const;
   void tighten_borders();
   void gather(const LeafIntegrator& integrator, std::span<const int> columns, std::vector<Sums>& sums) const;
-  bool plan_round(const LeafIntegrator& integrator);
+  bool plan_round(const LeafIntegrator& integrator, const std::vector<int>& outputs);
   bool steer_by_more(const LeafIntegrator& integrator, const std::vector<int>& outputs);
   static std::uint32_t net_size(const Radiance::Stratum& stratum, double wanted, double room);
   double half_width(const Sums& sum, std::size_t column, int look) const;
@@ -71,6 +71,7 @@ class TileWork {
   std::vector<int> all_columns_;
   std::vector<int> steering_;  // columns whose intervals decide how many values are drawn
   std::vector<Output> outputs_;
+  std::vector<Sums> sums_;  // by output, kept between rounds for its memory
   std::vector<std::uint32_t> net_sizes_;  // per source pixel, 0 where it was traced
   AccuracyFaults faults_;
 };
