@@ -23,6 +23,8 @@ program: configure
 
 demo: program
 	@$(BUILD)/ifov render examples/demo.json --output $(BUILD)/demo
+	@echo "Picture: $(BUILD)/demo/image_quicklook.png"
+	@echo "Report:  $(BUILD)/demo/image_report.html (open it in a browser)"
 
 test: configure
 	@$(TOOLS) --target all
