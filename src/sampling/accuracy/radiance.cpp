@@ -273,16 +273,26 @@ void Radiance::moments(const Pixel& pixel, std::size_t s, std::span<const int> c
     for (std::uint32_t i : stratum.samples)
       for (std::size_t c = 0; c < n; ++c) out.mean[c] += share * values_[i * stride_ + columns[c]];
     double blocks = 0.0;
+    std::vector<double> fourth(n, 0.0);
     for (std::size_t b = 0; b < stratum.block_starts.size(); ++b) {
       const Block block = block_at(stratum, b);
       if (block.count < 2) continue;
-      for (std::size_t c = 0; c < n; ++c) out.variance[c] += block_square(block, columns[c]);
+      for (std::size_t c = 0; c < n; ++c) {
+        const double square = block_square(block, columns[c]);
+        out.variance[c] += square;
+        fourth[c] += square * square;
+      }
       blocks += 1.0;
     }
-    for (std::size_t c = 0; c < n; ++c)
+    // Where a few blocks hold most of the variance (a shadow's edge within the label), few degrees of freedom are
+    // behind it: a square with one degree has a third of its own square's expectation as its squared expectation.
+    out.freedom = blocks;
+    for (std::size_t c = 0; c < n; ++c) {
+      if (fourth[c] > 0.0) out.freedom = std::min(out.freedom, 3.0 * out.variance[c] * out.variance[c] / fourth[c]);
       out.variance[c] =
           (out.variance[c] + kBorrowed * spread_.local(label, columns[c])) / (blocks + kBorrowed);
-    out.freedom = blocks + kBorrowed;
+    }
+    out.freedom += kBorrowed;
     if (faults_.zero_variance_single_samples && blocks == 0.0)
       std::fill(out.variance.begin(), out.variance.end(), 0.0);
     return;

@@ -1,5 +1,7 @@
 #include "sampling/accuracy/spread.h"
 
+#include <algorithm>
+
 namespace ifov::sampling {
 
 namespace {
@@ -43,7 +45,17 @@ LabelSpread::LabelSpread(const Lattice& lattice, const LabelTable& table, int co
     }
     total_freedom[l] += 1.0;
   }
-  for (double& f : total_freedom) f = f < 0.0 ? 0.0 : f;
+  double known = 0.0;
+  for (double& f : total_freedom) known += f = std::max(f, 0.0);
+  if (known == 0.0) {
+    // No label was seen twice: what labels differ by bounds what a label's own values may.
+    for (std::size_t v = 1; v < labels.size(); ++v)
+      for (std::size_t c = 0; c < columns_; ++c) {
+        const double d = static_cast<double>(values[v * stride + c]) - values[(v - 1) * stride + c];
+        total_[labels[v] * columns_ + c] += 0.5 * d * d;
+      }
+    for (std::size_t v = 1; v < labels.size(); ++v) total_freedom[labels[v]] += 1.0;
+  }
   for (int j = 0; j < lattice.rows(); ++j)
     for (int i = 0; i < lattice.columns(); ++i) {
       const std::size_t v = j * row_length + i, w = v + row_length;

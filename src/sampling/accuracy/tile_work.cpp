@@ -422,12 +422,14 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
     for (std::size_t d = 0; d < n; ++d) {
       const double limit_d = limit[steering_[d]];
       const double from_borders = stopping_.normal() * stopping_.normal() * sums[o].geometry[d];
-      if (half_width(sums[o], d, output.look) > limit_d && sums[o].path[d].variance() > 0.0)
-        output.satisfied = false;
+      const bool wide = half_width(sums[o], d, output.look) > limit_d && sums[o].path[d].variance() > 0.0;
+      if (wide) output.satisfied = false;
       const double planned_t = stopping_.student(std::max(output.look + 1, 2),
                                                  std::max(sums[o].path[d].degrees_of_freedom(), 20.0));
       output.path_budget[d] =
           std::max(limit_d * limit_d - from_borders, 0.2 * limit_d * limit_d) / (planned_t * planned_t);
+      // Few degrees of freedom may keep an interval wide whose variance is small: more values still.
+      if (wide) output.path_budget[d] = std::min(output.path_budget[d], 0.7 * sums[o].path[d].variance());
     }
   }
 
@@ -451,8 +453,6 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
         for (std::size_t d = 0; d < n; ++d) {
           double weighted_deviation = 0.0;
           if (pixel.cluttered) {
-            const double w = integrator.whole_weight(pixel.source, model.outputs[o]);
-            (void)w;
             weighted_deviation = sum.deviation[d];
           } else {
             weighted_deviation = model.weight[o * strata + s] * std::sqrt(moments.variance[d]);

@@ -1,0 +1,192 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "accuracy_scenes.h"
+#include "sampling/accuracy/bracket.h"
+#include "sampling/accuracy/chord.h"
+#include "sampling/accuracy/clutter.h"
+#include "sampling/accuracy/flat_map.h"
+#include "sampling/accuracy/spread.h"
+#include "sampling/accuracy/stopping.h"
+
+namespace ifov::sampling {
+namespace {
+
+Bracket bisected(double crossing_px, double length_px, double target_px, std::uint64_t key, bool dither) {
+  Bracket b;
+  b.first = 0;
+  b.last = 1;
+  b.length_px = length_px;
+  b.lay_grid(target_px, key, dither);
+  while (b.on_grid()) b.take(b.next() < crossing_px ? 0 : 1);
+  return b;
+}
+
+TEST(Bracket, HoldsTheCrossingAndIsAsNarrowAsAsked) {
+  for (std::uint64_t key = 0; key < 200; ++key) {
+    const double at = unit_double(mix(key + 77)) / 3.0;
+    Bracket b = bisected(at, 1.0 / 3.0, 0.04, key, true);
+    EXPECT_LE(b.low, at);
+    EXPECT_GE(b.high, at);
+    EXPECT_LE(b.width(), 0.06);
+    const double before = b.width();
+    b.take(b.next() < at ? 0 : 1);
+    EXPECT_NEAR(b.width(), 0.5 * before, 1e-12);
+  }
+}
+
+// The centre of a dithered bracket errs uniformly about a crossing away from the edge's ends; without the dither the
+// error is the same every time.
+TEST(Bracket, DitherMakesTheErrorOfItsCentreUniform) {
+  const double at = 0.171, length = 1.0 / 3.0;
+  double sum = 0.0, squares = 0.0, step = 0.0;
+  const int n = 20000;
+  for (int i = 0; i < n; ++i) {
+    const Bracket b = bisected(at, length, 0.04, static_cast<std::uint64_t>(i), true);
+    const double e = b.centre() - at;
+    sum += e;
+    squares += e * e;
+    step = b.step;
+  }
+  EXPECT_NEAR(sum / n, 0.0, 4.0 * step / std::sqrt(12.0 * n));
+  EXPECT_NEAR(squares / n, step * step / 12.0, 0.05 * step * step / 12.0);
+  const Bracket plain = bisected(at, length, 0.04, 1, false), again = bisected(at, length, 0.04, 2, false);
+  EXPECT_EQ(plain.centre(), again.centre());
+}
+
+TEST(Bracket, NoticesAThirdLabel) {
+  Bracket b;
+  b.first = 0;
+  b.last = 1;
+  b.length_px = 1.0;
+  b.lay_grid(0.1, 5, true);
+  b.take(2);
+  EXPECT_TRUE(b.third_label);
+}
+
+TEST(Chord, SegmentAreaIsTheCircles) {
+  // A half disc of radius 1: chord 2, sagitta 1. A shallow arc: 2/3 c s.
+  EXPECT_NEAR(circular_segment_area(2.0, 1.0), 0.5 * std::numbers::pi, 1e-12);
+  EXPECT_NEAR(circular_segment_area(1.0, 1e-4), 2.0 / 3.0 * 1e-4, 1e-10);
+}
+
+TEST(Chord, KnotsEncloseTheSegment) {
+  const Point2 a{0.2, 0.1}, b{0.5, 0.4};
+  for (double s : {-0.05, 0.02, 0.08}) {
+    Point2 knots[3];
+    arc_knots(a, b, s, knots);
+    Polygon p;
+    p.add(a);
+    for (const Point2& k : knots) p.add(k);
+    p.add(b);
+    EXPECT_NEAR(std::abs(p.signed_area()), circular_segment_area(length(b - a), s), 1e-12);
+  }
+}
+
+TEST(Chord, CurvatureOfThreePointsPredictsTheSagitta) {
+  const double r = 0.4;
+  const auto on = [&](double angle) { return Point2{r * std::cos(angle), r * std::sin(angle)}; };
+  const Point2 p = on(0.1), q = on(0.9), m = on(1.35), e = on(1.8);
+  const double curvature = menger_curvature(p, q, e), c = length(e - q);
+  EXPECT_NEAR(std::abs(curvature), 1.0 / r, 1e-12);
+  const Point2 d = e - q, normal{-d.y / c, d.x / c}, top = 0.5 * (q + e) + sagitta_of_curvature(curvature, c) * normal;
+  EXPECT_NEAR(length(top - m), 0.0, 1e-12);
+}
+
+TEST(Polygon, ClipsToTheSameAreaAsTheIntegral) {
+  const Polygon p = test::turned_rectangle(0.4, 0.6, 0.5, 0.9, 0.7);
+  double inside = 0.0;
+  const int n = 400;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) inside += p.contains({(i + 0.5) / n, (j + 0.5) / n});
+  EXPECT_NEAR(test::polygon_in_rectangle(p, 0, 0, 1, 1), inside / (n * n), 1e-3);
+  EXPECT_NEAR(std::abs(p.signed_area()), 0.45, 1e-12);
+}
+
+TEST(Lattice, NeighbouringTilesAgreeAboutAVertex) {
+  const Lattice left({0, 0, 20, 16}, 3), right({13, -2, 40, 16}, 3);
+  const std::int32_t units = 3 << kMaxLevel;
+  for (std::int32_t f : {0, 1, 511, 512, 777, 1535, 4000}) {
+    const FocalPoint a = left.point(15 * units + f, 3 * units + f), b = right.point(2 * units + f, 5 * units + f);
+    EXPECT_EQ(a.x_px, b.x_px);
+    EXPECT_EQ(a.y_px, b.y_px);
+    EXPECT_EQ(left.image_x(15 * units + f), right.image_x(2 * units + f));
+    EXPECT_EQ(left.image_y(3 * units + f), right.image_y(5 * units + f));
+  }
+}
+
+TEST(FlatMap, FindsWhatWasPutIn) {
+  FlatMap map;
+  for (std::uint32_t i = 0; i < 5000; ++i) EXPECT_EQ(map.find_or_insert(i * 7919ull, i), i);
+  for (std::uint32_t i = 0; i < 5000; ++i) EXPECT_EQ(map.find(i * 7919ull), i);
+  EXPECT_EQ(map.find(3), FlatMap::kAbsent);
+  EXPECT_EQ(map.size(), 5000u);
+}
+
+TEST(Stopping, SpendsNoMoreThanAlphaOverItsLooks) {
+  const Stopping stopping(0.95);
+  EXPECT_NEAR(stopping.normal(), 1.959964, 1e-6);
+  double spent = 0.0;
+  for (int look = 0; look < Stopping::kLooks; ++look) {
+    const double q = stopping.student(look, 200.0);
+    EXPECT_GT(q, stopping.normal());
+    // Two tails of the normal, close to Student's at 200 degrees of freedom.
+    spent += std::erfc(q / std::sqrt(2.0));
+  }
+  EXPECT_LE(spent, 0.0505);
+  EXPECT_GT(stopping.student(2, 3.0), stopping.student(2, 30.0));
+}
+
+TEST(Stopping, SatterthwaiteOfEqualPartsAddsTheirFreedom) {
+  Satterthwaite sum;
+  sum.add(2.0, 5.0);
+  sum.add(2.0, 5.0);
+  EXPECT_DOUBLE_EQ(sum.variance(), 4.0);
+  EXPECT_DOUBLE_EQ(sum.degrees_of_freedom(), 10.0);
+}
+
+TEST(LabelSpread, IsZeroOnlyWhereAllValuesAgree) {
+  const Lattice lattice({0, 0, 2, 2}, 2);
+  LabelTable table(1);
+  std::vector<std::uint32_t> labels(25);
+  std::vector<float> values(25 * 16, 0.0f);
+  for (std::size_t v = 0; v < 25; ++v) {
+    labels[v] = table.index(v % 5 < 3 ? 10 : 20);
+    values[v * 16] = v % 5 < 3 ? 1.0f : 2.0f;
+    table.add(labels[v], &values[v * 16]);
+  }
+  const LabelSpread equal(lattice, table, 1, labels, values, 16);
+  EXPECT_EQ(equal.local(0, 0), 0.0);
+  EXPECT_EQ(equal.total(1, 0), 0.0);
+  values[0] = 1.5f;  // one value of one label disagrees: no label is certain any more
+  const LabelSpread unequal(lattice, table, 1, labels, values, 16);
+  EXPECT_GT(unequal.local(0, 0), 0.0);
+  EXPECT_GT(unequal.local(1, 0), 0.0);
+  EXPECT_GT(unequal.local(99, 0), 0.0);  // a label found later
+}
+
+// On a plane of radiance the local spread is zero, the total one is not.
+TEST(LabelSpread, LocalIsBlindToAPlane) {
+  const Lattice lattice({0, 0, 3, 3}, 2);
+  LabelTable table(1);
+  std::vector<std::uint32_t> labels(49);
+  std::vector<float> values(49 * 16, 0.0f);
+  for (std::size_t v = 0; v < 49; ++v) {
+    labels[v] = table.index(1);
+    values[v * 16] = static_cast<float>(0.5 * static_cast<double>(v % 7) + 0.25 * static_cast<double>(v / 7));
+    table.add(0, &values[v * 16]);
+  }
+  const LabelSpread spread(lattice, table, 1, labels, values, 16);
+  EXPECT_NEAR(spread.local(0, 0), 0.0, 1e-12);
+  EXPECT_GT(spread.total(0, 0), 0.5);
+}
+
+TEST(Clutter, StratifiedCostFollowsItsErrorLaw) {
+  const double n = stratified_cost(50.0, 4.0);
+  EXPECT_NEAR(0.46 * 50.0 * std::sqrt(4.0) * std::pow(n, -0.75), 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace ifov::sampling

@@ -1,0 +1,139 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "accuracy_scenes.h"
+
+// Radiance that varies within labels: noise of paths, texture, gradients, and labels that do not tell all.
+
+namespace ifov::test {
+namespace {
+
+/// A field whose paths are noisy: the value depends on the path's own numbers, not only on its point.
+class NoisyField final : public sampling::Field {
+ public:
+  NoisyField(ShapeField base, double sigma) : base_(std::move(base)), sigma_(sigma) {}
+  int columns() const override { return base_.columns(); }
+  void labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) override {
+    base_.labels(points, labels);
+  }
+  void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
+              std::span<float> values) override {
+    base_.values(requests, labels, values);
+    for (std::size_t k = 0; k < requests.size(); ++k) {
+      const std::uint64_t key = sampling::hash(requests[k].sequence, requests[k].index);
+      const double u = sampling::unit_double(key), v = sampling::unit_double(sampling::mix(key));
+      const double normal = std::sqrt(-2.0 * std::log(1.0 - u)) * std::cos(2.0 * std::numbers::pi * v);
+      values[k * static_cast<std::size_t>(stride())] += static_cast<float>(sigma_ * normal);
+    }
+  }
+  std::uint32_t material_of(sampling::Label label) const override { return base_.material_of(label); }
+  sampling::RayCounts counts() const override { return base_.counts(); }
+
+ private:
+  ShapeField base_;
+  double sigma_;
+};
+
+Trials noisy_discs(int trials, double limit_k, sampling::AccuracyFaults faults = {}) {
+  Trials t;
+  for (int i = 0; i < trials; ++i) {
+    Draw draw(100 + static_cast<std::uint64_t>(i));
+    const DiscScene scene{1.5 + (draw() - 0.5) * 0.2, 1.5 + (draw() - 0.5) * 0.2, half_pixel_radius()};
+    NoisyField field(scene.field(), 0.3);
+    Rendering render = three_by_three(100 + static_cast<std::uint64_t>(i));
+    render.half_width = limit_k * kRadiancePerKelvin;
+    render.faults = faults;
+    t.add(render(field), scene.truth(), field);
+  }
+  return t;
+}
+
+TEST(AccuracyPaths, IntervalsHoldUnderPathNoise) {
+  const Trials t = noisy_discs(200, 0.4);
+  EXPECT_GE(t.coverage(), 0.93);
+  double mean_half_width = 0.0;
+  for (double h : t.half_width) mean_half_width += h / static_cast<double>(t.half_width.size());
+  EXPECT_LE(mean_half_width, 3.0 * t.rms());
+}
+
+// A label of a single value that claims to be exact: paths of two very different radiances within one label.
+TEST(AccuracyPaths, StrataOfOneSampleMustNotClaimToBeExact) {
+  const auto coverage = [](bool fault) {
+    int covered = 0;
+    const int trials = 200;
+    for (int i = 0; i < trials; ++i) {
+      // Many small patches, each its own label, of noisy paths: most strata have one lattice value or none.
+      const std::uint64_t seed = 900 + static_cast<std::uint64_t>(i);
+      NoisyField field(ShapeField(
+                           [](double x, double y) {
+                             return static_cast<sampling::Label>(std::floor(x * 4.0) + 100.0 * std::floor(y * 4.0));
+                           },
+                           [](sampling::Label, double, double, int) { return 10.0f; }),
+                       0.3);
+      Rendering render = three_by_three(seed);
+      render.half_width = 0.5;
+      render.options.clutter_switch = false;
+      render.faults.zero_variance_single_samples = fault;
+      const sampling::TileResult r = render(field);
+      covered += std::abs(r.mean[4] - 10.0) <= r.half_width[4];
+    }
+    return covered / static_cast<double>(trials);
+  };
+  EXPECT_GE(coverage(false), 0.93);
+  EXPECT_LT(coverage(true), 0.90);
+}
+
+double wave(double x, double y) {
+  return 0.3 * std::sin(7.0 * x + 3.0 * y) + 0.3 * std::sin(23.0 * x - 17.0 * y + 1.0) + 0.2 * std::cos(61.0 * y);
+}
+
+TEST(AccuracyPaths, IntervalsHoldOnTexture) {
+  double truth = 0.0;
+  const int n = 1000;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) truth += wave(1.0 + (i + 0.5) / n, 1.0 + (j + 0.5) / n) / (n * n);
+  Trials t;
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    ShapeField field([](double, double) { return sampling::Label{1}; },
+                     [](sampling::Label, double x, double y, int) { return static_cast<float>(10.0 + wave(x, y)); });
+    Rendering render = three_by_three(seed);
+    render.half_width = 0.04;
+    t.add(render(field), 10.0 + truth, field);
+  }
+  EXPECT_GE(t.coverage(), 0.93);
+  // Independent values would need (2.4 * 0.33 / 0.04)^2 of them in each pixel at the looks' quantile.
+  EXPECT_LT(t.mean_samples(), 9.0 * 392.0);
+}
+
+// A texture in step with the lattice looks the same at every vertex; only the values between show it.
+TEST(AccuracyPaths, LabelsWithoutTheSunStateAreNotedByTheirVariance) {
+  // Bit 8 of the label: the Sun is blocked. The border runs through the pixel.
+  const auto render_with = [](sampling::Label mask, std::uint64_t seed) {
+    ShapeField field(
+        [](double x, double y) { return sampling::Label{1} | (x + 0.3 * y < 2.0 ? 256u : 0u); },
+        [](sampling::Label, double x, double y, int) { return x + 0.3 * y < 2.0 ? 2.0f : 10.0f; });
+    Rendering render = three_by_three(seed);
+    render.half_width = 0.4;
+    render.faults.label_mask = mask;
+    const sampling::TileResult r = render(field);
+    return std::pair{std::abs(r.mean[4] - (2.0 + 8.0 * 0.45)) <= r.half_width[4] + 1e-6, field.counts().primary};
+  };
+  int covered = 0, blind = 0;
+  std::uint64_t rays = 0, blind_rays = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const auto [held, n] = render_with(~sampling::Label{0}, seed);
+    const auto [blind_held, m] = render_with(255, seed);
+    covered += held;
+    blind += blind_held;
+    rays += n;
+    blind_rays += m;
+  }
+  EXPECT_GE(covered, 93);
+  EXPECT_GE(blind, 90);              // labels steer, they do not bias
+  EXPECT_GT(blind_rays, 3 * rays);   // but steering badly costs
+}
+
+}  // namespace
+}  // namespace ifov::test

@@ -1,0 +1,160 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "accuracy_scenes.h"
+
+// The shapes of study 2 on 3 x 3 pixels: errors of the centre pixel, counts over all nine. Fixed seeds; limits are the
+// product's own with room for fewer trials.
+
+namespace ifov::test {
+namespace {
+
+constexpr int kTrials = 200;
+
+Trials discs(double error_k, int trials, std::uint64_t first_seed) {
+  Trials t;
+  for (int i = 0; i < trials; ++i) {
+    Draw draw(first_seed + static_cast<std::uint64_t>(i));
+    const DiscScene scene{1.5 + (draw() - 0.5) * 0.2, 1.5 + (draw() - 0.5) * 0.2, half_pixel_radius()};
+    ShapeField field = scene.field();
+    Rendering render = three_by_three(first_seed + static_cast<std::uint64_t>(i));
+    render.half_width = error_k * kRadiancePerKelvin;
+    t.add(render(field), scene.truth(), field);
+  }
+  return t;
+}
+
+TEST(AccuracyShapes, DiscToATenthOfAKelvin) {
+  const Trials t = discs(0.1, kTrials, 1000);
+  EXPECT_LE(t.mean_samples(), 185.0);
+  EXPECT_LE(t.quantile(0.95), 0.1 * kRadiancePerKelvin);
+  EXPECT_GE(t.coverage(), 0.94);
+  for (double h : t.half_width) EXPECT_LE(h, 0.1 * kRadiancePerKelvin * (1.0 + 1e-5));
+}
+
+TEST(AccuracyShapes, DiscToAHundredthOfAKelvin) {
+  const Trials t = discs(0.01, kTrials, 5000);
+  EXPECT_LE(t.mean_samples(), 250.0);
+  EXPECT_LE(t.quantile(0.95), 0.01 * kRadiancePerKelvin);
+  EXPECT_GE(t.coverage(), 0.94);
+}
+
+TEST(AccuracyShapes, TurnedSquare) {
+  Trials t;
+  for (int i = 0; i < kTrials; ++i) {
+    Draw draw(2000 + static_cast<std::uint64_t>(i));
+    const double x = 1.5 + (draw() - 0.5) * 0.3, y = 1.5 + (draw() - 0.5) * 0.3, side = std::sqrt(0.5);
+    const PolygonScene scene{turned_rectangle(x, y, side, side, draw() * std::numbers::pi)};
+    ShapeField field = scene.field();
+    t.add(three_by_three(2000 + static_cast<std::uint64_t>(i))(field), scene.truth(), field);
+  }
+  EXPECT_LE(t.mean_samples(), 600.0);
+  EXPECT_LE(t.quantile(0.95), 0.1 * kRadiancePerKelvin);
+  EXPECT_GE(t.coverage(), 0.93);
+}
+
+Trials rods(bool seeded) {
+  Trials t;
+  for (int i = 0; i < kTrials; ++i) {
+    Draw draw(3000 + static_cast<std::uint64_t>(i));
+    const double x = 1 + draw(), y = 1 + draw(), width = 0.02 + 0.03 * draw(), length = 1 + draw();
+    const double angle = draw() * std::numbers::pi;
+    const PolygonScene scene{turned_rectangle(x, y, width, length, angle)};
+    ShapeField field = scene.field();
+    Rendering render = three_by_three(3000 + static_cast<std::uint64_t>(i));
+    const int pieces = static_cast<int>(std::ceil(length / 0.35));
+    for (int p = 0; p < pieces && seeded; ++p) {
+      const double s = ((p + 0.5) / pieces - 0.5) * length;
+      const sampling::FocalPoint at{x + std::cos(angle) * s, y + std::sin(angle) * s};
+      if (at.x_px > 0 && at.y_px > 0 && at.x_px < 3 && at.y_px < 3) render.seeds.push_back(at);
+    }
+    t.add(render(field), scene.truth(), field);
+  }
+  return t;
+}
+
+TEST(AccuracyShapes, SeededRodsAreFollowed) {
+  const Trials t = rods(true);
+  EXPECT_LE(t.mean_samples(), 1300.0);
+  EXPECT_LE(t.quantile(0.95), 0.1 * kRadiancePerKelvin);
+  EXPECT_GE(t.coverage(), 0.90);
+}
+
+TEST(AccuracyShapes, RodsWithoutSeedsAreMissedSometimes) { EXPECT_GT(rods(false).quantile(0.95), 0.1 * kRadiancePerKelvin); }
+
+Trials small_targets(bool seeded) {
+  Trials t;
+  for (int i = 0; i < kTrials; ++i) {
+    Draw draw(4000 + static_cast<std::uint64_t>(i));
+    const double r = std::sqrt(0.005 / std::numbers::pi);
+    const DiscScene scene{1 + r + draw() * (1 - 2 * r), 1 + r + draw() * (1 - 2 * r), r};
+    ShapeField field = scene.field();
+    Rendering render = three_by_three(4000 + static_cast<std::uint64_t>(i));
+    if (seeded) render.seeds.push_back({scene.x, scene.y});
+    t.add(render(field), scene.truth(), field);
+  }
+  return t;
+}
+
+TEST(AccuracyShapes, SmallTargetWithASeedIsAlwaysFound) {
+  const Trials t = small_targets(true);
+  EXPECT_EQ(t.found, kTrials);
+  EXPECT_LE(t.mean_samples(), 21.0 * 9.0);
+  EXPECT_GE(t.coverage(), 0.93);
+}
+
+TEST(AccuracyShapes, SmallTargetWithoutASeedIsMissed) { EXPECT_LT(small_targets(false).found, kTrials / 2); }
+
+// Where the lattice's own detection density says that a feature may be missed, it says how large.
+TEST(AccuracyShapes, DetectionStatementFollowsTheLattice) {
+  ShapeField field = two_surfaces([](double, double) { return sampling::Label{0}; });
+  const sampling::TileResult r = three_by_three(1)(field);
+  EXPECT_NEAR(r.missable_fraction[4], 0.95 / 9.0, 1e-4);
+  EXPECT_EQ(field.counts().primary, 100u);  // flat and uniform: the lattice says it all
+  for (float h : r.half_width) EXPECT_EQ(h, 0.0f);
+  for (auto c : r.converged) EXPECT_EQ(c, 1);
+}
+
+// An exactly centred disc: every crossing sees the lattice alike, so that undithered brackets err alike and the
+// interval is wrong every time.
+TEST(AccuracyShapes, UnditheredBracketsFailOnAnAlignedScene) {
+  const auto coverage = [](bool undithered) {
+    int covered = 0, count = 0;
+    for (double r = 0.36; r < 0.44; r += 0.002) {
+      const DiscScene scene{1.5, 1.5, r};
+      ShapeField field = scene.field();
+      Rendering render = three_by_three(static_cast<std::uint64_t>(r * 1e6));
+      render.options.lattice = 2;
+      render.faults.undithered_brackets = undithered;
+      const sampling::TileResult result = render(field);
+      covered += std::abs(result.mean[4] - scene.truth()) <= result.half_width[4] + 1e-6;
+      ++count;
+    }
+    return covered / static_cast<double>(count);
+  };
+  EXPECT_GE(coverage(false), 0.88);
+  EXPECT_LT(coverage(true), 0.80);
+}
+
+TEST(AccuracyShapes, AbundancesAreAreasWithIntervals) {
+  int covered = 0;
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    Draw draw(7000 + i);
+    const DiscScene scene{1.5 + (draw() - 0.5) * 0.2, 1.5 + (draw() - 0.5) * 0.2, half_pixel_radius()};
+    ShapeField field = scene.field();
+    const sampling::TileResult r = three_by_three(7000 + i)(field);
+    double sum = 0.0;
+    for (const sampling::Abundance& a : r.abundances)
+      if (a.pixel == 4) {
+        sum += a.fraction;
+        if (a.material == 1) covered += std::abs(a.fraction - scene.fraction()) <= a.half_width;
+      }
+    EXPECT_NEAR(sum, 1.0, 1e-6);
+  }
+  EXPECT_GE(covered, 93);
+}
+
+}  // namespace
+}  // namespace ifov::test
