@@ -40,10 +40,19 @@ def compile_alone(compiler, flags, header):
     return "" if result.returncode == 0 else f"{header} does not compile alone:\n{result.stderr[:1500]}"
 
 
+def proven_by_the_build(header):
+    """A source of the same name that includes this header before anything else has shown that it compiles alone."""
+    source = header.with_suffix(".cpp")
+    if not source.exists():
+        return False
+    first = re.search(r'^#include [<"]([^>"]+)', source.read_text(), re.MULTILINE)
+    return first is not None and first.group(1) == str(header.relative_to(ROOT / "src"))
+
+
 class Headers(unittest.TestCase):
     def test_every_header_compiles_alone(self):
         compiler, flags = compiler_and_flags()
-        headers = [path for path in sorted((ROOT / "src").rglob("*.h"))]
+        headers = [path for path in sorted((ROOT / "src").rglob("*.h")) if not proven_by_the_build(path)]
         self.assertGreater(len(headers), 10)
 
         def check(path):

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -12,7 +14,7 @@ namespace ifov::test {
 class ScratchFile {
  public:
   ScratchFile(const std::string& name, const std::string& content)
-      : path_(std::filesystem::temp_directory_path() / ("ifov_" + std::to_string(++count_) + "_" + name)) {
+      : path_(std::filesystem::temp_directory_path() / ("ifov_" + std::to_string(::getpid()) + "_" + std::to_string(++count_) + "_" + name)) {
     std::ofstream(path_, std::ios::binary) << content;
   }
   ~ScratchFile() {
