@@ -8,7 +8,9 @@
 namespace ifov::benchmarks {
 
 IntervalStatistics::IntervalStatistics(std::vector<PixelIndex> pixels, PlainMeans reference)
-    : pixels_(std::move(pixels)), reference_(std::move(reference)), sums_(static_cast<std::size_t>(reference_.columns)) {}
+    : pixels_(std::move(pixels)),
+      reference_(std::move(reference)),
+      sums_(static_cast<std::size_t>(reference_.columns)) {}
 
 void IntervalStatistics::add(const sampling::TileResult& result) {
   const auto columns = static_cast<std::size_t>(result.columns);
@@ -29,8 +31,10 @@ void IntervalStatistics::add(const sampling::TileResult& result) {
       ++sums.count;
       sums.covered += covered;
       sums.beyond_four += std::abs(error) > 4.0 * sigma;
-      // A feature of fraction a changes the mean by at most a times the contrast, for which the spread stands.
-      const double missable = static_cast<double>(result.missable_fraction[pixel]) * 2.0 * reference_.spread[p * columns + c];
+      // A feature of fraction a changes the mean by at most a times the contrast, for which the spread
+      // stands.
+      const double missable =
+          static_cast<double>(result.missable_fraction[pixel]) * 2.0 * reference_.spread[p * columns + c];
       sums.small_misses += !covered && std::abs(error) <= half_width + missable;
       sums.half_width += half_width;
       sums.squared_error += error * error;
@@ -79,7 +83,8 @@ std::string ChannelHonesty::fault() const {
   require(beyond_four < 0.002, format("|z| > 4 in {:.2f} %", 100.0 * beyond_four));
   require(half_width_to_rms <= 3.0, format("half-width {:.2f} times the RMS error", half_width_to_rms));
   require(std::abs(bias) <= 4.0, format("bias of {:.1f} standard errors", bias));
-  require(reference_to_half_width <= 0.2, format("reference error {:.2f} of the half-width", reference_to_half_width));
+  require(reference_to_half_width <= 0.2,
+          format("reference error {:.2f} of the half-width", reference_to_half_width));
   return text;
 }
 

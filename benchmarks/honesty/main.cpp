@@ -1,4 +1,5 @@
-// Are the intervals honest on real 3-D scenes? Each scene's mixed pixels, many seeds, against a plain path tracer.
+// Are the intervals honest on real 3-D scenes? Each scene's mixed pixels, many seeds, against a plain path
+// tracer.
 //   bench_honesty --output figures.json --work FOLDER [--seeds N] [--only SCENE]
 // Scenes must keep their promises; runs with a planted fault must break one of them.
 
@@ -31,14 +32,16 @@ std::string faults_of(const HonestyOutcome& outcome) {
 void print_details(const HonestyCase& which, const HonestyOutcome& outcome) {
   for (std::size_t c = 0; c < outcome.honesty.size(); ++c) {
     const ChannelHonesty& h = outcome.honesty[c];
-    std::printf("    %-20s %-9s coverage %.4f  |z|>4 %.3f %%  half-width/RMS %.2f  bias %+5.1f se  sigma geometry %.3g paths %.3g"
-                "  reference %.2f of half-width  small misses %lld\n",
-                c == 0 ? name_of(which).c_str() : "", outcome.channels[c].c_str(), h.coverage, 100.0 * h.beyond_four,
-                h.half_width_to_rms, h.bias, h.geometric_sigma, h.path_sigma, h.reference_to_half_width,
-                static_cast<long long>(h.small_misses));
+    std::printf(
+        "    %-20s %-9s coverage %.4f  |z|>4 %.3f %%  half-width/RMS %.2f  bias %+5.1f se  sigma geometry "
+        "%.3g paths %.3g"
+        "  reference %.2f of half-width  small misses %lld\n",
+        c == 0 ? name_of(which).c_str() : "", outcome.channels[c].c_str(), h.coverage, 100.0 * h.beyond_four,
+        h.half_width_to_rms, h.bias, h.geometric_sigma, h.path_sigma, h.reference_to_half_width,
+        static_cast<long long>(h.small_misses));
   }
-  std::printf("    %-20s %zu pixels, %.0f samples a pixel of which %.0f paths\n", "", outcome.pixels, outcome.samples_per_pixel,
-              outcome.paths_per_pixel);
+  std::printf("    %-20s %zu pixels, %.0f samples a pixel of which %.0f paths\n", "", outcome.pixels,
+              outcome.samples_per_pixel, outcome.paths_per_pixel);
   std::fflush(stdout);
 }
 
@@ -48,7 +51,8 @@ Row judged(const HonestyCase& which, const HonestyOutcome& outcome) {
   for (const ChannelHonesty& h : outcome.honesty)
     if (std::abs(h.coverage - 0.95) >= std::abs(worst - 0.95)) worst = h.coverage;
   const std::string fault = faults_of(outcome);
-  return {name_of(which), ifov::format("{:.5f}", worst), "coverage", fault.empty() ? "0.93 to 0.995" : fault, fault.empty()};
+  return {name_of(which), ifov::format("{:.5f}", worst), "coverage", fault.empty() ? "0.93 to 0.995" : fault,
+          fault.empty()};
 }
 
 Row caught(const std::string& name, const HonestyOutcome& outcome) {
@@ -59,8 +63,9 @@ Row caught(const std::string& name, const HonestyOutcome& outcome) {
 std::string json(const std::vector<Row>& rows) {
   std::string text;
   for (const Row& row : rows)
-    text += ifov::format(R"({}"{}": {{"value": {}, "unit": "{}", "must": "{}", "ok": {}}})", text.empty() ? "" : ",\n ",
-                         row.name, row.value, row.unit, row.must, row.ok ? "true" : "false");
+    text += ifov::format(R"({}"{}": {{"value": {}, "unit": "{}", "must": "{}", "ok": {}}})",
+                         text.empty() ? "" : ",\n ", row.name, row.value, row.unit, row.must,
+                         row.ok ? "true" : "false");
   return "{" + text + "}\n";
 }
 
@@ -78,7 +83,8 @@ int main(int argc, char** argv) {
   try {
     write_scene_files(work);
     std::vector<Row> rows;
-    for (const char* scene : {"penumbra", "leaf_crown", "wall_foot", "gable_roof", "texture", "mirror", "street_canyon"})
+    for (const char* scene :
+         {"penumbra", "leaf_crown", "wall_foot", "gable_roof", "texture", "mirror", "street_canyon"})
       for (const bool psf : {false, true}) {
         if (!only.empty() && only != scene) continue;
         const HonestyCase which{scene, psf, true, {}, seeds};

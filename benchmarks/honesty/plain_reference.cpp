@@ -26,7 +26,8 @@ class Generator {
   std::uint64_t state_;
 };
 
-/// A bound on the footprint's density: the largest value on a fine raster, with a margin for what lies between.
+/// A bound on the footprint's density: the largest value on a fine raster, with a margin for what lies
+/// between.
 double density_bound(const sampling::PixelFootprint& footprint) {
   constexpr int kCells = 256;
   const double half = footprint.half_width_px();
@@ -69,7 +70,8 @@ PlainMeans plain_means(const FieldFactory& make_field, const sampling::PixelFoot
   const auto columns = static_cast<std::size_t>(make_field()->columns());
   PlainMeans result;
   result.columns = static_cast<int>(columns);
-  for (auto* values : {&result.mean, &result.standard_error, &result.spread}) values->resize(pixels.size() * columns);
+  for (auto* values : {&result.mean, &result.standard_error, &result.spread})
+    values->resize(pixels.size() * columns);
 
   parallel_for(static_cast<std::int64_t>(pixels.size()), threads, [&](std::int64_t k) {
     const auto p = static_cast<std::size_t>(k);

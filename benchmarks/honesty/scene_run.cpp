@@ -78,7 +78,8 @@ class Trial {
  private:
   static sampling::AccuracyOptions options_of(const session::Session& session) {
     const auto* sampler = dynamic_cast<const sampling::AccuracySampler*>(session.parts().plan.sampler.get());
-    if (sampler == nullptr) throw std::runtime_error("a scene of the honesty benchmark does not ask for an accuracy");
+    if (sampler == nullptr)
+      throw std::runtime_error("a scene of the honesty benchmark does not ask for an accuracy");
     return sampler->options();
   }
   session::Session session_;
@@ -97,25 +98,28 @@ std::vector<PixelIndex> mixed_pixels(const Trial& trial) {
     spread[k / columns] = std::max(spread[k / columns], pilot.spread[k] / pilot.mean[k]);
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return spread[a] > spread[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return spread[a] > spread[b]; });
   std::vector<PixelIndex> mixed;
   for (const std::size_t k : order)
     if (mixed.size() < kMixedPixels && spread[k] > 0.01) mixed.push_back(all[k]);
   return mixed;
 }
 
-/// Standard errors that the reference has to reach: a seventh of the half-width, or of half the mean one where a
-/// pixel's own is smaller still.
+/// Standard errors that the reference has to reach: a seventh of the half-width, or of half the mean one
+/// where a pixel's own is smaller still.
 std::vector<double> wanted_errors(const sampling::TileResult& result, std::span<const PixelIndex> pixels) {
   const auto columns = static_cast<std::size_t>(result.columns);
   std::vector<double> wanted(pixels.size() * columns), mean(columns);
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     const PixelIndex pixel = pixels[k / columns];
     wanted[k] = static_cast<double>(
-        result.half_width[static_cast<std::size_t>(pixel.y * result.tile.width() + pixel.x) * columns + k % columns]);
+        result.half_width[static_cast<std::size_t>(pixel.y * result.tile.width() + pixel.x) * columns +
+                          k % columns]);
     mean[k % columns] += wanted[k] / static_cast<double>(pixels.size());
   }
-  for (std::size_t k = 0; k < wanted.size(); ++k) wanted[k] = std::max(wanted[k], 0.5 * mean[k % columns]) / 7.0;
+  for (std::size_t k = 0; k < wanted.size(); ++k)
+    wanted[k] = std::max(wanted[k], 0.5 * mean[k % columns]) / 7.0;
   return wanted;
 }
 
@@ -147,7 +151,8 @@ HonestyOutcome run_case(const HonestyCase& which, const std::filesystem::path& w
   outcome.paths_per_pixel /= count;
   outcome.pixels = pixels.size();
   outcome.honesty = statistics.summary();
-  for (const render::ChannelInfo& channel : trial.parts().info.channels) outcome.channels.push_back(channel.name);
+  for (const render::ChannelInfo& channel : trial.parts().info.channels)
+    outcome.channels.push_back(channel.name);
   return outcome;
 }
 
@@ -159,8 +164,8 @@ void write_scene_files(const std::filesystem::path& work) {
   map << format("ncols {0}\nnrows {0}\nxllcorner -16\nyllcorner -16\ncellsize 0.25\n", kCells);
   for (int j = 0; j < kCells; ++j) {
     for (int i = 0; i < kCells; ++i)
-      map << format("{:.3f} ", 25.0 + 4.0 * std::sin(0.9 * i + 0.31 * j) + 3.0 * std::sin(0.23 * i - 1.1 * j) +
-                                   2.0 * std::sin(1.7 * i + 1.3 * j));
+      map << format("{:.3f} ", 25.0 + 4.0 * std::sin(0.9 * i + 0.31 * j) +
+                                   3.0 * std::sin(0.23 * i - 1.1 * j) + 2.0 * std::sin(1.7 * i + 1.3 * j));
     map << '\n';
   }
   map.close();

@@ -26,9 +26,10 @@ struct HonestyOutcome {
   double paths_per_pixel = 0.0;
 };
 
-/// Renders the scene with every seed and compares each of its mixed pixels with the plain reference. Mixed pixels are
-/// the 64 whose radiance differs most from path to path in a small plain rendering of its own seed, so they are fixed
-/// before the sampler looks; pixels that do not differ by 1 % are left out. `work` holds the files that scenes name.
+/// Renders the scene with every seed and compares each of its mixed pixels with the plain reference. Mixed
+/// pixels are the 64 whose radiance differs most from path to path in a small plain rendering of its own
+/// seed, so they are fixed before the sampler looks; pixels that do not differ by 1 % are left out. `work`
+/// holds the files that scenes name.
 HonestyOutcome run_case(const HonestyCase& which, const std::filesystem::path& work);
 
 /// Writes the mesh and the temperature map that scenes name.

@@ -69,7 +69,8 @@ void add_leaf(ForestMesh& mesh, std::uint64_t leaf) {
   const auto random = [leaf](std::uint64_t which) { return uniform(kLeaf, leaf * 8 + which); };
   const double up = 2.0 * random(0) - 1.0, around = 2.0 * kPi * random(1), out = std::pow(random(2), 0.25);
   const double level = std::sqrt(1.0 - up * up);
-  const double centre[3] = {3.5 * out * level * std::cos(around), 3.5 * out * level * std::sin(around), 7.0 + 4.0 * out * up};
+  const double centre[3] = {3.5 * out * level * std::cos(around), 3.5 * out * level * std::sin(around),
+                            7.0 + 4.0 * out * up};
 
   const double cos_t = 2.0 * random(3) - 1.0, sin_t = std::sqrt(1.0 - cos_t * cos_t);
   const double azimuth = 2.0 * kPi * random(4), spin = 2.0 * kPi * random(5);
@@ -79,24 +80,29 @@ void add_leaf(ForestMesh& mesh, std::uint64_t leaf) {
   constexpr double kSigns[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   for (int k = 0; k < 4; ++k) {
     const double a = 0.175 * kSigns[k][0], b = 0.125 * kSigns[k][1];
-    const double along = a * std::cos(spin) - b * std::sin(spin), across = a * std::sin(spin) + b * std::cos(spin);
-    corner[k] = add_vertex(mesh, centre[0] + along * e1[0] + across * e2[0], centre[1] + along * e1[1] + across * e2[1],
-                           centre[2] + along * e1[2] + across * e2[2]);
+    const double along = a * std::cos(spin) - b * std::sin(spin),
+                 across = a * std::sin(spin) + b * std::cos(spin);
+    corner[k] =
+        add_vertex(mesh, centre[0] + along * e1[0] + across * e2[0],
+                   centre[1] + along * e1[1] + across * e2[1], centre[2] + along * e1[2] + across * e2[2]);
   }
   add_triangle(mesh, corner[0], corner[1], corner[2], 0);
   add_triangle(mesh, corner[0], corner[2], corner[3], 0);
 }
 
-void write_obj(const ForestMesh& mesh, const std::filesystem::path& path, const char* slot_prefix, std::uint32_t slots) {
+void write_obj(const ForestMesh& mesh, const std::filesystem::path& path, const char* slot_prefix,
+               std::uint32_t slots) {
   std::FILE* file = std::fopen(path.c_str(), "w");
   if (file == nullptr) throw std::runtime_error("cannot write " + path.string());
   for (std::size_t v = 0; v < mesh.vertices_m.size(); v += 3)
-    std::fprintf(file, "v %.4f %.4f %.4f\n", mesh.vertices_m[v], mesh.vertices_m[v + 1], mesh.vertices_m[v + 2]);
+    std::fprintf(file, "v %.4f %.4f %.4f\n", mesh.vertices_m[v], mesh.vertices_m[v + 1],
+                 mesh.vertices_m[v + 2]);
   for (std::uint32_t slot = 0; slot < slots; ++slot) {
     std::fprintf(file, "usemtl %s%u\n", slot_prefix, slot);
     for (std::size_t t = 0; t < mesh.slots.size(); ++t)
       if (mesh.slots[t] == slot)
-        std::fprintf(file, "f %u %u %u\n", mesh.corners[3 * t] + 1, mesh.corners[3 * t + 1] + 1, mesh.corners[3 * t + 2] + 1);
+        std::fprintf(file, "f %u %u %u\n", mesh.corners[3 * t] + 1, mesh.corners[3 * t + 1] + 1,
+                     mesh.corners[3 * t + 2] + 1);
   }
   if (std::fclose(file) != 0) throw std::runtime_error("cannot write " + path.string());
 }
@@ -115,7 +121,8 @@ ForestMesh forest_terrain() {
   ForestMesh mesh;
   for (std::uint32_t j = 0; j <= kCells; ++j)
     for (std::uint32_t i = 0; i <= kCells; ++i) {
-      const double x = (double(i) / kCells - 0.5) * kForestSide_m, y = (double(j) / kCells - 0.5) * kForestSide_m;
+      const double x = (double(i) / kCells - 0.5) * kForestSide_m,
+                   y = (double(j) / kCells - 0.5) * kForestSide_m;
       add_vertex(mesh, x, y, forest_terrain_height_m(x, y));
     }
   const auto ground = [&mesh] {
@@ -143,7 +150,9 @@ std::vector<ForestPlace> forest_places() {
   std::vector<ForestPlace> places;
   for (int j = 0; j < kRows; ++j)
     for (int i = 0; i < kRows; ++i) {
-      const auto random = [index = places.size()](std::uint64_t which) { return uniform(kPlace, index * 4 + which); };
+      const auto random = [index = places.size()](std::uint64_t which) {
+        return uniform(kPlace, index * 4 + which);
+      };
       ForestPlace place;
       place.x_m = -kForestSide_m / 2 + (i + 0.1 + 0.8 * random(0)) * kStep_m;
       place.y_m = -kForestSide_m / 2 + (j + 0.1 + 0.8 * random(1)) * kStep_m;
@@ -156,7 +165,8 @@ std::vector<ForestPlace> forest_places() {
 }
 
 double forest_reflectance(int material, int band) {
-  return 0.05 + 0.5 * uniform(kSpectrum, static_cast<std::uint64_t>(material) * 4096 + static_cast<std::uint64_t>(band));
+  return 0.05 + 0.5 * uniform(kSpectrum,
+                              static_cast<std::uint64_t>(material) * 4096 + static_cast<std::uint64_t>(band));
 }
 
 std::string forest_document(const ForestView& view) {
@@ -166,20 +176,25 @@ std::string forest_document(const ForestView& view) {
     const char* comma = band > 0 ? ", " : "";
     wavelengths += format("{}\"{:.3f} um\"", comma, wavelength_um(band));
     channels += view.gaussian
-                    ? format(R"({}{{"gaussian": {{"center": "{:.3f} um", "fwhm": "0.01 um"}}}})", comma, wavelength_um(band))
+                    ? format(R"({}{{"gaussian": {{"center": "{:.3f} um", "fwhm": "0.01 um"}}}})", comma,
+                             wavelength_um(band))
                     : format(R"({}{{"monochromatic": {{"at": "{:.3f} um"}}}})", comma, wavelength_um(band));
   }
   for (int m = 0; m < kForestGroundMaterials + 2; ++m) {
-    const std::string name = m < kForestGroundMaterials ? format("ground{}", m) : format("tree{}", m - kForestGroundMaterials);
+    const std::string name =
+        m < kForestGroundMaterials ? format("ground{}", m) : format("tree{}", m - kForestGroundMaterials);
     std::string values;
     for (int band = 0; band < view.bands; ++band)
       values += format("{}{:.9f}", band > 0 ? ", " : "", forest_reflectance(m, band));
-    materials += format(R"({}"{}": {{"reflectance": {{"table": {{"wavelength": [{}], "values": [{}]}}, "outside": "extend"}}}})",
-                        m > 0 ? ",\n" : "", name, wavelengths, values);
+    materials += format(
+        R"({}"{}": {{"reflectance": {{"table": {{"wavelength": [{}], "values": [{}]}}, "outside": "extend"}}}})",
+        m > 0 ? ",\n" : "", name, wavelengths, values);
     if (m < kForestGroundMaterials) ground += format(R"({}"{}": "{}")", m > 0 ? ", " : "", name, name);
   }
   const std::string sky =
-      view.sky_w_m2_sr_um > 0.0 ? format(R"(, "sky": {{"radiance": "{} W m-2 sr-1 um-1"}})", view.sky_w_m2_sr_um) : "";
+      view.sky_w_m2_sr_um > 0.0
+          ? format(R"(, "sky": {{"radiance": "{} W m-2 sr-1 um-1"}})", view.sky_w_m2_sr_um)
+          : "";
   return format(R"({{"ifov": 1,
  "scene": {{
   "materials": {{{}}},
@@ -190,8 +205,8 @@ std::string forest_document(const ForestView& view) {
  "sensor": {{"camera": {{"orthographic": {{"gsd": "{} m", "pixels": [{}, {}]}}}}, "channels": [{}]}},
  "sampling": {}}}
 )",
-                materials, ground, kForestSun_w_m2_um, sky, view.side_m / view.pixels, view.pixels, view.pixels, channels,
-                view.sampling);
+                materials, ground, kForestSun_w_m2_um, sky, view.side_m / view.pixels, view.pixels,
+                view.pixels, channels, view.sampling);
 }
 
 void write_forest(const std::filesystem::path& folder) {
@@ -202,7 +217,8 @@ void write_forest(const std::filesystem::path& folder) {
   csv << "x,y,z,rotation,scale\n";
   csv.precision(10);
   for (const ForestPlace& place : forest_places())
-    csv << place.x_m << ',' << place.y_m << ',' << place.z_m << ',' << place.yaw_deg << ',' << place.scale << '\n';
+    csv << place.x_m << ',' << place.y_m << ',' << place.z_m << ',' << place.yaw_deg << ',' << place.scale
+        << '\n';
   csv.close();
   if (!csv) throw std::runtime_error("cannot write " + (folder / "trees.csv").string());
 }

@@ -1,7 +1,7 @@
 // Whole scenes, timed. Each command prints one JSON object as its last line; benchmarks/drivers judge it.
 //   bench_scene prepare FOLDER            writes the forest's files
-//   bench_scene single FOLDER             single rays, direct Sun: 1 and 210 bands, 1 and 2 threads, and the answer
-//   bench_scene converge FOLDER BANDS PIXELS SIDE_M ERROR REFERENCE_SAMPLES
+//   bench_scene single FOLDER             single rays, direct Sun: 1 and 210 bands, 1 and 2 threads, and the
+//   answer bench_scene converge FOLDER BANDS PIXELS SIDE_M ERROR REFERENCE_SAMPLES
 //                                         full transport to an accuracy: time, and RMS error per band
 //   bench_scene description FOLDER BANDS PIXELS SIDE_M    the same scene for other programs
 #include <cstdio>
@@ -23,8 +23,8 @@ int main(int argc, char** argv) {
     } else if (command == "single" && argc == 3) {
       std::puts(time_single_rays(argv[2]).c_str());
     } else if (command == "converge" && argc == 8) {
-      std::puts(converge(argv[2], {static_cast<int>(number(3)), static_cast<int>(number(4)), number(5)}, argv[6],
-                         static_cast<int>(number(7)))
+      std::puts(converge(argv[2], {static_cast<int>(number(3)), static_cast<int>(number(4)), number(5)},
+                         argv[6], static_cast<int>(number(7)))
                     .c_str());
     } else if (command == "description" && argc == 6) {
       std::puts(describe({static_cast<int>(number(3)), static_cast<int>(number(4)), number(5)}).c_str());

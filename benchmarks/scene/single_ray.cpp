@@ -53,7 +53,8 @@ session::Session load(const std::filesystem::path& folder, int bands, bool gauss
   view.gaussian = gaussian;
   view.sampling = R"({"single": {}, "max_depth": 1})";
   return session::Session::load(
-      io::parse_document(forest_document(view), (folder / format("forest_{}.json", bands)).string()), nullptr);
+      io::parse_document(forest_document(view), (folder / format("forest_{}.json", bands)).string()),
+      nullptr);
 }
 
 double render_s(const session::Session& session, int threads, render::TileSink& sink) {
@@ -65,7 +66,8 @@ double render_s(const session::Session& session, int threads, render::TileSink& 
 }
 
 int material_number(const std::string& name) {
-  return name.starts_with("ground") ? std::stoi(name.substr(6)) : kForestGroundMaterials + std::stoi(name.substr(4));
+  return name.starts_with("ground") ? std::stoi(name.substr(6))
+                                    : kForestGroundMaterials + std::stoi(name.substr(4));
 }
 
 /// L = rho / pi * E * cos(incidence) where the point sees the Sun, one ray at a time.
@@ -93,8 +95,8 @@ double largest_relative_error(const session::Session& session) {
     }
     const int material = material_number(parts.scene.materials[parts.scene.resolve(hit).material].name);
     for (std::size_t band = 0; band < spectrum.size(); ++band) {
-      const double expected =
-          forest_reflectance(material, static_cast<int>(band)) / std::numbers::pi * kForestSun_w_m2_um * cosine;
+      const double expected = forest_reflectance(material, static_cast<int>(band)) / std::numbers::pi *
+                              kForestSun_w_m2_um * cosine;
       const double error = std::abs(static_cast<double>(spectrum[band]) - expected);
       largest = std::max(largest, expected > 0.0 ? error / expected : error);
     }
@@ -120,10 +122,12 @@ std::string time_single_rays(const std::filesystem::path& folder) {
     one_two.push_back(render_s(one, 2, sink));
     many_one.push_back(render_s(many, 1, sink));
   }
-  const double pixels = static_cast<double>(many.parts().camera->width_px()) * many.parts().camera->height_px();
-  return format(R"({{"pixels": {}, "bands_210_threads_2_s": {}, "bands_1_threads_2_s": {}, "bands_210_threads_1_s": {}, )"
-                R"("largest_relative_error": {}}})",
-                pixels, median(many_two), median(one_two), median(many_one), largest_relative_error(many));
+  const double pixels =
+      static_cast<double>(many.parts().camera->width_px()) * many.parts().camera->height_px();
+  return format(
+      R"({{"pixels": {}, "bands_210_threads_2_s": {}, "bands_1_threads_2_s": {}, "bands_210_threads_1_s": {}, )"
+      R"("largest_relative_error": {}}})",
+      pixels, median(many_two), median(one_two), median(many_one), largest_relative_error(many));
 }
 
 }  // namespace ifov::benchmarks

@@ -14,7 +14,8 @@ namespace ifov::test {
 class ScratchFile {
  public:
   ScratchFile(const std::string& name, const std::string& content)
-      : path_(std::filesystem::temp_directory_path() / ("ifov_" + std::to_string(::getpid()) + "_" + std::to_string(++count_) + "_" + name)) {
+      : path_(std::filesystem::temp_directory_path() /
+              ("ifov_" + std::to_string(::getpid()) + "_" + std::to_string(++count_) + "_" + name)) {
     std::ofstream(path_, std::ios::binary) << content;
   }
   ~ScratchFile() {

@@ -14,7 +14,8 @@ namespace ifov::test {
 inline std::optional<std::filesystem::path> truth_file(std::string_view relative) {
   const char* root = std::getenv("IFOV_TRUTH");
   const std::filesystem::path path =
-      (root != nullptr ? std::filesystem::path(root) : std::filesystem::path(IFOV_SOURCE_DIR "/../shared/truth")) /
+      (root != nullptr ? std::filesystem::path(root)
+                       : std::filesystem::path(IFOV_SOURCE_DIR "/../shared/truth")) /
       relative;
   std::error_code error;
   if (std::filesystem::exists(path, error)) return path;
