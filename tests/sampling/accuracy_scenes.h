@@ -14,8 +14,8 @@
 
 namespace ifov::test {
 
-/// Black surfaces at 40 C and 20 C at 8.5 um (Planck, CODATA 2018), W m-2 sr-1 um-1, and kelvins per unit of radiance
-/// at their 50 % mix.
+/// Black surfaces at 40 C and 20 C at 8.5 um (Planck, CODATA 2018), W m-2 sr-1 um-1, and kelvins per unit of
+/// radiance at their 50 % mix.
 constexpr double kHot = 12.113897, kCold = 8.366091, kRadiancePerKelvin = 0.188585;
 
 /// Numbers in [0, 1) for drawing scenes.
@@ -48,7 +48,8 @@ inline double disc_in_rectangle(double cx, double cy, double r, double x0, doubl
     }
     return area;
   };
-  return below(x1 - cx, y1 - cy) - below(x0 - cx, y1 - cy) - below(x1 - cx, y0 - cy) + below(x0 - cx, y0 - cy);
+  return below(x1 - cx, y1 - cy) - below(x0 - cx, y1 - cy) - below(x1 - cx, y0 - cy) +
+         below(x0 - cx, y0 - cy);
 }
 
 /// A rectangle of the given sides, turned, as a convex polygon.
@@ -163,7 +164,9 @@ inline double half_pixel_radius() { return std::sqrt(0.5 / std::numbers::pi); }
 struct PolygonScene {
   sampling::Polygon shape;
   ShapeField field() const {
-    return two_surfaces([*this](double px, double py) { return static_cast<sampling::Label>(shape.contains({px, py})); });
+    return two_surfaces([*this](double px, double py) {
+      return static_cast<sampling::Label>(shape.contains({px, py}));
+    });
   }
   double truth() const { return kCold + (kHot - kCold) * polygon_in_rectangle(shape, 1, 1, 2, 2); }
 };

@@ -37,8 +37,8 @@ TEST(Bracket, HoldsTheCrossingAndIsAsNarrowAsAsked) {
   }
 }
 
-// The centre of a dithered bracket errs uniformly about a crossing away from the edge's ends; without the dither the
-// error is the same every time.
+// The centre of a dithered bracket errs uniformly about a crossing away from the edge's ends; without the
+// dither the error is the same every time.
 TEST(Bracket, DitherMakesTheErrorOfItsCentreUniform) {
   const double at = 0.171, length = 1.0 / 3.0;
   double sum = 0.0, squares = 0.0, step = 0.0;
@@ -91,7 +91,8 @@ TEST(Chord, CurvatureOfThreePointsPredictsTheSagitta) {
   const Point2 p = on(0.1), q = on(0.9), m = on(1.35), e = on(1.8);
   const double curvature = menger_curvature(p, q, e), c = length(e - q);
   EXPECT_NEAR(std::abs(curvature), 1.0 / r, 1e-12);
-  const Point2 d = e - q, normal{-d.y / c, d.x / c}, top = 0.5 * (q + e) + sagitta_of_curvature(curvature, c) * normal;
+  const Point2 d = e - q, normal{-d.y / c, d.x / c},
+               top = 0.5 * (q + e) + sagitta_of_curvature(curvature, c) * normal;
   EXPECT_NEAR(length(top - m), 0.0, 1e-12);
 }
 
@@ -109,7 +110,8 @@ TEST(Lattice, NeighbouringTilesAgreeAboutAVertex) {
   const Lattice left({0, 0, 20, 16}, 3), right({13, -2, 40, 16}, 3);
   const std::int32_t units = 3 << kMaxLevel;
   for (std::int32_t f : {0, 1, 511, 512, 777, 1535, 4000}) {
-    const FocalPoint a = left.point(15 * units + f, 3 * units + f), b = right.point(2 * units + f, 5 * units + f);
+    const FocalPoint a = left.point(15 * units + f, 3 * units + f),
+                     b = right.point(2 * units + f, 5 * units + f);
     EXPECT_EQ(a.x_px, b.x_px);
     EXPECT_EQ(a.y_px, b.y_px);
     EXPECT_EQ(left.image_x(15 * units + f), right.image_x(2 * units + f));

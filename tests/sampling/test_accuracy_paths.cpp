@@ -66,12 +66,13 @@ TEST(AccuracyPaths, StrataOfOneSampleMustNotClaimToBeExact) {
     for (int i = 0; i < trials; ++i) {
       // Many small patches, each its own label, of noisy paths: most strata have one lattice value or none.
       const std::uint64_t seed = 900 + static_cast<std::uint64_t>(i);
-      NoisyField field(ShapeField(
-                           [](double x, double y) {
-                             return static_cast<sampling::Label>(std::floor(x * 4.0) + 100.0 * std::floor(y * 4.0));
-                           },
-                           [](sampling::Label, double, double, int) { return 10.0f; }),
-                       0.3);
+      NoisyField field(
+          ShapeField(
+              [](double x, double y) {
+                return static_cast<sampling::Label>(std::floor(x * 4.0) + 100.0 * std::floor(y * 4.0));
+              },
+              [](sampling::Label, double, double, int) { return 10.0f; }),
+          0.3);
       Rendering render = three_by_three(seed);
       render.half_width = 0.5;
       render.options.clutter_switch = false;
@@ -86,7 +87,8 @@ TEST(AccuracyPaths, StrataOfOneSampleMustNotClaimToBeExact) {
 }
 
 double wave(double x, double y) {
-  return 0.3 * std::sin(7.0 * x + 3.0 * y) + 0.3 * std::sin(23.0 * x - 17.0 * y + 1.0) + 0.2 * std::cos(61.0 * y);
+  return 0.3 * std::sin(7.0 * x + 3.0 * y) + 0.3 * std::sin(23.0 * x - 17.0 * y + 1.0) +
+         0.2 * std::cos(61.0 * y);
 }
 
 TEST(AccuracyPaths, IntervalsHoldOnTexture) {
@@ -96,8 +98,9 @@ TEST(AccuracyPaths, IntervalsHoldOnTexture) {
     for (int i = 0; i < n; ++i) truth += wave(1.0 + (i + 0.5) / n, 1.0 + (j + 0.5) / n) / (n * n);
   Trials t;
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
-    ShapeField field([](double, double) { return sampling::Label{1}; },
-                     [](sampling::Label, double x, double y, int) { return static_cast<float>(10.0 + wave(x, y)); });
+    ShapeField field(
+        [](double, double) { return sampling::Label{1}; },
+        [](sampling::Label, double x, double y, int) { return static_cast<float>(10.0 + wave(x, y)); });
     Rendering render = three_by_three(seed);
     render.half_width = 0.04;
     t.add(render(field), 10.0 + truth, field);
@@ -118,7 +121,8 @@ TEST(AccuracyPaths, LabelsWithoutTheSunStateAreNotedByTheirVariance) {
     render.half_width = 0.4;
     render.faults.label_mask = mask;
     const sampling::TileResult r = render(field);
-    return std::pair{std::abs(r.mean[4] - (2.0 + 8.0 * 0.45)) <= r.half_width[4] + 1e-6, field.counts().primary};
+    return std::pair{std::abs(r.mean[4] - (2.0 + 8.0 * 0.45)) <= r.half_width[4] + 1e-6,
+                     field.counts().primary};
   };
   int covered = 0, blind = 0;
   std::uint64_t rays = 0, blind_rays = 0;
@@ -131,8 +135,8 @@ TEST(AccuracyPaths, LabelsWithoutTheSunStateAreNotedByTheirVariance) {
     blind_rays += m;
   }
   EXPECT_GE(covered, 93);
-  EXPECT_GE(blind, 90);              // labels steer, they do not bias
-  EXPECT_GT(blind_rays, 3 * rays);   // but steering badly costs
+  EXPECT_GE(blind, 90);             // labels steer, they do not bias
+  EXPECT_GT(blind_rays, 3 * rays);  // but steering badly costs
 }
 
 }  // namespace

@@ -32,8 +32,9 @@ struct Clutter {
     return best;
   }
   ShapeField field() const {
-    return ShapeField([this](double x, double y) { return static_cast<sampling::Label>(site(x, y) % 6); },
-                      [this](sampling::Label l, double, double, int) { return static_cast<float>(radiance[l]); });
+    return ShapeField(
+        [this](double x, double y) { return static_cast<sampling::Label>(site(x, y) % 6); },
+        [this](sampling::Label l, double, double, int) { return static_cast<float>(radiance[l]); });
   }
 };
 
@@ -92,7 +93,8 @@ TEST(AccuracyTiles, EveryRayIsCountedOnce) {
   EXPECT_GT(r.halo_samples, 0u);
 }
 
-// Small tiles and one large tile: the same picture within both intervals, and no seam along the small tiles' rims.
+// Small tiles and one large tile: the same picture within both intervals, and no seam along the small tiles'
+// rims.
 TEST(AccuracyTiles, SmallAndLargeTilesAgree) {
   const int size = 24, small = 8;
   const Clutter clutter(3, size, 600);
@@ -142,14 +144,16 @@ sampling::PixelFootprint gaussian(double sigma_px, double half_width_px) {
   std::vector<double> h;
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
-      const double x = (2.0 * (i + 0.5) / n - 1.0) * half_width_px, y = (2.0 * (j + 0.5) / n - 1.0) * half_width_px;
+      const double x = (2.0 * (i + 0.5) / n - 1.0) * half_width_px,
+                   y = (2.0 * (j + 0.5) / n - 1.0) * half_width_px;
       h.push_back(std::exp(-0.5 * (x * x + y * y) / (sigma_px * sigma_px)));
     }
   return sampling::PixelFootprint::tabulated(half_width_px, n, h);
 }
 
 /// RMS error (K) and rays per source pixel under a Gaussian PSF of 0.6 px over clutter.
-std::pair<double, double> psf_error(std::uint64_t seed, double limit_k, bool by_model, int* covered, int* count) {
+std::pair<double, double> psf_error(std::uint64_t seed, double limit_k, bool by_model, int* covered,
+                                    int* count) {
   const int size = 12;
   const Clutter clutter(seed, size, 200);
   ShapeField field = clutter.field();
@@ -186,7 +190,6 @@ TEST(AccuracyTiles, WeightsTheTracedModelByThePsf) {
   const int scenes = 8;
   for (std::uint64_t seed = 0; seed < scenes; ++seed) {
     const auto [rms, rays] = psf_error(seed, 0.25, true, &covered, &count);
-    printf("rms %f rays %f covered %d of %d\n", rms, rays, covered, count);
     squares += rms * rms / scenes;
     all_rays += rays / scenes;
   }

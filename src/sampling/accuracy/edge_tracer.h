@@ -104,6 +104,7 @@ class EdgeTracer {
   Ends ends(const Curve& curve) const;
   Point2 end_point(std::uint32_t bracket) const;
   double sagitta(const Curve& curve, const Ends& e) const;
+  double sweep(const Cell& cell, const Ends& e, int end) const;
   bool within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model, std::uint32_t seen) const;
   bool neighbour_end(const Curve& curve, int end, Point2& point) const;
 
@@ -132,8 +133,9 @@ class EdgeTracer {
   std::vector<FocalPoint> points_, first_seen_point_;
   std::vector<double> allowed_variance_;
   std::vector<std::uint8_t> abandoned_, suspect_;
-  std::vector<std::uint8_t> stirred_;     // pixels whose cells, curves or brackets changed since they were sharpened
-  std::vector<double> sharpened_for_;     // allowed variance of each pixel when it was sharpened last
+  std::vector<std::uint8_t>
+      stirred_;  // pixels whose cells, curves or brackets changed since they were sharpened
+  std::vector<double> sharpened_for_;  // allowed variance of each pixel when it was sharpened last
 };
 
 }  // namespace ifov::sampling

@@ -10,7 +10,7 @@ namespace {
 /// Share of the allowed standard error that one unresolved cell may claim at first.
 constexpr double kLooseCell = 0.3;
 /// The same in narrow features, whose cells err alike.
-constexpr double kLooseNarrowCell = 0.02;
+constexpr double kLooseNarrowCell = 0.05;
 /// Brackets are refined to this share of the distance to the vertex inside a narrow feature.
 constexpr double kThinShare = 0.5;
 /// First width of a bracket, in units of what the tolerance allows to a crossing of one side of its cell.

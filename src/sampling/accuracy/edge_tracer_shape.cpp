@@ -89,17 +89,33 @@ bool EdgeTracer::within_tolerance(const Cell& cell, FocalPoint point, std::uint3
   return false;
 }
 
+/// Length swept per unit of motion of an end along its side: an arc whose middle was predicted from its ends
+/// moves with them as a whole, at right angles to itself. Half of the area is this cell's and the cell beyond
+/// errs the same way, hence the factor 1/2 of its variance instead of 1/4.
+double EdgeTracer::sweep(const Cell& cell, const Ends& e, int end) const {
+  const Curve& curve = curves_[cell.chord];
+  const Point2 d = e.b - e.a;
+  const double c = length(d);
+  double half_angle = 0.0;
+  if (cell.kind == CellKind::chord && !curve.corner && c > 0.0) {
+    const double s = sagitta(curve, e);
+    half_angle = (end == 0 ? 1.0 : -1.0) * 2.0 * std::atan(2.0 * s / c);
+  }
+  // The tangent at the end is the chord turned towards the bulge.
+  const double cosine = std::cos(half_angle), sine = std::sin(half_angle);
+  const Point2 tangent{d.x * cosine - d.y * sine, d.x * sine + d.y * cosine};
+  const double stretch = half_angle == 0.0 ? 1.0 : half_angle / sine;
+  return stretch * std::abs(brackets_[curve.bracket[end]].vertical ? tangent.x : tangent.y);
+}
+
 double EdgeTracer::area_variance(const Cell& cell) const {
   const Curve& curve = curves_[cell.chord];
   const Ends e = ends(curve);
   const Point2 d = e.b - e.a;
   double variance = 0.0;
   for (int t = 0; t < 2; ++t) {
-    // A crossing that moves along its side sweeps sin(angle between side and chord) of the motion; half of
-    // the swept area is this cell's, and the cell beyond errs the same way, hence 1/2 instead of 1/4.
-    const Bracket& b = brackets_[curve.bracket[t]];
-    const double swept = b.vertical ? d.x : d.y;
-    variance += 0.5 * swept * swept * b.width() * b.width() / 12.0;
+    const double swept = sweep(cell, e, t), width = brackets_[curve.bracket[t]].width();
+    variance += 0.5 * swept * swept * width * width / 12.0;
   }
   // The area under an arc is 2/3 chord * height, under a corner 1/2.
   const double lens =

@@ -51,8 +51,8 @@ void EdgeTracer::settle() {
 }
 
 /// Makes crossings precise enough for every pixel's allowed variance, sets how precisely the middles of
-/// curves must be verified, and splits what spoils the variance without being a curve. Pixels in which nothing
-/// changed since are left out.
+/// curves must be verified, and splits what spoils the variance without being a curve. Pixels in which
+/// nothing changed since are left out.
 void EdgeTracer::sharpen() {
   for (std::size_t p = 0; p < allowed_variance_.size(); ++p)
     if (allowed_variance_[p] != sharpened_for_[p]) stirred_[p] = 1;
@@ -79,7 +79,7 @@ void EdgeTracer::sharpen() {
     const Point2 d = e.b - e.a;
     const double contrast = contrast_(cell.pixel, curve.inner, curve.outer), square = contrast * contrast;
     for (int t = 0; t < 2; ++t) {
-      const double swept = brackets_[curve.bracket[t]].vertical ? d.x : d.y;
+      const double swept = sweep(cell, e, t);
       crossings.push_back({cell.pixel, curve.bracket[t], 0.5 * swept * swept * square / 12.0});
     }
     middles.push_back({cell.pixel, index, 4.0 / 9.0 * (d.x * d.x + d.y * d.y) * square / 12.0});

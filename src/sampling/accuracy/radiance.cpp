@@ -284,11 +284,13 @@ void Radiance::moments(const Pixel& pixel, std::size_t s, std::span<const int> c
       }
       blocks += 1.0;
     }
-    // Where a few blocks hold most of the variance (a shadow's edge within the label), few degrees of freedom are
-    // behind it: a square with one degree has a third of its own square's expectation as its squared expectation.
+    // Where a few blocks hold most of the variance (a shadow's edge within the label), few degrees of freedom
+    // are behind it: a square with one degree has a third of its own square's expectation as its squared
+    // expectation.
     out.freedom = blocks;
     for (std::size_t c = 0; c < n; ++c) {
-      if (fourth[c] > 0.0) out.freedom = std::min(out.freedom, 3.0 * out.variance[c] * out.variance[c] / fourth[c]);
+      if (fourth[c] > 0.0)
+        out.freedom = std::min(out.freedom, 3.0 * out.variance[c] * out.variance[c] / fourth[c]);
       out.variance[c] =
           (out.variance[c] + kBorrowed * spread_.local(label, columns[c])) / (blocks + kBorrowed);
     }

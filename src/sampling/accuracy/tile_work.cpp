@@ -21,8 +21,10 @@ constexpr double kPilot = 16.0, kFewest = 4.0;
 constexpr double kMargin = 1.15;
 /// After a pilot, a stratum grows at most this many times, until two rounds have told how its variance falls.
 constexpr double kFirstGrowth = 12.0;
-/// From here on replicated nets cost less than jittered values.
-constexpr double kManyValues = 4096.0;
+/// From here on replicated nets cost less than jittered values: early where the variance within blocks does
+/// not fall with their size, so that paths make it and not texture.
+constexpr double kManyPaths = 320.0, kManyValues = 4096.0;
+constexpr double kFlat = 0.7;
 
 PixelRect source_domain(const TileProblem& problem, int halo) {
   const int reach =
@@ -471,7 +473,12 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
         const Radiance::Stratum& stratum = pixel.strata[s];
         const double have = static_cast<double>(stratum.count());
         if (wanted <= std::max(1.0, have)) continue;
-        if (integrator.unit_box() && (stratum.nets.size > 0 || (have > 0.0 && wanted > kManyValues))) {
+        const double trended = stratum.nets.size == 0 && stratum.round_starts.size() >= 2
+                                   ? radiance_->with_trend(pixel, s, steering_, wanted)
+                                   : wanted;
+        const bool paths_differ = trended > kFlat * wanted && stratum.round_starts.size() >= 2;
+        if (integrator.unit_box() &&
+            (stratum.nets.size > 0 || (have > 0.0 && wanted > (paths_differ ? kManyPaths : kManyValues)))) {
           const std::uint32_t size = net_size(stratum, wanted, room);
           if (size == stratum.nets.size) continue;
           radiance_->plan_stratum_nets(p, s, size);
@@ -479,10 +486,8 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
           for (int o : model.outputs) looked[o] = 1;
           continue;
         }
-        if (pixel.strata[s].round_starts.size() >= 2)
-          wanted = radiance_->with_trend(pixel, s, steering_, wanted);
-        else if (have > 0.0)
-          wanted = std::min(wanted, kFirstGrowth * have);
+        wanted = trended;
+        if (stratum.round_starts.size() < 2 && have > 0.0) wanted = std::min(wanted, kFirstGrowth * have);
         double more = kMargin * wanted - have;
         if (have == 0.0) more = std::min(std::max(more, kFewest), std::max(kFewest, kPilot * model.area[s]));
         radiance_->plan(p, s, std::min(std::max(more, kFewest), room));
