@@ -198,6 +198,15 @@ TEST(AccuracyTiles, WeightsTheTracedModelByThePsf) {
   EXPECT_GE(covered, 0.93 * count);
 }
 
+// Drawing rays from each pixel's own PSF, for the same limit: the interval holds and costs many times the rays.
+TEST(AccuracyTiles, DrawingRaysFromThePsfCostsMore) {
+  int covered = 0, count = 0;
+  const auto [rms, rays] = psf_error(3, 0.25, false, &covered, &count);
+  EXPECT_LE(rms, 0.15);
+  EXPECT_GE(covered, 0.9 * count);
+  EXPECT_GT(rays, 3.0 * 45.0);
+}
+
 // A gradient under a box narrower than the pixel: only the box's own part counts.
 TEST(AccuracyTiles, FillFactorWeighsTheSensitivePartAlone) {
   ShapeField field([](double x, double) { return static_cast<sampling::Label>(x > 1.6); },

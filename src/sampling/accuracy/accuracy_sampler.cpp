@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "sampling/accuracy/footprint_draws.h"
 #include "sampling/accuracy/tile_work.h"
 
 namespace ifov::sampling {
@@ -19,6 +20,10 @@ AccuracySampler::AccuracySampler(AccuracyOptions options, AccuracyFaults faults)
 void AccuracySampler::sample(const TileProblem& problem, Field& field, TileResult& result) const {
   if (problem.tolerance == nullptr || problem.footprint == nullptr || problem.drivers.empty())
     throw std::invalid_argument("the accuracy sampler needs a tolerance, a footprint and driver columns");
+  if (!options_.footprint_by_model) {
+    draw_from_footprint(problem, field, options_, faults_, result);
+    return;
+  }
   TileWork work(problem, field, options_, faults_, result);
   work.trace_lattice();
   work.switch_clutter();

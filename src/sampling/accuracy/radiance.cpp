@@ -17,6 +17,9 @@ constexpr int kFinestGrid = 128;
 /// Points of a sequence looked at for each value of a stratum, before the net is left incomplete.
 constexpr double kAttemptsPerValue = 4.0;
 
+/// In place of a quarter: the value has the point of another one, whose number stands in place of the block.
+constexpr std::uint8_t kTwin = 255;
+
 constexpr std::uint64_t kStratumKey = 0x7374726174, kNetKey = 0x6e657473, kStratumNetKey = 0x736e657473;
 
 }  // namespace
@@ -39,9 +42,9 @@ void Radiance::add_pixel(int source, const LeafIntegrator& integrator) {
   pixel.cluttered = tracer_.abandoned(static_cast<std::uint32_t>(source));
   integrator.pixel(source, pixel.model);
   if (pixel.cluttered) {
-    pixel.strata.assign(kReplicates, Stratum{EdgeTracer::kNoLabel, 0, {}, {}, {}, {}, {}});
+    pixel.strata.assign(kReplicates, Stratum{EdgeTracer::kNoLabel, 0, {}, {}, {}, {}, {}, {}, 0.0});
   } else {
-    for (std::uint32_t label : pixel.model.labels) pixel.strata.push_back({label, 0, {}, {}, {}, {}, {}});
+    for (std::uint32_t label : pixel.model.labels) pixel.strata.push_back({label, 0, {}, {}, {}, {}, {}, {}, 0.0});
   }
   pixels_.push_back(std::move(pixel));
 }
@@ -56,6 +59,7 @@ void Radiance::plan(std::size_t p, std::size_t s, double count) {
   int side = static_cast<int>(std::ceil(std::sqrt(count / area)));
   side = std::clamp(side + side % 2, 2, kFinestGrid);
   const std::uint64_t key = hash(seed_, kStratumKey, px, py, table_.label(stratum.label), stratum.round++);
+  const std::size_t first = requests_.size();
   for (int j = 0; j < side; j += 2)
     for (int i = 0; i < side; i += 2)
       for (int quarter = 0; quarter < 4; ++quarter) {
@@ -68,6 +72,14 @@ void Radiance::plan(std::size_t p, std::size_t s, double count) {
         planned_.push_back({p, s, static_cast<std::uint32_t>((j / 2) * (side / 2) + i / 2),
                             static_cast<std::uint8_t>(quarter)});
       }
+  if (stratum.round != 2) return;
+  const std::size_t drawn = requests_.size() - first, step = std::max<std::size_t>(1, drawn / kTwins);
+  for (std::size_t k = 0; k < drawn; k += step) {
+    PathRequest twin = requests_[first + k];
+    twin.sequence = mix(twin.sequence);
+    requests_.push_back(twin);
+    planned_.push_back({p, s, static_cast<std::uint32_t>(first + k), kTwin});
+  }
 }
 
 void Radiance::plan_nets(std::size_t p, std::uint32_t count) {
@@ -183,6 +195,17 @@ void Radiance::trace() {
     const Planned& planned = planned_[i];
     Pixel& pixel = pixels_[planned.pixel];
     Stratum& stratum = pixel.strata[planned.stratum];
+    if (planned.quarter == kTwin) {
+      if (labels[i] != stratum.label || labels[planned.block] != stratum.label) continue;
+      stratum.twin_squares.resize(stride_, 0.0);
+      const float *a = &values_[(first + i) * stride_], *b = &values_[(first + planned.block) * stride_];
+      for (std::size_t c = 0; c < stride_; ++c) {
+        const double difference = static_cast<double>(a[c]) - b[c];
+        stratum.twin_squares[c] += 0.5 * difference * difference;
+      }
+      stratum.twins += 1.0;
+      continue;
+    }
     const bool same_block = open != ~std::size_t{0} && planned_[open].pixel == planned.pixel &&
                             planned_[open].stratum == planned.stratum &&
                             planned_[open].block == planned.block;
@@ -223,6 +246,16 @@ double Radiance::block_square(const Block& block, int k) {
   }
   const double twist = (static_cast<double>(v[0][k]) - v[1][k]) - (static_cast<double>(v[2][k]) - v[3][k]);
   return 0.25 * twist * twist;
+}
+
+bool Radiance::paths_differ(const Stratum& stratum, std::span<const int> columns,
+                            const StratumMoments& moments) const {
+  constexpr double kMost = 0.5;
+  if (stratum.twins == 0.0) return false;
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (stratum.twin_squares[columns[c]] / stratum.twins > kMost * moments.variance[c] && moments.variance[c] > 0.0)
+      return true;
+  return false;
 }
 
 double Radiance::with_trend(const Pixel& pixel, std::size_t s, std::span<const int> drivers,

@@ -48,6 +48,8 @@ class Radiance {
     std::vector<std::uint32_t> round_starts;  ///< first block of each round
     std::vector<std::uint8_t> full_block;     ///< the block holds four values, one per quarter
     Nets nets;
+    std::vector<double> twin_squares;      ///< per column: half the squared differences of two paths at one point
+    double twins = 0.0;
     std::size_t count() const;  ///< values that the estimate rests on
   };
   struct Pixel {
@@ -63,6 +65,8 @@ class Radiance {
 
   static constexpr int kReplicates = 8;
   static constexpr int kStratumReplicates = 16;
+  /// Points of a stratum's second round that get a second path each.
+  static constexpr int kTwins = 16;
 
   std::vector<Pixel>& pixels() { return pixels_; }
   void clear() {
@@ -86,6 +90,10 @@ class Radiance {
   /// equal).
   void moments(const Pixel& pixel, std::size_t stratum, std::span<const int> columns,
                StratumMoments& out) const;
+
+  /// Whether most of the variance of a stratum's values comes from their paths rather than from where they are, in
+  /// some of these columns; false before twins have told.
+  bool paths_differ(const Stratum& stratum, std::span<const int> columns, const StratumMoments& moments) const;
 
   /// The number of values that reaches what `count` values would reach at the variance of the last round, if
   /// the variance within blocks goes on falling with their size as it did from the round before.

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "sampling/accuracy/clutter.h"
+#include "sampling/accuracy/source_domain.h"
 
 namespace ifov::sampling {
 
@@ -21,18 +22,11 @@ constexpr double kPilot = 16.0, kFewest = 4.0;
 constexpr double kMargin = 1.15;
 /// After a pilot, a stratum grows at most this many times, until two rounds have told how its variance falls.
 constexpr double kFirstGrowth = 12.0;
-/// From here on replicated nets cost less than jittered values: early where the variance within blocks does
-/// not fall with their size, so that paths make it and not texture.
-constexpr double kManyPaths = 320.0, kManyValues = 4096.0;
-constexpr double kFlat = 0.7;
-
-PixelRect source_domain(const TileProblem& problem, int halo) {
-  const int reach =
-      std::max(0, static_cast<int>(std::ceil(problem.footprint->half_width_px() - 0.5 - 1e-12)));
-  const PixelRect &t = problem.tile, &i = problem.image;
-  return {std::max(t.x0 - reach - halo, i.x0 - reach), std::max(t.y0 - reach - halo, i.y0 - reach),
-          std::min(t.x1 + reach + halo, i.x1 + reach), std::min(t.y1 + reach + halo, i.y1 + reach)};
-}
+/// Later rounds grow at most this many times: the finer the grid, the faster texture gets exact.
+constexpr double kGrowth = 2.5;
+/// From here on replicated nets cost less than jittered values: early where paths make the variance and not
+/// texture.
+constexpr double kManyPaths = 320.0, kManyValues = 16384.0;
 
 /// Integral of the square of the footprint: the variance of a pixel made of many equally uncertain source
 /// pixels.
@@ -473,10 +467,7 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
         const Radiance::Stratum& stratum = pixel.strata[s];
         const double have = static_cast<double>(stratum.count());
         if (wanted <= std::max(1.0, have)) continue;
-        const double trended = stratum.nets.size == 0 && stratum.round_starts.size() >= 2
-                                   ? radiance_->with_trend(pixel, s, steering_, wanted)
-                                   : wanted;
-        const bool paths_differ = trended > kFlat * wanted && stratum.round_starts.size() >= 2;
+        const bool paths_differ = radiance_->paths_differ(stratum, steering_, moments);
         if (integrator.unit_box() &&
             (stratum.nets.size > 0 || (have > 0.0 && wanted > (paths_differ ? kManyPaths : kManyValues)))) {
           const std::uint32_t size = net_size(stratum, wanted, room);
@@ -486,8 +477,10 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
           for (int o : model.outputs) looked[o] = 1;
           continue;
         }
-        wanted = trended;
-        if (stratum.round_starts.size() < 2 && have > 0.0) wanted = std::min(wanted, kFirstGrowth * have);
+        if (stratum.round_starts.size() >= 2)
+          wanted = std::min(radiance_->with_trend(pixel, s, steering_, wanted), kGrowth * have);
+        else if (have > 0.0)
+          wanted = std::min(wanted, kFirstGrowth * have);
         double more = kMargin * wanted - have;
         if (have == 0.0) more = std::min(std::max(more, kFewest), std::max(kFewest, kPilot * model.area[s]));
         radiance_->plan(p, s, std::min(std::max(more, kFewest), room));

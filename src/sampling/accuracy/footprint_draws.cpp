@@ -1,0 +1,112 @@
+#include "sampling/accuracy/footprint_draws.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sampling/accuracy/ray_ledger.h"
+#include "sampling/accuracy/source_domain.h"
+#include "sampling/accuracy/stopping.h"
+#include "sampling/sequence.h"
+
+namespace ifov::sampling {
+
+namespace {
+
+constexpr int kReplicates = 8;
+constexpr std::uint32_t kFirstNet = 4;
+
+/// A point of the footprint's distribution about the pixel's centre: the first number inverts the marginal in
+/// x, the second the share of a narrow strip there.
+FocalPoint warp(const PixelFootprint& h, Point2 u) {
+  const double w = h.half_width_px(), strip = w / 256.0;
+  const auto invert = [&](double target, auto below) {
+    double low = -w, high = w;
+    for (int i = 0; i < 40; ++i) {
+      const double middle = 0.5 * (low + high);
+      (below(middle) < target ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+  };
+  const double x = invert(u.x * h.integral(-w, -w, w, w), [&](double t) { return h.integral(-w, -w, t, w); });
+  const double a = std::clamp(x - strip, -w, w - strip), b = std::clamp(x + strip, -w + strip, w);
+  const double y = invert(u.y * h.integral(a, -w, b, w), [&](double t) { return h.integral(a, -w, b, t); });
+  return {x, y};
+}
+
+}  // namespace
+
+void draw_from_footprint(const TileProblem& problem, Field& field, const AccuracyOptions& options,
+                         const AccuracyFaults& faults, TileResult& result) {
+  const std::size_t columns = static_cast<std::size_t>(field.columns());
+  const std::size_t stride = static_cast<std::size_t>(field.stride());
+  result.reset(problem.tile, field.columns());
+  const Lattice lattice(source_domain(problem, 0), 1);
+  LabelTable table(field.columns());
+  RayLedger ledger(field, problem, lattice, table, faults);
+  const Stopping stopping(problem.tolerance->confidence());
+  const std::size_t pixels = static_cast<std::size_t>(problem.tile.count());
+
+  std::vector<double> sums(pixels * kReplicates * columns, 0.0), mean(columns), limit(columns), half(columns);
+  std::vector<std::size_t> open(pixels);
+  for (std::size_t p = 0; p < pixels; ++p) open[p] = p;
+  std::uint32_t done = 0, net = kFirstNet;
+  for (int look = 0; look < Stopping::kLooks && !open.empty(); ++look) {
+    std::vector<PathRequest> requests;
+    for (std::size_t p : open) {
+      const int x = problem.tile.x0 + static_cast<int>(p) % problem.tile.width();
+      const int y = problem.tile.y0 + static_cast<int>(p) / problem.tile.width();
+      for (int r = 0; r < kReplicates; ++r) {
+        const std::uint64_t key = hash(problem.seed, 0x64726177, x, y, r);
+        for (std::uint32_t i = done; i < net; ++i) {
+          const FocalPoint d = warp(*problem.footprint, sequence_point(key, i, 0));
+          requests.push_back({{x + 0.5 + d.x_px, y + 0.5 + d.y_px}, mix(key), i});
+        }
+      }
+    }
+    std::vector<std::uint32_t> labels;
+    std::vector<float> values(requests.size() * stride);
+    ledger.values(requests, labels, values);
+    const std::size_t per_net = net - done;
+    for (std::size_t k = 0; k < requests.size(); ++k) {
+      const std::size_t p = open[k / (kReplicates * per_net)], r = k / per_net % kReplicates;
+      for (std::size_t c = 0; c < columns; ++c)
+        sums[(p * kReplicates + r) * columns + c] += values[k * stride + c];
+    }
+    std::vector<std::size_t> wide;
+    for (std::size_t p : open) {
+      double worst = 0.0;
+      std::vector<double> variance(columns);
+      for (std::size_t c = 0; c < columns; ++c) {
+        double sum = 0.0, squares = 0.0;
+        for (std::size_t r = 0; r < kReplicates; ++r) {
+          const double v = sums[(p * kReplicates + r) * columns + c] / net;
+          sum += v;
+          squares += v * v;
+        }
+        mean[c] = sum / kReplicates;
+        variance[c] =
+            std::max(0.0, squares - kReplicates * mean[c] * mean[c]) / (kReplicates * (kReplicates - 1.0));
+        half[c] = stopping.student(look, kReplicates - 1.0) * std::sqrt(variance[c]);
+      }
+      problem.tolerance->limits(mean, limit);
+      for (std::size_t c = 0; c < columns; ++c) {
+        const std::size_t i = p * columns + c;
+        worst = std::max(worst, half[c] / limit[c]);
+        result.mean[i] = static_cast<float>(mean[c]);
+        result.variance_path[i] = static_cast<float>(variance[c]);
+        result.half_width[i] = static_cast<float>(half[c]);
+      }
+      result.worst_ratio[p] = static_cast<float>(worst);
+      result.converged[p] = worst <= 1.0;
+      result.missable_fraction[p] = static_cast<float>(0.95 / (kReplicates * net));
+      result.radiance_evaluations[p] = result.samples[p] = kReplicates * net;
+      if (worst > 1.0 && 2u * kReplicates * net <= options.max_samples_per_pixel) wide.push_back(p);
+    }
+    open.swap(wide);
+    done = net;
+    net *= 2;
+  }
+  result.rays = field.counts();
+}
+
+}  // namespace ifov::sampling
