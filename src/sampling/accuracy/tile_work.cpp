@@ -21,7 +21,7 @@ constexpr double kPilot = 16.0, kFewest = 4.0;
 /// Planned rounds aim a little beyond the limit, because variances are estimates.
 constexpr double kMargin = 1.15;
 /// After a pilot, a stratum grows at most this many times, until two rounds have told how its variance falls.
-constexpr double kFirstGrowth = 12.0;
+constexpr double kFirstGrowth = 4.0;
 /// Later rounds grow at most this many times: the finer the grid, the faster texture gets exact.
 constexpr double kGrowth = 2.5;
 /// From here on replicated nets cost less than jittered values: early where paths make the variance and not
@@ -381,7 +381,7 @@ void TileWork::Sums::clear(std::size_t columns) {
 /// Nets grow by doubling, at most fourfold between looks: their error falls faster than that of independent
 /// values, by which `wanted` is reckoned.
 std::uint32_t TileWork::net_size(const Radiance::Stratum& stratum, double wanted, double room) {
-  constexpr double kGain = 16.0;  // more than nets are likely to save
+  constexpr double kGain = 8.0;  // about what nets save
   const double most =
       std::max(4.0, (room + static_cast<double>(stratum.count())) / Radiance::kStratumReplicates);
   std::uint32_t size = std::max(4u, stratum.nets.size);
