@@ -16,7 +16,10 @@ class Terminal:
     """The program with its messages on a pseudo-terminal."""
 
     def __init__(self, folder, *arguments):
-        self._screen, writer = pty.openpty()
+        try:
+            self._screen, writer = pty.openpty()
+        except OSError as error:
+            raise unittest.SkipTest(f"this system gives no pseudo-terminal: {error}") from error
         self.process = subprocess.Popen(
             [PROGRAM, *arguments], cwd=folder, stdin=writer, stderr=writer, stdout=subprocess.PIPE
         )
