@@ -21,7 +21,7 @@ constexpr double kPilot = 16.0, kFewest = 4.0;
 /// Planned rounds aim a little beyond the limit, because variances are estimates.
 constexpr double kMargin = 1.15;
 /// After a pilot, a stratum grows at most this many times, until two rounds have told how its variance falls.
-constexpr double kFirstGrowth = 4.0;
+constexpr double kFirstGrowth = 12.0;
 /// Later rounds grow at most this many times: the finer the grid, the faster texture gets exact.
 constexpr double kGrowth = 2.5;
 /// From here on replicated nets cost less than jittered values: early where paths make the variance and not
