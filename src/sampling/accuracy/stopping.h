@@ -9,7 +9,7 @@
 namespace ifov::sampling {
 
 /// Quantiles for intervals that are looked at more than once. The chance of error alpha is spent over the
-/// looks (most on the third and fourth: the lattice alone, a pilot, a first and a final plan), so that
+/// looks (least on the first two: the lattice alone, a pilot), so that
 /// whichever look stops, the interval holds; by Bonferroni.
 class Stopping {
  public:
@@ -32,7 +32,7 @@ class Stopping {
   }
 
  private:
-  static constexpr double kShare[kLooks] = {0.05, 0.1, 0.3, 0.4, 0.1, 0.03, 0.01, 0.01};
+  static constexpr double kShare[kLooks] = {0.02, 0.06, 0.22, 0.25, 0.2, 0.13, 0.08, 0.04};
   double confidence_, normal_;
   mutable std::vector<double> cache_;
 };
