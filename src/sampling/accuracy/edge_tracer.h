@@ -89,6 +89,7 @@ class EdgeTracer {
   void split_beside_hanging_nodes();
   void classify(std::uint32_t cell, std::vector<std::uint32_t>& awaiting);
   void settle_complex(std::uint32_t cell);
+  bool foreign(const Cell& cell, std::uint32_t label) const;
   std::uint32_t bracket_on(const Cell& cell, int side);
   void locate(std::vector<std::uint32_t>& brackets);
   bool narrow_corner(const Cell& cell) const;

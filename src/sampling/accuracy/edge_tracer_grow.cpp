@@ -148,10 +148,26 @@ bool EdgeTracer::contradict(FocalPoint point, std::uint32_t label) {
   const Cell& cell = cells_[leaf];
   if (cell.level == kMaxLevel || abandoned_[cell.pixel]) return false;
   const std::uint32_t model = model_label(point);
-  if (model == label || model == kNoLabel || within_tolerance(cell, point, model, label)) return false;
+  if (model == kNoLabel) {
+    if (!foreign(cell, label)) return false;
+  } else if (model == label || within_tolerance(cell, point, model, label)) {
+    return false;
+  }
   suspect_[cell.pixel] = 1;
   split(leaf);
   return true;
+}
+
+/// Whether a label that no corner of a complex cell has would matter in it.
+bool EdgeTracer::foreign(const Cell& cell, std::uint32_t label) const {
+  if (cell.kind != CellKind::complex) return false;
+  double contrast = 0.0;
+  for (std::uint32_t corner : cell.corner) {
+    if (corner == label) return false;
+    contrast = std::max(contrast, contrast_(cell.pixel, corner, label));
+  }
+  const double side_px = lattice_.side_px(cell.level);
+  return kUniformSpread * side_px * side_px * contrast > kLooseCell * std::sqrt(allowed_variance_[cell.pixel]);
 }
 
 std::uint32_t EdgeTracer::model_label(FocalPoint point) const {
@@ -259,7 +275,8 @@ void EdgeTracer::classify(std::uint32_t index, std::vector<std::uint32_t>& await
   const double error = kUniformSpread * area * contrast_.among(cell.pixel, cell.corner);
   const bool negligible = error < 0.1 * kLooseCell * std::sqrt(allowed_variance_[cell.pixel]);
   if (!two_labels || crossings != 2 || (negligible && !narrow_corner(cell))) {
-    if (two_labels && crossings == 4) suspect_[cell.pixel] = 1;
+    // Two things that look alike, met side by side: another may lie between them and show at no corner.
+    if ((two_labels && crossings == 4) || (negligible && cell.level == 0)) suspect_[cell.pixel] = 1;
     settle_complex(index);
     return;
   }
