@@ -310,6 +310,7 @@ void TileWork::tighten_borders() {
     if (!any) return;
     tracer_.settle();
   }
+  radiance_.reset();
 }
 
 void TileWork::estimate() {
@@ -320,13 +321,15 @@ void TileWork::estimate() {
   const int group =
       integrator.unit_box() ? std::max<int>(64, static_cast<int>(65536 / lattice_values_.stride)) : sources;
   for (int first = 0; first < sources; first += group) {
-    radiance_ = std::make_unique<Radiance>(tracer_, ledger_, table_, *spread_, lattice_values_, faults_,
-                                           problem_.seed);
-    std::vector<std::uint8_t> touched(outputs_.size(), 0);
-    for (int p = first; p < std::min(sources, first + group); ++p) {
-      radiance_->add_pixel(p, integrator);
-      for (int o : radiance_->pixels().back().model.outputs) touched[o] = 1;
+    const bool ready = group >= sources && radiance_ != nullptr;  // by tighten_borders, of all pixels
+    if (!ready) {
+      radiance_ = std::make_unique<Radiance>(tracer_, ledger_, table_, *spread_, lattice_values_, faults_,
+                                             problem_.seed);
+      for (int p = first; p < std::min(sources, first + group); ++p) radiance_->add_pixel(p, integrator);
     }
+    std::vector<std::uint8_t> touched(outputs_.size(), 0);
+    for (const Radiance::Pixel& pixel : radiance_->pixels())
+      for (int o : pixel.model.outputs) touched[o] = 1;
     std::vector<int> outputs;
     for (std::size_t o = 0; o < touched.size(); ++o)
       if (touched[o]) outputs.push_back(static_cast<int>(o));
