@@ -15,8 +15,10 @@ namespace {
 constexpr int kEnoughTrials = 100;  // fewer are a quick look, with a shorter sweep too
 constexpr double kMapSide_m = 8.0;
 
+/// All shapes of the study are larger than half a pixel or seeded, so that a lattice of two cells per pixel side
+/// meets them.
 std::string asked(double error_c, std::string_view more = "") {
-  return accuracy_sampling(radiance_of_error(error_c), more);
+  return accuracy_sampling(radiance_of_error(error_c), format(", \"lattice\": 2{}", more));
 }
 
 constexpr std::string_view kNoSeeds = ", \"seeds\": false";
