@@ -106,7 +106,7 @@ std::vector<PixelIndex> mixed_pixels(const Trial& trial) {
   return mixed;
 }
 
-/// Standard errors that the reference has to reach: a seventh of the half-width, or of half the mean one
+/// Standard errors that the reference has to reach: an eighth of the half-width, or of half the mean one
 /// where a pixel's own is smaller still.
 std::vector<double> wanted_errors(const sampling::TileResult& result, std::span<const PixelIndex> pixels) {
   const auto columns = static_cast<std::size_t>(result.columns);
@@ -119,7 +119,7 @@ std::vector<double> wanted_errors(const sampling::TileResult& result, std::span<
     mean[k % columns] += wanted[k] / static_cast<double>(pixels.size());
   }
   for (std::size_t k = 0; k < wanted.size(); ++k)
-    wanted[k] = std::max(wanted[k], 0.5 * mean[k % columns]) / 7.0;
+    wanted[k] = std::max(wanted[k], 0.5 * mean[k % columns]) / 8.0;
   return wanted;
 }
 
