@@ -58,7 +58,7 @@ void EdgeTracer::value_new_labels() {
   std::vector<PathRequest> requests;
   std::vector<std::uint32_t> wanted;
   for (std::uint32_t l = 0; l < table_.size(); ++l)
-    if (table_.count(l) == 0) {
+    if (table_.count(l) == 0 && table_.merged(l) == l) {
       requests.push_back({first_seen_point_[l], hash(seed_, table_.label(l), 0x6e6577), 0});
       wanted.push_back(l);
     }

@@ -15,15 +15,20 @@ class LabelTable {
   explicit LabelTable(int columns) : columns_(static_cast<std::size_t>(columns)) {}
 
   std::uint32_t index(Label label) {
-    if (!labels_.empty() && labels_[last_] == label) return last_;
+    if (!labels_.empty() && labels_[last_] == label) return stands_for_[last_];
     last_ = indices_.find_or_insert(label, static_cast<std::uint32_t>(labels_.size()));
     if (last_ == labels_.size()) {
       labels_.push_back(label);
+      stands_for_.push_back(last_);
       counts_.push_back(0);
       means_.resize(means_.size() + columns_, 0.0);
     }
-    return last_;
+    return stands_for_[last_];
   }
+
+  /// From now on `index` answers `as` for what was numbered `from`.
+  void merge(std::uint32_t from, std::uint32_t as) { stands_for_[from] = as; }
+  std::uint32_t merged(std::uint32_t index) const { return stands_for_[index]; }
 
   std::size_t size() const { return labels_.size(); }
   Label label(std::uint32_t index) const { return labels_[index]; }
@@ -41,6 +46,7 @@ class LabelTable {
   std::size_t columns_;
   FlatMap indices_;
   std::vector<Label> labels_;
+  std::vector<std::uint32_t> stands_for_;
   std::vector<std::uint32_t> counts_;
   std::vector<double> means_;
   std::uint32_t last_ = 0;

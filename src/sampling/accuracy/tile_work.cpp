@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "sampling/accuracy/clutter.h"
@@ -100,6 +101,7 @@ void TileWork::trace_lattice() {
   lattice_values_.stride = static_cast<std::size_t>(ledger_.field().stride());
   lattice_values_.values.resize(requests.size() * lattice_values_.stride);
   ledger_.values(requests, lattice_values_.labels, lattice_values_.values);
+  merge_twins();
   for (std::size_t v = 0; v < requests.size(); ++v)
     table_.add(lattice_values_.labels[v], &lattice_values_.values[v * lattice_values_.stride]);
   spread_ = std::make_unique<LabelSpread>(lattice_, table_, columns_, lattice_values_.labels,
@@ -116,6 +118,40 @@ void TileWork::trace_lattice() {
     tracer_.allowed_variance()[p] = geometry_share(p) / (energy * importance * importance);
   }
   tracer_.plant(lattice_values_.labels);
+}
+
+/// Labels of one material whose values at all vertices are the same to the last bit (black things at one
+/// temperature, level ground under the Sun) are one label: no radiance tells them apart, and a border between them
+/// would cost rays for nothing.
+void TileWork::merge_twins() {
+  const std::size_t stride = lattice_values_.stride, columns = static_cast<std::size_t>(columns_);
+  constexpr std::size_t kNone = ~std::size_t{0};
+  std::vector<std::size_t> first(table_.size(), kNone);
+  std::vector<std::uint8_t> constant(table_.size(), 1);
+  const auto same = [&](std::size_t v, std::size_t w) {
+    return std::equal(&lattice_values_.values[v * stride], &lattice_values_.values[v * stride] + columns,
+                      &lattice_values_.values[w * stride]);
+  };
+  for (std::size_t v = 0; v < lattice_values_.labels.size(); ++v) {
+    const std::uint32_t label = lattice_values_.labels[v];
+    if (first[label] == kNone)
+      first[label] = v;
+    else if (constant[label] && !same(v, first[label]))
+      constant[label] = 0;
+  }
+  std::multimap<std::pair<std::uint32_t, float>, std::uint32_t> kept;  // by material and first column
+  for (std::uint32_t label = 0; label < table_.size(); ++label) {
+    if (!constant[label] || first[label] == kNone) continue;
+    const std::pair<std::uint32_t, float> key{ledger_.field().material_of(table_.label(label)),
+                                              lattice_values_.values[first[label] * stride]};
+    const auto [begin, end] = kept.equal_range(key);
+    const auto twin = std::find_if(begin, end, [&](const auto& e) { return same(first[e.second], first[label]); });
+    if (twin == end)
+      kept.emplace(key, label);
+    else
+      table_.merge(label, twin->second);
+  }
+  for (std::uint32_t& label : lattice_values_.labels) label = table_.merged(label);
 }
 
 /// Limits from the means over the lattice, seen through the footprint.

@@ -41,6 +41,7 @@ class TileWork {
     std::vector<double> path_budget;  ///< per driver: variance that paths may leave
   };
 
+  void merge_twins();
   void set_limits();
   double geometry_share(int source) const;
   double relative_weight(int source) const;
