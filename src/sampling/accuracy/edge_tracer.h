@@ -136,6 +136,7 @@ class EdgeTracer {
   std::vector<std::uint8_t> abandoned_, suspect_;
   std::vector<std::uint8_t>
       stirred_;  // pixels whose cells, curves or brackets changed since they were sharpened
+  std::vector<int> halvings_;             // per bracket, while crossings are sharpened
   std::vector<double> sharpened_for_;  // allowed variance of each pixel when it was sharpened last
 };
 

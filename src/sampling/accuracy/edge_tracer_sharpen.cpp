@@ -114,7 +114,9 @@ void EdgeTracer::sharpen() {
   }
 
   // 2. Crossings: repeatedly halve the one that counts most.
-  std::vector<int> halvings(brackets_.size(), 0);
+  std::vector<int>& halvings = halvings_;  // all zero between calls
+  halvings.resize(brackets_.size(), 0);
+  std::vector<std::uint32_t> active;
   for (std::size_t first = 0; first < crossings.size();) {
     const std::size_t last = end_of_pixel(crossings, first);
     const std::uint32_t pixel = crossings[first].pixel;
@@ -147,14 +149,13 @@ void EdgeTracer::sharpen() {
       total -= 0.75 * item.variance;
       item.variance *= 0.25;
       ++item.halvings;
+      if (halvings[item.bracket] == 0) active.push_back(item.bracket);
       halvings[item.bracket] = std::max(halvings[item.bracket], item.halvings);
       queue.push(item);
     }
     first = last;
   }
-  std::vector<std::uint32_t> active;
-  for (std::uint32_t b = 0; b < brackets_.size(); ++b)
-    if (halvings[b] > 0) active.push_back(b);
+  std::sort(active.begin(), active.end());
   std::vector<std::uint32_t> labels;
   while (!active.empty()) {
     for (std::uint32_t b : active) points_.push_back(brackets_[b].at(lattice_, brackets_[b].next()));
@@ -166,6 +167,7 @@ void EdgeTracer::sharpen() {
       for (std::uint32_t entry : b.cells)
         if (entry != 0) stirred_[cells_[entry - 1].pixel] = 1;
       if (b.third_label) {
+        halvings[active[i]] = 0;
         for (std::uint32_t entry : b.cells)
           if (entry != 0 && cells_[entry - 1].kind != CellKind::split) {
             suspect_[cells_[entry - 1].pixel] = 1;

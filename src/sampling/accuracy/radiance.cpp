@@ -333,6 +333,12 @@ void Radiance::moments(const Pixel& pixel, std::size_t s, std::span<const int> c
     return;
   }
 
+  if (spread_.constant(label)) {
+    for (std::size_t c = 0; c < n; ++c) out.mean[c] = table_.mean(label)[columns[c]];
+    out.freedom = 2.0;
+    return;
+  }
+
   const Lattice& lattice = tracer_.lattice();
   const int k = lattice.cells_per_pixel(), row = lattice.columns() + 1;
   const int x = pixel.source % lattice.domain().width() * k, y = pixel.source / lattice.domain().width() * k;

@@ -76,6 +76,14 @@ LabelSpread::LabelSpread(const Lattice& lattice, const LabelTable& table, int co
   }
   pool(local_, local_freedom, labels_, columns_);
   pool(total_, total_freedom, labels_, columns_);
+  constant_.resize(labels_);
+  for (std::size_t l = 0; l < labels_; ++l) {
+    const auto agree = [&](const std::vector<double>& variances) {
+      const double* row = &variances[l * columns_];
+      return std::all_of(row, row + columns_, [](double v) { return v == 0.0; });
+    };
+    constant_[l] = agree(local_) && agree(total_);
+  }
 }
 
 }  // namespace ifov::sampling

@@ -22,6 +22,9 @@ class LabelSpread {
   /// than the lattice have that of all labels.
   double local(std::uint32_t label, int column) const { return row(local_, label)[column]; }
 
+  /// Whether all values of the label agree, and so do those of all labels that it could borrow a variance from.
+  bool constant(std::uint32_t label) const { return label < labels_ && constant_[label] != 0; }
+
   /// Variance of a value about the label's mean over the tile.
   double total(std::uint32_t label, int column) const { return row(total_, label)[column]; }
 
@@ -31,6 +34,7 @@ class LabelSpread {
   }
 
   std::size_t columns_, labels_;
+  std::vector<std::uint8_t> constant_;
   std::vector<double> local_, total_;  // [label][column], the last row for all labels together
 };
 

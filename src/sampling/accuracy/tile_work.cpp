@@ -476,6 +476,8 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
     const PixelModel& model = pixel.model;
     const std::uint32_t spent = ledger_.spent(pixel.source);
     if (spent >= options_.max_samples_per_pixel) continue;
+    if (std::all_of(model.outputs.begin(), model.outputs.end(), [&](int o) { return outputs_[o].satisfied; }))
+      continue;
     const double room = options_.max_samples_per_pixel - spent;
     const std::size_t strata = pixel.cluttered ? 1 : model.labels.size();
     for (std::size_t s = 0; s < strata; ++s) {
