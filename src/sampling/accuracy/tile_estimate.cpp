@@ -1,0 +1,282 @@
+// Radiance in rounds: moments weighed into pixels, looks at the intervals, plans for more values.
+#include <algorithm>
+#include <cmath>
+
+#include "sampling/accuracy/tile_work.h"
+
+namespace ifov::sampling {
+
+namespace {
+
+/// A pilot round draws about this many values per pixel, and at least a few per stratum.
+constexpr double kPilot = 16.0, kFewest = 4.0;
+/// Planned rounds aim a little beyond the limit, because variances are estimates.
+constexpr double kMargin = 1.15;
+/// After a pilot, a stratum grows at most this many times, until two rounds have told how its variance falls.
+constexpr double kFirstGrowth = 12.0;
+/// Later rounds grow at most this many times: the finer the grid, the faster texture gets exact.
+constexpr double kGrowth = 2.5;
+/// From here on replicated nets cost less than jittered values: early where paths make the variance and not
+/// texture.
+constexpr double kManyPaths = 320.0, kManyValues = 16384.0;
+
+}  // namespace
+
+/// Moments per column of one stratum are weighed into every output that its source pixel reaches.
+void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> columns,
+                      std::vector<Sums>& sums) const {
+  const std::size_t n = columns.size();
+  std::vector<StratumMoments> moments;
+  std::vector<double> net_mean, net_variance, weighted(n);
+  for (const Radiance::Pixel& pixel : radiance_->pixels()) {
+    const PixelModel& model = pixel.model;
+    if (model.outputs.empty()) continue;
+    if (pixel.cluttered) {
+      for (int output : model.outputs) {
+        Sums& sum = sums[output];
+        radiance_->nets(pixel, integrator.unit_box() ? nullptr : &integrator.footprint(),
+                        integrator.centre(output), columns, net_mean, net_variance);
+        const double w = integrator.whole_weight(pixel.source, output);
+        for (std::size_t c = 0; c < n; ++c) {
+          const double variance = w * w * net_variance[c];
+          sum.mean[c] += w * net_mean[c];
+          sum.path[c].add(variance, Radiance::kReplicates - 1.0);
+          sum.deviation[c] += std::sqrt(variance * Radiance::kReplicates * pixel.net_size);
+        }
+      }
+      continue;
+    }
+    const std::size_t regions = model.labels.size();
+    moments.resize(std::max(moments.size(), regions));
+    for (std::size_t r = 0; r < regions; ++r) radiance_->moments(pixel, r, columns, moments[r]);
+    for (std::size_t o = 0; o < model.outputs.size(); ++o) {
+      Sums& sum = sums[model.outputs[o]];
+      for (std::size_t r = 0; r < regions; ++r) {
+        const double w = model.weight[o * regions + r];
+        if (w == 0.0) continue;
+        weighted = moments[r].mean;
+        double share = 1.0;
+        if (moments[r].sampled)
+          share = integrator.unit_box()
+                      ? 1.0 / static_cast<double>(pixel.strata[r].count())
+                      : radiance_->weigh(pixel, r, integrator.footprint(),
+                                         integrator.centre(model.outputs[o]), columns, weighted);
+        for (std::size_t c = 0; c < n; ++c) {
+          sum.mean[c] += w * weighted[c];
+          sum.path[c].add(w * w * moments[r].variance[c] * share, moments[r].freedom);
+          sum.deviation[c] += w * std::sqrt(moments[r].variance[c]);
+        }
+      }
+      for (std::size_t b = 0; b < model.borders.size(); ++b) {
+        const std::size_t in = model.region_of(model.borders[b].inner),
+                          out = model.region_of(model.borders[b].outer);
+        const double variance = model.border_variance[o * model.borders.size() + b];
+        for (std::size_t c = 0; c < n; ++c) {
+          const double step = moments[in].mean[c] - moments[out].mean[c];
+          sum.geometry[c] += variance * (step * step + moments[in].variance[c] + moments[out].variance[c]);
+        }
+      }
+      for (std::size_t l = 0; l < model.loose.size(); ++l) {
+        const double w = model.loose_weight[o * model.loose.size() + l];
+        for (std::size_t c = 0; c < n; ++c) {
+          double low = INFINITY, high = -INFINITY, within = 0.0;
+          for (std::uint32_t corner : model.loose[l].corner) {
+            const StratumMoments& m = moments[model.region_of(corner)];
+            low = std::min(low, m.mean[c]);
+            high = std::max(high, m.mean[c]);
+            within = std::max(within, m.variance[c]);
+          }
+          sum.geometry[c] += w * w * ((high - low) * (high - low) / 12.0 + within);
+        }
+      }
+    }
+  }
+}
+
+void TileWork::estimate() {
+  const LeafIntegrator integrator(tracer_, *problem_.footprint, problem_.tile);
+  // Pixels of a box footprint are independent of each other: they are finished in groups, so that few values
+  // are in memory at a time. A wider footprint ties them together.
+  const int sources = lattice_.domain().count();
+  const int group =
+      integrator.unit_box() ? std::max<int>(64, static_cast<int>(65536 / lattice_values_.stride)) : sources;
+  for (int first = 0; first < sources; first += group) {
+    const bool ready = group >= sources && radiance_ != nullptr;  // by tighten_borders, of all pixels
+    if (!ready) {
+      radiance_ = std::make_unique<Radiance>(tracer_, ledger_, table_, *spread_, lattice_values_, faults_,
+                                             problem_.seed);
+      for (int p = first; p < std::min(sources, first + group); ++p) radiance_->add_pixel(p, integrator);
+    }
+    std::vector<std::uint8_t> touched(outputs_.size(), 0);
+    for (const Radiance::Pixel& pixel : radiance_->pixels())
+      for (int o : pixel.model.outputs) touched[o] = 1;
+    std::vector<int> outputs;
+    for (std::size_t o = 0; o < touched.size(); ++o)
+      if (touched[o]) outputs.push_back(static_cast<int>(o));
+    steering_.assign(problem_.drivers.begin(), problem_.drivers.end());
+    do {
+      while (plan_round(integrator, outputs)) radiance_->trace();
+    } while (steer_by_more(integrator, outputs));
+    finish(integrator, outputs);
+  }
+}
+
+/// Drivers stand for all columns. Where they are satisfied and another column is not, it steers as well.
+bool TileWork::steer_by_more(const LeafIntegrator& integrator, const std::vector<int>& outputs) {
+  const std::size_t n = static_cast<std::size_t>(columns_);
+  if (steering_.size() == n) return false;
+  std::vector<Sums>& sums = sums_;
+  for (int o : outputs) sums[o].clear(n);
+  gather(integrator, all_columns_, sums);
+  std::vector<double> limit(n);
+  std::vector<int> more;
+  for (int o : outputs) {
+    if (outputs_[o].look >= Stopping::kLooks) continue;
+    problem_.tolerance->limits(sums[o].mean, limit);
+    double worst = 1.0 + 1e-6;
+    int column = -1;
+    for (std::size_t c = 0; c < n; ++c) {
+      const double ratio = half_width(sums[o], c, outputs_[o].look) / limit[c];
+      if (ratio > worst && sums[o].path[c].variance() > 0.0) worst = ratio, column = static_cast<int>(c);
+    }
+    if (column < 0) continue;
+    if (std::find(steering_.begin(), steering_.end(), column) != steering_.end()) continue;
+    outputs_[o].satisfied = false;
+    if (std::find(more.begin(), more.end(), column) == more.end()) more.push_back(column);
+  }
+  steering_.insert(steering_.end(), more.begin(), more.end());
+  return !more.empty();
+}
+
+double TileWork::half_width(const Sums& sum, std::size_t column, int look) const {
+  const double path = sum.path[column].variance();
+  const double t = path > 0.0 ? stopping_.student(look, sum.path[column].degrees_of_freedom()) : 0.0;
+  return std::sqrt(stopping_.normal() * stopping_.normal() * sum.geometry[column] + t * t * path);
+}
+
+void TileWork::Sums::clear(std::size_t columns) {
+  mean.assign(columns, 0.0);
+  geometry.assign(columns, 0.0);
+  path.assign(columns, {});
+  deviation.assign(columns, 0.0);
+}
+
+/// Nets grow by doubling, at most fourfold between looks: their error falls faster than that of independent
+/// values, by which `wanted` is reckoned.
+std::uint32_t TileWork::net_size(const Radiance::Stratum& stratum, double wanted, double room) {
+  constexpr double kGain = 8.0;  // about what nets save
+  const double most =
+      std::max(4.0, (room + static_cast<double>(stratum.count())) / Radiance::kStratumReplicates);
+  std::uint32_t size = std::max(4u, stratum.nets.size);
+  const double target = stratum.nets.size == 0 ? wanted / kGain / Radiance::kStratumReplicates
+                                               : std::min(4.0 * size, wanted / Radiance::kStratumReplicates);
+  while (size < target && 2.0 * size <= most) size *= 2;
+  return size;
+}
+
+/// Looks at the intervals so far and plans values where they are too wide; false when nothing is left to do.
+bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<int>& outputs) {
+  const std::size_t n = steering_.size();
+  std::vector<Sums>& sums = sums_;
+  bool cluttered_start = false;
+  for (std::size_t p = 0; p < radiance_->pixels().size(); ++p) {
+    const Radiance::Pixel& pixel = radiance_->pixels()[p];
+    if (pixel.cluttered && pixel.net_size == 0 && !pixel.model.outputs.empty()) {
+      radiance_->plan_nets(p, 4);
+      cluttered_start = true;
+    }
+  }
+  if (cluttered_start) return true;
+  for (int o : outputs) sums[o].clear(n);
+  gather(integrator, steering_, sums);
+
+  std::vector<double> mean(static_cast<std::size_t>(columns_)), limit(mean.size());
+  for (int o : outputs) {
+    Output& output = outputs_[o];
+    if (output.satisfied) continue;
+    for (std::size_t d = 0; d < n; ++d) mean[steering_[d]] = sums[o].mean[d];
+    problem_.tolerance->limits(mean, limit);
+    output.path_budget.assign(n, 0.0);
+    output.satisfied = true;
+    for (std::size_t d = 0; d < n; ++d) {
+      const double limit_d = limit[steering_[d]];
+      const double from_borders = stopping_.normal() * stopping_.normal() * sums[o].geometry[d];
+      const bool wide = half_width(sums[o], d, output.look) > limit_d && sums[o].path[d].variance() > 0.0;
+      if (wide) output.satisfied = false;
+      const double planned_t = stopping_.student(std::max(output.look + 1, 2),
+                                                 std::max(sums[o].path[d].degrees_of_freedom(), 20.0));
+      output.path_budget[d] =
+          std::max(limit_d * limit_d - from_borders, 0.2 * limit_d * limit_d) / (planned_t * planned_t);
+      // Few degrees of freedom may keep an interval wide whose variance is small: more values still.
+      if (wide) output.path_budget[d] = std::min(output.path_budget[d], 0.7 * sums[o].path[d].variance());
+    }
+  }
+
+  bool any = false;
+  std::vector<std::uint8_t> looked(outputs_.size(), 0);
+  StratumMoments moments;
+  for (std::size_t p = 0; p < radiance_->pixels().size(); ++p) {
+    const Radiance::Pixel& pixel = radiance_->pixels()[p];
+    const PixelModel& model = pixel.model;
+    const std::uint32_t spent = ledger_.spent(pixel.source);
+    if (spent >= options_.max_samples_per_pixel) continue;
+    if (std::all_of(model.outputs.begin(), model.outputs.end(), [&](int o) { return outputs_[o].satisfied; }))
+      continue;
+    const double room = options_.max_samples_per_pixel - spent;
+    const std::size_t strata = pixel.cluttered ? 1 : model.labels.size();
+    for (std::size_t s = 0; s < strata; ++s) {
+      if (!pixel.cluttered) radiance_->moments(pixel, s, steering_, moments);
+      double wanted = 0.0;
+      for (std::size_t o = 0; o < model.outputs.size(); ++o) {
+        const Output& output = outputs_[model.outputs[o]];
+        if (output.satisfied || output.look >= Stopping::kLooks) continue;
+        const Sums& sum = sums[model.outputs[o]];
+        for (std::size_t d = 0; d < n; ++d) {
+          double weighted_deviation = 0.0;
+          if (pixel.cluttered) {
+            weighted_deviation = sum.deviation[d];
+          } else {
+            weighted_deviation = model.weight[o * strata + s] * std::sqrt(moments.variance[d]);
+          }
+          wanted = std::max(wanted, weighted_deviation * sum.deviation[d] / output.path_budget[d]);
+        }
+      }
+      if (pixel.cluttered) {
+        if (wanted <= Radiance::kReplicates * pixel.net_size) continue;
+        std::uint32_t net = pixel.net_size;
+        const double per_replicate = std::min(wanted, room) / Radiance::kReplicates;
+        while (net < per_replicate && net < 4 * pixel.net_size) net *= 2;
+        if (net == pixel.net_size) continue;
+        radiance_->plan_nets(p, net);
+      } else {
+        const Radiance::Stratum& stratum = pixel.strata[s];
+        const double have = static_cast<double>(stratum.count());
+        if (wanted <= std::max(1.0, have)) continue;
+        const bool paths_differ = radiance_->paths_differ(stratum, steering_, moments);
+        if (integrator.unit_box() &&
+            (stratum.nets.size > 0 || (have > 0.0 && wanted > (paths_differ ? kManyPaths : kManyValues)))) {
+          const std::uint32_t size = net_size(stratum, wanted, room);
+          if (size == stratum.nets.size) continue;
+          radiance_->plan_stratum_nets(p, s, size);
+          any = true;
+          for (int o : model.outputs) looked[o] = 1;
+          continue;
+        }
+        if (stratum.round_starts.size() >= 2)
+          wanted = std::min(radiance_->with_trend(pixel, s, steering_, wanted), kGrowth * have);
+        else if (have > 0.0)
+          wanted = std::min(wanted, kFirstGrowth * have);
+        double more = kMargin * wanted - have;
+        if (have == 0.0) more = std::min(std::max(more, kFewest), std::max(kFewest, kPilot * model.area[s]));
+        radiance_->plan(p, s, std::min(std::max(more, kFewest), room));
+      }
+      any = true;
+      for (int o : model.outputs) looked[o] = 1;
+    }
+  }
+  for (std::size_t o = 0; o < looked.size(); ++o)
+    if (looked[o] && !outputs_[o].satisfied) ++outputs_[o].look;
+  return any;
+}
+
+}  // namespace ifov::sampling

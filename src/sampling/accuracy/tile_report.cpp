@@ -1,0 +1,145 @@
+// What a tile's result says: means, intervals, abundances, counts, the detection statement.
+#include <algorithm>
+#include <cmath>
+
+#include "sampling/accuracy/tile_work.h"
+
+namespace ifov::sampling {
+
+void TileWork::finish(const LeafIntegrator& integrator, const std::vector<int>& outputs) {
+  const std::size_t n = static_cast<std::size_t>(columns_);
+  std::vector<Sums>& sums = sums_;
+  for (int o : outputs) sums[o].clear(n);
+  gather(integrator, all_columns_, sums);
+  std::vector<double> limit(n);
+  for (int o : outputs) {
+    const Sums& sum = sums[o];
+    problem_.tolerance->limits(sum.mean, limit);
+    double worst = 0.0;
+    for (std::size_t c = 0; c < n; ++c) {
+      const std::size_t i = static_cast<std::size_t>(o) * n + c;
+      const double path = sum.path[c].variance(), half = half_width(sum, c, outputs_[o].look);
+      result_.mean[i] = static_cast<float>(sum.mean[c]);
+      result_.variance_geometry[i] = static_cast<float>(sum.geometry[c]);
+      result_.variance_path[i] = static_cast<float>(path);
+      result_.half_width[i] = static_cast<float>(half);
+      worst = std::max(worst, half / limit[c]);
+    }
+    result_.worst_ratio[o] = static_cast<float>(worst);
+    result_.converged[o] = worst <= 1.0 + 1e-6;
+  }
+  for (const Radiance::Pixel& pixel : radiance_->pixels())
+    if (pixel.cluttered) net_sizes_[pixel.source] = pixel.net_size;
+
+  struct Share {
+    std::uint32_t material;
+    double fraction = 0.0, variance = 0.0;
+  };
+  std::vector<std::vector<Share>> shares(outputs_.size());
+  const auto share_of = [&](int output, std::uint32_t label) -> Share& {
+    const std::uint32_t material = ledger_.field().material_of(table_.label(label));
+    for (Share& s : shares[output])
+      if (s.material == material) return s;
+    return shares[output].emplace_back(Share{material});
+  };
+  for (const Radiance::Pixel& pixel : radiance_->pixels()) {
+    const PixelModel& model = pixel.model;
+    for (std::size_t o = 0; o < model.outputs.size(); ++o) {
+      const int output = model.outputs[o];
+      if (pixel.cluttered) {
+        double count = 0.0;
+        for (const Radiance::Stratum& s : pixel.strata) count += static_cast<double>(s.samples.size());
+        const double w = integrator.whole_weight(pixel.source, output);
+        std::vector<std::pair<std::uint32_t, double>> seen;
+        for (const Radiance::Stratum& s : pixel.strata)
+          for (std::uint32_t i : s.samples) {
+            const std::uint32_t label = radiance_->labels()[i];
+            auto at = std::find_if(seen.begin(), seen.end(), [&](const auto& e) { return e.first == label; });
+            if (at == seen.end())
+              seen.push_back({label, 1.0});
+            else
+              at->second += 1.0;
+          }
+        for (const auto& [label, hits] : seen) {
+          Share& share = share_of(output, label);
+          const double f = hits / count;
+          share.fraction += w * f;
+          share.variance += w * w * f * (1.0 - f) / count;
+        }
+        continue;
+      }
+      for (std::size_t r = 0; r < model.labels.size(); ++r)
+        if (model.weight[o * model.labels.size() + r] > 0.0)
+          share_of(output, model.labels[r]).fraction += model.weight[o * model.labels.size() + r];
+      for (std::size_t b = 0; b < model.borders.size(); ++b) {
+        const PixelModel::Border& border = model.borders[b];
+        if (&share_of(output, border.inner) == &share_of(output, border.outer)) continue;
+        const double variance = model.border_variance[o * model.borders.size() + b];
+        share_of(output, border.inner).variance += variance;
+        share_of(output, border.outer).variance += variance;
+      }
+      for (std::size_t l = 0; l < model.loose.size(); ++l) {
+        const double w = model.loose_weight[o * model.loose.size() + l];
+        for (std::uint32_t corner : model.loose[l].corner)
+          share_of(output, corner).variance += 0.25 * w * w / 12.0;
+      }
+    }
+  }
+  for (int o : outputs) {
+    std::sort(shares[o].begin(), shares[o].end(),
+              [](const Share& a, const Share& b) { return a.material < b.material; });
+    for (const Share& s : shares[o])
+      result_.abundances.push_back({static_cast<std::uint32_t>(o), s.material, static_cast<float>(s.fraction),
+                                    static_cast<float>(stopping_.normal() * std::sqrt(s.variance))});
+  }
+}
+
+namespace {
+
+/// The smallest area fraction that independent stratified rounds of these sizes find with probability 0.95: a
+/// compact feature smaller than a stratum is missed by a round of n with probability 1 - n a.
+double missable(const std::vector<double>& rounds) {
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < 50; ++i) {
+    const double a = 0.5 * (low + high);
+    double missed = 1.0;
+    for (double n : rounds) missed *= std::max(0.0, 1.0 - n * a);
+    (missed > 0.05 ? low : high) = a;
+  }
+  return high;
+}
+
+}  // namespace
+
+void TileWork::report() {
+  const PixelRect &d = lattice_.domain(), &t = problem_.tile;
+  // Neighbours were mostly looked at alike.
+  std::pair<int, std::uint32_t> known_looks{-1, 0};
+  float known_fraction = 1.0f;
+  for (int p = 0; p < d.count(); ++p) {
+    const int x = d.x0 + p % d.width(), y = d.y0 + p / d.width();
+    if (x < t.x0 || x >= t.x1 || y < t.y0 || y >= t.y1) {
+      result_.halo_samples += ledger_.spent(p);
+      continue;
+    }
+    const std::size_t o = static_cast<std::size_t>((y - t.y0) * t.width() + x - t.x0);
+    result_.label_rays[o] = ledger_.label_rays(p);
+    result_.radiance_evaluations[o] = ledger_.value_rays(p);
+    result_.samples[o] = ledger_.spent(p);
+    const std::pair<int, std::uint32_t> looks{prober_.clean_rounds(p), net_sizes_[p]};
+    if (looks != known_looks) {
+      known_looks = looks;
+      std::vector<double> rounds{static_cast<double>(options_.lattice) * options_.lattice};
+      for (int r = 0; r < looks.first; ++r)
+        rounds.push_back(static_cast<double>(options_.probes_per_side) * options_.probes_per_side);
+      if (looks.second > 0) rounds.push_back(static_cast<double>(Radiance::kReplicates) * looks.second);
+      known_fraction = static_cast<float>(missable(rounds));
+    }
+    result_.missable_fraction[o] = known_fraction;
+  }
+  result_.seed_samples = ledger_.seed_rays();
+  result_.probe_samples = ledger_.probe_rays();
+  result_.rays = ledger_.field().counts();
+}
+
+}  // namespace ifov::sampling
