@@ -4,6 +4,7 @@
 // Scenes must keep their promises; runs with a planted fault must break one of them.
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 
@@ -55,9 +56,34 @@ Row judged(const HonestyCase& which, const HonestyOutcome& outcome) {
           fault.empty()};
 }
 
-Row caught(const std::string& name, const HonestyOutcome& outcome) {
-  const std::string fault = faults_of(outcome);
-  return {name, fault.empty() ? "0" : "1", "caught", "1", !fault.empty()};
+/// What a fault breaks that the same scene without it keeps: a gate of its own, or twice the share of |z|
+/// > 4. What the scene breaks at so wide a tolerance even without the fault is not counted for it.
+bool shows(const ChannelHonesty& faulty, const ChannelHonesty& sound) {
+  const bool biased = std::abs(faulty.bias) > 4.0 && std::abs(sound.bias) <= 4.0;
+  const bool missing = faulty.coverage < 0.93 && sound.coverage >= 0.93;
+  const bool heavy = faulty.beyond_four >= 0.002 && faulty.beyond_four >= 2.0 * sound.beyond_four;
+  return biased || missing || heavy;
+}
+
+/// 1 where a planted fault is caught.
+Row caught(const std::string& name, const HonestyOutcome& faulty, const HonestyOutcome& sound) {
+  bool ok = false;
+  for (std::size_t c = 0; c < faulty.honesty.size(); ++c)
+    ok = ok || shows(faulty.honesty[c], sound.honesty[c]);
+  return {name, ok ? "1" : "0", "caught", "1", ok};
+}
+
+/// Tolerances are wide, so that there are few paths and the mechanism that is switched off has to do the
+/// work.
+std::vector<std::pair<std::string, HonestyCase>> planted_faults(int seeds) {
+  HonestyCase no_sun_state{"gable_roof", false, false, {}, 4 * seeds, 20.0};
+  HonestyCase certain_singles{"gable_roof", false, true, {}, 4 * seeds, 5.0};
+  certain_singles.faults.zero_variance_single_samples = true;
+  HonestyCase undithered{"aligned_edge", false, true, {}, 10 * seeds, 1.0};
+  undithered.faults.undithered_brackets = true;
+  return {{"fault_no_sun_state", no_sun_state},
+          {"fault_certain_single_samples", certain_singles},
+          {"fault_undithered_brackets", undithered}};
 }
 
 std::string json(const std::vector<Row>& rows) {
@@ -93,24 +119,16 @@ int main(int argc, char** argv) {
         rows.push_back(judged(which, outcome));
       }
     if (only.empty() || only == "faults") {
-      HonestyCase no_sun_state{"gable_roof", false, false, {}, seeds};
-      HonestyCase certain_singles{"street_canyon", false, true, {}, seeds};
-      certain_singles.faults.zero_variance_single_samples = true;
-      HonestyCase undithered{"aligned_edge", false, true, {}, seeds};
-      undithered.faults.undithered_brackets = true;
-      const HonestyCase dithered{"aligned_edge", false, true, {}, seeds};
-      for (const auto& [name, which] : {std::pair{"fault_no_sun_state", no_sun_state},
-                                        std::pair{"fault_certain_single_samples", certain_singles},
-                                        std::pair{"fault_undithered_brackets", undithered}}) {
-        const HonestyOutcome outcome = run_case(which, work);
-        std::printf("    %s\n", name);
-        print_details(which, outcome);
-        rows.push_back(caught(name, outcome));
+      for (const auto& [name, which] : planted_faults(seeds)) {
+        HonestyCase without = which;
+        without.sun_state = true;
+        without.faults = {};
+        std::printf("    %s, then the same without it\n", name.c_str());
+        const HonestyOutcome faulty = run_case(which, work), sound = run_case(without, work);
+        print_details(which, faulty);
+        print_details(without, sound);
+        rows.push_back(caught(name, faulty, sound));
       }
-      // The aligned scene alone is no fault: with dither it keeps its promises.
-      const HonestyOutcome outcome = run_case(dithered, work);
-      print_details(dithered, outcome);
-      rows.push_back(judged(dithered, outcome));
     }
     std::ofstream(output) << json(rows);
   } catch (const std::exception& error) {

@@ -16,6 +16,7 @@ struct HonestyCase {
   bool sun_state = true;            ///< false: a planted fault, labels without the Sun's state
   sampling::AccuracyFaults faults;  ///< planted
   int seeds = 24;
+  double error_factor = 1.0;  ///< on the error that the scene asks for
 };
 
 struct HonestyOutcome {
