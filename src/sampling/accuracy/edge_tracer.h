@@ -110,6 +110,7 @@ class EdgeTracer {
   bool neighbour_end(const Curve& curve, int end, Point2& point) const;
 
   // Precision (edge_tracer_sharpen.cpp)
+  void give_up_clutter();
   void sharpen();
 
   void ask(std::vector<std::uint32_t>& labels, Purpose purpose = Purpose::trace);

@@ -217,6 +217,7 @@ void EdgeTracer::split_beside_hanging_nodes() {
 void EdgeTracer::grow() {
   std::vector<std::uint32_t> level, awaiting;
   while (!new_cells_.empty()) {
+    give_up_clutter();
     trace_vertices();
     notice_hanging_nodes();
     split_beside_hanging_nodes();

@@ -50,6 +50,13 @@ void EdgeTracer::settle() {
   verify();
 }
 
+/// What the lattice did not announce may turn out while tracing: a pixel that has cost this much is clutter.
+void EdgeTracer::give_up_clutter() {
+  if (!options_.clutter_switch) return;
+  for (std::uint32_t p = 0; p < abandoned_.size(); ++p)
+    if (ledger_.label_rays(static_cast<int>(p)) > options_.tracing_budget) abandoned_[p] = 1;
+}
+
 /// Makes crossings precise enough for every pixel's allowed variance, sets how precisely the middles of
 /// curves must be verified, and splits what spoils the variance without being a curve. Pixels in which
 /// nothing changed since are left out.

@@ -16,6 +16,7 @@ struct AccuracyOptions {
   int max_probe_rounds = 6;
   bool seeds = true;               ///< one ray through the projected centre of every small object
   bool clutter_switch = true;      ///< stratified samples where tracing edges would cost more
+  std::uint32_t tracing_budget = 1500;  ///< label rays after which a pixel counts as clutter
   bool footprint_by_model = true;  ///< weight the traced picture by the footprint; false: draw rays from it
   std::uint32_t max_samples_per_pixel = 1u << 16;
 };
