@@ -16,6 +16,12 @@ class SpectrumBlock {
   SpectrumBlock(std::size_t rows, std::size_t columns) { resize(rows, columns); }
 
   void resize(std::size_t rows, std::size_t columns) {
+    reshape(rows, columns);
+    for (std::size_t i = 0; i < rows_ * stride_; ++i) data_.get()[i] = 0.0f;
+  }
+
+  /// The same with whatever the memory held, for rows that are about to be written whole.
+  void reshape(std::size_t rows, std::size_t columns) {
     const std::size_t stride = (columns + 15) / 16 * 16;
     if (rows * stride > capacity_) {
       data_.reset(static_cast<float*>(std::aligned_alloc(64, rows * stride * sizeof(float))));
@@ -25,7 +31,6 @@ class SpectrumBlock {
     rows_ = rows;
     columns_ = columns;
     stride_ = stride;
-    for (std::size_t i = 0; i < rows * stride; ++i) data_.get()[i] = 0.0f;
   }
 
   std::size_t rows() const { return rows_; }

@@ -29,6 +29,10 @@ void add_scaled_product(float* __restrict sum, const float* __restrict a, const 
                         std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) sum[i] += a[i] * (b[i] * s);
 }
+void sum_of_scaled_product(float* __restrict sum, const float* __restrict first, const float* __restrict a,
+                           const float* __restrict b, float s, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) sum[i] = first[i] + a[i] * (b[i] * s);
+}
 void scale(float* __restrict a, const float* __restrict b, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) a[i] *= b[i];
 }
@@ -46,12 +50,12 @@ PathTracer::PathTracer(const SpectralScene& scene, TransportOptions options)
 void PathTracer::trace(std::span<const math::Ray> rays, std::span<const PathKey> keys,
                        radiometry::SpectrumBlock& radiance, std::span<geometry::SurfacePoint> first_hits,
                        sampling::RayCounts& counts) {
-  radiance.resize(rays.size(), scene_.node_count());
+  radiance.reshape(rays.size(), scene_.node_count());
   scratch_.resize(1, scene_.node_count());
   counts.primary += rays.size();
   for (std::size_t first = 0; first < rays.size(); first += kGroup) {
     const std::size_t count = std::min(kGroup, rays.size() - first);
-    throughput_.resize(count, scene_.node_count());
+    throughput_.reshape(count, scene_.node_count());
     paths_.resize(count);
     for (std::size_t k = 0; k < count; ++k)
       paths_[k] = {rays[first + k], keys[first + k], static_cast<std::uint32_t>(first + k),
@@ -91,12 +95,15 @@ void PathTracer::advance(int depth, radiometry::SpectrumBlock& radiance, samplin
     }
     const scene::ResolvedSurface surface = scene_.scene().resolve(hits_[k]);
     const float* emission = scene_.emission(surface, scratch_.row(0));
-    if (depth == 0)
-      std::memcpy(sum, emission, row_floats_ * sizeof(float));
-    else
-      add_product(sum, throughput_.row(path.throughput), emission, row_floats_);
+    const std::size_t before = scatters_.size();
     if (scene_.highest_reflectance(surface.material) > 0.0 && depth != options_.maximum_scatterings)
       scatter(path, static_cast<std::uint32_t>(k), surface.material, depth);
+    if (depth > 0)
+      add_product(sum, throughput_.row(path.throughput), emission, row_floats_);
+    else if (scatters_.size() > before && emission != scratch_.row(0))
+      scatters_.back().emission = emission;  // written together with the sunlight
+    else
+      std::memcpy(sum, emission, row_floats_ * sizeof(float));
   }
 
   blocked_.resize(shadow_rays_.size());
@@ -112,7 +119,13 @@ void PathTracer::advance(int depth, radiometry::SpectrumBlock& radiance, samplin
     const bool sunlit = event.shadow != kNone && blocked_[event.shadow] == 0;
     const bool goes_on = event.bounce_weight > 0.0f;
     if (depth == 0) {
-      if (sunlit) add_scaled_product(sum, reflectance, scene_.sun_irradiance(), event.sun_weight, row_floats_);
+      if (event.emission != nullptr && sunlit)
+        sum_of_scaled_product(sum, event.emission, reflectance, scene_.sun_irradiance(), event.sun_weight,
+                              row_floats_);
+      else if (event.emission != nullptr)
+        std::memcpy(sum, event.emission, row_floats_ * sizeof(float));
+      else if (sunlit)
+        add_scaled_product(sum, reflectance, scene_.sun_irradiance(), event.sun_weight, row_floats_);
       if (!goes_on) continue;
       std::memcpy(throughput, reflectance, row_floats_ * sizeof(float));
     } else {
@@ -133,7 +146,7 @@ void PathTracer::add_escaped(const Path& path, int depth, float* sum) {
   const float* throughput = throughput_.row(path.throughput);
   const float* light = direction.z < 0.0 ? scene_.surroundings_radiance() : scene_.sky_radiance();
   if (depth == 0)
-    add_scaled(sum, light, 1.0f, row_floats_);
+    std::memcpy(sum, light, row_floats_ * sizeof(float));
   else
     add_product(sum, throughput, light, row_floats_);
   if (path.sees_sun && scene.sun && scene.sun->half_angle_rad > 0.0 && direction.z > 0.0 &&

@@ -54,6 +54,7 @@ class PathTracer {
     float bounce_weight = 0.0f;   // of the reflectance, in the continued path; 0 ends it
     math::Ray next;
     bool next_sees_sun = false;
+    const float* emission = nullptr;  // not yet added to the path's radiance
   };
   static constexpr std::uint32_t kNone = 0xffffffffu;
 

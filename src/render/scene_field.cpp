@@ -12,7 +12,7 @@ namespace ifov::render {
 namespace {
 
 /// Values are traced in groups whose rows stay in the cache.
-constexpr std::size_t kGroup = 1024;
+constexpr std::size_t kGroup = 256;
 
 /// Three points near the rim of the disc, or its centre for a point Sun. They tell "all of it is seen" from "none"
 /// and "some"; where they are wrong the label is, which costs rays and nothing else.

@@ -20,11 +20,11 @@ inline RayCounts rays_since(const RayCounts& before, const Field& field) {
   return {now.primary - before.primary, now.shadow - before.shadow, now.bounce - before.bounce};
 }
 
-/// Asks `field` for `count` paths in batches of bounded memory (about 4 MB of values), request(k) first and
-/// then take(k, label, values) in order of k. Throws Cancelled between batches.
+/// Asks `field` for `count` paths in batches (about half a megabyte of values, so that they stay in the cache),
+/// request(k) first and then take(k, label, values) in order of k. Throws Cancelled between batches.
 template <class Request, class Take>
 void for_each_value(Field& field, const CancelToken* cancel, std::size_t count, Request request, Take take) {
-  constexpr std::size_t kBatchFloats = 1u << 20;
+  constexpr std::size_t kBatchFloats = 1u << 17;
   const std::size_t stride = static_cast<std::size_t>(field.stride());
   const std::size_t batch = std::min(count, std::max<std::size_t>(256, kBatchFloats / stride));
   std::vector<PathRequest> requests(batch);
