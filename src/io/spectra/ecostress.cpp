@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 #include "io/spectra/spectrum_rows.h"
-#include "io/spectra/text_table.h"
+#include "io/tables/text_table.h"
 
 namespace ifov::io {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/spectra/csv_spectrum.h"
-#include "io/spectra/text_table.h"
+#include "io/tables/text_table.h"
 #include "radiometry/spectrum.h"
 
 namespace ifov::io {

@@ -1,7 +1,7 @@
 #include "io/tables/number_table.h"
 
 #include "core/format.h"
-#include "io/spectra/text_table.h"
+#include "io/tables/text_table.h"
 
 namespace ifov::io {
 

@@ -1,4 +1,4 @@
-#include "io/spectra/text_table.h"
+#include "io/tables/text_table.h"
 
 #include <charconv>
 #include <cmath>
