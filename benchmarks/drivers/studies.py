@@ -4,16 +4,18 @@ import json
 import subprocess
 
 STUDIES = ("aliasing", "thermal")
+A_FIGURE_MISSED = 4  # the study ran, and some figure is not what it must be; the rows say which
 
 
 def run(context):
     figures = {}
     for study in STUDIES:
         folder = context.folder / study
-        subprocess.run(
-            [context.program("ifov"), "study", study, "--output", folder],
-            stdout=subprocess.DEVNULL, check=True,
+        done = subprocess.run(
+            [context.program("ifov"), "study", study, "--output", folder], stdout=subprocess.DEVNULL,
         )
+        if done.returncode not in (0, A_FIGURE_MISSED):
+            raise RuntimeError(f"ifov study {study} ended with exit code {done.returncode}")
         for name, row in json.loads((folder / "figures.json").read_text()).items():
             figures[f"{study}.{name}"] = row
     return figures
