@@ -7,22 +7,14 @@ namespace ifov::materials {
 SpectralMaterials::SpectralMaterials(std::span<const Material> materials,
                                      const radiometry::SpectralNodes& nodes)
     : reflectance_(materials.size(), nodes.node_count()),
-      emissivity_(materials.size(), nodes.node_count()),
-      emission_(materials.size(), nodes.node_count()) {
-  std::vector<float> planck(nodes.node_count());
+      emissivity_(materials.size(), nodes.node_count()) {
   for (std::size_t m = 0; m < materials.size(); ++m) {
     const Material& material = materials[m];
     nodes.average_surface(material.reflectance, reflectance_.values(m));
     nodes.average_surface(material.reflectance.complement(), emissivity_.values(m));
-    emits_.push_back(material.temperature_k.has_value());
-    if (material.temperature_k) {
-      nodes.planck(*material.temperature_k, std::span<float>(planck));
-      for (std::size_t n = 0; n < planck.size(); ++n) emission_.row(m)[n] = emissivity_.row(m)[n] * planck[n];
-    }
     float highest = 0.0f;
     for (float value : reflectance_.values(m)) highest = std::max(highest, value);
     maximum_reflectance_.push_back(highest);
-    scattering_.push_back(&materials::scattering(material.scattering));
   }
 }
 

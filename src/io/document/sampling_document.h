@@ -48,8 +48,8 @@ struct AccuracySampling {
   bool seeds = true;            ///< one ray per known object smaller than a pixel
   double thinnest_px = 0.0125;  ///< thinnest feature that is tracked
   std::int64_t max_samples = 100000;  ///< per pixel
-  double floor = 0.001;  ///< percent and K are judged as if the pixel had at least this share of the radiance
-                         ///< of a white Lambertian surface
+  double floor = 0.001;  ///< of a white Lambertian surface's radiance: no limit in percent is lower, and in K
+                         ///< no pixel is taken to be colder than that radiance
   bool clutter = true;   ///< switch to nested stratified samples where edges are too many
   SourcePosition position;
 };

@@ -109,7 +109,8 @@ Kind<AccuracySampling> accuracy_kind() {
       .with_default("max_samples", &AccuracySampling::max_samples, long_integer(1, kMostSamples), "100000",
                     "per pixel")
       .with_default("floor", &AccuracySampling::floor, fraction(Range::between(0.0, 1.0)), "\"0.1 %\"",
-                    "share of a white surface's radiance below which percent and K are not judged")
+                    "share of a white surface's radiance W: in percent no half-width need be below floor x W; in K a pixel is "
+                    "taken to be no colder than one of radiance floor x W")
       .with_default("clutter", &AccuracySampling::clutter, boolean(), "true",
                     "stratified samples instead of edges where there are too many edges");
   return record.kind();
