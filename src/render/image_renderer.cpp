@@ -50,8 +50,12 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   std::optional<ObjectSeeds> seeds;
   if (job.seed_objects) seeds.emplace(*job.scene.scene().world, job.camera, margin_px);
 
-  Tally tally(static_cast<std::int64_t>(width) * height, control.progress);
-  parallel_for(static_cast<std::int64_t>(tiles.size()), control.threads, [&](std::int64_t position) {
+  std::int64_t pixels = 0;
+  for (const int index : control.tile_order) pixels += tiles[static_cast<std::size_t>(index)].count();
+  if (control.tile_order.empty()) pixels = static_cast<std::int64_t>(width) * height;
+  Tally tally(pixels, control.progress);
+  const std::size_t count = control.tile_order.empty() ? tiles.size() : control.tile_order.size();
+  parallel_for(static_cast<std::int64_t>(count), control.threads, [&](std::int64_t position) {
     if (control.cancel != nullptr && control.cancel->cancelled()) throw Cancelled();
     const std::size_t index = control.tile_order.empty()
                                   ? static_cast<std::size_t>(position)

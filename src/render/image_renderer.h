@@ -31,7 +31,8 @@ struct RenderControl {
   int threads = 0;
   const CancelToken* cancel = nullptr;
   ProgressSink* progress = nullptr;
-  std::span<const int> tile_order;  ///< positions in the tile grid; empty: row by row (for tests)
+  std::span<const int> tile_order;  ///< positions in the tile grid, of all tiles or of those that are wanted; empty:
+                                    ///< all, row by row
 };
 
 /// Renders tile by tile into the sink. A tile's result depends on the job and the tile alone. Throws Cancelled.
