@@ -13,7 +13,7 @@ namespace ifov::cli {
 namespace {
 
 struct StudyArguments {
-  std::string name, output, log;
+  std::string name, output, log, scene;
   int trials = 1000, threads = 0;
   std::uint64_t seed = 1;
   bool quiet = false;
@@ -34,9 +34,12 @@ const studies::StudyEntry& entry_named(const std::string& name) {
 
 ExitCode study(const StudyArguments& arguments) {
   const studies::StudyEntry& entry = entry_named(arguments.name);
+  if (!arguments.scene.empty() && !entry.takes_scene)
+    throw InputError(format("the study '{}' has scenes of its own: --scene does not go with it", entry.name));
   Console console(arguments.quiet, arguments.log);
   studies::StudyOptions options;
   options.output_folder = arguments.output.empty() ? format("study-{}", entry.name) : arguments.output;
+  options.scene = arguments.scene;
   options.trials = arguments.trials;
   options.threads = arguments.threads;
   options.seed = arguments.seed;
@@ -58,6 +61,7 @@ Command add_study_command(CLI::App& app) {
   CLI::App* parser = app.add_subcommand("study", "Run a study and write its report");
   parser->add_option("NAME", arguments->name, "Which study")->required();
   parser->add_option("-o,--output", arguments->output, "Folder of the report (default: study-NAME)");
+  parser->add_option("--scene", arguments->scene, "Document to study instead of the study's own scene (suburb)");
   parser->add_option("--trials", arguments->trials, "Random shifts of each scene; fewer give a quick look")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();

@@ -13,6 +13,7 @@ void ImageStore::begin(const render::ImageInfo& info) {
   mean_.assign(pixels * info.channels.size(), 0.0f);
   half_width_.assign(mean_.size(), std::numeric_limits<float>::quiet_NaN());
   samples_.assign(pixels, 0);
+  abundances_.assign(pixels, {});
   cost_ = {};
 }
 
@@ -34,6 +35,14 @@ void ImageStore::write(const sampling::TileResult& tile) {
       cost.samples += tile.samples[from];
       cost.radiance += tile.radiance_evaluations[from];
     }
+  // Tiles share no pixel: only the sums need the lock.
+  for (sampling::Abundance found : tile.abundances) {
+    const int pixel = static_cast<int>(found.pixel);
+    const std::size_t to =
+        index(tile.tile.x0 + pixel % tile.tile.width(), tile.tile.y0 + pixel / tile.tile.width());
+    found.pixel = static_cast<std::uint32_t>(to);
+    abundances_[to].push_back(found);
+  }
   const std::scoped_lock lock(mutex_);
   cost_ += cost;
 }

@@ -1,6 +1,7 @@
 #include "studies/studies.h"
 
 #include "studies/aliasing_study.h"
+#include "studies/suburb_study.h"
 #include "studies/thermal_study.h"
 
 namespace ifov::studies {
@@ -10,6 +11,7 @@ namespace {
 constexpr StudyEntry kStudies[] = {
     {"aliasing", "a resolution chart by every sampler, against the exact answer", run_aliasing_study},
     {"thermal", "hot targets smaller than a pixel: samples needed for an accuracy", run_thermal_study},
+    {"suburb", "sub-pixel content of a hyperspectral image, by every sampler", run_suburb_study, true},
 };
 
 }  // namespace

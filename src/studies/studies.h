@@ -13,6 +13,7 @@ namespace ifov::studies {
 
 struct StudyOptions {
   std::filesystem::path output_folder;  ///< made where it does not exist
+  std::filesystem::path scene;          ///< document to study instead of the study's own scene, where it takes one
   int trials = 1000;                    ///< random shifts of each scene; fewer give a quick look
   int threads = 0;                      ///< 0: all cores
   std::uint64_t seed = 1;               ///< of the shifts and of the renderings
@@ -32,6 +33,7 @@ struct StudyEntry {
   std::string_view name;
   std::string_view summary;  ///< one line for help
   StudyOutcome (*run)(const StudyOptions& options);
+  bool takes_scene = false;  ///< StudyOptions::scene may be given
 };
 
 /// All studies, in the order of the help page.

@@ -4,6 +4,7 @@
 
 #include "core/format.h"
 #include "io/products/colour_map.h"
+#include "io/report/report_data.h"
 #include "studies/figures.h"
 #include "studies/html_page.h"
 #include "studies/svg_plot.h"
@@ -11,19 +12,6 @@
 namespace ifov::studies {
 
 namespace {
-
-std::string base64(const std::string& bytes) {
-  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  for (std::size_t k = 0; k < bytes.size(); k += 3) {
-    std::uint32_t word = 0;
-    const std::size_t n = std::min<std::size_t>(3, bytes.size() - k);
-    for (std::size_t b = 0; b < 3; ++b)
-      word = word << 8 | (b < n ? static_cast<std::uint8_t>(bytes[k + b]) : 0u);
-    for (std::size_t d = 0; d < 4; ++d) out += d <= n ? kDigits[word >> (18 - 6 * d) & 63u] : '=';
-  }
-  return out;
-}
 
 /// A Windows bitmap, 8 bits a pixel with a palette: the simplest picture that browsers show.
 std::string bitmap(const ImagePanel& panel) {
@@ -71,7 +59,7 @@ std::string svg_image(const ImagePanel& panel) {
       "<text x=\"0\" y=\"14\">{}</text><image x=\"0\" y=\"22\" width=\"{}\" height=\"{}\" "
       "style=\"image-rendering:pixelated\" href=\"data:image/bmp;base64,{}\"/>{}"
       "<text x=\"0\" y=\"{}\">{}</text><text x=\"{}\" y=\"{}\" text-anchor=\"end\">{} {}</text></svg>\n",
-      w, h + 56, w, html_text(panel.title), html_text(panel.title), w, h, base64(bitmap(panel)), bar, h + 52,
+      w, h + 56, w, html_text(panel.title), html_text(panel.title), w, h, io::base64(bitmap(panel)), bar, h + 52,
       number_text(panel.low), w, h + 52, number_text(panel.high), html_text(panel.unit));
 }
 

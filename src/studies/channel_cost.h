@@ -1,0 +1,13 @@
+#pragma once
+
+#include "io/document/document.h"
+#include "studies/figures.h"
+#include "studies/studies.h"
+
+namespace ifov::studies {
+
+/// What all channels of a document cost over one of them at the same paths: renders both in turn, a grid of rays in
+/// part of the image, and compares the fastest times. Adds the figure `channels_over_one`.
+void add_channel_cost(const io::Document& document, const StudyOptions& options, bool quick, FigureTable& figures);
+
+}  // namespace ifov::studies

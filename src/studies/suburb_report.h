@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "studies/suburb_study.h"
+
+namespace ifov::studies {
+
+/// The study's page: table 2, figures 8, 12 and 13 of the paper, and what ours does.
+std::string suburb_report(const SceneResults& results);
+
+}  // namespace ifov::studies

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "io/document/document.h"
+#include "studies/studies.h"
+
+namespace ifov::studies {
+
+/// The document of the options, or that of a residential area, which is generated into the output folder; `quick`: a
+/// small one.
+io::Document suburb_document(const StudyOptions& options, bool quick);
+
+}  // namespace ifov::studies

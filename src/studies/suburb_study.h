@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "studies/figures.h"
+#include "studies/image_store.h"
+#include "studies/material_counts.h"
+#include "studies/studies.h"
+
+namespace ifov::studies {
+
+/// One way of sampling the scene, and what came of it.
+struct SceneResult {
+  std::string name, sampling;
+  std::unique_ptr<ImageStore> image;
+  double seconds = 0.0;
+  double samples_per_px = 0.0;
+  std::uint32_t fewest_samples = 0, most_samples = 0;
+  std::vector<double> rms;       ///< by channel, against the reference where there is one, W m-2 sr-1 um-1
+  double worst_over_grid = 0.0;  ///< largest ratio over channels of its RMS error to that of the grid 10 x 10
+  double coverage = 0.0;         ///< share of radiance intervals that hold the reference; NaN without intervals
+  MaterialCounts materials;
+  AbundanceErrors abundances;
+};
+
+struct SceneResults {
+  std::vector<SceneResult> results;  ///< one ray, grid 5, grid 10, adaptive, then accuracy
+  std::size_t chosen = 0;            ///< the accuracy setting that is judged
+  std::vector<double> wavelengths_um;
+  std::vector<std::string> materials;
+  std::string lighting;              ///< what shines on the scene and how warm it is, in words
+  double reference_pixels = 0.0;     ///< share of the pixels whose radiance is known from the reference
+  FigureTable figures;
+};
+
+/// The paper's third study: sub-pixel content of a hyperspectral image of a residential area.
+StudyOutcome run_suburb_study(const StudyOptions& options);
+
+}  // namespace ifov::studies
