@@ -59,7 +59,10 @@ constexpr double kChannelError = 1e-3;
 radiometry::SpectralNodes build_nodes(const Session::Parts& parts) {
   const scene::Scene& scene = parts.scene;
   std::vector<radiometry::Spectrum> surfaces;
-  for (const materials::Material& material : scene.materials) surfaces.push_back(material.reflectance);
+  for (const materials::Material& material : scene.materials) {
+    surfaces.push_back(material.reflectance);
+    if (material.transmittance) surfaces.push_back(*material.transmittance);
+  }
   if (scene.sun) surfaces.push_back(scene.sun->transmittance);
   if (scene.view_path.transmittance) surfaces.push_back(*scene.view_path.transmittance);
 
