@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.h"
+
 namespace ifov::io {
 
 /// The lines of a text file, without their ends (LF, CR LF or CR); a byte-order mark is dropped.
@@ -29,6 +31,10 @@ class TextFile {
   std::string text_;
   std::vector<std::string_view> lines_;
 };
+
+/// What fail() throws, for a line that does not come from a TextFile.
+InputError table_error(const std::string& name, int number, int column, std::string_view line,
+                       const std::string& message);
 
 /// A piece of a line, without blanks and quotes around it, and its column from 1.
 struct Field {
