@@ -9,19 +9,29 @@ bool Covering::mixes_materials() const {
 }
 
 ResolvedSurface Scene::resolve(const geometry::SurfacePoint& point) const {
+  if ((point.copy_column | point.copy_row) == 0) return resolve_own(point);
+  // Maps lie on the cell and repeat with it.
+  const geometry::World::Period period = world->period().value_or(geometry::World::Period{});
+  geometry::SurfacePoint own = point;
+  own.position_m = point.position_m - math::Vec3{point.copy_column * period.x_m, point.copy_row * period.y_m, 0.0};
+  own.copy_column = own.copy_row = 0;
+  return resolve_own(own);
+}
+
+ResolvedSurface Scene::resolve_own(const geometry::SurfacePoint& point) const {
   const Covering& covering = coverings[point.material];
   ResolvedSurface surface;
   surface.count = 1;
   surface.shading_normal = point.shading_normal;
   Constituent& only = surface.constituents[0];
-  const std::uint32_t index =
-      covering.classes ? covering.classes->at(point.position_m.x, point.position_m.y) : std::uint16_t{0};
+  const materials::MapPlace place{point.position_m.x, point.position_m.y, point.u, point.v};
+  const std::uint32_t index = covering.classes ? covering.classes->at(place) : std::uint16_t{0};
   only.state = covering.states[index];
   only.material = states[only.state].material;
   only.weight = 1.0;
   only.mapped_temperature_k = 0.0;
   if (!covering.temperatures.empty() && covering.temperatures[index])
-    only.mapped_temperature_k = covering.temperatures[index]->at_k(point.position_m.x, point.position_m.y);
+    only.mapped_temperature_k = covering.temperatures[index]->at_k(place);
   for (const auto& pattern : covering.patterns) pattern->apply(point, surface);
   return surface;
 }

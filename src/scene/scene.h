@@ -92,6 +92,9 @@ struct Scene {
   ViewPath view_path;
 
   ResolvedSurface resolve(const geometry::SurfacePoint& point) const;
+
+ private:
+  ResolvedSurface resolve_own(const geometry::SurfacePoint& point) const;
 };
 
 /// The materials that truth tells apart: all but those that are further curves of another (Material::curve_of), which
