@@ -29,7 +29,8 @@ PeriodicWorld::PeriodicWorld(std::unique_ptr<World> world, Cell cell) : world_(s
                             cell.height_m));
   bool bounded = false;
   low_z_m_ = kInfinity, high_z_m_ = -kInfinity;
-  for (const PlacedObject& object : world_->objects()) {
+  for (std::size_t k = 0; k < world_->object_count(); ++k) {
+    const PlacedObject object = world_->object(k);
     if (std::isfinite(object.radius_m)) {
       bounded = true;
       continue;

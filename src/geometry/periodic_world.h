@@ -30,7 +30,9 @@ class PeriodicWorld final : public World {
   void occluded(std::span<const math::Ray> rays, std::span<std::uint8_t> blocked) const override;
   /// Of the one world.
   Bounds bounds() const override { return world_->bounds(); }
-  std::span<const PlacedObject> objects() const override { return world_->objects(); }
+  std::size_t object_count() const override { return world_->object_count(); }
+  PlacedObject object(std::size_t number) const override { return world_->object(number); }
+  Storage storage() const override { return world_->storage(); }
   std::size_t triangle_count() const override { return world_->triangle_count(); }
   std::optional<Period> period() const override { return Period{cell_.width_m, cell_.height_m}; }
 
