@@ -32,6 +32,14 @@ TextFile::TextFile(const std::filesystem::path& path) : name_(path.string()) {
   std::ifstream stream(path, std::ios::binary);
   text_.assign(std::istreambuf_iterator<char>(stream), {});
   if (!stream) throw EnvironmentError(format("cannot read '{}'", name_));
+  find_lines();
+}
+
+TextFile::TextFile(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {
+  find_lines();
+}
+
+void TextFile::find_lines() {
   std::string_view rest = text_;
   if (rest.substr(0, 3) == "\xef\xbb\xbf") rest.remove_prefix(3);
   while (!rest.empty()) {

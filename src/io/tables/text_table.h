@@ -15,6 +15,8 @@ class TextFile {
  public:
   /// Throws EnvironmentError where the file cannot be read, InputError where it is larger than 256 MiB.
   explicit TextFile(const std::filesystem::path& path);
+  /// The same of bytes in memory; `name` is what messages call them.
+  TextFile(std::string name, std::string text);
 
   int line_count() const { return static_cast<int>(lines_.size()); }
   std::string_view line(int number) const {
@@ -27,6 +29,8 @@ class TextFile {
   [[noreturn]] void fail(int line, int column, const std::string& message) const;
 
  private:
+  void find_lines();
+
   std::string name_;
   std::string text_;
   std::vector<std::string_view> lines_;
