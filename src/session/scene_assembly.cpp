@@ -9,6 +9,7 @@
 #include "io/mesh/obj_reader.h"
 #include "session/covering_assembly.h"
 #include "session/light_assembly.h"
+#include "session/mesh_cache.h"
 #include "session/with_position.h"
 
 namespace ifov::session {
@@ -53,6 +54,9 @@ class GeometryAssembly {
       with_position(document_, object.position, [&] { place(object, scene_from_document, offset_m); });
     return builder_.build();
   }
+
+  /// Where meshes and lists are kept from run to run; null: nowhere.
+  void use(io::SceneCache* cache) { cache_ = cache; }
 
  private:
   void place(const io::ObjectDocument& object, const math::Transform& scene_from_document, math::Vec3 offset_m) {
@@ -134,9 +138,12 @@ class GeometryAssembly {
       return with_position(document_, many->binary->position, [&]() -> std::shared_ptr<const geometry::Placings> {
         return std::make_shared<io::InstanceFile>(many->binary->path);
       });
-    std::vector<io::Instance> list;
     if (many->csv)
-      list = with_position(document_, many->csv->position, [&] { return io::read_instance_csv(many->csv->path); });
+      return with_position(document_, many->csv->position, [&] {
+        return cached_instances(cache_, {many->csv->path},
+                                [&] { return io::read_instance_csv(many->csv->path); });
+      });
+    std::vector<io::Instance> list;
     for (const math::Point3& at : many->at_m) list.push_back({at});
     return std::make_shared<io::InstanceList>(std::move(list));
   }
@@ -179,12 +186,13 @@ class GeometryAssembly {
     const auto known = meshes_.find(key);
     if (known != meshes_.end()) return known->second;
     return with_position(document_, s.file.position, [&] {
-      geometry::TriangleMesh mesh = io::read_obj(s.file.path);
-      std::vector<std::string> slots = mesh.slot_names.empty() ? std::vector<std::string>{""} : mesh.slot_names;
+      geometry::Body body = cached_mesh(cache_, s.file.path, [&] { return io::read_obj(s.file.path); });
+      std::vector<std::string> slots = body.mesh.slot_names;
+      if (slots.empty()) slots = {""};
       math::Transform object_from_file = math::Transform::scaling({s.unit_m, s.unit_m, s.unit_m});
       if (s.y_is_up)
         object_from_file = object_from_file * math::Transform::rotation({1.0, 0.0, 0.0}, 0.5 * M_PI);
-      const BuiltShape built{builder_.add_shape(std::move(mesh)), object_from_file, std::move(slots)};
+      const BuiltShape built{builder_.add_body(std::move(body)), object_from_file, std::move(slots)};
       return meshes_.emplace(key, built).first->second;
     });
   }
@@ -193,6 +201,7 @@ class GeometryAssembly {
 
   const io::Document& document_;
   CoveringAssembly& coverings_;
+  io::SceneCache* cache_ = nullptr;
   geometry::WorldBuilder builder_;
   std::map<std::string, BuiltPrototype> prototypes_;
   std::map<std::string, BuiltShape> meshes_;
@@ -213,10 +222,12 @@ std::string describe(const geometry::World& world) {
 
 }  // namespace
 
-scene::Scene assemble_scene(const io::Document& document, LogSink* log) {
+scene::Scene assemble_scene(const io::Document& document, LogSink* log, io::SceneCache* cache) {
   scene::Scene scene;
   CoveringAssembly coverings(document, scene);
-  scene.world = GeometryAssembly(document, coverings).assemble();
+  GeometryAssembly geometry(document, coverings);
+  geometry.use(cache);
+  scene.world = geometry.assemble();
   assemble_light(document, scene);
   if (log != nullptr) log->info(describe(*scene.world));
   return scene;

@@ -113,11 +113,15 @@ Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() = default;
 
-Session Session::load(const io::Document& document, LogSink* log) {
+Session Session::load(const io::Document& document, LogSink* log, const LoadOptions& options) {
   auto parts = std::make_unique<Parts>();
   Parts& p = *parts;
   p.document = document;
-  p.scene = assemble_scene(document, log);
+  std::optional<io::SceneCache> cache;
+  if (options.scene_cache)
+    cache.emplace(std::filesystem::path(document.file_name).replace_extension(".ifovcache"), version(), log);
+  p.scene = assemble_scene(document, log, cache ? &*cache : nullptr);
+  if (cache) cache->save();
   p.channels = assemble_channels(document);
   p.camera = assemble_camera(document, p.scene);
   p.footprint = std::make_unique<sampling::PixelFootprint>(assemble_footprint(document));
