@@ -13,11 +13,11 @@ namespace {
 
 struct CheckArguments {
   std::vector<std::string> files;
-  bool quiet = false;
+  bool quiet = false, no_cache = false;
 };
 
-std::string description_of(const std::string& file, LogSink& log) {
-  std::string text = session::Session::load(io::read_document(file), &log).description();
+std::string description_of(const std::string& file, bool no_cache, LogSink& log) {
+  std::string text = session::Session::load(io::read_document(file), &log, {.scene_cache = !no_cache}).description();
   if (text.empty() || text.back() != '\n') text += '\n';
   return text;
 }
@@ -28,7 +28,7 @@ ExitCode check(const CheckArguments& arguments) {
   ExitCode outcome = ExitCode::ok;
   for (const std::string& file : arguments.files) {
     try {
-      const std::string text = description_of(file, console);
+      const std::string text = description_of(file, arguments.no_cache, console);
       const std::string title = arguments.files.size() > 1 ? format("{}:\n", file) : std::string();
       if (!arguments.quiet) std::fputs((title + text).c_str(), stdout);
     } catch (const InputError& error) {
@@ -49,6 +49,8 @@ Command add_check_command(CLI::App& app) {
   CLI::App* parser =
       app.add_subcommand("check", "Read documents and all files they name, and say what is wrong");
   parser->add_option("FILE", arguments->files, "The document (JSON), or several")->required();
+  parser->add_flag("--no-cache", arguments->no_cache,
+                   "Read all files of the scene, and keep nothing of them beside the document");
   parser->add_flag("-q,--quiet", arguments->quiet, "Print nothing but errors");
   parser->footer(
       "Prints what was loaded: objects, triangles, materials, channels and the floors of the accuracy.\n"

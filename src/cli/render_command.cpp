@@ -15,7 +15,7 @@ namespace {
 struct RenderArguments {
   std::string document, output, log;
   int threads = 0;
-  bool quiet = false;
+  bool quiet = false, no_cache = false;
 };
 
 void print_summary(const session::RunSummary& summary) {
@@ -37,7 +37,7 @@ ExitCode render(const RenderArguments& arguments) {
   Console console(arguments.quiet, arguments.log);
   try {
     const io::Document document = io::read_document(arguments.document);
-    const session::Session session = session::Session::load(document, &console);
+    const session::Session session = session::Session::load(document, &console, {.scene_cache = !arguments.no_cache});
     session::RunOptions options;
     options.threads = arguments.threads;
     options.output_folder = arguments.output;
@@ -70,6 +70,8 @@ Command add_render_command(CLI::App& app) {
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
   parser->add_option("--log", arguments->log, "Write what happens to this file");
+  parser->add_flag("--no-cache", arguments->no_cache,
+                   "Read all files of the scene, and keep nothing of them beside the document");
   parser->add_flag("-q,--quiet", arguments->quiet, "Print nothing but errors");
   parser->footer(
       "Writes the radiance (ENVI, GeoTIFF), its standard error, sample counts, material abundances,\n"

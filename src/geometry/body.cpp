@@ -94,27 +94,6 @@ void require_indices(const char* what, const std::vector<Triangle>& corners, std
         throw InputError(format("triangle {} of a mesh names {} {} of {}", t, what, i, count));
 }
 
-void check(const TriangleMesh& mesh) {
-  const std::size_t n = mesh.triangles.size();
-  if (n == 0) throw InputError("a mesh has no triangles");
-  if (n >= kNoIndex || mesh.vertices_m.size() >= kNoIndex) throw InputError("a mesh has too many triangles");
-  for (const Point3& p : mesh.vertices_m) require_place("a vertex of a mesh", p);
-  require_indices("vertex", mesh.triangles, mesh.vertices_m.size(), false);
-  require_indices("normal", mesh.normal_corners, mesh.normals.size(), true);
-  require_indices("texture coordinate", mesh.uv_corners, mesh.uvs.size(), true);
-  const auto same_length = [&](const char* what, std::size_t length) {
-    if (length != 0 && length != n)
-      throw InputError(format("a mesh has {} {} for {} triangles", length, what, n));
-  };
-  same_length("material slots", mesh.slots.size());
-  same_length("normal corners", mesh.normal_corners.size());
-  same_length("texture corners", mesh.uv_corners.size());
-  if (!mesh.normals.empty() && mesh.normal_corners.empty() && mesh.normals.size() != mesh.vertices_m.size())
-    throw InputError("a mesh without normal corners needs one normal per vertex");
-  if (!mesh.uvs.empty() && mesh.uv_corners.empty() && mesh.uvs.size() != mesh.vertices_m.size())
-    throw InputError("a mesh without texture corners needs one texture coordinate per vertex");
-}
-
 /// Parity of the crossings of a slanted line from `p`: inside a closed mesh it is odd.
 bool inside(const TriangleMesh& mesh, Point3 p) {
   const Vec3 d = math::normalized({0.12345678, 0.35467281, 0.92876543});
@@ -130,7 +109,7 @@ bool inside(const TriangleMesh& mesh, Point3 p) {
 }
 
 Body make(TriangleMesh mesh) {
-  check(mesh);
+  check_mesh(mesh);
   Body body;
   MeshTopology topology = topology_of(mesh.vertices_m, mesh.triangles);
   body.mesh_patches = std::move(topology.patches);
@@ -215,6 +194,27 @@ void append_attribute(std::vector<T>& values, std::vector<Triangle>& corners, st
 }
 
 }  // namespace
+
+void check_mesh(const TriangleMesh& mesh) {
+  const std::size_t n = mesh.triangles.size();
+  if (n == 0) throw InputError("a mesh has no triangles");
+  if (n >= kNoIndex || mesh.vertices_m.size() >= kNoIndex) throw InputError("a mesh has too many triangles");
+  for (const Point3& p : mesh.vertices_m) require_place("a vertex of a mesh", p);
+  require_indices("vertex", mesh.triangles, mesh.vertices_m.size(), false);
+  require_indices("normal", mesh.normal_corners, mesh.normals.size(), true);
+  require_indices("texture coordinate", mesh.uv_corners, mesh.uvs.size(), true);
+  const auto same_length = [&](const char* what, std::size_t length) {
+    if (length != 0 && length != n)
+      throw InputError(format("a mesh has {} {} for {} triangles", length, what, n));
+  };
+  same_length("material slots", mesh.slots.size());
+  same_length("normal corners", mesh.normal_corners.size());
+  same_length("texture corners", mesh.uv_corners.size());
+  if (!mesh.normals.empty() && mesh.normal_corners.empty() && mesh.normals.size() != mesh.vertices_m.size())
+    throw InputError("a mesh without normal corners needs one normal per vertex");
+  if (!mesh.uvs.empty() && mesh.uv_corners.empty() && mesh.uvs.size() != mesh.vertices_m.size())
+    throw InputError("a mesh without texture corners needs one texture coordinate per vertex");
+}
 
 Body body_of(Shape shape) {
   return std::visit([](auto&& s) { return make(std::forward<decltype(s)>(s)); }, std::move(shape));

@@ -31,6 +31,10 @@ struct Body {
 /// A body of one shape (not a plane). Throws InputError for sizes, polygons or indices that make no sense.
 Body body_of(Shape shape);
 
+/// Throws InputError unless every index is within its list, lists have equal lengths where they must, and vertices
+/// are finite.
+void check_mesh(const TriangleMesh& mesh);
+
 /// A body of another one's copy: adds `part` moved and with its slots renamed.
 void append_part(Body& whole, const Body& part, const math::Transform& whole_from_part,
                  std::span<const std::uint32_t> slots);

@@ -118,6 +118,8 @@ void bound_analytic(const RTCBoundsFunctionArguments* a) {
                   up(b.high_m.x),  up(b.high_m.y),  up(b.high_m.z),  0.0f};
 }
 
+}  // namespace
+
 void attach(RTCDevice device, RTCScene scene, RTCGeometry geometry, unsigned number) {
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(scene, geometry, number);
@@ -125,12 +127,15 @@ void attach(RTCDevice device, RTCScene scene, RTCGeometry geometry, unsigned num
   check(device);
 }
 
-}  // namespace
-
-EmbreeDevice make_device(int threads) {
+EmbreeDevice make_device(int threads, std::atomic<std::int64_t>& bytes) {
   const std::string config = threads > 0 ? format("isa=avx2,threads={}", threads) : std::string("isa=avx2");
   EmbreeDevice device(rtcNewDevice(config.c_str()));
   if (!device) throw EnvironmentError("the ray tracer cannot start: it needs a processor with AVX2");
+  const auto count = [](void* total, ssize_t change, bool) {
+    static_cast<std::atomic<std::int64_t>*>(total)->fetch_add(change, std::memory_order_relaxed);
+    return true;
+  };
+  rtcSetDeviceMemoryMonitorFunction(device.get(), count, &bytes);
   return device;
 }
 

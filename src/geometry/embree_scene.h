@@ -2,6 +2,8 @@
 
 #include <embree3/rtcore.h>
 
+#include <atomic>
+#include <cstdint>
 #include <memory>
 #include <type_traits>
 
@@ -20,13 +22,17 @@ struct ReleaseScene {
 using EmbreeDevice = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
 using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
 
-/// Pinned to AVX2, so that machines with wider vectors give the same bytes. `threads` (0: all) build.
-EmbreeDevice make_device(int threads);
+/// Pinned to AVX2, so that machines with wider vectors give the same bytes. `threads` (0: all) build. What Embree
+/// allocates is added to `bytes`, which must outlive the device.
+EmbreeDevice make_device(int threads, std::atomic<std::int64_t>& bytes);
 
 /// Of medium build quality; `robust`: watertight where triangles share vertices, at a tenth of the speed.
 /// Geometry is attached, then committed; errors of Embree are EnvironmentError.
 EmbreeScene make_scene(RTCDevice device, bool robust);
 void commit(RTCDevice device, RTCScene scene);
+
+/// Commits a geometry and hands it over to the scene.
+void attach(RTCDevice device, RTCScene scene, RTCGeometry geometry, unsigned number);
 
 /// The sets must outlive the scene; what a set holds for Embree alone is given away here.
 void attach_triangles(RTCDevice device, RTCScene scene, unsigned geometry, TriangleSet& set);

@@ -56,8 +56,7 @@ bool complete(const Triangle& t) { return t[0] != kNoIndex && t[1] != kNoIndex &
 }  // namespace
 
 InstanceTable EmbreeWorld::table() const {
-  return {set_from_scene_.data(), instance_object_.data(), first_triangle_.data(), first_analytic_.data(),
-          analytic_count_.data()};
+  return {set_from_scene_.data(), instances_.data(), copies_.data()};
 }
 
 bool EmbreeWorld::load(RayPacket& packet, std::span<const Ray> rays, double* shift, RTCRay8& embree,
@@ -202,7 +201,7 @@ void EmbreeWorld::finish_plane(const Candidate& c, SurfacePoint& hit) const {
   hit.geometric_normal = hit.shading_normal = {0.0, 0.0, 1.0};
   hit.instance = plane.object;
   hit.patch = hit.primitive = 0;
-  hit.material = materials_[materials_of_[plane.object]];
+  hit.material = plane.material;
   hit.offset_m = analytic_offset(hit);
 }
 
@@ -210,30 +209,32 @@ void EmbreeWorld::finish_triangle(const Candidate& c, SurfacePoint& hit) const {
   const auto& set = *static_cast<const TriangleSet*>(c.set);
   const Normal3 n = math::as_normal(set.facets[c.prim].normal);
   const FacetTag tag = set.tags[c.prim];
-  std::uint32_t triangle = c.prim;
-  if (c.instance == RTC_INVALID_GEOMETRY_ID) {
-    hit.instance = set.owners[c.prim];
-    triangle -= first_triangle_[hit.instance];
-    hit.geometric_normal = n;
-  } else {
-    hit.instance = instance_object_[c.instance];
-    hit.geometric_normal = normal_in_scene(set_from_scene_[c.instance], n);
-  }
+  const bool copied = c.instance == RTC_INVALID_GEOMETRY_ID;
+  const Piece& piece = copied ? copies_[set.owners[c.prim]] : instances_[c.instance];
+  hit.geometric_normal = copied ? n : normal_in_scene(set_from_scene_[c.instance], n);
   hit.shading_normal = hit.geometric_normal;
-  hit.primitive = analytic_count_[hit.instance] + triangle;
-  hit.patch = tag.patch;
-  hit.material = materials_[materials_of_[hit.instance] + tag.slot];
+  hit.instance = piece.object;
+  hit.primitive = c.prim + piece.first_triangle;
+  hit.patch = piece.first_patch + tag.patch;
+  hit.material = materials_[piece.materials + tag.slot];
   hit.offset_m = std::max(triangle_offset_m_, analytic_offset(hit));
-  if (!attributes_of_.empty() && attributes_of_[hit.instance] != kNoIndex)
-    apply_attributes(hit.instance, triangle, hit);
+  if (attributes_of_.empty() || attributes_of_[piece.of] == kNoIndex) return;
+  const Attributes& kept = attributes_[attributes_of_[piece.of]];
+  if (copied) {
+    const Transform& map = body_from_scene_[copy_map_of_[set.owners[c.prim]]];
+    apply_attributes(kept, map, map(hit.position_m), c.prim - piece.set_triangle, hit);
+  } else {
+    const Transform& map = set_from_scene_[c.instance];
+    const Point3 in_set = map(Point3{} + (hit.position_m - centre_m_));
+    apply_attributes(kept, map, in_set + (kept.centre_m - Point3{}), c.prim, hit);
+  }
 }
 
-void EmbreeWorld::apply_attributes(std::uint32_t object, std::uint32_t triangle, SurfacePoint& hit) const {
-  const TriangleMesh& mesh = attributes_[attributes_of_[object]].mesh;
-  const Transform& map = object_from_scene_[attribute_map_of_[object]];
+void EmbreeWorld::apply_attributes(const Attributes& kept, const Transform& mesh_from_scene, Point3 in_mesh,
+                                   std::uint32_t triangle, SurfacePoint& hit) const {
+  const TriangleMesh& mesh = kept.mesh;
   const Triangle& v = mesh.triangles[triangle];
-  const auto w =
-      weights(mesh.vertices_m[v[0]], mesh.vertices_m[v[1]], mesh.vertices_m[v[2]], map(hit.position_m));
+  const auto w = weights(mesh.vertices_m[v[0]], mesh.vertices_m[v[1]], mesh.vertices_m[v[2]], in_mesh);
   if (!mesh.uvs.empty()) {
     const Triangle& i = corners(mesh.uv_corners, mesh, triangle);
     if (complete(i)) {
@@ -247,7 +248,7 @@ void EmbreeWorld::apply_attributes(std::uint32_t object, std::uint32_t triangle,
     if (!complete(i)) return;
     const Vec3 n = mesh.normals[i[0]].as_vector() * w[0] + mesh.normals[i[1]].as_vector() * w[1] +
                    mesh.normals[i[2]].as_vector() * w[2];
-    const Normal3 shading = normal_in_scene(map, math::as_normal(n));
+    const Normal3 shading = normal_in_scene(mesh_from_scene, math::as_normal(n));
     const double side = dot(shading, hit.geometric_normal.as_vector());
     if (std::isfinite(side)) hit.shading_normal = side < 0.0 ? -shading : shading;
   }
@@ -258,15 +259,13 @@ void EmbreeWorld::finish_analytic(const RayPacket& packet, std::size_t k, Surfac
   const auto& set = *static_cast<const AnalyticSet*>(c.set);
   const UnitPrimitive& shape = set.shapes[c.prim];
   Point3 p = packet.start(k) + packet.direction(k) * packet.exact[k];
-  std::uint32_t first = 0;
+  const bool copied = c.instance == RTC_INVALID_GEOMETRY_ID;
+  const Piece& piece = copied ? copies_[set.owners[c.prim]] : instances_[c.instance];
   Normal3 n;
-  if (c.instance == RTC_INVALID_GEOMETRY_ID) {
-    hit.instance = set.owners[c.prim];
-    first = first_analytic_[hit.instance];
+  if (copied) {
     p = shape.unit_from_object(p);
     n = normal_in_scene(shape.unit_from_object, unit_normal(shape.kind, c.face, p));
   } else {
-    hit.instance = instance_object_[c.instance];
     const Transform& map = set_from_scene_[c.instance];
     p = shape.unit_from_object(map(p));
     n = normal_in_scene(map, normal_in_scene(shape.unit_from_object, unit_normal(shape.kind, c.face, p)));
@@ -274,9 +273,10 @@ void EmbreeWorld::finish_analytic(const RayPacket& packet, std::size_t k, Surfac
   const Uv uv = unit_uv(shape.kind, c.face, p);
   hit.u = uv.u, hit.v = uv.v;
   hit.geometric_normal = hit.shading_normal = n;
-  hit.primitive = c.prim - first;
-  hit.patch = shape.patch + c.face;
-  hit.material = materials_[materials_of_[hit.instance] + shape.slot];
+  hit.instance = piece.object;
+  hit.primitive = c.prim + piece.first_analytic;
+  hit.patch = piece.first_patch + shape.patch + c.face;
+  hit.material = materials_[piece.materials + shape.slot];
   hit.offset_m = analytic_offset(hit);
 }
 

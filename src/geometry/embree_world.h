@@ -1,14 +1,20 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "geometry/embree_scene.h"
+#include "geometry/instance_set.h"
+#include "geometry/oriented_extent.h"
+#include "geometry/piece_walk.h"
 #include "geometry/primitive_sets.h"
+#include "geometry/prototype_plan.h"
 #include "geometry/ray_packet.h"
 #include "geometry/world.h"
+#include "geometry/world_builder.h"
 #include "geometry/world_content.h"
 
 namespace ifov::geometry {
@@ -18,13 +24,15 @@ namespace ifov::geometry {
 /// scene itself; planes are met beside Embree.
 class EmbreeWorld final : public World {
  public:
-  EmbreeWorld(WorldContent content, int threads);
+  EmbreeWorld(WorldContent content, const BuildOptions& options);
 
   void intersect(std::span<const math::Ray> rays, std::span<SurfacePoint> hits) const override;
   void occluded(std::span<const math::Ray> rays, std::span<std::uint8_t> blocked) const override;
   Bounds bounds() const override { return bounds_; }
-  std::span<const PlacedObject> objects() const override { return objects_; }
+  std::size_t object_count() const override { return objects_.size(); }
+  PlacedObject object(std::size_t number) const override;
   std::size_t triangle_count() const override { return triangle_count_; }
+  Storage storage() const override { return storage_; }
 
  private:
   /// A body with its own Embree scene.
@@ -36,16 +44,36 @@ class EmbreeWorld final : public World {
   /// A mesh kept for its texture coordinates or normals.
   struct Attributes {
     TriangleMesh mesh;
+    math::Point3 centre_m;  ///< of the body: where the frame of its set has its origin
   };
   struct PlaneObject {
     double z_m = 0.0;  ///< about the scene's centre
-    std::uint32_t object = 0;
+    std::uint32_t object = 0, material = 0;
     math::Transform object_from_scene;
   };
+  /// What placed objects of a template have in common, in its own frame.
+  struct Figure {
+    math::Point3 centre_m, seed_m;
+    double radius_m = 0.0;
+    World::Bounds bounds{};
+    HalfSides half_sides_m{};
+    math::Point3 set_origin_m;  ///< of the frame of its set
+  };
+  struct Object {
+    std::uint32_t of = 0;                  ///< template
+    std::uint32_t where = kNoIndex;        ///< into transforms_, or an instance number
+    bool seed = true, is_instance = false;
+  };
 
-  void place_objects(const WorldContent& content);
-  void build_scene(WorldContent& content, const std::vector<bool>& instanced);
-  void keep_attributes(WorldContent& content);
+  void note_figures(const WorldContent& content, const PrototypePlan& plan);
+  void note_objects(const WorldContent& content, const std::vector<bool>& instanced);
+  void find_bounds(const WorldContent& content, const PieceWalk& walk, const std::vector<bool>& instanced,
+                   std::vector<double>& shrink);
+  void build_prototypes(WorldContent& content, const std::vector<bool>& instanced, const std::vector<double>& shrink);
+  void place_pieces(WorldContent& content, const PieceWalk& walk, const PrototypePlan& plan,
+                    const std::vector<bool>& instanced);
+  void build_scene(InstanceStorage instances);
+  void note_storage(const PrototypePlan& plan);
 
   // Queries of one packet; `count` lanes are in use. False where no lane needs Embree.
   bool load(RayPacket& packet, std::span<const math::Ray> rays, double* shift, RTCRay8& embree,
@@ -56,14 +84,17 @@ class EmbreeWorld final : public World {
   void finish_plane(const Candidate& c, SurfacePoint& hit) const;
   void finish_triangle(const Candidate& c, SurfacePoint& hit) const;
   void finish_analytic(const RayPacket& packet, std::size_t k, SurfacePoint& hit) const;
-  void apply_attributes(std::uint32_t object, std::uint32_t triangle, SurfacePoint& hit) const;
+  void apply_attributes(const Attributes& kept, const math::Transform& mesh_from_scene, math::Point3 in_mesh,
+                        std::uint32_t triangle, SurfacePoint& hit) const;
   double analytic_offset(const SurfacePoint& hit) const;
   InstanceTable table() const;
 
+  std::atomic<std::int64_t> embree_bytes_{0};  // above the device, which writes to it
   EmbreeDevice device_;
   std::vector<std::unique_ptr<Prototype>> prototypes_;  ///< by template; null where it needs none
   TriangleSet triangles_;
   AnalyticSet analytic_;
+  InstanceSet instance_set_;
   EmbreeScene scene_;  ///< null where everything is planes
   std::vector<PlaneObject> planes_;
 
@@ -74,22 +105,23 @@ class EmbreeWorld final : public World {
   double window_m_ = 0.0;
   double triangle_offset_m_ = 0.0;
 
-  // By object.
-  std::vector<PlacedObject> objects_;
-  std::vector<std::uint32_t> materials_of_;    ///< where an object's materials begin
-  std::vector<std::uint32_t> first_triangle_;  ///< in triangles_; 0 in instances
-  std::vector<std::uint32_t> first_analytic_;  ///< in analytic_; 0 in instances
-  std::vector<std::uint32_t> analytic_count_;
-  std::vector<std::uint32_t> attributes_of_;     ///< index into attributes_, or kNoIndex
-  std::vector<std::uint32_t> attribute_map_of_;  ///< index into object_from_scene_
+  std::vector<Figure> figures_;  ///< by template
+  std::vector<Object> objects_;
+  std::vector<math::Transform> transforms_;  ///< of objects that are no instances: scene from object
+
   // By Embree's instance number.
   std::vector<math::Transform> set_from_scene_;
-  std::vector<std::uint32_t> instance_object_;
+  std::vector<Piece> instances_;
+  // By the owner of a primitive in the shared sets.
+  std::vector<Piece> copies_;
+  std::vector<std::uint32_t> copy_map_of_;          ///< into body_from_scene_; kNoIndex without attributes
+  std::vector<math::Transform> body_from_scene_;
 
   std::vector<std::uint32_t> materials_;
   std::vector<Attributes> attributes_;
-  std::vector<math::Transform> object_from_scene_;  ///< of objects with attributes
+  std::vector<std::uint32_t> attributes_of_;  ///< by template: into attributes_, or kNoIndex; empty: none at all
   std::size_t triangle_count_ = 0;
+  Storage storage_;
 };
 
 }  // namespace ifov::geometry

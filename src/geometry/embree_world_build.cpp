@@ -1,12 +1,11 @@
 // Construction of the world: where everything stands, what becomes an instance, Embree's trees.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/error.h"
 #include "geometry/embree_world.h"
-#include "geometry/oriented_extent.h"
+#include "geometry/growing_box.h"
 
 namespace ifov::geometry {
 namespace {
@@ -15,102 +14,81 @@ using math::Point3;
 using math::Transform;
 using math::Vec3;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// Up to this many primitives a copy in the scene costs less than an instance.
 constexpr std::size_t kCopiedTriangles = 4, kCopiedShapes = 2;
 
-bool better_copied(const Template& t) {
-  return t.uses == 1 ||
-         (t.body.mesh.triangles.size() <= kCopiedTriangles && t.body.analytic.size() <= kCopiedShapes);
+/// Up to this many instances are nodes of Embree's tree.
+constexpr std::size_t kMostNodes = 1000000;
+
+/// Of a node that Embree's monitor does not see (370 bytes in all, 80 seen).
+constexpr std::size_t kUnseenNodeBytes = 290;
+
+bool better_copied(const Body& body, std::uint64_t copies) {
+  return copies == 1 || (body.mesh.triangles.size() <= kCopiedTriangles && body.analytic.size() <= kCopiedShapes);
 }
 
-Transform moved_by(Point3 centre_m, double sign) {
-  return Transform::translation({sign * centre_m.x, sign * centre_m.y, sign * centre_m.z});
-}
+bool has_attributes(const TriangleMesh& mesh) { return !mesh.normals.empty() || !mesh.uvs.empty(); }
 
-/// Bounds of a box's image.
-World::Bounds image_of(const World::Bounds& b, const Transform& map) {
-  const Point3 middle = map(b.low_m + (b.high_m - b.low_m) * 0.5);
-  const Vec3 half = (b.high_m - b.low_m) * 0.5;
-  const Vec3 x = map.column_x() * half.x, y = map.column_y() * half.y, z = map.column_z() * half.z;
-  const Vec3 reach{std::abs(x.x) + std::abs(y.x) + std::abs(z.x),
-                   std::abs(x.y) + std::abs(y.y) + std::abs(z.y),
-                   std::abs(x.z) + std::abs(y.z) + std::abs(z.z)};
-  return {middle - reach, middle + reach};
-}
-
-/// Bounds of a placed body, close where that is cheap: by its vertices and shapes, or by its box.
-World::Bounds placed_bounds(const Body& body, const Transform& scene_from_object, bool copied) {
-  if (!copied) return image_of(body.bounds, scene_from_object);
-  World::Bounds b{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-  const auto include = [&](Point3 low, Point3 high) {
-    b.low_m = {std::min(b.low_m.x, low.x), std::min(b.low_m.y, low.y), std::min(b.low_m.z, low.z)};
-    b.high_m = {std::max(b.high_m.x, high.x), std::max(b.high_m.y, high.y), std::max(b.high_m.z, high.z)};
-  };
+/// Bounds of a placed body, by its vertices and shapes.
+World::Bounds close_bounds(const Body& body, const Transform& scene_from_body) {
+  GrowingBox box;
   for (const Triangle& t : body.mesh.triangles) {
     for (const std::uint32_t i : t) {
-      const Point3 p = scene_from_object(body.mesh.vertices_m[i]);
-      include(p, p);
+      const Point3 p = scene_from_body(body.mesh.vertices_m[i]);
+      box.include(p, p);
     }
   }
-  for (const UnitPrimitive& p : body.analytic) {
-    const World::Bounds part = unit_bounds(p.kind, scene_from_object * p.unit_from_object.inverse());
-    include(part.low_m, part.high_m);
-  }
-  return b;
+  for (const UnitPrimitive& p : body.analytic)
+    box.include(unit_bounds(p.kind, scene_from_body * p.unit_from_object.inverse()));
+  return box.bounds;
 }
+
+template <class T>
+std::size_t bytes_of(const std::vector<T>& values) {
+  return values.capacity() * sizeof(T);
+}
+
+std::size_t bytes_of(const TriangleSet& set) {
+  return bytes_of(set.facets) + bytes_of(set.tags) + bytes_of(set.owners);
+}
+std::size_t bytes_of(const AnalyticSet& set) { return bytes_of(set.shapes) + bytes_of(set.owners); }
 
 }  // namespace
 
-EmbreeWorld::EmbreeWorld(WorldContent content, int threads) : device_(make_device(threads)) {
+EmbreeWorld::EmbreeWorld(WorldContent content, const BuildOptions& options)
+    : device_(make_device(options.threads, embree_bytes_)) {
+  const std::vector<Contents> contents = contents_of(content);
+  const PrototypePlan plan = plan_prototypes(content, contents);
+  flatten(content, plan);
+  const PieceWalk walk(content, plan, contents);
   std::vector<bool> instanced(content.templates.size());
   for (std::size_t t = 0; t < instanced.size(); ++t)
-    instanced[t] = !content.templates[t].plane && !better_copied(content.templates[t]);
-  place_objects(content);
-  materials_ = std::move(content.materials);
-  build_scene(content, instanced);
-  keep_attributes(content);
+    instanced[t] = !content.templates[t].plane && plan.flat[t] && plan.copies[t] > 0 &&
+                   !better_copied(content.templates[t].body, plan.copies[t]);
+  for (const Run& run : content.runs) triangle_count_ += run.what.copies() * contents[run.what.of].triangles;
+  materials_ = content.materials;
+  note_figures(content, plan);
+  note_objects(content, instanced);
+  std::vector<double> shrink(content.templates.size(), 1.0);
+  find_bounds(content, walk, instanced, shrink);
+  build_prototypes(content, instanced, shrink);
+  place_pieces(content, walk, plan, instanced);
+  build_scene(options.instances);
+  note_storage(plan);
 }
 
-void EmbreeWorld::place_objects(const WorldContent& content) {
-  const std::size_t count = content.placements.size();
-  objects_.reserve(count);
-  materials_of_.reserve(count);
-  std::vector<HalfSides> sides_of;
-  for (const Template& t : content.templates)
-    sides_of.push_back(oriented_extent(
-        t.body.analytic.empty() ? std::span<const Point3>(t.body.mesh.vertices_m) : std::span<const Point3>(),
-        t.body.bounds));
-  bool any = false;
-  for (const Placement& place : content.placements) {
-    const Template& t = content.templates[place.of];
-    const Transform& map = place.scene_from_object;
-    materials_of_.push_back(place.materials);
-    PlacedObject object;
-    if (t.plane) {
-      object.centre_m = object.seed_m = map(Point3{0.0, 0.0, t.plane->z_m});
-      object.radius_m = kInfinity;
-    } else {
-      object.centre_m = map(t.body.centre_m);
-      object.radius_m = t.body.radius_m * largest_stretch(map);
-      object.seed_m = map(t.body.seed_m);
-      object.compact = place.seed;
-      HalfSides sides = sides_of[place.of];
-      for (Vec3& side : sides) side = map(side);
-      std::sort(sides.begin(), sides.end(), [](Vec3 a, Vec3 b) { return dot(a, a) > dot(b, b); });
-      object.half_length_m = sides[0];
-      object.width_m = 2.0 * length(sides[1]);
-      const Bounds b = placed_bounds(t.body, map, better_copied(t));
-      if (!any) bounds_ = b;
-      any = true;
-      bounds_.low_m = {std::min(bounds_.low_m.x, b.low_m.x), std::min(bounds_.low_m.y, b.low_m.y),
-                       std::min(bounds_.low_m.z, b.low_m.z)};
-      bounds_.high_m = {std::max(bounds_.high_m.x, b.high_m.x), std::max(bounds_.high_m.y, b.high_m.y),
-                        std::max(bounds_.high_m.z, b.high_m.z)};
-    }
-    objects_.push_back(object);
-  }
+void EmbreeWorld::find_bounds(const WorldContent& content, const PieceWalk& walk, const std::vector<bool>& instanced,
+                              std::vector<double>& shrink) {
+  GrowingBox box;
+  walk.visit([&](const PlacedPiece& piece) {
+    const Body& body = content.templates[piece.of].body;
+    if (!instanced[piece.of]) return box.include(close_bounds(body, piece.scene_from_body));
+    box.include(image_of(body.bounds, piece.scene_from_body));
+    // Rays reach an instance with the rounding of the scene, seen at the instance's scale.
+    if (!body.analytic.empty())
+      shrink[piece.of] = std::max(shrink[piece.of], largest_stretch(piece.scene_from_body.inverse()));
+  });
+  if (!box.empty()) bounds_ = box.bounds;
 
   centre_m_ = bounds_.low_m + (bounds_.high_m - bounds_.low_m) * 0.5;
   const Vec3 half = (bounds_.high_m - bounds_.low_m) * 0.5;
@@ -123,101 +101,133 @@ void EmbreeWorld::place_objects(const WorldContent& content) {
              {half.x + padding, half.y + padding, half.z + padding}};
 }
 
-void EmbreeWorld::build_scene(WorldContent& content, const std::vector<bool>& instanced) {
-  const std::size_t count = content.placements.size();
-  first_triangle_.assign(count, 0);
-  first_analytic_.assign(count, 0);
-  analytic_count_.assign(count, 0);
-  const double padding = std::ldexp(scale_m_, -20);
-
-  // Rays reach an instance with the rounding of the scene, seen at the instance's scale.
-  std::vector<double> shrink(content.templates.size(), 1.0);
-  for (const Placement& place : content.placements)
-    if (instanced[place.of])
-      shrink[place.of] = std::max(shrink[place.of], largest_stretch(place.scene_from_object.inverse()));
-
+void EmbreeWorld::build_prototypes(WorldContent& content, const std::vector<bool>& instanced,
+                                   const std::vector<double>& shrink) {
   prototypes_.resize(content.templates.size());
+  attributes_of_.assign(content.templates.size(), kNoIndex);
   for (std::size_t t = 0; t < content.templates.size(); ++t) {
-    if (!instanced[t] || content.templates[t].uses == 0) continue;
-    const Body& body = content.templates[t].body;
+    if (!instanced[t]) continue;
+    Body& body = content.templates[t].body;
     auto prototype = std::make_unique<Prototype>();
-    const Transform set_from_object = moved_by(body.centre_m, -1.0);
+    const Transform set_from_object = Transform::translation(Point3{} - body.centre_m);
     prototype->triangles.append(body, set_from_object);
     prototype->analytic.append(body, set_from_object);
-    prototype->analytic.padding_m = padding * shrink[t];
+    prototype->analytic.padding_m = std::ldexp(scale_m_, -20) * shrink[t];
     // In a heap of leaves there is nothing behind a shared vertex to leak into.
     prototype->scene = make_scene(device_.get(), 20 * body.surface_triangles > body.mesh.triangles.size());
+    storage_.stored_triangles += prototype->triangles.facets.size();
     if (!prototype->triangles.facets.empty())
       attach_triangles(device_.get(), prototype->scene.get(), 0, prototype->triangles);
     if (!prototype->analytic.shapes.empty())
       attach_analytic(device_.get(), prototype->scene.get(), 1, prototype->analytic);
     commit(device_.get(), prototype->scene.get());
     prototypes_[t] = std::move(prototype);
-  }
-
-  const Transform centred_from_scene = moved_by(centre_m_, -1.0);
-  std::vector<Transform> scene_from_set;
-  bool any = false;
-  for (std::uint32_t object = 0; object < count; ++object) {
-    const Placement& place = content.placements[object];
-    const Template& t = content.templates[place.of];
-    if (t.plane) {
-      planes_.push_back({objects_[object].seed_m.z - centre_m_.z, object, place.scene_from_object.inverse()});
-      continue;
+    if (has_attributes(body.mesh)) {
+      attributes_of_[t] = static_cast<std::uint32_t>(attributes_.size());
+      attributes_.push_back({std::move(body.mesh), body.centre_m});
     }
-    any = true;
-    triangle_count_ += t.body.mesh.triangles.size();
-    analytic_count_[object] = static_cast<std::uint32_t>(t.body.analytic.size());
-    const Transform centred_from_object = centred_from_scene * place.scene_from_object;
-    if (instanced[place.of]) {
-      scene_from_set.push_back(centred_from_object * moved_by(t.body.centre_m, 1.0));
-      instance_object_.push_back(object);
-    } else {
-      if (triangles_.facets.size() + t.body.mesh.triangles.size() >= kNoIndex)
-        throw InputError("the scene has too many triangles");
-      first_triangle_[object] = static_cast<std::uint32_t>(triangles_.facets.size());
-      first_analytic_[object] = static_cast<std::uint32_t>(analytic_.shapes.size());
-      triangles_.append(t.body, centred_from_object);
-      triangles_.owners.resize(triangles_.facets.size(), object);
-      analytic_.append(t.body, centred_from_object);
-      analytic_.owners.resize(analytic_.shapes.size(), object);
-    }
+    body.mesh = {};
   }
-  if (!any) return;
+}
 
-  analytic_.padding_m = padding;
-  scene_ = make_scene(device_.get(), true);
-  const auto instances = static_cast<unsigned>(scene_from_set.size());
+void EmbreeWorld::place_pieces(WorldContent& content, const PieceWalk& walk, const PrototypePlan& plan,
+                               const std::vector<bool>& instanced) {
+  const Transform centred_from_scene = Transform::translation(Point3{} - centre_m_);
+  std::uint64_t instances = 0;
+  for (std::size_t t = 0; t < instanced.size(); ++t) instances += instanced[t] ? plan.copies[t] : 0;
+  if (instances >= kNoIndex) throw InputError("the scene has too many instances");
   set_from_scene_.reserve(instances);
-  for (unsigned i = 0; i < instances; ++i) {
-    set_from_scene_.push_back(scene_from_set[i].inverse());
-    const std::uint32_t of = content.placements[instance_object_[i]].of;
-    attach_instance(device_.get(), scene_.get(), i, prototypes_[of]->scene.get(), scene_from_set[i]);
+  instances_.reserve(instances);
+
+  std::vector<std::uint32_t> copies_left(content.templates.size(), 0);
+  for (std::size_t t = 0; t < copies_left.size(); ++t)
+    copies_left[t] = static_cast<std::uint32_t>(std::min<std::uint64_t>(plan.copies[t], kNoIndex));
+  walk.visit([&](const PlacedPiece& placed) {
+    Body& body = content.templates[placed.of].body;
+    Piece piece{placed.object,         placed.of, placed.materials, placed.first_patch, placed.first_analytic,
+                placed.first_triangle, 0};
+    const Transform centred_from_body = centred_from_scene * placed.scene_from_body;
+    if (instanced[placed.of]) {
+      if (objects_[placed.object].is_instance)
+        objects_[placed.object].where = static_cast<std::uint32_t>(instances_.size());
+      set_from_scene_.push_back((centred_from_body * Transform::translation(body.centre_m - Point3{})).inverse());
+      instances_.push_back(piece);
+      return;
+    }
+    if (triangles_.facets.size() + body.mesh.triangles.size() >= kNoIndex)
+      throw InputError("the scene has too many triangles");
+    const auto owner = static_cast<std::uint32_t>(copies_.size());
+    piece.set_triangle = static_cast<std::uint32_t>(triangles_.facets.size());
+    piece.first_triangle -= piece.set_triangle;
+    piece.first_analytic -= static_cast<std::uint32_t>(analytic_.shapes.size());
+    copies_.push_back(piece);
+    triangles_.append(body, centred_from_body);
+    triangles_.owners.resize(triangles_.facets.size(), owner);
+    analytic_.append(body, centred_from_body);
+    analytic_.owners.resize(analytic_.shapes.size(), owner);
+    copy_map_of_.push_back(kNoIndex);
+    if (has_attributes(body.mesh)) {
+      copy_map_of_.back() = static_cast<std::uint32_t>(body_from_scene_.size());
+      body_from_scene_.push_back(placed.scene_from_body.inverse());
+    }
+    if (--copies_left[placed.of] > 0) return;
+    if (has_attributes(body.mesh)) {
+      attributes_of_[placed.of] = static_cast<std::uint32_t>(attributes_.size());
+      attributes_.push_back({std::move(body.mesh), body.centre_m});
+    }
+    body.mesh = {};
+  });
+  if (attributes_.empty()) attributes_of_.clear();
+
+  for (const Run& run : content.runs)
+    if (content.templates[run.what.of].plane) {
+      const Transform& map = run.what.whole_from_list;
+      const Point3 at = map(Point3{0.0, 0.0, content.templates[run.what.of].plane->z_m});
+      planes_.push_back(
+          {at.z - centre_m_.z, run.first_object, content.materials[run.materials], map.inverse()});
+    }
+
+  instance_set_.targets.resize(content.templates.size());
+  for (std::size_t t = 0; t < prototypes_.size(); ++t) {
+    if (!prototypes_[t]) continue;
+    const Body& body = content.templates[t].body;
+    instance_set_.targets[t] = {prototypes_[t]->scene.get(), image_of(body.bounds, Transform::translation(Point3{} - body.centre_m))};
   }
-  if (!triangles_.facets.empty()) attach_triangles(device_.get(), scene_.get(), instances, triangles_);
-  if (!analytic_.shapes.empty()) attach_analytic(device_.get(), scene_.get(), instances + 1, analytic_);
+}
+
+void EmbreeWorld::build_scene(InstanceStorage storage) {
+  if (instances_.empty() && triangles_.facets.empty() && analytic_.shapes.empty()) return;
+  storage_.stored_triangles += triangles_.facets.size();
+  storage_.instances = instances_.size();
+  storage_.instance_table =
+      storage == InstanceStorage::table ||
+      (storage == InstanceStorage::by_number && instances_.size() > kMostNodes);
+  const double padding = std::ldexp(scale_m_, -20);
+  analytic_.padding_m = instance_set_.padding_m = padding;
+  scene_ = make_scene(device_.get(), true);
+  auto next = static_cast<unsigned>(storage_.instance_table ? 0 : instances_.size());
+  if (storage_.instance_table && !instances_.empty()) {
+    instance_set_.set_from_scene = &set_from_scene_;
+    instance_set_.pieces = &instances_;
+    attach_instance_set(device_.get(), scene_.get(), next++, instance_set_);
+  } else {
+    for (unsigned i = 0; i < next; ++i)
+      attach_instance(device_.get(), scene_.get(), i, prototypes_[instances_[i].of]->scene.get(),
+                      set_from_scene_[i].inverse());
+  }
+  if (!triangles_.facets.empty()) attach_triangles(device_.get(), scene_.get(), next, triangles_);
+  if (!analytic_.shapes.empty()) attach_analytic(device_.get(), scene_.get(), next + 1, analytic_);
   commit(device_.get(), scene_.get());
 }
 
-void EmbreeWorld::keep_attributes(WorldContent& content) {
-  const std::size_t count = content.placements.size();
-  std::vector<std::uint32_t> kept(content.templates.size(), kNoIndex);
-  for (std::size_t t = 0; t < kept.size(); ++t) {
-    TriangleMesh& mesh = content.templates[t].body.mesh;
-    if (content.templates[t].uses == 0 || (mesh.normals.empty() && mesh.uvs.empty())) continue;
-    kept[t] = static_cast<std::uint32_t>(attributes_.size());
-    attributes_.push_back({std::move(mesh)});
-  }
-  if (attributes_.empty()) return;
-  attributes_of_.assign(count, kNoIndex);
-  attribute_map_of_.assign(count, 0);
-  for (std::size_t object = 0; object < count; ++object) {
-    const Placement& place = content.placements[object];
-    if (kept[place.of] == kNoIndex) continue;
-    attributes_of_[object] = kept[place.of];
-    attribute_map_of_[object] = static_cast<std::uint32_t>(object_from_scene_.size());
-    object_from_scene_.push_back(place.scene_from_object.inverse());
-  }
+void EmbreeWorld::note_storage(const PrototypePlan& plan) {
+  storage_.prototypes_apart = plan.apart;
+  storage_.bytes = static_cast<std::size_t>(std::max<std::int64_t>(0, embree_bytes_)) + bytes_of(triangles_) +
+                   bytes_of(analytic_) + bytes_of(objects_) + bytes_of(transforms_) + bytes_of(set_from_scene_) +
+                   bytes_of(instances_) + bytes_of(copies_) + bytes_of(materials_) + bytes_of(body_from_scene_);
+  if (!storage_.instance_table) storage_.bytes += kUnseenNodeBytes * instances_.size();
+  for (const auto& prototype : prototypes_)
+    if (prototype) storage_.bytes += bytes_of(prototype->triangles) + bytes_of(prototype->analytic);
 }
 
 }  // namespace ifov::geometry

@@ -1,5 +1,6 @@
 #include "geometry/primitive_sets.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace ifov::geometry {
@@ -7,20 +8,31 @@ namespace ifov::geometry {
 using math::Point3;
 using math::Vec3;
 
+namespace {
+
+/// Room for `more` values, so that many small additions cost no more than a few large ones.
+template <class T>
+void grow(std::vector<T>& values, std::size_t more) {
+  const std::size_t needed = values.size() + more;
+  if (needed > values.capacity()) values.reserve(values.empty() ? needed : std::max(needed, 2 * values.capacity()));
+}
+
+}  // namespace
+
 void TriangleSet::append(const Body& body, const math::Transform& set_from_object) {
   const TriangleMesh& mesh = body.mesh;
   const bool flipped = set_from_object.determinant() < 0.0;
   const auto first_vertex = static_cast<std::uint32_t>(vertices_m.size() / 3);
   std::vector<Point3> moved;
   moved.reserve(mesh.vertices_m.size());
-  vertices_m.reserve(vertices_m.size() + 3 * mesh.vertices_m.size());
+  grow(vertices_m, 3 * mesh.vertices_m.size());
   for (const Point3& p : mesh.vertices_m) {
     const Point3 q = moved.emplace_back(set_from_object(p));
     for (const double c : {q.x, q.y, q.z}) vertices_m.push_back(static_cast<float>(c));
   }
-  facets.reserve(facets.size() + mesh.triangles.size());
-  tags.reserve(tags.size() + mesh.triangles.size());
-  triangles.reserve(triangles.size() + mesh.triangles.size());
+  grow(facets, mesh.triangles.size());
+  grow(tags, mesh.triangles.size());
+  grow(triangles, mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& i = mesh.triangles[t];
     const Point3 a = moved[i[0]];

@@ -22,7 +22,7 @@ struct FacetTag {
 
 /// What is known in double of the triangles and analytic shapes of one Embree geometry, by Embree's primitive
 /// number, in the frame of the set: a body's own, moved so that its centre is the origin, or the scene's
-/// about its centre. In the latter several objects share the set and `owners` says which primitive is whose.
+/// about its centre. In the latter several pieces share the set and `owners` says which primitive is whose.
 struct TriangleSet {
   std::vector<Facet> facets;
   std::vector<FacetTag> tags;

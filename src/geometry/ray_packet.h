@@ -22,13 +22,21 @@ struct Candidate {
   const void* set = nullptr;
 };
 
+/// A body in the scene, as an instance or copied: its numbers are added to those within the body's set. A copy's
+/// triangles begin at `set_triangle` of the set it shares; additions are modulo 2^32.
+struct Piece {
+  std::uint32_t object = 0;
+  std::uint32_t of = 0;         ///< template with the body
+  std::uint32_t materials = 0;  ///< where its materials begin
+  std::uint32_t first_patch = 0, first_analytic = 0, first_triangle = 0;
+  std::uint32_t set_triangle = 0;
+};
+
 /// How instances and objects are looked up while a packet is under way.
 struct InstanceTable {
   const math::Transform* set_from_scene = nullptr;  ///< by Embree's instance number
-  const std::uint32_t* object = nullptr;            ///< by Embree's instance number
-  const std::uint32_t* first_primitive = nullptr;   ///< by object: of its triangles in the set they share
-  const std::uint32_t* first_analytic = nullptr;
-  const std::uint32_t* analytic_count = nullptr;
+  const Piece* instances = nullptr;                 ///< by Embree's instance number
+  const Piece* copies = nullptr;                    ///< by the owner of a primitive in a shared set
 };
 
 /// Eight rays in double beside Embree's float ones. Embree proposes primitives; which is nearest is decided
@@ -66,17 +74,15 @@ struct RayPacket {
   /// Instance number and primitive number in the object, for ties.
   std::uint64_t rank(const Candidate& c) const {
     if (c.kind == Candidate::plane) return std::uint64_t{c.prim} << 32;
-    if (c.kind == Candidate::triangle) {
-      const auto& owners = static_cast<const TriangleSet*>(c.set)->owners;
-      const bool shared = c.instance == RTC_INVALID_GEOMETRY_ID;
-      const std::uint32_t object = shared ? owners[c.prim] : table.object[c.instance];
-      const std::uint32_t first = shared ? table.first_primitive[object] : 0;
-      return (std::uint64_t{object} << 32) | (c.prim - first + table.analytic_count[object]);
-    }
-    const auto& owners = static_cast<const AnalyticSet*>(c.set)->owners;
-    const bool shared = c.instance == RTC_INVALID_GEOMETRY_ID;
-    const std::uint32_t object = shared ? owners[c.prim] : table.object[c.instance];
-    return (std::uint64_t{object} << 32) | (c.prim - (shared ? table.first_analytic[object] : 0));
+    const bool triangle = c.kind == Candidate::triangle;
+    const Piece* piece;
+    if (c.instance != RTC_INVALID_GEOMETRY_ID)
+      piece = &table.instances[c.instance];
+    else
+      piece = &table.copies[triangle ? static_cast<const TriangleSet*>(c.set)->owners[c.prim]
+                                     : static_cast<const AnalyticSet*>(c.set)->owners[c.prim]];
+    const std::uint32_t number = c.prim + (triangle ? piece->first_triangle : piece->first_analytic);
+    return (std::uint64_t{piece->object} << 32) | number;
   }
 
   /// Whether a candidate at Embree's distance `seen` becomes the best one. `t` is its exact distance, or NaN.

@@ -22,6 +22,7 @@ struct SurfacePoint {
   std::uint32_t primitive = 0;
   bool front = true;      ///< the ray met the outer side
   double offset_m = 0.0;  ///< a secondary ray starts this far along the normal, on the side it leaves to
+  std::int32_t copy_column = 0, copy_row = 0;  ///< of a periodic world: periods from the object's own place
   bool hit() const { return material != kNoMaterial; }
 };
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "geometry/surface_point.h"
@@ -29,7 +30,7 @@ class World {
   };
   virtual Bounds bounds() const = 0;
 
-  /// Placed objects, in order of their instance number: centre and radius of a bounding sphere (radius
+  /// A placed object, by its instance number: centre and radius of a bounding sphere (radius
   /// infinite for planes). Seeds of small compact objects come from here.
   struct PlacedObject {
     math::Point3 centre_m;
@@ -41,9 +42,27 @@ class World {
     double width_m = 0.0;  ///< second longest side of that box
     bool compact = false;  ///< one connected thing, not a leaf or part of a larger object
   };
-  virtual std::span<const PlacedObject> objects() const = 0;
+  virtual std::size_t object_count() const = 0;
+  virtual PlacedObject object(std::size_t number) const = 0;
 
+  /// As a ray sees them, copies counted.
   virtual std::size_t triangle_count() const = 0;
+
+  /// How all this is kept.
+  struct Storage {
+    std::size_t stored_triangles = 0;     ///< each of a copied body once
+    std::size_t instances = 0;            ///< bodies that stand in the scene by reference
+    bool instance_table = false;          ///< kept in a table of our own, not as nodes of the ray tracer
+    std::size_t prototypes_apart = 0;     ///< prototypes of prototypes that are not joined into one body
+    std::size_t bytes = 0;                ///< of tables and trees, about
+  };
+  virtual Storage storage() const = 0;
+
+  /// After how much x and y everything repeats; none: once only (see PeriodicWorld).
+  struct Period {
+    double x_m = 0.0, y_m = 0.0;
+  };
+  virtual std::optional<Period> period() const { return std::nullopt; }
 };
 
 }  // namespace ifov::geometry

@@ -1,33 +1,53 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "geometry/body.h"
+#include "geometry/placings.h"
 #include "geometry/shapes.h"
 #include "math/transform.h"
 
 namespace ifov::geometry {
 
-/// A shape or prototype as the builder hands it over: a plane or a body.
+/// Copies of one template as part of another: one, or one for each entry of a list.
+struct TemplatePart {
+  std::uint32_t of = 0;
+  math::Transform whole_from_list;
+  std::shared_ptr<const Placings> list;  ///< null: one copy, whole_from_list itself
+  std::vector<std::uint32_t> slots;      ///< the whole's slot for each slot of the part; empty: all 0
+
+  std::size_t copies() const { return list ? list->count() : 1; }
+  math::Transform whole_from_copy(std::size_t k) const {
+    return list ? whole_from_list * list->at(k) : whole_from_list;
+  }
+};
+
+/// A shape or prototype as the builder hands it over: a plane, a body, or parts that may become a body.
 struct Template {
   std::optional<Plane> plane;
   Body body;
-  std::uint32_t uses = 0;
+  std::vector<TemplatePart> parts;  ///< of a prototype; they refer to templates before it
+  std::uint32_t slot_count = 1;
+  std::uint64_t uses = 0;  ///< placed objects
+
+  bool is_prototype() const { return !parts.empty(); }
 };
 
-/// One placed object.
-struct Placement {
-  std::uint32_t of = 0;         ///< index of its template
-  std::uint32_t materials = 0;  ///< where its materials begin in the list, one per slot
+/// Objects placed at once: one, or one for each entry of a list.
+struct Run {
+  TemplatePart what;            ///< slots are not used
+  std::uint32_t materials = 0;  ///< where their materials begin in the list, one per slot
+  std::uint32_t first_object = 0;
   bool seed = true;
-  math::Transform scene_from_object;
 };
 
 struct WorldContent {
   std::vector<Template> templates;
-  std::vector<Placement> placements;
+  std::vector<Run> runs;
+  std::uint32_t object_count = 0;
   std::vector<std::uint32_t> materials;
 };
 

@@ -1,16 +1,53 @@
 #include "materials/material.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "core/error.h"
 
 namespace ifov::materials {
 
-void check(const Material& material) {
-  constexpr double kSlack = 1e-9;
-  const double low = material.reflectance.minimum(), high = material.reflectance.maximum();
+namespace {
+
+constexpr double kSlack = 1e-9;
+
+void check_fraction(const Material& material, const radiometry::Spectrum& spectrum, const char* what) {
+  const double low = spectrum.minimum(), high = spectrum.maximum();
   if (low < -kSlack || high > 1.0 + kSlack)
-    throw InputError(
-        format("material '{}': reflectance must lie between 0 and 1; it reaches from {:g} to {:g}",
-               material.name, low, high));
+    throw InputError(format("material '{}': {} must lie between 0 and 1; it reaches from {:g} to {:g}",
+                            material.name, what, low, high));
+}
+
+/// Both are linear between the points of either, so that their sum is highest at one of them.
+void check_sum(const Material& material, const radiometry::Spectrum& transmittance) {
+  const radiometry::Spectrum& reflectance = material.reflectance;
+  std::vector<double> wavelengths_um;
+  for (const radiometry::Spectrum* spectrum : {&reflectance, &transmittance})
+    wavelengths_um.insert(wavelengths_um.end(), spectrum->wavelength_um().begin(), spectrum->wavelength_um().end());
+  if (wavelengths_um.empty()) wavelengths_um.push_back(1.0);
+  const double first = std::max(reflectance.first_um(), transmittance.first_um());
+  const double last = std::min(reflectance.last_um(), transmittance.last_um());
+  for (const double wavelength_um : wavelengths_um) {
+    if (wavelength_um < first || wavelength_um > last) continue;
+    const double rho = reflectance.at(wavelength_um), tau = transmittance.at(wavelength_um);
+    if (rho + tau <= 1.0 + kSlack) continue;
+    const bool everywhere = reflectance.is_constant() && transmittance.is_constant();
+    throw InputError(format("material '{}': reflectance and transmittance must not sum to more than 1; {} they are "
+                            "{:g} and {:g}",
+                            material.name, everywhere ? "here" : format("at {:g} um", wavelength_um), rho, tau));
+  }
+}
+
+}  // namespace
+
+void check(const Material& material) {
+  check_fraction(material, material.reflectance, "reflectance");
+  if (material.transmittance) {
+    check_fraction(material, *material.transmittance, "transmittance");
+    if (material.scattering != ScatteringKind::lambertian)
+      throw InputError(format("material '{}': only \"lambertian\" scattering can have a transmittance", material.name));
+    check_sum(material, *material.transmittance);
+  }
   if (material.temperature_k && !(*material.temperature_k > 0.0))
     throw InputError(format("material '{}': a temperature must be above 0 K; found {:g} K", material.name,
                             *material.temperature_k));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -8,19 +9,26 @@
 
 namespace ifov::materials {
 
-/// An opaque surface.
+/// A surface, the same on both sides: opaque, or a thin leaf that also lets light through.
 struct Material {
   std::string name;
-  /// Directional-hemispherical reflectance, 0 to 1. Emissivity is 1 minus it (Kirchhoff).
+  /// Directional-hemispherical reflectance, 0 to 1.
   radiometry::Spectrum reflectance;
   ScatteringKind scattering = ScatteringKind::lambertian;
   /// Kelvin. None: the surface does not emit (a reflective-only scene), unless a temperature map says
   /// otherwise.
-  std::optional<double> temperature_k;
+  std::optional<double> temperature_k = std::nullopt;
+  /// Directional-hemispherical transmittance of a thin leaf whose light leaves the other side as Lambert's law says
+  /// (bi-Lambertian; Ross 1981). None: opaque. Emissivity, on both sides, is 1 - reflectance - transmittance
+  /// (Kirchhoff).
+  std::optional<radiometry::Spectrum> transmittance = std::nullopt;
+  /// Index of the material whose further curve this is (a texture picks among them); it must have none itself.
+  /// Labels and truth count this as that one.
+  std::optional<std::uint32_t> curve_of = std::nullopt;
 };
 
-/// Throws InputError, naming the material, where a reflectance leaves [0, 1] by more than 1e-9 or a
-/// temperature is not above 0 K.
+/// Throws InputError, naming the material, where a reflectance or transmittance leaves [0, 1] or their sum exceeds 1
+/// by more than 1e-9, where anything but a Lambertian transmits, or where a temperature is not above 0 K.
 void check(const Material& material);
 
 }  // namespace ifov::materials

@@ -8,13 +8,26 @@ SpectralMaterials::SpectralMaterials(std::span<const Material> materials,
                                      const radiometry::SpectralNodes& nodes)
     : reflectance_(materials.size(), nodes.node_count()),
       emissivity_(materials.size(), nodes.node_count()) {
+  std::uint32_t rows = 1;
+  for (const Material& material : materials) transmittance_row_.push_back(material.transmittance ? rows++ : 0u);
+  transmittance_.resize(rows, nodes.node_count());
+
+  const auto highest = [](std::span<const float> values) {
+    return std::max(0.0f, *std::max_element(values.begin(), values.end()));
+  };
   for (std::size_t m = 0; m < materials.size(); ++m) {
     const Material& material = materials[m];
+    const std::span<float> emissivity = emissivity_.values(m);
     nodes.average_surface(material.reflectance, reflectance_.values(m));
-    nodes.average_surface(material.reflectance.complement(), emissivity_.values(m));
-    float highest = 0.0f;
-    for (float value : reflectance_.values(m)) highest = std::max(highest, value);
-    maximum_reflectance_.push_back(highest);
+    nodes.average_surface(material.reflectance.complement(), emissivity);
+    maximum_reflectance_.push_back(highest(reflectance_.values(m)));
+    maximum_transmittance_.push_back(0.0f);
+    if (!material.transmittance) continue;
+    const std::span<float> transmittance = transmittance_.values(transmittance_row_[m]);
+    nodes.average_surface(*material.transmittance, transmittance);
+    for (std::size_t n = 0; n < emissivity.size(); ++n)
+      emissivity[n] = std::max(0.0f, emissivity[n] - transmittance[n]);
+    maximum_transmittance_.back() = highest(transmittance);
   }
 }
 

@@ -19,13 +19,20 @@ class SpectralMaterials {
   std::size_t count() const { return maximum_reflectance_.size(); }
   std::size_t stride() const { return reflectance_.stride(); }
   const float* reflectance(std::uint32_t material) const { return reflectance_.row(material); }
+  /// Zero for an opaque one.
+  const float* transmittance(std::uint32_t material) const {
+    return transmittance_.row(transmittance_row_[material]);
+  }
   const float* emissivity(std::uint32_t material) const { return emissivity_.row(material); }
-  /// Largest reflectance over the nodes (for Russian roulette).
+  /// Largest value over the nodes (for Russian roulette).
   float maximum_reflectance(std::uint32_t material) const { return maximum_reflectance_[material]; }
+  float maximum_transmittance(std::uint32_t material) const { return maximum_transmittance_[material]; }
 
  private:
   radiometry::SpectrumBlock reflectance_, emissivity_;
-  std::vector<float> maximum_reflectance_;
+  radiometry::SpectrumBlock transmittance_;  // row 0: of the opaque ones
+  std::vector<std::uint32_t> transmittance_row_;
+  std::vector<float> maximum_reflectance_, maximum_transmittance_;
 };
 
 }  // namespace ifov::materials

@@ -28,7 +28,7 @@ AccuracyTolerance::AccuracyTolerance(AccuracyRequest request, const ChannelBrigh
 
 void AccuracyTolerance::limits(std::span<const double> mean, std::span<double> limit) const {
   for (std::size_t c = 0; c < mean.size(); ++c) {
-    if (!judged_[c]) {
+    if (c >= judged_.size() || !judged_[c]) {
       limit[c] = std::numeric_limits<double>::infinity();
       continue;
     }

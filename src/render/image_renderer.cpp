@@ -53,6 +53,11 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   std::int64_t pixels = 0;
   for (const int index : control.tile_order) pixels += tiles[static_cast<std::size_t>(index)].count();
   if (control.tile_order.empty()) pixels = static_cast<std::int64_t>(width) * height;
+  // Samplers that judge every column where none is named are not to judge the shares of mixtures.
+  std::vector<int> drivers = job.drivers;
+  if (drivers.empty())
+    for (std::size_t c = 0; c < job.scene.nodes().channel_count(); ++c) drivers.push_back(static_cast<int>(c));
+
   Tally tally(pixels, control.progress);
   const std::size_t count = control.tile_order.empty() ? tiles.size() : control.tile_order.size();
   parallel_for(static_cast<std::int64_t>(count), control.threads, [&](std::int64_t position) {
@@ -68,7 +73,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     problem.seed = job.seed;
     problem.footprint = &job.footprint;
     problem.tolerance = job.tolerance;
-    problem.drivers = job.drivers;
+    problem.drivers = drivers;
     problem.seeds = tile_seeds;
     problem.cancel = control.cancel;
 
@@ -76,6 +81,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     sampling::TileResult result;
     job.sampler.sample(problem, field, result);
     result.rays = field.counts();
+    field.blends().settle(result);
     sink.write(result);
     tally.add(result);
   });

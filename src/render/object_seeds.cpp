@@ -25,7 +25,8 @@ ObjectSeeds::ObjectSeeds(const geometry::World& world, const sensor::Camera& cam
       return;
     points_.push_back(point);
   };
-  for (const geometry::World::PlacedObject& object : world.objects()) {
+  for (std::size_t number = 0; number < world.object_count(); ++number) {
+    const geometry::World::PlacedObject object = world.object(number);
     if (!object.compact) continue;
     const double gsd_m = camera.gsd_m(object.centre_m);
     if (object.width_m > kSeeded_px * gsd_m) continue;

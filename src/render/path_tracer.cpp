@@ -29,6 +29,14 @@ void add_scaled_product(float* __restrict sum, const float* __restrict a, const 
                         std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) sum[i] += a[i] * (b[i] * s);
 }
+void add_scaled_product(float* __restrict sum, const float* __restrict a, const float* __restrict b,
+                        const float* __restrict c, float s, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) sum[i] += a[i] * b[i] * (c[i] * s);
+}
+void scaled_product(float* __restrict out, const float* __restrict a, const float* __restrict b, float s,
+                    std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) out[i] = a[i] * (b[i] * s);
+}
 void sum_of_scaled_product(float* __restrict sum, const float* __restrict first, const float* __restrict a,
                            const float* __restrict b, float s, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) sum[i] = first[i] + a[i] * (b[i] * s);
@@ -36,11 +44,56 @@ void sum_of_scaled_product(float* __restrict sum, const float* __restrict first,
 void scale(float* __restrict a, const float* __restrict b, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) a[i] *= b[i];
 }
-void scale(float* a, float s, std::size_t n) {
-  for (std::size_t i = 0; i < n; ++i) a[i] *= s;
+void scale(float* __restrict a, const float* __restrict b, float s, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) a[i] *= b[i] * s;
+}
+/// Both at one surface: what its sunlight adds, and the throughput beyond it.
+void add_and_scale(float* __restrict sum, float* __restrict throughput, const float* __restrict factor,
+                   const float* __restrict sun, float sun_weight, float weight, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const float passed = throughput[i] * factor[i];
+    sum[i] += passed * (sun[i] * sun_weight);
+    throughput[i] = passed * weight;
+  }
+}
+void set_scaled(float* __restrict out, const float* __restrict a, float s, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) out[i] = a[i] * s;
+}
+
+/// What the random choice between shapes at a surface is keyed by, beside its path and depth.
+constexpr std::uint64_t kShapeChoice = 0x7368617065ull;
+
+/// A shading normal is bent back until the viewer stands at least this far above its horizon (a cosine): nobody sees
+/// a surface from behind.
+constexpr double kLeastCosine = 1e-3;
+
+math::Vec3 mirrored(math::Vec3 direction, math::Vec3 normal) {
+  return direction - 2.0 * math::dot(direction, normal) * normal;
 }
 
 }  // namespace
+
+/// The surface as seen along a path: normals on the viewer's side.
+struct PathTracer::Sides {
+  math::Vec3 outgoing;     // towards the viewer
+  math::Vec3 outward;      // geometric normal
+  math::Normal3 shading;
+  bool bent = false;       // the two differ
+
+  Sides(math::Vec3 towards_viewer, const geometry::SurfacePoint& hit, math::Normal3 shading_normal)
+      : outgoing(towards_viewer),
+        outward((hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector()),
+        shading(hit.front ? shading_normal : -shading_normal) {
+    const math::Vec3 s = shading.as_vector();
+    bent = s.x != outward.x || s.y != outward.y || s.z != outward.z;
+    if (!bent) return;
+    const double seen = math::dot(s, outgoing);
+    if (seen < kLeastCosine) {
+      const double along = std::max(1e-9, math::dot(outward, outgoing));
+      shading = math::as_normal(math::normalized(s + (kLeastCosine - seen) / along * outward));
+    }
+  }
+};
 
 PathTracer::PathTracer(const SpectralScene& scene, TransportOptions options)
     : scene_(scene), options_(options), row_floats_(scene.stride()) {
@@ -51,7 +104,7 @@ void PathTracer::trace(std::span<const math::Ray> rays, std::span<const PathKey>
                        radiometry::SpectrumBlock& radiance, std::span<geometry::SurfacePoint> first_hits,
                        sampling::RayCounts& counts) {
   radiance.reshape(rays.size(), scene_.node_count());
-  scratch_.resize(1, scene_.node_count());
+  scratch_.resize(2, scene_.node_count());
   counts.primary += rays.size();
   for (std::size_t first = 0; first < rays.size(); first += kGroup) {
     const std::size_t count = std::min(kGroup, rays.size() - first);
@@ -95,15 +148,18 @@ void PathTracer::advance(int depth, radiometry::SpectrumBlock& radiance, samplin
     }
     const scene::ResolvedSurface surface = scene_.scene().resolve(hits_[k]);
     const float* emission = scene_.emission(surface, scratch_.row(0));
-    const std::size_t before = scatters_.size();
-    if (scene_.highest_reflectance(surface.material) > 0.0 && depth != options_.maximum_scatterings)
-      scatter(path, static_cast<std::uint32_t>(k), surface.material, depth);
-    if (depth > 0)
-      add_product(sum, throughput_.row(path.throughput), emission, row_floats_);
-    else if (scatters_.size() > before && emission != scratch_.row(0))
+    const bool scatters = depth != options_.maximum_scatterings &&
+                          scatter(path, static_cast<std::uint32_t>(k), surface, depth);
+    if (depth > 0) {
+      if (emission != nullptr) add_product(sum, throughput_.row(path.throughput), emission, row_floats_);
+    } else if (scatters && emission != scratch_.row(0)) {
       scatters_.back().emission = emission;  // written together with the sunlight
-    else
+    } else if (emission != nullptr) {
       std::memcpy(sum, emission, row_floats_ * sizeof(float));
+      if (scatters) scatters_.back().emission = sum;
+    } else {
+      std::memset(sum, 0, row_floats_ * sizeof(float));
+    }
   }
 
   blocked_.resize(shadow_rays_.size());
@@ -113,28 +169,32 @@ void PathTracer::advance(int depth, radiometry::SpectrumBlock& radiance, samplin
   next_paths_.clear();
   for (const Scatter& event : scatters_) {
     const Path& path = paths_[event.path];
-    const float* reflectance = scene_.reflectance(event.material);
     float* sum = radiance.row(path.row);
     float* throughput = throughput_.row(path.throughput);
+    const float* sun = scene_.sun_irradiance();
     const bool sunlit = event.shadow != kNone && blocked_[event.shadow] == 0;
     const bool goes_on = event.bounce_weight > 0.0f;
     if (depth == 0) {
-      if (event.emission != nullptr && sunlit)
-        sum_of_scaled_product(sum, event.emission, reflectance, scene_.sun_irradiance(), event.sun_weight,
-                              row_floats_);
-      else if (event.emission != nullptr)
+      if (event.emission == sum) {
+        if (sunlit) add_scaled_product(sum, event.sun_factor, sun, event.sun_weight, row_floats_);
+      } else if (event.emission != nullptr && sunlit) {
+        sum_of_scaled_product(sum, event.emission, event.sun_factor, sun, event.sun_weight, row_floats_);
+      } else if (event.emission != nullptr) {
         std::memcpy(sum, event.emission, row_floats_ * sizeof(float));
-      else if (sunlit)
-        add_scaled_product(sum, reflectance, scene_.sun_irradiance(), event.sun_weight, row_floats_);
+      } else if (sunlit) {
+        scaled_product(sum, event.sun_factor, sun, event.sun_weight, row_floats_);
+      } else {
+        std::memset(sum, 0, row_floats_ * sizeof(float));
+      }
       if (!goes_on) continue;
-      std::memcpy(throughput, reflectance, row_floats_ * sizeof(float));
+      set_scaled(throughput, event.bounce_factor, event.bounce_weight, row_floats_);
+    } else if (sunlit && goes_on && event.sun_factor == event.bounce_factor) {
+      add_and_scale(sum, throughput, event.sun_factor, sun, event.sun_weight, event.bounce_weight, row_floats_);
     } else {
-      if (!sunlit && !goes_on) continue;
-      scale(throughput, reflectance, row_floats_);
-      if (sunlit) add_scaled_product(sum, throughput, scene_.sun_irradiance(), event.sun_weight, row_floats_);
+      if (sunlit) add_scaled_product(sum, throughput, event.sun_factor, sun, event.sun_weight, row_floats_);
       if (!goes_on) continue;
+      scale(throughput, event.bounce_factor, event.bounce_weight, row_floats_);
     }
-    if (event.bounce_weight != 1.0f) scale(throughput, event.bounce_weight, row_floats_);
     next_paths_.push_back({event.next, path.key, path.row, path.throughput, event.next_sees_sun});
   }
   paths_.swap(next_paths_);
@@ -161,58 +221,102 @@ void PathTracer::add_escaped(const Path& path, int depth, float* sum) {
   }
 }
 
-void PathTracer::scatter(const Path& path, std::uint32_t path_index, std::uint32_t material, int depth) {
-  const scene::Scene& scene = scene_.scene();
-  const geometry::SurfacePoint& hit = hits_[path_index];
-  const materials::Scattering& scattering = materials::scattering(scene.materials[material].scattering);
-  const math::Normal3 facing = hit.front ? hit.shading_normal : -hit.shading_normal;
-  const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
-  const math::Vec3 outgoing = -path.ray.direction;
-  const std::uint32_t pair = 1u + 2u * static_cast<std::uint32_t>(depth);
+bool PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface, int depth) {
+  double choice = 0.0;
+  float* blend = nullptr;
+  if (surface.count > 1) {
+    if (blends_.rows() == 0) blends_.reshape(2 * kGroup, scene_.node_count());
+    blend = blends_.row(2 * path_index);
+    choice = sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth, kShapeChoice));
+  }
+  const SurfaceRows rows = surface_rows(scene_, surface, choice, blend);
+  if (rows.highest_reflectance + rows.highest_transmittance <= 0.0) return false;
 
+  const geometry::SurfacePoint& hit = hits_[path_index];
+  const Sides sides(-path.ray.direction, hit, surface.shading_normal);
+  const std::uint32_t pair = 1u + 2u * static_cast<std::uint32_t>(depth);
   Scatter event;
   event.path = path_index;
-  event.material = material;
-
-  if (scene.sun && !scattering.is_delta()) {
-    const sampling::Point2 u = sampling::sequence_point(path.key.sequence, path.key.index, pair);
-    const sampling::LightSample light = sample_sun(*scene.sun, facing.as_vector(), u);
-    if (light.weight_sr > 0.0 && math::dot(light.direction, outward) > 0.0) {
-      const double f = scattering.evaluate(outgoing, light.direction, facing);
-      if (f > 0.0) {
-        event.sun_weight = static_cast<float>(f * light.weight_sr);
-        event.shadow = static_cast<std::uint32_t>(shadow_rays_.size());
-        shadow_rays_.push_back({hit.position_m + hit.offset_m * outward, light.direction});
-      }
-    }
+  if (scene_.scene().sun && !rows.scattering->is_delta())
+    send_to_sun(rows, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair), event);
+  if (depth + 1 != options_.maximum_scatterings &&
+      bounce(rows, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair + 1u), event) &&
+      depth + 1 >= kCertainScatterings) {
+    const double highest =
+        event.bounce_factor == rows.reflectance ? rows.highest_reflectance : rows.highest_transmittance;
+    const double chance = std::min(1.0, highest * event.bounce_weight);
+    const bool survives =
+        sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth)) < chance;
+    event.bounce_weight = survives ? static_cast<float>(event.bounce_weight / chance) : 0.0f;
   }
-
-  if (depth + 1 != options_.maximum_scatterings) {
-    const sampling::Point2 u = sampling::sequence_point(path.key.sequence, path.key.index, pair + 1u);
-    const materials::ScatterSample sample = scattering.sample(outgoing, facing, u.x, u.y);
-    if (sample.weight > 0.0 && math::dot(sample.incoming, outward) > 0.0) {
-      double weight = sample.weight;
-      bool survives = true;
-      if (depth + 1 >= kCertainScatterings) {
-        const double chance = std::min(1.0, scene_.highest_reflectance(material) * sample.weight);
-        survives = sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth)) < chance;
-        weight /= chance;
-      }
-      if (survives) {
-        event.bounce_weight = static_cast<float>(weight);
-        event.next = {hit.position_m + hit.offset_m * outward, sample.incoming};
-        event.next_sees_sun = scattering.is_delta();
-      }
-    }
-  }
-  if (event.shadow != kNone || event.bounce_weight > 0.0f) scatters_.push_back(event);
+  if (event.shadow == kNone && !(event.bounce_weight > 0.0f)) return false;
+  scatters_.push_back(event);
+  return true;
 }
 
-sampling::LightSample PathTracer::sample_sun(const scene::Sun& sun, math::Vec3 normal, sampling::Point2 u) const {
+void PathTracer::send_to_sun(const SurfaceRows& rows, const Sides& sides, const geometry::SurfacePoint& hit,
+                             sampling::Point2 u, Scatter& event) {
+  const bool transmits = rows.transmittance != nullptr;
+  const math::Vec3 towards_sun = scene_.scene().sun->direction;
+  const bool behind = transmits && math::dot(sides.outward, towards_sun) < 0.0;
+  const math::Vec3 lit_side = behind ? -sides.shading.as_vector() : sides.shading.as_vector();
+  const sampling::LightSample light = sample_sun(lit_side, transmits && !sides.bent, u);
+  const double height = math::dot(light.direction, sides.outward);
+  const bool through = transmits && height < 0.0;
+  if (light.weight_sr <= 0.0 || (through ? height >= 0.0 : height <= 0.0)) return;
+
+  // Light that a bent normal would take from below the surface comes mirrored from above it.
+  const math::Vec3 normal = through ? -sides.shading.as_vector() : sides.shading.as_vector();
+  const math::Vec3 viewer = through ? normal : sides.outgoing;  // what is let through looks alike from everywhere
+  const math::Normal3 lobe = math::as_normal(normal);
+  double weight = light.weight_sr * rows.scattering->evaluate(viewer, light.direction, lobe);
+  if (sides.bent) {
+    const math::Vec3 image = mirrored(light.direction, sides.outward);
+    const double own = math::dot(normal, light.direction), below = math::dot(normal, image);
+    if (own > 0.0 && below > 0.0)
+      weight += light.weight_sr * rows.scattering->evaluate(viewer, image, lobe) * below / own;
+  }
+  if (weight <= 0.0) return;
+  event.sun_weight = static_cast<float>(weight);
+  event.sun_factor = through ? rows.transmittance : rows.reflectance;
+  event.shadow = static_cast<std::uint32_t>(shadow_rays_.size());
+  shadow_rays_.push_back(
+      {hit.position_m + (through ? -hit.offset_m : hit.offset_m) * sides.outward, light.direction});
+}
+
+bool PathTracer::bounce(const SurfaceRows& rows, const Sides& sides, const geometry::SurfacePoint& hit,
+                        sampling::Point2 u, Scatter& event) const {
+  // The side is chosen so that no node's weight outgrows the sum of the two highest factors.
+  double chance = 1.0;
+  bool through = false;
+  if (rows.transmittance != nullptr) {
+    chance = rows.highest_reflectance / (rows.highest_reflectance + rows.highest_transmittance);
+    through = !(u.x < chance);
+    u.x = through ? (u.x - chance) / (1.0 - chance) : u.x / chance;
+    if (through) chance = 1.0 - chance;
+  }
+  const math::Vec3 outward = through ? -sides.outward : sides.outward;
+  const math::Normal3 lobe = through ? -sides.shading : sides.shading;
+  materials::ScatterSample sample =
+      rows.scattering->sample(through ? lobe.as_vector() : sides.outgoing, lobe, u.x, u.y);
+  if (sides.bent && math::dot(sample.incoming, outward) < 0.0) sample.incoming = mirrored(sample.incoming, outward);
+  if (!(sample.weight > 0.0) || !(math::dot(sample.incoming, outward) > 0.0)) return false;
+  event.bounce_weight = static_cast<float>(sample.weight / chance);
+  event.bounce_factor = through ? rows.transmittance : rows.reflectance;
+  event.next = {hit.position_m + hit.offset_m * outward, sample.incoming};
+  event.next_sees_sun = rows.scattering->is_delta();
+  return true;
+}
+
+sampling::LightSample PathTracer::sample_sun(math::Vec3 normal, bool either_side, sampling::Point2 u) const {
   // Weights are relative to the irradiance of a surface that faces the Sun.
+  const scene::Sun& sun = *scene_.scene().sun;
   if (sun.half_angle_rad <= 0.0) return {sun.direction, std::max(0.0, math::dot(sun.direction, normal))};
   sampling::LightSample sample = disc_->sample(sun.direction, normal, u);
   const double sine = std::sin(sun.half_angle_rad);
+  // Cut by the horizon, the disc is sampled whole: what is below lights the other side.
+  if (either_side && !disc_->uncut(sun.direction, normal))
+    sample.weight_sr = disc_->solid_angle_sr() * std::abs(math::dot(sample.direction, normal));
   sample.weight_sr /= std::numbers::pi * sine * sine;
   return sample;
 }

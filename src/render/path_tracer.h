@@ -7,6 +7,7 @@
 
 #include "math/ray.h"
 #include "render/spectral_scene.h"
+#include "render/surface_rows.h"
 #include "sampling/field.h"
 #include "sampling/warp.h"
 
@@ -46,30 +47,39 @@ class PathTracer {
     std::uint32_t throughput = 0;  // row of the throughput block
     bool sees_sun = true;          // no next-event estimation was made for this segment
   };
-  struct Scatter {                // a path that scatters at this depth
+  struct Scatter {                 // a path that scatters at this depth
     std::uint32_t path = 0;
-    std::uint32_t material = 0;
-    float sun_weight = 0.0f;      // of sun_irradiance, before visibility
-    std::uint32_t shadow = kNone; // index of its shadow ray
-    float bounce_weight = 0.0f;   // of the reflectance, in the continued path; 0 ends it
+    std::uint32_t shadow = kNone;  // index of its shadow ray
+    const float* sun_factor = nullptr;     // spectral factors of sunlight and of the continued path
+    const float* bounce_factor = nullptr;
+    float sun_weight = 0.0f;       // of sun_irradiance, before visibility
+    float bounce_weight = 0.0f;    // of the factor, in the continued path; 0 ends it
     math::Ray next;
     bool next_sees_sun = false;
-    const float* emission = nullptr;  // not yet added to the path's radiance
+    const float* emission = nullptr;  // not yet written to the path's radiance
   };
+  struct Sides;
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
   void trace_segment(sampling::RayCounts& counts, int depth);
   void advance(int depth, radiometry::SpectrumBlock& radiance, sampling::RayCounts& counts);
   void add_escaped(const Path& path, int depth, float* radiance);
-  void scatter(const Path& path, std::uint32_t path_index, std::uint32_t material, int depth);
-  sampling::LightSample sample_sun(const scene::Sun& sun, math::Vec3 normal, sampling::Point2 u) const;
+  /// Whether the path scatters: an event was added.
+  bool scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface, int depth);
+  void send_to_sun(const SurfaceRows& rows, const Sides& sides, const geometry::SurfacePoint& hit, sampling::Point2 u,
+                   Scatter& event);
+  /// Direction, factor and weight of the continued path, before any roulette; false where it ends.
+  bool bounce(const SurfaceRows& rows, const Sides& sides, const geometry::SurfacePoint& hit, sampling::Point2 u,
+              Scatter& event) const;
+  sampling::LightSample sample_sun(math::Vec3 normal, bool either_side, sampling::Point2 u) const;
 
   const SpectralScene& scene_;
   TransportOptions options_;
   std::size_t row_floats_;
   std::optional<sampling::SolarDisc> disc_;
   radiometry::SpectrumBlock throughput_;
-  radiometry::SpectrumBlock scratch_;
+  radiometry::SpectrumBlock scratch_;  // of emission
+  radiometry::SpectrumBlock blends_;   // two rows for each path of a group; empty without blends
   std::vector<Path> paths_, next_paths_;
   std::vector<math::Ray> rays_, shadow_rays_;
   std::vector<geometry::SurfacePoint> hits_;

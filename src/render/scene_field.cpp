@@ -34,7 +34,9 @@ std::vector<math::Vec3> fixed_disc_points(const scene::Sun& sun) {
 
 SceneField::SceneField(const SpectralScene& scene, const sensor::Camera& camera, TransportOptions transport,
                        LabelDetail detail)
-    : scene_(scene), camera_(camera), detail_(detail), tracer_(scene, transport) {
+    : scene_(scene), camera_(camera), detail_(detail), tracer_(scene, transport),
+      truth_(scene::truth_materials(scene.scene())),
+      blends_(scene.scene(), truth_, static_cast<int>(scene.nodes().channel_count())) {
   if (scene.scene().sun) disc_points_ = fixed_disc_points(*scene.scene().sun);
 }
 
@@ -49,7 +51,20 @@ void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<
 
 std::uint32_t SceneField::material_of(sampling::Label label) const {
   const std::uint32_t material = SurfaceLabel::material_of(label);
-  return material == SurfaceLabel::kSky ? scene_.scene().surroundings.material : material;
+  if (material == SurfaceLabel::kBlend) return BlendColumns::kNoMaterial;
+  return material == SurfaceLabel::kSky ? truth_.of_material[scene_.scene().surroundings.material] : material;
+}
+
+bool SceneField::shows_sunlight(const scene::ResolvedSurface& surface, bool& transmits) const {
+  bool shows = false;
+  for (const scene::Constituent& c : surface) {
+    if (scene_.brightest(c.material) <= 0.0 ||
+        materials::scattering(scene_.scene().materials[c.material].scattering).is_delta())
+      continue;
+    shows = true;
+    transmits = transmits || scene_.materials().maximum_transmittance(c.material) > 0.0f;
+  }
+  return shows;
 }
 
 void SceneField::values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
@@ -67,8 +82,11 @@ void SceneField::values(std::span<const sampling::PathRequest> requests, std::sp
     }
     camera_.rays(points_, rays_);
     tracer_.trace(rays_, keys_, radiance_, hits_, counts_);
-    for (std::size_t k = 0; k < count; ++k)
-      scene_.nodes().to_channels(radiance_.row(k), values.data() + (first + k) * row_length);
+    for (std::size_t k = 0; k < count; ++k) {
+      float* row = values.data() + (first + k) * row_length;
+      scene_.nodes().to_channels(radiance_.row(k), row);
+      if (blends_.count() > 0) blends_.write_shares(hits_[k], row);
+    }
     label_hits(hits_, labels.subspan(first, count));
   }
 }
@@ -82,19 +100,28 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, std::s
     SurfaceLabel label;
     label.material = SurfaceLabel::kSky;
     if (hit.hit()) {
-      const std::uint32_t material = scene.resolve(hit).material;
+      const scene::ResolvedSurface surface = scene.resolve(hit);
+      const std::uint32_t material = blends_.mixes(hit.material)
+                                         ? SurfaceLabel::kBlend
+                                         : truth_.of_material[surface.constituents[0].material];
       label = {hit.instance, hit.patch, material, hit.front, SunState::none};
-      if (detail_ == LabelDetail::sun_state && !disc_points_.empty() &&
-          scene_.highest_reflectance(material) > 0.0 &&
-          !materials::scattering(scene.materials[material].scattering).is_delta()) {
-        const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
-        std::size_t above = 0;
-        for (const math::Vec3& direction : disc_points_) above += math::dot(direction, outward) > 0.0;
-        label.sun = above == 0 ? SunState::shaded : above < disc_points_.size() ? SunState::penumbra : SunState::lit;
-        if (label.sun == SunState::lit) {
-          owner_.push_back(static_cast<std::uint32_t>(k));
-          for (const math::Vec3& direction : disc_points_)
-            sun_rays_.push_back({hit.position_m + hit.offset_m * outward, direction});
+      if (detail_ == LabelDetail::sun_state && !disc_points_.empty()) {
+        bool transmits = false;
+        if (shows_sunlight(surface, transmits)) {
+          // A leaf may be lit from behind.
+          const math::Vec3 normal = hit.geometric_normal.as_vector();
+          const bool behind = math::dot(scene.sun->direction, normal) < 0.0;
+          const math::Vec3 outward = (transmits ? !behind : hit.front) ? normal : -normal;
+          std::size_t above = 0;
+          for (const math::Vec3& direction : disc_points_) above += math::dot(direction, outward) > 0.0;
+          label.sun = above == 0                     ? SunState::shaded
+                      : above < disc_points_.size() ? SunState::penumbra
+                                                     : SunState::lit;
+          if (label.sun == SunState::lit) {
+            owner_.push_back(static_cast<std::uint32_t>(k));
+            for (const math::Vec3& direction : disc_points_)
+              sun_rays_.push_back({hit.position_m + hit.offset_m * outward, direction});
+          }
         }
       }
     }

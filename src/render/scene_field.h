@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "render/blend_columns.h"
 #include "render/path_tracer.h"
 #include "render/surface_label.h"
 #include "sampling/field.h"
@@ -22,21 +23,28 @@ class SceneField final : public sampling::Field {
   SceneField(const SpectralScene& scene, const sensor::Camera& camera, TransportOptions transport,
              LabelDetail detail);
 
-  int columns() const override { return static_cast<int>(scene_.nodes().channel_count()); }
+  /// The channels, and then the shares of materials that are mixed somewhere (BlendColumns).
+  int columns() const override { return blends_.first_column() + blends_.count(); }
   void labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) override;
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
               std::span<float> values) override;
-  /// Rays that met nothing stand on the material of the surroundings, the last of the scene.
+  /// By number in scene::TruthMaterials. Rays that met nothing stand on the material of the surroundings, the last
+  /// of the scene; coverings that mix stand on none: BlendColumns::kNoMaterial.
   std::uint32_t material_of(sampling::Label label) const override;
+  const BlendColumns& blends() const { return blends_; }
   sampling::RayCounts counts() const override { return counts_; }
 
  private:
+  /// Whether sunlight on a surface is seen from the side that is viewed, and whether light from behind is, too.
+  bool shows_sunlight(const scene::ResolvedSurface& surface, bool& transmits) const;
   void label_hits(std::span<const geometry::SurfacePoint> hits, std::span<sampling::Label> labels);
 
   const SpectralScene& scene_;
   const sensor::Camera& camera_;
   LabelDetail detail_;
   PathTracer tracer_;
+  scene::TruthMaterials truth_;
+  BlendColumns blends_;
   std::vector<math::Vec3> disc_points_;  // directions to the fixed points of the Sun's disc
   sampling::RayCounts counts_;
   std::vector<sampling::FocalPoint> points_;

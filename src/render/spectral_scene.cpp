@@ -46,21 +46,43 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::Spectr
   }
 
   double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
-  for (const scene::Covering& covering : scene.coverings)
-    for (const auto& map : covering.temperatures) {
-      if (!map) continue;
-      lowest = std::min(lowest, map->minimum_k());
-      highest = std::max(highest, map->maximum_k());
-    }
+  const auto include = [&](double coldest_k, double hottest_k) {
+    lowest = std::min(lowest, coldest_k);
+    highest = std::max(highest, hottest_k);
+  };
+  for (const scene::Covering& covering : scene.coverings) {
+    for (const auto& map : covering.temperatures)
+      if (map) include(map->minimum_k(), map->maximum_k());
+    for (const auto& pattern : covering.patterns)
+      if (const auto range = pattern->temperatures()) include(range->coldest_k, range->hottest_k);
+  }
   if (highest > 0.0) planck_ = std::make_unique<radiometry::PlanckTable>(nodes, lowest - 0.5, highest + 0.5);
 }
 
-const float* SpectralScene::emission(const scene::ResolvedSurface& surface, float* scratch) const {
-  if (surface.mapped_temperature_k <= 0.0) return emission_.row(surface.state);
-  planck_->row(surface.mapped_temperature_k, scratch);
-  const float* emissivity = materials_.emissivity(surface.material);
+const float* SpectralScene::emission(const scene::Constituent& constituent, float* scratch) const {
+  if (constituent.mapped_temperature_k <= 0.0)
+    return scene_.states[constituent.state].temperature_k > 0.0 ? emission_.row(constituent.state) : nullptr;
+  planck_->row(constituent.mapped_temperature_k, scratch);
+  const float* emissivity = materials_.emissivity(constituent.material);
   for (std::size_t n = 0; n < stride(); ++n) scratch[n] *= emissivity[n];
   return scratch;
+}
+
+const float* SpectralScene::emission(const scene::ResolvedSurface& surface, float* scratch) const {
+  if (surface.count == 1) return emission(surface.constituents[0], scratch);
+  float* part = scratch + stride();
+  bool any = false;
+  for (const scene::Constituent& constituent : surface) {
+    const float* row = emission(constituent, part);
+    if (row == nullptr) continue;
+    const float weight = static_cast<float>(constituent.weight);
+    if (any)
+      for (std::size_t n = 0; n < stride(); ++n) scratch[n] += weight * row[n];
+    else
+      for (std::size_t n = 0; n < stride(); ++n) scratch[n] = weight * row[n];
+    any = true;
+  }
+  return any ? scratch : nullptr;
 }
 
 std::vector<double> SpectralScene::white_reflected() const {

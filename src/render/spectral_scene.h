@@ -22,12 +22,15 @@ class SpectralScene {
   std::size_t node_count() const { return nodes_.node_count(); }
   std::size_t stride() const { return light_.stride(); }
 
-  const float* reflectance(std::uint32_t material) const { return materials_.reflectance(material); }
-  /// Largest reflectance over the nodes; 0 marks a black surface, which ends paths.
-  double highest_reflectance(std::uint32_t material) const { return materials_.maximum_reflectance(material); }
+  const materials::SpectralMaterials& materials() const { return materials_; }
 
-  /// Emitted radiance of a resolved surface, W m-2 sr-1 um-1; `scratch` (stride() floats, 64-byte aligned) is
-  /// used where the temperature comes from a map.
+  /// What of the light that meets a material goes on in any node, at most; 0 marks a black surface, which ends paths.
+  double brightest(std::uint32_t material) const {
+    return materials_.maximum_reflectance(material) + materials_.maximum_transmittance(material);
+  }
+
+  /// Emitted radiance of a resolved surface, W m-2 sr-1 um-1; null where it emits nothing. `scratch` (2 stride()
+  /// floats, 64-byte aligned) is used where the row is not kept: for a temperature from a map, and for blends.
   const float* emission(const scene::ResolvedSurface& surface, float* scratch) const;
 
   /// Irradiance on a surface that faces the Sun (zero without one).
@@ -42,6 +45,8 @@ class SpectralScene {
   std::vector<double> white_reflected() const;
 
  private:
+  const float* emission(const scene::Constituent& constituent, float* scratch) const;
+
   enum LightRow { kSunIrradiance, kSky, kSurroundings, kViewTransmittance, kViewRadiance, kLightRows };
   const scene::Scene& scene_;
   const radiometry::SpectralNodes& nodes_;

@@ -14,11 +14,12 @@ enum class SunState : std::uint8_t { none = 0, lit = 1, penumbra = 2, shaded = 3
 struct SurfaceLabel {
   std::uint32_t instance = 0;  // 25 bits
   std::uint32_t patch = 0;     // 21 bits
-  std::uint32_t material = 0;  // 15 bits, exact
+  std::uint32_t material = 0;  // 15 bits, exact: by number in scene::TruthMaterials
   bool front = true;
   SunState sun = SunState::none;
 
-  static constexpr std::uint32_t kMaximumMaterials = (1u << 15) - 2;
+  static constexpr std::uint32_t kMaximumMaterials = (1u << 15) - 3;
+  static constexpr std::uint32_t kBlend = (1u << 15) - 2;  ///< "material" of coverings that mix materials
   static constexpr std::uint32_t kSky = (1u << 15) - 1;  ///< "material" of a ray that met nothing
 
   constexpr sampling::Label pack() const {

@@ -1,18 +1,50 @@
 #include "scene/scene.h"
 
+#include <algorithm>
+
 namespace ifov::scene {
 
+bool Covering::mixes_materials() const {
+  return std::any_of(patterns.begin(), patterns.end(), [](const auto& p) { return p->mixes_materials(); });
+}
+
 ResolvedSurface Scene::resolve(const geometry::SurfacePoint& point) const {
+  if ((point.copy_column | point.copy_row) == 0) return resolve_own(point);
+  // Maps lie on the cell and repeat with it.
+  const geometry::World::Period period = world->period().value_or(geometry::World::Period{});
+  geometry::SurfacePoint own = point;
+  own.position_m = point.position_m - math::Vec3{point.copy_column * period.x_m, point.copy_row * period.y_m, 0.0};
+  own.copy_column = own.copy_row = 0;
+  return resolve_own(own);
+}
+
+ResolvedSurface Scene::resolve_own(const geometry::SurfacePoint& point) const {
   const Covering& covering = coverings[point.material];
   ResolvedSurface surface;
-  const std::uint32_t index =
-      covering.classes ? covering.classes->at(point.position_m.x, point.position_m.y) : std::uint16_t{0};
-  surface.state = covering.states[index];
-  surface.material = states[surface.state].material;
+  surface.count = 1;
+  surface.shading_normal = point.shading_normal;
+  Constituent& only = surface.constituents[0];
+  const materials::MapPlace place{point.position_m.x, point.position_m.y, point.u, point.v};
+  const std::uint32_t index = covering.classes ? covering.classes->at(place) : std::uint16_t{0};
+  only.state = covering.states[index];
+  only.material = states[only.state].material;
+  only.weight = 1.0;
+  only.mapped_temperature_k = 0.0;
   if (!covering.temperatures.empty() && covering.temperatures[index])
-    surface.mapped_temperature_k =
-        covering.temperatures[index]->at_k(point.position_m.x, point.position_m.y);
+    only.mapped_temperature_k = covering.temperatures[index]->at_k(place);
+  for (const auto& pattern : covering.patterns) pattern->apply(point, surface);
   return surface;
+}
+
+TruthMaterials truth_materials(const Scene& scene) {
+  TruthMaterials truth;
+  for (const materials::Material& material : scene.materials) {
+    truth.of_material.push_back(static_cast<std::uint32_t>(truth.names.size()));
+    if (!material.curve_of) truth.names.push_back(material.name);
+  }
+  for (std::size_t m = 0; m < scene.materials.size(); ++m)
+    if (scene.materials[m].curve_of) truth.of_material[m] = truth.of_material[*scene.materials[m].curve_of];
+  return truth;
 }
 
 }  // namespace ifov::scene

@@ -10,6 +10,7 @@
 #include "materials/draped_map.h"
 #include "materials/material.h"
 #include "radiometry/spectrum.h"
+#include "scene/resolved_surface.h"
 
 namespace ifov::scene {
 
@@ -41,22 +42,41 @@ struct SurfaceState {
   friend bool operator==(const SurfaceState&, const SurfaceState&) = default;
 };
 
+/// What changes a covering from point to point beyond classes and temperatures: mixtures, textures, bumps. Called
+/// for every hit, from many threads; must not allocate, and depend on the point alone.
+class Pattern {
+ public:
+  virtual ~Pattern() = default;
+
+  /// Rewrites what was resolved so far: splits or replaces constituents, sets their temperatures, tilts the shading
+  /// normal. Leaves it as ResolvedSurface says it must be.
+  virtual void apply(const geometry::SurfacePoint& point, ResolvedSurface& surface) const = 0;
+
+  /// Whether constituents of unlike materials (see truth_materials) may come out side by side. Labels do not tell
+  /// materials apart on such a covering; abundances are estimated from the weights.
+  virtual bool mixes_materials() const { return false; }
+  /// Where it mixes, the materials that it brings in besides those of the covering's own states; empty: any of the
+  /// scene's. Each costs a column of numbers.
+  virtual std::vector<std::uint32_t> mixed_materials() const { return {}; }
+
+  /// Lowest and highest temperature that `apply` sets, kelvins; none where it sets none.
+  struct TemperatureRange {
+    double coldest_k = 0.0, hottest_k = 0.0;
+  };
+  virtual std::optional<TemperatureRange> temperatures() const { return std::nullopt; }
+};
+
 /// What covers a part of an object (SurfacePoint::material is an index into Scene::coverings): one state, or a map
 /// of classes draped from above, each with its state. Where a state has a temperature map, that replaces its
-/// temperature.
+/// temperature. Patterns then apply in their order.
 struct Covering {
   std::vector<std::uint32_t> states;  ///< indices into Scene::states; one, or by class index of the map
   std::shared_ptr<const materials::ClassMap> classes;
   std::vector<std::shared_ptr<const materials::TemperatureMap>> temperatures;  ///< by state; empty: none
+  std::vector<std::shared_ptr<const Pattern>> patterns;
   friend bool operator==(const Covering&, const Covering&) = default;
-};
 
-/// Surface found at a point: `state` always names the material; where `mapped_temperature_k` > 0 it replaces the
-/// state's own temperature.
-struct ResolvedSurface {
-  std::uint32_t state = 0;
-  std::uint32_t material = 0;
-  double mapped_temperature_k = 0.0;
+  bool mixes_materials() const;  ///< by one of its patterns
 };
 
 /// The immutable assembly of geometry, materials and light. Answers "what is at this point" and "what lights it";
@@ -72,6 +92,17 @@ struct Scene {
   ViewPath view_path;
 
   ResolvedSurface resolve(const geometry::SurfacePoint& point) const;
+
+ private:
+  ResolvedSurface resolve_own(const geometry::SurfacePoint& point) const;
 };
+
+/// The materials that truth tells apart: all but those that are further curves of another (Material::curve_of), which
+/// count as that one.
+struct TruthMaterials {
+  std::vector<std::string> names;
+  std::vector<std::uint32_t> of_material;  ///< index into `names`, by index into Scene::materials
+};
+TruthMaterials truth_materials(const Scene& scene);
 
 }  // namespace ifov::scene

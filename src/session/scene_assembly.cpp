@@ -4,10 +4,12 @@
 #include <map>
 
 #include "geometry/world_builder.h"
+#include "io/instances/instance_csv.h"
+#include "io/instances/instance_file.h"
 #include "io/mesh/obj_reader.h"
-#include "io/tables/number_table.h"
 #include "session/covering_assembly.h"
 #include "session/light_assembly.h"
+#include "session/mesh_cache.h"
 #include "session/with_position.h"
 
 namespace ifov::session {
@@ -26,6 +28,7 @@ struct BuiltPrototype {
   struct Slot {
     const io::ObjectDocument* object;
     std::string name;
+    const std::optional<io::TemperatureDocument>* temperature;  ///< the outermost that is given
   };
   geometry::ShapeId id;
   std::vector<Slot> slots;
@@ -52,15 +55,14 @@ class GeometryAssembly {
     return builder_.build();
   }
 
+  /// Where meshes and lists are kept from run to run; null: nowhere.
+  void use(io::SceneCache* cache) { cache_ = cache; }
+
  private:
   void place(const io::ObjectDocument& object, const math::Transform& scene_from_document, math::Vec3 offset_m) {
     const math::Transform scene_from_object = scene_from_document * transform_of(object.transform);
-    if (const auto* one = std::get_if<io::InstanceShape>(&object.shape)) {
-      place_prototype(object, prototype(one->of.name), scene_from_object);
-    } else if (const auto* many = std::get_if<io::InstancesShape>(&object.shape)) {
-      const BuiltPrototype& built = prototype(many->of.name);
-      for (const math::Transform& object_from_copy : copies(*many))
-        place_prototype(object, built, scene_from_object * object_from_copy);
+    if (const io::DocumentName* of = copied_by(object)) {
+      place_copies(object, prototype(of->name), scene_from_object);
     } else {
       const BuiltShape shape = build_shape(object);
       std::vector<std::uint32_t> materials;
@@ -70,13 +72,17 @@ class GeometryAssembly {
     }
   }
 
-  void place_prototype(const io::ObjectDocument& object, const BuiltPrototype& built,
-                       const math::Transform& scene_from_object) {
+  void place_copies(const io::ObjectDocument& object, const BuiltPrototype& built,
+                    const math::Transform& scene_from_object) {
     std::vector<std::uint32_t> materials;
     for (const BuiltPrototype::Slot& slot : built.slots)
       materials.push_back(coverings_.covering(*slot.object->material, slot.name,
-                                              object.temperature ? object.temperature : slot.object->temperature, {}));
-    builder_.place(built.id, scene_from_object, materials, object.seed.value_or(true));
+                                              object.temperature ? object.temperature : *slot.temperature, {}));
+    const bool seed = object.seed.value_or(true);
+    if (const auto list = list_of(object))
+      builder_.place_many(built.id, scene_from_object, list, materials, seed);
+    else
+      builder_.place(built.id, scene_from_object, materials, seed);
   }
 
   const BuiltPrototype& prototype(const std::string& name) {
@@ -86,35 +92,60 @@ class GeometryAssembly {
     std::vector<geometry::Part> parts;
     for (const io::PrototypeDocument& source : document_.scene.prototypes) {
       if (source.name != name) continue;
-      for (const io::ObjectDocument& object : source.objects) {
-        const BuiltShape shape = build_shape(object);
-        geometry::Part part{shape.id, transform_of(object.transform) * shape.object_from_shape, {}};
-        for (const std::string& slot : shape.slot_names) {
-          part.slots.push_back(static_cast<std::uint32_t>(built.slots.size()));
-          built.slots.push_back({&object, slot});
-        }
-        parts.push_back(std::move(part));
-      }
+      for (const io::ObjectDocument& object : source.objects)
+        with_position(document_, object.position, [&] { parts.push_back(part_of(object, built.slots)); });
     }
     built.id = builder_.add_prototype(parts);
     return prototypes_.emplace(name, std::move(built)).first->second;
   }
 
-  std::vector<math::Transform> copies(const io::InstancesShape& source) const {
-    std::vector<math::Transform> copies;
-    for (const math::Point3& at : source.at_m)
-      copies.push_back(math::Transform::translation({at.x, at.y, at.z}));
-    if (source.csv)
-      with_position(document_, source.csv->position, [&] {
-        const io::NumberTable table = io::read_number_table(source.csv->path, 5);
-        for (std::size_t row = 0; row < table.rows(); ++row) {
-          const double* v = table.row(row);
-          copies.push_back(math::Transform::translation({v[0], v[1], v[2]}) *
-                           math::Transform::rotation({0.0, 0.0, 1.0}, v[3] * M_PI / 180.0) *
-                           math::Transform::scaling({v[4], v[4], v[4]}));
-        }
+  /// An object of a prototype; its slots are added to those of the prototype.
+  geometry::Part part_of(const io::ObjectDocument& object, std::vector<BuiltPrototype::Slot>& slots) {
+    geometry::Part part{{}, transform_of(object.transform), {}};
+    std::vector<BuiltPrototype::Slot> own;
+    if (const io::DocumentName* of = copied_by(object)) {
+      const BuiltPrototype& inner = prototype(of->name);
+      part.what = inner.id;
+      part.list = list_of(object);
+      own = inner.slots;
+      if (object.temperature)
+        for (BuiltPrototype::Slot& slot : own) slot.temperature = &object.temperature;
+    } else {
+      const BuiltShape shape = build_shape(object);
+      part.what = shape.id;
+      part.prototype_from_part = part.prototype_from_part * shape.object_from_shape;
+      for (const std::string& slot : shape.slot_names) own.push_back({&object, slot, &object.temperature});
+    }
+    for (const BuiltPrototype::Slot& slot : own) {
+      part.slots.push_back(static_cast<std::uint32_t>(slots.size()));
+      slots.push_back(slot);
+    }
+    return part;
+  }
+
+  /// The prototype that an object copies, or null.
+  static const io::DocumentName* copied_by(const io::ObjectDocument& object) {
+    if (const auto* one = std::get_if<io::InstanceShape>(&object.shape)) return &one->of;
+    if (const auto* many = std::get_if<io::InstancesShape>(&object.shape)) return &many->of;
+    return nullptr;
+  }
+
+  /// Where its copies stand; null: there is one.
+  std::shared_ptr<const geometry::Placings> list_of(const io::ObjectDocument& object) const {
+    const auto* many = std::get_if<io::InstancesShape>(&object.shape);
+    if (many == nullptr) return nullptr;
+    if (many->binary)
+      return with_position(document_, many->binary->position, [&]() -> std::shared_ptr<const geometry::Placings> {
+        return std::make_shared<io::InstanceFile>(many->binary->path);
       });
-    return copies;
+    if (many->csv)
+      return with_position(document_, many->csv->position, [&] {
+        return cached_instances(cache_, {many->csv->path},
+                                [&] { return io::read_instance_csv(many->csv->path); });
+      });
+    std::vector<io::Instance> list;
+    for (const math::Point3& at : many->at_m) list.push_back({at});
+    return std::make_shared<io::InstanceList>(std::move(list));
   }
 
   static math::Transform transform_of(const io::TransformDocument& source) {
@@ -155,34 +186,50 @@ class GeometryAssembly {
     const auto known = meshes_.find(key);
     if (known != meshes_.end()) return known->second;
     return with_position(document_, s.file.position, [&] {
-      geometry::TriangleMesh mesh = io::read_obj(s.file.path);
-      std::vector<std::string> slots = mesh.slot_names.empty() ? std::vector<std::string>{""} : mesh.slot_names;
+      geometry::Body body = cached_mesh(cache_, s.file.path, [&] { return io::read_obj(s.file.path); });
+      std::vector<std::string> slots = body.mesh.slot_names;
+      if (slots.empty()) slots = {""};
       math::Transform object_from_file = math::Transform::scaling({s.unit_m, s.unit_m, s.unit_m});
       if (s.y_is_up)
         object_from_file = object_from_file * math::Transform::rotation({1.0, 0.0, 0.0}, 0.5 * M_PI);
-      const BuiltShape built{builder_.add_shape(std::move(mesh)), object_from_file, std::move(slots)};
+      const BuiltShape built{builder_.add_body(std::move(body)), object_from_file, std::move(slots)};
       return meshes_.emplace(key, built).first->second;
     });
   }
-  BuiltShape build(const io::InstanceShape&) { throw InputError("a prototype cannot hold instances"); }
-  BuiltShape build(const io::InstancesShape&) { throw InputError("a prototype cannot hold instances"); }
+  BuiltShape build(const io::InstanceShape&) { throw InputError("a copy of a prototype is not a shape"); }
+  BuiltShape build(const io::InstancesShape&) { throw InputError("copies of a prototype are not a shape"); }
 
   const io::Document& document_;
   CoveringAssembly& coverings_;
+  io::SceneCache* cache_ = nullptr;
   geometry::WorldBuilder builder_;
   std::map<std::string, BuiltPrototype> prototypes_;
   std::map<std::string, BuiltShape> meshes_;
 };
 
+/// What stands in the scene and how it is kept.
+std::string describe(const geometry::World& world) {
+  const geometry::World::Storage kept = world.storage();
+  std::string text = format("scene: {} objects, {} triangles, {:.1f} MB", world.object_count(), world.triangle_count(),
+                            static_cast<double>(kept.bytes) / 1e6);
+  if (kept.instances > 0)
+    text += format("; {} instances of {} triangles{}", kept.instances, kept.stored_triangles,
+                   kept.instance_table ? " in a table" : "");
+  if (kept.prototypes_apart > 0)
+    text += format("; {} prototypes of prototypes stand part by part", kept.prototypes_apart);
+  return text;
+}
+
 }  // namespace
 
-scene::Scene assemble_scene(const io::Document& document, LogSink* log) {
+scene::Scene assemble_scene(const io::Document& document, LogSink* log, io::SceneCache* cache) {
   scene::Scene scene;
   CoveringAssembly coverings(document, scene);
-  scene.world = GeometryAssembly(document, coverings).assemble();
+  GeometryAssembly geometry(document, coverings);
+  geometry.use(cache);
+  scene.world = geometry.assemble();
   assemble_light(document, scene);
-  if (log != nullptr) log->info(format("scene: {} objects, {} triangles", scene.world->objects().size(),
-                                       scene.world->triangle_count()));
+  if (log != nullptr) log->info(describe(*scene.world));
   return scene;
 }
 

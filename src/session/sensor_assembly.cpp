@@ -135,7 +135,7 @@ render::ImageInfo image_info(const io::Document& document, const sensor::Camera&
   info.height_px = camera.height_px();
   for (const radiometry::Channel& channel : channels)
     info.channels.push_back({channel.name, channel.centre_um, channel.fwhm_um});
-  for (const materials::Material& material : scene.materials) info.materials.push_back(material.name);
+  info.materials = scene::truth_materials(scene).names;
   if (const auto* nadir = dynamic_cast<const sensor::OrthographicCamera*>(&camera)) {
     const sensor::OrthographicCamera::Settings& settings = nadir->settings();
     const math::Point3 corner_m = nadir->upper_left_corner_m() + document.scene.origin.offset_m;

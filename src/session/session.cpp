@@ -59,7 +59,10 @@ constexpr double kChannelError = 1e-3;
 radiometry::SpectralNodes build_nodes(const Session::Parts& parts) {
   const scene::Scene& scene = parts.scene;
   std::vector<radiometry::Spectrum> surfaces;
-  for (const materials::Material& material : scene.materials) surfaces.push_back(material.reflectance);
+  for (const materials::Material& material : scene.materials) {
+    surfaces.push_back(material.reflectance);
+    if (material.transmittance) surfaces.push_back(*material.transmittance);
+  }
   if (scene.sun) surfaces.push_back(scene.sun->transmittance);
   if (scene.view_path.transmittance) surfaces.push_back(*scene.view_path.transmittance);
 
@@ -110,11 +113,15 @@ Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() = default;
 
-Session Session::load(const io::Document& document, LogSink* log) {
+Session Session::load(const io::Document& document, LogSink* log, const LoadOptions& options) {
   auto parts = std::make_unique<Parts>();
   Parts& p = *parts;
   p.document = document;
-  p.scene = assemble_scene(document, log);
+  std::optional<io::SceneCache> cache;
+  if (options.scene_cache)
+    cache.emplace(std::filesystem::path(document.file_name).replace_extension(".ifovcache"), version(), log);
+  p.scene = assemble_scene(document, log, cache ? &*cache : nullptr);
+  if (cache) cache->save();
   p.channels = assemble_channels(document);
   p.camera = assemble_camera(document, p.scene);
   p.footprint = std::make_unique<sampling::PixelFootprint>(assemble_footprint(document));

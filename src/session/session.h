@@ -22,6 +22,10 @@ struct RunOptions {
   LogSink* log = nullptr;
 };
 
+struct LoadOptions {
+  bool scene_cache = false;  ///< keep what is worked out from large files beside the document, and use it
+};
+
 struct ProductFile {
   std::filesystem::path path;
   std::string what;  ///< one line for the user: "radiance, 210 channels, ENVI"
@@ -39,7 +43,7 @@ struct RunSummary {
 class Session {
  public:
   /// Reads every file the document names and builds the scene. `log` may be null.
-  static Session load(const io::Document& document, LogSink* log);
+  static Session load(const io::Document& document, LogSink* log, const LoadOptions& options = {});
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
   ~Session();

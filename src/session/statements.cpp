@@ -5,7 +5,7 @@
 namespace ifov::session {
 
 std::string describe(const Session::Parts& parts) {
-  std::string text = format("scene: {} objects, {} triangles, {} materials\n", parts.scene.world->objects().size(),
+  std::string text = format("scene: {} objects, {} triangles, {} materials\n", parts.scene.world->object_count(),
                             parts.scene.world->triangle_count(), parts.document.scene.materials.size());
   text += format("light: {}, {}\n", parts.scene.sun ? "sun" : "no sun",
                  parts.scene.sky.radiance || parts.scene.sky.temperature_k ? "sky" : "no sky");

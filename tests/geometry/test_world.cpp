@@ -47,7 +47,7 @@ TEST(World, NothingIsMetInAnEmptyWorld) {
   const auto world = builder.build(1);
   EXPECT_FALSE(hit_of(*world, {0, 0, 10}, {0, 0, -1}).hit());
   EXPECT_FALSE(blocked(*world, {{0, 0, 10}, {0, 0, -1}}));
-  EXPECT_TRUE(world->objects().empty());
+  EXPECT_EQ(world->object_count(), 0u);
 }
 
 TEST(World, PlaneIsExactFromOrbit) {
@@ -68,8 +68,8 @@ TEST(World, PlaneIsExactFromOrbit) {
   EXPECT_FALSE(hit_of(*world, {0, 0, 20}, {1, 0, 0}).hit());
   EXPECT_FALSE(hit_of(*world, {0, 0, 11}, {0, 0, -1}).hit());
   EXPECT_FALSE(hit_of(*world, {0, 0, 11}, {0, 0, 1}).front);
-  EXPECT_TRUE(std::isinf(world->objects()[0].radius_m));
-  EXPECT_FALSE(world->objects()[0].compact);
+  EXPECT_TRUE(std::isinf(world->object(0).radius_m));
+  EXPECT_FALSE(world->object(0).compact);
 }
 
 TEST(World, SphereIsExact) {

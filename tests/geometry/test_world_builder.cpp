@@ -50,7 +50,7 @@ TEST(WorldBuilder, PrototypesOfPrototypesBecomeOneLevel) {
     EXPECT_EQ(
         builder.place(tree, Transform::translation({20.0 * k, 5e5, 0}), Slots{100 + k, 200 + k, 300 + k}), k);
   const auto world = builder.build(1);
-  EXPECT_EQ(world->objects().size(), 10u);
+  EXPECT_EQ(world->object_count(), 10u);
 
   for (std::uint32_t k = 0; k < 10; ++k) {
     std::vector<std::uint32_t> patches, primitives;
@@ -157,8 +157,9 @@ TEST(WorldBuilder, ObjectsTellWhereTheyAre) {
   builder.place(builder.add_shape(test::ball(10, 16, 1.0)), at, one);
   builder.place(builder.add_shape(Disk{{}, 0.01}), at, one, false);
   const auto world = builder.build(1);
-  const auto objects = world->objects();
-  ASSERT_EQ(objects.size(), 7u);
+  ASSERT_EQ(world->object_count(), 7u);
+  std::vector<World::PlacedObject> objects;
+  for (std::size_t k = 0; k < 7; ++k) objects.push_back(world->object(k));
   EXPECT_FALSE(objects[0].compact);
   EXPECT_TRUE(std::isinf(objects[0].radius_m));
   EXPECT_NEAR(objects[1].radius_m, 3.0, 1e-12);
@@ -186,8 +187,8 @@ TEST(WorldBuilder, SeedsAreMet) {
     WorldBuilder builder;
     builder.place(builder.add_shape(shape), Transform::rotation({1, 0, 0}, 0.2), Slots{0});
     const auto world = builder.build(1);
-    const Point3 seed = world->objects()[0].seed_m;
-    EXPECT_LE(length(seed - world->objects()[0].centre_m), world->objects()[0].radius_m);
+    const Point3 seed = world->object(0).seed_m;
+    EXPECT_LE(length(seed - world->object(0).centre_m), world->object(0).radius_m);
     for (std::uint64_t i = 0; i < 200; ++i) {
       Vec3 d = test::direction(72, i);
       d.z = -0.4 - std::abs(d.z);

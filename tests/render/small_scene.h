@@ -31,6 +31,12 @@ class SmallScene {
     return index;
   }
 
+  std::uint32_t leaf(double reflectance, double transmittance, double temperature_k = 0.0) {
+    const std::uint32_t index = material(reflectance, temperature_k);
+    scene_.materials[index].transmittance = radiometry::Spectrum::constant(transmittance);
+    return index;
+  }
+
   void place(geometry::Shape shape, std::uint32_t material, const math::Transform& transform = {}) {
     const geometry::ShapeId id = builder_.add_shape(std::move(shape));
     const std::vector<std::uint32_t> materials(builder_.slot_count(id), material);
@@ -52,7 +58,10 @@ class SmallScene {
     material(0.0);  // the surroundings
     scene_.surroundings = scene_.states.back();
     std::vector<radiometry::Spectrum> surfaces;
-    for (const auto& m : scene_.materials) surfaces.push_back(m.reflectance);
+    for (const auto& m : scene_.materials) {
+      surfaces.push_back(m.reflectance);
+      if (m.transmittance) surfaces.push_back(*m.transmittance);
+    }
     const std::vector<radiometry::Channel> channels = {
         radiometry::Channel::monochromatic("only", kWavelength_um)};
     nodes_ = std::make_unique<radiometry::SpectralNodes>(radiometry::SpectralNodes::build(

@@ -1,6 +1,8 @@
 #include "io/document/check_references.h"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <set>
 
 #include "core/format.h"
@@ -8,6 +10,8 @@
 
 namespace ifov::io {
 namespace {
+
+constexpr std::size_t kDeepest = 64;
 
 template <class T>
 std::vector<std::string> names_of(const std::vector<T>& things) {
@@ -29,6 +33,7 @@ class ReferenceCheck {
     for (const PrototypeDocument& prototype : document_.scene.prototypes) {
       for (const ObjectDocument& object : prototype.objects) check(object);
     }
+    check_nesting();
     check_channel_names();
     if (const auto* adaptive = std::get_if<AdaptiveSampling>(&document_.sampling.method))
       check(adaptive->channel);
@@ -56,10 +61,7 @@ class ReferenceCheck {
   }
 
   void check(const ObjectDocument& object) const {
-    if (const auto* one = std::get_if<InstanceShape>(&object.shape))
-      require("prototype", one->of, prototypes_);
-    if (const auto* many = std::get_if<InstancesShape>(&object.shape))
-      require("prototype", many->of, prototypes_);
+    if (const DocumentName* of = copied_by(object)) require("prototype", *of, prototypes_);
     if (!object.material) return;
     if (const auto* name = std::get_if<DocumentName>(&object.material->value)) {
       require("material", *name, materials_);
@@ -72,6 +74,43 @@ class ReferenceCheck {
                              "only a mesh has 'slots', the names of materials in its file");
       }
     }
+  }
+
+  /// No prototype may hold itself: depth first, each prototype once.
+  void check_nesting() const {
+    enum class State { unseen, open, done };
+    std::map<std::string, State> states;
+    std::vector<std::string> path;
+    const std::function<void(const PrototypeDocument&)> descend = [&](const PrototypeDocument& prototype) {
+      states[prototype.name] = State::open;
+      path.push_back(prototype.name);
+      if (path.size() > kDeepest)
+        throw document_error(document_, prototype.position,
+                             format("prototypes are nested more than {} deep", kDeepest));
+      for (const ObjectDocument& object : prototype.objects) {
+        const DocumentName* of = copied_by(object);
+        if (of == nullptr || states[of->name] == State::done) continue;
+        if (states[of->name] == State::open) {
+          std::string loop;
+          for (auto at = std::find(path.begin(), path.end(), of->name); at != path.end(); ++at)
+            loop += format("'{}' holds ", *at);
+          throw document_error(document_, of->position,
+                               format("the prototype '{}' holds itself: {}'{}'", of->name, loop, of->name));
+        }
+        for (const PrototypeDocument& inner : document_.scene.prototypes)
+          if (inner.name == of->name) descend(inner);
+      }
+      path.pop_back();
+      states[prototype.name] = State::done;
+    };
+    for (const PrototypeDocument& prototype : document_.scene.prototypes)
+      if (states[prototype.name] == State::unseen) descend(prototype);
+  }
+
+  static const DocumentName* copied_by(const ObjectDocument& object) {
+    if (const auto* one = std::get_if<InstanceShape>(&object.shape)) return &one->of;
+    if (const auto* many = std::get_if<InstancesShape>(&object.shape)) return &many->of;
+    return nullptr;
   }
 
   void check_channel_names() const {

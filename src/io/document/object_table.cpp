@@ -132,9 +132,8 @@ Kind<ObjectDocument> instance_object_kind() {
 
 }  // namespace
 
-Kind<std::vector<ObjectDocument>> objects_kind(bool with_instances) {
+Kind<std::vector<ObjectDocument>> objects_kind() {
   const Kind<ObjectDocument> shape = shape_object_kind();
-  if (!with_instances) return list(shape, 1, kMostObjects);
   const int without_tag = 1;
   const auto any =
       tagged<ObjectDocument>({{{"instance", "instances"}, instance_object_kind()}, {{}, shape}}, without_tag);

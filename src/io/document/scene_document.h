@@ -97,12 +97,12 @@ struct MeshShape {
 struct InstanceShape {
   DocumentName of;
 };
-/// Many copies of a prototype.
+/// Many copies of a prototype: one of the three lists.
 struct InstancesShape {
   DocumentName of;
-  std::vector<math::Point3> at_m;   ///< where each copy's own origin goes
-  std::optional<DocumentFile> csv;  ///< instead: rows of x, y, z (m), rotation about z (degrees,
-                                    ///< counter-clockwise from above), scale
+  std::vector<math::Point3> at_m;      ///< where each copy's own origin goes
+  std::optional<DocumentFile> csv;     ///< a text list, see read_instance_csv
+  std::optional<DocumentFile> binary;  ///< a binary list, see InstanceFile
 };
 
 using ShapeDocument = std::variant<PlaneShape, BoxShape, SphereShape, HemisphereShape, CylinderShape,
@@ -146,7 +146,8 @@ struct ObjectDocument {
 
 struct PrototypeDocument {
   std::string name;
-  std::vector<ObjectDocument> objects;  ///< hold no instances; coordinates about the prototype's own origin
+  std::vector<ObjectDocument> objects;  ///< in coordinates about the prototype's own origin; copies of other
+                                        ///< prototypes, but not of this one, however deep
   SourcePosition position;
 };
 

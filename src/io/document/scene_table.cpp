@@ -54,7 +54,7 @@ std::vector<T> with_names(std::vector<std::pair<std::string, T>> named) {
 }
 
 Kind<std::vector<std::pair<std::string, PrototypeDocument>>> prototypes_kind() {
-  const auto objects = objects_kind(false);
+  const auto objects = objects_kind();
   const Kind<PrototypeDocument> prototype{objects.description,
                                           [read = objects.read](const DocumentNode& node) {
                                             return PrototypeDocument{{}, read(node), node.key_position()};
@@ -79,7 +79,7 @@ Kind<SceneDocument> scene_kind() {
             s.prototypes = with_names(std::move(p));
           },
           prototypes_kind(), "objects that are copied, in coordinates of their own")
-      .required("objects", &SceneDocument::objects, objects_kind(true), "what stands in the scene");
+      .required("objects", &SceneDocument::objects, objects_kind(), "what stands in the scene");
   return record.kind();
 }
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/error.h"
-#include "geometry/polygon_triangulation.h"
 #include "io/mesh/obj_lines.h"
+#include "io/mesh/polygon_pieces.h"
 
 namespace ifov::io {
 namespace {
@@ -27,7 +27,7 @@ struct Corner {
 
 class Reader {
  public:
-  explicit Reader(const std::filesystem::path& path) : lines_(path), name_(path.string()) {}
+  Reader(const std::filesystem::path& path, LogSink* log) : lines_(path), name_(path.string()), log_(log) {}
 
   geometry::TriangleMesh read() {
     while (lines_.next()) {
@@ -45,6 +45,9 @@ class Reader {
         face();
       } else if (key.text == "usemtl") {
         slot_ = slot_of(std::string(lines_.rest()));
+      } else if (key.text == "mtllib" && log_ != nullptr && !std::exchange(told_mtllib_, true)) {
+        log_->warn(format("{}: its material library '{}' is not used; the document says what each name is made of",
+                          name_, lines_.rest()));
       }
     }
     if (mesh_.triangles.empty()) throw InputError(format("{}: the file has no faces", name_), {name_, 0, 0});
@@ -110,7 +113,9 @@ class Reader {
     keep_one_round();
     points_.clear();
     for (const Corner& c : corners_) points_.push_back(mesh_.vertices_m[c.vertex]);
-    for (const Triangle& t : geometry::triangulate_polygon(points_)) {
+    const auto pieces = cut_face(points_);
+    if (!pieces) lines_.fail(word.column, kCrossesItself);
+    for (const Triangle& t : *pieces) {
       const Corner &a = corners_[t[0]], &b = corners_[t[1]], &c = corners_[t[2]];
       mesh_.triangles.push_back({a.vertex, b.vertex, c.vertex});
       mesh_.uv_corners.push_back({a.uv, b.uv, c.uv});
@@ -145,16 +150,17 @@ class Reader {
 
   ObjLines lines_;
   std::string name_;
+  LogSink* log_;
   geometry::TriangleMesh mesh_;
   std::map<std::string, std::uint32_t> slots_;
   std::optional<std::uint32_t> slot_;
   std::vector<Corner> corners_;
   std::vector<math::Point3> points_;
-  bool any_uv_ = false, any_normal_ = false;
+  bool any_uv_ = false, any_normal_ = false, told_mtllib_ = false;
 };
 
 }  // namespace
 
-geometry::TriangleMesh read_obj(const std::filesystem::path& path) { return Reader(path).read(); }
+geometry::TriangleMesh read_obj(const std::filesystem::path& path, LogSink* log) { return Reader(path, log).read(); }
 
 }  // namespace ifov::io

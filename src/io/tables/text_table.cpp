@@ -32,6 +32,14 @@ TextFile::TextFile(const std::filesystem::path& path) : name_(path.string()) {
   std::ifstream stream(path, std::ios::binary);
   text_.assign(std::istreambuf_iterator<char>(stream), {});
   if (!stream) throw EnvironmentError(format("cannot read '{}'", name_));
+  find_lines();
+}
+
+TextFile::TextFile(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {
+  find_lines();
+}
+
+void TextFile::find_lines() {
   std::string_view rest = text_;
   if (rest.substr(0, 3) == "\xef\xbb\xbf") rest.remove_prefix(3);
   while (!rest.empty()) {
@@ -43,16 +51,22 @@ TextFile::TextFile(const std::filesystem::path& path) : name_(path.string()) {
 }
 
 void TextFile::fail(int line, int column, const std::string& message) const {
-  std::string text = name_;
-  if (line > 0) text += format(":{}", line);
+  throw table_error(name_, line, column,
+                    line > 0 && line <= line_count() ? this->line(line) : std::string_view(), message);
+}
+
+InputError table_error(const std::string& name, int number, int column, std::string_view line,
+                       const std::string& message) {
+  std::string text = name;
+  if (number > 0) text += format(":{}", number);
   if (column > 0) text += format(":{}", column);
   text += ": " + message;
-  if (line > 0 && line <= line_count()) {
-    text += "\n  " + shown(this->line(line));
+  if (line.data() != nullptr) {
+    text += "\n  " + shown(line);
     if (column > 0 && column <= 100)
       text += "\n  " + std::string(static_cast<std::size_t>(column - 1), ' ') + "^";
   }
-  throw InputError(text, {name_, line, column});
+  return InputError(text, {name, number, column});
 }
 
 std::vector<Field> split(std::string_view line, char separator) {

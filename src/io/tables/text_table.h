@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.h"
+
 namespace ifov::io {
 
 /// The lines of a text file, without their ends (LF, CR LF or CR); a byte-order mark is dropped.
@@ -13,6 +15,8 @@ class TextFile {
  public:
   /// Throws EnvironmentError where the file cannot be read, InputError where it is larger than 256 MiB.
   explicit TextFile(const std::filesystem::path& path);
+  /// The same of bytes in memory; `name` is what messages call them.
+  TextFile(std::string name, std::string text);
 
   int line_count() const { return static_cast<int>(lines_.size()); }
   std::string_view line(int number) const {
@@ -25,10 +29,16 @@ class TextFile {
   [[noreturn]] void fail(int line, int column, const std::string& message) const;
 
  private:
+  void find_lines();
+
   std::string name_;
   std::string text_;
   std::vector<std::string_view> lines_;
 };
+
+/// What fail() throws, for a line that does not come from a TextFile.
+InputError table_error(const std::string& name, int number, int column, std::string_view line,
+                       const std::string& message);
 
 /// A piece of a line, without blanks and quotes around it, and its column from 1.
 struct Field {

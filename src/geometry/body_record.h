@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/body.h"
+
+namespace ifov::geometry {
+
+/// The body of a mesh as bytes, for caches: lists in the order of their declaration, in this machine's byte order.
+/// The pieces refer to the body; joined, they are the record.
+struct BodyRecord {
+  std::string head;  ///< counts, names and single values, a multiple of 8 bytes
+  std::vector<std::span<const std::byte>> lists;
+};
+BodyRecord record_of(const Body& mesh_body);
+
+/// The body back. Nothing where the bytes make no sense: every size and every index is checked before it is used.
+std::optional<Body> body_from_record(std::span<const std::byte> bytes);
+
+}  // namespace ifov::geometry

@@ -1,0 +1,83 @@
+#include "io/instances/instance_csv.h"
+
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "core/error.h"
+#include "io/files/mapped_file.h"
+#include "io/tables/text_table.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr double kRadians = std::numbers::pi / 180.0;
+constexpr std::size_t kMostFields = 7;
+
+class RowReader {
+ public:
+  RowReader(std::string name, std::string_view text) : name_(std::move(name)), text_(text) {}
+
+  std::vector<Instance> read() {
+    std::vector<Instance> found;
+    bool heading_allowed = true;
+    std::string_view rest = text_;
+    if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
+    while (!rest.empty()) {
+      const std::size_t end = rest.find_first_of("\r\n");
+      line_ = rest.substr(0, end);
+      ++number_;
+      rest.remove_prefix(end == std::string_view::npos ? rest.size()
+                                                       : end + 1 + std::size_t(rest.substr(end, 2) == "\r\n"));
+      if (is_blank(line_) || is_comment(line_)) continue;
+      if (heading_allowed && !number_in(split(line_, separator_of(line_))[0].text)) {
+        heading_allowed = false;
+        continue;
+      }
+      heading_allowed = false;
+      found.push_back(row());
+    }
+    return found;
+  }
+
+ private:
+  [[noreturn]] void fail(int column, const std::string& message) const {
+    throw table_error(name_, number_, column, line_, message);
+  }
+
+  Instance row() {
+    const std::vector<Field> fields = split(line_, separator_of(line_));
+    if (columns_ == 0) {
+      columns_ = fields.size();
+      if (columns_ < 3 || columns_ > kMostFields || columns_ == 6)
+        fail(0, format("found {} fields; expected 3, 4, 5 or 7 numbers: x, y, z, yaw, scale, pitch, roll", columns_));
+    } else if (fields.size() != columns_) {
+      fail(0, format("found {} fields; expected {} numbers, as above", fields.size(), columns_));
+    }
+    double v[kMostFields] = {0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0};
+    for (std::size_t k = 0; k < columns_; ++k) {
+      const std::optional<double> value = number_in(fields[k].text);
+      if (!value) fail(fields[k].column, format("found '{}'; expected a number", fields[k].text));
+      v[k] = *value;
+    }
+    if (!(v[4] > 0.0)) fail(fields[4].column, format("the scale is {}; expected a number above 0", v[4]));
+    return {{v[0], v[1], v[2]},
+            quaternion_of(v[3] * kRadians, v[5] * kRadians, v[6] * kRadians),
+            {v[4], v[4], v[4]}};
+  }
+
+  std::string name_;
+  std::string_view text_, line_;
+  int number_ = 0;
+  std::size_t columns_ = 0;
+};
+
+}  // namespace
+
+std::vector<Instance> read_instance_csv(const std::filesystem::path& path) {
+  const MappedFile file(path);
+  const std::span<const std::byte> bytes = file.bytes();
+  return RowReader(path.string(), {reinterpret_cast<const char*>(bytes.data()), bytes.size()}).read();
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <filesystem>
+#include <string>
+
+#include "core/run_control.h"
+
+namespace ifov::io {
+
+/// Parses a glTF 2 file (.gltf with buffers beside it or inline, .glb). Images are not read; buffers must lie in
+/// the file's own folder or below. What the file leaves unread is told to `log` (may be null). Throws InputError
+/// with the place of wrong JSON, EnvironmentError if the file cannot be read.
+tinygltf::Model load_gltf(const std::filesystem::path& path, LogSink* log);
+
+}  // namespace ifov::io

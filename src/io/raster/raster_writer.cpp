@@ -1,0 +1,83 @@
+#include "io/raster/raster_writer.h"
+
+#include <cpl_conv.h>
+#include <cpl_error.h>
+#include <cpl_string.h>
+#include <gdal.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "core/error.h"
+#include "core/format.h"
+
+namespace ifov::io {
+namespace {
+
+struct CloseDataset {
+  void operator()(void* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<void, CloseDataset>;
+
+class QuietGdal {
+ public:
+  QuietGdal() {
+    CPLPushErrorHandler(CPLQuietErrorHandler);
+    CPLErrorReset();
+  }
+  ~QuietGdal() { CPLPopErrorHandler(); }
+  QuietGdal(const QuietGdal&) = delete;
+  QuietGdal& operator=(const QuietGdal&) = delete;
+};
+
+GDALDriverH driver_named(const char* name) {
+  GDALAllRegister();
+  const GDALDriverH driver = GDALGetDriverByName(name);
+  if (driver == nullptr) throw EnvironmentError(format("GDAL has no driver '{}' here", name));
+  return driver;
+}
+
+/// The raster in memory, as GDAL sees it.
+Dataset in_memory(const Raster& raster) {
+  Dataset dataset(GDALCreate(driver_named("MEM"), "", raster.width, raster.height, raster.bands, GDT_Byte, nullptr));
+  if (!dataset) throw EnvironmentError("memory ran out for a raster");
+  std::vector<std::uint8_t> row(static_cast<std::size_t>(raster.width));
+  for (int band = 0; band < raster.bands; ++band)
+    for (int y = 0; y < raster.height; ++y) {
+      for (int x = 0; x < raster.width; ++x)
+        row[static_cast<std::size_t>(x)] = static_cast<std::uint8_t>(std::lround(raster.at(band, y, x)));
+      if (GDALRasterIO(GDALGetRasterBand(dataset.get(), band + 1), GF_Write, 0, y, raster.width, 1, row.data(),
+                       raster.width, 1, GDT_Byte, 0, 0) != CE_None)
+        throw EnvironmentError("a raster cannot be filled");
+    }
+  if (raster.geotransform) {
+    std::array<double, 6> transform = *raster.geotransform;
+    GDALSetGeoTransform(dataset.get(), transform.data());
+  }
+  if (!raster.projection.empty()) GDALSetProjection(dataset.get(), raster.projection.c_str());
+  return dataset;
+}
+
+}  // namespace
+
+void write_byte_raster(const std::filesystem::path& path, const Raster& raster) {
+  const bool is_png = path.extension() == ".png";
+  const GDALDriverH driver = driver_named(is_png ? "PNG" : "GTiff");
+  const QuietGdal quiet;
+  const Dataset source = in_memory(raster);
+  char** options = nullptr;
+  if (!is_png) {
+    options = CSLSetNameValue(options, "COMPRESS", "DEFLATE");
+    options = CSLSetNameValue(options, "TILED", "YES");
+  }
+  // A PNG's georeference would go to a file beside it.
+  CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", "NO");
+  const Dataset written(GDALCreateCopy(driver, path.c_str(), source.get(), FALSE, options, nullptr, nullptr));
+  CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", nullptr);
+  CSLDestroy(options);
+  if (!written) throw EnvironmentError(format("cannot write '{}': {}", path.string(), CPLGetLastErrorMsg()));
+}
+
+}  // namespace ifov::io

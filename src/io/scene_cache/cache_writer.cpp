@@ -1,0 +1,111 @@
+#include "io/scene_cache/cache_writer.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include "core/error.h"
+
+namespace ifov::io {
+namespace {
+
+EnvironmentError cannot_write(const std::filesystem::path& path) {
+  return EnvironmentError(format("{}: cannot be written: {}", path.string(), std::strerror(errno)));
+}
+
+}  // namespace
+
+struct CacheWriter::Hash {
+  XXH3_state_t state;
+};
+
+std::uint64_t cache_hash(std::span<const std::byte> bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
+
+void append_number(std::string& table, std::uint64_t value) {
+  table.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+void append_text(std::string& table, const std::string& text) {
+  append_number(table, text.size());
+  table += text;
+}
+
+CacheWriter::CacheWriter(std::filesystem::path path)
+    : path_(std::move(path)), part_path_(path_), hash_(std::make_unique<Hash>()) {
+  static std::atomic<unsigned> count{0};
+  part_path_ += format(".{}-{}.part", getpid(), count++);
+  errno = 0;
+  file_.open(part_path_, std::ios::binary | std::ios::trunc);
+  if (!file_) throw cannot_write(part_path_);
+  const CacheHeader empty{};
+  file_.write(reinterpret_cast<const char*>(&empty), sizeof empty);
+  XXH3_64bits_reset(&hash_->state);
+}
+
+CacheWriter::~CacheWriter() {
+  if (published_) return;
+  file_.close();
+  std::error_code ignored;
+  std::filesystem::remove(part_path_, ignored);
+}
+
+void CacheWriter::write(std::span<const std::byte> bytes) {
+  if (bytes.empty()) return;
+  XXH3_64bits_update(&hash_->state, bytes.data(), bytes.size());
+  file_.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  offset_ += bytes.size();
+  if (!file_) throw cannot_write(part_path_);
+}
+
+void CacheWriter::align() {
+  static constexpr std::byte kZeros[kCacheAlignment] = {};
+  write({kZeros, (kCacheAlignment - offset_ % kCacheAlignment) % kCacheAlignment});
+}
+
+void CacheWriter::add(const std::string& name, const std::vector<FileStamp>& made_from,
+                      std::span<const std::span<const std::byte>> pieces) {
+  align();
+  const std::uint64_t begin = offset_;
+  for (const std::span<const std::byte> piece : pieces) write(piece);
+  append_text(table_, name);
+  append_number(table_, begin);
+  append_number(table_, offset_ - begin);
+  append_number(table_, made_from.size());
+  for (const FileStamp& stamp : made_from) {
+    append_text(table_, stamp.path);
+    append_number(table_, stamp.bytes);
+    append_number(table_, static_cast<std::uint64_t>(stamp.time_ns));
+    append_number(table_, stamp.hash[0]);
+    append_number(table_, stamp.hash[1]);
+  }
+  ++records_;
+}
+
+void CacheWriter::publish(const std::string& program_version) {
+  align();
+  CacheHeader header{};
+  std::memcpy(header.magic, kCacheMagic, sizeof header.magic);
+  header.byte_order = kCacheByteOrder;
+  header.format = kCacheFormat;
+  header.table_offset = offset_;
+  std::string head;
+  append_text(head, program_version);
+  append_number(head, records_);
+  write(std::as_bytes(std::span(head)));
+  write(std::as_bytes(std::span(table_)));
+  header.file_bytes = offset_;
+  header.content_hash = XXH3_64bits_digest(&hash_->state);
+  header.header_hash = cache_hash(std::as_bytes(std::span(&header, 1)).first(offsetof(CacheHeader, header_hash)));
+  file_.seekp(0);
+  file_.write(reinterpret_cast<const char*>(&header), sizeof header);
+  file_.close();
+  if (!file_ || std::rename(part_path_.c_str(), path_.c_str()) != 0) throw cannot_write(path_);
+  published_ = true;
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,81 @@
+#include "geometry/body_record.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "scene_maker.h"
+
+namespace ifov::geometry {
+namespace {
+
+std::vector<std::byte> bytes_of(const Body& body) {
+  const BodyRecord record = record_of(body);
+  std::vector<std::byte> bytes(record.head.size());
+  std::memcpy(bytes.data(), record.head.data(), record.head.size());
+  for (const auto& list : record.lists) bytes.insert(bytes.end(), list.begin(), list.end());
+  return bytes;
+}
+
+Body rich_body() {
+  TriangleMesh mesh = test::ball(4, 5, 2.0, {1.0, 2.0, 3.0});
+  mesh.slot_names = {"", "roof"};
+  mesh.slots.assign(mesh.triangles.size(), 1);
+  mesh.slots[3] = 0;
+  for (const math::Point3& p : mesh.vertices_m) {
+    mesh.normals.push_back(math::as_normal(math::normalized(p - math::Point3{1.0, 2.0, 3.0})));
+    mesh.uvs.push_back({p.x, p.y});
+  }
+  mesh.uv_corners = mesh.triangles;
+  return body_of(std::move(mesh));
+}
+
+TEST(BodyRecord, ComesBackWhole) {
+  const Body body = rich_body();
+  const std::optional<Body> back = body_from_record(bytes_of(body));
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(back->mesh.vertices_m, body.mesh.vertices_m);
+  EXPECT_EQ(back->mesh.triangles, body.mesh.triangles);
+  EXPECT_EQ(back->mesh.slots, body.mesh.slots);
+  EXPECT_EQ(back->mesh.slot_names, body.mesh.slot_names);
+  EXPECT_EQ(back->mesh.normals, body.mesh.normals);
+  EXPECT_EQ(back->mesh.normal_corners, body.mesh.normal_corners);
+  EXPECT_EQ(back->mesh.uvs, body.mesh.uvs);
+  EXPECT_EQ(back->mesh.uv_corners, body.mesh.uv_corners);
+  EXPECT_EQ(back->mesh_patches, body.mesh_patches);
+  EXPECT_EQ(back->patch_count, body.patch_count);
+  EXPECT_EQ(back->slot_count, body.slot_count);
+  EXPECT_EQ(back->surface_triangles, body.surface_triangles);
+  EXPECT_EQ(back->bounds.low_m, body.bounds.low_m);
+  EXPECT_EQ(back->bounds.high_m, body.bounds.high_m);
+  EXPECT_EQ(back->centre_m, body.centre_m);
+  EXPECT_EQ(back->radius_m, body.radius_m);
+  EXPECT_EQ(back->seed_m, body.seed_m);
+  EXPECT_EQ(back->seed_weight, body.seed_weight);
+  EXPECT_EQ(back->seed_is_solid, body.seed_is_solid);
+}
+
+TEST(BodyRecord, IsNotTrusted) {
+  const std::vector<std::byte> good = bytes_of(rich_body());
+  for (std::size_t size = 0; size < good.size(); ++size)
+    EXPECT_FALSE(body_from_record(std::span(good).first(size)).has_value()) << size;
+  // Whatever a byte becomes, what comes back can be used: indices are within their lists.
+  std::size_t refused = 0;
+  for (std::size_t at = 0; at < good.size(); ++at) {
+    std::vector<std::byte> damaged = good;
+    damaged[at] ^= std::byte{0x80};
+    const std::optional<Body> body = body_from_record(damaged);
+    if (!body) {
+      ++refused;
+      continue;
+    }
+    EXPECT_NO_THROW(check_mesh(body->mesh));
+    for (const std::uint32_t patch : body->mesh_patches) EXPECT_LT(patch, body->patch_count);
+  }
+  EXPECT_GT(refused, good.size() / 8);
+}
+
+}  // namespace
+}  // namespace ifov::geometry

@@ -1,0 +1,95 @@
+"""The fixed grid of the tables, and how a sample comes onto it."""
+import numpy as np
+
+# first wavelength, step, last wavelength (um)
+PIECES = ((0.35, 0.005, 1.0), (1.0, 0.01, 2.5), (2.5, 0.01, 3.0), (3.0, 0.025, 5.0), (5.0, 0.05, 14.0))
+FADE_UM = 0.6
+
+
+def wavelengths_um():
+    points = []
+    for first, step, last in PIECES:
+        points.extend(first + step * k for k in range(round((last - first) / step)))
+    return np.array(points + [PIECES[-1][2]])
+
+
+def on_grid(grid_um, x, y):
+    """Figures whose straight-line interpolation is nearest to the sample's (least squares over wavelength), so that band
+    means stay. Where the sample ends inside a cell, its end value goes on."""
+    cells = 16
+    fine = np.concatenate([np.linspace(a, b, cells, endpoint=False) for a, b in zip(grid_um, grid_um[1:])] +
+                          [grid_um[-1:]])
+    wanted = np.interp(fine, x, y)
+    weight = np.gradient(fine)
+    cell = np.minimum(np.searchsorted(grid_um, fine, side="right") - 1, grid_um.size - 2)
+    share = (fine - grid_um[cell]) / (grid_um[cell + 1] - grid_um[cell])
+    n = grid_um.size
+    main, off, right = np.zeros(n), np.zeros(n - 1), np.zeros(n)
+    np.add.at(main, cell, weight * (1 - share) ** 2)
+    np.add.at(main, cell + 1, weight * share ** 2)
+    np.add.at(off, cell, weight * share * (1 - share))
+    np.add.at(right, cell, weight * (1 - share) * wanted)
+    np.add.at(right, cell + 1, weight * share * wanted)
+    upper, value = np.zeros(n), np.zeros(n)  # Thomas' algorithm
+    upper[0], value[0] = off[0] / main[0], right[0] / main[0]
+    for i in range(1, n):
+        pivot = main[i] - off[i - 1] * upper[i - 1]
+        upper[i] = off[i] / pivot if i < n - 1 else 0.0
+        value[i] = (right[i] - off[i - 1] * value[i - 1]) / pivot
+    for i in range(n - 2, -1, -1):
+        value[i] -= upper[i] * value[i + 1]
+    return np.clip(value, 0.0, 1.0)
+
+
+def completed(grid_um, sample, kin):
+    """The sample's points over the whole grid, and what was not measured as (first, last, how).
+
+    Beyond its ends and in its gaps the values come from `kin`, a measured sample of the same kind, times a factor that
+    makes them meet: straight in a gap, constant towards short wavelengths, and fading to 1 over FADE_UM towards long
+    ones. Without kin, the end value goes on."""
+    x, y = [sample.wavelength_um], [sample.reflectance]
+    ranges = []
+    lent = f"from {kin.title}, scaled to meet" if kin is not None else ""
+
+    def ratio(at_um):
+        return float(np.clip(sample.at(at_um) / max(float(kin.at(at_um)), 1e-3), 0.05, 20.0))
+
+    for low, high in sample.gaps():
+        if kin is None:
+            ranges.append((low, high, "straight line"))
+            continue
+        inner = kin.wavelength_um[(kin.wavelength_um > low) & (kin.wavelength_um < high)]
+        factor = np.interp(inner, [low, high], [ratio(low), ratio(high)])
+        x.append(inner)
+        y.append(np.clip(kin.at(inner) * factor, 0, 1))
+        ranges.append((low, high, lent))
+    first, last = grid_um[0], grid_um[-1]
+    if sample.first_um > first + 1e-9:
+        reach = max(first, kin.first_um) if kin is not None else sample.first_um
+        if reach < sample.first_um - 1e-9:
+            inner = np.union1d(kin.wavelength_um[(kin.wavelength_um > reach) & (kin.wavelength_um < sample.first_um)],
+                               [reach])
+            x.append(inner)
+            y.append(np.clip(kin.at(inner) * ratio(sample.first_um), 0, 1))
+            ranges.append((reach, sample.first_um, lent))
+        if reach > first + 1e-9:
+            ranges.append((first, reach, "end value goes on"))
+    if sample.last_um < last - 1e-9:
+        if kin is not None and kin.last_um > sample.last_um:
+            inner = kin.wavelength_um[kin.wavelength_um > sample.last_um]
+            factor = np.interp(inner, [sample.last_um, sample.last_um + FADE_UM], [ratio(sample.last_um), 1.0])
+            x.append(inner)
+            y.append(np.clip(kin.at(inner) * factor, 0, 1))
+            ranges.append((sample.last_um, last, lent))
+        else:
+            ranges.append((sample.last_um, last, "end value goes on"))
+    x, y = np.concatenate(x), np.concatenate(y)
+    order = np.argsort(x)
+    return x[order], y[order], sorted(ranges, key=lambda item: item[0])
+
+
+def difference(grid_um, figures, sample):
+    """Largest and RMS difference between the interpolated figures and the sample's own points on the grid's range."""
+    inside = (sample.wavelength_um >= grid_um[0]) & (sample.wavelength_um <= grid_um[-1])
+    error = np.interp(sample.wavelength_um[inside], grid_um, figures) - sample.reflectance[inside]
+    return float(np.abs(error).max()), float(np.sqrt(np.mean(error ** 2)))
