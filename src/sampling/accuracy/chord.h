@@ -12,6 +12,7 @@ inline Point2 operator+(Point2 a, Point2 b) { return {a.x + b.x, a.y + b.y}; }
 inline Point2 operator-(Point2 a, Point2 b) { return {a.x - b.x, a.y - b.y}; }
 inline Point2 operator*(double s, Point2 a) { return {s * a.x, s * a.y}; }
 inline double length(Point2 a) { return std::sqrt(a.x * a.x + a.y * a.y); }
+inline double dot(Point2 a, Point2 b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
 
 /// Sagitta above which an arc is not taken on trust, as a share of its chord.
