@@ -51,6 +51,14 @@ class EdgeTracer {
   void abandon(std::uint32_t pixel) { abandoned_[pixel] = 1; }
   bool abandoned(std::uint32_t pixel) const { return abandoned_[pixel] != 0; }
 
+  /// Whether a border crosses the pixel; its cells are all uniform otherwise.
+  bool crossed(std::uint32_t pixel) const { return edge_lists_[pixel].first != kNone; }
+  /// The first of a pixel's cells on the lattice; rows of them are lattice().columns() apart.
+  std::uint32_t root_cell(int pixel) const {
+    const int width = lattice_.domain().width(), k = lattice_.cells_per_pixel();
+    return static_cast<std::uint32_t>((pixel / width * lattice_.columns() + pixel % width) * k);
+  }
+
   /// Whether tracing met anything in the pixel that the lattice alone had not announced.
   bool suspect(std::uint32_t pixel) const { return suspect_[pixel] != 0; }
   std::vector<std::uint8_t>& suspects() { return suspect_; }

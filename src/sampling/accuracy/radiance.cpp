@@ -37,6 +37,12 @@ Radiance::Radiance(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable
       stride_(lattice_values.stride) {}
 
 void Radiance::add_pixel(int source, const LeafIntegrator& integrator) {
+  PlainPixel plain;
+  if (!tracer_.abandoned(static_cast<std::uint32_t>(source)) &&
+      integrator.plain(source, plain.output, plain.label, plain.weight) && spread_.constant(plain.label)) {
+    plain_pixels_.push_back(plain);
+    return;
+  }
   Pixel pixel;
   pixel.source = source;
   pixel.cluttered = tracer_.abandoned(static_cast<std::uint32_t>(source));

@@ -68,9 +68,18 @@ class Radiance {
   /// Points of a stratum's second round that get a second path each.
   static constexpr int kTwins = 16;
 
+  /// A pixel of one label whose values all agree: it needs nothing but its weight.
+  struct PlainPixel {
+    int output;
+    std::uint32_t label;
+    double weight;
+  };
+  const std::vector<PlainPixel>& plain_pixels() const { return plain_pixels_; }
+
   std::vector<Pixel>& pixels() { return pixels_; }
   void clear() {
     pixels_.clear();
+    plain_pixels_.clear();
     x_.clear();
     values_.clear();
     labels_.clear();
@@ -142,6 +151,7 @@ class Radiance {
   std::size_t stride_;
 
   std::vector<Pixel> pixels_;
+  std::vector<PlainPixel> plain_pixels_;
   std::vector<Planned> planned_;
   std::vector<PathRequest> requests_;
   std::vector<PlannedInNet> net_planned_;
