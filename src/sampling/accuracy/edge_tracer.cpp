@@ -22,6 +22,7 @@ EdgeTracer::EdgeTracer(const Lattice& lattice, RayLedger& ledger, LabelTable& ta
       abandoned_(allowed_variance_.size(), 0),
       suspect_(allowed_variance_.size(), 0),
       stirred_(allowed_variance_.size(), 1),
+      changed_(allowed_variance_.size(), 1),
       due_(allowed_variance_.size(), 0),
       sharpened_for_(allowed_variance_.size(), 0.0),
       edge_lists_(allowed_variance_.size()) {}
@@ -41,8 +42,9 @@ void EdgeTracer::settle() {
 /// What the lattice did not announce may turn out while tracing: a pixel that has cost this much is clutter.
 void EdgeTracer::give_up_clutter() {
   if (!options_.clutter_switch) return;
-  for (std::uint32_t p = 0; p < abandoned_.size(); ++p)
-    if (ledger_.label_rays(static_cast<int>(p)) > options_.tracing_budget) abandoned_[p] = 1;
+  const std::span<const std::uint32_t> rays = ledger_.label_rays();
+  for (std::size_t p = 0; p < rays.size(); ++p)
+    if (rays[p] > options_.tracing_budget) abandon(static_cast<std::uint32_t>(p));
 }
 
 void EdgeTracer::ask(std::vector<std::uint32_t>& labels, Purpose purpose) {

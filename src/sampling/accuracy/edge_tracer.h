@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,7 +29,10 @@ class EdgeTracer {
   void plant(std::span<const std::uint32_t> vertex_labels);
 
   /// Variance of each pixel that tracing may leave, in squares of the allowed standard error.
-  std::vector<double>& allowed_variance() { return allowed_variance_; }
+  std::vector<double>& allowed_variance() {
+    allowed_may_differ_ = true;
+    return allowed_variance_;
+  }
 
   /// Traces until every leaf is verified and every pixel's variance is as small as allowed_variance asks.
   void settle();
@@ -48,8 +52,12 @@ class EdgeTracer {
   std::uint32_t model_label(FocalPoint point) const { return label_in(cells_[leaf_at(point)], point); }
 
   /// Leaves this pixel as it is: no further rays.
-  void abandon(std::uint32_t pixel) { abandoned_[pixel] = 1; }
+  void abandon(std::uint32_t pixel) { abandoned_[pixel] = changed_[pixel] = 1; }
   bool abandoned(std::uint32_t pixel) const { return abandoned_[pixel] != 0; }
+
+  /// Whether what is modelled in the pixel may differ from what it was when this was last forgotten.
+  bool changed(std::uint32_t pixel) const { return changed_[pixel] != 0; }
+  void forget_changes() { std::fill(changed_.begin(), changed_.end(), std::uint8_t{0}); }
 
   /// Whether a border crosses the pixel; its cells are all uniform otherwise.
   bool crossed(std::uint32_t pixel) const { return edge_lists_[pixel].first != kNone; }
@@ -163,6 +171,7 @@ class EdgeTracer {
   void halve_brackets();
   void share_middles(std::size_t first, std::size_t last);
 
+  void stir(std::uint32_t pixel) { stirred_[pixel] = changed_[pixel] = 1; }
   void give_up_clutter();
   void ask(std::vector<std::uint32_t>& labels, Purpose purpose = Purpose::trace);
   void value_new_labels();
@@ -188,9 +197,11 @@ class EdgeTracer {
   std::vector<double> allowed_variance_;
   std::vector<std::uint8_t> abandoned_, suspect_;
   std::vector<std::uint8_t>
-      stirred_;                    // pixels whose cells, curves or brackets changed since they were sharpened
-  std::vector<std::uint8_t> due_;  // those that are being sharpened
+      stirred_;  // pixels whose cells, curves or brackets changed since they were sharpened
+  std::vector<std::uint8_t> changed_;  // those that changed since forget_changes()
+  std::vector<std::uint8_t> due_;      // those that are being sharpened
   std::vector<double> sharpened_for_;  // allowed variance of each pixel when it was sharpened last
+  bool allowed_may_differ_ = true;
   std::vector<EdgeCell> edge_cells_;
   std::vector<EdgeCellList> edge_lists_;  // by pixel
 

@@ -114,7 +114,7 @@ void EdgeTracer::split(std::uint32_t index) {
   for (int j = 0; j < 2; ++j)
     for (int i = 0; i < 2; ++i) push_cell(parent.x + i * half, parent.y + j * half, parent.level + 1);
   cells_[index].kind = CellKind::split;
-  stirred_[cells_[index].pixel] = 1;
+  stir(cells_[index].pixel);
   cells_[index].children = children;
   for (int j = 0; j < 3; ++j)
     for (int i = 0; i < 3; ++i) vertex(parent.x + i * half, parent.y + j * half);

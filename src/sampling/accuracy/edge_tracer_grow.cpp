@@ -37,7 +37,7 @@ void EdgeTracer::grow() {
         settle_complex(index);
       } else {
         cells_[index].kind = CellKind::tentative;
-        stirred_[cells_[index].pixel] = 1;
+        stir(cells_[index].pixel);
         tentative_.push_back(index);
       }
     }
@@ -64,7 +64,7 @@ void EdgeTracer::classify(std::uint32_t index, std::vector<std::uint32_t>& await
     return;
   }
   list_edge_cell(index);
-  stirred_[cell.pixel] = 1;
+  stir(cell.pixel);
   if (abandoned_[cell.pixel]) {
     cell.kind = CellKind::complex;
     return;
@@ -102,7 +102,7 @@ void EdgeTracer::settle_complex(std::uint32_t index) {
   const bool must_follow = side_px > options_.thinnest_px && error > kLooseNarrowCell * allowed &&
                            has_two_labels(cell) && narrow_corner(cell);
   cell.kind = CellKind::complex;
-  stirred_[cell.pixel] = 1;
+  stir(cell.pixel);
   if (cell.level < kMaxLevel && !abandoned_[cell.pixel] && (must_follow || error > kLooseCell * allowed))
     split(index);
 }

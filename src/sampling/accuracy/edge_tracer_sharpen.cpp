@@ -21,15 +21,21 @@ constexpr int kMostHalvings = 30;
 /// curves must be verified, and splits what spoils the variance without being a curve. Pixels in which
 /// nothing changed since are left out.
 void EdgeTracer::sharpen() {
-  for (std::size_t p = 0; p < allowed_variance_.size(); ++p)
-    if (allowed_variance_[p] != sharpened_for_[p]) stirred_[p] = 1;
-  sharpened_for_ = allowed_variance_;
+  if (allowed_may_differ_) {
+    for (std::size_t p = 0; p < allowed_variance_.size(); ++p)
+      if (allowed_variance_[p] != sharpened_for_[p]) stirred_[p] = 1;
+    sharpened_for_ = allowed_variance_;
+    allowed_may_differ_ = false;
+  }
   due_.swap(stirred_);
   std::fill(stirred_.begin(), stirred_.end(), std::uint8_t{0});
   active_.clear();
   middles_.clear();
-  for (std::uint32_t p = 0; p < due_.size(); ++p)
-    if (due_[p] && !abandoned_[p] && edge_lists_[p].first != kNone) sharpen_pixel(p);
+  for (auto p = std::find(due_.begin(), due_.end(), std::uint8_t{1}); p != due_.end();
+       p = std::find(p + 1, due_.end(), std::uint8_t{1})) {
+    const auto pixel = static_cast<std::uint32_t>(p - due_.begin());
+    if (!abandoned_[pixel] && edge_lists_[pixel].first != kNone) sharpen_pixel(pixel);
+  }
   halve_brackets();
   for (std::size_t first = 0, last; first < middles_.size(); first = last) {
     for (last = first; last < middles_.size() && middles_[last].pixel == middles_[first].pixel;) ++last;
@@ -150,7 +156,7 @@ void EdgeTracer::halve_brackets() {
       Bracket& b = brackets_[active_[i]];
       b.take(seen_[i]);
       for (std::uint32_t entry : b.cells)
-        if (entry != 0) stirred_[cells_[entry - 1].pixel] = 1;
+        if (entry != 0) stir(cells_[entry - 1].pixel);
       if (b.third_label) {
         b.halvings = 0;
         for (std::uint32_t entry : b.cells)

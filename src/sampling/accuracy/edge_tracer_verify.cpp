@@ -132,7 +132,7 @@ void EdgeTracer::accept(CurveCheck& check) {
   curve.middle_width = (check.confirmed ? 0.5 : 1.0) * (check.high - check.low);
   curve.leg_width = check.corner ? 2.0 * std::max(check.tolerance, check.blur) : 0.0;
   cell.kind = CellKind::chord;
-  stirred_[cell.pixel] = 1;
+  stir(cell.pixel);
   if (check.corner) return;
 
   // An arc that leaves its cell through a side with equal ends would be counted in two cells: it may do so

@@ -70,7 +70,7 @@ class Radiance {
 
   /// A pixel of one label whose values all agree: it needs nothing but its weight.
   struct PlainPixel {
-    int output;
+    int source, output;
     std::uint32_t label;
     double weight;
   };
@@ -85,6 +85,8 @@ class Radiance {
     labels_.clear();
   }
   void add_pixel(int source, const LeafIntegrator& integrator);
+  /// Before any value is planned: follows what tracing has changed. False where pixels must be added anew.
+  bool refresh(const LeafIntegrator& integrator);
 
   /// Plans about `count` more values in a stratum, or nets of `count` values per replicate in a cluttered
   /// pixel.
@@ -134,6 +136,8 @@ class Radiance {
     std::uint32_t block;
     std::uint8_t quarter;
   };
+
+  void fill(Pixel& pixel, const LeafIntegrator& integrator) const;
 
   struct PlannedInNet {
     std::size_t pixel, stratum, replicate;

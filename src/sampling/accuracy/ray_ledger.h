@@ -66,6 +66,7 @@ class RayLedger {
 
   Field& field() { return field_; }
   std::uint32_t label_rays(int pixel) const { return label_rays_[pixel]; }
+  std::span<const std::uint32_t> label_rays() const { return label_rays_; }
   std::uint32_t value_rays(int pixel) const { return value_rays_[pixel]; }
   std::uint32_t spent(int pixel) const { return label_rays_[pixel] + value_rays_[pixel]; }
   std::uint64_t seed_rays() const { return seed_rays_; }

@@ -238,9 +238,12 @@ void TileWork::tighten_borders() {
   const std::size_t n = problem_.drivers.size();
   for (int pass = 0; pass < 4; ++pass) {
     const LeafIntegrator integrator(tracer_, *problem_.footprint, problem_.tile);
-    radiance_ = std::make_unique<Radiance>(tracer_, ledger_, table_, *spread_, lattice_values_, faults_,
-                                           problem_.seed);
-    for (int p = 0; p < lattice_.domain().count(); ++p) radiance_->add_pixel(p, integrator);
+    if (radiance_ == nullptr || !radiance_->refresh(integrator)) {
+      radiance_ = std::make_unique<Radiance>(tracer_, ledger_, table_, *spread_, lattice_values_, faults_,
+                                             problem_.seed);
+      for (int p = 0; p < lattice_.domain().count(); ++p) radiance_->add_pixel(p, integrator);
+    }
+    tracer_.forget_changes();
     std::vector<Sums>& sums = sums_;
     for (Sums& s : sums) s.clear(n);
     gather(integrator, problem_.drivers, sums);
@@ -264,7 +267,8 @@ void TileWork::tighten_borders() {
     if (!any) return;
     tracer_.settle();
   }
-  radiance_.reset();
+  const LeafIntegrator integrator(tracer_, *problem_.footprint, problem_.tile);
+  if (!radiance_->refresh(integrator)) radiance_.reset();
 }
 
 }  // namespace ifov::sampling
