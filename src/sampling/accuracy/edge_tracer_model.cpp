@@ -63,13 +63,12 @@ void EdgeTracer::sweep(const Cell& cell, const CurveEnds& e, double swept[2]) co
   const Curve& curve = curves_[cell.chord];
   const Point2 d = e.b - e.a;
   const double c = length(d);
-  double half_angle = 0.0, sine = 0.0, cosine = 1.0, stretch = 1.0;
-  if (cell.kind == CellKind::chord && !curve.corner && c > 0.0)
-    half_angle = 2.0 * std::atan(2.0 * sagitta(curve, e) / c);
-  if (half_angle != 0.0) {
-    cosine = std::cos(half_angle);
-    sine = std::sin(half_angle);
-    stretch = half_angle / sine;
+  double sine = 0.0, cosine = 1.0, stretch = 1.0;
+  if (cell.kind == CellKind::chord && !curve.corner && c > 0.0) {
+    const double t = 2.0 * sagitta(curve, e) / c;  // tangent of a quarter of the arc's angle
+    cosine = (1.0 - t * t) / (1.0 + t * t);
+    sine = 2.0 * t / (1.0 + t * t);
+    stretch = atan_over_argument(t) * (1.0 + t * t);  // half of the arc's angle over its sine
   }
   // The tangent at the end is the chord turned towards the bulge.
   for (int end = 0; end < 2; ++end, sine = -sine) {
