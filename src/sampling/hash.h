@@ -14,15 +14,20 @@ constexpr std::uint64_t mix(std::uint64_t z) {
   return z ^ (z >> 31);
 }
 
+/// The key of more words after those that made `h`.
+template <class... Words>
+constexpr std::uint64_t extend(std::uint64_t h, Words... words) {
+  static_assert(((std::is_integral_v<Words> || std::is_enum_v<Words>) && ...));
+  ((h = mix(h + static_cast<std::uint64_t>(words))), ...);
+  return h;
+}
+
 /// Key of a random number from what it is for: integers and enums, in order, e.g. hash(seed, x, y, Purpose::probe).
 /// Order matters, and so does the number of words.
 template <class First, class... Rest>
 constexpr std::uint64_t hash(First first, Rest... rest) {
-  static_assert((std::is_integral_v<First> || std::is_enum_v<First>) &&
-                ((std::is_integral_v<Rest> || std::is_enum_v<Rest>) && ...));
-  std::uint64_t h = mix(static_cast<std::uint64_t>(first));
-  ((h = mix(h + static_cast<std::uint64_t>(rest))), ...);
-  return h;
+  static_assert(std::is_integral_v<First> || std::is_enum_v<First>);
+  return extend(mix(static_cast<std::uint64_t>(first)), rest...);
 }
 
 }  // namespace ifov::sampling

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "sampling/accuracy/lattice.h"
+#include "sampling/field.h"
 #include "sampling/hash.h"
+#include "sampling/random.h"
 
 namespace ifov::sampling {
 
@@ -15,6 +16,7 @@ namespace ifov::sampling {
 /// later it is halved.
 struct Bracket {
   std::int32_t x = 0, y = 0;  ///< the edge's start, fine units
+  Point2 start;               ///< the same, image px
   bool vertical = false;
   std::uint8_t level = 0;
   bool third_label = false;  ///< a label other than those of the two ends was met
@@ -24,6 +26,7 @@ struct Bracket {
   double phase = 1.0, step = 0.0;
   int grid_low = 0, grid_high = 1, grid_count = 1;
   std::uint32_t cells[2] = {0, 0};  ///< the cells whose chords end here (index + 1; 0: none)
+  std::uint8_t halvings = 0;        ///< still wanted, while crossings are sharpened
 
   double width() const { return high - low; }
   double centre() const { return 0.5 * (low + high); }
@@ -66,9 +69,10 @@ struct Bracket {
     return width() > std::max(floor_px, share * nearer_end());
   }
 
-  FocalPoint at(const Lattice& lattice, double t) const {
-    return vertical ? FocalPoint{lattice.x_px(x), lattice.y_px(y) + t}
-                    : FocalPoint{lattice.x_px(x) + t, lattice.y_px(y)};
+  Point2 at(double t) const { return vertical ? Point2{start.x, start.y + t} : Point2{start.x + t, start.y}; }
+  FocalPoint next_point() const {
+    const Point2 p = at(next());
+    return {p.x, p.y};
   }
 
   /// Takes over what is known about the whole edge whose half (starting at `offset_px`) this edge is.

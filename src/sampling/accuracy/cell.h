@@ -28,6 +28,14 @@ struct Cell {
   CellKind kind = CellKind::fresh;
 };
 
+/// Where the corners lie, in sides of the cell.
+constexpr int kCornerX[4] = {0, 1, 1, 0}, kCornerY[4] = {0, 0, 1, 1};
+
+/// Share of the allowed standard error that one unresolved cell may claim at first.
+constexpr double kLooseCell = 0.3;
+/// Standard deviation of a fraction that may be anything: 1 / sqrt(12).
+constexpr double kUniformSpread = 0.28867513459481287;
+
 /// Whether no third label is among the corners.
 inline bool has_two_labels(const Cell& cell) {
   std::uint32_t other = cell.corner[0];

@@ -48,10 +48,14 @@ class Contrast {
 
   /// Largest contrast among the labels of a cell's corners.
   double among(std::uint32_t pixel, const std::uint32_t corner[4]) const {
+    std::uint32_t distinct[4];
+    int count = 0;
     double worst = 0.0;
-    for (int i = 0; i < 4; ++i)
-      for (int j = i + 1; j < 4; ++j)
-        if (corner[i] != corner[j]) worst = std::max(worst, (*this)(pixel, corner[i], corner[j]));
+    for (int i = 0; i < 4; ++i) {
+      if (std::find(distinct, distinct + count, corner[i]) != distinct + count) continue;
+      for (int j = 0; j < count; ++j) worst = std::max(worst, (*this)(pixel, distinct[j], corner[i]));
+      distinct[count++] = corner[i];
+    }
     return worst;
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "sampling/accuracy/cell.h"
 #include "sampling/accuracy/chord.h"
 #include "sampling/accuracy/contrast.h"
+#include "sampling/accuracy/curve_check.h"
 #include "sampling/accuracy/flat_map.h"
 #include "sampling/accuracy/lattice.h"
 #include "sampling/accuracy/options.h"
@@ -27,7 +29,10 @@ class EdgeTracer {
   void plant(std::span<const std::uint32_t> vertex_labels);
 
   /// Variance of each pixel that tracing may leave, in squares of the allowed standard error.
-  std::vector<double>& allowed_variance() { return allowed_variance_; }
+  std::vector<double>& allowed_variance() {
+    allowed_may_differ_ = true;
+    return allowed_variance_;
+  }
 
   /// Traces until every leaf is verified and every pixel's variance is as small as allowed_variance asks.
   void settle();
@@ -44,11 +49,23 @@ class EdgeTracer {
 
   /// Label of the traced model at a point of the domain; kNoLabel in complex cells.
   static constexpr std::uint32_t kNoLabel = ~std::uint32_t{0};
-  std::uint32_t model_label(FocalPoint point) const;
+  std::uint32_t model_label(FocalPoint point) const { return label_in(cells_[leaf_at(point)], point); }
 
   /// Leaves this pixel as it is: no further rays.
-  void abandon(std::uint32_t pixel) { abandoned_[pixel] = 1; }
+  void abandon(std::uint32_t pixel) { abandoned_[pixel] = changed_[pixel] = 1; }
   bool abandoned(std::uint32_t pixel) const { return abandoned_[pixel] != 0; }
+
+  /// Whether what is modelled in the pixel may differ from what it was when this was last forgotten.
+  bool changed(std::uint32_t pixel) const { return changed_[pixel] != 0; }
+  void forget_changes() { std::fill(changed_.begin(), changed_.end(), std::uint8_t{0}); }
+
+  /// Whether a border crosses the pixel; its cells are all uniform otherwise.
+  bool crossed(std::uint32_t pixel) const { return edge_lists_[pixel].first != kNone; }
+  /// The first of a pixel's cells on the lattice; rows of them are lattice().columns() apart.
+  std::uint32_t root_cell(int pixel) const {
+    const int width = lattice_.domain().width(), k = lattice_.cells_per_pixel();
+    return static_cast<std::uint32_t>((pixel / width * lattice_.columns() + pixel % width) * k);
+  }
 
   /// Whether tracing met anything in the pixel that the lattice alone had not announced.
   bool suspect(std::uint32_t pixel) const { return suspect_[pixel] != 0; }
@@ -67,9 +84,6 @@ class EdgeTracer {
   double area_variance(const Cell& cell) const;
 
  private:
-  struct Ends {
-    Point2 a, b;
-  };
   /// A position beside a side whose middle differs from its two ends: cells there must be smaller than
   /// `level`.
   struct HangingNode {
@@ -77,43 +91,90 @@ class EdgeTracer {
     int level;
   };
 
-  // Growth (edge_tracer_grow.cpp)
-  void grow();
+  /// Entry of a pixel's list of the cells that borders cross, in the order in which they were met.
+  struct EdgeCell {
+    std::uint32_t cell, next;
+  };
+  struct EdgeCellList {
+    std::uint32_t first = kNone, last = kNone;
+  };
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+  // The quadtree and its vertices (edge_tracer_cells.cpp)
   void split(std::uint32_t cell);
   std::uint32_t push_cell(std::int32_t x, std::int32_t y, int level);
   std::uint32_t find_leaf(std::int32_t x, std::int32_t y) const;
+  std::uint32_t leaf_at(FocalPoint point) const;
+  void list_edge_cell(std::uint32_t cell);
   std::uint32_t vertex(std::int32_t x, std::int32_t y);
   std::uint32_t known_vertex(std::int32_t x, std::int32_t y) const;
   void trace_vertices();
   void notice_hanging_nodes();
   void split_beside_hanging_nodes();
+
+  // Growth (edge_tracer_grow.cpp)
+  void grow();
   void classify(std::uint32_t cell, std::vector<std::uint32_t>& awaiting);
   void settle_complex(std::uint32_t cell);
-  bool foreign(const Cell& cell, std::uint32_t label) const;
-  std::uint32_t bracket_on(const Cell& cell, int side);
-  void locate(std::vector<std::uint32_t>& brackets);
   bool narrow_corner(const Cell& cell) const;
-  void value_new_labels();
 
-  // Verification (edge_tracer_verify.cpp, edge_tracer_shape.cpp)
-  void verify();
-  struct Check;
-  void predict(Check& check);
-  void weigh_answers(Check& check, const std::uint32_t* seen);
-  void refuse(Check& check);
-  void accept(Check& check);
-  Ends ends(const Curve& curve) const;
-  Point2 end_point(std::uint32_t bracket) const;
-  double sagitta(const Curve& curve, const Ends& e) const;
-  double sweep(const Cell& cell, const Ends& e, int end) const;
+  // Crossings (edge_tracer_brackets.cpp)
+  std::uint32_t bracket_on(const Cell& cell, int side);
+  std::uint32_t known_bracket(std::int32_t x, std::int32_t y, bool vertical, int level) const;
+  std::size_t root_edge(std::int32_t x, std::int32_t y, bool vertical) const {
+    const std::int32_t row = lattice_.columns() + 1;
+    return 2 * static_cast<std::size_t>((y >> kMaxLevel) * row + (x >> kMaxLevel)) + vertical;
+  }
+  void locate();
+  void look_into_brackets();
+
+  // Contradictions (edge_tracer_contradict.cpp)
+  bool foreign(const Cell& cell, std::uint32_t label) const;
   bool within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model, std::uint32_t seen) const;
+
+  // Verification (edge_tracer_predict.cpp, edge_tracer_verify.cpp)
+  void verify();
+  void predict(CurveCheck& check);
+  void weigh_answers(CurveCheck& check, const std::uint32_t* seen);
+  void refuse(CurveCheck& check);
+  void accept(CurveCheck& check);
+  bool may_leave_pixel(const CurveCheck& check, std::uint32_t pixel) const;
   bool neighbour_end(const Curve& curve, int end, Point2& point) const;
 
-  // Precision (edge_tracer_sharpen.cpp)
-  void give_up_clutter();
-  void sharpen();
+  // The model (edge_tracer_model.cpp)
+  std::uint32_t label_in(const Cell& cell, FocalPoint point) const;
+  CurveEnds ends(const Curve& curve) const;
+  Point2 end_point(std::uint32_t bracket) const;
+  double sagitta(const Curve& curve, const CurveEnds& e) const;
+  void sweep(const Cell& cell, const CurveEnds& e, double swept[2]) const;
 
+  // Precision (edge_tracer_sharpen.cpp)
+  struct CrossingTerm {
+    std::uint32_t bracket;
+    double variance;  ///< at first per px^2 of the bracket's width
+    std::uint8_t halvings = 0;
+  };
+  struct MiddleTerm {
+    std::uint32_t pixel, cell;
+    double gain;  ///< variance per px^2 of the middle's width
+  };
+  struct LooseTerm {
+    std::uint32_t cell;
+    double variance;
+    bool coherent;  ///< errs like the others of the pixel
+  };
+  void sharpen();
+  void sharpen_pixel(std::uint32_t pixel);
+  void collect_terms(std::uint32_t pixel);
+  double split_largest_loose(std::uint32_t pixel);
+  void want_halvings(double target);
+  void halve_brackets();
+  void share_middles(std::size_t first, std::size_t last);
+
+  void stir(std::uint32_t pixel) { stirred_[pixel] = changed_[pixel] = 1; }
+  void give_up_clutter();
   void ask(std::vector<std::uint32_t>& labels, Purpose purpose = Purpose::trace);
+  void value_new_labels();
 
   Lattice lattice_;
   RayLedger& ledger_;
@@ -126,19 +187,32 @@ class EdgeTracer {
   std::vector<Cell> cells_;
   std::vector<Curve> curves_;
   std::vector<Bracket> brackets_;
-  FlatMap bracket_index_, vertex_index_;
+  FlatMap bracket_index_, vertex_index_;      // beyond the lattice's own
+  std::vector<std::uint32_t> root_brackets_;  // by root_edge
   std::vector<std::uint32_t> root_vertices_;  // labels, (columns + 1) x (rows + 1)
   std::vector<std::uint32_t> fine_vertices_;  // labels of the others, in order of discovery
   std::vector<FocalPoint> pending_points_;    // fine vertices not traced yet
-  std::vector<std::uint32_t> new_cells_, tentative_, edge_cells_, split_cells_;
+  std::vector<std::uint32_t> new_cells_, tentative_, split_cells_;
   std::vector<HangingNode> hanging_;
-  std::vector<FocalPoint> points_, first_seen_point_;
   std::vector<double> allowed_variance_;
   std::vector<std::uint8_t> abandoned_, suspect_;
   std::vector<std::uint8_t>
       stirred_;  // pixels whose cells, curves or brackets changed since they were sharpened
-  std::vector<int> halvings_;             // per bracket, while crossings are sharpened
+  std::vector<std::uint8_t> changed_;  // those that changed since forget_changes()
+  std::vector<std::uint8_t> due_;      // those that are being sharpened
   std::vector<double> sharpened_for_;  // allowed variance of each pixel when it was sharpened last
+  bool allowed_may_differ_ = true;
+  std::vector<EdgeCell> edge_cells_;
+  std::vector<EdgeCellList> edge_lists_;  // by pixel
+
+  std::vector<FocalPoint> points_, first_seen_point_;
+  std::size_t valued_ = 0;  // labels below this number have a value
+  // Kept for their memory.
+  std::vector<std::uint32_t> seen_, active_, level_, awaiting_;
+  std::vector<CurveCheck> checks_;
+  std::vector<CrossingTerm> crossings_;
+  std::vector<MiddleTerm> middles_;
+  std::vector<LooseTerm> loose_;
 };
 
 }  // namespace ifov::sampling

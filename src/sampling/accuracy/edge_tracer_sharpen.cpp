@@ -1,6 +1,7 @@
+// Precision: how the variance that a pixel may keep is shared between what no model follows, crossings, and
+// middles.
 #include <algorithm>
 #include <cmath>
-#include <queue>
 
 #include "sampling/accuracy/edge_tracer.h"
 
@@ -11,202 +12,183 @@ namespace {
 /// How a pixel's allowed variance is shared: cells and curves that no model follows, crossings, middles of
 /// curves.
 constexpr double kLooseShare = 0.3, kCrossingShare = 0.55;
-/// Passes of sharpening before the tracer leaves a pixel as it is.
-constexpr int kMaxPasses = 24;
-
-/// One bracket as it enters one pixel's variance: gain * width^2.
-struct CrossingTerm {
-  std::uint32_t pixel, bracket;
-  double gain;
-};
-struct MiddleTerm {
-  std::uint32_t pixel, cell;
-  double gain;
-};
-struct LooseTerm {
-  std::uint32_t pixel, cell;
-  double variance;
-  bool coherent;
-};
-
-template <class Term>
-std::size_t end_of_pixel(const std::vector<Term>& terms, std::size_t first) {
-  std::size_t last = first;
-  while (last < terms.size() && terms[last].pixel == terms[first].pixel) ++last;
-  return last;
-}
+/// A bracket is halved at most this often at a time.
+constexpr int kMostHalvings = 30;
 
 }  // namespace
-
-void EdgeTracer::settle() {
-  for (int pass = 0; pass < kMaxPasses; ++pass) {
-    grow();
-    sharpen();
-    if (!new_cells_.empty()) continue;
-    if (tentative_.empty()) return;
-    verify();
-  }
-  grow();
-  verify();
-}
-
-/// What the lattice did not announce may turn out while tracing: a pixel that has cost this much is clutter.
-void EdgeTracer::give_up_clutter() {
-  if (!options_.clutter_switch) return;
-  for (std::uint32_t p = 0; p < abandoned_.size(); ++p)
-    if (ledger_.label_rays(static_cast<int>(p)) > options_.tracing_budget) abandoned_[p] = 1;
-}
 
 /// Makes crossings precise enough for every pixel's allowed variance, sets how precisely the middles of
 /// curves must be verified, and splits what spoils the variance without being a curve. Pixels in which
 /// nothing changed since are left out.
 void EdgeTracer::sharpen() {
-  for (std::size_t p = 0; p < allowed_variance_.size(); ++p)
-    if (allowed_variance_[p] != sharpened_for_[p]) stirred_[p] = 1;
-  sharpened_for_ = allowed_variance_;
-  std::vector<std::uint8_t> due(stirred_.size(), 0);
-  due.swap(stirred_);
-  std::vector<CrossingTerm> crossings;
-  std::vector<MiddleTerm> middles;
-  std::vector<LooseTerm> loose;
-  std::size_t kept = 0;
-  for (std::uint32_t index : edge_cells_) {
+  if (allowed_may_differ_) {
+    for (std::size_t p = 0; p < allowed_variance_.size(); ++p)
+      if (allowed_variance_[p] != sharpened_for_[p]) stirred_[p] = 1;
+    sharpened_for_ = allowed_variance_;
+    allowed_may_differ_ = false;
+  }
+  due_.swap(stirred_);
+  std::fill(stirred_.begin(), stirred_.end(), std::uint8_t{0});
+  active_.clear();
+  middles_.clear();
+  for (auto p = std::find(due_.begin(), due_.end(), std::uint8_t{1}); p != due_.end();
+       p = std::find(p + 1, due_.end(), std::uint8_t{1})) {
+    const auto pixel = static_cast<std::uint32_t>(p - due_.begin());
+    if (!abandoned_[pixel] && edge_lists_[pixel].first != kNone) sharpen_pixel(pixel);
+  }
+  halve_brackets();
+  for (std::size_t first = 0, last; first < middles_.size(); first = last) {
+    for (last = first; last < middles_.size() && middles_[last].pixel == middles_[first].pixel;) ++last;
+    share_middles(first, last);
+  }
+}
+
+void EdgeTracer::sharpen_pixel(std::uint32_t pixel) {
+  collect_terms(pixel);
+  const double allowed = allowed_variance_[pixel];
+  const double left_loose = loose_.empty() ? 0.0 : split_largest_loose(pixel);
+  want_halvings(kCrossingShare * std::max(0.0, allowed - std::min(left_loose, kLooseShare * allowed)));
+}
+
+/// What each cell and curve of a pixel adds to its variance.
+void EdgeTracer::collect_terms(std::uint32_t pixel) {
+  crossings_.clear();
+  loose_.clear();
+  const auto add_crossing = [&](std::uint32_t bracket, double gain) {
+    crossings_.push_back({bracket, gain});
+  };
+  EdgeCellList& list = edge_lists_[pixel];
+  std::uint32_t* link = &list.first;
+  list.last = kNone;
+  while (*link != kNone) {
+    EdgeCell& entry = edge_cells_[*link];
+    const std::uint32_t index = entry.cell;
     const Cell& cell = cells_[index];
-    if (cell.kind == CellKind::split) continue;
-    edge_cells_[kept++] = index;
-    if (abandoned_[cell.pixel] || !due[cell.pixel]) continue;
+    if (cell.kind == CellKind::split) {
+      *link = entry.next;
+      continue;
+    }
+    list.last = *link;
+    link = &entry.next;
     if (cell.kind == CellKind::complex) {
       const double side = lattice_.side_px(cell.level);
       const double error = side * side * contrast_.among(cell.pixel, cell.corner);
-      loose.push_back({cell.pixel, index, error * error / 12.0, has_two_labels(cell)});
+      loose_.push_back({index, error * error / 12.0, has_two_labels(cell)});
       continue;
     }
     const Curve& curve = curves_[cell.chord];
-    const Ends e = ends(curve);
+    const CurveEnds e = ends(curve);
     const Point2 d = e.b - e.a;
-    const double contrast = contrast_(cell.pixel, curve.inner, curve.outer), square = contrast * contrast;
-    for (int t = 0; t < 2; ++t) {
-      const double swept = sweep(cell, e, t);
-      crossings.push_back({cell.pixel, curve.bracket[t], 0.5 * swept * swept * square / 12.0});
-    }
-    middles.push_back({cell.pixel, index, 4.0 / 9.0 * (d.x * d.x + d.y * d.y) * square / 12.0});
-    if (curve.loose_area > 0.0)
-      loose.push_back({cell.pixel, index, curve.loose_area * curve.loose_area * square, true});
+    const double contrast = contrast_(pixel, curve.inner, curve.outer), square = contrast * contrast;
+    double swept[2];
+    sweep(cell, e, swept);
+    for (int t = 0; t < 2; ++t) add_crossing(curve.bracket[t], 0.5 * swept[t] * swept[t] * square / 12.0);
+    middles_.push_back({pixel, index, 4.0 / 9.0 * (d.x * d.x + d.y * d.y) * square / 12.0});
+    if (curve.loose_area > 0.0) loose_.push_back({index, curve.loose_area * curve.loose_area * square, true});
   }
-  edge_cells_.resize(kept);
-  const auto by_pixel = [](const auto& a, const auto& b) { return a.pixel < b.pixel; };
-  std::sort(crossings.begin(), crossings.end(), [](const CrossingTerm& a, const CrossingTerm& b) {
-    return a.pixel != b.pixel ? a.pixel < b.pixel : a.bracket < b.bracket;
-  });
-  std::stable_sort(middles.begin(), middles.end(), by_pixel);
-  std::stable_sort(loose.begin(), loose.end(), [](const LooseTerm& a, const LooseTerm& b) {
-    return a.pixel != b.pixel ? a.pixel < b.pixel : a.variance > b.variance;
-  });
+}
 
-  // 1. What no model follows: the largest are split until the rest fits.
-  // Errors of two-label cells add up (a strip too thin for them errs the same way all along).
-  std::vector<double> left_loose(allowed_variance_.size(), 0.0), coherent(allowed_variance_.size(), 0.0);
-  for (const LooseTerm& term : loose)
-    (term.coherent ? coherent : left_loose)[term.pixel] +=
-        term.coherent ? std::sqrt(term.variance) : term.variance;
-  for (std::size_t p = 0; p < left_loose.size(); ++p) left_loose[p] += coherent[p] * coherent[p];
-  for (const LooseTerm& term : loose) {
-    if (left_loose[term.pixel] <= kLooseShare * allowed_variance_[term.pixel]) continue;
+/// What no model follows: the largest are split until the rest fits. Errors of two-label cells add up (a
+/// strip too thin for them errs the same way all along). Returns the variance that is left.
+double EdgeTracer::split_largest_loose(std::uint32_t pixel) {
+  std::stable_sort(loose_.begin(), loose_.end(),
+                   [](const LooseTerm& a, const LooseTerm& b) { return a.variance > b.variance; });
+  double left = 0.0, coherent = 0.0;
+  for (const LooseTerm& term : loose_)
+    (term.coherent ? coherent : left) += term.coherent ? std::sqrt(term.variance) : term.variance;
+  left += coherent * coherent;
+  for (const LooseTerm& term : loose_) {
+    if (left <= kLooseShare * allowed_variance_[pixel]) break;
     if (cells_[term.cell].level == kMaxLevel) continue;
     const double deviation = std::sqrt(term.variance);
-    left_loose[term.pixel] -=
-        term.coherent ? deviation * (2.0 * coherent[term.pixel] - deviation) : term.variance;
-    if (term.coherent) coherent[term.pixel] -= deviation;
+    left -= term.coherent ? deviation * (2.0 * coherent - deviation) : term.variance;
+    if (term.coherent) coherent -= deviation;
     split(term.cell);
   }
+  return left;
+}
 
-  // 2. Crossings: repeatedly halve the one that counts most.
-  std::vector<int>& halvings = halvings_;  // all zero between calls
-  halvings.resize(brackets_.size(), 0);
-  std::vector<std::uint32_t> active;
-  for (std::size_t first = 0; first < crossings.size();) {
-    const std::size_t last = end_of_pixel(crossings, first);
-    const std::uint32_t pixel = crossings[first].pixel;
-    const double target =
-        kCrossingShare *
-        std::max(0.0, allowed_variance_[pixel] -
-                          std::min(left_loose[pixel], kLooseShare * allowed_variance_[pixel]));
-    struct Item {
-      double variance;
-      std::uint32_t bracket;
-      int halvings;
-      bool operator<(const Item& o) const {
-        return variance != o.variance ? variance < o.variance : bracket > o.bracket;
-      }
-    };
-    std::priority_queue<Item> queue;
-    double total = 0.0;
-    for (std::size_t i = first; i < last;) {
-      double gain = 0.0;
-      const std::uint32_t bracket = crossings[i].bracket;
-      for (; i < last && crossings[i].bracket == bracket; ++i) gain += crossings[i].gain;
-      const double width = brackets_[bracket].width(), variance = gain * width * width;
-      total += variance;
-      queue.push({variance, bracket, 0});
-    }
-    while (total > target && !queue.empty()) {
-      Item item = queue.top();
-      queue.pop();
-      if (item.halvings == 30) continue;
-      total -= 0.75 * item.variance;
-      item.variance *= 0.25;
-      ++item.halvings;
-      if (halvings[item.bracket] == 0) active.push_back(item.bracket);
-      halvings[item.bracket] = std::max(halvings[item.bracket], item.halvings);
-      queue.push(item);
-    }
-    first = last;
+/// Plans to halve, again and again, the bracket that counts most, until all of a pixel's crossings together
+/// are within `target`.
+void EdgeTracer::want_halvings(double target) {
+  std::sort(crossings_.begin(), crossings_.end(),
+            [](const CrossingTerm& a, const CrossingTerm& b) { return a.bracket < b.bracket; });
+  double total = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < crossings_.size(); ++count) {
+    const std::uint32_t bracket = crossings_[i].bracket;
+    double gain = 0.0;
+    for (; i < crossings_.size() && crossings_[i].bracket == bracket; ++i) gain += crossings_[i].variance;
+    const double width = brackets_[bracket].width(), variance = gain * width * width;
+    total += variance;
+    crossings_[count] = {bracket, variance, 0};
   }
-  std::sort(active.begin(), active.end());
-  std::vector<std::uint32_t> labels;
-  while (!active.empty()) {
-    for (std::uint32_t b : active) points_.push_back(brackets_[b].at(lattice_, brackets_[b].next()));
-    ask(labels);
+  crossings_.resize(count);
+  if (total <= target) return;
+  const auto counts_less = [](const CrossingTerm& a, const CrossingTerm& b) {
+    return a.variance != b.variance ? a.variance < b.variance : a.bracket > b.bracket;
+  };
+  std::make_heap(crossings_.begin(), crossings_.end(), counts_less);
+  while (total > target && !crossings_.empty()) {
+    std::pop_heap(crossings_.begin(), crossings_.end(), counts_less);
+    CrossingTerm& term = crossings_.back();
+    if (term.halvings == kMostHalvings) {
+      crossings_.pop_back();
+      continue;
+    }
+    total -= 0.75 * term.variance;
+    term.variance *= 0.25;
+    ++term.halvings;
+    Bracket& bracket = brackets_[term.bracket];
+    if (bracket.halvings == 0) active_.push_back(term.bracket);
+    bracket.halvings = std::max(bracket.halvings, term.halvings);
+    std::push_heap(crossings_.begin(), crossings_.end(), counts_less);
+  }
+}
+
+/// One ray a round for every bracket that is to be halved.
+void EdgeTracer::halve_brackets() {
+  std::sort(active_.begin(), active_.end());
+  while (!active_.empty()) {
+    look_into_brackets();
     std::size_t still = 0;
-    for (std::size_t i = 0; i < active.size(); ++i) {
-      Bracket& b = brackets_[active[i]];
-      b.take(labels[i]);
+    for (std::size_t i = 0; i < active_.size(); ++i) {
+      Bracket& b = brackets_[active_[i]];
+      b.take(seen_[i]);
       for (std::uint32_t entry : b.cells)
-        if (entry != 0) stirred_[cells_[entry - 1].pixel] = 1;
+        if (entry != 0) stir(cells_[entry - 1].pixel);
       if (b.third_label) {
-        halvings[active[i]] = 0;
+        b.halvings = 0;
         for (std::uint32_t entry : b.cells)
           if (entry != 0 && cells_[entry - 1].kind != CellKind::split) {
             suspect_[cells_[entry - 1].pixel] = 1;
             settle_complex(entry - 1);
           }
-      } else if (--halvings[active[i]] > 0) {
-        active[still++] = active[i];
+      } else if (--b.halvings > 0) {
+        active_[still++] = active_[i];
       }
     }
-    active.resize(still);
+    active_.resize(still);
   }
+}
 
-  // 3. Middles: an equal share of the rest each.
-  for (std::size_t first = 0; first < middles.size();) {
-    const std::size_t last = end_of_pixel(middles, first);
-    const std::uint32_t pixel = middles[first].pixel;
-    const double share = (1.0 - kLooseShare) * (1.0 - kCrossingShare) * allowed_variance_[pixel] /
-                         static_cast<double>(last - first);
-    for (; first < last; ++first) {
-      const MiddleTerm& term = middles[first];
-      Cell& cell = cells_[term.cell];
-      if (cell.kind != CellKind::tentative && cell.kind != CellKind::chord) continue;
-      Curve& curve = curves_[cell.chord];
-      const double blur = 0.5 * (brackets_[curve.bracket[0]].width() + brackets_[curve.bracket[1]].width());
-      const double wanted = std::max(term.gain > 0.0 ? std::sqrt(share / term.gain) : INFINITY, 0.5 * blur);
-      if (cell.kind == CellKind::tentative) {
-        curve.wanted_middle = wanted;
-      } else if (curve.middle_width > 1.05 * wanted) {
-        curve.wanted_middle = wanted;
-        cell.kind = CellKind::tentative;
-        tentative_.push_back(term.cell);
-      }
+/// The curves of one pixel may each claim an equal share of what is left for their middles.
+void EdgeTracer::share_middles(std::size_t first, std::size_t last) {
+  const double share = (1.0 - kLooseShare) * (1.0 - kCrossingShare) *
+                       allowed_variance_[middles_[first].pixel] / static_cast<double>(last - first);
+  for (; first < last; ++first) {
+    const MiddleTerm& term = middles_[first];
+    Cell& cell = cells_[term.cell];
+    if (cell.kind != CellKind::tentative && cell.kind != CellKind::chord) continue;
+    Curve& curve = curves_[cell.chord];
+    const double blur = 0.5 * (brackets_[curve.bracket[0]].width() + brackets_[curve.bracket[1]].width());
+    const double wanted = std::max(term.gain > 0.0 ? std::sqrt(share / term.gain) : INFINITY, 0.5 * blur);
+    if (cell.kind == CellKind::tentative) {
+      curve.wanted_middle = wanted;
+    } else if (curve.middle_width > 1.05 * wanted) {
+      curve.wanted_middle = wanted;
+      cell.kind = CellKind::tentative;
+      tentative_.push_back(term.cell);
     }
   }
 }

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
-
-#include "sampling/hash.h"
 
 namespace ifov::sampling {
 
@@ -15,7 +15,7 @@ class FlatMap {
   FlatMap() { rehash(64); }
 
   std::uint32_t find(std::uint64_t key) const {
-    for (std::size_t i = mix(key) & mask_;; i = (i + 1) & mask_) {
+    for (std::size_t i = home(key);; i = (i + 1) & mask_) {
       if (slots_[i].value == kAbsent) return kAbsent;
       if (slots_[i].key == key) return slots_[i].value;
     }
@@ -24,7 +24,7 @@ class FlatMap {
   /// The value of the key, which is `fresh` if the key was absent; `fresh` must not be kAbsent.
   std::uint32_t find_or_insert(std::uint64_t key, std::uint32_t fresh) {
     if (2 * (size_ + 1) > slots_.size()) rehash(2 * slots_.size());
-    for (std::size_t i = mix(key) & mask_;; i = (i + 1) & mask_) {
+    for (std::size_t i = home(key);; i = (i + 1) & mask_) {
       if (slots_[i].value == kAbsent) {
         slots_[i] = {key, fresh};
         ++size_;
@@ -36,19 +36,32 @@ class FlatMap {
 
   std::size_t size() const { return size_; }
 
+  /// Forgets all keys and keeps the memory.
+  void clear() {
+    if (size_ != 0) slots_.assign(slots_.size(), {});
+    size_ = 0;
+  }
+
  private:
   struct Slot {
     std::uint64_t key = 0;
     std::uint32_t value = kAbsent;
   };
 
+  /// Fibonacci hashing (Knuth, The Art of Computer Programming 3, 6.4): the high bits of a product, with the
+  /// key's high half folded in, because labels and positions differ there as well.
+  std::size_t home(std::uint64_t key) const {
+    return static_cast<std::size_t>(((key ^ (key >> 32)) * 0x9e3779b97f4a7c15ull) >> shift_);
+  }
+
   void rehash(std::size_t slots) {
     std::vector<Slot> old(slots);
     old.swap(slots_);
     mask_ = slots - 1;
+    shift_ = 64 - std::countr_zero(slots);
     for (const Slot& slot : old) {
       if (slot.value == kAbsent) continue;
-      std::size_t i = mix(slot.key) & mask_;
+      std::size_t i = home(slot.key);
       while (slots_[i].value != kAbsent) i = (i + 1) & mask_;
       slots_[i] = slot;
     }
@@ -56,6 +69,7 @@ class FlatMap {
 
   std::vector<Slot> slots_;
   std::size_t mask_ = 0, size_ = 0;
+  int shift_ = 0;
 };
 
 }  // namespace ifov::sampling

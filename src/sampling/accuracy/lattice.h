@@ -21,6 +21,8 @@ class Lattice {
       : domain_(domain),
         cells_(cells_per_pixel),
         units_per_px_(cells_per_pixel << kMaxLevel),
+        cells_per_px_inverse_(
+            static_cast<std::uint32_t>(0xffffffffu / static_cast<std::uint32_t>(cells_per_pixel)) + 1u),
         unit_px_(1.0 / units_per_px_) {}
 
   const PixelRect& domain() const { return domain_; }
@@ -46,8 +48,8 @@ class Lattice {
   }
   /// The same for the top left corner of a cell.
   int pixel_of_cell(std::int32_t x, std::int32_t y) const {
-    return clamp_index(y / units_per_px_, domain_.height()) * domain_.width() +
-           clamp_index(x / units_per_px_, domain_.width());
+    return clamp_index(whole_px(y), domain_.height()) * domain_.width() +
+           clamp_index(whole_px(x), domain_.width());
   }
 
   /// Keys within the domain, for tables.
@@ -71,13 +73,22 @@ class Lattice {
  private:
   static int clamp_index(int i, int count) { return i < 0 ? 0 : i >= count ? count - 1 : i; }
   double at_px(std::int32_t fine, int origin) const {
-    const std::int32_t whole = fine / units_per_px_;
+    const std::int32_t whole = whole_px(fine);
     return (origin + whole) + (fine - whole * units_per_px_) * unit_px_;
+  }
+
+  /// fine / units_per_px_ for fine >= 0, by a multiplication: exact while there are fewer than 2^26 root
+  /// cells a side.
+  std::int32_t whole_px(std::int32_t fine) const {
+    const auto root = static_cast<std::uint32_t>(fine) >> kMaxLevel;
+    return cells_ == 1 ? static_cast<std::int32_t>(root)
+                       : static_cast<std::int32_t>((std::uint64_t{root} * cells_per_px_inverse_) >> 32);
   }
 
   PixelRect domain_;
   int cells_;
   std::int32_t units_per_px_;
+  std::uint32_t cells_per_px_inverse_;
   double unit_px_;
 };
 

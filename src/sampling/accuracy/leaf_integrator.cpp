@@ -15,22 +15,53 @@ LeafIntegrator::LeafIntegrator(const EdgeTracer& tracer, const PixelFootprint& f
       footprint_(footprint),
       tile_(tile),
       unit_box_(footprint.uniform() && footprint.half_width_px() == 0.5) {
-  const std::vector<Cell>& cells = tracer.cells();
-  first_leaf_.assign(static_cast<std::size_t>(tracer.lattice().domain().count()) + 1, 0);
-  for (const Cell& cell : cells)
-    if (cell.kind != CellKind::split) ++first_leaf_[cell.pixel + 1];
-  for (std::size_t p = 1; p < first_leaf_.size(); ++p) first_leaf_[p] += first_leaf_[p - 1];
-  leaves_.resize(first_leaf_.back());
-  std::vector<std::uint32_t> next(first_leaf_.begin(), first_leaf_.end() - 1);
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    if (cells[i].kind != CellKind::split) leaves_[next[cells[i].pixel]++] = static_cast<std::uint32_t>(i);
+  // Added up as for any other pixel, so that it makes no difference which way a pixel went.
+  const double side = tracer.lattice().side_px(0);
+  for (int i = 0; i < tracer.lattice().cells_per_pixel() * tracer.lattice().cells_per_pixel(); ++i)
+    plain_weight_ += side * side;
+}
+
+bool LeafIntegrator::plain(int source, int& output, std::uint32_t& label, double& weight) const {
+  if (!unit_box_ || tracer_.crossed(static_cast<std::uint32_t>(source))) return false;
+  const PixelRect& domain = tracer_.lattice().domain();
+  const int x = domain.x0 + source % domain.width(), y = domain.y0 + source / domain.width();
+  if (x < tile_.x0 || x >= tile_.x1 || y < tile_.y0 || y >= tile_.y1) return false;
+  output = (y - tile_.y0) * tile_.width() + x - tile_.x0;
+  label = tracer_.cells()[tracer_.root_cell(source)].corner[0];
+  weight = plain_weight_;
+  return true;
+}
+
+/// The leaves of a pixel in the order of their making, in leaves_.
+void LeafIntegrator::leaves_of(int source) const {
+  const std::vector<Cell>& cells = tracer_.cells();
+  const int k = tracer_.lattice().cells_per_pixel(), columns = tracer_.lattice().columns();
+  const std::uint32_t first = tracer_.root_cell(source);
+  leaves_.clear();
+  std::size_t split = 0;
+  for (int j = 0; j < k; ++j)
+    for (int i = 0; i < k; ++i) {
+      leaves_.push_back(first + static_cast<std::uint32_t>(j * columns + i));
+      split += cells[leaves_.back()].kind == CellKind::split;
+    }
+  if (split == 0) return;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < leaves_.size(); ++i) {
+    const Cell& cell = cells[leaves_[i]];
+    if (cell.kind == CellKind::split)
+      for (std::uint32_t child = 0; child < 4; ++child) leaves_.push_back(cell.children + child);
+    else
+      leaves_[kept++] = leaves_[i];
+  }
+  leaves_.resize(kept);
+  std::sort(leaves_.begin(), leaves_.end());
 }
 
 Point2 LeafIntegrator::centre(int output) const {
   return {tile_.x0 + output % tile_.width() + 0.5, tile_.y0 + output / tile_.width() + 0.5};
 }
 
-void LeafIntegrator::outputs_of(int source, std::vector<int>& outputs) const {
+void LeafIntegrator::outputs_of(int source, SmallVector<int, 1>& outputs) const {
   const PixelRect& domain = tracer_.lattice().domain();
   const int x = domain.x0 + source % domain.width(), y = domain.y0 + source / domain.width();
   const int reach = std::max(0, static_cast<int>(std::ceil(footprint_.half_width_px() - 0.5 - 1e-12)));
@@ -106,7 +137,8 @@ void LeafIntegrator::pixel(int source, PixelModel& model) const {
   model.area.clear();
   model.borders.clear();
   model.loose.clear();
-  const auto begin = leaves_.begin() + first_leaf_[source], end = leaves_.begin() + first_leaf_[source + 1];
+  leaves_of(source);
+  const auto begin = leaves_.begin(), end = leaves_.end();
   const auto region = [&](std::uint32_t label) {
     const std::uint32_t r = model.region_of(label);
     if (r == model.labels.size()) {

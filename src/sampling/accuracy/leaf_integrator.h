@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sampling/accuracy/edge_tracer.h"
+#include "sampling/accuracy/small_vector.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/tile.h"
 
@@ -20,15 +21,15 @@ struct PixelModel {
     bool two_labels;
     std::int32_t x, y;  // of the cell, where it stands alone
   };
-  std::vector<int> outputs;           ///< row-major indices in the tile
-  std::vector<std::uint32_t> labels;  ///< one region per label
-  std::vector<double> area;           ///< of each region, px^2
-  std::vector<double> weight;         ///< [output][region]: integral of the footprint over the region
-  std::vector<Border> borders;        ///< pairs of labels that share traced borders
-  std::vector<double>
-      border_variance;       ///< [output][pair]: variance of the weight that lies on the wrong side
-  std::vector<Loose> loose;  ///< cells counted by their corners, those of the same two labels together
-  std::vector<double> loose_weight;  ///< [output][cell]
+  SmallVector<int, 1> outputs;           ///< row-major indices in the tile
+  SmallVector<std::uint32_t, 2> labels;  ///< one region per label
+  SmallVector<double, 2> area;           ///< of each region, px^2
+  SmallVector<double, 2> weight;         ///< [output][region]: integral of the footprint over the region
+  SmallVector<Border, 1> borders;        ///< pairs of labels that share traced borders
+  /// [output][pair]: variance of the weight that lies on the wrong side
+  SmallVector<double, 1> border_variance;
+  SmallVector<Loose, 1> loose;  ///< cells counted by their corners, those of the same two labels together
+  SmallVector<double, 1> loose_weight;  ///< [output][cell]
 
   std::uint32_t region_of(std::uint32_t label) const;
 };
@@ -41,6 +42,10 @@ class LeafIntegrator {
   /// The model of the source pixel with this index in the tracer's domain.
   void pixel(int source, PixelModel& model) const;
 
+  /// Whether the pixel weighs in one output alone and no border crosses it: `label` then has the weight
+  /// `weight`.
+  bool plain(int source, int& output, std::uint32_t& label, double& weight) const;
+
   /// Integral of an output pixel's footprint over the whole source pixel.
   double whole_weight(int source, int output) const;
 
@@ -51,14 +56,16 @@ class LeafIntegrator {
   const PixelFootprint& footprint() const { return footprint_; }
 
  private:
-  void outputs_of(int source, std::vector<int>& outputs) const;
+  void outputs_of(int source, SmallVector<int, 1>& outputs) const;
+  void leaves_of(int source) const;
   double over_polygon(const Polygon& polygon, Point2 centre) const;
 
   const EdgeTracer& tracer_;
   const PixelFootprint& footprint_;
   PixelRect tile_;
   bool unit_box_;
-  std::vector<std::uint32_t> first_leaf_, leaves_;
+  double plain_weight_ = 0.0;
+  mutable std::vector<std::uint32_t> leaves_;  // of the pixel at hand
 };
 
 }  // namespace ifov::sampling

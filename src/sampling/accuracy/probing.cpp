@@ -1,5 +1,7 @@
 #include "sampling/accuracy/probing.h"
 
+#include <numeric>
+
 namespace ifov::sampling {
 
 /// One batch of points; the model is refined until it agrees with all of them. Tells which ones contradicted
@@ -8,12 +10,20 @@ std::vector<std::uint8_t> Prober::look(const std::vector<FocalPoint>& points, Pu
   std::vector<std::uint32_t> labels;
   tracer_.ask_at(points, labels, purpose);
   std::vector<std::uint8_t> contradicted(points.size(), 0);
+  std::vector<std::uint32_t> in_question(points.size());
+  std::iota(in_question.begin(), in_question.end(), 0u);
   for (int level = 0; level <= 2 * kMaxLevel; ++level) {
+    tracer_.forget_changes();
     bool any = false;
-    for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::uint32_t i : in_question)
       if (tracer_.contradict(points[i], labels[i])) contradicted[i] = any = true;
     if (!any) break;
     tracer_.settle();
+    // Where the model is the same it still agrees.
+    in_question.clear();
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+      if (tracer_.changed(static_cast<std::uint32_t>(tracer_.lattice().pixel_at(points[i]))))
+        in_question.push_back(i);
   }
   return contradicted;
 }

@@ -37,16 +37,33 @@ Radiance::Radiance(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable
       stride_(lattice_values.stride) {}
 
 void Radiance::add_pixel(int source, const LeafIntegrator& integrator) {
-  Pixel pixel;
-  pixel.source = source;
-  pixel.cluttered = tracer_.abandoned(static_cast<std::uint32_t>(source));
-  integrator.pixel(source, pixel.model);
+  PlainPixel plain{source, 0, 0, 0.0};
+  if (!tracer_.abandoned(static_cast<std::uint32_t>(source)) &&
+      integrator.plain(source, plain.output, plain.label, plain.weight) && spread_.constant(plain.label)) {
+    plain_pixels_.push_back(plain);
+    return;
+  }
+  pixels_.emplace_back().source = source;
+  fill(pixels_.back(), integrator);
+}
+
+bool Radiance::refresh(const LeafIntegrator& integrator) {
+  for (const PlainPixel& pixel : plain_pixels_)
+    if (tracer_.changed(static_cast<std::uint32_t>(pixel.source))) return false;
+  for (Pixel& pixel : pixels_)
+    if (tracer_.changed(static_cast<std::uint32_t>(pixel.source))) fill(pixel, integrator);
+  return true;
+}
+
+void Radiance::fill(Pixel& pixel, const LeafIntegrator& integrator) const {
+  pixel.cluttered = tracer_.abandoned(static_cast<std::uint32_t>(pixel.source));
+  integrator.pixel(pixel.source, pixel.model);
+  pixel.strata.clear();
   if (pixel.cluttered) {
     pixel.strata.assign(kReplicates, Stratum{EdgeTracer::kNoLabel, 0, {}, {}, {}, {}, {}, {}, 0.0});
   } else {
     for (std::uint32_t label : pixel.model.labels) pixel.strata.push_back({label, 0, {}, {}, {}, {}, {}, {}, 0.0});
   }
-  pixels_.push_back(std::move(pixel));
 }
 
 void Radiance::plan(std::size_t p, std::size_t s, double count) {

@@ -68,14 +68,25 @@ class Radiance {
   /// Points of a stratum's second round that get a second path each.
   static constexpr int kTwins = 16;
 
+  /// A pixel of one label whose values all agree: it needs nothing but its weight.
+  struct PlainPixel {
+    int source, output;
+    std::uint32_t label;
+    double weight;
+  };
+  const std::vector<PlainPixel>& plain_pixels() const { return plain_pixels_; }
+
   std::vector<Pixel>& pixels() { return pixels_; }
   void clear() {
     pixels_.clear();
+    plain_pixels_.clear();
     x_.clear();
     values_.clear();
     labels_.clear();
   }
   void add_pixel(int source, const LeafIntegrator& integrator);
+  /// Before any value is planned: follows what tracing has changed. False where pixels must be added anew.
+  bool refresh(const LeafIntegrator& integrator);
 
   /// Plans about `count` more values in a stratum, or nets of `count` values per replicate in a cluttered
   /// pixel.
@@ -126,6 +137,8 @@ class Radiance {
     std::uint8_t quarter;
   };
 
+  void fill(Pixel& pixel, const LeafIntegrator& integrator) const;
+
   struct PlannedInNet {
     std::size_t pixel, stratum, replicate;
   };
@@ -142,6 +155,7 @@ class Radiance {
   std::size_t stride_;
 
   std::vector<Pixel> pixels_;
+  std::vector<PlainPixel> plain_pixels_;
   std::vector<Planned> planned_;
   std::vector<PathRequest> requests_;
   std::vector<PlannedInNet> net_planned_;

@@ -64,16 +64,17 @@ class RayLedger {
     }
   }
 
+  static constexpr std::size_t kBatch = 4096;  ///< points asked at a time
+
   Field& field() { return field_; }
   std::uint32_t label_rays(int pixel) const { return label_rays_[pixel]; }
+  std::span<const std::uint32_t> label_rays() const { return label_rays_; }
   std::uint32_t value_rays(int pixel) const { return value_rays_[pixel]; }
   std::uint32_t spent(int pixel) const { return label_rays_[pixel] + value_rays_[pixel]; }
   std::uint64_t seed_rays() const { return seed_rays_; }
   std::uint64_t probe_rays() const { return probe_rays_; }
 
  private:
-  static constexpr std::size_t kBatch = 4096;
-
   void look_for_cancel() const {
     if (problem_.cancel != nullptr && problem_.cancel->cancelled()) throw Cancelled();
   }

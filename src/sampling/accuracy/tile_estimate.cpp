@@ -28,6 +28,9 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
   const std::size_t n = columns.size();
   std::vector<StratumMoments> moments;
   std::vector<double> net_mean, net_variance, weighted(n);
+  for (const Radiance::PlainPixel& pixel : radiance_->plain_pixels())
+    for (std::size_t c = 0; c < n; ++c)
+      sums[pixel.output].mean[c] += pixel.weight * table_.mean(pixel.label)[columns[c]];
   for (const Radiance::Pixel& pixel : radiance_->pixels()) {
     const PixelModel& model = pixel.model;
     if (model.outputs.empty()) continue;
@@ -99,7 +102,7 @@ void TileWork::estimate() {
   // are in memory at a time. A wider footprint ties them together.
   const int sources = lattice_.domain().count();
   const int group =
-      integrator.unit_box() ? std::max<int>(64, static_cast<int>(65536 / lattice_values_.stride)) : sources;
+      integrator.unit_box() ? std::max<int>(64, static_cast<int>(81920 / lattice_values_.stride)) : sources;
   for (int first = 0; first < sources; first += group) {
     const bool ready = group >= sources && radiance_ != nullptr;  // by tighten_borders, of all pixels
     if (!ready) {
@@ -108,6 +111,7 @@ void TileWork::estimate() {
       for (int p = first; p < std::min(sources, first + group); ++p) radiance_->add_pixel(p, integrator);
     }
     std::vector<std::uint8_t> touched(outputs_.size(), 0);
+    for (const Radiance::PlainPixel& pixel : radiance_->plain_pixels()) touched[pixel.output] = 1;
     for (const Radiance::Pixel& pixel : radiance_->pixels())
       for (int o : pixel.model.outputs) touched[o] = 1;
     std::vector<int> outputs;

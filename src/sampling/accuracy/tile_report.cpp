@@ -35,13 +35,15 @@ void TileWork::finish(const LeafIntegrator& integrator, const std::vector<int>& 
     std::uint32_t material;
     double fraction = 0.0, variance = 0.0;
   };
-  std::vector<std::vector<Share>> shares(outputs_.size());
+  std::vector<SmallVector<Share, 2>> shares(outputs_.size());
   const auto share_of = [&](int output, std::uint32_t label) -> Share& {
     const std::uint32_t material = ledger_.field().material_of(table_.label(label));
     for (Share& s : shares[output])
       if (s.material == material) return s;
-    return shares[output].emplace_back(Share{material});
+    return shares[output].push_back(Share{material});
   };
+  for (const Radiance::PlainPixel& pixel : radiance_->plain_pixels())
+    share_of(pixel.output, pixel.label).fraction += pixel.weight;
   for (const Radiance::Pixel& pixel : radiance_->pixels()) {
     const PixelModel& model = pixel.model;
     for (std::size_t o = 0; o < model.outputs.size(); ++o) {

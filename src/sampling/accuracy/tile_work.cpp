@@ -80,19 +80,41 @@ double TileWork::relative_weight(int source) const {
 }
 
 void TileWork::trace_lattice() {
+  struct Column {
+    double x_px;
+    std::uint64_t key;
+  };
+  std::vector<Column> columns;
+  for (int i = 0; i <= lattice_.columns(); ++i) {
+    const std::int32_t x = i * Lattice::side(0);
+    columns.push_back({lattice_.x_px(x), hash(problem_.seed, lattice_.image_x(x))});
+  }
+  const std::size_t row = columns.size(), stride = static_cast<std::size_t>(ledger_.field().stride());
+  const std::size_t vertices = row * (static_cast<std::size_t>(lattice_.rows()) + 1);
+  // Some rows at a time, so that requests and answers are still in the cache when they are worked on.
+  const int rows_at_once = static_cast<int>(std::max<std::size_t>(1, RayLedger::kBatch / row));
+  lattice_values_.stride = stride;
+  lattice_values_.labels.resize(vertices);
+  lattice_values_.values.resize(vertices * stride);
   std::vector<PathRequest> requests;
-  for (int j = 0; j <= lattice_.rows(); ++j)
-    for (int i = 0; i <= lattice_.columns(); ++i) {
-      const std::int32_t x = i * Lattice::side(0), y = j * Lattice::side(0);
-      requests.push_back(
-          {lattice_.point(x, y), hash(problem_.seed, lattice_.image_x(x), lattice_.image_y(y), 0x766572), 0});
+  std::vector<std::uint32_t> labels;
+  for (int first = 0; first <= lattice_.rows(); first += rows_at_once) {
+    requests.clear();
+    for (int j = first; j <= std::min(first + rows_at_once - 1, lattice_.rows()); ++j) {
+      const std::int32_t y = j * Lattice::side(0);
+      const double y_px = lattice_.y_px(y);
+      const std::int64_t image_y = lattice_.image_y(y);
+      for (const Column& column : columns)
+        requests.push_back({{column.x_px, y_px}, extend(column.key, image_y, 0x766572), 0});
     }
-  lattice_values_.stride = static_cast<std::size_t>(ledger_.field().stride());
-  lattice_values_.values.resize(requests.size() * lattice_values_.stride);
-  ledger_.values(requests, lattice_values_.labels, lattice_values_.values);
+    const std::size_t v = static_cast<std::size_t>(first) * row;
+    ledger_.values(requests, labels,
+                   std::span<float>(lattice_values_.values).subspan(v * stride, requests.size() * stride));
+    std::copy(labels.begin(), labels.end(), lattice_values_.labels.begin() + static_cast<std::ptrdiff_t>(v));
+  }
   merge_twins();
-  for (std::size_t v = 0; v < requests.size(); ++v)
-    table_.add(lattice_values_.labels[v], &lattice_values_.values[v * lattice_values_.stride]);
+  for (std::size_t v = 0; v < vertices; ++v)
+    table_.add(lattice_values_.labels[v], &lattice_values_.values[v * stride]);
   spread_ = std::make_unique<LabelSpread>(lattice_, table_, columns_, lattice_values_.labels,
                                           lattice_values_.values, lattice_values_.stride);
   contrast_.spread().resize(table_.size() * problem_.drivers.size());
@@ -110,8 +132,8 @@ void TileWork::trace_lattice() {
 }
 
 /// Labels of one material whose values at all vertices are the same to the last bit (black things at one
-/// temperature, level ground under the Sun) are one label: no radiance tells them apart, and a border between them
-/// would cost rays for nothing.
+/// temperature, level ground under the Sun) are one label: no radiance tells them apart, and a border between
+/// them would cost rays for nothing.
 void TileWork::merge_twins() {
   const std::size_t stride = lattice_values_.stride, columns = static_cast<std::size_t>(columns_);
   constexpr std::size_t kNone = ~std::size_t{0};
@@ -134,7 +156,8 @@ void TileWork::merge_twins() {
     const std::pair<std::uint32_t, float> key{ledger_.field().material_of(table_.label(label)),
                                               lattice_values_.values[first[label] * stride]};
     const auto [begin, end] = kept.equal_range(key);
-    const auto twin = std::find_if(begin, end, [&](const auto& e) { return same(first[e.second], first[label]); });
+    const auto twin =
+        std::find_if(begin, end, [&](const auto& e) { return same(first[e.second], first[label]); });
     if (twin == end)
       kept.emplace(key, label);
     else
@@ -238,9 +261,12 @@ void TileWork::tighten_borders() {
   const std::size_t n = problem_.drivers.size();
   for (int pass = 0; pass < 4; ++pass) {
     const LeafIntegrator integrator(tracer_, *problem_.footprint, problem_.tile);
-    radiance_ = std::make_unique<Radiance>(tracer_, ledger_, table_, *spread_, lattice_values_, faults_,
-                                           problem_.seed);
-    for (int p = 0; p < lattice_.domain().count(); ++p) radiance_->add_pixel(p, integrator);
+    if (radiance_ == nullptr || !radiance_->refresh(integrator)) {
+      radiance_ = std::make_unique<Radiance>(tracer_, ledger_, table_, *spread_, lattice_values_, faults_,
+                                             problem_.seed);
+      for (int p = 0; p < lattice_.domain().count(); ++p) radiance_->add_pixel(p, integrator);
+    }
+    tracer_.forget_changes();
     std::vector<Sums>& sums = sums_;
     for (Sums& s : sums) s.clear(n);
     gather(integrator, problem_.drivers, sums);
@@ -264,7 +290,8 @@ void TileWork::tighten_borders() {
     if (!any) return;
     tracer_.settle();
   }
-  radiance_.reset();
+  const LeafIntegrator integrator(tracer_, *problem_.footprint, problem_.tile);
+  if (!radiance_->refresh(integrator)) radiance_.reset();
 }
 
 }  // namespace ifov::sampling

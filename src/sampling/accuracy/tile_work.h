@@ -29,16 +29,16 @@ class TileWork {
  private:
   /// One output pixel: sums over source pixels, per asked column.
   struct Sums {
-    std::vector<double> mean, geometry;
-    std::vector<Satterthwaite> path;
-    std::vector<double>
+    SmallVector<double, 2> mean, geometry;
+    SmallVector<Satterthwaite, 2> path;
+    SmallVector<double, 2>
         deviation;  ///< sum of weight * standard deviation of one value, for Neyman's allocation
     void clear(std::size_t columns);
   };
   struct Output {
     int look = 0;
     bool satisfied = false;
-    std::vector<double> path_budget;  ///< per driver: variance that paths may leave
+    SmallVector<double, 2> path_budget;  ///< per driver: variance that paths may leave
   };
 
   void merge_twins();
@@ -72,7 +72,7 @@ class TileWork {
   std::vector<int> all_columns_;
   std::vector<int> steering_;  // columns whose intervals decide how many values are drawn
   std::vector<Output> outputs_;
-  std::vector<Sums> sums_;  // by output, kept between rounds for its memory
+  std::vector<Sums> sums_;                // by output, kept between rounds for its memory
   std::vector<std::uint32_t> net_sizes_;  // per source pixel, 0 where it was traced
   AccuracyFaults faults_;
 };

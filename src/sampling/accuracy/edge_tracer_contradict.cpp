@@ -1,0 +1,67 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sampling/accuracy/edge_tracer.h"
+
+namespace ifov::sampling {
+
+namespace {
+
+/// Share of the allowed standard error below which a whole cell may be wrong.
+constexpr double kNegligible = 0.1;
+
+}  // namespace
+
+bool EdgeTracer::contradict(FocalPoint point, std::uint32_t label) {
+  const std::uint32_t leaf = leaf_at(point);
+  const Cell& cell = cells_[leaf];
+  if (cell.level == kMaxLevel || abandoned_[cell.pixel]) return false;
+  const std::uint32_t model = label_in(cell, point);
+  if (model == kNoLabel) {
+    if (!foreign(cell, label)) return false;
+  } else if (model == label || within_tolerance(cell, point, model, label)) {
+    return false;
+  }
+  suspect_[cell.pixel] = 1;
+  split(leaf);
+  return true;
+}
+
+/// Whether a label that no corner of a complex cell has would matter in it.
+bool EdgeTracer::foreign(const Cell& cell, std::uint32_t label) const {
+  if (cell.kind != CellKind::complex) return false;
+  double contrast = 0.0;
+  for (std::uint32_t corner : cell.corner) {
+    if (corner == label) return false;
+    contrast = std::max(contrast, contrast_(cell.pixel, corner, label));
+  }
+  const double side_px = lattice_.side_px(cell.level);
+  return kUniformSpread * side_px * side_px * contrast >
+         kLooseCell * std::sqrt(allowed_variance_[cell.pixel]);
+}
+
+/// Whether a contradiction is one that the intervals already allow for: beside a border, no farther than it
+/// is uncertain, or in a cell too small to matter.
+bool EdgeTracer::within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model,
+                                  std::uint32_t seen) const {
+  const double side = lattice_.side_px(cell.level);
+  const double error = side * side * contrast_(cell.pixel, model, seen) / std::sqrt(12.0);
+  if (error < kNegligible * std::sqrt(allowed_variance_[cell.pixel])) return true;
+  if (cell.kind != CellKind::chord) return false;
+  const Curve& curve = curves_[cell.chord];
+  if (seen != curve.inner && seen != curve.outer) return false;
+  const double width = std::max({brackets_[curve.bracket[0]].width(), brackets_[curve.bracket[1]].width(),
+                                 2.0 * curve.middle_width, curve.leg_width});
+  const Polygon region = inner_region(cell);
+  const int first = curve.side[1] - curve.side[0] + 1;  // from the end of the curve back to its start
+  for (int i = first; i < region.count; ++i) {
+    const Point2 p = region.vertex[i], d = region.vertex[(i + 1) % region.count] - p;
+    const Point2 to{point.x_px - p.x, point.y_px - p.y};
+    const double square = d.x * d.x + d.y * d.y;
+    const double t = square > 0.0 ? std::clamp((to.x * d.x + to.y * d.y) / square, 0.0, 1.0) : 0.0;
+    if (length(to - t * d) <= width) return true;
+  }
+  return false;
+}
+
+}  // namespace ifov::sampling

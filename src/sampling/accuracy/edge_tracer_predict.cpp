@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sampling/accuracy/edge_tracer.h"
+
+namespace ifov::sampling {
+
+namespace {
+
+/// Width of the error of a middle that was predicted but not verified, as a share of the chord. Where the
+/// tolerance can bear it, no ray is spent.
+constexpr double kUnverifiedWidth = 0.25;
+/// Only borders that go on gently on both sides may stay unverified: sagitta over chord, by either neighbour.
+constexpr double kGentleBend = 0.1;
+
+/// Curvature of a border from that found towards its two ends: their mean where they tell of one smooth
+/// curve, the smaller one where a corner on one side makes them differ, none where they bend opposite ways.
+double limited_mean(const double curvature[2], const double weight[2]) {
+  if (weight[0] == 0.0) return curvature[1];
+  if (weight[1] == 0.0) return curvature[0];
+  if (curvature[0] * curvature[1] <= 0.0) return 0.0;
+  const double small = std::min(std::abs(curvature[0]), std::abs(curvature[1]));
+  const double large = std::max(std::abs(curvature[0]), std::abs(curvature[1]));
+  if (large > 2.0 * small) return std::copysign(small, curvature[0]);
+  return (weight[0] * curvature[0] + weight[1] * curvature[1]) / (weight[0] + weight[1]);
+}
+
+}  // namespace
+
+void EdgeTracer::predict(CurveCheck& check) {
+  const Cell& cell = cells_[check.cell];
+  const Curve& curve = curves_[cell.chord];
+  check.ends = ends(curve);
+  const Point2 a = check.ends.a, b = check.ends.b, d = b - a;
+  check.chord = length(d);
+  check.centre = 0.5 * (a + b);
+  if (check.chord < 1e-9) {
+    accept(check);
+    return;
+  }
+  check.normal = {-d.y / check.chord, d.x / check.chord};
+  const double x0 = lattice_.x_px(cell.x), y0 = lattice_.y_px(cell.y), side = lattice_.side_px(cell.level);
+  const int corner = (curve.side[0] + 1) % 4;
+  const Point2 inner_corner{x0 + kCornerX[corner] * side, y0 + kCornerY[corner] * side};
+  const bool inner_far = dot(inner_corner - a, check.normal) > 0.0;
+  check.far = inner_far ? curve.inner : curve.outer;
+  check.near = inner_far ? curve.outer : curve.inner;
+
+  double curvature[2] = {0.0, 0.0}, weights[2] = {0.0, 0.0};
+  Point2 beyond[2];
+  int neighbours = 0;
+  for (int end = 0; end < 2; ++end) {
+    if (!neighbour_end(curve, end, beyond[end])) continue;
+    const double reach = length(beyond[end] - (end == 0 ? a : b));
+    if (reach <= 3.0 * brackets_[curve.bracket[end]].width()) continue;
+    curvature[end] = end == 0 ? menger_curvature(beyond[0], a, b) : menger_curvature(a, b, beyond[1]);
+    weights[end] = std::min(reach, check.chord);
+    ++neighbours;
+  }
+  const double blur = 0.5 * (brackets_[curve.bracket[0]].width() + brackets_[curve.bracket[1]].width());
+  check.blur = blur;
+  check.tolerance =
+      std::clamp(curve.wanted_middle > 0.0 ? curve.wanted_middle : blur, 1e-7, check.chord / 6.0);
+  check.predicted = sagitta_of_curvature(limited_mean(curvature, weights), check.chord);
+  check.most = kLargestSagitta * check.chord;
+  check.least = -check.most;
+
+  // The neighbours' chords, extended into this cell, meet at the apex of a corner.
+  if (curve.corner) {
+    check.apex = curve.origin + (0.5 * (curve.low + curve.high)) * curve.normal;
+    check.has_apex = true;
+  } else if (neighbours == 2) {
+    const Point2 u = a - beyond[0], v = b - beyond[1];
+    const double turn = cross(u, v);
+    if (std::abs(turn) > 1e-3 * length(u) * length(v)) {
+      const double s = cross(d, v) / turn, t = cross(d, u) / turn;
+      check.apex = a + s * u;
+      const bool inside =
+          check.apex.x >= x0 && check.apex.x <= x0 + side && check.apex.y >= y0 && check.apex.y <= y0 + side;
+      check.has_apex = s > 0.0 && t > 0.0 && inside &&
+                       std::abs(dot(check.apex - check.centre, check.normal)) > 2.0 * check.tolerance;
+    }
+  }
+  const double unverified_width = kUnverifiedWidth * check.chord;
+  const double bend = std::max(std::abs(curvature[0]), std::abs(curvature[1])) * check.chord / 8.0;
+  if (unverified_width <= curve.wanted_middle && neighbours > 0 && bend < kGentleBend &&
+      !narrow_corner(cell)) {
+    check.predicted = std::clamp(check.predicted, check.least, check.most);
+    check.low = check.predicted - 0.5 * unverified_width;
+    check.high = check.predicted + 0.5 * unverified_width;
+    accept(check);
+    return;
+  }
+  if (curve.corner || (std::abs(check.predicted) > check.most && check.has_apex)) {
+    check.try_corner();
+    return;
+  }
+  if (std::abs(check.predicted) > check.most) {
+    const double contrast = contrast_(cell.pixel, curve.inner, curve.outer);
+    const double worth = kLooseCurve * std::sqrt(allowed_variance_[cell.pixel]);
+    if (cell.level < kMaxLevel && kRefusedShare * check.chord * check.chord * contrast > worth) {
+      check.stage = CurveCheck::Stage::done;
+      split(check.cell);
+      return;
+    }
+    check.predicted = std::clamp(check.predicted, check.least, check.most);
+  }
+  const double disagreement = std::abs(curvature[0] - curvature[1]) * check.chord * check.chord / 8.0;
+  check.smooth = neighbours == 2 && disagreement <= std::max(1.5 * std::max(check.tolerance, blur),
+                                                             0.35 * std::abs(check.predicted));
+}
+
+}  // namespace ifov::sampling
