@@ -67,6 +67,8 @@ class ReferenceCheck {
       require("material", *name, materials_);
     } else if (const auto* map = std::get_if<MaterialMap>(&object.material->value)) {
       for (const auto& [number, material] : map->classes) require("material", material, materials_);
+    } else if (const auto* mixture = std::get_if<MixtureDocument>(&object.material->value)) {
+      for (const DocumentName& material : mixture->materials) require("material", material, materials_);
     } else if (const auto* slots = std::get_if<MaterialSlots>(&object.material->value)) {
       for (const auto& [slot, material] : slots->slots) require("material", material, materials_);
       if (!std::holds_alternative<MeshShape>(object.shape)) {

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "io/document/map_document.h"
 #include "io/document/spectrum_document.h"
 #include "math/vec3.h"
 
@@ -20,29 +21,11 @@ struct OriginDocument {
     double latitude_rad = 0.0, longitude_rad = 0.0;  ///< WGS 84, north and east positive
   };
   std::optional<Geographic> geographic;
+  std::string crs;  ///< of map coordinates, as PROJ knows it; may be empty
+  SourcePosition crs_position;
   bool has_map_offset = false;
   math::Vec3 offset_m;
   double height_m = 0.0;  ///< of the scene's origin above the ellipsoid
-  SourcePosition position;
-};
-
-/// A raster draped from above. Without a placement its own georeference counts.
-struct RasterDocument {
-  struct Placement {
-    double x_m = 0.0, y_m = 0.0;           ///< lower left corner
-    double width_m = 0.0, height_m = 0.0;  ///< towards +x and +y
-  };
-  DocumentFile file;
-  std::optional<Placement> placement;
-};
-
-struct TemperatureMap {
-  RasterDocument raster;
-  double offset_k = 0.0;  ///< kelvin = number in the raster + offset_k
-};
-
-struct TemperatureDocument {
-  std::variant<double, TemperatureMap> value;  ///< kelvin, or a map
   SourcePosition position;
 };
 
@@ -52,6 +35,9 @@ struct MaterialDocument {
   std::string name;
   bool is_emissivity = false;  ///< the spectrum is emissivity; else reflectance. Opaque: the two sum to 1.
   SpectrumDocument spectrum;
+  std::vector<SpectrumDocument> further_curves;  ///< of the same quantity; with them a texture, which picks
+  std::optional<TextureDocument> texture;
+  std::optional<ReliefDocument> relief;
   std::optional<TemperatureDocument> temperature;  ///< absent here and on the object: 0 K, emits nothing
   Scattering scattering = Scattering::lambertian;
   SourcePosition position;
@@ -106,23 +92,8 @@ struct InstancesShape {
 };
 
 using ShapeDocument = std::variant<PlaneShape, BoxShape, SphereShape, HemisphereShape, CylinderShape,
-                                   DiskShape, PolygonShape, MeshShape, InstanceShape, InstancesShape>;
-
-/// Which material a class of a raster draped from above means.
-struct MaterialMap {
-  RasterDocument raster;
-  std::vector<std::pair<std::int64_t, DocumentName>> classes;  ///< rising class numbers
-};
-
-/// Materials by the names a mesh file uses (`usemtl`).
-struct MaterialSlots {
-  std::vector<std::pair<std::string, DocumentName>> slots;
-};
-
-struct MaterialBinding {
-  std::variant<DocumentName, MaterialMap, MaterialSlots> value;
-  SourcePosition position;
-};
+                                   DiskShape, PolygonShape, MeshShape, TerrainShape, InstanceShape,
+                                   InstancesShape>;
 
 /// Scene from object: first scale, then rotate (right-handed about `axis`), then translate.
 struct TransformDocument {

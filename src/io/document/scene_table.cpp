@@ -6,6 +6,13 @@ namespace {
 
 constexpr std::size_t kMostPrototypes = 10000;
 
+Kind<std::pair<std::string, SourcePosition>> located_text() {
+  const Kind<std::string> text = label();
+  return {text.description, [read = text.read](const DocumentNode& node) {
+            return std::pair<std::string, SourcePosition>(read(node), node.position());
+          }};
+}
+
 Kind<OriginDocument> origin_kind() {
   const auto geographic = [](OriginDocument& o) -> OriginDocument::Geographic& {
     return o.geographic ? *o.geographic : o.geographic.emplace();
@@ -31,12 +38,22 @@ Kind<OriginDocument> origin_kind() {
       .optional(
           "northing", [](OriginDocument& o, double v) { o.offset_m.y = v; }, quantity(kLength),
           "map coordinate of the origin")
+      .optional("crs", [](OriginDocument& o, std::pair<std::string, SourcePosition> crs) {
+            o.crs = std::move(crs.first);
+            o.crs_position = std::move(crs.second);
+          }, located_text(),
+                "coordinate reference system of the map coordinates, as PROJ knows it: \"EPSG:25832\"; rasters in others "
+                "are taken over into it, and without easting and northing it gives those of latitude and longitude")
       .with_default("height", &OriginDocument::height_m, quantity(kLength), "\"0 m\"",
                     "of the origin above the ellipsoid; with map coordinates, also subtracted from z")
       .needs("latitude", "longitude")
       .needs("longitude", "latitude")
       .needs("easting", "northing")
-      .needs("northing", "easting");
+      .needs("northing", "easting")
+      .check([](const OriginDocument& origin, const DocumentNode& node) {
+        if (!origin.crs.empty() && !origin.has_map_offset && !origin.geographic)
+          node.find("crs")->fail_at_key("with 'crs', give 'easting' and 'northing', or 'latitude' and 'longitude'");
+      });
   return converted<OriginDocument>(record.kind(), [](OriginDocument origin) {
     if (origin.has_map_offset) origin.offset_m.z = origin.height_m;
     return origin;
