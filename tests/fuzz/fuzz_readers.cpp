@@ -36,7 +36,8 @@ char current_file[4096] = "";
 
 void on_alarm(int) {
   constexpr char kText[] = "\nfuzz_readers: a reader hangs on ";
-  if (::write(2, kText, sizeof kText - 1) < 0 || ::write(2, current_file, std::char_traits<char>::length(current_file)) < 0)
+  if (::write(2, kText, sizeof kText - 1) < 0 ||
+      ::write(2, current_file, std::char_traits<char>::length(current_file)) < 0)
     std::_Exit(4);
   std::_Exit(3);
 }
@@ -88,7 +89,8 @@ bool replay(const FuzzedReader& reader, const fs::path& folder, const Options& o
 }
 
 bool fuzz(const FuzzedReader& reader, const Options& options) {
-  const fs::path folder = fs::temp_directory_path() / ("ifov_fuzz_" + std::to_string(::getpid()) + "_" + reader.name);
+  const fs::path folder =
+      fs::temp_directory_path() / ("ifov_fuzz_" + std::to_string(::getpid()) + "_" + reader.name);
   fs::create_directories(folder);
   const fs::path file = folder / reader.file_name;
   file.string().copy(current_file, sizeof current_file - 1);
@@ -104,7 +106,9 @@ bool fuzz(const FuzzedReader& reader, const Options& options) {
     }
   }
   const auto start = std::chrono::steady_clock::now();
-  const auto elapsed_s = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  const auto elapsed_s = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
   std::uint64_t run = 0, refused_count = 0;
   while (options.seconds > 0.0 ? elapsed_s() < options.seconds : run < options.runs) {
     std::ofstream(file, std::ios::binary) << mutated(reader.seeds, reader.words, options.seed, run++);

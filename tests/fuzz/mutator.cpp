@@ -8,10 +8,17 @@ namespace ifov::fuzz {
 namespace {
 
 constexpr std::size_t kLongest = 1 << 16;
-constexpr const char* kAwkward[] = {"0",           "-1",         "1e308",      "-1e309", "nan",
-                                    "inf",         "4294967295", "2147483648", "65536",  "99999999999999999999",
-                                    "1e-320",      "0x10",       ".5",         "1.",     "-",
-                                    "18446744073709551615", "1",          "2",      "3",          "7",     "255"};
+constexpr const char* kAwkward[] = {"0",          "-1",
+                                    "1e308",      "-1e309",
+                                    "nan",        "inf",
+                                    "4294967295", "2147483648",
+                                    "65536",      "99999999999999999999",
+                                    "1e-320",     "0x10",
+                                    ".5",         "1.",
+                                    "-",          "18446744073709551615",
+                                    "1",          "2",
+                                    "3",          "7",
+                                    "255"};
 
 /// Numbers for one run, by their order of use.
 class Dice {
@@ -34,7 +41,8 @@ void replace_number(std::string& bytes, Dice& dice) {
   bytes.replace(begin, end - begin, kAwkward[dice.below(std::size(kAwkward))]);
 }
 
-void change(std::string& bytes, std::span<const std::string> seeds, std::span<const std::string> words, Dice& dice) {
+void change(std::string& bytes, std::span<const std::string> seeds, std::span<const std::string> words,
+            Dice& dice) {
   const std::size_t at = dice.below(bytes.size() + 1), length = 1 + dice.below(1 + dice.below(64));
   switch (dice.below(14)) {
     case 0:
@@ -79,8 +87,8 @@ void change(std::string& bytes, std::span<const std::string> seeds, std::span<co
 
 }  // namespace
 
-std::string mutated(std::span<const std::string> seeds, std::span<const std::string> words, std::uint64_t seed,
-                    std::uint64_t run) {
+std::string mutated(std::span<const std::string> seeds, std::span<const std::string> words,
+                    std::uint64_t seed, std::uint64_t run) {
   Dice dice(seed, run);
   std::string bytes = seeds[dice.below(seeds.size())];
   const std::size_t changes = 1 + dice.below(1 + dice.below(8));
