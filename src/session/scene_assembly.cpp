@@ -3,10 +3,12 @@
 #include <cmath>
 #include <map>
 
+#include "geometry/periodic_world.h"
 #include "geometry/world_builder.h"
 #include "io/instances/instance_csv.h"
 #include "io/instances/instance_file.h"
-#include "io/mesh/obj_reader.h"
+#include "io/mesh/mesh_reader.h"
+#include "session/city_assembly.h"
 #include "session/covering_assembly.h"
 #include "session/light_assembly.h"
 #include "session/map_frame.h"
@@ -64,6 +66,8 @@ class GeometryAssembly {
     const math::Transform scene_from_object = scene_from_document * transform_of(object.transform);
     if (const io::DocumentName* of = copied_by(object)) {
       place_copies(object, prototype(of->name), scene_from_object);
+    } else if (std::holds_alternative<io::CityShape>(object.shape)) {
+      place_city(document_, object, scene_from_object, frame_, coverings_, builder_, log_);
     } else {
       const BuiltShape shape = build_shape(object);
       std::vector<std::uint32_t> materials;
@@ -183,15 +187,16 @@ class GeometryAssembly {
     return {builder_.add_shape(geometry::Polygon{s.vertices_m}), {}, {""}};
   }
   BuiltShape build(const io::MeshShape& s) {
-    const std::string key = format("{}|{}|{}", s.file.path, s.unit_m, s.y_is_up);
+    const bool y_is_up = s.y_is_up.value_or(io::format_has_y_up(s.file.path));
+    const std::string key = format("{}|{}|{}", s.file.path, s.unit_m, y_is_up);
     const auto known = meshes_.find(key);
     if (known != meshes_.end()) return known->second;
     return with_position(document_, s.file.position, [&] {
-      geometry::Body body = cached_mesh(cache_, s.file.path, [&] { return io::read_obj(s.file.path); });
+      geometry::Body body = cached_mesh(cache_, s.file.path, [&] { return io::read_mesh(s.file.path, log_); });
       std::vector<std::string> slots = body.mesh.slot_names;
       if (slots.empty()) slots = {""};
       math::Transform object_from_file = math::Transform::scaling({s.unit_m, s.unit_m, s.unit_m});
-      if (s.y_is_up)
+      if (y_is_up)
         object_from_file = object_from_file * math::Transform::rotation({1.0, 0.0, 0.0}, 0.5 * M_PI);
       const BuiltShape built{builder_.add_body(std::move(body)), object_from_file, std::move(slots)};
       return meshes_.emplace(key, built).first->second;
@@ -205,6 +210,7 @@ class GeometryAssembly {
               {""}};
     });
   }
+  BuiltShape build(const io::CityShape&) { throw InputError("a prototype cannot hold a city"); }
   BuiltShape build(const io::InstanceShape&) { throw InputError("a copy of a prototype is not a shape"); }
   BuiltShape build(const io::InstancesShape&) { throw InputError("copies of a prototype are not a shape"); }
 
@@ -242,6 +248,18 @@ scene::Scene assemble_scene(const io::Document& document, LogSink* log, std::vec
   geometry.use(cache);
   scene.world = geometry.assemble();
   map_scales = coverings.map_scales();
+  if (document.scene.periodic) {
+    const io::PeriodicDocument& periodic = *document.scene.periodic;
+    geometry::PeriodicWorld::Cell cell{-0.5 * periodic.width_m, -0.5 * periodic.height_m, periodic.width_m,
+                                       periodic.height_m};
+    if (periodic.low_left_m) {
+      cell.west_m = (*periodic.low_left_m)[0] - document.scene.origin.offset_m.x;
+      cell.south_m = (*periodic.low_left_m)[1] - document.scene.origin.offset_m.y;
+    }
+    scene.world = with_position(document, periodic.position, [&] {
+      return std::make_unique<geometry::PeriodicWorld>(std::move(scene.world), cell);
+    });
+  }
   assemble_light(document, scene);
   if (log != nullptr) log->info(describe(*scene.world));
   return scene;

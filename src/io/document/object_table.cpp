@@ -7,6 +7,7 @@ namespace ifov::io {
 namespace {
 
 constexpr std::size_t kMostObjects = 1000000;
+
 Kind<TransformDocument> transform_kind() {
   struct Rotation {
     math::Vec3 axis;
@@ -70,6 +71,7 @@ Kind<ObjectDocument> shape_object_kind() {
   add_shape(record, "disk", disk_kind());
   add_shape(record, "polygon", polygon_kind());
   add_shape(record, "mesh", mesh_kind());
+  add_shape(record, "city", city_kind());
   add_shape(record, "terrain", terrain_kind());
   record.required("material", &ObjectDocument::material, binding_kind(), "what it is made of");
   add_common_keys(record);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -35,6 +36,7 @@ struct MaterialDocument {
   std::string name;
   bool is_emissivity = false;  ///< the spectrum is emissivity; else reflectance. Opaque: the two sum to 1.
   SpectrumDocument spectrum;
+  std::optional<SpectrumDocument> transmittance;  ///< of a thin leaf; with reflectance only; absent: opaque
   std::vector<SpectrumDocument> further_curves;  ///< of the same quantity; with them a texture, which picks
   std::optional<TextureDocument> texture;
   std::optional<ReliefDocument> relief;
@@ -75,9 +77,15 @@ struct PolygonShape {
   std::vector<math::Point3> vertices_m;
 };
 struct MeshShape {
-  DocumentFile file;     ///< Wavefront OBJ
-  double unit_m = 1.0;   ///< metres per unit of the file
-  bool y_is_up = false;  ///< file axes (x, y, z) become scene axes (x, -z, y)
+  DocumentFile file;             ///< its extension names the format, see read_mesh
+  double unit_m = 1.0;           ///< metres per unit of the file
+  std::optional<bool> y_is_up;   ///< file axes (x, y, z) become scene axes (x, -z, y); absent: as the format says
+};
+/// All objects of a city model, each placed on its own.
+struct CityShape {
+  DocumentFile file;               ///< CityJSON
+  std::string lod;                 ///< level of detail; empty: the finest of each object
+  std::vector<std::string> types;  ///< of the objects to place; empty: all
 };
 /// One copy of a prototype.
 struct InstanceShape {
@@ -92,7 +100,7 @@ struct InstancesShape {
 };
 
 using ShapeDocument = std::variant<PlaneShape, BoxShape, SphereShape, HemisphereShape, CylinderShape,
-                                   DiskShape, PolygonShape, MeshShape, TerrainShape, InstanceShape,
+                                   DiskShape, PolygonShape, MeshShape, CityShape, TerrainShape, InstanceShape,
                                    InstancesShape>;
 
 /// Scene from object: first scale, then rotate (right-handed about `axis`), then translate.
@@ -122,8 +130,16 @@ struct PrototypeDocument {
   SourcePosition position;
 };
 
+/// The scene repeats without end in x and y.
+struct PeriodicDocument {
+  double width_m = 0.0, height_m = 0.0;                ///< of the cell, towards +x and +y
+  std::optional<std::array<double, 2>> low_left_m;     ///< of the cell; absent: it is centred on the origin
+  SourcePosition position;
+};
+
 struct SceneDocument {
   OriginDocument origin;
+  std::optional<PeriodicDocument> periodic;
   std::vector<MaterialDocument> materials;    ///< in the document's order; names are unique
   std::vector<PrototypeDocument> prototypes;  ///< likewise
   std::vector<ObjectDocument> objects;
