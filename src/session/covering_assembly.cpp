@@ -22,6 +22,9 @@ void CoveringAssembly::add_materials() {
     material.name = source.name;
     material.scattering = source.scattering == io::Scattering::mirror ? materials::ScatteringKind::mirror
                                                                        : materials::ScatteringKind::lambertian;
+    if (source.transmittance)
+      material.transmittance = assemble_spectrum(document_, *source.transmittance,
+                                                 format("the transmittance of material '{}'", source.name));
     if (source.temperature)
       if (const double* fixed_k = std::get_if<double>(&source.temperature->value)) material.temperature_k = *fixed_k;
     const auto take = [&](const io::SpectrumDocument& curve, const std::string& what) {

@@ -36,7 +36,7 @@ Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind() {
       material.further_curves = std::move(values);
     };
   };
-  Record<MaterialDocument> record("material", "An opaque surface: reflectance and emissivity sum to 1.");
+  Record<MaterialDocument> record("material", "A surface: reflectance, transmittance (0 unless given) and emissivity sum to 1.");
   record.exactly_one()
       .one("reflectance", store(false), curves, "spectral reflectance, or several curves for a texture to pick from")
       .one("emissivity", store(true), curves, "spectral emissivity, likewise")
@@ -48,8 +48,14 @@ Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind() {
           "\"lambertian\"", "how the surface reflects")
       .optional("texture", &MaterialDocument::texture, texture_kind(), "picks among several curves")
       .optional("relief", &MaterialDocument::relief, relief_kind(), "bumps that light sees")
+      .optional("transmittance", &MaterialDocument::transmittance, spectrum_kind(SpectrumOf::fraction),
+                "of a thin leaf, the same from both sides: what leaves the other side, spread as Lambert's law says; "
+                "emissivity is then 1 - reflectance - transmittance")
       .check([](const MaterialDocument& material, const DocumentNode& node) {
         const char* key = material.is_emissivity ? "emissivity" : "reflectance";
+        if (material.transmittance && material.is_emissivity)
+          node.find("transmittance")->fail_at_key("give the 'reflectance' of a material with a transmittance, not its "
+                                                  "emissivity, which follows from both");
         if (!material.further_curves.empty() && !material.texture)
           node.find(key)->fail_at_key("several curves need a 'texture' that picks among them");
         if (material.texture && material.further_curves.empty())

@@ -60,6 +60,27 @@ Kind<OriginDocument> origin_kind() {
   });
 }
 
+Kind<PeriodicDocument> periodic_kind() {
+  Record<PeriodicDocument> record("periodic scene", "The cell that repeats without end to all sides.");
+  record
+      .required(
+          "size",
+          [](PeriodicDocument& p, std::array<double, 2> size) {
+            p.width_m = size[0];
+            p.height_m = size[1];
+          },
+          tuple<double, 2>(quantity(kLength, Range::above(0.0, "m"))),
+          "after how much x and y everything repeats; objects may stand across the border of the cell")
+      .optional("low_left", &PeriodicDocument::low_left_m, tuple<double, 2>(quantity(kLength)),
+                "lower left corner of the cell, as it is drawn; without it the cell is centred on the origin");
+  const Kind<PeriodicDocument> kind = record.kind();
+  return {kind.description, [read = kind.read](const DocumentNode& node) {
+            PeriodicDocument periodic = read(node);
+            periodic.position = node.position();
+            return periodic;
+          }};
+}
+
 template <class T>
 std::vector<T> with_names(std::vector<std::pair<std::string, T>> named) {
   std::vector<T> values;
@@ -84,6 +105,8 @@ Kind<std::vector<std::pair<std::string, PrototypeDocument>>> prototypes_kind() {
 Kind<SceneDocument> scene_kind() {
   Record<SceneDocument> record("scene", "Coordinates are metres east, north and up.");
   record.optional("origin", &SceneDocument::origin, origin_kind(), "where the scene stands")
+      .optional("periodic", &SceneDocument::periodic, periodic_kind(),
+                "makes the scene a cell that repeats without end")
       .required(
           "materials",
           [](SceneDocument& s, std::vector<std::pair<std::string, MaterialDocument>> m) {
