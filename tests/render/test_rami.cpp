@@ -33,7 +33,6 @@ Comparison compare(const std::filesystem::path& folder, RamiScene::Fault fault, 
   return c;
 }
 
-// All 76 angles are compared by the benchmark `rami`.
 TEST(Rami, HeterogeneousCanopyWithinOnePercent) {
   const auto folder = test::truth_file(kFolder);
   if (!folder) GTEST_SKIP() << "reference data not found: " << kFolder;
