@@ -20,8 +20,9 @@ SOURCES = {
     "ecostress": "S. K. Meerdink et al., The ECOSTRESS spectral library version 1.0, Remote Sensing of Environment 230 "
                  "(2019) 111196; A. M. Baldridge et al., The ASTER spectral library version 2.0, Remote Sensing of "
                  "Environment 113 (2009) 711-715. Reproduced from the ECOSTRESS Spectral Library through the courtesy of the "
-                 "Jet Propulsion Laboratory, California Institute of Technology, Pasadena, California. Licence: free to use "
-                 "with these citations.",
+                 "Jet Propulsion Laboratory, California Institute of Technology, Pasadena, California. Copyright 2017, "
+                 "California Institute of Technology, all rights reserved. Licence: none stated; the library asks for these "
+                 "citations and this credit.",
     "berlin": "A. Okujeni, S. van der Linden, P. Hostert, Berlin-Urban-Gradient dataset 2009, GFZ Data Services (2016), "
               "doi:10.5880/enmap.2016.008: image endmember library (HyMap). Licence: see the data set's page; figures "
               "resampled, cite it.",

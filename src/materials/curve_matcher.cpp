@@ -13,8 +13,9 @@ namespace ifov::materials {
 namespace {
 
 constexpr std::size_t kMostRanges = 16;
-/// Distances (in standard deviations, squared) that differ by less are equal: rounding of the scores.
-constexpr double kTie = 1e-12;
+/// Scores that differ by less are equal, and so are squared distances that differ by its square: rounding.
+constexpr double kSame = 1e-6;
+constexpr double kTie = kSame * kSame;
 /// A range adds nothing where so little of its variance is its own.
 constexpr double kLeastOwnVariance = 1e-9;
 
@@ -106,8 +107,8 @@ CurveMix CurveMatcher::match_in_one(double score, std::uint64_t key) const {
     Choice choice(sampling::hash(key, purpose));
     const double place = places_[sorted_[index]];
     std::size_t first = index;
-    while (first > 0 && place - places_[sorted_[first - 1]] < kTie) --first;
-    for (std::size_t k = first; k < count_ && places_[sorted_[k]] - place < kTie; ++k) choice.offer(sorted_[k]);
+    while (first > 0 && place - places_[sorted_[first - 1]] < kSame) --first;
+    for (std::size_t k = first; k < count_ && places_[sorted_[k]] - place < kSame; ++k) choice.offer(sorted_[k]);
     return choice.chosen();
   };
   const auto above = static_cast<std::size_t>(

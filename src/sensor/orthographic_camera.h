@@ -4,7 +4,7 @@
 
 namespace ifov::sensor {
 
-/// Nadir view with parallel rays: every pixel covers the same square of the scene's horizontal plane.
+/// Parallel rays, straight down or aslant: every pixel covers the same square of the scene's horizontal plane z = 0.
 /// Unrotated, image x grows to the east and image y to the south.
 class OrthographicCamera final : public Camera {
  public:
@@ -14,6 +14,8 @@ class OrthographicCamera final : public Camera {
     double centre_x_m = 0.0, centre_y_m = 0.0;  ///< scene point (ENU) under the middle of the image
     double rotation_rad = 0.0;    ///< azimuth of the image's upward direction, clockwise from north
     double start_height_m = 0.0;  ///< z at which rays start; nothing above it is seen
+    double view_zenith_rad = 0.0;   ///< angle between the vertical and the direction to the sensor, below pi/2
+    double view_azimuth_rad = 0.0;  ///< of the direction from the ground to the sensor, clockwise from north
   };
 
   /// ifov::InputError on sizes or a GSD that are not positive, or values that are not finite.
@@ -27,13 +29,14 @@ class OrthographicCamera final : public Camera {
 
   const Settings& settings() const { return settings_; }
 
-  /// Scene coordinates of the outer corner of the upper left pixel: what map information starts from.
+  /// Scene coordinates, at z = 0, of the outer corner of the upper left pixel: what map information starts from.
   math::Point3 upper_left_corner_m() const { return corner_; }
 
  private:
   Settings settings_;
   math::Vec3 right_m_, down_m_;  // one pixel along image x and y, scene frame
-  math::Point3 corner_;          // of the upper left pixel, at the start height
+  math::Vec3 towards_sensor_;
+  math::Point3 corner_;          // of the upper left pixel, at z = 0
 };
 
 }  // namespace ifov::sensor

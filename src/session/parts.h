@@ -2,6 +2,7 @@
 
 #include "io/document/document.h"
 #include "render/image_renderer.h"
+#include "session/map_scale.h"
 #include "session/sampling_assembly.h"
 #include "session/session.h"
 
@@ -11,6 +12,7 @@ namespace ifov::session {
 struct Session::Parts {
   io::Document document;
   scene::Scene scene;
+  std::vector<MapScale> map_scales;
   std::vector<radiometry::Channel> channels;
   std::unique_ptr<radiometry::SpectralNodes> nodes;
   std::unique_ptr<sensor::Camera> camera;

@@ -3,13 +3,17 @@
 #include <cmath>
 #include <map>
 
+#include "geometry/periodic_world.h"
 #include "geometry/world_builder.h"
 #include "io/instances/instance_csv.h"
 #include "io/instances/instance_file.h"
-#include "io/mesh/obj_reader.h"
+#include "io/mesh/mesh_reader.h"
+#include "session/city_assembly.h"
 #include "session/covering_assembly.h"
 #include "session/light_assembly.h"
+#include "session/map_frame.h"
 #include "session/mesh_cache.h"
+#include "session/terrain_assembly.h"
 #include "session/with_position.h"
 
 namespace ifov::session {
@@ -44,14 +48,13 @@ math::Transform turn_z_to(math::Vec3 axis) {
 
 class GeometryAssembly {
  public:
-  GeometryAssembly(const io::Document& document, CoveringAssembly& coverings)
-      : document_(document), coverings_(coverings) {}
+  GeometryAssembly(const io::Document& document, CoveringAssembly& coverings, const MapFrame& frame, LogSink* log)
+      : document_(document), coverings_(coverings), frame_(frame), log_(log) {}
 
   std::unique_ptr<geometry::World> assemble() {
-    const math::Vec3 offset_m = document_.scene.origin.offset_m;
-    const math::Transform scene_from_document = math::Transform::translation(-offset_m);
+    const math::Transform scene_from_document = math::Transform::translation(-document_.scene.origin.offset_m);
     for (const io::ObjectDocument& object : document_.scene.objects)
-      with_position(document_, object.position, [&] { place(object, scene_from_document, offset_m); });
+      with_position(document_, object.position, [&] { place(object, scene_from_document); });
     return builder_.build();
   }
 
@@ -59,15 +62,17 @@ class GeometryAssembly {
   void use(io::SceneCache* cache) { cache_ = cache; }
 
  private:
-  void place(const io::ObjectDocument& object, const math::Transform& scene_from_document, math::Vec3 offset_m) {
+  void place(const io::ObjectDocument& object, const math::Transform& scene_from_document) {
     const math::Transform scene_from_object = scene_from_document * transform_of(object.transform);
     if (const io::DocumentName* of = copied_by(object)) {
       place_copies(object, prototype(of->name), scene_from_object);
+    } else if (std::holds_alternative<io::CityShape>(object.shape)) {
+      place_city(document_, object, scene_from_object, frame_, coverings_, builder_, log_);
     } else {
       const BuiltShape shape = build_shape(object);
       std::vector<std::uint32_t> materials;
       for (const std::string& slot : shape.slot_names)
-        materials.push_back(coverings_.covering(*object.material, slot, object.temperature, offset_m));
+        materials.push_back(coverings_.covering(*object.material, slot, object.temperature));
       builder_.place(shape.id, scene_from_object * shape.object_from_shape, materials, object.seed.value_or(true));
     }
   }
@@ -77,7 +82,7 @@ class GeometryAssembly {
     std::vector<std::uint32_t> materials;
     for (const BuiltPrototype::Slot& slot : built.slots)
       materials.push_back(coverings_.covering(*slot.object->material, slot.name,
-                                              object.temperature ? object.temperature : *slot.temperature, {}));
+                                              object.temperature ? object.temperature : *slot.temperature));
     const bool seed = object.seed.value_or(true);
     if (const auto list = list_of(object))
       builder_.place_many(built.id, scene_from_object, list, materials, seed);
@@ -182,25 +187,37 @@ class GeometryAssembly {
     return {builder_.add_shape(geometry::Polygon{s.vertices_m}), {}, {""}};
   }
   BuiltShape build(const io::MeshShape& s) {
-    const std::string key = format("{}|{}|{}", s.file.path, s.unit_m, s.y_is_up);
+    const bool y_is_up = s.y_is_up.value_or(io::format_has_y_up(s.file.path));
+    const std::string key = format("{}|{}|{}", s.file.path, s.unit_m, y_is_up);
     const auto known = meshes_.find(key);
     if (known != meshes_.end()) return known->second;
     return with_position(document_, s.file.position, [&] {
-      geometry::Body body = cached_mesh(cache_, s.file.path, [&] { return io::read_obj(s.file.path); });
+      geometry::Body body = cached_mesh(cache_, s.file.path, [&] { return io::read_mesh(s.file.path, log_); });
       std::vector<std::string> slots = body.mesh.slot_names;
       if (slots.empty()) slots = {""};
       math::Transform object_from_file = math::Transform::scaling({s.unit_m, s.unit_m, s.unit_m});
-      if (s.y_is_up)
+      if (y_is_up)
         object_from_file = object_from_file * math::Transform::rotation({1.0, 0.0, 0.0}, 0.5 * M_PI);
       const BuiltShape built{builder_.add_body(std::move(body)), object_from_file, std::move(slots)};
       return meshes_.emplace(key, built).first->second;
     });
   }
+  BuiltShape build(const io::TerrainShape& s) {
+    // Its coordinates are about the scene's origin; the object's transform is meant for those of the document.
+    return with_position(document_, s.file.position, [&]() -> BuiltShape {
+      return {builder_.add_shape(assemble_terrain(s, frame_, log_)),
+              math::Transform::translation(document_.scene.origin.offset_m),
+              {""}};
+    });
+  }
+  BuiltShape build(const io::CityShape&) { throw InputError("a prototype cannot hold a city"); }
   BuiltShape build(const io::InstanceShape&) { throw InputError("a copy of a prototype is not a shape"); }
   BuiltShape build(const io::InstancesShape&) { throw InputError("copies of a prototype are not a shape"); }
 
   const io::Document& document_;
   CoveringAssembly& coverings_;
+  const MapFrame& frame_;
+  LogSink* log_;
   io::SceneCache* cache_ = nullptr;
   geometry::WorldBuilder builder_;
   std::map<std::string, BuiltPrototype> prototypes_;
@@ -222,12 +239,27 @@ std::string describe(const geometry::World& world) {
 
 }  // namespace
 
-scene::Scene assemble_scene(const io::Document& document, LogSink* log, io::SceneCache* cache) {
+scene::Scene assemble_scene(const io::Document& document, LogSink* log, std::vector<MapScale>& map_scales,
+                            io::SceneCache* cache) {
   scene::Scene scene;
-  CoveringAssembly coverings(document, scene);
-  GeometryAssembly geometry(document, coverings);
+  const MapFrame frame(document);
+  CoveringAssembly coverings(document, frame, scene, log);
+  GeometryAssembly geometry(document, coverings, frame, log);
   geometry.use(cache);
   scene.world = geometry.assemble();
+  map_scales = coverings.map_scales();
+  if (document.scene.periodic) {
+    const io::PeriodicDocument& periodic = *document.scene.periodic;
+    geometry::PeriodicWorld::Cell cell{-0.5 * periodic.width_m, -0.5 * periodic.height_m, periodic.width_m,
+                                       periodic.height_m};
+    if (periodic.low_left_m) {
+      cell.west_m = (*periodic.low_left_m)[0] - document.scene.origin.offset_m.x;
+      cell.south_m = (*periodic.low_left_m)[1] - document.scene.origin.offset_m.y;
+    }
+    scene.world = with_position(document, periodic.position, [&] {
+      return std::make_unique<geometry::PeriodicWorld>(std::move(scene.world), cell);
+    });
+  }
   assemble_light(document, scene);
   if (log != nullptr) log->info(describe(*scene.world));
   return scene;

@@ -1,16 +1,19 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/run_control.h"
 #include "io/document/document.h"
 #include "io/scene_cache/scene_cache.h"
 #include "scene/scene.h"
+#include "session/map_scale.h"
 
 namespace ifov::session {
 
-/// Builds the scene that a document describes: reads its meshes, maps and spectra. `log` and
-/// `cache` may be null.
-scene::Scene assemble_scene(const io::Document& document, LogSink* log, io::SceneCache* cache = nullptr);
+/// Builds the scene that a document describes: reads its meshes, maps and spectra, and lists the maps that lie on it by
+/// place. `log` and `cache` may be null.
+scene::Scene assemble_scene(const io::Document& document, LogSink* log, std::vector<MapScale>& map_scales,
+                            io::SceneCache* cache = nullptr);
 
 }  // namespace ifov::session

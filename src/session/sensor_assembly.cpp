@@ -28,6 +28,8 @@ struct BuildCamera {
     settings.centre_x_m = source.centre_x_m - offset_m.x;
     settings.centre_y_m = source.centre_y_m - offset_m.y;
     settings.rotation_rad = source.rotation_rad;
+    settings.view_zenith_rad = source.view_zenith_rad;
+    settings.view_azimuth_rad = source.view_azimuth_rad;
     // Above everything, by enough that no surface touches the plane the rays start from.
     settings.start_height_m =
         source.height_m ? *source.height_m - offset_m.z : scene.world->bounds().high_m.z + 1.0;

@@ -40,13 +40,18 @@ void warn_of_cold_surfaces(const Session::Parts& parts, LogSink& log) {
   if (!thermal) return;
   std::string names;
   for (std::size_t s = 0; s < parts.scene.states.size(); ++s) {
+    const std::uint32_t index = parts.scene.states[s].material;
+    const materials::Material& material = parts.scene.materials[index];
     const bool mapped = std::any_of(parts.scene.coverings.begin(), parts.scene.coverings.end(), [&](const auto& c) {
       for (std::size_t k = 0; k < c.temperatures.size(); ++k)
         if (c.states[k] == s && c.temperatures[k]) return true;
-      return false;
+      return std::any_of(c.patterns.begin(), c.patterns.end(), [&](const auto& pattern) {
+        const std::vector<std::uint32_t> mixed = pattern->mixed_materials();
+        return pattern->temperatures() && std::find(mixed.begin(), mixed.end(), index) != mixed.end();
+      });
     });
-    if (parts.scene.states[s].temperature_k > 0.0 || mapped) continue;
-    names += (names.empty() ? "'" : ", '") + parts.scene.materials[parts.scene.states[s].material].name + "'";
+    if (parts.scene.states[s].temperature_k > 0.0 || mapped || material.curve_of) continue;
+    names += (names.empty() ? "'" : ", '") + material.name + "'";
   }
   if (!names.empty())
     log.warn(format("there are thermal channels, and no temperature for {}: what has none emits nothing", names));
@@ -120,7 +125,7 @@ Session Session::load(const io::Document& document, LogSink* log, const LoadOpti
   std::optional<io::SceneCache> cache;
   if (options.scene_cache)
     cache.emplace(std::filesystem::path(document.file_name).replace_extension(".ifovcache"), version(), log);
-  p.scene = assemble_scene(document, log, cache ? &*cache : nullptr);
+  p.scene = assemble_scene(document, log, p.map_scales, cache ? &*cache : nullptr);
   if (cache) cache->save();
   p.channels = assemble_channels(document);
   p.camera = assemble_camera(document, p.scene);

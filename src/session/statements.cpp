@@ -46,6 +46,9 @@ std::vector<std::string> notes(const Session::Parts& parts) {
     lines.push_back(format("floor of the accuracy: {:g} of a white surface's radiance, {:.3g} to {:.3g} W m-2 sr-1 um-1",
                            parts.plan.request->floor, low, high));
   }
+  for (const std::string& line :
+       scale_statements(parts.map_scales, ground_sample_m(*parts.camera, *parts.scene.world)))
+    lines.push_back(line);
   if (!parts.document.light.surroundings)
     lines.push_back("surroundings: black at 0 K (none declared) for rays that leave below the horizon");
   return lines;

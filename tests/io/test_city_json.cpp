@@ -52,7 +52,8 @@ double area_of(const CityObject& object, const std::string& slot) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (mesh.slot_names[mesh.slots[t]] != slot) continue;
     const Point3 a = mesh.vertices_m[mesh.triangles[t][0]];
-    area += 0.5 * length(cross(mesh.vertices_m[mesh.triangles[t][1]] - a, mesh.vertices_m[mesh.triangles[t][2]] - a));
+    area += 0.5 * length(cross(mesh.vertices_m[mesh.triangles[t][1]] - a,
+                               mesh.vertices_m[mesh.triangles[t][2]] - a));
   }
   return area;
 }
@@ -91,7 +92,8 @@ TEST(CityJson, SemanticsBecomeSlotsAndPartsJoinTheirBuilding) {
   solid.pop_back();
   const CityModel model = parsed(city(
       R"("a": {"type": "Building", "children": ["b", "c"], "attributes": {"use": "church", "year": 1900, "old": true, "x": null}},
-"b": {"type": "BuildingPart", "parents": ["a"], "geometry": [)" + solid + semantics + R"(]},
+"b": {"type": "BuildingPart", "parents": ["a"], "geometry": [)" +
+      solid + semantics + R"(]},
 "c": {"type": "BuildingPart", "parents": ["a"], "geometry": [{"type": "MultiSurface", "lod": 1, "boundaries": [[[0,1,2]]]}]},
 "r": {"type": "Road", "geometry": [{"type": "CompositeSurface", "lod": "1", "boundaries": [[[0,1,2]]]}]},
 "p": {"type": "Road", "geometry": [{"type": "MultiPoint", "lod": "1", "boundaries": [0]}]})"));
@@ -100,8 +102,8 @@ TEST(CityJson, SemanticsBecomeSlotsAndPartsJoinTheirBuilding) {
   EXPECT_EQ(building.id, "a");
   EXPECT_EQ(building.type, "Building");
   EXPECT_EQ(building.lod, "2.2");
-  EXPECT_EQ(building.attributes,
-            (std::vector<std::pair<std::string, std::string>>{{"use", "church"}, {"year", "1900"}, {"old", "true"}}));
+  EXPECT_EQ(building.attributes, (std::vector<std::pair<std::string, std::string>>{
+                                     {"use", "church"}, {"year", "1900"}, {"old", "true"}}));
   EXPECT_EQ(building.mesh.slot_names, (std::vector<std::string>{"WallSurface", "+Glass", "RoofSurface"}));
   EXPECT_EQ(model.objects[1].mesh.slot_names, std::vector<std::string>{"Road"});
   EXPECT_EQ(model.lines_and_points, 1u);
@@ -109,7 +111,8 @@ TEST(CityJson, SemanticsBecomeSlotsAndPartsJoinTheirBuilding) {
 
 TEST(CityJson, TakesTheFinestOrTheStatedLevelOfDetail) {
   const std::string objects = R"("a": {"type": "Building", "geometry": [
-{"type": "MultiSurface", "lod": "1.2", "boundaries": [[[0,1,2]]]}, )" + kSolid + R"(]},
+{"type": "MultiSurface", "lod": "1.2", "boundaries": [[[0,1,2]]]}, )" +
+                              kSolid + R"(]},
 "b": {"type": "Building", "geometry": [{"type": "MultiSurface", "lod": 1.2, "boundaries": [[[0,1,2]]]}]})";
   const CityModel finest = parsed(city(objects));
   EXPECT_EQ(finest.objects[0].lod, "2.2");
@@ -176,22 +179,27 @@ TEST(CityJson, ErrorsShowThePlace) {
   const auto road = [](const std::string& geometry) {
     return city("\n\"a\": {\"type\": \"Road\", \"geometry\": [" + geometry + "]}");
   };
-  EXPECT_EQ(message_of("{\"type\": \"GeoJSON\"}"), ":1:10: 'type' is the text \"GeoJSON\", expected \"CityJSON\"");
+  EXPECT_EQ(message_of("{\"type\": \"GeoJSON\"}"),
+            ":1:10: 'type' is the text \"GeoJSON\", expected \"CityJSON\"");
   EXPECT_EQ(message_of("{\"type\": \"CityJSON\", \"version\": \"0.9\"}"),
             ":1:33: 'version' is the text \"0.9\", expected \"1.0\", \"1.1\" or \"2.0\"");
   EXPECT_EQ(message_of("[1, 2"), ":1:6: expected ',' or ']' after a value of a list");
   EXPECT_EQ(message_of(road(R"({"type": "MultiSurface", "lod": "1", "boundaries": [[[0,1,12]]]})")),
-            ":6:94: 'CityObjects.a.geometry[0].boundaries[0][0][2]' is the number 12, expected a vertex from 0 to 11");
+            ":6:94: 'CityObjects.a.geometry[0].boundaries[0][0][2]' is the number 12, expected a vertex from "
+            "0 to 11");
   EXPECT_EQ(message_of(road(R"({"lod": "1"})")), ":6:36: 'CityObjects.a.geometry[0]' has no 'type'");
-  EXPECT_EQ(message_of(road(R"({"type": "MultiSurface", "lod": "1", "boundaries": [[0,1,2]]})")),
-            ":6:89: 'CityObjects.a.geometry[0].boundaries[0][0]' is the number 0, expected a list of vertices");
-  EXPECT_EQ(message_of(city("\"a\": {\"type\": \"Road\", \"parents\": [\"a\"], \"geometry\": [" + kSolid + "]}")),
-            ":5:105: the parents of this object run in a circle");
+  EXPECT_EQ(
+      message_of(road(R"({"type": "MultiSurface", "lod": "1", "boundaries": [[0,1,2]]})")),
+      ":6:89: 'CityObjects.a.geometry[0].boundaries[0][0]' is the number 0, expected a list of vertices");
+  EXPECT_EQ(
+      message_of(city("\"a\": {\"type\": \"Road\", \"parents\": [\"a\"], \"geometry\": [" + kSolid + "]}")),
+      ":5:105: the parents of this object run in a circle");
   EXPECT_EQ(message_of(city("\"a\": {\"type\": \"Road\"}")), ": the file has no surfaces");
   EXPECT_THROW(read_city_json("/no/such/file.json"), EnvironmentError);
 }
 
-/// Counts of the reference files by a look at their JSON; tests/io/test_city_models.py has an independent reader.
+/// Counts of the reference files by a look at their JSON; tests/io/test_city_models.py has an independent
+/// reader.
 TEST(CityJson, ReadsTheReferenceFiles) {
   const auto folder = test::truth_file("scenes/buildings-cityjson");
   if (!folder) GTEST_SKIP() << "reference data not found: scenes/buildings-cityjson";

@@ -18,7 +18,8 @@ using geometry::Triangle;
 using geometry::TriangleMesh;
 using math::Point3;
 
-/// One triangle (0,0,0), (1,0,0), (0,1,0) with 16-bit indices, texture coordinates and a normal: 36 + 24 + 36 + 6.
+/// One triangle (0,0,0), (1,0,0), (0,1,0) with 16-bit indices, texture coordinates and a normal: 36 + 24 + 36
+/// + 6.
 std::string triangle_bytes() {
   const float numbers[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0.25f, 0, 0, 1, 0, 0, 1, 0, 0, 1};
   const std::uint16_t indices[] = {0, 1, 2};
@@ -34,7 +35,8 @@ std::string gltf(const std::string& nodes = kNodes, const std::string& uri = R"(
          R"(, "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1, "NORMAL": 2}, "indices": 3,
     "material": 0}]}],
   "materials": [{"name": "tile"}],
-  "buffers": [{)" + uri + R"("byteLength": 102}],
+  "buffers": [{)" +
+         uri + R"("byteLength": 102}],
   "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24},
     {"buffer": 0, "byteOffset": 60, "byteLength": 36}, {"buffer": 0, "byteOffset": 96, "byteLength": 6}],
   "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
@@ -95,8 +97,9 @@ TEST(MeshGltf, ReadsATriangleWithItsAttributes) {
 TEST(MeshGltf, ReadsTheBinaryFormAndInlineBuffers) {
   const test::ScratchMesh file("a.glb", glb(gltf(kNodes, ""), triangle_bytes()));
   EXPECT_EQ(read_gltf(file.path()).vertices_m[1], (Point3{1, 0, 0}));
-  EXPECT_EQ(message_of(replaced(gltf(), "a b.bin", "data:application/octet-stream;base64,AAAA")).substr(0, 27),
-            ": not a valid glTF 2 file: ");
+  EXPECT_EQ(
+      message_of(replaced(gltf(), "a b.bin", "data:application/octet-stream;base64,AAAA")).substr(0, 27),
+      ": not a valid glTF 2 file: ");
 }
 
 TEST(MeshGltf, AppliesTheTransformsOfAllNodes) {
@@ -111,7 +114,8 @@ TEST(MeshGltf, AppliesTheTransformsOfAllNodes) {
   EXPECT_EQ(mesh.vertices_m[4], (Point3{99999.25, 0, 5}));
   // The mirrored copy still faces +z.
   const Triangle t = mesh.triangles[1];
-  const auto n = cross(mesh.vertices_m[t[1]] - mesh.vertices_m[t[0]], mesh.vertices_m[t[2]] - mesh.vertices_m[t[0]]);
+  const auto n =
+      cross(mesh.vertices_m[t[1]] - mesh.vertices_m[t[0]], mesh.vertices_m[t[2]] - mesh.vertices_m[t[0]]);
   EXPECT_GT(n.z, 0.0);
   EXPECT_EQ(mesh.normals[3], (math::Normal3{0, 0, 1}));
 }
@@ -126,7 +130,8 @@ TEST(MeshGltf, ReadsStripsAndFans) {
 TEST(MeshGltf, ErrorsSayWhatIsWrong) {
   EXPECT_EQ(message_of("{\n  \"asset\": [}\n").substr(0, 6), ":2:13:");
   EXPECT_EQ(message_of(gltf(kNodes, R"("uri": "../a.bin", )")).substr(0, 3), ":4:");
-  EXPECT_NE(message_of(gltf(kNodes, R"("uri": "../a.bin", )")).find("the buffer '../a.bin' does not lie in the folder"),
+  EXPECT_NE(message_of(gltf(kNodes, R"("uri": "../a.bin", )"))
+                .find("the buffer '../a.bin' does not lie in the folder"),
             std::string::npos);
   EXPECT_NE(message_of(gltf(kNodes, R"("uri": "/etc/passwd", )")).find("does not lie in the folder"),
             std::string::npos);
@@ -135,9 +140,11 @@ TEST(MeshGltf, ErrorsSayWhatIsWrong) {
             ": accessor 0 (POSITION): its 4 elements reach beyond the 36 bytes of its buffer view");
   EXPECT_EQ(message_of(replaced(gltf(), R"("count": 3, "type": "VEC2")", R"("count": 2, "type": "VEC2")")),
             ": accessor 1 (TEXCOORD_0) has 2 entries for 3 vertices");
-  EXPECT_EQ(message_of(replaced(gltf(), R"("byteOffset": 96, "byteLength": 6)", R"("byteOffset": 46, "byteLength": 6)")),
+  EXPECT_EQ(message_of(replaced(gltf(), R"("byteOffset": 96, "byteLength": 6)",
+                                R"("byteOffset": 46, "byteLength": 6)")),
             ": accessor 3 (indices): entry 0 names vertex 16256 of 3");
-  EXPECT_EQ(message_of(replaced(gltf(), R"("byteOffset": 0, "byteLength": 36)", R"("byteOffset": 90, "byteLength": 36)")),
+  EXPECT_EQ(message_of(replaced(gltf(), R"("byteOffset": 0, "byteLength": 36)",
+                                R"("byteOffset": 90, "byteLength": 36)")),
             ": accessor 0 (POSITION): its buffer view reaches beyond the 102 bytes of buffer 0");
   EXPECT_EQ(message_of(gltf(R"("scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "children": [0]}])")),
             ": node 0 has more than one parent");
@@ -173,7 +180,8 @@ TEST(MeshGltf, DamagedFilesAreHandled) {
 TEST(MeshGltf, ReadsTheReferenceFiles) {
   const auto folder = test::truth_file("scenes/gltf");
   if (!folder) GTEST_SKIP() << "reference data not found: scenes/gltf";
-  for (const char* name : {"BoxTextured.glb", "BoxTextured-glTF/BoxTextured.gltf", "BoxTexcoords-glTF/boxTexcoords.gltf"}) {
+  for (const char* name :
+       {"BoxTextured.glb", "BoxTextured-glTF/BoxTextured.gltf", "BoxTexcoords-glTF/boxTexcoords.gltf"}) {
     SCOPED_TRACE(name);
     const TriangleMesh mesh = read_gltf(*folder / name);
     EXPECT_EQ(mesh.triangles.size(), 12u);

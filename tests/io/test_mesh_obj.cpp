@@ -76,8 +76,9 @@ TEST(MeshObj, MaterialLibrariesAreIgnoredWithAWord) {
       "mtllib my colours.mtl\nmtllib other.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n", &notes);
   EXPECT_EQ(mesh.slot_names, std::vector<std::string>{"red"});
   ASSERT_EQ(notes.warnings.size(), 1u);
-  EXPECT_TRUE(notes.warnings[0].ends_with(
-      ".obj: its material library 'my colours.mtl' is not used; the document says what each name is made of"));
+  EXPECT_TRUE(
+      notes.warnings[0].ends_with(".obj: its material library 'my colours.mtl' is not used; the document "
+                                  "says what each name is made of"));
 }
 
 TEST(MeshObj, LargeFacesMustNotCrossThemselves) {
@@ -86,12 +87,14 @@ TEST(MeshObj, LargeFacesMustNotCrossThemselves) {
   for (int k = 0; k < corners; ++k) {
     const double a = 2.0 * M_PI * k / corners, b = 2.0 * a;
     ring += "v " + std::to_string(std::cos(a)) + " " + std::to_string(std::sin(a)) + " 0\n";
-    star += "v " + std::to_string(std::cos(b) + 0.5 * std::cos(a)) + " " + std::to_string(std::sin(b)) + " 0\n";
+    star +=
+        "v " + std::to_string(std::cos(b) + 0.5 * std::cos(a)) + " " + std::to_string(std::sin(b)) + " 0\n";
   }
   std::string face = "f";
   for (int k = 1; k <= corners; ++k) face += " " + std::to_string(k);
   EXPECT_EQ(parsed(ring + face + "\n").triangles.size(), 1498u);
-  EXPECT_NE(message_of(star + face + "\n").find("the outline of this face crosses itself"), std::string::npos);
+  EXPECT_NE(message_of(star + face + "\n").find("the outline of this face crosses itself"),
+            std::string::npos);
 }
 
 TEST(MeshObj, FacesThatRunRoundTwiceCountOnce) {

@@ -60,8 +60,10 @@ TEST(MeshPly, CutsPolygonsAndSkipsWhatItDoesNotKnow) {
 TEST(MeshPly, ReadsBothByteOrders) {
   for (const bool big : {false, true}) {
     for (const std::string newline : {"\n", "\r\n"}) {
-      std::string header = std::string("ply\nformat binary_") + (big ? "big" : "little") + "_endian 1.0\n" + kXyz +
-                           "property float s\nproperty float t\nelement face 1\nproperty list ushort int vertex_indices\nend_header\n";
+      std::string header = std::string("ply\nformat binary_") + (big ? "big" : "little") + "_endian 1.0\n" +
+                           kXyz +
+                           "property float s\nproperty float t\nelement face 1\nproperty list ushort int "
+                           "vertex_indices\nend_header\n";
       for (std::size_t at = 0; (at = header.find('\n', at)) != std::string::npos; at += newline.size())
         header.replace(at, 1, newline);
       std::string bytes = header;
@@ -86,10 +88,10 @@ TEST(MeshPly, ReadsBothByteOrders) {
 }
 
 TEST(MeshPly, KeepsTextureCoordinatesOfCorners) {
-  const TriangleMesh mesh = parsed(
-      "ply\nformat ascii 1.0\n" + kXyz +
-      "element face 2\nproperty list uchar float texcoord\nproperty list uchar int vertex_indices\nend_header\n"
-      "0 0 0\n1 0 0\n1 1 0\n0 1 0\n6 0 0 1 0 1 1 3 0 1 2\n0 3 0 2 3\n");
+  const TriangleMesh mesh = parsed("ply\nformat ascii 1.0\n" + kXyz +
+                                   "element face 2\nproperty list uchar float texcoord\nproperty list uchar "
+                                   "int vertex_indices\nend_header\n"
+                                   "0 0 0\n1 0 0\n1 1 0\n0 1 0\n6 0 0 1 0 1 1 3 0 1 2\n0 3 0 2 3\n");
   EXPECT_EQ(mesh.uvs, (std::vector<Uv>{{0, 0}, {1, 0}, {1, 1}}));
   EXPECT_EQ(mesh.uv_corners[0], (Triangle{0, 1, 2}));
   EXPECT_EQ(mesh.uv_corners[1][0], geometry::kNoIndex);
@@ -106,15 +108,19 @@ TEST(MeshPly, ErrorsShowThePlace) {
   EXPECT_EQ(message_of("plx\n"), ":1:1: expected 'ply', the first line of a PLY file");
   EXPECT_EQ(message_of("ply\nformat binary 1.0\n"),
             ":2:8: expected ascii, binary_little_endian or binary_big_endian, found 'binary'");
-  EXPECT_EQ(message_of("ply\nformat ascii 1.0\nelement vertex many\n"), ":3:16: expected a count of rows, found 'many'");
+  EXPECT_EQ(message_of("ply\nformat ascii 1.0\nelement vertex many\n"),
+            ":3:16: expected a count of rows, found 'many'");
   EXPECT_EQ(message_of("ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\n"),
-            ":4:10: expected a type ('char', 'int8', 'uchar', 'uint8', 'short', 'int16', 'ushort', 'uint16', 'int', "
+            ":4:10: expected a type ('char', 'int8', 'uchar', 'uint8', 'short', 'int16', 'ushort', 'uint16', "
+            "'int', "
             "'int32', 'uint', 'uint32', 'float', 'float32', 'double' or 'float64'), found 'real'");
   EXPECT_EQ(message_of("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1"),
             ": the element 'vertex' has no property 'y'");
-  EXPECT_EQ(message_of("ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n1 2 3\n"),
-            ": the header announces 4000000000 rows of 'vertex', which do not fit into the 6 bytes that follow it");
-  EXPECT_EQ(message_of(kSquare + "0 0 0\n1 0 0\n1 one 0\n0 1 0\n4 0 1 2 3\n"), ":14:3: expected a number, found 'one'");
+  EXPECT_EQ(
+      message_of("ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n1 2 3\n"),
+      ": the header announces 4000000000 rows of 'vertex', which do not fit into the 6 bytes that follow it");
+  EXPECT_EQ(message_of(kSquare + "0 0 0\n1 0 0\n1 one 0\n0 1 0\n4 0 1 2 3\n"),
+            ":14:3: expected a number, found 'one'");
   EXPECT_EQ(message_of(kSquare + "0 0 0\n1 0 0\n1 1 inf\n0 1 0\n4 0 1 2 3\n"),
             ":14:5: expected a finite number for a coordinate, found inf");
   EXPECT_EQ(message_of(kSquare + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 4\n"),

@@ -1,5 +1,3 @@
-#include "io/mesh/mesh_reader.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "io/mesh/mesh_reader.h"
 #include "io/mesh/ply_reader.h"
 #include "mesh_measures.h"
 #include "scratch_mesh.h"
@@ -38,9 +37,10 @@ TEST(MeshReader, PicksTheFormatByExtension) {
 }
 
 TEST(MeshReader, AMeshNeedsFaces) {
-  const test::ScratchMesh points("a.ply",
-                                 "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
-                                 "property float z\nend_header\n1 2 3\n");
+  const test::ScratchMesh points(
+      "a.ply",
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+      "property float z\nend_header\n1 2 3\n");
   EXPECT_EQ(read_ply(points.path()).vertices_m.size(), 1u);
   EXPECT_THROW(read_mesh(points.path()), InputError);
 }

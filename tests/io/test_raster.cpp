@@ -54,7 +54,8 @@ TEST(Raster, OtherDriversAndVirtualFilesAreNotTried) {
                             grid.path().string() +
                             "</SourceFilename></SimpleSource></VRTRasterBand></VRTDataset>");
   EXPECT_NE(test::input_error(vrt.path(), [](const auto& p) { read_raster(p); })
-                .find("not a raster of a kind that is read (GTiff, ENVI, PNG, JPEG, BMP, AAIGrid, HFA, PNM)"),
+                .find("not a raster of a kind that is read (GTiff, ENVI, PNG, JPEG, BMP, AAIGrid, HFA, PNM, EHdr, "
+                      "SRTMHGT, DTED, USGSDEM, GSAG, GSBG, GS7BG, SAGA, JP2OpenJPEG)"),
             std::string::npos);
   EXPECT_THROW(read_raster("/vsizip/a.zip/b.tif"), EnvironmentError);
   EXPECT_THROW(read_raster("/nowhere/a.tif"), EnvironmentError);

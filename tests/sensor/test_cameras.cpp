@@ -53,6 +53,24 @@ TEST(OrthographicCamera, ImageXIsEastAndImageYIsSouth) {
   EXPECT_EQ(camera.upper_left_corner_m().x, 90.0);
 }
 
+TEST(OrthographicCamera, LooksAslantAtTheSamePixelsOfTheGround) {
+  // The sensor stands 40 degrees off the zenith in the east.
+  const OrthographicCamera camera({40, 20, 0.5, 100.0, 200.0, 0.0, 50.0, 40.0 * kDegree, 90.0 * kDegree});
+  const sampling::FocalPoint point{30.0, 6.0};
+  math::Ray ray;
+  camera.rays({&point, 1}, {&ray, 1});
+  EXPECT_NEAR(ray.origin_m.z, 50.0, 1e-12);
+  EXPECT_NEAR(ray.direction.x, -std::sin(40.0 * kDegree), 1e-12);
+  EXPECT_NEAR(ray.direction.y, 0.0, 1e-12);
+  const math::Point3 ground = ray.origin_m + ray.direction * (50.0 / std::cos(40.0 * kDegree));
+  EXPECT_NEAR(ground.x, 105.0, 1e-9);
+  EXPECT_NEAR(ground.y, 202.0, 1e-9);
+  sampling::FocalPoint image;
+  ASSERT_TRUE(camera.project(ray.origin_m + ray.direction * 20.0, image));
+  EXPECT_NEAR(image.x_px, point.x_px, 1e-9);
+  EXPECT_NEAR(image.y_px, point.y_px, 1e-9);
+}
+
 TEST(OrthographicCamera, RotationTurnsTheTopOfTheImageClockwise) {
   const OrthographicCamera camera({40, 20, 0.5, 0.0, 0.0, 90.0 * kDegree, 10.0});
   const math::Ray top = ray_through(camera, 20.0, 0.0);  // the top of the image looks east

@@ -85,7 +85,8 @@ void CityGeometry::add_nested(Context& context, const DocumentNode& boundaries, 
   if (semantics != nullptr && semantics->type() == Type::list) {
     kinds = &semantics->items();
     if (kinds->size() != items.size())
-      semantics->fail(format("{} has {} entries for {} boundaries", semantics->title(), kinds->size(), items.size()));
+      semantics->fail(
+          format("{} has {} entries for {} boundaries", semantics->title(), kinds->size(), items.size()));
   }
   for (std::size_t k = 0; k < items.size(); ++k) {
     // A number for a whole shell counts for all its surfaces.
@@ -143,7 +144,8 @@ void CityGeometry::add_surface(Context& context, const DocumentNode& node, const
     for (std::size_t k = 0; k < 3; ++k) {
       std::uint32_t& vertex = vertex_of[t[k]];
       if (vertex == geometry::kNoIndex)
-        vertex = t[k] < indices.size() ? mesh_vertex(context, indices[t[k]]) : new_vertex(pieces.vertices[t[k]]);
+        vertex =
+            t[k] < indices.size() ? mesh_vertex(context, indices[t[k]]) : new_vertex(pieces.vertices[t[k]]);
       corners[k] = vertex;
     }
     mesh.triangles.push_back(corners);

@@ -30,10 +30,10 @@ class CityGeometry {
  public:
   CityGeometry(CityObject& object, CityModel& model) : object_(object), model_(model) {}
 
-  /// `model_from_vertices` moves the vertices (of templates); `classify` tells surfaces without semantics apart by
-  /// their normals. Throws InputError.
-  void add(const DocumentNode& geometry, const CityVertices& vertices, const math::Transform& model_from_vertices,
-           bool classify);
+  /// `model_from_vertices` moves the vertices (of templates); `classify` tells surfaces without semantics
+  /// apart by their normals. Throws InputError.
+  void add(const DocumentNode& geometry, const CityVertices& vertices,
+           const math::Transform& model_from_vertices, bool classify);
 
  private:
   struct Context {

@@ -35,13 +35,16 @@ std::string lod_of(const DocumentNode& geometry) {
 }
 
 bool same_lod(const std::string& a, const std::string& b) {
-  const auto without_zero = [](const std::string& lod) { return lod.ends_with(".0") ? lod.substr(0, lod.size() - 2) : lod; };
+  const auto without_zero = [](const std::string& lod) {
+    return lod.ends_with(".0") ? lod.substr(0, lod.size() - 2) : lod;
+  };
   return without_zero(a) == without_zero(b);
 }
 
 class Reader {
  public:
-  Reader(const std::filesystem::path& path, const CityJsonChoice& choice) : choice_(choice), name_(path.string()) {
+  Reader(const std::filesystem::path& path, const CityJsonChoice& choice)
+      : choice_(choice), name_(path.string()) {
     JsonRules rules;
     rules.comments = false;
     rules.max_bytes = kMostBytes;
@@ -51,11 +54,13 @@ class Reader {
 
   CityModel read() {
     const DocumentNode& root = *tree_.root;
-    if (word_of(required_member(root, "type")) != "CityJSON") root.find("type")->fail_expected("\"CityJSON\"");
+    if (word_of(required_member(root, "type")) != "CityJSON")
+      root.find("type")->fail_expected("\"CityJSON\"");
     const DocumentNode& version = required_member(root, "version");
     model_.version = word_of(version);
-    if (model_.version != "1.0" && model_.version != "1.1" && model_.version != "2.0" && model_.version != "2.0.1" &&
-        model_.version != "2.0.0" && model_.version != "1.1.0" && model_.version != "1.0.0")
+    if (model_.version != "1.0" && model_.version != "1.1" && model_.version != "2.0" &&
+        model_.version != "2.0.1" && model_.version != "2.0.0" && model_.version != "1.1.0" &&
+        model_.version != "1.0.0")
       version.fail_expected("\"1.0\", \"1.1\" or \"2.0\"");
     read_reference_system(root);
     vertices_ = vertices_of(required_member(root, "vertices"));
@@ -106,8 +111,9 @@ class Reader {
       const Point3 p = vertices_.positions[k];
       if (!(std::abs(p.x) < kLargestCoordinate && std::abs(p.y) < kLargestCoordinate &&
             std::abs(p.z) < kLargestCoordinate))
-        required_member(root, "vertices").items()[k].fail(
-            format("this vertex lies more than {} m from the origin", kLargestCoordinate));
+        required_member(root, "vertices")
+            .items()[k]
+            .fail(format("this vertex lies more than {} m from the origin", kLargestCoordinate));
     }
   }
 
@@ -121,7 +127,8 @@ class Reader {
   void read_objects(const DocumentNode& objects) {
     if (objects.type() != Type::object) objects.fail_expected("an object");
     for (const DocumentNode& object : objects.members()) {
-      if (!nodes_.emplace(object.key(), &object).second) object.fail_at_key("an object of this name was there before");
+      if (!nodes_.emplace(object.key(), &object).second)
+        object.fail_at_key("an object of this name was there before");
       order_.push_back(&object);
     }
     std::map<std::string, std::size_t> place;
@@ -134,7 +141,8 @@ class Reader {
       if (list.empty()) continue;
       const auto [entry, is_new] = place.try_emplace(root.key(), model_.objects.size());
       if (is_new) {
-        model_.objects.push_back({root.key(), word_of(required_member(root, "type")), attributes_of(root), {}, {}, {}});
+        model_.objects.push_back(
+            {root.key(), word_of(required_member(root, "type")), attributes_of(root), {}, {}, {}});
       }
       add_geometries(*node, list, model_.objects[entry->second]);
     }
@@ -159,7 +167,8 @@ class Reader {
   bool taken(const DocumentNode& object) {
     const std::string& type = word_of(required_member(object, "type"));
     types_.insert(type);
-    return choice_.types.empty() || std::find(choice_.types.begin(), choice_.types.end(), type) != choice_.types.end();
+    return choice_.types.empty() ||
+           std::find(choice_.types.begin(), choice_.types.end(), type) != choice_.types.end();
   }
 
   static std::vector<std::pair<std::string, std::string>> attributes_of(const DocumentNode& object) {
@@ -177,7 +186,8 @@ class Reader {
     return attributes;
   }
 
-  void add_geometries(const DocumentNode& node, const std::vector<DocumentNode>& geometries, CityObject& object) {
+  void add_geometries(const DocumentNode& node, const std::vector<DocumentNode>& geometries,
+                      CityObject& object) {
     std::string finest;
     for (const DocumentNode& geometry : geometries) {
       const std::string lod = lod_of(lod_carrier(geometry));
@@ -228,7 +238,8 @@ class Reader {
     const Transform model_from_template =
         Transform::from_columns(column(0), column(1), column(2), p + column(3));
     const Point3 o = model_from_template.origin_m();
-    if (!(std::abs(o.x) < kLargestCoordinate && std::abs(o.y) < kLargestCoordinate && std::abs(o.z) < kLargestCoordinate))
+    if (!(std::abs(o.x) < kLargestCoordinate && std::abs(o.y) < kLargestCoordinate &&
+          std::abs(o.z) < kLargestCoordinate))
       matrix.fail("this copy lies too far away");
     const std::size_t before = mesh.triangles.size();
     builder.add(source, template_vertices_, model_from_template, classify);
@@ -250,7 +261,8 @@ class Reader {
       throw InputError(format("{}: no object is of a type asked for; the file has {}", name_, listed(types_)),
                        {name_, 0, 0});
     if (model_.objects_without_lod > 0)
-      throw InputError(format("{}: no object has the level of detail {}; the file has {}", name_, choice_.lod, listed(lods_)),
+      throw InputError(format("{}: no object has the level of detail {}; the file has {}", name_, choice_.lod,
+                              listed(lods_)),
                        {name_, 0, 0});
     throw InputError(format("{}: the file has no surfaces", name_), {name_, 0, 0});
   }

@@ -15,8 +15,9 @@ namespace ifov::io {
 struct CityObject {
   std::string id;
   std::string type;  ///< "Building", "Road", ...; of the object that the parts belong to
-  std::vector<std::pair<std::string, std::string>> attributes;  ///< single values, as text, in the file's order
-  std::string lod;                                              ///< of the geometry taken, the finest of its parts
+  std::vector<std::pair<std::string, std::string>>
+      attributes;   ///< single values, as text, in the file's order
+  std::string lod;  ///< of the geometry taken, the finest of its parts
 
   /// Vertices are metres about `origin`, slots the kinds of surfaces (see read_city_json).
   geometry::TriangleMesh mesh;
@@ -36,11 +37,12 @@ struct CityModel {
   std::size_t objects_without_lod = 0;
 };
 
-/// Names by which a document may state the material of the surfaces `slot` of `object`, the most particular one
-/// first; entries of `slots` of the document are tried in this order:
-///   Building[function=church]/RoofSurface, Building[function=church], Building/RoofSurface, RoofSurface, Building,
-///   other
+/// Names by which a document may state the material of the surfaces `slot` of `object`, the most particular
+/// one first; entries of `slots` of the document are tried in this order:
+///   Building[function=church]/RoofSurface, Building[function=church], Building/RoofSurface, RoofSurface,
+///   Building, other
 /// with every attribute of the object. `names` are the entries given; null where none of them suits.
-const std::string* city_slot(const CityObject& object, std::string_view slot, const std::vector<std::string>& names);
+const std::string* city_slot(const CityObject& object, std::string_view slot,
+                             const std::vector<std::string>& names);
 
 }  // namespace ifov::io

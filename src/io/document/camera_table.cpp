@@ -27,7 +27,7 @@ void set_pixels(Camera& camera, std::array<int, 2> size) {
 }
 
 Kind<OrthographicCamera> orthographic_kind() {
-  Record<OrthographicCamera> record("orthographic camera", "Looks straight down with parallel rays.");
+  Record<OrthographicCamera> record("orthographic camera", "Looks down with parallel rays; pixels are squares of the plane z = 0.");
   record
       .required("gsd", &OrthographicCamera::gsd_m, quantity(kLength, Range::above(0.0, "m")),
                 "ground sample distance")
@@ -42,7 +42,11 @@ Kind<OrthographicCamera> orthographic_kind() {
       .with_default("rotation", &OrthographicCamera::rotation_rad, quantity(kAngle), "\"0 deg\"",
                     "azimuth, clockwise from north, that the top of the image points to")
       .optional("height", &OrthographicCamera::height_m, quantity(kLength),
-                "z where rays start; above everything if not given");
+                "z where rays start; above everything if not given")
+      .with_default("view_zenith", &OrthographicCamera::view_zenith_rad, quantity(kAngle, Range::between(0.0, 89.0, "deg")),
+                    "\"0 deg\"", "angle between the vertical and the direction from the ground to the sensor")
+      .with_default("view_azimuth", &OrthographicCamera::view_azimuth_rad, quantity(kAngle), "\"0 deg\"",
+                    "azimuth, clockwise from north, of the direction from the ground to the sensor");
   return record.kind();
 }
 

@@ -31,7 +31,11 @@ class ReferenceCheck {
   void run() const {
     for (const ObjectDocument& object : document_.scene.objects) check(object);
     for (const PrototypeDocument& prototype : document_.scene.prototypes) {
-      for (const ObjectDocument& object : prototype.objects) check(object);
+      for (const ObjectDocument& object : prototype.objects) {
+        check(object);
+        if (std::holds_alternative<CityShape>(object.shape))
+          throw document_error(document_, object.shape_position, "a prototype cannot hold a city");
+      }
     }
     check_nesting();
     check_channel_names();
@@ -67,11 +71,13 @@ class ReferenceCheck {
       require("material", *name, materials_);
     } else if (const auto* map = std::get_if<MaterialMap>(&object.material->value)) {
       for (const auto& [number, material] : map->classes) require("material", material, materials_);
+    } else if (const auto* mixture = std::get_if<MixtureDocument>(&object.material->value)) {
+      for (const DocumentName& material : mixture->materials) require("material", material, materials_);
     } else if (const auto* slots = std::get_if<MaterialSlots>(&object.material->value)) {
       for (const auto& [slot, material] : slots->slots) require("material", material, materials_);
-      if (!std::holds_alternative<MeshShape>(object.shape)) {
+      if (!std::holds_alternative<MeshShape>(object.shape) && !std::holds_alternative<CityShape>(object.shape)) {
         throw document_error(document_, object.material->position,
-                             "only a mesh has 'slots', the names of materials in its file");
+                             "only a mesh and a city have 'slots', the names of materials in their files");
       }
     }
   }

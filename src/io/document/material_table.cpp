@@ -1,18 +1,13 @@
-#include "io/document/raster_keys.h"
+#include "core/format.h"
+#include "io/document/map_tables.h"
+#include "io/document/record.h"
 #include "io/document/tables.h"
 
 namespace ifov::io {
 namespace {
 
 constexpr std::size_t kMostMaterials = 10000;
-
-Kind<TemperatureMap> temperature_map_kind() {
-  Record<TemperatureMap> record("temperature map", "Temperatures from a raster draped from above.");
-  add_raster_keys(record);
-  record.required("unit", &TemperatureMap::offset_k, choice<double>({{"K", 0.0}, {"degC", 273.15}}),
-                  "unit of the raster's numbers");
-  return record.kind();
-}
+constexpr std::size_t kMostCurves = 100000;
 
 }  // namespace
 
@@ -29,22 +24,44 @@ Kind<TemperatureDocument> temperature_kind() {
 
 Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind() {
   const Kind<SpectrumDocument> spectrum = spectrum_kind(SpectrumOf::fraction);
+  const Kind<std::vector<SpectrumDocument>> curves =
+      either(converted<std::vector<SpectrumDocument>>(
+                 spectrum, [](SpectrumDocument one) { return std::vector<SpectrumDocument>{std::move(one)}; }),
+             list(spectrum, 2, kMostCurves));
   const auto store = [](bool is_emissivity) {
-    return [is_emissivity](MaterialDocument& material, SpectrumDocument value) {
+    return [is_emissivity](MaterialDocument& material, std::vector<SpectrumDocument> values) {
       material.is_emissivity = is_emissivity;
-      material.spectrum = std::move(value);
+      material.spectrum = std::move(values[0]);
+      values.erase(values.begin());
+      material.further_curves = std::move(values);
     };
   };
-  Record<MaterialDocument> record("material", "An opaque surface: reflectance and emissivity sum to 1.");
+  Record<MaterialDocument> record("material", "A surface: reflectance, transmittance (0 unless given) and emissivity sum to 1.");
   record.exactly_one()
-      .one("reflectance", store(false), spectrum, "spectral reflectance")
-      .one("emissivity", store(true), spectrum, "spectral emissivity")
+      .one("reflectance", store(false), curves, "spectral reflectance, or several curves for a texture to pick from")
+      .one("emissivity", store(true), curves, "spectral emissivity, likewise")
       .optional("temperature", &MaterialDocument::temperature, temperature_kind(),
                 "without one, here or on the object, a surface emits nothing")
       .with_default(
           "scattering", &MaterialDocument::scattering,
           choice<Scattering>({{"lambertian", Scattering::lambertian}, {"mirror", Scattering::mirror}}),
-          "\"lambertian\"", "how the surface reflects");
+          "\"lambertian\"", "how the surface reflects")
+      .optional("texture", &MaterialDocument::texture, texture_kind(), "picks among several curves")
+      .optional("relief", &MaterialDocument::relief, relief_kind(), "bumps that light sees")
+      .optional("transmittance", &MaterialDocument::transmittance, spectrum_kind(SpectrumOf::fraction),
+                "of a thin leaf, the same from both sides: what leaves the other side, spread as Lambert's law says; "
+                "emissivity is then 1 - reflectance - transmittance")
+      .check([](const MaterialDocument& material, const DocumentNode& node) {
+        const char* key = material.is_emissivity ? "emissivity" : "reflectance";
+        if (material.transmittance && material.is_emissivity)
+          node.find("transmittance")->fail_at_key("give the 'reflectance' of a material with a transmittance, not its "
+                                                  "emissivity, which follows from both");
+        if (!material.further_curves.empty() && !material.texture)
+          node.find(key)->fail_at_key("several curves need a 'texture' that picks among them");
+        if (material.texture && material.further_curves.empty())
+          node.find("texture")->fail_at_key(
+              format("a texture picks among several curves; give a list of them as '{}'", key));
+      });
   return map_of(record.kind(), "materials", kMostMaterials);
 }
 

@@ -1,8 +1,5 @@
-#include <algorithm>
-#include <charconv>
-
-#include "core/format.h"
-#include "io/document/raster_keys.h"
+#include "io/document/map_tables.h"
+#include "io/document/record.h"
 #include "io/document/shape_tables.h"
 #include "io/document/tables.h"
 
@@ -10,48 +7,6 @@ namespace ifov::io {
 namespace {
 
 constexpr std::size_t kMostObjects = 1000000;
-constexpr std::size_t kMostClasses = 65536;
-
-Kind<std::vector<std::pair<std::int64_t, DocumentName>>> classes_kind() {
-  const auto named = map_of(name_of("a material"), "materials by class number", kMostClasses);
-  auto description = *named.description;
-  description.pattern = "^(0|-?[1-9][0-9]{0,17})$";
-  description.short_name = "materials by class number";
-  return {std::make_shared<const ValueDescription>(description),
-          [read = named.read](const DocumentNode& node) {
-            std::vector<std::pair<std::int64_t, DocumentName>> classes;
-            for (auto& [key, name] : read(node)) {
-              std::int64_t number = 0;
-              const auto parsed = std::from_chars(key.data(), key.data() + key.size(), number);
-              if (parsed.ec != std::errc() || parsed.ptr != key.data() + key.size() ||
-                  format("{}", number) != key || key.size() > 19) {
-                node.find(key)->fail_at_key(format("the key '{}' is not a class number of a raster", key));
-              }
-              classes.emplace_back(number, std::move(name));
-            }
-            std::sort(classes.begin(), classes.end(),
-                      [](const auto& a, const auto& b) { return a.first < b.first; });
-            return classes;
-          }};
-}
-
-Kind<MaterialBinding> material_kind() {
-  const Kind<DocumentName> name = name_of("a material");
-  const Kind<MaterialBinding> direct{name.description, [read = name.read](const DocumentNode& node) {
-                                       return MaterialBinding{read(node), node.position()};
-                                     }};
-  Record<MaterialMap> map("material map", "Materials by the class numbers of a raster draped from above.");
-  add_raster_keys(map);
-  map.required("classes", &MaterialMap::classes, classes_kind(), "material of each class number");
-  const auto slots = converted<MaterialSlots>(
-      map_of(name, "materials by the names in the mesh file", kMostClasses),
-      [](std::vector<std::pair<std::string, DocumentName>> s) { return MaterialSlots{std::move(s)}; });
-  Record<MaterialBinding> several("materials of an object", "More than one material on an object.");
-  several.exactly_one()
-      .one("map", &MaterialBinding::value, map.kind(), "by place")
-      .one("slots", &MaterialBinding::value, slots, "by the names that a mesh file uses (usemtl)");
-  return either(direct, several.kind());
-}
 
 Kind<TransformDocument> transform_kind() {
   struct Rotation {
@@ -116,7 +71,9 @@ Kind<ObjectDocument> shape_object_kind() {
   add_shape(record, "disk", disk_kind());
   add_shape(record, "polygon", polygon_kind());
   add_shape(record, "mesh", mesh_kind());
-  record.required("material", &ObjectDocument::material, material_kind(), "what it is made of");
+  add_shape(record, "city", city_kind());
+  add_shape(record, "terrain", terrain_kind());
+  record.required("material", &ObjectDocument::material, binding_kind(), "what it is made of");
   add_common_keys(record);
   return record.kind();
 }

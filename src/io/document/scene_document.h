@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -7,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "io/document/map_document.h"
 #include "io/document/spectrum_document.h"
 #include "math/vec3.h"
 
@@ -20,29 +22,11 @@ struct OriginDocument {
     double latitude_rad = 0.0, longitude_rad = 0.0;  ///< WGS 84, north and east positive
   };
   std::optional<Geographic> geographic;
+  std::string crs;  ///< of map coordinates, as PROJ knows it; may be empty
+  SourcePosition crs_position;
   bool has_map_offset = false;
   math::Vec3 offset_m;
   double height_m = 0.0;  ///< of the scene's origin above the ellipsoid
-  SourcePosition position;
-};
-
-/// A raster draped from above. Without a placement its own georeference counts.
-struct RasterDocument {
-  struct Placement {
-    double x_m = 0.0, y_m = 0.0;           ///< lower left corner
-    double width_m = 0.0, height_m = 0.0;  ///< towards +x and +y
-  };
-  DocumentFile file;
-  std::optional<Placement> placement;
-};
-
-struct TemperatureMap {
-  RasterDocument raster;
-  double offset_k = 0.0;  ///< kelvin = number in the raster + offset_k
-};
-
-struct TemperatureDocument {
-  std::variant<double, TemperatureMap> value;  ///< kelvin, or a map
   SourcePosition position;
 };
 
@@ -52,6 +36,10 @@ struct MaterialDocument {
   std::string name;
   bool is_emissivity = false;  ///< the spectrum is emissivity; else reflectance. Opaque: the two sum to 1.
   SpectrumDocument spectrum;
+  std::optional<SpectrumDocument> transmittance;  ///< of a thin leaf; with reflectance only; absent: opaque
+  std::vector<SpectrumDocument> further_curves;  ///< of the same quantity; with them a texture, which picks
+  std::optional<TextureDocument> texture;
+  std::optional<ReliefDocument> relief;
   std::optional<TemperatureDocument> temperature;  ///< absent here and on the object: 0 K, emits nothing
   Scattering scattering = Scattering::lambertian;
   SourcePosition position;
@@ -89,9 +77,15 @@ struct PolygonShape {
   std::vector<math::Point3> vertices_m;
 };
 struct MeshShape {
-  DocumentFile file;     ///< Wavefront OBJ
-  double unit_m = 1.0;   ///< metres per unit of the file
-  bool y_is_up = false;  ///< file axes (x, y, z) become scene axes (x, -z, y)
+  DocumentFile file;             ///< its extension names the format, see read_mesh
+  double unit_m = 1.0;           ///< metres per unit of the file
+  std::optional<bool> y_is_up;   ///< file axes (x, y, z) become scene axes (x, -z, y); absent: as the format says
+};
+/// All objects of a city model, each placed on its own.
+struct CityShape {
+  DocumentFile file;               ///< CityJSON
+  std::string lod;                 ///< level of detail; empty: the finest of each object
+  std::vector<std::string> types;  ///< of the objects to place; empty: all
 };
 /// One copy of a prototype.
 struct InstanceShape {
@@ -106,23 +100,8 @@ struct InstancesShape {
 };
 
 using ShapeDocument = std::variant<PlaneShape, BoxShape, SphereShape, HemisphereShape, CylinderShape,
-                                   DiskShape, PolygonShape, MeshShape, InstanceShape, InstancesShape>;
-
-/// Which material a class of a raster draped from above means.
-struct MaterialMap {
-  RasterDocument raster;
-  std::vector<std::pair<std::int64_t, DocumentName>> classes;  ///< rising class numbers
-};
-
-/// Materials by the names a mesh file uses (`usemtl`).
-struct MaterialSlots {
-  std::vector<std::pair<std::string, DocumentName>> slots;
-};
-
-struct MaterialBinding {
-  std::variant<DocumentName, MaterialMap, MaterialSlots> value;
-  SourcePosition position;
-};
+                                   DiskShape, PolygonShape, MeshShape, CityShape, TerrainShape, InstanceShape,
+                                   InstancesShape>;
 
 /// Scene from object: first scale, then rotate (right-handed about `axis`), then translate.
 struct TransformDocument {
@@ -151,8 +130,16 @@ struct PrototypeDocument {
   SourcePosition position;
 };
 
+/// The scene repeats without end in x and y.
+struct PeriodicDocument {
+  double width_m = 0.0, height_m = 0.0;                ///< of the cell, towards +x and +y
+  std::optional<std::array<double, 2>> low_left_m;     ///< of the cell; absent: it is centred on the origin
+  SourcePosition position;
+};
+
 struct SceneDocument {
   OriginDocument origin;
+  std::optional<PeriodicDocument> periodic;
   std::vector<MaterialDocument> materials;    ///< in the document's order; names are unique
   std::vector<PrototypeDocument> prototypes;  ///< likewise
   std::vector<ObjectDocument> objects;

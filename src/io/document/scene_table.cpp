@@ -6,6 +6,13 @@ namespace {
 
 constexpr std::size_t kMostPrototypes = 10000;
 
+Kind<std::pair<std::string, SourcePosition>> located_text() {
+  const Kind<std::string> text = label();
+  return {text.description, [read = text.read](const DocumentNode& node) {
+            return std::pair<std::string, SourcePosition>(read(node), node.position());
+          }};
+}
+
 Kind<OriginDocument> origin_kind() {
   const auto geographic = [](OriginDocument& o) -> OriginDocument::Geographic& {
     return o.geographic ? *o.geographic : o.geographic.emplace();
@@ -31,16 +38,47 @@ Kind<OriginDocument> origin_kind() {
       .optional(
           "northing", [](OriginDocument& o, double v) { o.offset_m.y = v; }, quantity(kLength),
           "map coordinate of the origin")
+      .optional("crs", [](OriginDocument& o, std::pair<std::string, SourcePosition> crs) {
+            o.crs = std::move(crs.first);
+            o.crs_position = std::move(crs.second);
+          }, located_text(),
+                "coordinate reference system of the map coordinates, as PROJ knows it: \"EPSG:25832\"; rasters in others "
+                "are taken over into it, and without easting and northing it gives those of latitude and longitude")
       .with_default("height", &OriginDocument::height_m, quantity(kLength), "\"0 m\"",
                     "of the origin above the ellipsoid; with map coordinates, also subtracted from z")
       .needs("latitude", "longitude")
       .needs("longitude", "latitude")
       .needs("easting", "northing")
-      .needs("northing", "easting");
+      .needs("northing", "easting")
+      .check([](const OriginDocument& origin, const DocumentNode& node) {
+        if (!origin.crs.empty() && !origin.has_map_offset && !origin.geographic)
+          node.find("crs")->fail_at_key("with 'crs', give 'easting' and 'northing', or 'latitude' and 'longitude'");
+      });
   return converted<OriginDocument>(record.kind(), [](OriginDocument origin) {
     if (origin.has_map_offset) origin.offset_m.z = origin.height_m;
     return origin;
   });
+}
+
+Kind<PeriodicDocument> periodic_kind() {
+  Record<PeriodicDocument> record("periodic scene", "The cell that repeats without end to all sides.");
+  record
+      .required(
+          "size",
+          [](PeriodicDocument& p, std::array<double, 2> size) {
+            p.width_m = size[0];
+            p.height_m = size[1];
+          },
+          tuple<double, 2>(quantity(kLength, Range::above(0.0, "m"))),
+          "after how much x and y everything repeats; objects may stand across the border of the cell")
+      .optional("low_left", &PeriodicDocument::low_left_m, tuple<double, 2>(quantity(kLength)),
+                "lower left corner of the cell, as it is drawn; without it the cell is centred on the origin");
+  const Kind<PeriodicDocument> kind = record.kind();
+  return {kind.description, [read = kind.read](const DocumentNode& node) {
+            PeriodicDocument periodic = read(node);
+            periodic.position = node.position();
+            return periodic;
+          }};
 }
 
 template <class T>
@@ -67,6 +105,8 @@ Kind<std::vector<std::pair<std::string, PrototypeDocument>>> prototypes_kind() {
 Kind<SceneDocument> scene_kind() {
   Record<SceneDocument> record("scene", "Coordinates are metres east, north and up.");
   record.optional("origin", &SceneDocument::origin, origin_kind(), "where the scene stands")
+      .optional("periodic", &SceneDocument::periodic, periodic_kind(),
+                "makes the scene a cell that repeats without end")
       .required(
           "materials",
           [](SceneDocument& s, std::vector<std::pair<std::string, MaterialDocument>> m) {

@@ -10,7 +10,7 @@
 
 namespace ifov::io {
 
-/// Looks straight down with parallel rays. Rotation 0 has north (+y) at the top of the image.
+/// Parallel rays, straight down or aslant; pixels are squares of the plane z = 0. Rotation 0 has north (+y) at the top of the image.
 struct OrthographicCamera {
   double gsd_m = 0.0;
   int width_px = 0, height_px = 0;
@@ -18,6 +18,7 @@ struct OrthographicCamera {
   double rotation_rad = 0.0;  ///< of the camera about the vertical, clockwise seen from above: the top of the
                               ///< image points to this azimuth
   std::optional<double> height_m;  ///< z at which rays start; absent: above everything
+  double view_zenith_rad = 0.0, view_azimuth_rad = 0.0;  ///< of the direction from the ground to the sensor
 };
 
 /// Turns the camera so that its axis passes through a point.

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kMostCopies = 1000000;
 constexpr std::size_t kMostVertices = 100000;
+constexpr std::size_t kMostTypes = 100;
 constexpr double kFlatness = 1e-6;
 
 Kind<double> positive_length() { return quantity(kLength, Range::above(0.0, "m")); }
@@ -123,10 +124,30 @@ Kind<MeshShape> mesh_kind() {
   std::vector<std::pair<std::string, double>> units;
   for (const Unit& unit : kLength.units) units.emplace_back(unit.spelling, unit.factor);
   Record<MeshShape> record("mesh", "A triangle mesh from a file.");
-  record.required("file", &MeshShape::file, file(), "a Wavefront OBJ file")
+  record
+      .required("file", &MeshShape::file, file(),
+                "Wavefront OBJ (.obj), PLY (.ply) or glTF 2 (.gltf, .glb), told apart by the extension")
       .with_default("unit", &MeshShape::unit_m, choice<double>(units), "\"m\"", "unit of its coordinates")
-      .with_default("up", &MeshShape::y_is_up, choice<bool>({{"z", false}, {"y", true}}), "\"z\"",
-                    "which of its axes points up; with y, its z points south");
+      .optional("up", &MeshShape::y_is_up, choice<bool>({{"z", false}, {"y", true}}),
+                "which of its axes points up, if not y for glTF and z for the others; with y, its z points south");
+  return record.kind();
+}
+
+Kind<CityShape> city_kind() {
+  Record<CityShape> record("city", "The objects of a city model, each of them placed and counted on its own.");
+  record.required("file", &CityShape::file, file(), "a CityJSON file; its coordinates are those of the document")
+      .optional("lod", &CityShape::lod,
+                text_like("^[0-9]([.][0-9])?$", "a level of detail such as \"2\" or \"2.2\"", "level of detail"),
+                "the level of detail to place; the finest of each object if not given")
+      .optional("types", &CityShape::types, list(label(), 1, kMostTypes),
+                "types of the objects to place, such as \"Building\"; all if not given")
+      .check([](const CityShape& city, const DocumentNode& node) {
+        const std::string& lod = city.lod;
+        const auto digit = [&](std::size_t k) { return lod[k] >= '0' && lod[k] <= '9'; };
+        const bool good = lod.empty() || (lod.size() == 1 && digit(0)) ||
+                          (lod.size() == 3 && digit(0) && lod[1] == '.' && digit(2));
+        if (!good) node.find("lod")->fail_expected("a level of detail such as \"2\" or \"2.2\"");
+      });
   return record.kind();
 }
 

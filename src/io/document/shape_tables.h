@@ -14,6 +14,7 @@ Kind<CylinderShape> cylinder_kind();
 Kind<DiskShape> disk_kind();
 Kind<PolygonShape> polygon_kind();
 Kind<MeshShape> mesh_kind();
+Kind<CityShape> city_kind();
 Kind<InstanceShape> instance_kind();
 Kind<InstancesShape> instances_kind();
 

@@ -45,7 +45,7 @@ class TableParser {
     } else if (key == "about") {
       material().about = value;
     } else if (key == "curve") {
-      finish_curve();
+      if (!material().curves.empty()) finish_curve();
       material().curves.emplace_back().name = value;
     } else {
       take_of_curve(key, value);

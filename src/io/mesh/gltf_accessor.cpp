@@ -26,7 +26,8 @@ GltfAccessor::GltfAccessor(const tinygltf::Model& model, int index, int type, co
     throw InputError(format("{}: accessor {} ({}): {}", file, index, what, message), {file, 0, 0});
   };
   const auto within = [](int i, std::size_t n) { return i >= 0 && static_cast<std::size_t>(i) < n; };
-  if (!within(index, model.accessors.size())) fail(format("the file has {} accessors", model.accessors.size()));
+  if (!within(index, model.accessors.size()))
+    fail(format("the file has {} accessors", model.accessors.size()));
   const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
   if (accessor.sparse.isSparse) fail("sparse accessors are not read");
   if (accessor.type != type) fail("its type does not suit its use");
@@ -40,10 +41,12 @@ GltfAccessor::GltfAccessor(const tinygltf::Model& model, int index, int type, co
   const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(component_type_));
   if (size <= 0 || size > 8) fail("its component type is not known");
   component_size_ = static_cast<std::size_t>(size);
-  const std::size_t element = component_size_ * static_cast<std::size_t>(
-      tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(type)));
+  const std::size_t element =
+      component_size_ *
+      static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(type)));
   stride_ = view.byteStride == 0 ? element : view.byteStride;
-  if (stride_ < element) fail(format("its stride of {} bytes is less than an element of {}", stride_, element));
+  if (stride_ < element)
+    fail(format("its stride of {} bytes is less than an element of {}", stride_, element));
   count_ = accessor.count;
   if (count_ > 0) {
     const std::size_t offset = accessor.byteOffset;

@@ -10,8 +10,8 @@ namespace ifov::io {
 /// The numbers of one accessor, checked against its buffer once.
 class GltfAccessor {
  public:
-  /// `type` is a TINYGLTF_TYPE. Throws InputError that names the accessor where it does not exist, is of another
-  /// type, sparse, or larger than its buffer.
+  /// `type` is a TINYGLTF_TYPE. Throws InputError that names the accessor where it does not exist, is of
+  /// another type, sparse, or larger than its buffer.
   GltfAccessor(const tinygltf::Model& model, int index, int type, const char* what, const std::string& file);
 
   std::size_t count() const { return count_; }

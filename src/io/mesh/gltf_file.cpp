@@ -47,7 +47,8 @@ std::string decoded_uri(const std::string& uri) {
   for (std::size_t k = 0; k < uri.size(); ++k) {
     unsigned code = 0;
     const char* digits = uri.data() + k + 1;
-    if (uri[k] == '%' && k + 2 < uri.size() && std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2) {
+    if (uri[k] == '%' && k + 2 < uri.size() &&
+        std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2) {
       text += static_cast<char>(code);
       k += 2;
     } else {
@@ -78,14 +79,16 @@ OpenableFiles openable_files(const DocumentTree& tree, const std::filesystem::pa
   if (buffers == nullptr || buffers->type() != DocumentNode::Type::list) return open;
   for (const DocumentNode& buffer : buffers->items()) {
     const DocumentNode* uri = buffer.type() == DocumentNode::Type::object ? buffer.find("uri") : nullptr;
-    if (uri == nullptr || uri->type() != DocumentNode::Type::text || uri->text().starts_with("data:")) continue;
+    if (uri == nullptr || uri->type() != DocumentNode::Type::text || uri->text().starts_with("data:"))
+      continue;
     const std::string decoded = decoded_uri(uri->text());
     std::error_code error;
     const auto real = std::filesystem::weakly_canonical(open.folder / decoded, error);
     const auto within = error ? std::filesystem::path("..") : real.lexically_relative(open.folder);
     if (within.empty() || *within.begin() == "..")
       uri->fail(format("the buffer '{}' does not lie in the folder of this file", decoded));
-    if (!std::filesystem::is_regular_file(real, error)) uri->fail(format("there is no file '{}'", real.string()));
+    if (!std::filesystem::is_regular_file(real, error))
+      uri->fail(format("there is no file '{}'", real.string()));
     open.files.push_back(real);
   }
   return open;
@@ -93,7 +96,8 @@ OpenableFiles openable_files(const DocumentTree& tree, const std::filesystem::pa
 
 bool file_exists(const std::string& path, void* open) { return static_cast<OpenableFiles*>(open)->has(path); }
 std::string same_path(const std::string& path, void*) { return path; }
-bool read_whole_file(std::vector<unsigned char>* out, std::string* error, const std::string& path, void* open) {
+bool read_whole_file(std::vector<unsigned char>* out, std::string* error, const std::string& path,
+                     void* open) {
   if (!static_cast<OpenableFiles*>(open)->has(path)) {
     *error = "not a buffer of this file";
     return false;
@@ -102,7 +106,8 @@ bool read_whole_file(std::vector<unsigned char>* out, std::string* error, const 
   out->assign(bytes.begin(), bytes.end());
   return true;
 }
-bool no_image(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+bool no_image(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int,
+              void*) {
   return true;
 }
 
@@ -128,7 +133,8 @@ tinygltf::Model load_gltf(const std::filesystem::path& path, LogSink* log) {
   // Our parser goes first: it bounds the depth and names the place of what is wrong.
   const DocumentTree tree = parse_json(json_of(bytes, name), name, rules);
   OpenableFiles open = openable_files(tree, path);
-  if (log != nullptr && tree.root->type() == DocumentNode::Type::object && tree.root->find("images") != nullptr)
+  if (log != nullptr && tree.root->type() == DocumentNode::Type::object &&
+      tree.root->find("images") != nullptr)
     log->warn(format("{}: its images are not used; give materials and maps in the document", name));
 
   tinygltf::TinyGLTF loader;
@@ -139,19 +145,21 @@ tinygltf::Model load_gltf(const std::filesystem::path& path, LogSink* log) {
   const auto size = static_cast<unsigned int>(bytes.size());
   bool good = false;
   try {
-    good = is_binary(bytes)
-               ? loader.LoadBinaryFromMemory(&model, &error, &warning,
-                                             reinterpret_cast<const unsigned char*>(bytes.data()), size,
-                                             open.folder.string())
-               : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, open.folder.string());
+    good =
+        is_binary(bytes)
+            ? loader.LoadBinaryFromMemory(&model, &error, &warning,
+                                          reinterpret_cast<const unsigned char*>(bytes.data()), size,
+                                          open.folder.string())
+            : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, open.folder.string());
   } catch (const EnvironmentError&) {
     throw;
   } catch (const std::exception& thrown) {
     error = thrown.what();
   }
   if (!good)
-    throw InputError(format("{}: not a valid glTF 2 file: {}", name, error.empty() ? "unreadable" : one_line(error)),
-                     {name, 0, 0});
+    throw InputError(
+        format("{}: not a valid glTF 2 file: {}", name, error.empty() ? "unreadable" : one_line(error)),
+        {name, 0, 0});
   if (model.asset.version.substr(0, 2) != "2.")
     throw InputError(format("{}: expected glTF version 2, found '{}'", name, one_line(model.asset.version)),
                      {name, 0, 0});

@@ -94,7 +94,8 @@ class Reader {
     const auto numbers = [&](const std::vector<double>& list, std::size_t count, const char* what) {
       bool finite = list.size() == count;
       for (const double value : list) finite = finite && std::isfinite(value);
-      if (!list.empty() && !finite) fail(format("node {}: its {} needs {} finite numbers", index, what, count));
+      if (!list.empty() && !finite)
+        fail(format("node {}: its {} needs {} finite numbers", index, what, count));
       return !list.empty();
     };
     if (numbers(node.matrix, 16, "matrix")) {
@@ -108,7 +109,8 @@ class Reader {
     if (numbers(node.rotation, 4, "rotation")) {
       const Vec3 axis{node.rotation[0], node.rotation[1], node.rotation[2]};
       const double sine = length(axis);
-      if (sine > 0.0) transform = transform * Transform::rotation(axis, 2.0 * std::atan2(sine, node.rotation[3]));
+      if (sine > 0.0)
+        transform = transform * Transform::rotation(axis, 2.0 * std::atan2(sine, node.rotation[3]));
     }
     if (numbers(node.scale, 3, "scale"))
       transform = transform * Transform::scaling({node.scale[0], node.scale[1], node.scale[2]});
@@ -156,8 +158,9 @@ class Reader {
     for (std::size_t k = 0; k + 2 < corners.size(); k += 3) {
       if (mirrored) std::swap(corners[k + 1], corners[k + 2]);
       const auto from = [&](std::uint32_t begin) {
-        return begin == kNoIndex ? Triangle{kNoIndex, kNoIndex, kNoIndex}
-                                 : Triangle{begin + corners[k], begin + corners[k + 1], begin + corners[k + 2]};
+        return begin == kNoIndex
+                   ? Triangle{kNoIndex, kNoIndex, kNoIndex}
+                   : Triangle{begin + corners[k], begin + corners[k + 1], begin + corners[k + 2]};
       };
       mesh_.triangles.push_back(from(first));
       mesh_.uv_corners.push_back(from(uv));
@@ -167,7 +170,8 @@ class Reader {
   }
 
   /// Three corners per triangle, whatever the mode; indices from 0 within the primitive.
-  std::vector<std::uint32_t> corners_of(const tinygltf::Primitive& primitive, int mode, std::size_t vertices) const {
+  std::vector<std::uint32_t> corners_of(const tinygltf::Primitive& primitive, int mode,
+                                        std::size_t vertices) const {
     std::vector<std::uint32_t> order;
     if (primitive.indices >= 0) {
       const GltfAccessor indices(model_, primitive.indices, TINYGLTF_TYPE_SCALAR, "indices", name_);
@@ -175,7 +179,8 @@ class Reader {
       for (std::size_t k = 0; k < indices.count(); ++k) {
         const double index = indices.value(k, 0);
         if (!(index >= 0.0) || index != std::floor(index) || index >= static_cast<double>(vertices))
-          fail(format("accessor {} (indices): entry {} names vertex {} of {}", primitive.indices, k, index, vertices));
+          fail(format("accessor {} (indices): entry {} names vertex {} of {}", primitive.indices, k, index,
+                      vertices));
         order.push_back(static_cast<std::uint32_t>(index));
       }
     } else {
@@ -253,6 +258,8 @@ class Reader {
 
 }  // namespace
 
-geometry::TriangleMesh read_gltf(const std::filesystem::path& path, LogSink* log) { return Reader(path, log).read(); }
+geometry::TriangleMesh read_gltf(const std::filesystem::path& path, LogSink* log) {
+  return Reader(path, log).read();
+}
 
 }  // namespace ifov::io

@@ -9,15 +9,16 @@
 
 namespace ifov::io {
 
-/// The file name extensions of the mesh formats that are read, in small letters: ".obj", ".ply", ".gltf", ".glb".
+/// The file name extensions of the mesh formats that are read, in small letters: ".obj", ".ply", ".gltf",
+/// ".glb".
 std::vector<std::string> mesh_extensions();
 
 /// Whether the format itself says that y points up (glTF); the others leave it open.
 bool format_has_y_up(const std::filesystem::path& path);
 
-/// Reads a mesh with the reader that its extension (of either case) names; what the file holds and is not used is
-/// told to `log` (may be null). Throws InputError for an extension that is not known, a mesh without triangles and
-/// whatever the reader finds; EnvironmentError if the file cannot be read.
+/// Reads a mesh with the reader that its extension (of either case) names; what the file holds and is not
+/// used is told to `log` (may be null). Throws InputError for an extension that is not known, a mesh without
+/// triangles and whatever the reader finds; EnvironmentError if the file cannot be read.
 geometry::TriangleMesh read_mesh(const std::filesystem::path& path, LogSink* log = nullptr);
 
 }  // namespace ifov::io

@@ -46,8 +46,9 @@ class Reader {
       } else if (key.text == "usemtl") {
         slot_ = slot_of(std::string(lines_.rest()));
       } else if (key.text == "mtllib" && log_ != nullptr && !std::exchange(told_mtllib_, true)) {
-        log_->warn(format("{}: its material library '{}' is not used; the document says what each name is made of",
-                          name_, lines_.rest()));
+        log_->warn(
+            format("{}: its material library '{}' is not used; the document says what each name is made of",
+                   name_, lines_.rest()));
       }
     }
     if (mesh_.triangles.empty()) throw InputError(format("{}: the file has no faces", name_), {name_, 0, 0});
@@ -161,6 +162,8 @@ class Reader {
 
 }  // namespace
 
-geometry::TriangleMesh read_obj(const std::filesystem::path& path, LogSink* log) { return Reader(path, log).read(); }
+geometry::TriangleMesh read_obj(const std::filesystem::path& path, LogSink* log) {
+  return Reader(path, log).read();
+}
 
 }  // namespace ifov::io

@@ -12,11 +12,11 @@ namespace ifov::io {
 namespace {
 
 constexpr std::pair<std::string_view, PlyType> kTypes[] = {
-    {"char", PlyType::int8},     {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
-    {"uint8", PlyType::uint8},   {"short", PlyType::int16},     {"int16", PlyType::int16},
-    {"ushort", PlyType::uint16}, {"uint16", PlyType::uint16},   {"int", PlyType::int32},
-    {"int32", PlyType::int32},   {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
-    {"float", PlyType::float32}, {"float32", PlyType::float32}, {"double", PlyType::float64},
+    {"char", PlyType::int8},      {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
+    {"uint8", PlyType::uint8},    {"short", PlyType::int16},     {"int16", PlyType::int16},
+    {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},   {"int", PlyType::int32},
+    {"int32", PlyType::int32},    {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
+    {"float", PlyType::float32},  {"float32", PlyType::float32}, {"double", PlyType::float64},
     {"float64", PlyType::float64}};
 
 constexpr std::size_t kLongestLine = 4096;
@@ -159,10 +159,11 @@ class HeaderReader {
       if (row == 0) continue;
       // The last number of a text needs no blank after it.
       if (element.count > (available + 1 - std::min<std::uint64_t>(needed, available)) / row)
-        throw InputError(format("{}: the header announces {} rows of '{}', which do not fit into the {} bytes "
-                                "that follow it",
-                                name_, element.count, shown(element.name), available),
-                         {name_, 0, 0});
+        throw InputError(
+            format("{}: the header announces {} rows of '{}', which do not fit into the {} bytes "
+                   "that follow it",
+                   name_, element.count, shown(element.name), available),
+            {name_, 0, 0});
       needed += element.count * row;
     }
   }

@@ -42,7 +42,8 @@ class Reader {
         vertices = true;
       } else if (element.name == "face" || element.name == "tristrips") {
         if (!vertices)
-          throw InputError(format("{}: the element '{}' stands before 'vertex'", name_, element.name), {name_, 0, 0});
+          throw InputError(format("{}: the element '{}' stands before 'vertex'", name_, element.name),
+                           {name_, 0, 0});
         element.name == "face" ? read_faces(element) : read_strips(element);
       } else {
         skip_rows(element);
@@ -65,7 +66,8 @@ class Reader {
     constexpr std::size_t kNowhere = 8;
     std::array<std::string_view, kNowhere> names = {"x", "y", "z", "nx", "ny", "nz"};
     for (const auto& [u, v] : kTextureNames)
-      if (names[6].empty() && element.find(u) != nullptr && element.find(v) != nullptr) names[6] = u, names[7] = v;
+      if (names[6].empty() && element.find(u) != nullptr && element.find(v) != nullptr)
+        names[6] = u, names[7] = v;
     std::vector<std::size_t> targets;
     std::array<bool, kNowhere + 1> there{};
     for (const PlyProperty& property : element.properties) {
@@ -77,7 +79,8 @@ class Reader {
     }
     for (std::size_t k = 0; k < 3; ++k)
       if (!there[k])
-        throw InputError(format("{}: the element 'vertex' has no property '{}'", name_, names[k]), {name_, 0, 0});
+        throw InputError(format("{}: the element 'vertex' has no property '{}'", name_, names[k]),
+                         {name_, 0, 0});
     const bool normals = there[3] && there[4] && there[5], uvs = there[6] && there[7];
     if (element.count >= geometry::kNoIndex)
       throw InputError(format("{}: {} vertices are too many", name_, element.count), {name_, 0, 0});
@@ -102,8 +105,10 @@ class Reader {
   }
 
   std::uint32_t vertex_index(double index) {
-    if (!(index >= 0.0) || index != std::floor(index) || index >= static_cast<double>(mesh_.vertices_m.size()))
-      values_.fail(format("there is no vertex number {} (from 0): the file has {}", index, mesh_.vertices_m.size()));
+    if (!(index >= 0.0) || index != std::floor(index) ||
+        index >= static_cast<double>(mesh_.vertices_m.size()))
+      values_.fail(
+          format("there is no vertex number {} (from 0): the file has {}", index, mesh_.vertices_m.size()));
     return static_cast<std::uint32_t>(index);
   }
 
@@ -121,10 +126,12 @@ class Reader {
         if (&property == indices) {
           const std::uint64_t count = values_.list_count(*property.count_type, property.type);
           if (count < 3) values_.fail(format("a face needs at least 3 corners, found {}", count));
-          for (std::uint64_t k = 0; k < count; ++k) corners_.push_back(vertex_index(values_.number(property.type)));
+          for (std::uint64_t k = 0; k < count; ++k)
+            corners_.push_back(vertex_index(values_.number(property.type)));
         } else if (&property == texcoord) {
           const std::uint64_t count = values_.list_count(*property.count_type, property.type);
-          for (std::uint64_t k = 0; k < count; ++k) corner_uvs_.push_back(values_.finite_number(property.type, "a texture coordinate"));
+          for (std::uint64_t k = 0; k < count; ++k)
+            corner_uvs_.push_back(values_.finite_number(property.type, "a texture coordinate"));
         } else {
           values_.skip(property);
         }
@@ -142,7 +149,8 @@ class Reader {
     const auto pieces = cut_face(points_);
     if (!pieces) values_.fail(kCrossesItself);
     const auto first_uv = static_cast<std::uint32_t>(mesh_.uvs.size());
-    for (std::size_t k = 0; k + 1 < corner_uvs_.size(); k += 2) mesh_.uvs.push_back({corner_uvs_[k], corner_uvs_[k + 1]});
+    for (std::size_t k = 0; k + 1 < corner_uvs_.size(); k += 2)
+      mesh_.uvs.push_back({corner_uvs_[k], corner_uvs_[k + 1]});
     for (const Triangle& t : *pieces) {
       mesh_.triangles.push_back({corners_[t[0]], corners_[t[1]], corners_[t[2]]});
       if (!with_uvs) continue;

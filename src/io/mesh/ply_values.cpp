@@ -65,7 +65,9 @@ void PlyValues::fail(const std::string& message) const {
 }
 
 std::string_view PlyValues::text_word() {
-  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f'; };
+  const auto is_blank = [](char c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f';
+  };
   for (; at_ < bytes_.size() && is_blank(bytes_[at_]); ++at_) {
     const bool pair = bytes_[at_] == '\r' && at_ + 1 < bytes_.size() && bytes_[at_ + 1] == '\n';
     if (bytes_[at_] == '\n' || (bytes_[at_] == '\r' && !pair)) {

@@ -21,7 +21,8 @@ constexpr std::size_t kMostEars = 1000;
 /// Products of such coordinates stay finite, metres.
 constexpr double kLargest = 1e12;
 
-/// The two coordinates that are kept, in an order that keeps the winding, and the plane that gives the third back.
+/// The two coordinates that are kept, in an order that keeps the winding, and the plane that gives the third
+/// back.
 class Plane {
  public:
   Plane(Point3 origin, Vec3 normal) : origin_(origin), normal_(normal) {
@@ -119,7 +120,8 @@ class PieceCollector {
     if (ring == nullptr) return;
     const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(geos_.handle(), ring);
     unsigned size = 0;
-    if (sequence == nullptr || GEOSCoordSeq_getSize_r(geos_.handle(), sequence, &size) == 0 || size != 4) return;
+    if (sequence == nullptr || GEOSCoordSeq_getSize_r(geos_.handle(), sequence, &size) == 0 || size != 4)
+      return;
     Triangle t{};
     std::pair<double, double> p[3];
     for (unsigned k = 0; k < 3; ++k) {

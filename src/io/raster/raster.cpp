@@ -1,17 +1,21 @@
 #include "io/raster/raster.h"
 
-#include <cpl_error.h>
 #include <gdal.h>
 
 #include <memory>
 #include <mutex>
+#include <span>
 
 #include "core/error.h"
+#include "io/raster/quiet_gdal.h"
 
 namespace ifov::io {
 namespace {
 
-constexpr const char* kDrivers[] = {"GTiff", "ENVI", "PNG", "JPEG", "BMP", "AAIGrid", "HFA", "PNM", nullptr};
+// Kinds whose readers open the named file and its companions only.
+constexpr const char* kDrivers[] = {"GTiff", "ENVI",    "PNG",  "JPEG",    "BMP",  "AAIGrid", "HFA",  "PNM",
+                                    "EHdr",  "SRTMHGT", "DTED", "USGSDEM", "GSAG", "GSBG",    "GS7BG", "SAGA",
+                                    "JP2OpenJPEG", nullptr};
 constexpr GIntBig kCache_bytes = GIntBig{64} << 20;
 
 void register_drivers() {
@@ -22,22 +26,6 @@ void register_drivers() {
   });
 }
 
-/// Keeps GDAL's messages of this thread from the terminal, and hands out the last one.
-class QuietGdal {
- public:
-  QuietGdal() {
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-    CPLErrorReset();
-  }
-  ~QuietGdal() { CPLPopErrorHandler(); }
-  QuietGdal(const QuietGdal&) = delete;
-  QuietGdal& operator=(const QuietGdal&) = delete;
-  std::string message() const {
-    const std::string text = CPLGetLastErrorMsg();
-    return text.empty() ? "GDAL gives no reason" : text;
-  }
-};
-
 struct CloseDataset {
   void operator()(void* dataset) const { GDALClose(dataset); }
 };
@@ -47,14 +35,23 @@ using Dataset = std::unique_ptr<void, CloseDataset>;
   throw InputError(format("{}: {}", name, message), {name, 0, 0});
 }
 
-std::string driver_list() {
+/// Applies the factor and offset that the file states for a band, where it states any.
+void scale(GDALRasterBandH band, std::optional<double> nodata, std::span<float> values) {
+  const double factor = GDALGetRasterScale(band, nullptr), offset = GDALGetRasterOffset(band, nullptr);
+  if (factor == 1.0 && offset == 0.0) return;
+  for (float& value : values)
+    if (!nodata || static_cast<double>(value) != *nodata)
+      value = static_cast<float>(factor * static_cast<double>(value) + offset);
+}
+
+}  // namespace
+
+std::string raster_driver_list() {
   std::string list;
   for (const char* const* driver = kDrivers; *driver != nullptr; ++driver)
     list += (list.empty() ? "" : ", ") + std::string(*driver);
   return list;
 }
-
-}  // namespace
 
 Raster read_raster(const std::filesystem::path& path, std::size_t max_values) {
   const std::string name = path.string();
@@ -66,7 +63,7 @@ Raster read_raster(const std::filesystem::path& path, std::size_t max_values) {
   const Dataset dataset(GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                    kDrivers, nullptr, nullptr));
   if (!dataset)
-    fail(name, format("not a raster of a kind that is read ({}): {}", driver_list(), gdal.message()));
+    fail(name, format("not a raster of a kind that is read ({}): {}", raster_driver_list(), gdal.message()));
 
   Raster raster;
   raster.width = GDALGetRasterXSize(dataset.get());
@@ -91,6 +88,9 @@ Raster read_raster(const std::filesystem::path& path, std::size_t max_values) {
     int has_nodata = 0;
     const double nodata = GDALGetRasterNoDataValue(handle, &has_nodata);
     if (has_nodata != 0 && !raster.nodata) raster.nodata = nodata;
+    const char* unit = GDALGetRasterUnitType(handle);
+    raster.units.emplace_back(unit != nullptr ? unit : "");
+    scale(handle, has_nodata != 0 ? std::optional<double>(nodata) : std::nullopt, {values, width * height});
   }
   std::array<double, 6> transform{};
   if (GDALGetGeoTransform(dataset.get(), transform.data()) == CE_None) raster.geotransform = transform;

@@ -9,11 +9,13 @@
 
 namespace ifov::io {
 
-/// A raster in memory: bands of height x width numbers, rows from the top.
+/// A raster in memory: bands of height x width numbers, rows from the top. A number stands for the middle of its
+/// cell, also in files that say that their pixels are points: their georeference is moved by half a cell.
 struct Raster {
   int width = 0, height = 0, bands = 0;
   std::vector<float> values;  ///< [(band * height + row) * width + column]
-  std::optional<double> nodata;
+  std::optional<double> nodata;         ///< of the first band that has one
+  std::vector<std::string> units;       ///< of each band's numbers, as the file says; mostly empty
   /// Map coordinates: x = t[0] + column t[1] + row t[2], y = t[3] + column t[4] + row t[5]; none: a bare
   /// picture.
   std::optional<std::array<double, 6>> geotransform;
@@ -27,9 +29,12 @@ struct Raster {
   }
 };
 
-/// Reads all bands of a GeoTIFF, ENVI, PNG, JPEG, BMP, Arc/Info ASCII, Erdas Imagine or netPBM raster by
-/// GDAL, as floats; a palette's indices count, not its colours. No other driver is tried, and no path into
-/// GDAL's virtual file systems is followed. A raster of more than `max_values` numbers is refused before
+/// Names of GDAL's drivers that are tried, for people.
+std::string raster_driver_list();
+
+/// Reads all bands of a raster by GDAL, as floats: any kind in raster_driver_list(). A palette's indices count, not
+/// its colours; a band's scale and offset are applied. No other driver is tried (none that reads further files), and
+/// no path into GDAL's virtual file systems is followed. A raster of more than `max_values` numbers is refused before
 /// memory is taken. Throws InputError where the file is not such a raster or is damaged, EnvironmentError
 /// where it is not there.
 Raster read_raster(const std::filesystem::path& path, std::size_t max_values = std::size_t{1} << 28);

@@ -1,0 +1,109 @@
+#include "io/raster/map_reference.h"
+
+#include <cpl_conv.h>
+#include <ogr_srs_api.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+#include "io/raster/quiet_gdal.h"
+
+namespace ifov::io {
+
+namespace {
+
+struct ReleaseReference {
+  void operator()(void* reference) const { OSRDestroySpatialReference(reference); }
+};
+struct ReleaseTransform {
+  void operator()(void* transform) const { OCTDestroyCoordinateTransformation(transform); }
+};
+
+}  // namespace
+
+struct MapReference::Content {
+  std::unique_ptr<void, ReleaseReference> handle;
+};
+
+MapReference::MapReference(const std::string& text) : content_(std::make_unique<Content>()) {
+  const QuietGdal gdal;
+  content_->handle.reset(OSRNewSpatialReference(nullptr));
+  // PROJ's own files only: no look-up of the text as a file or an address.
+  const bool as_wkt = text.find('[') != std::string::npos;
+  char* wkt = const_cast<char*>(text.c_str());
+  const bool known = as_wkt ? OSRImportFromWkt(content_->handle.get(), &wkt) == OGRERR_NONE
+                            : text.find("://") == std::string::npos && text.find('/') == std::string::npos &&
+                                  OSRSetFromUserInput(content_->handle.get(), text.c_str()) == OGRERR_NONE;
+  if (!known)
+    throw InputError(format("'{}' is no coordinate reference system that PROJ knows ({}); expected one such as "
+                            "\"EPSG:25832\"",
+                            text, gdal.message()));
+  OSRSetAxisMappingStrategy(content_->handle.get(), OAMS_TRADITIONAL_GIS_ORDER);
+}
+MapReference::~MapReference() = default;
+MapReference::MapReference(MapReference&&) noexcept = default;
+MapReference& MapReference::operator=(MapReference&&) noexcept = default;
+
+bool MapReference::is_projected() const { return OSRIsProjected(content_->handle.get()) != 0; }
+bool MapReference::is_geographic() const { return OSRIsGeographic(content_->handle.get()) != 0; }
+double MapReference::metres_per_unit() const { return OSRGetLinearUnits(content_->handle.get(), nullptr); }
+
+std::string MapReference::name() const {
+  const char* name = OSRGetName(content_->handle.get());
+  return name != nullptr ? name : "unnamed";
+}
+
+std::string MapReference::wkt() const {
+  char* text = nullptr;
+  OSRExportToWkt(content_->handle.get(), &text);
+  const std::string result = text != nullptr ? text : "";
+  CPLFree(text);
+  return result;
+}
+
+bool MapReference::same_as(const MapReference& other) const {
+  return OSRIsSame(content_->handle.get(), other.content_->handle.get()) != 0;
+}
+
+struct MapTransform::Content {
+  std::unique_ptr<void, ReleaseTransform> handle;
+  std::string from, to;
+};
+
+MapTransform::MapTransform(const MapReference& from, const MapReference& to)
+    : content_(std::make_unique<Content>()) {
+  const QuietGdal gdal;
+  content_->from = from.name();
+  content_->to = to.name();
+  content_->handle.reset(
+      OCTNewCoordinateTransformation(from.content_->handle.get(), to.content_->handle.get()));
+  if (!content_->handle)
+    throw InputError(format("there is no way from '{}' to '{}': {}", content_->from, content_->to, gdal.message()));
+}
+MapTransform::~MapTransform() = default;
+
+void MapTransform::apply(std::span<MapPoint> points) const {
+  const QuietGdal gdal;
+  std::vector<double> x, y;
+  std::vector<int> done(points.size());
+  for (const MapPoint& point : points) {
+    x.push_back(point.x);
+    y.push_back(point.y);
+  }
+  OCTTransformEx(content_->handle.get(), static_cast<int>(points.size()), x.data(), y.data(), nullptr, done.data());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (done[k] == 0 || !std::isfinite(x[k]) || !std::isfinite(y[k]))
+      throw InputError(format("the point {}, {} of '{}' has no place in '{}'", points[k].x, points[k].y,
+                              content_->from, content_->to));
+    points[k] = {x[k], y[k]};
+  }
+}
+
+MapPoint MapTransform::operator()(MapPoint point) const {
+  apply({&point, 1});
+  return point;
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cpl_error.h>
+
+#include <string>
+
+namespace ifov::io {
+
+/// Keeps GDAL's messages of this thread from the terminal, and hands out the last one.
+class QuietGdal {
+ public:
+  QuietGdal() {
+    CPLPushErrorHandler(CPLQuietErrorHandler);
+    CPLErrorReset();
+  }
+  ~QuietGdal() { CPLPopErrorHandler(); }
+  QuietGdal(const QuietGdal&) = delete;
+  QuietGdal& operator=(const QuietGdal&) = delete;
+  std::string message() const {
+    const std::string text = CPLGetLastErrorMsg();
+    return text.empty() ? "GDAL gives no reason" : text;
+  }
+};
+
+}  // namespace ifov::io

@@ -1,0 +1,43 @@
+#include "session/map_frame.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "session/with_position.h"
+
+namespace ifov::session {
+
+MapFrame::MapFrame(const io::Document& document) {
+  const io::OriginDocument& origin = document.scene.origin;
+  offset_m_ = origin.offset_m;
+  if (origin.crs.empty()) return;
+  with_position(document, origin.crs_position, [&] {
+    reference_.emplace(origin.crs);
+    if (!reference_->is_projected() || reference_->metres_per_unit() != 1.0)
+      throw InputError(format("the scene's coordinates are metres; '{}' is not a map projection in metres",
+                              reference_->name()));
+    if (origin.has_map_offset) return;
+    const io::MapTransform project(io::MapReference("EPSG:4326"), *reference_);
+    constexpr double kDegrees = 180.0 / std::numbers::pi;
+    const io::MapPoint place =
+        project({origin.geographic->longitude_rad * kDegrees, origin.geographic->latitude_rad * kDegrees});
+    offset_m_ = {place.x, place.y, origin.height_m};
+  });
+}
+
+std::unique_ptr<io::MapTransform> MapFrame::transform_from(const std::string& projection,
+                                                           const std::string& raster) const {
+  if (projection.empty()) return nullptr;
+  const io::MapReference from(projection);
+  if (reference_) {
+    if (from.same_as(*reference_)) return nullptr;
+    return std::make_unique<io::MapTransform>(from, *reference_);
+  }
+  if (from.is_geographic() || (from.is_projected() && from.metres_per_unit() != 1.0))
+    throw InputError(format("'{}' is in '{}', whose coordinates are not metres; give the scene's 'origin' a 'crs' to "
+                            "take it to, such as \"EPSG:25832\"",
+                            raster, from.name()));
+  return nullptr;
+}
+
+}  // namespace ifov::session

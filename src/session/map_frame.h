@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "io/document/document.h"
+#include "io/raster/map_reference.h"
+
+namespace ifov::session {
+
+/// How map coordinates relate to the scene.
+class MapFrame {
+ public:
+  /// Throws InputError, at the origin's place in the document, where its reference is unknown or not in metres.
+  explicit MapFrame(const io::Document& document);
+
+  /// Map coordinates of the scene's origin, metres.
+  math::Vec3 offset_m() const { return offset_m_; }
+  /// Null where the document states none.
+  const io::MapReference* reference() const { return reference_ ? &*reference_ : nullptr; }
+
+  /// The way from a raster's reference to the scene's; null where the raster's coordinates are the scene's. Throws
+  /// InputError, naming the raster, where it is not in metres and the scene states no reference to take it to.
+  std::unique_ptr<io::MapTransform> transform_from(const std::string& projection, const std::string& raster) const;
+
+ private:
+  std::optional<io::MapReference> reference_;
+  math::Vec3 offset_m_;
+};
+
+}  // namespace ifov::session

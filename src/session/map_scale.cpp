@@ -1,0 +1,50 @@
+#include "session/map_scale.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/format.h"
+#include "sensor/frame_camera.h"
+#include "sensor/orthographic_camera.h"
+
+namespace ifov::session {
+
+namespace {
+
+constexpr double kMuch = 10.0;
+
+}  // namespace
+
+double ground_sample_m(const sensor::Camera& camera, const geometry::World& world) {
+  if (const auto* nadir = dynamic_cast<const sensor::OrthographicCamera*>(&camera)) return nadir->settings().gsd_m;
+  const auto* frame = dynamic_cast<const sensor::FrameCamera*>(&camera);
+  if (frame == nullptr) return 0.0;
+  const geometry::World::Bounds bounds = world.bounds();
+  const math::Point3 middle = bounds.low_m + (bounds.high_m - bounds.low_m) * 0.5;
+  const sensor::FrameCamera::Settings& settings = frame->settings();
+  return math::length(middle - settings.position_m) * settings.pitch_m / settings.focal_length_m;
+}
+
+std::vector<std::string> scale_statements(const std::vector<MapScale>& scales, double ground_sample_m) {
+  std::vector<std::string> lines;
+  if (!(ground_sample_m > 0.0)) return lines;
+  for (const MapScale& scale : scales) {
+    const std::string name = std::filesystem::path(scale.path).filename().string();
+    const double small = std::min(scale.cell_width_m, scale.cell_height_m);
+    const double large = std::max(scale.cell_width_m, scale.cell_height_m);
+    const std::string cells = small == large ? format("cells of {:.3g} m", small)
+                                             : format("cells of {:.3g} m x {:.3g} m", scale.cell_width_m,
+                                                      scale.cell_height_m);
+    if (large * kMuch < ground_sample_m)
+      lines.push_back(format("map '{}': {} are {:.3g} times finer than the ground sample of {:.3g} m; what they hold is "
+                             "seen as means of many of them",
+                             name, cells, ground_sample_m / large, ground_sample_m));
+    else if (small > kMuch * ground_sample_m)
+      lines.push_back(format("map '{}': {} are {:.3g} times coarser than the ground sample of {:.3g} m; their edges will "
+                             "be seen",
+                             name, cells, small / ground_sample_m, ground_sample_m));
+  }
+  return lines;
+}
+
+}  // namespace ifov::session

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/world.h"
+#include "sensor/camera.h"
+
+namespace ifov::session {
+
+/// A map draped from above and the size of its cells.
+struct MapScale {
+  std::string path;
+  double cell_width_m = 0.0, cell_height_m = 0.0;
+  friend bool operator==(const MapScale&, const MapScale&) = default;
+};
+
+/// Side of a pixel on the ground, metres: that of an orthographic camera, or of a frame camera at the middle of the
+/// scene.
+double ground_sample_m(const sensor::Camera& camera, const geometry::World& world);
+
+/// One line for each map whose cells are more than ten times smaller or larger than a pixel.
+std::vector<std::string> scale_statements(const std::vector<MapScale>& scales, double ground_sample_m);
+
+}  // namespace ifov::session

@@ -1,0 +1,68 @@
+#include "session/terrain_assembly.h"
+
+#include <filesystem>
+
+#include "io/raster/elevation.h"
+
+namespace ifov::session {
+
+namespace {
+
+/// The file's georeference, or the one that the document gives instead, as Raster::geotransform.
+std::array<double, 6> georeference(const io::TerrainShape& source, const io::Elevation& elevation) {
+  if (source.placement) {
+    const io::RasterDocument::Placement& place = *source.placement;
+    return {place.x_m, place.width_m / elevation.width, 0.0, place.y_m + place.height_m, 0.0,
+            -place.height_m / elevation.height};
+  }
+  if (elevation.geotransform) return *elevation.geotransform;
+  throw InputError(format("the raster '{}' has no georeference; give low_left and size", source.file.path));
+}
+
+geometry::TerrainGrid grid_of(const io::TerrainShape& source, io::Elevation elevation, const MapFrame& frame) {
+  geometry::TerrainGrid grid;
+  grid.columns = elevation.width;
+  grid.rows = elevation.height;
+  grid.height_m = std::move(elevation.height_m);
+  const std::array<double, 6> t = georeference(source, elevation);
+  const math::Vec3 offset_m = frame.offset_m();
+  grid.corner_m = {t[0] + 0.5 * (t[1] + t[2]) - offset_m.x, t[3] + 0.5 * (t[4] + t[5]) - offset_m.y, -offset_m.z};
+  grid.along_column_m = {t[1], t[4], 0.0};
+  grid.along_row_m = {t[2], t[5], 0.0};
+  const auto transform =
+      source.placement ? nullptr : frame.transform_from(elevation.projection, source.file.path);
+  if (!transform) return grid;
+  std::vector<io::MapPoint> points;
+  points.reserve(grid.height_m.size());
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      points.push_back({t[0] + (column + 0.5) * t[1] + (row + 0.5) * t[2],
+                        t[3] + (column + 0.5) * t[4] + (row + 0.5) * t[5]});
+  transform->apply(points);
+  for (const io::MapPoint& point : points) grid.places_m.push_back({point.x - offset_m.x, point.y - offset_m.y});
+  return grid;
+}
+
+}  // namespace
+
+geometry::TriangleMesh assemble_terrain(const io::TerrainShape& source, const MapFrame& frame, LogSink* log) {
+  io::Elevation elevation =
+      io::read_elevation(source.file.path, source.band, source.unit_m,
+                         source.fill ? io::UnknownHeights::fill : io::UnknownHeights::holes);
+  const std::size_t unknown = elevation.unknown;
+  const geometry::TerrainGrid grid = grid_of(source, std::move(elevation), frame);
+  geometry::TerrainMesh terrain = geometry::mesh_terrain(grid, source.detail_m, source.smooth);
+  if (log != nullptr) {
+    const std::string name = std::filesystem::path(source.file.path).filename().string();
+    std::string text = format("terrain '{}': {} x {} heights, {} triangles, largest height error {:.3g} m", name,
+                              grid.columns, grid.rows, terrain.mesh.triangles.size(), terrain.largest_height_error_m);
+    if (!grid.places_m.empty()) text += format(", largest shift on the map {:.3g} m", terrain.largest_shift_m);
+    log->info(text);
+    if (unknown > 0)
+      log->warn(format("terrain '{}': {} of {} cells have no height; they are {}", name, unknown,
+                       grid.height_m.size(), source.fill ? "filled from their neighbours" : "holes"));
+  }
+  return std::move(terrain.mesh);
+}
+
+}  // namespace ifov::session

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ifov::fuzz {
+
+/// Small good files of each format.
+std::vector<std::string> obj_seeds();
+std::vector<std::string> ply_seeds();
+std::vector<std::string> gltf_seeds();
+std::vector<std::string> glb_seeds();
+std::vector<std::string> city_json_seeds();
+std::vector<std::string> document_seeds();
+std::vector<std::string> ecostress_seeds();
+std::vector<std::string> table_seeds();
+std::vector<std::string> channel_seeds();
+std::vector<std::string> envi_header_seeds();
+
+}  // namespace ifov::fuzz
