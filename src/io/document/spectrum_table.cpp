@@ -130,7 +130,7 @@ Kind<double> um_per_unit_kind() { return choice<double>({{"um", 1.0}, {"nm", 1e-
 Kind<SpectrumDocument> spectrum_kind(SpectrumOf quantity_of) {
   std::vector<std::pair<std::vector<std::string>, Kind<SpectrumDocument>>> cases;
   cases.push_back({{"csv"}, csv_kind(quantity_of)});
-  if (quantity_of == SpectrumOf::fraction) cases.push_back({{"ecostress"}, ecostress_kind()});
+  if (dimension_of(quantity_of) == nullptr) cases.push_back({{"ecostress"}, ecostress_kind()});
   cases.push_back({{"table"}, written_table_kind(quantity_of)});
   return either(constant_kind(quantity_of), tagged(cases));
 }
