@@ -7,8 +7,6 @@ namespace ifov::io {
 
 /// The tables of keys, one function for each section of a document and for each part that sections share.
 
-/// What a spectrum is of; `fraction` is any number from 0 to 1 that is none of the first three.
-enum class SpectrumOf { reflectance, emissivity, transmittance, fraction, radiance, irradiance };
 Kind<SpectrumDocument> spectrum_kind(SpectrumOf quantity);
 Kind<double> um_per_unit_kind();  ///< "um" or "nm", as micrometres per unit
 
