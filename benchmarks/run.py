@@ -12,11 +12,12 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
-from drivers import honesty, micro, mitsuba, speed, studies  # noqa: E402
+from drivers import honesty, instances, micro, mitsuba, speed, studies  # noqa: E402
 from drivers.figures import Context, show  # noqa: E402
 
 GROUPS = {
     "micro": micro.run,
+    "instances": instances.run,
     "speed": speed.run,
     "studies": studies.run,
     "honesty": honesty.run,

@@ -23,6 +23,8 @@ Command add_render_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
 Command add_info_command(CLI::App& app);
 Command add_study_command(CLI::App& app);
+Command add_materials_command(CLI::App& app);
+Command add_make_command(CLI::App& app);
 Command add_schema_command(CLI::App& app);
 
 }  // namespace ifov::cli

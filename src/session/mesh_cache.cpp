@@ -3,6 +3,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/format.h"
 #include "geometry/body_record.h"
 #include "io/instances/instance_csv.h"
 
@@ -32,7 +33,7 @@ class CachedInstances final : public geometry::Placings {
 geometry::Body cached_mesh(io::SceneCache* cache, const std::string& file,
                            const std::function<geometry::TriangleMesh()>& read) {
   if (cache == nullptr) return geometry::body_of(read());
-  const std::string name = "mesh " + cache->name_of(file);
+  const std::string name = format("mesh {}", cache->name_of(file));
   if (const auto bytes = cache->find(name)) {
     if (std::optional<geometry::Body> body = geometry::body_from_record(*bytes)) return std::move(*body);
     cache->reject(name);
@@ -52,8 +53,8 @@ std::shared_ptr<const geometry::Placings> cached_instances(io::SceneCache* cache
                                                            const std::function<std::vector<io::Instance>()>& make,
                                                            const std::string& more) {
   if (cache == nullptr) return std::make_shared<io::InstanceList>(make());
-  std::string name = "instances" + more;
-  for (const std::string& file : files) name += " " + cache->name_of(file);
+  std::string name = format("instances{}", more);
+  for (const std::string& file : files) name += format(" {}", cache->name_of(file));
   if (const auto bytes = cache->find(name)) {
     if (bytes->size() % sizeof(io::Instance) == 0) return std::make_shared<CachedInstances>(*bytes);
     cache->reject(name);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/spectra/ecostress.h"
+#include "io/spectra/sample_spectrum.h"
 #include "io/spectra_files.h"
 #include "support/truth_data.h"
 

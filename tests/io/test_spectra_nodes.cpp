@@ -5,6 +5,7 @@
 
 #include "io/spectra/channel_table.h"
 #include "io/spectra/ecostress.h"
+#include "io/spectra/sample_spectrum.h"
 #include "io/spectra_files.h"
 #include "radiometry/planck.h"
 #include "radiometry/solar_spectrum.h"

@@ -28,6 +28,23 @@ TEST(Material, IsChecked) {
   EXPECT_NO_THROW(check(m));
 }
 
+TEST(Material, LeavesLetThroughNoMoreThanIsLeft) {
+  Material m{"leaf", radiometry::Spectrum({0.4, 0.7, 1.0}, {0.1, 0.2, 0.6}), ScatteringKind::lambertian};
+  m.transmittance = radiometry::Spectrum({0.5, 0.9}, {0.2, 0.5});
+  EXPECT_NO_THROW(check(m));
+  m.transmittance = radiometry::Spectrum({0.5, 0.9}, {0.2, 0.75});
+  EXPECT_EQ(message_of([&] { check(m); }),
+            "material 'leaf': reflectance and transmittance must not sum to more than 1; at 0.9 um they are 0.466667 "
+            "and 0.75");
+  m.transmittance = radiometry::Spectrum::constant(-0.1);
+  EXPECT_EQ(message_of([&] { check(m); }),
+            "material 'leaf': transmittance must lie between 0 and 1; it reaches from -0.1 to -0.1");
+  m.transmittance = radiometry::Spectrum::constant(0.1);
+  m.scattering = ScatteringKind::mirror;
+  EXPECT_EQ(message_of([&] { check(m); }),
+            "material 'leaf': only \"lambertian\" scattering can have a transmittance");
+}
+
 // 3 x 2 cells of 2 m x 1 m; the north-west corner at (10, 20).
 const MapGrid kGrid{10.0, 20.0, 2.0, 1.0, 3, 2};
 

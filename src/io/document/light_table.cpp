@@ -64,14 +64,13 @@ Kind<SurroundingsDocument> surroundings_kind() {
       s.spectrum = std::move(spectrum);
     };
   };
-  const Kind<SpectrumDocument> spectrum = spectrum_kind(SpectrumOf::fraction);
   Record<SurroundingsDocument> record(
       "surroundings",
       "What rays meet that leave the scene below the horizon: a Lambertian surface "
       "lit by Sun and sky.");
   record.exactly_one()
-      .one("reflectance", store(false), spectrum, "spectral reflectance")
-      .one("emissivity", store(true), spectrum, "spectral emissivity")
+      .one("reflectance", store(false), spectrum_kind(SpectrumOf::reflectance), "spectral reflectance")
+      .one("emissivity", store(true), spectrum_kind(SpectrumOf::emissivity), "spectral emissivity")
       .optional("temperature", &SurroundingsDocument::temperature_k,
                 quantity(kTemperature, Range::at_least(0.0, "K")), "without one they emit nothing");
   return record.kind();

@@ -23,11 +23,12 @@ Kind<TemperatureDocument> temperature_kind() {
 }
 
 Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind() {
-  const Kind<SpectrumDocument> spectrum = spectrum_kind(SpectrumOf::fraction);
-  const Kind<std::vector<SpectrumDocument>> curves =
-      either(converted<std::vector<SpectrumDocument>>(
-                 spectrum, [](SpectrumDocument one) { return std::vector<SpectrumDocument>{std::move(one)}; }),
-             list(spectrum, 2, kMostCurves));
+  const auto curves = [](SpectrumOf quantity) {
+    const Kind<SpectrumDocument> spectrum = spectrum_kind(quantity);
+    return either(converted<std::vector<SpectrumDocument>>(
+                      spectrum, [](SpectrumDocument one) { return std::vector<SpectrumDocument>{std::move(one)}; }),
+                  list(spectrum, 2, kMostCurves));
+  };
   const auto store = [](bool is_emissivity) {
     return [is_emissivity](MaterialDocument& material, std::vector<SpectrumDocument> values) {
       material.is_emissivity = is_emissivity;
@@ -38,8 +39,8 @@ Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind() {
   };
   Record<MaterialDocument> record("material", "A surface: reflectance, transmittance (0 unless given) and emissivity sum to 1.");
   record.exactly_one()
-      .one("reflectance", store(false), curves, "spectral reflectance, or several curves for a texture to pick from")
-      .one("emissivity", store(true), curves, "spectral emissivity, likewise")
+      .one("reflectance", store(false), curves(SpectrumOf::reflectance), "spectral reflectance, or several curves for a texture to pick from")
+      .one("emissivity", store(true), curves(SpectrumOf::emissivity), "spectral emissivity, likewise")
       .optional("temperature", &MaterialDocument::temperature, temperature_kind(),
                 "without one, here or on the object, a surface emits nothing")
       .with_default(
@@ -48,7 +49,7 @@ Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind() {
           "\"lambertian\"", "how the surface reflects")
       .optional("texture", &MaterialDocument::texture, texture_kind(), "picks among several curves")
       .optional("relief", &MaterialDocument::relief, relief_kind(), "bumps that light sees")
-      .optional("transmittance", &MaterialDocument::transmittance, spectrum_kind(SpectrumOf::fraction),
+      .optional("transmittance", &MaterialDocument::transmittance, spectrum_kind(SpectrumOf::transmittance),
                 "of a thin leaf, the same from both sides: what leaves the other side, spread as Lambert's law says; "
                 "emissivity is then 1 - reflectance - transmittance")
       .check([](const MaterialDocument& material, const DocumentNode& node) {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -31,16 +35,61 @@ struct EcostressSpectrum {
   std::vector<DocumentFile> files;
 };
 
+/// A file of the USGS library; `wavelengths` stand in one of their own from version 7 on.
+struct UsgsSpectrum {
+  DocumentFile file;
+  std::optional<DocumentFile> wavelengths;
+};
+
+/// A file of an ASD field spectrometer.
+struct AsdSpectrum {
+  DocumentFile file;
+};
+
+/// One spectrum of an ENVI spectral library, by its name or by a number that counts from 1.
+struct SliSpectrum {
+  DocumentFile file;
+  std::variant<int, std::string> which = 1;
+  double scale = 1.0;
+};
+
+/// One curve of a DIRSIG emissivity file, by a number that counts from 1.
+struct EmsSpectrum {
+  DocumentFile file;
+  int curve = 1;
+};
+
+/// A curve of the embedded spectral library; parse_document has checked that it exists.
+struct LibrarySource {
+  std::string material;
+  std::size_t curve = 0;  ///< its position in the material
+};
+
 /// Values written in the document: as many as wavelengths, which rise strictly.
 struct TableSpectrum {
   std::vector<double> wavelength_um;
   std::vector<double> values;
 };
 
+/// What a spectrum is of. Samples of spectral libraries give the first three; `fraction` is any other number
+/// from 0 to 1.
+enum class SpectrumOf { reflectance, emissivity, transmittance, fraction, radiance, irradiance };
+
+struct SpectrumDocument;
+
+/// A visible-to-shortwave and a thermal spectrum of the same sample, as one.
+struct JoinedSpectrum {
+  std::vector<SpectrumDocument> parts;  ///< two, in either order
+};
+
 /// A spectrum. Reflectance, emissivity and transmittance are fractions; radiance is in W m-2 sr-1 um-1,
 /// irradiance in W m-2 um-1.
 struct SpectrumDocument {
-  std::variant<ConstantSpectrum, CsvSpectrum, EcostressSpectrum, TableSpectrum> source;
+  std::variant<ConstantSpectrum, CsvSpectrum, EcostressSpectrum, UsgsSpectrum, AsdSpectrum, SliSpectrum,
+               EmsSpectrum, LibrarySource, JoinedSpectrum, TableSpectrum>
+      source;
+  SpectrumOf quantity = SpectrumOf::fraction;
+  std::optional<std::array<double, 2>> range_um;  ///< only this part of the file
   OutsideRange outside = OutsideRange::error;
   SourcePosition position;
 };

@@ -7,7 +7,6 @@ namespace ifov::io {
 
 /// The tables of keys, one function for each section of a document and for each part that sections share.
 
-enum class SpectrumOf { fraction, radiance, irradiance };
 Kind<SpectrumDocument> spectrum_kind(SpectrumOf quantity);
 Kind<double> um_per_unit_kind();  ///< "um" or "nm", as micrometres per unit
 

@@ -76,7 +76,7 @@ struct Axes {
   double y(double value) const { return kTop + kPlotHeight * (1.0 - value / top); }
 };
 
-void draw_axes(cairo_t* c, const Axes& axes) {
+void draw_axes(cairo_t* c, const Axes& axes, bool with_transmittance) {
   const double bottom = kTop + kPlotHeight, right = kWidth - kRight;
   const double step = axes.top > 0.5 ? 0.2 : axes.top > 0.25 ? 0.1 : axes.top > 0.1 ? 0.05 : 0.02;
   font(c, kFontSize, false);
@@ -106,7 +106,7 @@ void draw_axes(cairo_t* c, const Axes& axes) {
   cairo_save(c);
   cairo_translate(c, 20, kTop + 0.5 * kPlotHeight);
   cairo_rotate(c, -M_PI / 2);
-  text(c, 0, 0, "Reflectance, transmittance", Anchor::centre);
+  text(c, 0, 0, with_transmittance ? "Reflectance, transmittance" : "Reflectance", Anchor::centre);
   cairo_restore(c);
 }
 
@@ -196,7 +196,7 @@ std::string plot_material(const LibraryMaterial& material, std::span<const std::
 
   const auto grid = material.curves.front().reflectance.wavelength_um();
   const Axes axes{grid.front(), grid.back(), top_of(material, curves)};
-  draw_axes(c, axes);
+  draw_axes(c, axes, any_transmittance);
   cairo_save(c);
   cairo_rectangle(c, kLeft, kTop, kWidth - kLeft - kRight, kPlotHeight);
   cairo_clip(c);

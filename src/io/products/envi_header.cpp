@@ -66,8 +66,10 @@ class Parser {
     result.coordinate_system = text("coordinate system string");
     result.map_info = split(text("map info"));
     result.band_names = list("band names", result.bands);
-    result.wavelength = numbers("wavelength", result.bands);
-    result.fwhm = numbers("fwhm", result.bands);
+    result.is_spectral_library = lower(text("file type")) == "envi spectral library";
+    const int channels = result.is_spectral_library ? result.samples : result.bands;
+    result.wavelength = numbers("wavelength", channels);
+    result.fwhm = numbers("fwhm", channels);
     if (const auto e = take("default bands"))
       for (const auto& item : split(e->value)) {
         const int band = integer<int>({item, e->line}, "default bands");
@@ -76,7 +78,6 @@ class Parser {
         result.default_bands.push_back(band);
       }
     check_volume(result);
-    entries_.erase("file type");
     for (auto& [key, entry] : entries_) result.other.emplace(key, std::move(entry.value));
     return result;
   }

@@ -131,10 +131,14 @@ radiometry::Channel located(const TextFile& file, int line, const Make& make) {
 
 std::vector<radiometry::Channel> read_channels(const std::filesystem::path& path,
                                                std::optional<WavelengthUnit> unit) {
-  const TextFile file(path);
+  return parse_channels(TextFile(path), unit);
+}
+
+std::vector<radiometry::Channel> parse_channels(const TextFile& file, std::optional<WavelengthUnit> unit) {
   const int heading = heading_line_of(file);
-  std::vector<NamedCells> bands =
-      heading > 0 ? read_columns(file, heading) : read_blocks(file, path.stem().string());
+  std::vector<NamedCells> bands = heading > 0
+                                      ? read_columns(file, heading)
+                                      : read_blocks(file, std::filesystem::path(file.name()).stem().string());
   const WavelengthUnit used = unit.value_or(unit_of(bands));
   std::vector<radiometry::Channel> channels;
   if (heading > 0 && bands.size() == 1 && lower_case(bands[0].name) == "fwhm") {

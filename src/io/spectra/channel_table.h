@@ -22,5 +22,8 @@ namespace ifov::io {
 /// column.
 std::vector<radiometry::Channel> read_channels(const std::filesystem::path& path,
                                                std::optional<WavelengthUnit> unit = {});
+/// The same of text in memory.
+std::vector<radiometry::Channel> parse_channels(const TextFile& file,
+                                                std::optional<WavelengthUnit> unit = {});
 
 }  // namespace ifov::io

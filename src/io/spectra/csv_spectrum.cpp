@@ -32,7 +32,10 @@ WavelengthUnit parse_wavelength_unit(const std::string& name) {
 }
 
 radiometry::Spectrum read_csv_spectrum(const std::filesystem::path& path, const CsvSpectrumOptions& options) {
-  const TextFile file(path);
+  return parse_csv_spectrum(TextFile(path), options);
+}
+
+radiometry::Spectrum parse_csv_spectrum(const TextFile& file, const CsvSpectrumOptions& options) {
   if (options.wavelength_column < 1 || options.value_column < 1)
     throw InputError(format("{}: columns count from 1", file.name()));
   const std::size_t x = static_cast<std::size_t>(options.wavelength_column - 1);
@@ -66,7 +69,7 @@ radiometry::Spectrum read_csv_spectrum(const std::filesystem::path& path, const 
     rows.add(file, number, fields[x], *wavelength, options.scale * *value, options.unit);
   }
   if (rows.empty()) file.fail(0, 0, "found no row of numbers; expected wavelengths and values");
-  return rows.spectrum(file, options.outside, path.filename().string());
+  return rows.spectrum(file, options.outside, std::filesystem::path(file.name()).filename().string());
 }
 
 }  // namespace ifov::io

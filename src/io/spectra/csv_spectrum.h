@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "io/tables/text_table.h"
 #include "radiometry/spectrum.h"
 
 namespace ifov::io {
@@ -28,5 +29,7 @@ struct CsvSpectrumOptions {
 /// EnvironmentError where the file cannot be read.
 radiometry::Spectrum read_csv_spectrum(const std::filesystem::path& path,
                                        const CsvSpectrumOptions& options = {});
+/// The same of text in memory.
+radiometry::Spectrum parse_csv_spectrum(const TextFile& file, const CsvSpectrumOptions& options = {});
 
 }  // namespace ifov::io

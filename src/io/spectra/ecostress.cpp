@@ -120,7 +120,10 @@ void check_statements(const TextFile& file, const Header& header, const Spectrum
 }  // namespace
 
 LibrarySpectrum read_ecostress(const std::filesystem::path& path, radiometry::OutsideRange outside) {
-  const TextFile file(path);
+  return parse_ecostress(TextFile(path), outside);
+}
+
+LibrarySpectrum parse_ecostress(const TextFile& file, radiometry::OutsideRange outside) {
   const Header header = read_header(file);
   const WavelengthUnit unit = wavelength_unit(file, header.need(file, "X Units"));
   const double scale = value_scale(file, header.need(file, "Y Units"));
@@ -144,22 +147,7 @@ LibrarySpectrum read_ecostress(const std::filesystem::path& path, radiometry::Ou
   const std::string& name = header.need(file, "Name").value;
   const auto measurement = header.entries.find("measurement");
   return {name, measurement == header.entries.end() ? std::string() : measurement->second.value,
-          rows.spectrum(file, outside, path.filename().string())};
-}
-
-radiometry::Spectrum join(const radiometry::Spectrum& vswir, const radiometry::Spectrum& tir) {
-  if (vswir.is_constant() || tir.is_constant() || tir.last_um() <= vswir.last_um() ||
-      tir.first_um() <= vswir.first_um())
-    throw InputError(format("'{}' and '{}' do not join: expected a second spectrum of longer wavelengths",
-                            vswir.name(), tir.name()));
-  std::vector<double> wavelength_um, values;
-  for (std::size_t i = 0; i < vswir.values().size() && vswir.wavelength_um()[i] < tir.first_um(); ++i) {
-    wavelength_um.push_back(vswir.wavelength_um()[i]);
-    values.push_back(vswir.values()[i]);
-  }
-  wavelength_um.insert(wavelength_um.end(), tir.wavelength_um().begin(), tir.wavelength_um().end());
-  values.insert(values.end(), tir.values().begin(), tir.values().end());
-  return radiometry::Spectrum(std::move(wavelength_um), std::move(values), vswir.outside(), vswir.name());
+          rows.spectrum(file, outside, std::filesystem::path(file.name()).filename().string())};
 }
 
 }  // namespace ifov::io

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "io/spectra/sample_spectrum.h"
+#include "io/tables/text_table.h"
 #include "radiometry/spectrum.h"
 
 namespace ifov::io {
@@ -21,9 +23,8 @@ struct LibrarySpectrum {
 LibrarySpectrum read_ecostress(const std::filesystem::path& path,
                                radiometry::OutsideRange outside = radiometry::OutsideRange::error);
 
-/// A visible-to-shortwave spectrum and a thermal one of the same sample, as one. In an overlap the thermal
-/// one counts from its first wavelength on; a gap is bridged by a straight line. Throws InputError where
-/// either is a constant or the second does not reach beyond the first.
-radiometry::Spectrum join(const radiometry::Spectrum& vswir, const radiometry::Spectrum& tir);
+/// The same of text in memory.
+LibrarySpectrum parse_ecostress(const TextFile& file,
+                                radiometry::OutsideRange outside = radiometry::OutsideRange::error);
 
 }  // namespace ifov::io

@@ -1,0 +1,125 @@
+// A scene of large files is read once: what comes after is the same picture, byte for byte.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "core/format.h"
+#include "core/run_control.h"
+#include "io/document/document.h"
+#include "session/session.h"
+
+namespace ifov::session {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Words final : public LogSink {
+ public:
+  void info(const std::string& message) override { text += message + "\n"; }
+  void warn(const std::string& message) override { text += message + "\n"; }
+  std::string text;
+};
+
+class CachedScene : public testing::Test {
+ protected:
+  CachedScene() : folder_(fs::temp_directory_path() / format("ifov_cached_{}", getpid())) {
+    fs::create_directories(folder_);
+    write_ground(0.4);
+    std::ofstream places(folder_ / "places.csv");
+    for (int k = 0; k < 6000; ++k)
+      places << 0.1 * (k % 80) - 4.0 << ',' << 0.1 * (k / 80) - 4.0 << ",0," << 7 * k % 360 << ",1\n";
+  }
+  ~CachedScene() override { fs::remove_all(folder_); }
+
+  /// Waves of two materials on a grid of 100 by 100 cells.
+  void write_ground(double height_m) const {
+    std::ofstream file(folder_ / "ground.obj");
+    constexpr int kCells = 100;
+    for (int j = 0; j <= kCells; ++j)
+      for (int i = 0; i <= kCells; ++i)
+        file << format("v {:.3f} {:.3f} {:.3f}\n", 0.08 * i - 4.0, 0.08 * j - 4.0,
+                       height_m * std::sin(0.3 * i) * std::cos(0.2 * j));
+    for (int j = 0; j < kCells; ++j)
+      for (int i = 0; i < kCells; ++i) {
+        const int a = j * (kCells + 1) + i + 1, d = a + kCells + 2;
+        file << format("usemtl {}\nf {} {} {}\nf {} {} {}\n", (i / 7 + j / 9) % 2 == 0 ? "sand" : "soil", a, a + 1, d,
+                       a, d, d - 1);
+      }
+  }
+
+  struct Run {
+    std::string image, words;
+  };
+  Run render(bool cache) const {
+    const io::Document document = io::parse_document(R"({"ifov": 1, "scene": {
+      "materials": {"sand": {"reflectance": 0.5}, "soil": {"reflectance": 0.2}, "leaf": {"reflectance": 0.7}},
+      "prototypes": {"card": [{"box": {"low": ["-0.02 m", "-0.01 m", "0 m"], "high": ["0.02 m", "0.01 m", "0.5 m"]},
+                               "material": "leaf"}],
+                     "tuft": [{"instance": {"of": "card"}},
+                              {"instance": {"of": "card"}, "transform": {"rotate": {"angle": "90 deg"}}}]},
+      "objects": [{"mesh": {"file": "ground.obj"}, "material": {"slots": {"sand": "sand", "soil": "soil"}}},
+                  {"instances": {"of": "tuft", "csv": "places.csv"}}]},
+      "light": {"sun": {"point": {"zenith": "40 deg", "azimuth": "130 deg"}}},
+      "sensor": {"camera": {"orthographic": {"gsd": "0.25 m", "pixels": [24, 24]}},
+                 "channels": [{"name": "red", "monochromatic": {"at": "0.65 um"}}]},
+      "sampling": {"grid": {"elements": [4, 4]}, "max_depth": 2}})",
+                                                     (folder_ / "scene.json").string());
+    Words words;
+    RunOptions options;
+    options.output_folder = folder_ / "out";
+    Session::load(document, &words, {.scene_cache = cache}).render(options);
+    std::ifstream file(options.output_folder / "image_radiance.img", std::ios::binary);
+    Run run{{std::istreambuf_iterator<char>(file), {}}, words.text};
+    EXPECT_FALSE(run.image.empty());
+    fs::remove_all(options.output_folder);
+    return run;
+  }
+
+  fs::path cache() const { return folder_ / "scene.ifovcache"; }
+
+  fs::path folder_;
+};
+
+TEST_F(CachedScene, IsTheSamePicture) {
+  const Run plain = render(false);
+  EXPECT_FALSE(fs::exists(cache()));
+  const Run first = render(true);
+  ASSERT_TRUE(fs::exists(cache()));
+  EXPECT_GT(fs::file_size(cache()), 600000u);
+  const Run second = render(true);
+  EXPECT_EQ(first.image, plain.image);
+  EXPECT_EQ(second.image, plain.image);
+  EXPECT_EQ(second.words, plain.words) << "a cache that is used says nothing";
+}
+
+TEST_F(CachedScene, IsReadAgainWhereItsFilesHaveChanged) {
+  render(true);
+  write_ground(0.7);
+  const Run changed = render(true), plain = render(false);
+  EXPECT_EQ(changed.image, plain.image);
+  EXPECT_NE(changed.words.find("'ground.obj' has changed since"), std::string::npos) << changed.words;
+  EXPECT_EQ(render(true).words, plain.words);
+}
+
+TEST_F(CachedScene, IsReadAgainWhereTheCacheIsDamaged) {
+  const Run first = render(true);
+  {
+    std::fstream file(cache(), std::ios::in | std::ios::out | std::ios::binary);
+    file.seekg(300000);
+    const char byte = static_cast<char>(file.get() ^ 4);
+    file.seekp(300000);
+    file.put(byte);
+  }
+  const Run again = render(true);
+  EXPECT_EQ(again.image, first.image);
+  EXPECT_NE(again.words.find("is not used: it is damaged"), std::string::npos) << again.words;
+  EXPECT_EQ(render(true).words.find("damaged"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ifov::session
