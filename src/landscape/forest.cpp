@@ -102,7 +102,7 @@ MadeScene make_forest(const MakeOptions& options) {
   check_size(options.size_m);
   const Chance chance(sampling::hash(options.seed, std::uint64_t{0x466f72657374}));
   SceneFolder folder(options.folder, options.replace);
-  SceneText text;
+  SceneText text(folder);
 
   Terrain terrain;
   terrain.half_m = 0.5 * options.size_m + kRim_m;

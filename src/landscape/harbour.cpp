@@ -101,7 +101,7 @@ MadeScene make_harbour(const MakeOptions& options) {
   check_size(options.size_m);
   const Chance chance(sampling::hash(options.seed, std::uint64_t{0x486172626f7572}));
   SceneFolder folder(options.folder, options.replace);
-  SceneText text;
+  SceneText text(folder);
   const double half = 0.5 * options.size_m + kRim_m;
 
   text.heading("Water and quay");

@@ -4,6 +4,8 @@
 #include <string_view>
 
 #include "core/format.h"
+#include "landscape/library_spectrum.h"
+#include "landscape/texture_tile.h"
 
 namespace ifov::landscape {
 namespace {
@@ -16,6 +18,8 @@ struct Entry {
   bool is_leaf = false;  ///< the library has its transmittance too
   int temperature_c = 20;
   std::string_view table = "";
+  int last_curve = 0;  ///< curves up to this one, picked from by a texture; 0: one curve
+  Grain grain = Grain::turf;
 };
 
 // The visible part is the colour, the rest that of the measured gloss paint.
@@ -54,21 +58,21 @@ constexpr std::string_view kBirchBark =
 
 constexpr Entry kEntries[] = {
     // Streets and paths
-    {"asphalt, street", "asphalt, street", 2, false, 46},
+    {"asphalt, street", "asphalt, street", 1, false, 46, "", 4, Grain::aggregate},
     {"asphalt, repaired", "asphalt, black", 1, false, 49},
     {"asphalt, driveway", "asphalt, road, weathered", 2, false, 47},
     {"concrete, kerb", "concrete, weathered", 1, false, 38},
-    {"concrete, pavement", "concrete, pavement", 3, false, 38},
+    {"concrete, pavement", "concrete, pavement", 1, false, 38, "", 3, Grain::slabs},
     {"concrete, driveway", "concrete, pavement", 2, false, 40},
     {"concrete, slab", "concrete, weathered", 3, false, 37},
     {"road paint, white", "roof, rubber coating, white", 1, false, 38},
     {"road paint, yellow", "", 1, false, 41, kYellowPaint},
     // Ground
-    {"lawn", "grass, lawn", 1, false, 27},
+    {"lawn", "grass, lawn", 1, false, 27, "", 2, Grain::turf},
     {"lawn, sparse", "grass, lawn, sparse", 1, false, 30},
-    {"lawn, dry", "grass, dry", 1, false, 35},
-    {"clover", "meadow, clover and lucerne", 1, false, 26},
-    {"soil", "soil, bare, urban", 1, false, 40},
+    {"lawn, dry", "grass, dry", 1, false, 35, "", 3, Grain::turf},
+    {"clover", "meadow, clover and lucerne", 1, false, 26, "", 3, Grain::turf},
+    {"soil", "soil, bare, urban", 1, false, 40, "", 2, Grain::turf},
     {"soil, dark", "soil, black loam", 1, false, 41},
     {"sand", "sand, brown quartz", 1, false, 48},
     {"sand, pale", "soil, pale gypsum loam", 1, false, 44},
@@ -78,7 +82,7 @@ constexpr Entry kEntries[] = {
     {"rock", "railway ballast", 1, false, 34},
     // Houses
     {"roof tile, terracotta", "roof tile, terracotta", 1, false, 48},
-    {"roof tile, red", "roof tile, red clay", 2, false, 49},
+    {"roof tile, red", "roof tile, red clay", 1, false, 49, "", 4, Grain::weathering},
     {"roof tile, brown", "roof tile, brown", 1, false, 51},
     {"roof shingle, grey", "roof shingle, asphalt, grey", 1, false, 53},
     {"roof shingle, brown", "roof shingle, asphalt, brown", 1, false, 52},
@@ -133,16 +137,36 @@ constexpr Entry kEntries[] = {
     {"crane paint, yellow", "", 1, false, 38, kYellowPaint},
 };
 
+std::string spectrum_text(const Entry& entry, SceneFolder& folder) {
+  if (entry.library.empty()) return std::string(entry.table);
+  if (entry.last_curve == 0) return library_spectrum(entry.library, entry.curve, folder);
+  std::string curves;
+  for (int curve = entry.curve; curve <= entry.last_curve; ++curve)
+    curves += (curves.empty() ? "" : ", ") + library_spectrum(entry.library, curve, folder);
+  return "[" + curves + "]";
+}
+
+std::string texture_text(const Entry& entry, SceneFolder& folder) {
+  const TextureTile tile = texture_tile(entry.grain);
+  const std::string file = format("maps/{}.tif", tile.name);
+  if (!folder.has(file)) folder.add_map(tile.name, tile.raster);
+  return format(R"("texture": {{"images": [{{"file": "{}", "low_left": ["0 m", "0 m"], "size": ["{} m", "{} m"],
+          "tiling": "repeat", "from": "0.6 um", "to": "0.7 um"}}]}}, )",
+                file, tile.size_m, tile.size_m);
+}
+
 }  // namespace
 
-std::string material_text(const std::string& name) {
+std::string material_text(const std::string& name, SceneFolder& folder) {
   for (const Entry& entry : kEntries) {
     if (entry.name != name) continue;
-    const std::string spectrum =
-        entry.library.empty() ? std::string(entry.table)
-                              : format(R"({{"library": "{}", "curve": {}}})", entry.library, entry.curve);
-    const std::string transmittance = entry.is_leaf ? format(R"("transmittance": {}, )", spectrum) : "";
-    return format(R"("{}": {{"reflectance": {}, {}"temperature": "{} degC"}})", name, spectrum, transmittance,
+    const std::string spectrum = spectrum_text(entry, folder);
+    const std::string transmittance =
+        entry.is_leaf ? format(R"("transmittance": {}, )",
+                               library_spectrum(entry.library, entry.curve, folder, LeafColumn::transmittance))
+                      : "";
+    const std::string texture = entry.last_curve > 0 ? texture_text(entry, folder) : "";
+    return format(R"("{}": {{"reflectance": {}, {}{}"temperature": "{} degC"}})", name, spectrum, transmittance, texture,
                   entry.temperature_c);
   }
   throw std::logic_error("no material '" + name + "' in the table of the generated scenes");

@@ -69,6 +69,11 @@ std::string SceneFolder::add_list(const std::string& name, std::string_view rows
   return add_text(format("instances/{}.csv", name), rows);
 }
 
+std::string SceneFolder::add_spectrum(const std::string& name, std::string_view rows) {
+  make_subfolder("spectra");
+  return add_text(format("spectra/{}.csv", name), rows);
+}
+
 std::string SceneFolder::add_map(const std::string& name, const io::Raster& raster) {
   make_subfolder("maps");
   const std::string file = format("maps/{}.tif", name);

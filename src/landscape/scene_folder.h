@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -31,6 +32,10 @@ class SceneFolder {
   std::string add_list(const std::string& name, std::string_view rows);
   /// `maps/<name>.tif`.
   std::string add_map(const std::string& name, const io::Raster& raster);
+  /// `spectra/<name>.csv`.
+  std::string add_spectrum(const std::string& name, std::string_view rows);
+  /// Whether a file of that path within the folder has been written.
+  bool has(const std::string& file) const { return std::find(files_.begin(), files_.end(), file) != files_.end(); }
 
   void publish();
 

@@ -42,7 +42,7 @@ std::string transform_text(const Stand& stand, double z_m) {
 }
 
 std::string SceneText::material(const std::string& name) {
-  if (known_.insert(name).second) materials_.push_back(material_text(name));
+  if (known_.insert(name).second) materials_.push_back(material_text(name, folder_));
   return format("\"{}\"", name);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "landscape/plane.h"
+#include "landscape/scene_folder.h"
 #include "math/vec3.h"
 
 namespace ifov::landscape {
@@ -21,6 +22,9 @@ struct View {
 /// The scene's part of a document, collected piece by piece, as JSON with comments.
 class SceneText {
  public:
+  /// The folder takes the maps of textured materials.
+  explicit SceneText(SceneFolder& folder) : folder_(folder) {}
+
   /// Materials come from the table of materials, in the order in which they are first named. Returns the name in
   /// quotes.
   std::string material(const std::string& name);
@@ -36,6 +40,7 @@ class SceneText {
   std::size_t material_count() const { return materials_.size(); }
 
  private:
+  SceneFolder& folder_;
   std::vector<std::string> materials_, prototypes_, objects_;
   std::set<std::string> known_;
 };

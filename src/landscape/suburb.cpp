@@ -86,7 +86,7 @@ MadeScene make_suburb(const MakeOptions& options) {
   check_size(options.size_m);
   const Chance chance(sampling::hash(options.seed, std::uint64_t{0x5375627572626961}));
   SceneFolder folder(options.folder, options.replace);
-  SceneText text;
+  SceneText text(folder);
 
   const StreetPlan streets = plan_streets(0.5 * options.size_m + kRim_m, chance.of(Purpose::streets));
   const PlotPlan plots = plan_plots(streets, chance.of(Purpose::plots));

@@ -58,7 +58,7 @@ std::vector<ParkedCar> plan_cars(const StreetPlan& streets, const PlotPlan& plot
     for (const int side : {-1, 1}) {
       if (!draw.happens(0.42, side)) continue;
       const Chance own = draw.of(side);
-      const Vec2 at = plot.house.at(house.garage_middle() + side * 1.32, -house.garage_depth - own.between(3.0, 3.4, 0));
+      const Vec2 at = plot.house.at(house.garage_middle() + side * 1.32, -house.garage_depth - own.between(3.2, 3.45, 0));
       traffic.try_to_park(at, plot.house.inward * (own.happens(0.7, 1) ? 1.0 : -1.0), Section::kLand, own);
     }
   }

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/format.h"
+#include "landscape/library_spectrum.h"
 
 namespace ifov::landscape {
 namespace {
@@ -66,8 +67,8 @@ View thermal_imager(double size_m) {
 
 }  // namespace
 
-std::string clear_day() {
-  return R"({
+std::string clear_day(SceneFolder& folder) {
+  const std::string_view sun_and_sky = R"({
     "sun": {"disc": {"zenith": "35 deg", "azimuth": "140 deg"}},
     // A clear sky, the same in every direction: blue below 1 um, as cold as about 260 K in the thermal infrared.
     "sky": {"radiance": {"table": {
@@ -76,7 +77,8 @@ std::string clear_day() {
       "values": ["95 W m-2 sr-1 um-1", "100 W m-2 sr-1 um-1", "94 W m-2 sr-1 um-1", "72 W m-2 sr-1 um-1", "54 W m-2 sr-1 um-1", "31 W m-2 sr-1 um-1",
                  "14 W m-2 sr-1 um-1", "6 W m-2 sr-1 um-1", "2 W m-2 sr-1 um-1", "0.7 W m-2 sr-1 um-1", "0.2 W m-2 sr-1 um-1", "0.1 W m-2 sr-1 um-1",
                  "0.1 W m-2 sr-1 um-1", "3.4 W m-2 sr-1 um-1", "4.4 W m-2 sr-1 um-1", "4.8 W m-2 sr-1 um-1", "4.6 W m-2 sr-1 um-1"]}}},
-    "surroundings": {"reflectance": {"library": "grass, pasture", "curve": 1}, "temperature": "27 degC"}
+    "surroundings": {"reflectance": )";
+  return std::string(sun_and_sky) + library_spectrum("grass, pasture", 1, folder) + R"(, "temperature": "27 degC"}
   })";
 }
 
@@ -90,9 +92,10 @@ MadeScene finish_scene(const MakeOptions& options, const ViewChoice& choice, con
   MadeScene made;
   made.contents = std::move(contents);
   made.contents.push_back(format("{} materials", text.material_count()));
+  const std::string light = clear_day(folder);
   for (const View& view : {quick_look(options.size_m), oblique(options.size_m, choice),
                            imaging_spectrometer(options.size_m), thermal_imager(options.size_m)}) {
-    folder.add_text(view.file, text.document(view, choice.title, clear_day()));
+    folder.add_text(view.file, text.document(view, choice.title, light));
     made.documents.push_back(folder.folder() / view.file);
   }
   folder.publish();

@@ -18,7 +18,7 @@ struct ViewChoice {
 
 /// The light of all generated scenes: the Sun's disc 35 degrees from the zenith in the south-east, a clear sky that is
 /// the same in all directions, grassland around.
-std::string clear_day();
+std::string clear_day(SceneFolder& folder);
 
 /// Writes the documents, which differ in what looks at the scene alone, and publishes the folder:
 /// `quicklook.json`, `oblique.json`, `render_vswir.json`, `render_thermal.json`.
