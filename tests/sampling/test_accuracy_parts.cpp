@@ -8,6 +8,8 @@
 #include "sampling/accuracy/chord.h"
 #include "sampling/accuracy/clutter.h"
 #include "sampling/accuracy/flat_map.h"
+#include "sampling/accuracy/lattice.h"
+#include "sampling/accuracy/small_vector.h"
 #include "sampling/accuracy/spread.h"
 #include "sampling/accuracy/stopping.h"
 
@@ -117,6 +119,40 @@ TEST(Lattice, NeighbouringTilesAgreeAboutAVertex) {
     EXPECT_EQ(left.image_x(15 * units + f), right.image_x(2 * units + f));
     EXPECT_EQ(left.image_y(3 * units + f), right.image_y(5 * units + f));
   }
+}
+
+TEST(Chord, TheSeriesOfShallowArcsMeetsTheClosedForm) {
+  for (double t : {0.02, 0.0999, 0.1001, 0.5, 1.0}) {
+    const double angle = 2.0 * std::atan(t), radius = (0.25 + 0.25 * t * t) / t;
+    EXPECT_NEAR(
+        circular_segment_area(1.0, 0.5 * t) / (radius * radius * (angle - std::sin(angle) * std::cos(angle))),
+        1.0, 1e-9);
+    EXPECT_NEAR(atan_over_argument(t), std::atan(t) / t, 3e-4);
+  }
+}
+
+TEST(Lattice, PixelsOfCellsComeFromAnExactDivision) {
+  for (int k = 1; k <= 32; ++k) {
+    const Lattice lattice({5, -3, 205, 197}, k);
+    for (int x = 0; x < 200 * k; ++x)
+      ASSERT_EQ(lattice.pixel_of_cell(x * Lattice::side(0), 0), x / k)
+          << "column " << x << " of " << k << " a pixel";
+    EXPECT_EQ(lattice.x_px(7 * k * Lattice::side(0)), 12.0);
+  }
+}
+
+TEST(SmallVector, GrowsBeyondItsOwnPlaces) {
+  SmallVector<int, 2> v;
+  for (int i = 0; i < 5; ++i) v.push_back(i);
+  const SmallVector<int, 2> copy = v;
+  ASSERT_EQ(copy.size(), 5u);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(copy[static_cast<std::size_t>(i)], i);
+  v.clear();
+  EXPECT_TRUE(v.empty());
+  v.push_back(7);
+  v.assign(2, 9);
+  EXPECT_EQ(v.size(), 2u);
+  EXPECT_EQ(v[1], 9);
 }
 
 TEST(FlatMap, FindsWhatWasPutIn) {

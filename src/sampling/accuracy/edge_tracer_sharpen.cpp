@@ -125,15 +125,14 @@ void EdgeTracer::want_halvings(double target) {
   }
   crossings_.resize(count);
   if (total <= target) return;
-  const auto counts_less = [](const CrossingTerm& a, const CrossingTerm& b) {
-    return a.variance != b.variance ? a.variance < b.variance : a.bracket > b.bracket;
-  };
-  std::make_heap(crossings_.begin(), crossings_.end(), counts_less);
-  while (total > target && !crossings_.empty()) {
-    std::pop_heap(crossings_.begin(), crossings_.end(), counts_less);
-    CrossingTerm& term = crossings_.back();
+  while (total > target && count > 0) {
+    std::size_t most = 0;
+    for (std::size_t i = 1; i < count; ++i)
+      if (crossings_[i].variance > crossings_[most].variance) most = i;
+    CrossingTerm& term = crossings_[most];
     if (term.halvings == kMostHalvings) {
-      crossings_.pop_back();
+      crossings_.erase(crossings_.begin() + static_cast<std::ptrdiff_t>(most));
+      --count;
       continue;
     }
     total -= 0.75 * term.variance;
@@ -142,7 +141,6 @@ void EdgeTracer::want_halvings(double target) {
     Bracket& bracket = brackets_[term.bracket];
     if (bracket.halvings == 0) active_.push_back(term.bracket);
     bracket.halvings = std::max(bracket.halvings, term.halvings);
-    std::push_heap(crossings_.begin(), crossings_.end(), counts_less);
   }
 }
 

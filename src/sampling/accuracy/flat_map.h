@@ -36,12 +36,6 @@ class FlatMap {
 
   std::size_t size() const { return size_; }
 
-  /// Forgets all keys and keeps the memory.
-  void clear() {
-    if (size_ != 0) slots_.assign(slots_.size(), {});
-    size_ = 0;
-  }
-
  private:
   struct Slot {
     std::uint64_t key = 0;

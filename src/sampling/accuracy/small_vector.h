@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -35,7 +34,7 @@ class SmallVector {
     if (count > Inline)
       far_.assign(count, value);
     else
-      std::fill_n(near_, count, value);
+      for (T& element : near_) element = value;  // all of them: a fixed number is no loop
     size_ = count;
   }
   T& push_back(const T& value) {

@@ -207,9 +207,12 @@ double TileWork::geometry_share(int source) const {
   const int k = lattice_.cells_per_pixel(), row = lattice_.columns() + 1;
   const int x = source % lattice_.domain().width() * k, y = source / lattice_.domain().width() * k;
   const auto allowed = contrast_.allowed(source);
+  std::uint32_t known = EdgeTracer::kNoLabel;
   for (int j = 0; j <= k; ++j)
     for (int i = 0; i <= k; ++i) {
       const std::uint32_t label = lattice_values_.labels[static_cast<std::size_t>(y + j) * row + x + i];
+      if (label == known) continue;
+      known = label;
       for (std::size_t d = 0; d < problem_.drivers.size(); ++d)
         if (spread_->total(label, problem_.drivers[d]) > 0.01 * allowed[d] * allowed[d])
           return kGeometryShareWithPaths;
