@@ -1,6 +1,6 @@
 // Are the intervals honest on real 3-D scenes? Each scene's mixed pixels, many seeds, against a plain path
 // tracer.
-//   bench_honesty --output figures.json --work FOLDER [--seeds N] [--only SCENE]
+//   bench_honesty --output figures.json --work FOLDER [--seeds N] [--only SCENE] [--rows FOLDER]
 // Scenes must keep their promises; runs with a planted fault must break one of them.
 
 #include <CLI/CLI.hpp>
@@ -76,10 +76,10 @@ Row caught(const std::string& name, const HonestyOutcome& faulty, const HonestyO
 /// Tolerances are wide, so that there are few paths and the mechanism that is switched off has to do the
 /// work.
 std::vector<std::pair<std::string, HonestyCase>> planted_faults(int seeds) {
-  HonestyCase no_sun_state{"gable_roof", false, false, {}, 4 * seeds, 20.0};
-  HonestyCase certain_singles{"gable_roof", false, true, {}, 4 * seeds, 5.0};
+  HonestyCase no_sun_state{"gable_roof", false, false, {}, 4 * seeds, 20.0, {}};
+  HonestyCase certain_singles{"gable_roof", false, true, {}, 4 * seeds, 5.0, {}};
   certain_singles.faults.zero_variance_single_samples = true;
-  HonestyCase undithered{"aligned_edge", false, true, {}, 10 * seeds, 1.0};
+  HonestyCase undithered{"aligned_edge", false, true, {}, 10 * seeds, 1.0, {}};
   undithered.faults.undithered_brackets = true;
   return {{"fault_no_sun_state", no_sun_state},
           {"fault_certain_single_samples", certain_singles},
@@ -98,13 +98,14 @@ std::string json(const std::vector<Row>& rows) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string output = "honesty.json", work = ".", only;
+  std::string output = "honesty.json", work = ".", only, rows_folder;
   int seeds = 24;
   CLI::App app{"Intervals of the accuracy sampler against a plain path tracer"};
   app.add_option("--output", output, "figures");
   app.add_option("--work", work, "folder for the files that scenes name");
   app.add_option("--seeds", seeds, "renderings of each scene")->check(CLI::Range(8, 100000));
-  app.add_option("--only", only, "one scene, or 'faults'");
+  app.add_option("--only", only, "one scene (SCENE_psf: with the PSF only), or 'faults'");
+  app.add_option("--rows", rows_folder, "folder for every pixel's errors and intervals, a CSV file a scene");
   CLI11_PARSE(app, argc, argv);
   try {
     write_scene_files(work);
@@ -112,8 +113,9 @@ int main(int argc, char** argv) {
     for (const char* scene :
          {"penumbra", "leaf_crown", "wall_foot", "gable_roof", "texture", "mirror", "street_canyon"})
       for (const bool psf : {false, true}) {
-        if (!only.empty() && only != scene) continue;
-        const HonestyCase which{scene, psf, true, {}, seeds};
+        HonestyCase which{scene, psf, true, {}, seeds, 1.0, {}};
+        if (!only.empty() && only != scene && only != name_of(which)) continue;
+        if (!rows_folder.empty()) which.rows = std::filesystem::path(rows_folder) / (name_of(which) + ".csv");
         const HonestyOutcome outcome = run_case(which, work);
         print_details(which, outcome);
         rows.push_back(judged(which, outcome));

@@ -17,6 +17,7 @@ struct HonestyCase {
   sampling::AccuracyFaults faults;  ///< planted
   int seeds = 24;
   double error_factor = 1.0;  ///< on the error that the scene asks for
+  std::filesystem::path rows;  ///< file that takes every judged pixel, seed and channel as CSV; empty: none
 };
 
 struct HonestyOutcome {
