@@ -35,6 +35,8 @@ class EdgeTracer {
   /// Marks the leaf at a point to be split where the model contradicts what was seen there; false where it
   /// agrees or cannot be refined further. The next settle() does the work.
   bool contradict(FocalPoint point, std::uint32_t label);
+  /// Whether it would, for a pixel that is no longer traced.
+  bool disagrees(FocalPoint point, std::uint32_t label) const;
 
   /// Labels of further points, for seeds and probes.
   void ask_at(const std::vector<FocalPoint>& points, std::vector<std::uint32_t>& labels, Purpose purpose) {
@@ -45,6 +47,9 @@ class EdgeTracer {
   /// Label of the traced model at a point of the domain; kNoLabel in complex cells.
   static constexpr std::uint32_t kNoLabel = ~std::uint32_t{0};
   std::uint32_t model_label(FocalPoint point) const;
+
+  /// Label rays after which a pixel is clutter, one per pixel; at most AccuracyOptions::tracing_budget at first.
+  std::vector<std::uint32_t>& budget() { return budget_; }
 
   /// Leaves this pixel as it is: no further rays.
   void abandon(std::uint32_t pixel) { abandoned_[pixel] = 1; }
@@ -82,6 +87,7 @@ class EdgeTracer {
   void split(std::uint32_t cell);
   std::uint32_t push_cell(std::int32_t x, std::int32_t y, int level);
   std::uint32_t find_leaf(std::int32_t x, std::int32_t y) const;
+  std::uint32_t leaf_at(FocalPoint point) const;
   std::uint32_t vertex(std::int32_t x, std::int32_t y);
   std::uint32_t known_vertex(std::int32_t x, std::int32_t y) const;
   void trace_vertices();
@@ -134,6 +140,7 @@ class EdgeTracer {
   std::vector<HangingNode> hanging_;
   std::vector<FocalPoint> points_, first_seen_point_;
   std::vector<double> allowed_variance_;
+  std::vector<std::uint32_t> budget_;
   std::vector<std::uint8_t> abandoned_, suspect_;
   std::vector<std::uint8_t>
       stirred_;  // pixels whose cells, curves or brackets changed since they were sharpened

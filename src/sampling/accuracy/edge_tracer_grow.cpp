@@ -34,6 +34,7 @@ EdgeTracer::EdgeTracer(const Lattice& lattice, RayLedger& ledger, LabelTable& ta
       faults_(faults),
       seed_(seed),
       allowed_variance_(static_cast<std::size_t>(lattice.domain().count()), 1.0),
+      budget_(allowed_variance_.size(), options.tracing_budget),
       abandoned_(allowed_variance_.size(), 0),
       suspect_(allowed_variance_.size(), 0),
       stirred_(allowed_variance_.size(), 1),
@@ -138,21 +139,25 @@ void EdgeTracer::split(std::uint32_t index) {
   split_cells_.push_back(index);
 }
 
-bool EdgeTracer::contradict(FocalPoint point, std::uint32_t label) {
+std::uint32_t EdgeTracer::leaf_at(FocalPoint point) const {
   const PixelRect& domain = lattice_.domain();
   const auto fine = [&](double at, int origin, std::int32_t limit) {
     return std::clamp(static_cast<std::int32_t>((at - origin) / lattice_.unit_px()), 0, limit - 1);
   };
-  const std::uint32_t leaf = find_leaf(fine(point.x_px, domain.x0, lattice_.width()),
-                                       fine(point.y_px, domain.y0, lattice_.height()));
-  const Cell& cell = cells_[leaf];
-  if (cell.level == kMaxLevel || abandoned_[cell.pixel]) return false;
+  return find_leaf(fine(point.x_px, domain.x0, lattice_.width()), fine(point.y_px, domain.y0, lattice_.height()));
+}
+
+bool EdgeTracer::disagrees(FocalPoint point, std::uint32_t label) const {
+  const Cell& cell = cells_[leaf_at(point)];
   const std::uint32_t model = model_label(point);
-  if (model == kNoLabel) {
-    if (!foreign(cell, label)) return false;
-  } else if (model == label || within_tolerance(cell, point, model, label)) {
-    return false;
-  }
+  if (model == kNoLabel) return foreign(cell, label);
+  return model != label && !within_tolerance(cell, point, model, label);
+}
+
+bool EdgeTracer::contradict(FocalPoint point, std::uint32_t label) {
+  const std::uint32_t leaf = leaf_at(point);
+  const Cell& cell = cells_[leaf];
+  if (cell.level == kMaxLevel || abandoned_[cell.pixel] || !disagrees(point, label)) return false;
   suspect_[cell.pixel] = 1;
   split(leaf);
   return true;
@@ -171,12 +176,7 @@ bool EdgeTracer::foreign(const Cell& cell, std::uint32_t label) const {
 }
 
 std::uint32_t EdgeTracer::model_label(FocalPoint point) const {
-  const PixelRect& domain = lattice_.domain();
-  const auto fine = [&](double at, int origin, std::int32_t limit) {
-    return std::clamp(static_cast<std::int32_t>((at - origin) / lattice_.unit_px()), 0, limit - 1);
-  };
-  const Cell& cell = cells_[find_leaf(fine(point.x_px, domain.x0, lattice_.width()),
-                                      fine(point.y_px, domain.y0, lattice_.height()))];
+  const Cell& cell = cells_[leaf_at(point)];
   if (cell.kind == CellKind::uniform) return cell.corner[0];
   if (cell.kind == CellKind::complex || cell.kind == CellKind::fresh) return kNoLabel;
   const Curve& curve = curves_[cell.chord];

@@ -54,7 +54,7 @@ void EdgeTracer::settle() {
 void EdgeTracer::give_up_clutter() {
   if (!options_.clutter_switch) return;
   for (std::uint32_t p = 0; p < abandoned_.size(); ++p)
-    if (ledger_.label_rays(static_cast<int>(p)) > options_.tracing_budget) abandoned_[p] = 1;
+    if (ledger_.label_rays(static_cast<int>(p)) > budget_[p]) abandoned_[p] = 1;
 }
 
 /// Makes crossings precise enough for every pixel's allowed variance, sets how precisely the middles of

@@ -40,7 +40,7 @@ class Radiance {
     std::vector<double> sum;              ///< [replicate][column] of the accepted
   };
   struct Stratum {
-    std::uint32_t label;
+    std::uint32_t label = EdgeTracer::kNoLabel;
     std::uint32_t round = 0;
     std::vector<std::uint32_t> samples;  ///< indices of accepted values
     std::vector<std::uint32_t>
@@ -50,6 +50,10 @@ class Radiance {
     Nets nets;
     std::vector<double> twin_squares;      ///< per column: half the squared differences of two paths at one point
     double twins = 0.0;
+    /// Values whose label contradicts the traced model: per column sums of their differences from the
+    /// label's mean, and of the squares.
+    double strays = 0.0;
+    std::vector<double> stray_sum, stray_squares;
     std::size_t count() const;  ///< values that the estimate rests on
   };
   struct Pixel {
@@ -63,8 +67,9 @@ class Radiance {
   Radiance(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable& table, const LabelSpread& spread,
            const LatticeValues& lattice_values, const AccuracyFaults& faults, std::uint64_t seed);
 
-  static constexpr int kReplicates = 8;
-  static constexpr int kStratumReplicates = 16;
+  /// Few replicates know their variance badly: with 8, one interval in a hundred errs by four standard errors.
+  static constexpr int kReplicates = 24;
+  static constexpr int kStratumReplicates = 24;
   /// Points of a stratum's second round that get a second path each.
   static constexpr int kTwins = 16;
 
@@ -81,6 +86,8 @@ class Radiance {
   /// pixel.
   void plan(std::size_t pixel, std::size_t stratum, double count);
   void plan_nets(std::size_t pixel, std::uint32_t count);
+  /// Leaves the pixel's traced model for nets over the whole of it.
+  void turn_to_clutter(std::size_t pixel);
   /// Replaces a stratum's values by nets of `count` values per replicate, or makes its nets that large.
   void plan_stratum_nets(std::size_t pixel, std::size_t stratum, std::uint32_t count);
   /// Traces what was planned.
@@ -130,6 +137,10 @@ class Radiance {
     std::size_t pixel, stratum, replicate;
   };
   void trace_nets();
+  /// Whether a value that was planned for a stratum belongs to it. What lies on the wrong side of a border is
+  /// part of the border's variance and does not; what the border cannot explain was missed by tracing: it
+  /// does, as the model counts its area to the stratum, and is kept in mind.
+  bool belongs(Stratum& stratum, FocalPoint point, std::uint32_t label, const float* value) const;
   void net_moments(const Nets& nets, std::span<const int> columns, StratumMoments& out) const;
 
   const EdgeTracer& tracer_;

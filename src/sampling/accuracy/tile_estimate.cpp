@@ -19,6 +19,10 @@ constexpr double kGrowth = 2.5;
 /// From here on replicated nets cost less than jittered values: early where paths make the variance and not
 /// texture.
 constexpr double kManyPaths = 320.0, kManyValues = 16384.0;
+/// A pixel's model is given up when what contradicts it may make this share of the allowed variance.
+constexpr double kDoubt = 0.05;
+/// First size of a net in clutter.
+constexpr std::uint32_t kFirstNet = 2;
 
 }  // namespace
 
@@ -174,6 +178,28 @@ std::uint32_t TileWork::net_size(const Radiance::Stratum& stratum, double wanted
   return size;
 }
 
+/// Whether values have met what the traced model does not know, to an extent that matters. The rest of it, which
+/// no value has met, is then likely to matter as well.
+bool TileWork::doubtful(const Radiance::Pixel& pixel) const {
+  if (pixel.cluttered) return false;
+  const PixelModel& model = pixel.model;
+  const auto allowed = contrast_.allowed(pixel.source);
+  for (std::size_t s = 0; s < pixel.strata.size(); ++s) {
+    const Radiance::Stratum& stratum = pixel.strata[s];
+    if (stratum.strays == 0.0) continue;
+    double weight = 0.0;
+    for (std::size_t o = 0; o < model.outputs.size(); ++o)
+      weight = std::max(weight, model.weight[o * model.labels.size() + s]);
+    const double share = weight / std::max(static_cast<double>(stratum.count()), stratum.strays);
+    for (std::size_t d = 0; d < problem_.drivers.size(); ++d) {
+      const int c = problem_.drivers[d];
+      const double square = stratum.stray_sum[c] * stratum.stray_sum[c] + stratum.stray_squares[c];
+      if (share * share * square > kDoubt * allowed[d] * allowed[d]) return true;
+    }
+  }
+  return false;
+}
+
 /// Looks at the intervals so far and plans values where they are too wide; false when nothing is left to do.
 bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<int>& outputs) {
   const std::size_t n = steering_.size();
@@ -181,8 +207,9 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
   bool cluttered_start = false;
   for (std::size_t p = 0; p < radiance_->pixels().size(); ++p) {
     const Radiance::Pixel& pixel = radiance_->pixels()[p];
+    if (options_.clutter_switch && doubtful(pixel)) radiance_->turn_to_clutter(p);
     if (pixel.cluttered && pixel.net_size == 0 && !pixel.model.outputs.empty()) {
-      radiance_->plan_nets(p, 4);
+      radiance_->plan_nets(p, kFirstNet);
       cluttered_start = true;
     }
   }
