@@ -156,7 +156,7 @@ HonestyOutcome run_case(const HonestyCase& which, const std::filesystem::path& w
     results[static_cast<std::size_t>(k)] = trial.render(kFirstSeed + static_cast<std::uint64_t>(k));
   });
   const std::vector<double> wanted = wanted_errors(results.front(), pixels);
-  const PlainMeans reference = trial.plain(pixels, wanted, 4096, std::int64_t{1} << 21, 77);
+  const PlainMeans reference = trial.plain(pixels, wanted, 4096, std::int64_t{1} << 23, 77);
   if (!which.rows.empty()) write_rows(which.rows, results, pixels, reference);
   IntervalStatistics statistics(pixels, reference);
 
@@ -193,6 +193,21 @@ void write_scene_files(const std::filesystem::path& work) {
   }
   map.close();
   if (!map) throw std::runtime_error("cannot write " + (work / "texture.asc").string());
+  // 13 x 13 slabs of 0.9 m, each turned its own way.
+  std::ofstream slabs(work / "patchwork.obj");
+  slabs << "usemtl slab\n";
+  int corner = 0;
+  for (int j = -6; j <= 6; ++j)
+    for (int i = -6; i <= 6; ++i) {
+      const double turn = 0.65 * i + 1.07 * j;
+      for (int k = 0; k < 4; ++k)
+        slabs << format("v {:.4f} {:.4f} 0.01\n", 1.02 * i + 0.03 + 0.636 * std::cos(turn + 1.5708 * k),
+                        1.02 * j - 0.05 + 0.636 * std::sin(turn + 1.5708 * k));
+      slabs << format("f {} {} {} {}\n", corner + 1, corner + 2, corner + 3, corner + 4);
+      corner += 4;
+    }
+  slabs.close();
+  if (!slabs) throw std::runtime_error("cannot write " + (work / "patchwork.obj").string());
 }
 
 }  // namespace ifov::benchmarks

@@ -11,6 +11,10 @@ namespace {
 /// A jittered grid has at most this many cells per pixel side, even for slivers.
 constexpr int kFinestGrid = 128;
 
+/// Curves are believed to run within this many times the width to which they are known; a value on the wrong side
+/// within that is no sign of anything missed.
+constexpr double kBorderSlack = 4.0;
+
 /// In place of a quarter: the value has the point of another one, whose number stands in place of the block.
 constexpr std::uint8_t kTwin = 255;
 
@@ -39,9 +43,34 @@ void Radiance::add_pixel(int source, const LeafIntegrator& integrator) {
     pixel.strata.assign(kReplicates, {});
   } else {
     pixel.strata.resize(pixel.model.labels.size());
-    for (std::size_t s = 0; s < pixel.strata.size(); ++s) pixel.strata[s].label = pixel.model.labels[s];
+    for (std::size_t s = 0; s < pixel.strata.size(); ++s) {
+      pixel.strata[s].label = pixel.model.labels[s];
+      find_range(pixel, pixel.strata[s]);
+    }
   }
+  if (pixel.cluttered) find_range(pixel, pixel.strata.front());
   pixels_.push_back(std::move(pixel));
+}
+
+void Radiance::find_range(const Pixel& pixel, Stratum& stratum) const {
+  const bool any_label = stratum.label == EdgeTracer::kNoLabel;
+  if (!any_label && spread_.constant(stratum.label)) return;
+  const Lattice& lattice = tracer_.lattice();
+  const int k = lattice.cells_per_pixel(), row = lattice.columns() + 1, width = lattice.domain().width();
+  const int x = pixel.source % width * k, y = pixel.source / width * k;
+  const std::size_t columns = static_cast<std::size_t>(ledger_.field().columns());
+  std::vector<float> low(columns, INFINITY), high(columns, -INFINITY);
+  for (int j = std::max(0, y - k); j <= std::min(lattice.rows(), y + 2 * k); ++j)
+    for (int i = std::max(0, x - k); i <= std::min(lattice.columns(), x + 2 * k); ++i) {
+      const std::size_t v = static_cast<std::size_t>(j) * row + i;
+      if (!any_label && lattice_.labels[v] != stratum.label) continue;
+      for (std::size_t c = 0; c < columns; ++c) {
+        low[c] = std::min(low[c], lattice_.values[v * stride_ + c]);
+        high[c] = std::max(high[c], lattice_.values[v * stride_ + c]);
+      }
+    }
+  stratum.range.resize(columns);
+  for (std::size_t c = 0; c < columns; ++c) stratum.range[c] = std::max(0.0f, high[c] - low[c]);
 }
 
 void Radiance::plan(std::size_t p, std::size_t s, double count) {
@@ -78,7 +107,7 @@ void Radiance::plan(std::size_t p, std::size_t s, double count) {
 }
 
 bool Radiance::belongs(Stratum& stratum, FocalPoint point, std::uint32_t label, const float* value) const {
-  if (!tracer_.disagrees(point, label)) return false;
+  if (!tracer_.disagrees(point, label, kBorderSlack)) return false;
   stratum.strays += 1.0;
   stratum.stray_sum.resize(stride_, 0.0);
   stratum.stray_squares.resize(stride_, 0.0);

@@ -22,6 +22,7 @@ struct LatticeValues {
 struct StratumMoments {
   std::vector<double> mean, variance;  ///< per asked column; `variance` is that of one value
   double freedom = 0.0;                ///< degrees of freedom behind `variance`
+  double share = 1.0;                  ///< variance of `mean` in units of `variance`: 1 / n where values weigh alike
   bool sampled = false;                ///< false: lattice values only, which count as one random value
 };
 
@@ -54,6 +55,9 @@ class Radiance {
     /// label's mean, and of the squares.
     double strays = 0.0;
     std::vector<double> stray_sum, stray_squares;
+    /// Per column: how much the lattice's values of the label differ in the pixel and those around it (of all labels
+    /// in a cluttered pixel). Empty where all values of the label agree.
+    std::vector<float> range;
     std::size_t count() const;  ///< values that the estimate rests on
   };
   struct Pixel {
@@ -107,8 +111,7 @@ class Radiance {
   double with_trend(const Pixel& pixel, std::size_t stratum, std::span<const int> drivers,
                     double count) const;
 
-  /// Sum over a stratum's values of squared relative weights: 1 / n where all weigh the same. With them, the
-  /// weighted mean replaces the plain one.
+  /// The share of StratumMoments for values that weigh by a footprint as well, and their mean.
   double weigh(const Pixel& pixel, std::size_t stratum, const PixelFootprint& footprint, Point2 centre,
                std::span<const int> columns, std::vector<double>& mean) const;
 
@@ -124,6 +127,11 @@ class Radiance {
     std::size_t count = 0;
     bool full = false;
   };
+  struct Round {
+    std::size_t first_block, last_block, first_sample, last_sample;
+    std::size_t count() const { return last_sample - first_sample; }
+  };
+  Round round_of(const Stratum& stratum, std::size_t r) const;
   Block block_at(const Stratum& stratum, std::size_t b) const;
   static double block_square(const Block& block, int column);
 
@@ -136,6 +144,7 @@ class Radiance {
   struct PlannedInNet {
     std::size_t pixel, stratum, replicate;
   };
+  void find_range(const Pixel& pixel, Stratum& stratum) const;
   void trace_nets();
   /// Whether a value that was planned for a stratum belongs to it. What lies on the wrong side of a border is
   /// part of the border's variance and does not; what the border cannot explain was missed by tracing: it

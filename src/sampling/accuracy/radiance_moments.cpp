@@ -25,6 +25,16 @@ Radiance::Block Radiance::block_at(const Stratum& stratum, std::size_t b) const 
   return block;
 }
 
+Radiance::Round Radiance::round_of(const Stratum& stratum, std::size_t r) const {
+  const auto sample = [&](std::size_t block) {
+    return block < stratum.block_starts.size() ? stratum.block_starts[block] : stratum.samples.size();
+  };
+  const std::size_t first = stratum.round_starts[r];
+  const std::size_t last =
+      r + 1 < stratum.round_starts.size() ? stratum.round_starts[r + 1] : stratum.block_starts.size();
+  return {first, last, sample(first), sample(last)};
+}
+
 /// One degree of freedom about the variance of a value: of four quarters what a plane does not explain, of
 /// fewer values half the square of a difference.
 double Radiance::block_square(const Block& block, int k) {
@@ -84,6 +94,7 @@ void Radiance::moments(const Pixel& pixel, std::size_t s, std::span<const int> c
   const std::size_t n = columns.size();
   out.mean.assign(n, 0.0);
   out.variance.assign(n, 0.0);
+  out.share = 1.0;
   if (stratum.nets.size > 0) {
     net_moments(stratum.nets, columns, out);
     if (out.sampled) return;
@@ -91,32 +102,52 @@ void Radiance::moments(const Pixel& pixel, std::size_t s, std::span<const int> c
   out.sampled = !stratum.samples.empty();
 
   if (out.sampled) {
-    const double share = 1.0 / static_cast<double>(stratum.samples.size());
-    for (std::uint32_t i : stratum.samples)
-      for (std::size_t c = 0; c < n; ++c) out.mean[c] += share * values_[i * stride_ + columns[c]];
-    double blocks = 0.0;
-    std::vector<double> fourth(n, 0.0);
-    for (std::size_t b = 0; b < stratum.block_starts.size(); ++b) {
-      const Block block = block_at(stratum, b);
-      if (block.count < 2) continue;
-      for (std::size_t c = 0; c < n; ++c) {
-        const double square = block_square(block, columns[c]);
-        out.variance[c] += square;
-        fourth[c] += square * square;
+    // Rounds of more values stand on finer grids, where texture makes less variance: they weigh by the squares of
+    // their numbers of values, which is right for texture and costs little where paths make the variance.
+    double squares = 0.0, cubes = 0.0, blocks = 0.0;
+    for (std::size_t r = 0; r < stratum.round_starts.size(); ++r) {
+      const double count = static_cast<double>(round_of(stratum, r).count());
+      squares += count * count;
+      cubes += count * count * count;
+    }
+    out.share = cubes / (squares * squares);
+    std::vector<double> round_variance(n), fourth(n), weighted(n, 0.0);
+    for (std::size_t r = 0; r < stratum.round_starts.size(); ++r) {
+      const Round round = round_of(stratum, r);
+      if (round.count() == 0) continue;
+      const double count = static_cast<double>(round.count());
+      for (std::size_t i = round.first_sample; i < round.last_sample; ++i)
+        for (std::size_t c = 0; c < n; ++c)
+          out.mean[c] += count / squares * values_[stratum.samples[i] * stride_ + columns[c]];
+      std::fill(round_variance.begin(), round_variance.end(), 0.0);
+      std::fill(fourth.begin(), fourth.end(), 0.0);
+      double pairs = 0.0;
+      for (std::size_t b = round.first_block; b < round.last_block; ++b) {
+        const Block block = block_at(stratum, b);
+        if (block.count < 2) continue;
+        for (std::size_t c = 0; c < n; ++c) {
+          const double square = block_square(block, columns[c]);
+          round_variance[c] += square;
+          fourth[c] += square * square;
+        }
+        pairs += 1.0;
       }
-      blocks += 1.0;
+      blocks += pairs;
+      // Where a few blocks hold most of the variance (a shadow's edge within the label), few degrees of freedom
+      // are behind it: a square with one degree has a third of its own square's expectation as its squared
+      // expectation.
+      for (std::size_t c = 0; c < n; ++c) {
+        double freedom = pairs;
+        if (fourth[c] > 0.0) freedom = std::min(freedom, 3.0 * round_variance[c] * round_variance[c] / fourth[c]);
+        const double one = (round_variance[c] + kBorrowed * spread_.local(label, columns[c])) / (pairs + kBorrowed);
+        const double part = count * count * count / cubes * one;
+        out.variance[c] += part;
+        weighted[c] += part * part / (freedom + kBorrowed);
+      }
     }
-    // Where a few blocks hold most of the variance (a shadow's edge within the label), few degrees of freedom
-    // are behind it: a square with one degree has a third of its own square's expectation as its squared
-    // expectation.
-    out.freedom = blocks;
-    for (std::size_t c = 0; c < n; ++c) {
-      if (fourth[c] > 0.0)
-        out.freedom = std::min(out.freedom, 3.0 * out.variance[c] * out.variance[c] / fourth[c]);
-      out.variance[c] =
-          (out.variance[c] + kBorrowed * spread_.local(label, columns[c])) / (blocks + kBorrowed);
-    }
-    out.freedom += kBorrowed;
+    out.freedom = blocks + kBorrowed;
+    for (std::size_t c = 0; c < n; ++c)
+      if (weighted[c] > 0.0) out.freedom = std::min(out.freedom, out.variance[c] * out.variance[c] / weighted[c]);
     if (faults_.zero_variance_single_samples && blocks == 0.0)
       std::fill(out.variance.begin(), out.variance.end(), 0.0);
     return;
@@ -162,11 +193,15 @@ double Radiance::weigh(const Pixel& pixel, std::size_t s, const PixelFootprint& 
   const Stratum& stratum = pixel.strata[s];
   double sum = 0.0, squares = 0.0;
   std::vector<double> weights;
-  for (std::uint32_t i : stratum.samples) {
-    const double w = footprint.density(x_[i].x - centre.x, x_[i].y - centre.y);
-    weights.push_back(w);
-    sum += w;
-    squares += w * w;
+  for (std::size_t r = 0; r < stratum.round_starts.size(); ++r) {
+    const Round round = round_of(stratum, r);
+    for (std::size_t k = round.first_sample; k < round.last_sample; ++k) {
+      const Point2 at = x_[stratum.samples[k]];
+      const double w = footprint.density(at.x - centre.x, at.y - centre.y) * static_cast<double>(round.count());
+      weights.push_back(w);
+      sum += w;
+      squares += w * w;
+    }
   }
   if (sum == 0.0) return 1.0;
   std::fill(mean.begin(), mean.end(), 0.0);

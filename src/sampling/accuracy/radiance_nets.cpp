@@ -35,6 +35,7 @@ void Radiance::turn_to_clutter(std::size_t p) {
   Pixel& pixel = pixels_[p];
   pixel.cluttered = true;
   pixel.strata.assign(kReplicates, {});
+  find_range(pixel, pixel.strata.front());
 }
 
 void Radiance::plan_stratum_nets(std::size_t p, std::size_t s, std::uint32_t count) {
@@ -115,6 +116,7 @@ void Radiance::net_moments(const Nets& nets, std::span<const int> columns, Strat
   }
   out.sampled = replicates > 0.0;
   out.freedom = std::max(1.0, replicates - 1.0);
+  out.share = 1.0 / std::max(1.0, count);
   // As the variance of one of `count` independent values, which is what allocation compares.
   for (std::size_t c = 0; c < n; ++c)
     out.variance[c] = squares[c] / (std::max(1.0, replicates - 1.0) * std::max(1.0, replicates)) * count;

@@ -21,6 +21,8 @@ constexpr double kGrowth = 2.5;
 constexpr double kManyPaths = 320.0, kManyValues = 16384.0;
 /// A pixel's model is given up when what contradicts it may make this share of the allowed variance.
 constexpr double kDoubt = 0.05;
+/// What n values have not met is rarer than this over n with probability 0.95: -ln 0.05.
+constexpr double kUnseen = 3.0;
 /// First size of a net in clutter.
 constexpr std::uint32_t kFirstNet = 2;
 
@@ -59,12 +61,10 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
         const double w = model.weight[o * regions + r];
         if (w == 0.0) continue;
         weighted = moments[r].mean;
-        double share = 1.0;
-        if (moments[r].sampled)
-          share = integrator.unit_box()
-                      ? 1.0 / static_cast<double>(pixel.strata[r].count())
-                      : radiance_->weigh(pixel, r, integrator.footprint(),
-                                         integrator.centre(model.outputs[o]), columns, weighted);
+        double share = moments[r].share;
+        if (moments[r].sampled && !integrator.unit_box())
+          share = radiance_->weigh(pixel, r, integrator.footprint(), integrator.centre(model.outputs[o]), columns,
+                                   weighted);
         for (std::size_t c = 0; c < n; ++c) {
           sum.mean[c] += w * weighted[c];
           sum.path[c].add(w * w * moments[r].variance[c] * share, moments[r].freedom);
@@ -200,6 +200,21 @@ bool TileWork::doubtful(const Radiance::Pixel& pixel) const {
   return false;
 }
 
+/// Values that a stratum must have before its variance is believed: those of values that are rarely far from the
+/// rest (a gap that shows the lit ground, a path that finds a bright wall) look alike as long as none is met. As many
+/// as make sure that what none of them has met, as far from the rest as values nearby are from each other, would
+/// move the output by no more than its limit.
+double TileWork::least_count(const Radiance::Pixel& pixel, std::size_t s, std::size_t o) const {
+  const Radiance::Stratum& stratum = pixel.strata[s];
+  const Output& output = outputs_[pixel.model.outputs[o]];
+  if (stratum.range.empty()) return 0.0;
+  const double weight = pixel.cluttered ? 1.0 : pixel.model.weight[o * pixel.model.labels.size() + s];
+  double least = 0.0;
+  for (std::size_t d = 0; d < steering_.size(); ++d)
+    least = std::max(least, kUnseen * weight * stratum.range[steering_[d]] / output.limit[d]);
+  return least;
+}
+
 /// Looks at the intervals so far and plans values where they are too wide; false when nothing is left to do.
 bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<int>& outputs) {
   const std::size_t n = steering_.size();
@@ -224,9 +239,10 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
     for (std::size_t d = 0; d < n; ++d) mean[steering_[d]] = sums[o].mean[d];
     problem_.tolerance->limits(mean, limit);
     output.path_budget.assign(n, 0.0);
+    output.limit.assign(n, INFINITY);
     output.satisfied = true;
     for (std::size_t d = 0; d < n; ++d) {
-      const double limit_d = limit[steering_[d]];
+      const double limit_d = output.limit[d] = limit[steering_[d]];
       const double from_borders = stopping_.normal() * stopping_.normal() * sums[o].geometry[d];
       const bool wide = half_width(sums[o], d, output.look) > limit_d && sums[o].path[d].variance() > 0.0;
       if (wide) output.satisfied = false;
@@ -238,6 +254,18 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
       if (wide) output.path_budget[d] = std::min(output.path_budget[d], 0.7 * sums[o].path[d].variance());
     }
   }
+
+  std::vector<std::uint8_t> short_of(outputs_.size(), 0);
+  for (const Radiance::Pixel& pixel : radiance_->pixels())
+    for (std::size_t s = 0; s < (pixel.cluttered ? 1 : pixel.strata.size()); ++s)
+      for (std::size_t o = 0; o < pixel.model.outputs.size(); ++o) {
+        const int output = pixel.model.outputs[o];
+        const double have = pixel.cluttered ? Radiance::kReplicates * pixel.net_size
+                                            : static_cast<double>(pixel.strata[s].count());
+        if (outputs_[output].limit.size() == n && have < least_count(pixel, s, o)) short_of[output] = 1;
+      }
+  for (std::size_t o = 0; o < short_of.size(); ++o)
+    if (short_of[o]) outputs_[o].satisfied = false;
 
   bool any = false;
   std::vector<std::uint8_t> looked(outputs_.size(), 0);
@@ -258,6 +286,7 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
         const Output& output = outputs_[model.outputs[o]];
         if (output.satisfied || output.look >= Stopping::kLooks) continue;
         const Sums& sum = sums[model.outputs[o]];
+        wanted = std::max(wanted, least_count(pixel, s, o));
         for (std::size_t d = 0; d < n; ++d) {
           double weighted_deviation = 0.0;
           if (pixel.cluttered) {
