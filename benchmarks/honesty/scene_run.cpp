@@ -36,8 +36,6 @@ session::Session load(const HonestyCase& which, const std::filesystem::path& wor
   text << file.rdbuf();
   io::Document document = io::parse_document(text.str(), (work / name).string());
   if (which.psf) document.sensor.psf = io::GaussianPsf{kPsfSigma_px};
-  if (auto* accuracy = std::get_if<io::AccuracySampling>(&document.sampling.method))
-    accuracy->error.value *= which.error_factor;
   return session::Session::load(document, nullptr);
 }
 

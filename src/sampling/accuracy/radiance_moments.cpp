@@ -8,8 +8,9 @@ namespace ifov::sampling {
 
 namespace {
 
-/// Weight, in degrees of freedom, of the borrowed variance beside a stratum's own.
-constexpr double kBorrowed = 2.0;
+/// Weight, in degrees of freedom, of the variance borrowed from the tile beside `own` degrees of a stratum's own: what
+/// single values differ by on the scale of the lattice, which is far more than they do within a fine grid's cells.
+double borrowed(double own) { return 2.0 / (1.0 + own / 8.0); }
 
 }  // namespace
 
@@ -133,19 +134,21 @@ void Radiance::moments(const Pixel& pixel, std::size_t s, std::span<const int> c
         pairs += 1.0;
       }
       blocks += pairs;
+      const double lent = borrowed(pairs);
       // Where a few blocks hold most of the variance (a shadow's edge within the label), few degrees of freedom
       // are behind it: a square with one degree has a third of its own square's expectation as its squared
       // expectation.
       for (std::size_t c = 0; c < n; ++c) {
         double freedom = pairs;
         if (fourth[c] > 0.0) freedom = std::min(freedom, 3.0 * round_variance[c] * round_variance[c] / fourth[c]);
-        const double one = (round_variance[c] + kBorrowed * spread_.local(label, columns[c])) / (pairs + kBorrowed);
+        const double one =
+            (round_variance[c] + lent * spread_.local(label, columns[c])) / (pairs + lent);
         const double part = count * count * count / cubes * one;
         out.variance[c] += part;
-        weighted[c] += part * part / (freedom + kBorrowed);
+        weighted[c] += part * part / (freedom + lent);
       }
     }
-    out.freedom = blocks + kBorrowed;
+    out.freedom = blocks + borrowed(blocks);
     for (std::size_t c = 0; c < n; ++c)
       if (weighted[c] > 0.0) out.freedom = std::min(out.freedom, out.variance[c] * out.variance[c] / weighted[c]);
     if (faults_.zero_variance_single_samples && blocks == 0.0)
