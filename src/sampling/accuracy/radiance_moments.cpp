@@ -10,7 +10,7 @@ namespace {
 
 /// Weight, in degrees of freedom, of the variance borrowed from the tile beside `own` degrees of a stratum's own: what
 /// single values differ by on the scale of the lattice, which is far more than they do within a fine grid's cells.
-double borrowed(double own) { return 2.0 / (1.0 + own / 8.0); }
+double borrowed(double own) { return 8.0 / (1.0 + own * own / 64.0); }
 
 }  // namespace
 

@@ -9,10 +9,10 @@
 namespace ifov::sampling {
 
 /// Quantiles for intervals that are looked at more than once. A look may end the sampling, and does so the sooner the
-/// smaller its estimate of the variance has turned out by chance. The better a variance is known, the less that
-/// matters: from some dozens of degrees of freedom on a look may spend nearly all of the chance of error, with few of
-/// them 0.4 of it. The first two looks (the lattice alone, a pilot) see little and may spend less. That intervals then
-/// hold, wherever the sampling ends, is shown by simulation (tests/sampling/test_stopping.cpp).
+/// smaller its estimate of the variance has turned out by chance. As the number of values at least doubles from look to
+/// look, hardly more than two of them are ever in doubt, and each may spend 0.4 of the chance of error; the first two
+/// (the lattice alone, a pilot) see little and may spend less. That intervals then hold, wherever the sampling ends, is
+/// shown by simulation (tests/sampling/test_stopping.cpp).
 class Stopping {
  public:
   static constexpr int kLooks = 8;
@@ -29,17 +29,12 @@ class Stopping {
     const int row = std::clamp(look, 0, 2);
     double& quantile = cache_[row * 201 + freedom];
     if (quantile == 0.0)
-      quantile = two_sided_student(1.0 - (1.0 - confidence_) * share(row, freedom), freedom);
+      quantile = two_sided_student(1.0 - (1.0 - confidence_) * kShare[row], freedom);
     return quantile;
   }
 
  private:
-  /// Share of the chance of error that a look may spend.
-  static double share(int look, int freedom) {
-    if (look < 2) return look == 0 ? 0.05 : 0.1;
-    return 0.4 + 0.5 * std::clamp((freedom - 10.0) / 60.0, 0.0, 1.0);
-  }
-
+  static constexpr double kShare[3] = {0.05, 0.1, 0.4};  // of the chance of error, from the third look on the last
   double confidence_, normal_;
   mutable std::vector<double> cache_;
 };

@@ -21,8 +21,8 @@ constexpr double kGrowth = 2.5;
 constexpr double kManyPaths = 320.0, kManyValues = 16384.0;
 /// A pixel's model is given up when what contradicts it may make this share of the allowed variance.
 constexpr double kDoubt = 0.05;
-/// What n values have not met is rarer than this over n with probability 0.95: -ln 0.05.
-constexpr double kUnseen = 3.0;
+/// What n values have not met is rarer than this over n but for one case in four hundred: -ln 0.0025.
+constexpr double kUnseen = 6.0;
 /// First size of a net in clutter.
 constexpr std::uint32_t kFirstNet = 2;
 
