@@ -35,9 +35,9 @@ class EdgeTracer {
   /// Marks the leaf at a point to be split where the model contradicts what was seen there; false where it
   /// agrees or cannot be refined further. The next settle() does the work.
   bool contradict(FocalPoint point, std::uint32_t label);
-  /// Whether what was seen at a point contradicts the model, give or take `slack` times the width to which its
-  /// curves are known.
-  bool disagrees(FocalPoint point, std::uint32_t label, double slack) const;
+  /// Whether what was seen at a point contradicts the model, where its curves may be off by the width to which they
+  /// are known and `slack_px` more.
+  bool disagrees(FocalPoint point, std::uint32_t label, double slack_px) const;
 
   /// Labels of further points, for seeds and probes.
   void ask_at(const std::vector<FocalPoint>& points, std::vector<std::uint32_t>& labels, Purpose purpose) {
@@ -114,7 +114,7 @@ class EdgeTracer {
   double sagitta(const Curve& curve, const Ends& e) const;
   double sweep(const Cell& cell, const Ends& e, int end) const;
   bool within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model, std::uint32_t seen,
-                        double slack) const;
+                        double slack_px) const;
   bool neighbour_end(const Curve& curve, int end, Point2& point) const;
 
   // Precision (edge_tracer_sharpen.cpp)

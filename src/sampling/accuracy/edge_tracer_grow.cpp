@@ -147,17 +147,17 @@ std::uint32_t EdgeTracer::leaf_at(FocalPoint point) const {
   return find_leaf(fine(point.x_px, domain.x0, lattice_.width()), fine(point.y_px, domain.y0, lattice_.height()));
 }
 
-bool EdgeTracer::disagrees(FocalPoint point, std::uint32_t label, double slack) const {
+bool EdgeTracer::disagrees(FocalPoint point, std::uint32_t label, double slack_px) const {
   const Cell& cell = cells_[leaf_at(point)];
   const std::uint32_t model = model_label(point);
   if (model == kNoLabel) return foreign(cell, label);
-  return model != label && !within_tolerance(cell, point, model, label, slack);
+  return model != label && !within_tolerance(cell, point, model, label, slack_px);
 }
 
 bool EdgeTracer::contradict(FocalPoint point, std::uint32_t label) {
   const std::uint32_t leaf = leaf_at(point);
   const Cell& cell = cells_[leaf];
-  if (cell.level == kMaxLevel || abandoned_[cell.pixel] || !disagrees(point, label, 1.0)) return false;
+  if (cell.level == kMaxLevel || abandoned_[cell.pixel] || !disagrees(point, label, 0.0)) return false;
   suspect_[cell.pixel] = 1;
   split(leaf);
   return true;

@@ -68,7 +68,7 @@ Polygon EdgeTracer::inner_region(const Cell& cell) const {
 /// Whether a contradiction is one that the intervals already allow for: beside a border, no farther than it
 /// is uncertain, or in a cell too small to matter.
 bool EdgeTracer::within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model,
-                                  std::uint32_t seen, double slack) const {
+                                  std::uint32_t seen, double slack_px) const {
   const double side = lattice_.side_px(cell.level);
   const double error = side * side * contrast_(cell.pixel, model, seen) / std::sqrt(12.0);
   if (error < kNegligible * std::sqrt(allowed_variance_[cell.pixel])) return true;
@@ -76,8 +76,9 @@ bool EdgeTracer::within_tolerance(const Cell& cell, FocalPoint point, std::uint3
   const Curve& curve = curves_[cell.chord];
   if (seen != curve.inner && seen != curve.outer) return false;
   const double width =
-      slack * std::max({brackets_[curve.bracket[0]].width(), brackets_[curve.bracket[1]].width(),
-                        2.0 * curve.middle_width, curve.leg_width});
+      std::max({brackets_[curve.bracket[0]].width(), brackets_[curve.bracket[1]].width(),
+                2.0 * curve.middle_width, curve.leg_width}) +
+      slack_px;
   const Polygon region = inner_region(cell);
   const int first = curve.side[1] - curve.side[0] + 1;  // from the end of the curve back to its start
   for (int i = first; i < region.count; ++i) {

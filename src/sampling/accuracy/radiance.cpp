@@ -11,9 +11,9 @@ namespace {
 /// A jittered grid has at most this many cells per pixel side, even for slivers.
 constexpr int kFinestGrid = 128;
 
-/// Curves are believed to run within this many times the width to which they are known; a value on the wrong side
-/// within that is no sign of anything missed.
-constexpr double kBorderSlack = 4.0;
+/// A value on the wrong side of a curve is no sign of anything missed if it is at most this much farther from it than
+/// the width to which the curve is known.
+constexpr double kBorderSlack_px = 0.02;
 
 /// In place of a quarter: the value has the point of another one, whose number stands in place of the block.
 constexpr std::uint8_t kTwin = 255;
@@ -107,7 +107,7 @@ void Radiance::plan(std::size_t p, std::size_t s, double count) {
 }
 
 bool Radiance::belongs(Stratum& stratum, FocalPoint point, std::uint32_t label, const float* value) const {
-  if (!tracer_.disagrees(point, label, kBorderSlack)) return false;
+  if (!tracer_.disagrees(point, label, kBorderSlack_px)) return false;
   stratum.strays += 1.0;
   stratum.stray_sum.resize(stride_, 0.0);
   stratum.stray_squares.resize(stride_, 0.0);
