@@ -1,6 +1,6 @@
 // Are the intervals honest on real 3-D scenes? Each scene's mixed pixels, many seeds, against a plain path
 // tracer.
-//   bench_honesty --output figures.json --work FOLDER [--seeds N] [--only SCENE]
+//   bench_honesty --output figures.json --work FOLDER [--seeds N] [--only SCENE] [--rows FOLDER]
 // Scenes must keep their promises; runs with a planted fault must break one of them.
 
 #include <CLI/CLI.hpp>
@@ -56,30 +56,19 @@ Row judged(const HonestyCase& which, const HonestyOutcome& outcome) {
           fault.empty()};
 }
 
-/// What a fault breaks that the same scene without it keeps: a gate of its own, or twice the share of |z|
-/// > 4. What the scene breaks at so wide a tolerance even without the fault is not counted for it.
-bool shows(const ChannelHonesty& faulty, const ChannelHonesty& sound) {
-  const bool biased = std::abs(faulty.bias) > 4.0 && std::abs(sound.bias) <= 4.0;
-  const bool missing = faulty.coverage < 0.93 && sound.coverage >= 0.93;
-  const bool heavy = faulty.beyond_four >= 0.002 && faulty.beyond_four >= 2.0 * sound.beyond_four;
-  return biased || missing || heavy;
-}
-
-/// 1 where a planted fault is caught.
+/// 1 where a planted fault breaks a promise and the same scene without it keeps all of them.
 Row caught(const std::string& name, const HonestyOutcome& faulty, const HonestyOutcome& sound) {
-  bool ok = false;
-  for (std::size_t c = 0; c < faulty.honesty.size(); ++c)
-    ok = ok || shows(faulty.honesty[c], sound.honesty[c]);
-  return {name, ok ? "1" : "0", "caught", "1", ok};
+  const std::string fault = faults_of(sound);
+  const bool ok = fault.empty() && !faults_of(faulty).empty();
+  return {name, ok ? "1" : "0", "caught", fault.empty() ? "1" : "1, but without the fault " + fault, ok};
 }
 
-/// Tolerances are wide, so that there are few paths and the mechanism that is switched off has to do the
-/// work.
+/// Each on a scene where the mechanism that is switched off has to do the work, at that scene's own tolerance.
 std::vector<std::pair<std::string, HonestyCase>> planted_faults(int seeds) {
-  HonestyCase no_sun_state{"gable_roof", false, false, {}, 4 * seeds, 20.0};
-  HonestyCase certain_singles{"gable_roof", false, true, {}, 4 * seeds, 5.0};
+  HonestyCase no_sun_state{"fences", false, false, {}, seeds, {}};
+  HonestyCase certain_singles{"patchwork", false, true, {}, seeds, {}};
   certain_singles.faults.zero_variance_single_samples = true;
-  HonestyCase undithered{"aligned_edge", false, true, {}, 10 * seeds, 1.0};
+  HonestyCase undithered{"aligned_edge", false, true, {}, 10 * seeds, {}};
   undithered.faults.undithered_brackets = true;
   return {{"fault_no_sun_state", no_sun_state},
           {"fault_certain_single_samples", certain_singles},
@@ -98,13 +87,14 @@ std::string json(const std::vector<Row>& rows) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string output = "honesty.json", work = ".", only;
+  std::string output = "honesty.json", work = ".", only, rows_folder;
   int seeds = 24;
   CLI::App app{"Intervals of the accuracy sampler against a plain path tracer"};
   app.add_option("--output", output, "figures");
   app.add_option("--work", work, "folder for the files that scenes name");
   app.add_option("--seeds", seeds, "renderings of each scene")->check(CLI::Range(8, 100000));
-  app.add_option("--only", only, "one scene, or 'faults'");
+  app.add_option("--only", only, "one scene (SCENE_psf: with the PSF only), or 'faults', or one fault");
+  app.add_option("--rows", rows_folder, "folder for every pixel's errors and intervals, a CSV file a scene");
   CLI11_PARSE(app, argc, argv);
   try {
     write_scene_files(work);
@@ -112,14 +102,16 @@ int main(int argc, char** argv) {
     for (const char* scene :
          {"penumbra", "leaf_crown", "wall_foot", "gable_roof", "texture", "mirror", "street_canyon"})
       for (const bool psf : {false, true}) {
-        if (!only.empty() && only != scene) continue;
-        const HonestyCase which{scene, psf, true, {}, seeds};
+        HonestyCase which{scene, psf, true, {}, seeds, {}};
+        if (!only.empty() && only != scene && only != name_of(which)) continue;
+        if (!rows_folder.empty()) which.rows = std::filesystem::path(rows_folder) / (name_of(which) + ".csv");
         const HonestyOutcome outcome = run_case(which, work);
         print_details(which, outcome);
         rows.push_back(judged(which, outcome));
       }
-    if (only.empty() || only == "faults") {
+    if (only.empty() || only.starts_with("fault")) {
       for (const auto& [name, which] : planted_faults(seeds)) {
+        if (!only.empty() && only != "faults" && only != name) continue;
         HonestyCase without = which;
         without.sun_state = true;
         without.faults = {};

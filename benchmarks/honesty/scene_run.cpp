@@ -36,8 +36,6 @@ session::Session load(const HonestyCase& which, const std::filesystem::path& wor
   text << file.rdbuf();
   io::Document document = io::parse_document(text.str(), (work / name).string());
   if (which.psf) document.sensor.psf = io::GaussianPsf{kPsfSigma_px};
-  if (auto* accuracy = std::get_if<io::AccuracySampling>(&document.sampling.method))
-    accuracy->error.value *= which.error_factor;
   return session::Session::load(document, nullptr);
 }
 
@@ -125,6 +123,25 @@ std::vector<double> wanted_errors(const sampling::TileResult& result, std::span<
   return wanted;
 }
 
+void write_rows(const std::filesystem::path& path, const std::vector<sampling::TileResult>& results,
+                std::span<const PixelIndex> pixels, const PlainMeans& reference) {
+  std::ofstream file(path);
+  file << "seed,x,y,channel,mean,reference,reference_error,spread,half_width,variance_geometry,variance_path,"
+          "label_rays,paths\n";
+  const auto columns = static_cast<std::size_t>(reference.columns);
+  for (std::size_t seed = 0; seed < results.size(); ++seed)
+    for (std::size_t k = 0; k < pixels.size() * columns; ++k) {
+      const PixelIndex pixel = pixels[k / columns];
+      const sampling::TileResult& r = results[seed];
+      const std::size_t p = static_cast<std::size_t>(pixel.y * r.tile.width() + pixel.x);
+      const std::size_t i = p * columns + k % columns;
+      file << format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", seed, pixel.x, pixel.y, k % columns, r.mean[i],
+                     reference.mean[k], reference.standard_error[k], reference.spread[k], r.half_width[i],
+                     r.variance_geometry[i], r.variance_path[i], r.label_rays[p], r.radiance_evaluations[p]);
+    }
+  if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
+}
+
 }  // namespace
 
 HonestyOutcome run_case(const HonestyCase& which, const std::filesystem::path& work) {
@@ -137,7 +154,9 @@ HonestyOutcome run_case(const HonestyCase& which, const std::filesystem::path& w
     results[static_cast<std::size_t>(k)] = trial.render(kFirstSeed + static_cast<std::uint64_t>(k));
   });
   const std::vector<double> wanted = wanted_errors(results.front(), pixels);
-  IntervalStatistics statistics(pixels, trial.plain(pixels, wanted, 4096, std::int64_t{1} << 21, 77));
+  const PlainMeans reference = trial.plain(pixels, wanted, 4096, std::int64_t{1} << 23, 77);
+  if (!which.rows.empty()) write_rows(which.rows, results, pixels, reference);
+  IntervalStatistics statistics(pixels, reference);
 
   HonestyOutcome outcome;
   for (const sampling::TileResult& result : results) {
@@ -172,6 +191,21 @@ void write_scene_files(const std::filesystem::path& work) {
   }
   map.close();
   if (!map) throw std::runtime_error("cannot write " + (work / "texture.asc").string());
+  // 13 x 13 slabs of 0.9 m, each turned its own way.
+  std::ofstream slabs(work / "patchwork.obj");
+  slabs << "usemtl slab\n";
+  int corner = 0;
+  for (int j = -6; j <= 6; ++j)
+    for (int i = -6; i <= 6; ++i) {
+      const double turn = 0.65 * i + 1.07 * j;
+      for (int k = 0; k < 4; ++k)
+        slabs << format("v {:.4f} {:.4f} 0.01\n", 1.02 * i + 0.03 + 0.636 * std::cos(turn + 1.5708 * k),
+                        1.02 * j - 0.05 + 0.636 * std::sin(turn + 1.5708 * k));
+      slabs << format("f {} {} {} {}\n", corner + 1, corner + 2, corner + 3, corner + 4);
+      corner += 4;
+    }
+  slabs.close();
+  if (!slabs) throw std::runtime_error("cannot write " + (work / "patchwork.obj").string());
 }
 
 }  // namespace ifov::benchmarks

@@ -16,7 +16,7 @@ struct HonestyCase {
   bool sun_state = true;            ///< false: a planted fault, labels without the Sun's state
   sampling::AccuracyFaults faults;  ///< planted
   int seeds = 24;
-  double error_factor = 1.0;  ///< on the error that the scene asks for
+  std::filesystem::path rows;  ///< file that takes every judged pixel, seed and channel as CSV; empty: none
 };
 
 struct HonestyOutcome {

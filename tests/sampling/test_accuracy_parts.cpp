@@ -11,7 +11,6 @@
 #include "sampling/accuracy/lattice.h"
 #include "sampling/accuracy/small_vector.h"
 #include "sampling/accuracy/spread.h"
-#include "sampling/accuracy/stopping.h"
 
 namespace ifov::sampling {
 namespace {
@@ -161,28 +160,6 @@ TEST(FlatMap, FindsWhatWasPutIn) {
   for (std::uint32_t i = 0; i < 5000; ++i) EXPECT_EQ(map.find(i * 7919ull), i);
   EXPECT_EQ(map.find(3), FlatMap::kAbsent);
   EXPECT_EQ(map.size(), 5000u);
-}
-
-TEST(Stopping, SpendsNoMoreThanAlphaOverItsLooks) {
-  const Stopping stopping(0.95);
-  EXPECT_NEAR(stopping.normal(), 1.959964, 1e-6);
-  double spent = 0.0;
-  for (int look = 0; look < Stopping::kLooks; ++look) {
-    const double q = stopping.student(look, 200.0);
-    EXPECT_GT(q, stopping.normal());
-    // Two tails of the normal, close to Student's at 200 degrees of freedom.
-    spent += std::erfc(q / std::sqrt(2.0));
-  }
-  EXPECT_LE(spent, 0.0505);
-  EXPECT_GT(stopping.student(2, 3.0), stopping.student(2, 30.0));
-}
-
-TEST(Stopping, SatterthwaiteOfEqualPartsAddsTheirFreedom) {
-  Satterthwaite sum;
-  sum.add(2.0, 5.0);
-  sum.add(2.0, 5.0);
-  EXPECT_DOUBLE_EQ(sum.variance(), 4.0);
-  EXPECT_DOUBLE_EQ(sum.degrees_of_freedom(), 10.0);
 }
 
 TEST(LabelSpread, IsZeroOnlyWhereAllValuesAgree) {

@@ -19,6 +19,7 @@ EdgeTracer::EdgeTracer(const Lattice& lattice, RayLedger& ledger, LabelTable& ta
       faults_(faults),
       seed_(seed),
       allowed_variance_(static_cast<std::size_t>(lattice.domain().count()), 1.0),
+      budget_(allowed_variance_.size(), options.tracing_budget),
       abandoned_(allowed_variance_.size(), 0),
       suspect_(allowed_variance_.size(), 0),
       stirred_(allowed_variance_.size(), 1),
@@ -44,7 +45,7 @@ void EdgeTracer::give_up_clutter() {
   if (!options_.clutter_switch) return;
   const std::span<const std::uint32_t> rays = ledger_.label_rays();
   for (std::size_t p = 0; p < rays.size(); ++p)
-    if (rays[p] > options_.tracing_budget) abandon(static_cast<std::uint32_t>(p));
+    if (rays[p] > budget_[p]) abandon(static_cast<std::uint32_t>(p));
 }
 
 void EdgeTracer::ask(std::vector<std::uint32_t>& labels, Purpose purpose) {

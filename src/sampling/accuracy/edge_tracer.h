@@ -40,6 +40,9 @@ class EdgeTracer {
   /// Marks the leaf at a point to be split where the model contradicts what was seen there; false where it
   /// agrees or cannot be refined further. The next settle() does the work.
   bool contradict(FocalPoint point, std::uint32_t label);
+  /// Whether what was seen at a point contradicts the model, where its curves may be off by the width to which they
+  /// are known and `slack_px` more.
+  bool disagrees(FocalPoint point, std::uint32_t label, double slack_px) const;
 
   /// Labels of further points, for seeds and probes.
   void ask_at(const std::vector<FocalPoint>& points, std::vector<std::uint32_t>& labels, Purpose purpose) {
@@ -50,6 +53,9 @@ class EdgeTracer {
   /// Label of the traced model at a point of the domain; kNoLabel in complex cells.
   static constexpr std::uint32_t kNoLabel = ~std::uint32_t{0};
   std::uint32_t model_label(FocalPoint point) const { return label_in(cells_[leaf_at(point)], point); }
+
+  /// Label rays after which a pixel is clutter, one per pixel; at most AccuracyOptions::tracing_budget at first.
+  std::vector<std::uint32_t>& budget() { return budget_; }
 
   /// Leaves this pixel as it is: no further rays.
   void abandon(std::uint32_t pixel) { abandoned_[pixel] = changed_[pixel] = 1; }
@@ -130,7 +136,8 @@ class EdgeTracer {
 
   // Contradictions (edge_tracer_contradict.cpp)
   bool foreign(const Cell& cell, std::uint32_t label) const;
-  bool within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model, std::uint32_t seen) const;
+  bool within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model, std::uint32_t seen,
+                        double slack_px) const;
 
   // Verification (edge_tracer_predict.cpp, edge_tracer_verify.cpp)
   void verify();
@@ -195,6 +202,7 @@ class EdgeTracer {
   std::vector<std::uint32_t> new_cells_, tentative_, split_cells_;
   std::vector<HangingNode> hanging_;
   std::vector<double> allowed_variance_;
+  std::vector<std::uint32_t> budget_;
   std::vector<std::uint8_t> abandoned_, suspect_;
   std::vector<std::uint8_t>
       stirred_;  // pixels whose cells, curves or brackets changed since they were sharpened

@@ -12,16 +12,17 @@ constexpr double kNegligible = 0.1;
 
 }  // namespace
 
+bool EdgeTracer::disagrees(FocalPoint point, std::uint32_t label, double slack_px) const {
+  const Cell& cell = cells_[leaf_at(point)];
+  const std::uint32_t model = label_in(cell, point);
+  if (model == kNoLabel) return foreign(cell, label);
+  return model != label && !within_tolerance(cell, point, model, label, slack_px);
+}
+
 bool EdgeTracer::contradict(FocalPoint point, std::uint32_t label) {
   const std::uint32_t leaf = leaf_at(point);
   const Cell& cell = cells_[leaf];
-  if (cell.level == kMaxLevel || abandoned_[cell.pixel]) return false;
-  const std::uint32_t model = label_in(cell, point);
-  if (model == kNoLabel) {
-    if (!foreign(cell, label)) return false;
-  } else if (model == label || within_tolerance(cell, point, model, label)) {
-    return false;
-  }
+  if (cell.level == kMaxLevel || abandoned_[cell.pixel] || !disagrees(point, label, 0.0)) return false;
   suspect_[cell.pixel] = 1;
   split(leaf);
   return true;
@@ -43,15 +44,17 @@ bool EdgeTracer::foreign(const Cell& cell, std::uint32_t label) const {
 /// Whether a contradiction is one that the intervals already allow for: beside a border, no farther than it
 /// is uncertain, or in a cell too small to matter.
 bool EdgeTracer::within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model,
-                                  std::uint32_t seen) const {
+                                  std::uint32_t seen, double slack_px) const {
   const double side = lattice_.side_px(cell.level);
   const double error = side * side * contrast_(cell.pixel, model, seen) / std::sqrt(12.0);
   if (error < kNegligible * std::sqrt(allowed_variance_[cell.pixel])) return true;
   if (cell.kind != CellKind::chord) return false;
   const Curve& curve = curves_[cell.chord];
   if (seen != curve.inner && seen != curve.outer) return false;
-  const double width = std::max({brackets_[curve.bracket[0]].width(), brackets_[curve.bracket[1]].width(),
-                                 2.0 * curve.middle_width, curve.leg_width});
+  const double width =
+      std::max({brackets_[curve.bracket[0]].width(), brackets_[curve.bracket[1]].width(),
+                2.0 * curve.middle_width, curve.leg_width}) +
+      slack_px;
   const Polygon region = inner_region(cell);
   const int first = curve.side[1] - curve.side[0] + 1;  // from the end of the curve back to its start
   for (int i = first; i < region.count; ++i) {

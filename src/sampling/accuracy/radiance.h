@@ -22,6 +22,7 @@ struct LatticeValues {
 struct StratumMoments {
   std::vector<double> mean, variance;  ///< per asked column; `variance` is that of one value
   double freedom = 0.0;                ///< degrees of freedom behind `variance`
+  double share = 1.0;                  ///< variance of `mean` in units of `variance`: 1 / n where values weigh alike
   bool sampled = false;                ///< false: lattice values only, which count as one random value
 };
 
@@ -40,7 +41,7 @@ class Radiance {
     std::vector<double> sum;              ///< [replicate][column] of the accepted
   };
   struct Stratum {
-    std::uint32_t label;
+    std::uint32_t label = EdgeTracer::kNoLabel;
     std::uint32_t round = 0;
     std::vector<std::uint32_t> samples;  ///< indices of accepted values
     std::vector<std::uint32_t>
@@ -50,6 +51,13 @@ class Radiance {
     Nets nets;
     std::vector<double> twin_squares;      ///< per column: half the squared differences of two paths at one point
     double twins = 0.0;
+    /// Values whose label contradicts the traced model: per column sums of their differences from the
+    /// label's mean, and of the squares.
+    double strays = 0.0;
+    std::vector<double> stray_sum, stray_squares;
+    /// Per column: how much the lattice's values of the label differ in the pixel and those around it (of all labels
+    /// in a cluttered pixel). Empty where all values of the label agree.
+    std::vector<float> range;
     std::size_t count() const;  ///< values that the estimate rests on
   };
   struct Pixel {
@@ -63,8 +71,9 @@ class Radiance {
   Radiance(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable& table, const LabelSpread& spread,
            const LatticeValues& lattice_values, const AccuracyFaults& faults, std::uint64_t seed);
 
-  static constexpr int kReplicates = 8;
-  static constexpr int kStratumReplicates = 16;
+  /// Few replicates know their variance badly: with 8, one interval in a hundred errs by four standard errors.
+  static constexpr int kReplicates = 24;
+  static constexpr int kStratumReplicates = 24;
   /// Points of a stratum's second round that get a second path each.
   static constexpr int kTwins = 16;
 
@@ -92,6 +101,8 @@ class Radiance {
   /// pixel.
   void plan(std::size_t pixel, std::size_t stratum, double count);
   void plan_nets(std::size_t pixel, std::uint32_t count);
+  /// Leaves the pixel's traced model for nets over the whole of it.
+  void turn_to_clutter(std::size_t pixel);
   /// Replaces a stratum's values by nets of `count` values per replicate, or makes its nets that large.
   void plan_stratum_nets(std::size_t pixel, std::size_t stratum, std::uint32_t count);
   /// Traces what was planned.
@@ -111,8 +122,7 @@ class Radiance {
   double with_trend(const Pixel& pixel, std::size_t stratum, std::span<const int> drivers,
                     double count) const;
 
-  /// Sum over a stratum's values of squared relative weights: 1 / n where all weigh the same. With them, the
-  /// weighted mean replaces the plain one.
+  /// The share of StratumMoments for values that weigh by a footprint as well, and their mean.
   double weigh(const Pixel& pixel, std::size_t stratum, const PixelFootprint& footprint, Point2 centre,
                std::span<const int> columns, std::vector<double>& mean) const;
 
@@ -128,6 +138,11 @@ class Radiance {
     std::size_t count = 0;
     bool full = false;
   };
+  struct Round {
+    std::size_t first_block, last_block, first_sample, last_sample;
+    std::size_t count() const { return last_sample - first_sample; }
+  };
+  Round round_of(const Stratum& stratum, std::size_t r) const;
   Block block_at(const Stratum& stratum, std::size_t b) const;
   static double block_square(const Block& block, int column);
 
@@ -142,7 +157,12 @@ class Radiance {
   struct PlannedInNet {
     std::size_t pixel, stratum, replicate;
   };
+  void find_range(const Pixel& pixel, Stratum& stratum) const;
   void trace_nets();
+  /// Whether a value that was planned for a stratum belongs to it. What lies on the wrong side of a border is
+  /// part of the border's variance and does not; what the border cannot explain was missed by tracing: it
+  /// does, as the model counts its area to the stratum, and is kept in mind.
+  bool belongs(Stratum& stratum, FocalPoint point, std::uint32_t label, const float* value) const;
   void net_moments(const Nets& nets, std::span<const int> columns, StratumMoments& out) const;
 
   const EdgeTracer& tracer_;

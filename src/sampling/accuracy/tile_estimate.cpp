@@ -19,6 +19,12 @@ constexpr double kGrowth = 2.5;
 /// From here on replicated nets cost less than jittered values: early where paths make the variance and not
 /// texture.
 constexpr double kManyPaths = 320.0, kManyValues = 16384.0;
+/// A pixel's model is given up when what contradicts it may make this share of the allowed variance.
+constexpr double kDoubt = 0.05;
+/// What n values have not met is rarer than this over n but for one case in four hundred: -ln 0.0025.
+constexpr double kUnseen = 6.0;
+/// First size of a net in clutter.
+constexpr std::uint32_t kFirstNet = 2;
 
 }  // namespace
 
@@ -58,12 +64,10 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
         const double w = model.weight[o * regions + r];
         if (w == 0.0) continue;
         weighted = moments[r].mean;
-        double share = 1.0;
-        if (moments[r].sampled)
-          share = integrator.unit_box()
-                      ? 1.0 / static_cast<double>(pixel.strata[r].count())
-                      : radiance_->weigh(pixel, r, integrator.footprint(),
-                                         integrator.centre(model.outputs[o]), columns, weighted);
+        double share = moments[r].share;
+        if (moments[r].sampled && !integrator.unit_box())
+          share = radiance_->weigh(pixel, r, integrator.footprint(), integrator.centre(model.outputs[o]), columns,
+                                   weighted);
         for (std::size_t c = 0; c < n; ++c) {
           sum.mean[c] += w * weighted[c];
           sum.path[c].add(w * w * moments[r].variance[c] * share, moments[r].freedom);
@@ -178,6 +182,43 @@ std::uint32_t TileWork::net_size(const Radiance::Stratum& stratum, double wanted
   return size;
 }
 
+/// Whether values have met what the traced model does not know, to an extent that matters. The rest of it, which
+/// no value has met, is then likely to matter as well.
+bool TileWork::doubtful(const Radiance::Pixel& pixel) const {
+  if (pixel.cluttered) return false;
+  const PixelModel& model = pixel.model;
+  const auto allowed = contrast_.allowed(pixel.source);
+  for (std::size_t s = 0; s < pixel.strata.size(); ++s) {
+    const Radiance::Stratum& stratum = pixel.strata[s];
+    if (stratum.strays == 0.0) continue;
+    double weight = 0.0;
+    for (std::size_t o = 0; o < model.outputs.size(); ++o)
+      weight = std::max(weight, model.weight[o * model.labels.size() + s]);
+    const double share = weight / std::max(static_cast<double>(stratum.count()), stratum.strays);
+    for (std::size_t d = 0; d < problem_.drivers.size(); ++d) {
+      const int c = problem_.drivers[d];
+      const double square = stratum.stray_sum[c] * stratum.stray_sum[c] + stratum.stray_squares[c];
+      if (share * share * square > kDoubt * allowed[d] * allowed[d]) return true;
+    }
+  }
+  return false;
+}
+
+/// Values that a stratum must have before its variance is believed: those of values that are rarely far from the
+/// rest (a gap that shows the lit ground, a path that finds a bright wall) look alike as long as none is met. As many
+/// as make sure that what none of them has met, as far from the rest as values nearby are from each other, would
+/// move the output by no more than its limit.
+double TileWork::least_count(const Radiance::Pixel& pixel, std::size_t s, std::size_t o) const {
+  const Radiance::Stratum& stratum = pixel.strata[s];
+  const Output& output = outputs_[pixel.model.outputs[o]];
+  if (stratum.range.empty()) return 0.0;
+  const double weight = pixel.cluttered ? 1.0 : pixel.model.weight[o * pixel.model.labels.size() + s];
+  double least = 0.0;
+  for (std::size_t d = 0; d < steering_.size(); ++d)
+    least = std::max(least, kUnseen * weight * stratum.range[steering_[d]] / output.limit[d]);
+  return least;
+}
+
 /// Looks at the intervals so far and plans values where they are too wide; false when nothing is left to do.
 bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<int>& outputs) {
   const std::size_t n = steering_.size();
@@ -185,8 +226,9 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
   bool cluttered_start = false;
   for (std::size_t p = 0; p < radiance_->pixels().size(); ++p) {
     const Radiance::Pixel& pixel = radiance_->pixels()[p];
+    if (options_.clutter_switch && doubtful(pixel)) radiance_->turn_to_clutter(p);
     if (pixel.cluttered && pixel.net_size == 0 && !pixel.model.outputs.empty()) {
-      radiance_->plan_nets(p, 4);
+      radiance_->plan_nets(p, kFirstNet);
       cluttered_start = true;
     }
   }
@@ -201,9 +243,10 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
     for (std::size_t d = 0; d < n; ++d) mean[steering_[d]] = sums[o].mean[d];
     problem_.tolerance->limits(mean, limit);
     output.path_budget.assign(n, 0.0);
+    output.limit.assign(n, INFINITY);
     output.satisfied = true;
     for (std::size_t d = 0; d < n; ++d) {
-      const double limit_d = limit[steering_[d]];
+      const double limit_d = output.limit[d] = limit[steering_[d]];
       const double from_borders = stopping_.normal() * stopping_.normal() * sums[o].geometry[d];
       const bool wide = half_width(sums[o], d, output.look) > limit_d && sums[o].path[d].variance() > 0.0;
       if (wide) output.satisfied = false;
@@ -215,6 +258,18 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
       if (wide) output.path_budget[d] = std::min(output.path_budget[d], 0.7 * sums[o].path[d].variance());
     }
   }
+
+  std::vector<std::uint8_t> short_of(outputs_.size(), 0);
+  for (const Radiance::Pixel& pixel : radiance_->pixels())
+    for (std::size_t s = 0; s < (pixel.cluttered ? 1 : pixel.strata.size()); ++s)
+      for (std::size_t o = 0; o < pixel.model.outputs.size(); ++o) {
+        const int output = pixel.model.outputs[o];
+        const double have = pixel.cluttered ? Radiance::kReplicates * pixel.net_size
+                                            : static_cast<double>(pixel.strata[s].count());
+        if (outputs_[output].limit.size() == n && have < least_count(pixel, s, o)) short_of[output] = 1;
+      }
+  for (std::size_t o = 0; o < short_of.size(); ++o)
+    if (short_of[o]) outputs_[o].satisfied = false;
 
   bool any = false;
   std::vector<std::uint8_t> looked(outputs_.size(), 0);
@@ -235,6 +290,7 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
         const Output& output = outputs_[model.outputs[o]];
         if (output.satisfied || output.look >= Stopping::kLooks) continue;
         const Sums& sum = sums[model.outputs[o]];
+        wanted = std::max(wanted, least_count(pixel, s, o));
         for (std::size_t d = 0; d < n; ++d) {
           double weighted_deviation = 0.0;
           if (pixel.cluttered) {

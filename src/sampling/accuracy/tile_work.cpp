@@ -241,10 +241,13 @@ void TileWork::switch_clutter() {
         if (j < k) look(label(i, j), label(i, j + 1));
       }
     if (crossings == 0.0) continue;
-    const double strata =
-        stratified_cost(std::sqrt(squares / crossings), crossings / crossings_per_length(k));
+    const double contrast = std::sqrt(squares / crossings), border_px = crossings / crossings_per_length(k);
+    const double strata = stratified_cost(contrast, border_px);
     if (kTracingCostPerCrossing * crossings > std::max(strata, kFewestStratified))
       tracer_.abandon(static_cast<std::uint32_t>(p));
+    const double patience = kPatience * stratified_cost(contrast, std::max(border_px, kLeastBorder_px));
+    std::uint32_t& budget = tracer_.budget()[p];
+    budget = static_cast<std::uint32_t>(std::min<double>(budget, std::max(patience, kFewestTraced)));
   }
 }
 

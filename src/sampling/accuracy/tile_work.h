@@ -38,7 +38,8 @@ class TileWork {
   struct Output {
     int look = 0;
     bool satisfied = false;
-    SmallVector<double, 2> path_budget;  ///< per driver: variance that paths may leave
+    SmallVector<double, 2> limit;        ///< per steering column, as of the last look
+    SmallVector<double, 2> path_budget;  ///< per steering column: variance that paths may leave
   };
 
   void merge_twins();
@@ -47,6 +48,8 @@ class TileWork {
   double relative_weight(int source) const;
   void tighten_borders();
   void gather(const LeafIntegrator& integrator, std::span<const int> columns, std::vector<Sums>& sums) const;
+  bool doubtful(const Radiance::Pixel& pixel) const;
+  double least_count(const Radiance::Pixel& pixel, std::size_t stratum, std::size_t output) const;
   bool plan_round(const LeafIntegrator& integrator, const std::vector<int>& outputs);
   bool steer_by_more(const LeafIntegrator& integrator, const std::vector<int>& outputs);
   static std::uint32_t net_size(const Radiance::Stratum& stratum, double wanted, double room);

@@ -1,0 +1,160 @@
+// Replicated nets of paths: in strata whose paths make the variance, and in cluttered pixels.
+#include <algorithm>
+#include <numeric>
+
+#include "sampling/accuracy/radiance.h"
+#include "sampling/sequence.h"
+
+namespace ifov::sampling {
+
+namespace {
+
+/// Points of a sequence looked at for each value of a stratum, before the net is left incomplete.
+constexpr double kAttemptsPerValue = 4.0;
+
+constexpr std::uint64_t kNetKey = 0x6e657473, kStratumNetKey = 0x736e657473;
+
+}  // namespace
+
+void Radiance::plan_nets(std::size_t p, std::uint32_t count) {
+  Pixel& pixel = pixels_[p];
+  const PixelRect& domain = tracer_.lattice().domain();
+  const int px = domain.x0 + pixel.source % domain.width(), py = domain.y0 + pixel.source / domain.width();
+  for (std::size_t r = 0; r < pixel.strata.size(); ++r) {
+    const std::uint64_t key = hash(seed_, kNetKey, px, py, r);
+    for (std::uint32_t i = pixel.net_size; i < count; ++i) {
+      const Point2 u = sequence_point(key, i, 0);
+      requests_.push_back({{px + u.x, py + u.y}, mix(key), i});
+      planned_.push_back({p, r, i, 0});
+    }
+  }
+  pixel.net_size = count;
+}
+
+void Radiance::turn_to_clutter(std::size_t p) {
+  Pixel& pixel = pixels_[p];
+  pixel.cluttered = true;
+  pixel.strata.assign(kReplicates, {});
+  find_range(pixel, pixel.strata.front());
+}
+
+void Radiance::plan_stratum_nets(std::size_t p, std::size_t s, std::uint32_t count) {
+  Pixel& pixel = pixels_[p];
+  Stratum& stratum = pixel.strata[s];
+  Nets& nets = stratum.nets;
+  if (nets.size == 0) {
+    // The first values chose the size of the nets; an estimate that left them in would favour their luck.
+    stratum.samples.clear();
+    stratum.block_starts.clear();
+    stratum.full_block.clear();
+    stratum.round_starts.clear();
+    stratum.strays = 0.0;
+    stratum.stray_sum.clear();
+    stratum.stray_squares.clear();
+    nets.drawn.assign(kStratumReplicates, 0);
+    nets.paths.assign(kStratumReplicates, 0);
+    nets.accepted.assign(kStratumReplicates, 0);
+    nets.sum.assign(kStratumReplicates * stride_, 0.0);
+  }
+  const PixelRect& domain = tracer_.lattice().domain();
+  const int px = domain.x0 + pixel.source % domain.width(), py = domain.y0 + pixel.source / domain.width();
+  const double attempts = kAttemptsPerValue * (count / std::max(pixel.model.area[s], 1e-6) + 1.0);
+  for (std::size_t r = 0; r < kStratumReplicates; ++r) {
+    const std::uint64_t key = hash(seed_, kStratumNetKey, px, py, table_.label(stratum.label), r);
+    while (nets.paths[r] < count && nets.drawn[r] < attempts) {
+      const Point2 u = sequence_point(key, nets.drawn[r]++, 0);
+      const Point2 at{px + u.x, py + u.y};
+      const std::uint32_t model = tracer_.model_label({at.x, at.y});
+      if (model != stratum.label && model != EdgeTracer::kNoLabel) continue;
+      // Paths count on their own: pairs of dimensions are scrambled apart, so a net of paths stays whole
+      // whatever points the stratum's shape refuses.
+      net_requests_.push_back({{at.x, at.y}, key, nets.paths[r]++});
+      net_planned_.push_back({p, s, r});
+    }
+  }
+  nets.size = count;
+}
+
+void Radiance::trace_nets() {
+  constexpr std::size_t kBatch = 4096;
+  std::vector<std::uint32_t> labels;
+  std::vector<float> values(std::min(kBatch, net_requests_.size()) * stride_);
+  for (std::size_t first = 0; first < net_requests_.size(); first += kBatch) {
+    const std::size_t count = std::min(kBatch, net_requests_.size() - first);
+    labels.clear();
+    ledger_.values(std::span<const PathRequest>(net_requests_).subspan(first, count), labels,
+                   std::span<float>(values).first(count * stride_));
+    for (std::size_t i = 0; i < count; ++i) {
+      const PlannedInNet& planned = net_planned_[first + i];
+      Stratum& stratum = pixels_[planned.pixel].strata[planned.stratum];
+      if (labels[i] != stratum.label &&
+          !belongs(stratum, net_requests_[first + i].point, labels[i], &values[i * stride_]))
+        continue;
+      ++stratum.nets.accepted[planned.replicate];
+      double* sum = &stratum.nets.sum[planned.replicate * stride_];
+      const float* value = &values[i * stride_];
+      for (std::size_t c = 0; c < stride_; ++c) sum[c] += value[c];
+    }
+  }
+  net_requests_.clear();
+  net_planned_.clear();
+}
+
+void Radiance::net_moments(const Nets& nets, std::span<const int> columns, StratumMoments& out) const {
+  const std::size_t n = columns.size();
+  std::vector<double> squares(n, 0.0);
+  double replicates = 0.0, count = 0.0;
+  for (std::size_t r = 0; r < kStratumReplicates; ++r) {
+    if (nets.accepted[r] == 0) continue;
+    replicates += 1.0;
+    count += nets.accepted[r];
+    for (std::size_t c = 0; c < n; ++c) {
+      const double d = nets.sum[r * stride_ + columns[c]] / nets.accepted[r] - out.mean[c];
+      out.mean[c] += d / replicates;
+      squares[c] += d * (nets.sum[r * stride_ + columns[c]] / nets.accepted[r] - out.mean[c]);
+    }
+  }
+  out.sampled = replicates > 0.0;
+  out.freedom = std::max(1.0, replicates - 1.0);
+  out.share = 1.0 / std::max(1.0, count);
+  // As the variance of one of `count` independent values, which is what allocation compares.
+  for (std::size_t c = 0; c < n; ++c)
+    out.variance[c] = squares[c] / (std::max(1.0, replicates - 1.0) * std::max(1.0, replicates)) * count;
+}
+
+std::size_t Radiance::Stratum::count() const {
+  if (nets.size == 0) return samples.size();
+  return std::accumulate(nets.accepted.begin(), nets.accepted.end(), std::size_t{0});
+}
+
+void Radiance::nets(const Pixel& pixel, const PixelFootprint* footprint, Point2 centre,
+                    std::span<const int> columns, std::vector<double>& mean,
+                    std::vector<double>& variance) const {
+  const std::size_t n = columns.size();
+  mean.assign(n, 0.0);
+  variance.assign(n, 0.0);
+  std::vector<double> replicate(n);
+  double replicates = 0.0;
+  for (const Stratum& stratum : pixel.strata) {
+    std::fill(replicate.begin(), replicate.end(), 0.0);
+    double sum = 0.0;
+    for (std::uint32_t i : stratum.samples) {
+      const double w =
+          footprint == nullptr ? 1.0 : footprint->density(x_[i].x - centre.x, x_[i].y - centre.y);
+      if (w == 0.0) continue;
+      sum += w;
+      for (std::size_t c = 0; c < n; ++c)
+        replicate[c] += w / sum * (values_[i * stride_ + columns[c]] - replicate[c]);
+    }
+    if (sum == 0.0) continue;
+    replicates += 1.0;
+    for (std::size_t c = 0; c < n; ++c) {
+      const double d = replicate[c] - mean[c];
+      mean[c] += d / replicates;
+      variance[c] += d * (replicate[c] - mean[c]);
+    }
+  }
+  for (std::size_t c = 0; c < n; ++c) variance[c] /= std::max(1.0, (replicates - 1.0) * replicates);
+}
+
+}  // namespace ifov::sampling

@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "sampling/accuracy/stopping.h"
+#include "sampling/hash.h"
+#include "sampling/random.h"
+
+// Do intervals hold wherever the sampling ends? Normal values, looks at growing numbers of them, an end when the
+// estimated interval is narrow enough.
+
+namespace ifov::test {
+namespace {
+
+using sampling::Satterthwaite;
+using sampling::Stopping;
+
+class Normal {
+ public:
+  explicit Normal(std::uint64_t seed) : key_(sampling::mix(seed)) {}
+  double operator()() {
+    key_ = sampling::mix(key_);
+    const double u = sampling::unit_double(key_), v = sampling::unit_double(sampling::mix(key_ + 1));
+    return std::sqrt(-2.0 * std::log(1.0 - u)) * std::cos(2.0 * std::numbers::pi * v);
+  }
+
+ private:
+  std::uint64_t key_;
+};
+
+using Quantile = std::function<double(int look, double freedom)>;
+
+/// Share of the intervals that hold 0, the mean of replicates of variance 1 per value; `needed` independent values
+/// would do for an interval at exactly known variance.
+double coverage(const Quantile& quantile, int replicates, double needed) {
+  constexpr int kTrials = 4000;
+  const double limit = 1.96 / std::sqrt(needed);
+  int covered = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    Normal normal(sampling::hash(replicates, static_cast<int>(needed), trial));
+    std::vector<double> sum(static_cast<std::size_t>(replicates), 0.0);
+    double drawn = 0.0, mean = 0.0, half_width = 0.0;
+    for (int look = 2; look < Stopping::kLooks; ++look) {
+      const double grown = drawn == 0.0 ? 2.0 : 2.0 * drawn;
+      mean = 0.0;
+      for (double& s : sum) mean += (s += std::sqrt(grown - drawn) * normal()) / grown / replicates;
+      drawn = grown;
+      double squares = 0.0;
+      for (double s : sum) squares += (s / drawn - mean) * (s / drawn - mean);
+      half_width = quantile(look, replicates - 1.0) * std::sqrt(squares / (replicates - 1.0) / replicates);
+      if (half_width <= limit) break;
+    }
+    covered += std::abs(mean) <= half_width;
+  }
+  return covered / static_cast<double>(kTrials);
+}
+
+TEST(Stopping, IntervalsHoldWhereverTheSamplingEnds) {
+  const Stopping stopping(0.95);
+  const Quantile quantile = [&](int look, double freedom) { return stopping.student(look, freedom); };
+  for (int replicates : {5, 12, 24, 48})
+    for (double needed : {60.0, 100.0, 300.0}) {
+      const double held = coverage(quantile, replicates, needed);
+      EXPECT_GE(held, 0.945) << replicates << " replicates, " << needed << " values";
+      EXPECT_LE(held, 0.985) << replicates << " replicates, " << needed << " values";
+    }
+}
+
+TEST(Stopping, IntervalsThatIgnoreTheLooksOrTheFreedomFail) {
+  const Quantile normal = [](int, double) { return 1.96; };
+  EXPECT_LT(coverage(normal, 5, 100.0), 0.9);
+  const Quantile no_looks = [](int, double freedom) { return sampling::two_sided_student(0.95, freedom); };
+  EXPECT_LT(coverage(no_looks, 12, 100.0), 0.945);
+}
+
+TEST(Stopping, EarlyLooksAndFewDegreesOfFreedomAskForMore) {
+  const Stopping stopping(0.95);
+  EXPECT_NEAR(stopping.normal(), 1.959964, 1e-6);
+  EXPECT_GT(stopping.student(0, 20.0), stopping.student(1, 20.0));
+  EXPECT_GT(stopping.student(1, 20.0), stopping.student(2, 20.0));
+  EXPECT_GT(stopping.student(2, 3.0), stopping.student(2, 30.0));
+  EXPECT_GT(stopping.student(2, 200.0), stopping.normal());
+}
+
+TEST(Stopping, SatterthwaiteOfEqualPartsAddsTheirFreedom) {
+  Satterthwaite sum;
+  sum.add(2.0, 5.0);
+  sum.add(2.0, 5.0);
+  EXPECT_DOUBLE_EQ(sum.variance(), 4.0);
+  EXPECT_DOUBLE_EQ(sum.degrees_of_freedom(), 10.0);
+}
+
+}  // namespace
+}  // namespace ifov::test
