@@ -31,9 +31,9 @@ MixtureMap::MixtureMap(MapGrid grid, std::size_t bands, std::span<const float> s
     }
     if (found.empty()) fail("are all 0");
     if (std::abs(sum - 1.0) > kTolerance) {
+      report_.lowest_sum = report_.rescaled == 0 ? sum : std::min(report_.lowest_sum, sum);
+      report_.highest_sum = report_.rescaled == 0 ? sum : std::max(report_.highest_sum, sum);
       ++report_.rescaled;
-      report_.lowest_sum = std::min(report_.lowest_sum, sum);
-      report_.highest_sum = std::max(report_.highest_sum, sum);
     }
     std::stable_sort(found.begin(), found.end(), [](const Part& a, const Part& b) { return a.share > b.share; });
     double kept = sum;

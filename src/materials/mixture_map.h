@@ -21,7 +21,7 @@ class MixtureMap {
   /// What was done to the numbers to make them shares that sum to 1.
   struct Report {
     std::size_t rescaled = 0;   ///< cells whose numbers did not sum to 1 within kTolerance
-    double lowest_sum = 1.0, highest_sum = 1.0;
+    double lowest_sum = 1.0, highest_sum = 1.0;  ///< of their numbers
     std::size_t shortened = 0;  ///< cells with more than kMost parts
     double largest_loss = 0.0;  ///< largest share that was given to the other parts there
   };

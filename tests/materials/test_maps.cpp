@@ -93,7 +93,7 @@ TEST(MixtureMap, FractionsAreMadeToSumToOneAndItIsSaid) {
   EXPECT_FLOAT_EQ(second[1].share, 0.25f);
   EXPECT_EQ(map.report().rescaled, 1u);
   EXPECT_DOUBLE_EQ(map.report().highest_sum, 200.0);
-  EXPECT_DOUBLE_EQ(map.report().lowest_sum, 1.0);
+  EXPECT_DOUBLE_EQ(map.report().lowest_sum, 200.0);
   EXPECT_EQ(map.report().shortened, 0u);
 }
 

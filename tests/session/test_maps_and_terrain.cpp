@@ -131,12 +131,11 @@ TEST_F(MapsAndTerrain, MixturesStandSideBySide) {
       &log);
   EXPECT_NEAR(reflectance_at(session, 0.5, 0.5), 0.2, 1e-9);
   EXPECT_NEAR(reflectance_at(session, 1.5, 0.5), 0.25 * 0.2 + 0.75 * 0.6, 1e-6);
-  expect_in("mixture 'mix.img': the fractions of 1 of 2 cells sum to something else than 1 (1 to 100)", log.text);
+  expect_in("mixture 'mix.img': the fractions of 1 of 2 cells sum to something else than 1 (100 to 100)", log.text);
 }
 
 TEST_F(MapsAndTerrain, MapsByTextureCoordinatesGoWithTheObject) {
   write_grid("classes.asc", 0, 0, 1, 2, 2, "1 2\n3 4");
-  // The texture coordinates of a box rise with x and y on its upper face.
   const Session session = load(
       R"({"materials": {"a": {"reflectance": 0.1}, "b": {"reflectance": 0.2}, "c": {"reflectance": 0.3},
                         "d": {"reflectance": 0.4}},

@@ -4,6 +4,8 @@
 #include <ogr_srs_api.h>
 
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -30,12 +32,13 @@ struct MapReference::Content {
 MapReference::MapReference(const std::string& text) : content_(std::make_unique<Content>()) {
   const QuietGdal gdal;
   content_->handle.reset(OSRNewSpatialReference(nullptr));
-  // PROJ's own files only: no look-up of the text as a file or an address.
+  // PROJ's own tables only: the text is not looked up as a file or an address.
+  std::error_code error;
   const bool as_wkt = text.find('[') != std::string::npos;
+  const bool elsewhere = text.find('/') != std::string::npos || std::filesystem::exists(text, error);
   char* wkt = const_cast<char*>(text.c_str());
   const bool known = as_wkt ? OSRImportFromWkt(content_->handle.get(), &wkt) == OGRERR_NONE
-                            : text.find("://") == std::string::npos && text.find('/') == std::string::npos &&
-                                  OSRSetFromUserInput(content_->handle.get(), text.c_str()) == OGRERR_NONE;
+                            : !elsewhere && OSRSetFromUserInput(content_->handle.get(), text.c_str()) == OGRERR_NONE;
   if (!known)
     throw InputError(format("'{}' is no coordinate reference system that PROJ knows ({}); expected one such as "
                             "\"EPSG:25832\"",
