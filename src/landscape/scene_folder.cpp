@@ -57,11 +57,9 @@ std::string SceneFolder::add_mesh(const std::string& name, const geometry::Trian
 }
 
 std::string SceneFolder::add_large_mesh(const std::string& name, const geometry::TriangleMesh& mesh) {
-  geometry::TriangleMesh plain = mesh;
-  plain.slots.clear(), plain.slot_names.clear();
   make_subfolder("meshes");
   triangles_ += mesh.triangles.size();
-  return add_text(format("meshes/{}.obj", name), io::obj_text(plain));
+  return add_text(format("meshes/{}.ply", name), io::ply_bytes(mesh));
 }
 
 std::string SceneFolder::add_list(const std::string& name, std::string_view rows) {

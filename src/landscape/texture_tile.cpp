@@ -42,7 +42,8 @@ double brightness(Grain grain, double u, double v) {
       const double x = 4.0 * u, y = 4.0 * v;
       const bool joint = x - std::floor(x) < 0.016 || y - std::floor(y) < 0.016;
       const double shade = chance.of(static_cast<int>(x), static_cast<int>(y)).unit(0);
-      return joint ? 0.0 : 0.25 + 0.4 * shade + 0.35 * octaves(chance, u, v, 8, 128, 0.8);
+      const double speckle = octaves(chance, u, v, 8, 128, 0.8);
+      return joint ? 0.2 * speckle : 0.25 + 0.4 * shade + 0.35 * speckle;
     }
     case Grain::weathering: {
       const double tile = chance.of(static_cast<int>(16.0 * u), static_cast<int>(12.0 * v)).unit(0);
