@@ -3,16 +3,19 @@
 
 Land cover by rule, on cells of 25 m, after a median of 3 x 3 heights (the model holds treetops and roofs):
   1 water    below 122 m, at most 3 m above the lowest height within 250 m, and 4 m below the mean within 500 m, where
-             a fifth of the cells within 100 m are so
+             a fifth of the cells within 100 m are so and where they hang together over 2 km or more: a river is long,
+             gravel pits and errors of the model are not
   2 forest   steeper than 7 degrees and above 130 m, or steeper than 5 degrees above 170 m
   3 town     no forest, flatter than 6 degrees, below 135 m, with water on more than 2.5 % of the cells within 1.5 km
   4, 5 field bare soil and crop on the rest below 150 m, by parcels of about 350 m x 225 m, three in seven bare
   6 meadow   the rest
-and of the result the most frequent class in 3 x 3 cells, except for water.
+  7 floor    the forest where trees stand on it, see below
+and of the result the most frequent class in 3 x 3 cells, except for water. The map has cells of a third of that, 8.3 m,
+with the most frequent class in 5 x 5 of them, which rounds the corners.
 
-A texture of the town, which picks among asphalt, roofs and lawns, is noise on cells of 25 m.
+A texture of the town, which picks among asphalt, roofs and lawns, is noise on cells of 8.3 m.
 
-The tree is the crown of a voxel model (each voxel that it lists holds two square leaf clusters of 0.25 m) about a
+The tree is the crown of a voxel model (each voxel that it lists holds two square leaves of 0.25 m) about a
 cylinder; it is copied onto forest cells of a window, one to each square of 8 m, at a random place, turn and size.
 """
 
@@ -21,10 +24,12 @@ import sys
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
-from osgeo import gdal
+from osgeo import gdal, ogr
 
 gdal.UseExceptions()
 CELL_M = 25.0
+RIVER_M = 2000.0
+FINER = 3
 ORIGIN_M = (478000.0, 5474000.0)
 TREE_WINDOW_M = ((476900.0, 5474000.0), (478500.0, 5475700.0))
 TREE_SPACING_M = 8.0
@@ -45,6 +50,26 @@ def median_3(values):
     return np.median(windows.reshape(*values.shape, 9), axis=-1)
 
 
+def long_pieces(mask, cells):
+    """Of the pieces of the mask, joined across gaps of up to eight cells, those that reach this far."""
+    joined = over_window(mask.astype(np.uint8), 4, np.max)
+    source = gdal.GetDriverByName("MEM").Create("", mask.shape[1], mask.shape[0], 1)
+    source.GetRasterBand(1).WriteArray(joined)
+    shapes = gdal.GetDriverByName("MEM").Create("", mask.shape[1], mask.shape[0], 1)
+    layers = ogr.GetDriverByName("Memory").CreateDataSource("")
+    layer = layers.CreateLayer("pieces")
+    gdal.Polygonize(source.GetRasterBand(1), source.GetRasterBand(1), layer, -1, ["8CONNECTED=8"])
+    long = layers.CreateLayer("long")
+    for piece in layer:
+        west, east, low, high = piece.geometry().GetEnvelope()
+        if np.hypot(east - west, high - low) >= cells:
+            long.CreateFeature(piece)
+    gdal.PushErrorHandler("CPLQuietErrorHandler")  # warns that rows and columns have no reference system
+    gdal.RasterizeLayer(shapes, [1], long, burn_values=[1])
+    gdal.PopErrorHandler()
+    return mask & (shapes.ReadAsArray() == 1)
+
+
 def land_cover(height):
     smooth = median_3(height)
     slope = np.degrees(np.arctan(np.hypot(*np.gradient(smooth, CELL_M))))
@@ -52,14 +77,30 @@ def land_cover(height):
     water &= smooth < over_window(smooth, 20, np.mean) - 4
     water &= over_window(water.astype(float), 4, np.mean) > 0.2
     water[[0, -1], :] = water[:, [0, -1]] = False  # the model's rim is not terrain
+    water = long_pieces(water, RIVER_M / CELL_M)
     forest = ~water & (((slope > 7) & (smooth > 130)) | ((slope > 5) & (smooth > 170)))
     town = (over_window(water.astype(float), 60, np.mean) > 0.025) & (slope < 6) & (smooth < 135) & ~water & ~forest
     row, column = np.indices(height.shape)
     parcel = (((row + column // 6) // 9) * 73856093) ^ (((column - row // 8) // 14) * 19349663)
     field = np.where(parcel % 7 < 3, 4, 5)
     classes = np.select([water, forest, town, smooth < 150], [1, 2, 3, field], 6)
-    votes = [over_window((classes == k).astype(float), 1, np.sum) for k in range(1, 7)]
-    return np.where(water, 1, np.argmax(votes, axis=0) + 1).astype(np.uint8)
+    return np.where(water, 1, most_frequent(classes, 1))
+
+
+def most_frequent(classes, radius):
+    votes = [over_window((classes == k).astype(np.uint8), radius, np.sum) for k in range(1, 7)]
+    return (np.argmax(votes, axis=0) + 1).astype(np.uint8)
+
+
+def finer(classes, transform):
+    """The map on cells of a third, with the floor under the trees."""
+    fine = most_frequent(np.kron(classes, np.ones((FINER, FINER), dtype=np.uint8)), 2)
+    (west, south), (east, north) = TREE_WINDOW_M
+    column = [int(FINER * (x - transform[0]) / transform[1]) for x in (west, east)]
+    row = [int(FINER * (y - transform[3]) / transform[5]) for y in (north, south)]
+    window = fine[row[0]:row[1], column[0]:column[1]]
+    window[window == 2] = 7
+    return fine
 
 
 def write_crown(voxels, path, random):
@@ -102,9 +143,12 @@ def write_trees(height, classes, transform, path, random):
     return x.size
 
 
-def write_like(model, path, values):
-    raster = gdal.GetDriverByName("GTiff").Create(str(path), model.RasterXSize, model.RasterYSize, 1)
-    raster.SetGeoTransform(model.GetGeoTransform())
+def write_over(model, path, values):
+    """Values on a grid over the model's, of cells as many times finer as there are more of them."""
+    rows, columns = values.shape
+    raster = gdal.GetDriverByName("GTiff").Create(str(path), columns, rows, 1, options=["COMPRESS=DEFLATE"])
+    west, dx, _, north, _, dy = model.GetGeoTransform()
+    raster.SetGeoTransform([west, dx * model.RasterXSize / columns, 0, north, 0, dy * model.RasterYSize / rows])
     raster.SetProjection(model.GetProjection())
     raster.GetRasterBand(1).WriteArray(values)
 
@@ -114,8 +158,9 @@ def main(data, folder):
     model = gdal.Open(str(data / "scenes/dem/dem_hd.tif"))
     height = model.ReadAsArray().astype(float)
     classes = land_cover(height)
-    write_like(model, folder / "land_cover.tif", classes)
-    write_like(model, folder / "town.tif", random.normal(128, 40, height.shape).clip(0, 255).astype(np.uint8))
+    write_over(model, folder / "land_cover.tif", finer(classes, model.GetGeoTransform()))
+    noise = random.normal(128, 40, [FINER * n for n in height.shape])
+    write_over(model, folder / "town.tif", noise.clip(0, 255).astype(np.uint8))
     write_crown(data / "scenes/helios/trees/F_BR08_08_crown_250.vox", folder / "crown.obj", random)
     count = write_trees(height, classes, model.GetGeoTransform(), folder / "trees.csv", random)
     shares = ", ".join(f"{name} {100 * (classes == k).mean():.1f} %" for k, name in

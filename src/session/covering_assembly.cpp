@@ -24,21 +24,21 @@ void CoveringAssembly::add_materials() {
                                                                        : materials::ScatteringKind::lambertian;
     if (source.transmittance)
       material.transmittance = assemble_spectrum(document_, *source.transmittance,
-                                                 format("the transmittance of material '{}'", source.name));
+                                                 format("transmittance of {}", source.name));
     if (source.temperature)
       if (const double* fixed_k = std::get_if<double>(&source.temperature->value)) material.temperature_k = *fixed_k;
     const auto take = [&](const io::SpectrumDocument& curve, const std::string& what) {
       const radiometry::Spectrum spectrum =
-          assemble_spectrum(document_, curve, format("{} of material '{}'", what, source.name));
+          assemble_spectrum(document_, curve, format("{}{}", what, source.name));
       material.reflectance = source.is_emissivity ? spectrum.complement() : spectrum;
       with_position(document_, source.position, [&] { materials::check(material); });
     };
-    take(source.spectrum, source.further_curves.empty() ? "the spectrum" : "curve 1");
+    take(source.spectrum, source.further_curves.empty() ? "" : "curve 1 of ");
     scene_.materials.push_back(material);
     first_further_.push_back(first + static_cast<std::uint32_t>(further.size()));
     material.curve_of = static_cast<std::uint32_t>(scene_.materials.size() - 1);
     for (std::size_t k = 0; k < source.further_curves.size(); ++k) {
-      take(source.further_curves[k], format("curve {}", k + 2));
+      take(source.further_curves[k], format("curve {} of ", k + 2));
       further.push_back(material);
     }
   }

@@ -31,12 +31,12 @@ scene::Sun assemble_sun(const io::Document& document, const io::SunDocument& sou
   }
   if (source.distance_au) distance_au = *source.distance_au;
   const radiometry::Spectrum at_1au = source.irradiance
-                                          ? assemble_spectrum(document, *source.irradiance, "the Sun's irradiance")
+                                          ? assemble_spectrum(document, *source.irradiance, "irradiance of the Sun")
                                           : radiometry::solar_irradiance_1au();
   sun.irradiance = at_1au.scaled(1.0 / (distance_au * distance_au));
   if (document.atmosphere.tabulated && document.atmosphere.tabulated->sun_transmittance)
     sun.transmittance =
-        assemble_spectrum(document, *document.atmosphere.tabulated->sun_transmittance, "sun_transmittance");
+        assemble_spectrum(document, *document.atmosphere.tabulated->sun_transmittance, "transmittance to the Sun");
   return sun;
 }
 
@@ -49,7 +49,7 @@ void assemble_light(const io::Document& document, scene::Scene& scene) {
 
   if (const auto* sky = std::get_if<io::SkyTemperature>(&light.sky)) scene.sky.temperature_k = sky->temperature_k;
   if (const auto* sky = std::get_if<io::SkyRadiance>(&light.sky))
-    scene.sky.radiance = assemble_spectrum(document, sky->radiance, "the sky's radiance");
+    scene.sky.radiance = assemble_spectrum(document, sky->radiance, "radiance of the sky");
 
   materials::Material around;
   around.name = "surroundings";
@@ -64,9 +64,9 @@ void assemble_light(const io::Document& document, scene::Scene& scene) {
   if (document.atmosphere.tabulated) {
     const io::TabulatedAtmosphere& table = *document.atmosphere.tabulated;
     if (table.transmittance)
-      scene.view_path.transmittance = assemble_spectrum(document, *table.transmittance, "transmittance");
+      scene.view_path.transmittance = assemble_spectrum(document, *table.transmittance, "transmittance to the sensor");
     if (table.path_radiance)
-      scene.view_path.radiance = assemble_spectrum(document, *table.path_radiance, "path_radiance");
+      scene.view_path.radiance = assemble_spectrum(document, *table.path_radiance, "path radiance");
   }
 }
 

@@ -25,8 +25,10 @@ struct BuildCamera {
     settings.width_px = source.width_px;
     settings.height_px = source.height_px;
     settings.gsd_m = source.gsd_m;
-    settings.centre_x_m = source.centre_x_m - offset_m.x;
-    settings.centre_y_m = source.centre_y_m - offset_m.y;
+    if (source.centre_m) {
+      settings.centre_x_m = (*source.centre_m)[0] - offset_m.x;
+      settings.centre_y_m = (*source.centre_m)[1] - offset_m.y;
+    }
     settings.rotation_rad = source.rotation_rad;
     settings.view_zenith_rad = source.view_zenith_rad;
     settings.view_azimuth_rad = source.view_azimuth_rad;

@@ -6,12 +6,13 @@ namespace ifov::session {
 
 /// Runs `action`; an error about something that the document names (a file that is not there, a mesh that is
 /// broken, a spectrum with a gap) comes out as an InputError at that place of the document, with the cause's own
-/// message in it.
+/// message in it, unless it has a place in the document already.
 template <class Action>
 auto with_position(const io::Document& document, const SourcePosition& position, Action&& action) {
   try {
     return action();
   } catch (const InputError& error) {
+    if (error.position().line > 0 && error.position().file == position.file) throw;
     throw io::document_error(document, position, error.what());
   } catch (const EnvironmentError& error) {
     throw io::document_error(document, position, error.what());

@@ -1,10 +1,26 @@
 #include "studies/suburb_scene.h"
 
+#include "landscape/landscapes.h"
+
 namespace ifov::studies {
 
+namespace {
+
+constexpr double kSize_m = 200.0, kQuickSize_m = 60.0;
+constexpr std::uint64_t kSeed = 7;
+constexpr const char* kDocument = "render_vswir.json";
+
+}  // namespace
+
 io::Document suburb_document(const StudyOptions& options, bool quick) {
-  (void)quick;
-  return io::read_document(options.scene.string());
+  if (!options.scene.empty()) return io::read_document(options.scene.string());
+  landscape::MakeOptions scene;
+  scene.folder = options.output_folder / "scene";
+  scene.size_m = quick ? kQuickSize_m : kSize_m;
+  scene.seed = kSeed;
+  scene.replace = true;
+  landscape::make_suburb(scene);
+  return io::read_document((scene.folder / kDocument).string());
 }
 
 }  // namespace ifov::studies

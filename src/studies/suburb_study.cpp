@@ -22,7 +22,8 @@ constexpr int kReferenceSide = 64;       // rays along a pixel's side
 constexpr int kReferenceTile_px = 20;    // radiance of the reference is made for one tile in kReferenceShare
 constexpr int kReferenceShare = 5;
 constexpr int kSearches = 4;             // accuracy settings that are tried
-constexpr double kFirstError = 0.01;     // of reflectance
+constexpr double kFirstError = 0.02;     // of reflectance
+constexpr double kErrorPower = 1.3;      // the RMS error falls more slowly than the error asked for
 constexpr double kPaperSamples = 52.0;
 
 struct Way {
@@ -158,7 +159,7 @@ class SuburbStudy {
       add(accuracy_way(error));
       const double ratio = out_.results.back().worst_over_grid;
       if (ratio <= 1.0 && ratio > 0.95) break;
-      error *= std::clamp(0.97 / ratio, 0.3, 3.0);
+      error *= std::clamp(std::pow(0.97 / ratio, kErrorPower), 0.3, 3.0);
     }
     constexpr std::size_t kFirst = 4;
     out_.chosen = kFirst;

@@ -64,6 +64,7 @@ class Check(unittest.TestCase):
             done = run("check", "dome.json", cwd=folder)
             self.assertEqual(done.returncode, 1)
             self.assertRegex(done.stderr, r"^dome\.json:7:\d+: .*roof\.txt")
+            self.assertEqual(done.stderr.count("dome.json:7:"), 1)
             self.assertIn('    7 |       "roof": {"emissivity": {"ecostress": "roof.txt"}}\n', done.stderr)
 
     def test_looks_at_all_of_several_documents(self):

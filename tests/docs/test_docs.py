@@ -112,6 +112,24 @@ class Docs(unittest.TestCase):
                     self.skipTest("reference data not found: " + result.stderr.strip().splitlines()[0])
                 self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
 
+    def test_documents_that_a_script_fills_in_are_valid(self):
+        data = pathlib.Path(os.environ.get("IFOV_TRUTH", ROOT / ".." / "shared" / "truth")).resolve()
+        if not (data / "scenes" / "dem" / "dem_hd.tif").exists():
+            self.skipTest(f"reference data not found: {data}/scenes/dem/dem_hd.tif")
+        for templates in {path.parent for path in (ROOT / "examples").rglob("*.json.in")}:
+            with tempfile.TemporaryDirectory() as folder:
+                made = self.run_in(folder, f"/usr/bin/python3 {templates / 'make_scene.py'} {data} .")
+                if "No module named" in made.stderr:
+                    self.skipTest(made.stderr.strip().splitlines()[-1])
+                self.assertEqual(made.returncode, 0, made.stderr)
+                for template in sorted(templates.glob("*.json.in")):
+                    with self.subTest(document=template.relative_to(ROOT)):
+                        document = pathlib.Path(folder) / template.stem
+                        document.write_text(template.read_text().replace("@DATA@", str(data)))
+                        result = self.run_in(folder, f"{PROGRAM} check {document.name}")
+                        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+                        self.assertNotIn("warning", result.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

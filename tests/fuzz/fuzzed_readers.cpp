@@ -10,9 +10,13 @@
 #include "io/mesh/obj_reader.h"
 #include "io/mesh/ply_reader.h"
 #include "io/raster/raster.h"
+#include "io/spectra/asd.h"
 #include "io/spectra/channel_table.h"
 #include "io/spectra/csv_spectrum.h"
 #include "io/spectra/ecostress.h"
+#include "io/spectra/ems.h"
+#include "io/spectra/envi_library.h"
+#include "io/spectra/usgs.h"
 
 namespace ifov::fuzz {
 namespace {
@@ -23,6 +27,20 @@ void read_envi(const std::filesystem::path& header) {
   data.replace_extension(".img");
   if (!std::filesystem::exists(data)) std::ofstream(data, std::ios::binary) << std::string(4096, '\x3e');
   io::read_raster(data, 1u << 20);
+}
+
+/// The same of a spectral library of two spectra.
+void read_sli(const std::filesystem::path& header) {
+  std::filesystem::path data = header;
+  data.replace_extension(".sli");
+  if (!std::filesystem::exists(data)) std::ofstream(data, std::ios::binary) << std::string(24, '\x3e');
+  io::read_envi_library(header);
+}
+
+/// Values without wavelengths, which stand in a file of their own.
+void read_usgs_column(const std::filesystem::path& column) {
+  const io::TextFile wavelengths("wavelengths.txt", "wavelengths\n0.35\n0.36\n0.37\n");
+  io::parse_usgs(io::TextFile(column), wavelengths);
 }
 
 }  // namespace
@@ -72,6 +90,28 @@ std::vector<FuzzedReader> fuzzed_readers() {
        table_seeds(),
        {",", ";", "\t", "\n\n", "nan"},
        [](const auto& path) { io::read_csv_spectrum(path); }},
+      {"usgs",
+       "a.asc",
+       usgs_seeds(),
+       {"-1.23e34", "\n\n", "nan", "  "},
+       [](const auto& path) { io::read_usgs(path); }},
+      {"usgs_column", "a.txt", usgs_column_seeds(), {"-1.23e34", "\n", "nan", " TRAN"}, read_usgs_column},
+      {"asd",
+       "a.asd",
+       asd_seeds(),
+       {"ASD", "as2", "as8", std::string(2, '\0'), "\xff\xff"},
+       [](const auto& path) { io::read_asd(path); }},
+      {"sli",
+       "a.hdr",
+       sli_header_seeds(),
+       {"samples = ", "lines = ", "data type = ", "bbl = {1, 0, 1}\n", "spectra names = ", "{", "}",
+        "header offset = ", "reflectance scale factor = "},
+       read_sli},
+      {"ems",
+       "a.ems",
+       ems_seeds(),
+       {"CURVE_BEGIN", "1.0\n", "\n\n", "39850 "},
+       [](const auto& path) { io::read_ems(path); }},
       {"channels",
        "a.txt",
        channel_seeds(),

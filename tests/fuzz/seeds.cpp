@@ -138,6 +138,64 @@ std::vector<std::string> ecostress_seeds() {
       "0.4200\t21.5\n0.5000\t22.25\n2.0000\t30.0\n14.0000\t5.125\n"};
 }
 
+std::vector<std::string> usgs_seeds() {
+  return {
+      "USGS Digital Spectral Library splib06a\n\nGrass GDS91 W1R1Ba AREF\ncopy of splib05a r 1439\n"
+      "       0.205100      -1.23e34        0.010460\n       0.221100       0.015736       0.001491\n"
+      "       0.229100       0.013988       0.001296\n"};
+}
+
+std::vector<std::string> usgs_column_seeds() {
+  return {" splib07a Record=13: Grass ASDFRa AREF\n 0.1\n -1.23e34\n 0.3\n"};
+}
+
+/// Four channels from 350 nm on with a white reference, as numbers of each format.
+std::vector<std::string> asd_seeds() {
+  std::vector<std::string> seeds;
+  for (const int format_code : {0, 1, 2}) {
+    std::string bytes(484, '\0');
+    const auto set = [&bytes](std::size_t offset, auto value) {
+      std::memcpy(bytes.data() + offset, &value, sizeof value);
+    };
+    bytes.replace(0, 3, "as7");
+    set(186, std::uint8_t{1});
+    set(191, 350.f);
+    set(195, 1.f);
+    set(199, static_cast<std::uint8_t>(format_code));
+    set(204, std::uint16_t{4});
+    const auto numbers = [&](int first) {
+      for (int k = first; k < first + 4; ++k) {
+        if (format_code == 0) put(bytes, static_cast<float>(k));
+        if (format_code == 1) put(bytes, static_cast<std::int32_t>(k));
+        if (format_code == 2) put(bytes, static_cast<double>(k));
+      }
+    };
+    numbers(1);
+    put(bytes, std::uint16_t{0xffff});
+    bytes += std::string(16, '\0');
+    put(bytes, std::uint16_t{5});
+    bytes += "white";
+    numbers(6);
+    seeds.push_back(bytes);
+  }
+  return seeds;
+}
+
+std::vector<std::string> sli_header_seeds() {
+  return {
+      "ENVI\nsamples = 3\nlines = 2\nbands = 1\nheader offset = 0\nfile type = ENVI Spectral Library\n"
+      "data type = 4\ninterleave = bsq\nbyte order = 0\nwavelength units = Nanometers\nspectra names = {\n "
+      "roof, \n "
+      "lawn}\nwavelength = {400, 500,\n 600}\nreflectance scale factor = 10\n"};
+}
+
+std::vector<std::string> ems_seeds() {
+  std::string weights;
+  for (int degree = 0; degree <= 90; ++degree) weights += "1.0\n";
+  return {"1\n" + weights + "CURVE_BEGIN\n0.35\t0.98\n2.5 0.95\n14.9\t0.9\n",
+          "2\n" + weights + "0\n20000 0.5\n1000 0.9\n1\n20000 0.4\n1000 0.8\n"};
+}
+
 std::vector<std::string> table_seeds() {
   return {"# wavelength, value\nwavelength_um,reflectance\n0.4,0.1\n0.5,0.2\n0.7,0.35\n2.5,0.3\n",
           "; nm\n2500 3.0e-1\n700\t.35\n\n400 0.1\n"};

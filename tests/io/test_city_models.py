@@ -112,11 +112,12 @@ class CityModels(unittest.TestCase):
         with tempfile.TemporaryDirectory() as scratch:
             good = {"city": {"file": str(file)}, "material": {"slots": {"RoofSurface": "a", "other": "a"}}}
             self.assertEqual(render([good], scratch).returncode, 0)
-            bad = {"city": {"file": str(file)}, "material": {"slots": {"RoofSurface": "a", "WallSurface": "a"}}}
+            # This building stands on the ground without a floor: it has roofs and walls alone.
+            bad = {"city": {"file": str(file)}, "material": {"slots": {"RoofSurface": "a", "GroundSurface": "a"}}}
             run = render([bad], scratch)
             self.assertEqual(run.returncode, 1, run.stderr)
-            self.assertRegex(run.stderr, r"scene.json:\d+:\d+: no material for the surfaces 'GroundSurface' of the Building '.*'; "
-                             "give one for 'GroundSurface', 'Building' or 'other'")
+            self.assertRegex(run.stderr, r"scene.json:\d+:\d+: no material for the surfaces 'WallSurface' of the Building '.*'; "
+                             "give one for 'WallSurface', 'Building' or 'other'")
 
     def test_meshes_that_once_broke_a_reader(self):
         archive = TRUTH / "malformed" / "tinyobj" / "afl.tar.gz"

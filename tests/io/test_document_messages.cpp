@@ -93,7 +93,8 @@ TEST(DocumentMessages, UnknownKeys) {
   EXPECT_EQ(message_with("\"csv\": \"leaf.csv\"", "\"cvs\": \"leaf.csv\""),
             "folder/a.json:10:31: unknown key 'cvs' in 'scene.materials.leaf.emissivity'; did you mean "
             "'csv'? Known keys: "
-            "'csv', 'wavelength_unit', 'column', 'scale', 'outside', 'ecostress' and 'table'\n"
+            "'csv', 'wavelength_unit', 'column', 'scale', 'range', 'outside', 'table', 'ecostress', 'usgs', "
+            "'wavelengths', 'asd', 'sli', 'spectrum', 'ems', 'curve', 'join' and 'library'\n"
             "   10 |       \"leaf\": {\"emissivity\": {\"cvs\": \"leaf.csv\", \"wavelength_unit\": \"nm\", "
             "\"scale\": 0.01}}\n"
             "      |                               ^");
@@ -111,7 +112,7 @@ TEST(DocumentMessages, MissingKeys) {
   EXPECT_EQ(
       message_with("\"plane\": {}, ", ""),
       "folder/a.json:16:7: 'scene.objects[0]' needs exactly one of 'plane', 'box', 'sphere', 'hemisphere', "
-      "'cylinder', 'disk', 'polygon' or 'mesh'\n"
+      "'cylinder', 'disk', 'polygon', 'mesh', 'city' or 'terrain'\n"
       "   16 |       {\"material\": \"soil\"},\n"
       "      |       ^");
   EXPECT_EQ(message_with(", \"azimuth\": \"180 deg\"", ""),
@@ -119,8 +120,8 @@ TEST(DocumentMessages, MissingKeys) {
             "   29 |     \"sun\": {\"disc\": {\"zenith\": \"30 deg\"}},\n"
             "      |                     ^");
   EXPECT_EQ(message_with("\"csv\": \"leaf.csv\", ", ""),
-            "folder/a.json:10:30: 'scene.materials.leaf.emissivity' needs exactly one of 'csv', 'ecostress' "
-            "or 'table'\n"
+            "folder/a.json:10:30: 'scene.materials.leaf.emissivity' needs exactly one of 'csv', 'table', "
+            "'ecostress', 'usgs', 'asd', 'sli', 'ems', 'join' or 'library'\n"
             "   10 |       \"leaf\": {\"emissivity\": {\"wavelength_unit\": \"nm\", \"scale\": 0.01}}\n"
             "      |                              ^");
 }
@@ -129,7 +130,7 @@ TEST(DocumentMessages, KeysThatExcludeEachOther) {
   EXPECT_EQ(message_with("{\"plane\": {}", "{\"plane\": {}, \"box\": {}"),
             "folder/a.json:16:21: 'box' cannot stand beside 'plane': 'scene.objects[0]' takes only one of "
             "'plane', 'box', "
-            "'sphere', 'hemisphere', 'cylinder', 'disk', 'polygon' or 'mesh'\n"
+            "'sphere', 'hemisphere', 'cylinder', 'disk', 'polygon', 'mesh', 'city' or 'terrain'\n"
             "   16 |       {\"plane\": {}, \"box\": {}, \"material\": \"soil\"},\n"
             "      |                     ^");
   EXPECT_EQ(message_with("\"sampling\": {", "\"sampling\": {\"single\": {}, "),
@@ -157,7 +158,7 @@ TEST(DocumentMessages, WrongTypesCountsAndWords) {
   EXPECT_EQ(message_with("\"reflectance\": 0.25", "\"reflectance\": \"25 %\""),
             "folder/a.json:9:31: 'scene.materials.soil.reflectance' is the text \"25 %\", expected a number "
             "between 0 and 1, "
-            "or an object\n"
+            "or an object, or a list of 2 to 100000, each a number between 0 and 1, or an object\n"
             "    9 |       \"soil\": {\"reflectance\": \"25 %\", \"temperature\": \"20 degC\"},\n"
             "      |                               ^");
   EXPECT_EQ(message_with("\"output\": {", "\"output\": {\"formats\": [\"tiff\"], "),

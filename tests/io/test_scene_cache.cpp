@@ -128,6 +128,21 @@ TEST_F(SceneCacheFile, MovesWithItsFolder) {
   EXPECT_EQ(run().made, "");
 }
 
+TEST_F(SceneCacheFile, ABareNameLiesInTheCurrentFolder) {
+  run();
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_);
+  {
+    SceneCache cache("scene.ifovcache", "1.0", nullptr);
+    EXPECT_TRUE(cache.find("a.obj").has_value());
+    EXPECT_EQ(cache.name_of("a.obj"), "a.obj");
+    EXPECT_EQ(cache.name_of(path("b.obj")), "b.obj");
+    const std::string file = "b.obj";
+    EXPECT_EQ(cache.stamps(std::span(&file, 1)).at(0).path, "b.obj");
+  }
+  fs::current_path(before);
+}
+
 TEST_F(SceneCacheFile, AnyBitThatFlipsIsNoticed) {
   run();
   const std::string good = bytes();

@@ -73,9 +73,11 @@ TEST(EnviLibrary, ErrorsNameTheFile) {
   short_names.replace(short_names.find(", \n lawn"), 8, "");
   EXPECT_EQ(error_of(short_names, data), "a.hdr: \"spectra names\" has 1 items for 2 spectra");
   const EnviLibrary library(header("4"), "a.hdr", data, "a.sli");
-  EXPECT_EQ(test::input_error("", [&](const auto&) { library.index_of("lown"); }),
-            "no spectrum of 'a.hdr' is called 'lown'; did you mean 'lawn'?; it holds 'roof' and 'lawn'");
-  EXPECT_EQ(test::input_error("", [&](const auto&) { library.index_of(3); }), "'a.hdr' has no spectrum 3; it holds 1 to 2");
+  EXPECT_EQ(test::input_error(std::string(), [&](const auto&) { library.index_of("lown"); }),
+            "no spectrum of 'a.hdr' is called 'lown'; did you mean 'lawn'? It holds 'roof' and 'lawn'");
+  EXPECT_EQ(test::input_error(std::string(), [&](const auto&) { library.index_of("quartz"); }),
+            "no spectrum of 'a.hdr' is called 'quartz'; it holds 'roof' and 'lawn'");
+  EXPECT_EQ(test::input_error(std::string(), [&](const auto&) { library.index_of(3); }), "'a.hdr' has no spectrum 3; it holds 1 to 2");
 }
 
 TEST(EnviLibrary, ReferenceFiles) {

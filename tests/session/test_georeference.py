@@ -42,16 +42,17 @@ class Georeference(unittest.TestCase):
         raster = None
         return gdal.Open(str(self.folder / name)).GetGeoTransform()
 
-    def abundance(self, material, terrain=None):
+    def abundance(self, material, terrain=None, center=(WEST_M + 20, NORTH_M - 10)):
         scene = {"ifov": 1,
                  "scene": {"origin": {"easting": f"{WEST_M} m", "northing": f"{NORTH_M} m", "crs": "EPSG:25832"},
                            "materials": {"one": {"reflectance": 0.2}, "two": {"reflectance": 0.5}},
                            "objects": [{**(terrain or {"plane": {}}), "material": material}]},
                  "light": {"sky": {"radiance": "50 W m-2 sr-1 um-1"}},
-                 "sensor": {"camera": {"orthographic": {"gsd": "5 m", "pixels": [8, 4],
-                                                        "center": [f"{WEST_M + 20} m", f"{NORTH_M - 10} m"]}},
+                 "sensor": {"camera": {"orthographic": {"gsd": "5 m", "pixels": [8, 4]}},
                             "channels": [{"name": "red", "monochromatic": {"at": "0.65 um"}}]},
                  "sampling": {"grid": {"elements": [2, 2]}, "max_depth": 1}}
+        if center:
+            scene["sensor"]["camera"]["orthographic"]["center"] = [f"{metres} m" for metres in center]
         (self.folder / "scene.json").write_text(json.dumps(scene))
         result = subprocess.run([PROGRAM, "render", "scene.json", "--output", "out"], cwd=self.folder, text=True,
                                 capture_output=True, timeout=200, check=False)
@@ -67,6 +68,15 @@ class Georeference(unittest.TestCase):
                 expected = np.kron(classes == 2, np.ones((2, 2)))
                 np.testing.assert_array_equal(found[1], expected)
                 np.testing.assert_array_equal(found[0], 1.0 - expected)
+
+    def test_an_image_without_a_centre_lies_about_the_origin(self):
+        classes = np.array([[1, 2, 2, 1], [2, 1, 1, 2]], dtype=np.float32)
+        self.write("classes.tif", classes, False)
+        found = self.abundance({"map": {"file": "classes.tif", "classes": {"1": "one", "2": "two"}}},
+                               center=None)
+        image = gdal.Open(str(self.folder / "out" / "image_abundance.img"))
+        self.assertEqual(image.GetGeoTransform(), (WEST_M - 20, 5.0, 0.0, NORTH_M + 10, 0.0, -5.0))
+        np.testing.assert_array_equal(found[1, 2:, 4:], np.kron(classes == 2, np.ones((2, 2)))[:2, :4])
 
     def test_a_terrain_ends_at_the_middles_of_its_outermost_cells(self):
         for point in (False, True):

@@ -125,7 +125,8 @@ TEST(Studies, AreFoundByName) {
   ASSERT_NE(find_study("thermal"), nullptr);
   ASSERT_NE(find_study("aliasing"), nullptr);
   EXPECT_EQ(find_study("thermic"), nullptr);
-  EXPECT_EQ(all_studies().size(), 2u);
+  ASSERT_NE(find_study("suburb"), nullptr);
+  EXPECT_EQ(all_studies().size(), 3u);
 }
 
 TEST(Studies, AliasingWritesItsFiles) {

@@ -225,11 +225,14 @@ ROOF = [
 METAL = [
     Material("aluminium, weathered", "aluminum metal roof bare car", "Bare, weathered and scratched.",
              [Curve("0384UUUALM", eco=man("roofingmaterial.metal.solid.all.0384uuualm"))]),
-    Material("steel, galvanised", "metal roof zinc iron vent", "Weathered, of roofs and vents.",
+    Material("steel, galvanised", "metal roof zinc iron vent", "Weathered, of roofs and vents. The source's figures: 3 to 7 % beyond 3 um, "
+             "as of a coated or corroded sheet; a bright one reflects most of it.",
              [Curve("0525UUUSTLA", eco=KIN["galvanised steel"])]),
-    Material("copper, weathered", "metal roof flashing", "Slightly weathered roof flashing.",
+    Material("copper, weathered", "metal roof flashing", "Slightly weathered roof flashing. The source's figures: 3 to 8 % beyond 3 um, "
+             "as of an oxide; clean copper is 'copper, polished'.",
              [Curve("0681UUUCOP", eco=man("roofingmaterial.metal.solid.all.0681uuucop"))]),
-    Material("zinc, roof", "metal building", IMAGE + "Zinc roof.", berlin(["zinc"], "galvanised steel")),
+    Material("zinc, roof", "metal building", IMAGE + "Zinc roof; the thermal part is lent by a galvanised steel that is "
+             "nearly black there.", berlin(["zinc"], "galvanised steel")),
     Material("paint, olive green gloss", "painted metal car vehicle coating",
              "Gloss paint; what it was painted on is not recorded.", [Curve("0385UUUPNT", table="olive_green_paint.csv")]),
     Material("aluminium, polished", "aluminum metal mirror", "Clean smooth metal, model of its optical constants.",

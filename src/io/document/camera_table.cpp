@@ -32,13 +32,8 @@ Kind<OrthographicCamera> orthographic_kind() {
       .required("gsd", &OrthographicCamera::gsd_m, quantity(kLength, Range::above(0.0, "m")),
                 "ground sample distance")
       .required("pixels", set_pixels<OrthographicCamera>, pixels_kind(), "columns and rows")
-      .with_default(
-          "center",
-          [](OrthographicCamera& camera, std::array<double, 2> centre) {
-            camera.centre_x_m = centre[0];
-            camera.centre_y_m = centre[1];
-          },
-          tuple<double, 2>(quantity(kLength)), "[\"0 m\", \"0 m\"]", "ground point at the image's centre")
+      .optional("center", &OrthographicCamera::centre_m, tuple<double, 2>(quantity(kLength)),
+                "ground point at the image's centre; the scene's origin if not given")
       .with_default("rotation", &OrthographicCamera::rotation_rad, quantity(kAngle), "\"0 deg\"",
                     "azimuth, clockwise from north, that the top of the image points to")
       .optional("height", &OrthographicCamera::height_m, quantity(kLength),

@@ -28,7 +28,7 @@ struct LibraryCurve {
   std::vector<std::string> notes;
   double largest_difference = 0.0, rms_difference = 0.0;  ///< of the figures from the sample's own points
   radiometry::Spectrum reflectance;
-  std::optional<radiometry::Spectrum> transmittance;  ///< of a leaf; none: opaque, or not known
+  std::optional<radiometry::Spectrum> transmittance;  ///< of a leaf, modelled; none: opaque, or not known
 
   /// 1 - reflectance - transmittance (Kirchhoff).
   radiometry::Spectrum emissivity() const;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <sstream>
 #include <vector>
 
 #include "core/error.h"
@@ -22,13 +23,12 @@ struct Colour {
   double red, green, blue;
 };
 /// M. Okabe and K. Ito (2008): told apart by colour-blind readers too.
-constexpr std::array<Colour, 7> kColours{{{0.00, 0.45, 0.70},
+constexpr std::array<Colour, 6> kColours{{{0.00, 0.45, 0.70},
                                           {0.84, 0.37, 0.00},
                                           {0.00, 0.62, 0.45},
                                           {0.80, 0.47, 0.65},
                                           {0.34, 0.71, 0.91},
-                                          {0.90, 0.62, 0.00},
-                                          {0.20, 0.20, 0.20}}};
+                                          {0.90, 0.62, 0.00}}};
 
 struct Free {
   void operator()(cairo_t* p) const { cairo_destroy(p); }
@@ -62,6 +62,20 @@ std::string fitted(cairo_t* c, std::string words, double width) {
   if (text_width(c, words) <= width) return words;
   while (!words.empty() && text_width(c, words + "...") > width) words.pop_back();
   return words + "...";
+}
+
+/// Words in as many lines as they need.
+std::vector<std::string> lines_of(cairo_t* c, const std::string& words, double width) {
+  std::vector<std::string> lines(1);
+  std::istringstream stream(words);
+  for (std::string word; stream >> word;) {
+    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+    if (lines.back().empty() || text_width(c, longer) <= width)
+      lines.back() = longer;
+    else
+      lines.push_back(word);
+  }
+  return lines;
 }
 
 void grey(cairo_t* c, double level) { cairo_set_source_rgb(c, level, level, level); }
@@ -148,17 +162,25 @@ void draw_curve(cairo_t* c, const Axes& axes, const LibraryCurve& curve, const C
   cairo_set_dash(c, nullptr, 0, 0.0);
 }
 
-/// Colours of many curves repeat, ever lighter.
+/// Colours of many curves repeat, dark the second time and light from then on.
 Colour colour_of(std::size_t k) {
   const Colour& base = kColours[k % kColours.size()];
-  const double light = std::min(0.6, 0.3 * static_cast<double>(k / kColours.size()));
-  const auto blend = [light](double value) { return value + light * (1.0 - value); };
+  const std::size_t round = k / kColours.size();
+  const double share = round == 0 ? 0.0 : 0.45, towards = round == 1 ? 0.0 : 1.0;
+  const auto blend = [&](double value) { return value + share * (towards - value); };
   return {blend(base.red), blend(base.green), blend(base.blue)};
 }
 
 cairo_status_t append(void* out, const unsigned char* data, unsigned int length) {
   static_cast<std::string*>(out)->append(reinterpret_cast<const char*>(data), length);
   return CAIRO_STATUS_SUCCESS;
+}
+
+std::vector<std::string> about_lines(const LibraryMaterial& material) {
+  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1));
+  const Context context(cairo_create(surface.get()));
+  font(context.get(), kFontSize, false);
+  return lines_of(context.get(), material.about, kWidth - kLeft - kRight);
 }
 
 double top_of(const LibraryMaterial& material, std::span<const std::size_t> curves) {
@@ -179,8 +201,12 @@ std::string plot_material(const LibraryMaterial& material, std::span<const std::
   const bool any_transmittance = std::any_of(curves.begin(), curves.end(), [&](std::size_t k) {
     return material.curves[k].transmittance.has_value();
   });
+  const bool any_lent = std::any_of(curves.begin(), curves.end(),
+                                    [&](std::size_t k) { return !material.curves[k].lent.empty(); });
   const double legend = kTop + kPlotHeight + kAxis + 20.0;
-  const double height = legend + kLegendLine * static_cast<double>(curves.size() + 1) + 10.0;
+  const std::vector<std::string> about = about_lines(material);
+  const double shift = kLegendLine * static_cast<double>(about.size() - 1);
+  const double height = shift + legend + kLegendLine * static_cast<double>(curves.size() + 1) + 10.0;
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(kScale * kWidth),
                                                    static_cast<int>(kScale * height)));
   const Context context(cairo_create(surface.get()));
@@ -192,7 +218,9 @@ std::string plot_material(const LibraryMaterial& material, std::span<const std::
   font(c, 18, true);
   text(c, kLeft, 28, material.name);
   font(c, kFontSize, false);
-  text(c, kLeft, 49, fitted(c, material.about, kWidth - kLeft - kRight));
+  for (std::size_t k = 0; k < about.size(); ++k)
+    text(c, kLeft, 49 + kLegendLine * static_cast<double>(k), about[k]);
+  cairo_translate(c, 0.0, shift);
 
   const auto grid = material.curves.front().reflectance.wavelength_um();
   const Axes axes{grid.front(), grid.back(), top_of(material, curves)};
@@ -218,9 +246,8 @@ std::string plot_material(const LibraryMaterial& material, std::span<const std::
   grey(c, 0.4);
   font(c, kFontSize - 1, false);
   text(c, kLeft, legend + kLegendLine * static_cast<double>(curves.size()) + 4,
-       any_transmittance
-           ? "Solid: reflectance. Dashed: transmittance. Thin and pale: not measured, see 'ifov materials'."
-           : "Thin and pale: not measured, see 'ifov materials'.");
+       std::string(any_transmittance ? "Solid: reflectance. Dashed: transmittance, by a model. " : "") +
+           (any_lent ? "Thin and pale: not measured, but lent by another sample or continued." : ""));
   cairo_surface_flush(surface.get());
   std::string png;
   if (cairo_surface_write_to_png_stream(surface.get(), append, &png) != CAIRO_STATUS_SUCCESS)

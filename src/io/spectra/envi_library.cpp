@@ -155,8 +155,9 @@ std::size_t EnviLibrary::index_of(const std::string& name) const {
     throw InputError(format("{} spectra of '{}' are called '{}'; give a number", count, file_, name));
   const auto found = std::find(names_.begin(), names_.end(), name);
   if (found != names_.end()) return static_cast<std::size_t>(found - names_.begin());
-  throw InputError(format("no spectrum of '{}' is called '{}'{}; it holds {}", file_, name,
-                          did_you_mean(name, names_), list_names(names_, "and", 12)));
+  const std::string likely = did_you_mean(name, names_);
+  throw InputError(format("no spectrum of '{}' is called '{}'{} {}", file_, name,
+                          likely.empty() ? "; it holds" : likely + " It holds", list_names(names_, "and", 12)));
 }
 
 std::size_t EnviLibrary::index_of(int number) const {

@@ -1,0 +1,103 @@
+"""`ifov materials`: the list, searches, one material, its figure and its table, and names that are not known."""
+
+import os
+import re
+import struct
+import unittest
+
+from program import Folder, run
+
+
+class Materials(unittest.TestCase):
+    def test_lists_all_by_group(self):
+        done = run("materials")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        groups = re.findall(r"^(\w+)$", done.stdout, re.MULTILINE)
+        self.assertEqual(groups, ["vegetation", "soil", "water", "construction", "roof", "metal"])
+        self.assertGreaterEqual(len(re.findall(r"^  \S.*  \d+ curves?", done.stdout, re.MULTILINE)), 40)
+        self.assertRegex(done.stdout, r"\n  leaf, red maple +1 curve, with transmittance\n")
+
+    def test_searches_by_words_in_any_order(self):
+        done = run("materials", "lawn")
+        self.assertEqual(
+            done.stdout, "vegetation\n  grass, lawn          2 curves\n  grass, lawn, sparse  1 curve\n"
+        )
+        self.assertEqual(run("materials", "court tennis").stdout, run("materials", "cinder, red").stdout)
+
+    def test_describes_one(self):
+        done = run("materials", "Leaf, Red Maple")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for words in (
+            "leaf, red maple\n",
+            "0.35 to 14 um, 591 wavelengths, 1 curve",
+            "sample ACRU-1-13, UC Santa Barbara",
+            "mean transmittance",
+            "transmittance by PROSPECT-D",
+            "source:",
+            "Licence:",
+            'in a document: "reflectance": {"library": "leaf, red maple"}',
+        ):
+            self.assertIn(words, done.stdout)
+        self.assertLessEqual(max(map(len, done.stdout.splitlines())), 110)
+
+    def test_says_what_was_not_measured(self):
+        done = run("materials", "asphalt, street", "--curve", 2)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("2. Berlin 2", done.stdout)
+        self.assertNotIn("3. Berlin 3", done.stdout)
+        self.assertIn("measured 0.46 to 2.409 um", done.stdout)
+        self.assertIn("not measured:  2.409 to 14 um: from Construction Asphalt", done.stdout)
+        self.assertIn('{"library": "asphalt, street", "curve": 2}', done.stdout)
+
+    def test_draws_a_figure(self):
+        with Folder() as folder:
+            done = run("materials", "tree crown, broadleaf", "--plot", "crowns.png", cwd=folder)
+            self.assertEqual((done.returncode, done.stdout), (0, ""))
+            self.assertEqual(done.stderr, "crowns.png  (figure of 'tree crown, broadleaf', PNG)\n")
+            self.assertEqual(os.listdir(folder), ["crowns.png"])
+            png = (folder / "crowns.png").read_bytes()
+            self.assertEqual(png[:8], b"\x89PNG\r\n\x1a\n")
+            all_curves = struct.unpack(">II", png[16:24])
+            run("materials", "tree crown, broadleaf", "--curve", "Berlin 3", "--plot", "one.png", cwd=folder)
+            one_curve = struct.unpack(">II", (folder / "one.png").read_bytes()[16:24])
+            self.assertEqual(all_curves[0], one_curve[0])
+            self.assertGreater(all_curves[1], one_curve[1])  # a line of the legend for each curve
+            done = run("materials", "ice", "--plot", "no/such/folder/ice.png", cwd=folder)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn("no/such/folder/ice.png", done.stderr)
+
+    def test_prints_a_table_that_a_document_reads(self):
+        done = run("materials", "leaf, red maple", "--csv")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        lines = [line for line in done.stdout.splitlines() if not line.startswith("#")]
+        self.assertEqual(lines[0], "wavelength_um,reflectance_1,transmittance_1")
+        rows = [[float(number) for number in line.split(",")] for line in lines[1:]]
+        self.assertEqual((len(rows), rows[0][0], rows[-1][0]), (591, 0.35, 14.0))
+        for _, reflectance, transmittance in rows:
+            self.assertLessEqual(reflectance + transmittance, 1.0001)
+        leaf = """{"ifov": 1, "scene": {
+  "materials": {"leaf": {"reflectance": {"csv": "maple.csv", "wavelength_unit": "um"}}},
+  "objects": [{"plane": {}, "material": "leaf"}]}, "light": {"sky": {"radiance": "10 W m-2 sr-1 um-1"}},
+ "sensor": {"camera": {"orthographic": {"gsd": "1 m", "pixels": [2, 2]}},
+  "channels": [{"name": "NIR", "monochromatic": {"at": "0.86 um"}}]},
+ "sampling": {"grid": {"elements": [1, 1]}}}"""
+        with Folder(leaf=leaf) as folder:
+            (folder / "maple.csv").write_text(done.stdout)
+            checked = run("check", "leaf.json", cwd=folder)
+            self.assertEqual((checked.returncode, checked.stderr), (0, ""))
+
+    def test_names_that_are_not_known(self):
+        for arguments, words in (
+            (("grsas, lawn",), "the library has no material 'grsas, lawn'; did you mean 'grass, lawn'?"),
+            (("unobtainium",), "the library has no material 'unobtainium'; 'ifov materials' lists them all"),
+            (("brick, red", "--curve", "3"), "the material 'brick, red' has no curve 3; it has 1 to 2"),
+            (("brick, red", "--curve", "Berlin"), "the material 'brick, red' has no curve 'Berlin'. It has"),
+            (("lawn", "--csv"), "--plot, --csv and --curve want one material; 'lawn' finds 2: 'grass, lawn' and"),
+        ):
+            done = run("materials", *arguments)
+            self.assertEqual((done.returncode, done.stdout), (1, ""), arguments)
+            self.assertIn(words, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
