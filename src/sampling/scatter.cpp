@@ -15,9 +15,11 @@ namespace {
 enum class Purpose { time, east, north, thinning, further };
 
 constexpr double kJammedCoverage = 0.547;
-constexpr double kFullest = 0.9;  ///< share of the jammed coverage; the last tenth would take proposals without end
+constexpr double kFullest =
+    0.9;  ///< share of the jammed coverage; the last tenth would take proposals without end
 constexpr double kMostProposals = 1 << 25;
-constexpr double kMargin = 6.0;  ///< minimum distances beyond the area, where what is dropped depends on neighbours
+constexpr double kMargin =
+    6.0;  ///< minimum distances beyond the area, where what is dropped depends on neighbours
 constexpr std::int32_t kNone = -1;
 
 double disk_m2(double distance_m) { return 0.25 * std::numbers::pi * distance_m * distance_m; }
@@ -51,7 +53,8 @@ struct Cells {
     rows = std::llround(std::floor((plan.area.north_m + margin_m) / side_m)) - first_row + 1;
   }
   std::size_t index(std::int32_t column, std::int32_t row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
   }
 };
 
@@ -88,8 +91,10 @@ std::vector<bool> staying(const std::vector<Proposal>& proposals, const Cells& c
   std::vector<std::int32_t> before(proposals.size(), kNone);
   const auto free = [&](const Proposal& p) {
     for (std::int32_t row = std::max(0, p.row - 1); row <= p.row + 1 && row < cells.rows; ++row)
-      for (std::int32_t column = std::max(0, p.column - 1); column <= p.column + 1 && column < cells.columns; ++column)
-        for (std::int32_t k = latest[cells.index(column, row)]; k != kNone; k = before[static_cast<std::size_t>(k)]) {
+      for (std::int32_t column = std::max(0, p.column - 1); column <= p.column + 1 && column < cells.columns;
+           ++column)
+        for (std::int32_t k = latest[cells.index(column, row)]; k != kNone;
+             k = before[static_cast<std::size_t>(k)]) {
           const Point2 other = proposals[static_cast<std::size_t>(k)].at_m;
           if (std::hypot(other.x - p.at_m.x, other.y - p.at_m.y) < distance_m) return false;
         }
@@ -137,9 +142,10 @@ std::vector<ScatteredPlace> scatter(const ScatterPlan& plan) {
   const double count = proposals_m2 * (plan.area.east_m - plan.area.west_m + beyond_m) *
                        (plan.area.north_m - plan.area.south_m + beyond_m);
   if (!(count <= kMostProposals))
-    throw InputError(format("{:.3g} places on {:.3g} m2 take {:.3g} proposals, more than the {:.3g} that are possible; "
-                            "use several smaller areas, or a lower density",
-                            peak_m2 * plan.area.square_metres(), plan.area.square_metres(), count, kMostProposals));
+    throw InputError(
+        format("{:.3g} places on {:.3g} m2 take {:.3g} proposals, more than the {:.3g} that are possible; "
+               "use several smaller areas, or a lower density",
+               peak_m2 * plan.area.square_metres(), plan.area.square_metres(), count, kMostProposals));
   const Cells cells(plan, side_m);
   const std::vector<Proposal> proposals = proposals_of(plan, cells, proposals_m2);
   const std::vector<bool> stays = staying(proposals, cells, plan.minimum_distance_m);

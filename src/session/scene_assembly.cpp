@@ -13,6 +13,7 @@
 #include "session/light_assembly.h"
 #include "session/map_frame.h"
 #include "session/mesh_cache.h"
+#include "session/scatter_assembly.h"
 #include "session/terrain_assembly.h"
 #include "session/with_position.h"
 
@@ -68,6 +69,8 @@ class GeometryAssembly {
       place_copies(object, prototype(of->name), scene_from_object);
     } else if (std::holds_alternative<io::CityShape>(object.shape)) {
       place_city(document_, object, scene_from_object, frame_, coverings_, builder_, log_);
+    } else if (const auto* scatter = std::get_if<io::ScatterShape>(&object.shape)) {
+      place_scatter(object, *scatter, scene_from_document);
     } else {
       const BuiltShape shape = build_shape(object);
       std::vector<std::uint32_t> materials;
@@ -79,15 +82,45 @@ class GeometryAssembly {
 
   void place_copies(const io::ObjectDocument& object, const BuiltPrototype& built,
                     const math::Transform& scene_from_object) {
-    std::vector<std::uint32_t> materials;
-    for (const BuiltPrototype::Slot& slot : built.slots)
-      materials.push_back(coverings_.covering(*slot.object->material, slot.name,
-                                              object.temperature ? object.temperature : *slot.temperature));
+    const std::vector<std::uint32_t> materials = materials_of(object, built);
     const bool seed = object.seed.value_or(true);
     if (const auto list = list_of(object))
       builder_.place_many(built.id, scene_from_object, list, materials, seed);
     else
       builder_.place(built.id, scene_from_object, materials, seed);
+  }
+
+  std::vector<std::uint32_t> materials_of(const io::ObjectDocument& object, const BuiltPrototype& built) {
+    std::vector<std::uint32_t> materials;
+    for (const BuiltPrototype::Slot& slot : built.slots)
+      materials.push_back(coverings_.covering(*slot.object->material, slot.name,
+                                              object.temperature ? object.temperature : *slot.temperature));
+    return materials;
+  }
+
+  void place_scatter(const io::ObjectDocument& object, const io::ScatterShape& scatter,
+                     const math::Transform& scene_from_document) {
+    const geometry::World* carrier = scatter.on ? &ground(scatter.on->name, scene_from_document) : nullptr;
+    std::vector<std::vector<io::Instance>> copies = scatter_copies(document_, scatter, frame_, carrier, log_);
+    for (std::size_t k = 0; k < copies.size(); ++k) {
+      if (copies[k].empty()) continue;
+      const BuiltPrototype& built = prototype(scatter.of[k].prototype.name);
+      builder_.place_many(built.id, scene_from_document, std::make_shared<io::InstanceList>(std::move(copies[k])),
+                          materials_of(object, built), object.seed.value_or(true));
+    }
+  }
+
+  /// The objects of a name on their own, for what stands on them.
+  const geometry::World& ground(const std::string& name, const math::Transform& scene_from_document) {
+    std::unique_ptr<geometry::World>& world = grounds_[name];
+    if (world) return *world;
+    GeometryAssembly alone(document_, coverings_, frame_, nullptr);
+    alone.use(cache_);
+    for (const io::ObjectDocument& object : document_.scene.objects)
+      if (object.name == name && object.material)
+        with_position(document_, object.position, [&] { alone.place(object, scene_from_document); });
+    world = alone.builder_.build();
+    return *world;
   }
 
   const BuiltPrototype& prototype(const std::string& name) {
@@ -213,6 +246,7 @@ class GeometryAssembly {
   BuiltShape build(const io::CityShape&) { throw InputError("a prototype cannot hold a city"); }
   BuiltShape build(const io::InstanceShape&) { throw InputError("a copy of a prototype is not a shape"); }
   BuiltShape build(const io::InstancesShape&) { throw InputError("copies of a prototype are not a shape"); }
+  BuiltShape build(const io::ScatterShape&) { throw InputError("copies of prototypes are not a shape"); }
 
   const io::Document& document_;
   CoveringAssembly& coverings_;
@@ -222,6 +256,7 @@ class GeometryAssembly {
   geometry::WorldBuilder builder_;
   std::map<std::string, BuiltPrototype> prototypes_;
   std::map<std::string, BuiltShape> meshes_;
+  std::map<std::string, std::unique_ptr<geometry::World>> grounds_;
 };
 
 /// What stands in the scene and how it is kept.

@@ -1,5 +1,3 @@
-#include "sampling/scatter.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "sampling/scatter.h"
 #include "support/statistics.h"
 
 namespace ifov::sampling {
@@ -17,7 +16,8 @@ double nearest_m(const std::vector<ScatteredPlace>& places) {
   double nearest = 1e300;
   for (std::size_t a = 0; a < places.size(); ++a)
     for (std::size_t b = a + 1; b < places.size(); ++b)
-      nearest = std::min(nearest, std::hypot(places[a].at_m.x - places[b].at_m.x, places[a].at_m.y - places[b].at_m.y));
+      nearest = std::min(
+          nearest, std::hypot(places[a].at_m.x - places[b].at_m.x, places[a].at_m.y - places[b].at_m.y));
   return nearest;
 }
 
@@ -26,10 +26,10 @@ double count_within(const std::vector<ScatteredPlace>& places, const ScatterArea
       std::count_if(places.begin(), places.end(), [&](const auto& place) { return area.holds(place.at_m); }));
 }
 
-/// Whether a count is that of a density to within 4 standard errors of independent places (those that keep a distance
-/// scatter less) and the 0.5 % that the formula for proposals is true to.
+/// Whether a count is that of a density to within 3 standard errors of independent places (those that keep a
+/// distance scatter less) and the 1.7 % that the formula for proposals is true to.
 bool agrees(double count, double expected) {
-  return std::abs(count - expected) < 4.0 * std::sqrt(expected) + 0.005 * expected;
+  return std::abs(count - expected) < 3.0 * std::sqrt(expected) + 0.017 * expected;
 }
 
 TEST(Scatter, ReachesItsDensity) {
@@ -70,7 +70,8 @@ TEST_P(ScatterByMap, FollowsTheMap) {
   const auto density = [&](Point2 p) {
     return kPeak_m2 * factor(static_cast<int>(p.x / kCell_m), static_cast<int>(p.y / kCell_m));
   };
-  const auto places = scatter({{0.0, 0.0, kSide * kCell_m, kSide * kCell_m}, GetParam(), kPeak_m2, density, 21});
+  const auto places =
+      scatter({{0.0, 0.0, kSide * kCell_m, kSide * kCell_m}, GetParam(), kPeak_m2, density, 21});
   std::vector<double> observed(kSide * kSide, 0.0), expected, wrong;
   for (const auto& place : places)
     observed[static_cast<std::size_t>(static_cast<int>(place.at_m.y / kCell_m) * kSide +
@@ -139,7 +140,8 @@ TEST(Scatter, RefusesWhatIsTooMuch) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "1e+10 places on 1e+10 m2 take 1e+10 proposals, more than the 3.36e+07 that are possible; use several "
+                 "1e+10 places on 1e+10 m2 take 1e+10 proposals, more than the 3.36e+07 that are possible; "
+                 "use several "
                  "smaller areas, or a lower density");
   }
 }

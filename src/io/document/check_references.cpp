@@ -35,6 +35,8 @@ class ReferenceCheck {
         check(object);
         if (std::holds_alternative<CityShape>(object.shape))
           throw document_error(document_, object.shape_position, "a prototype cannot hold a city");
+        if (std::holds_alternative<ScatterShape>(object.shape))
+          throw document_error(document_, object.shape_position, "a prototype cannot hold a scatter");
       }
     }
     check_nesting();
@@ -66,6 +68,7 @@ class ReferenceCheck {
 
   void check(const ObjectDocument& object) const {
     if (const DocumentName* of = copied_by(object)) require("prototype", *of, prototypes_);
+    if (const auto* scatter = std::get_if<ScatterShape>(&object.shape)) check(*scatter);
     if (!object.material) return;
     if (const auto* name = std::get_if<DocumentName>(&object.material->value)) {
       require("material", *name, materials_);
@@ -80,6 +83,16 @@ class ReferenceCheck {
                              "only a mesh and a city have 'slots', the names of materials in their files");
       }
     }
+  }
+
+  void check(const ScatterShape& scatter) const {
+    for (const ScatterShape::Kin& kin : scatter.of) require("prototype", kin.prototype, prototypes_);
+    if (!scatter.on) return;
+    std::vector<std::string> grounds;
+    for (const ObjectDocument& object : document_.scene.objects)
+      if (!object.name.empty() && object.material && std::find(grounds.begin(), grounds.end(), object.name) == grounds.end())
+        grounds.push_back(object.name);
+    require("object with a shape of its own", *scatter.on, grounds);
   }
 
   /// No prototype may hold itself: depth first, each prototype once.

@@ -37,12 +37,16 @@ Kind<TransformDocument> transform_kind() {
   return record.kind();
 }
 
-void add_common_keys(Record<ObjectDocument>& record) {
+void add_keys_of_all(Record<ObjectDocument>& record) {
   record.optional("name", &ObjectDocument::name, label(), "for messages and reports")
       .optional("temperature", &ObjectDocument::temperature, temperature_kind(), "instead of the material's")
-      .optional("transform", &ObjectDocument::transform, transform_kind(), "where the shape goes")
       .optional("seed", &ObjectDocument::seed, boolean(),
                 "send a ray at it where it is smaller than a pixel; decided by its shape if not given");
+}
+
+void add_common_keys(Record<ObjectDocument>& record) {
+  record.optional("transform", &ObjectDocument::transform, transform_kind(), "where the shape goes");
+  add_keys_of_all(record);
 }
 
 template <class Shape>
@@ -87,13 +91,21 @@ Kind<ObjectDocument> instance_object_kind() {
   return record.kind();
 }
 
+Kind<ObjectDocument> scatter_object_kind() {
+  Record<ObjectDocument> record("scattered copies", "Copies of prototypes at random places of the scene.");
+  record.exactly_one();
+  add_shape(record, "scatter", scatter_kind());
+  add_keys_of_all(record);
+  return record.kind();
+}
+
 }  // namespace
 
 Kind<std::vector<ObjectDocument>> objects_kind() {
   const Kind<ObjectDocument> shape = shape_object_kind();
-  const int without_tag = 1;
+  const int without_tag = 2;
   const auto any =
-      tagged<ObjectDocument>({{{"instance", "instances"}, instance_object_kind()}, {{}, shape}}, without_tag);
+      tagged<ObjectDocument>({{{"instance", "instances"}, instance_object_kind()}, {{"scatter"}, scatter_object_kind()}, {{}, shape}}, without_tag);
   return list(any, 1, kMostObjects);
 }
 

@@ -59,6 +59,18 @@ constexpr Unit kRadianceUnits[] = {
     {"W m^-2 sr^-1 um^-1", 1.0, 0.0, kAlias},
     {"W/m2/sr/nm", 1e3, 0.0, kAlias},
 };
+constexpr Unit kDensityUnits[] = {
+    {"m-2"},
+    {"ha-1", 1e-4},
+    {"km-2", 1e-6},
+    {"m^-2", 1.0, 0.0, kAlias},
+    {"per m2", 1.0, 0.0, kAlias},
+    {"per ha", 1e-4, 0.0, kAlias},
+    {"per km2", 1e-6, 0.0, kAlias},
+    {"/m2", 1.0, 0.0, kAlias},
+    {"/ha", 1e-4, 0.0, kAlias},
+    {"/km2", 1e-6, 0.0, kAlias},
+};
 constexpr Unit kIrradianceUnits[] = {
     {"W m-2 um-1"},
     {"W m-2 nm-1", 1e3},
@@ -97,6 +109,7 @@ const Dimension kPixels{"a number of pixels", "0.6 px", kPixelUnits};
 const Dimension kPercent{"a percentage", "1 %", kPercentUnits};
 const Dimension kReflectance{"a reflectance", "0.002 reflectance", kReflectanceUnits};
 const Dimension kRadiance{"a spectral radiance", "12 W m-2 sr-1 um-1", kRadianceUnits};
+const Dimension kDensity{"a density", "300 ha-1", kDensityUnits};
 const Dimension kIrradiance{"a spectral irradiance", "1800 W m-2 um-1", kIrradianceUnits};
 
 const Unit* Dimension::find(std::string_view spelling) const {

@@ -99,9 +99,33 @@ struct InstancesShape {
   std::optional<DocumentFile> binary;  ///< a binary list, see InstanceFile
 };
 
+/// How many things grow where, from a raster.
+struct DensityMap {
+  RasterDocument raster;
+  int band = 1;                   ///< from 1
+  double density_of_one_m2 = 1.0;  ///< what the number 1 of the raster means
+};
+/// Copies of prototypes at random.
+struct ScatterShape {
+  struct Kin {
+    DocumentName prototype;
+    double weight = 1.0;
+  };
+  std::vector<Kin> of;                        ///< one or more; weights above zero
+  std::variant<double, DensityMap> density_m2;  ///< copies per square metre
+  SourcePosition density_position;
+  double minimum_distance_m = 0.0;            ///< of copies from each other, on the map
+  std::array<double, 2> low_m{}, high_m{};    ///< corners of the area, x and y
+  std::optional<DocumentName> on;             ///< objects of the scene by name; absent: at `height_m`
+  double height_m = 0.0;
+  std::array<double, 2> scale{1.0, 1.0};      ///< from, to
+  bool turn = true;                           ///< about the vertical
+  std::uint64_t seed = 0;
+};
+
 using ShapeDocument = std::variant<PlaneShape, BoxShape, SphereShape, HemisphereShape, CylinderShape,
                                    DiskShape, PolygonShape, MeshShape, CityShape, TerrainShape, InstanceShape,
-                                   InstancesShape>;
+                                   InstancesShape, ScatterShape>;
 
 /// Scene from object: first scale, then rotate (right-handed about `axis`), then translate.
 struct TransformDocument {

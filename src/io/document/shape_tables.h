@@ -17,5 +17,6 @@ Kind<MeshShape> mesh_kind();
 Kind<CityShape> city_kind();
 Kind<InstanceShape> instance_kind();
 Kind<InstancesShape> instances_kind();
+Kind<ScatterShape> scatter_kind();
 
 }  // namespace ifov::io
