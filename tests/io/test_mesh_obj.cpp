@@ -91,7 +91,7 @@ TEST(MeshObj, LargeFacesMustNotCrossThemselves) {
         "v " + std::to_string(std::cos(b) + 0.5 * std::cos(a)) + " " + std::to_string(std::sin(b)) + " 0\n";
   }
   std::string face = "f";
-  for (int k = 1; k <= corners; ++k) face += " " + std::to_string(k);
+  for (int k = 1; k <= corners; ++k) face.append(" ").append(std::to_string(k));
   EXPECT_EQ(parsed(ring + face + "\n").triangles.size(), 1498u);
   EXPECT_NE(message_of(star + face + "\n").find("the outline of this face crosses itself"),
             std::string::npos);
