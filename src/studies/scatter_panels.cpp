@@ -25,11 +25,12 @@ struct Scale {
 
 std::vector<Scale> scales_of(const std::vector<ScatterImage>& images, std::vector<float> ScatterImage::*scores) {
   std::vector<Scale> scales(kAxes);
-  for (const ScatterImage& image : images)
-    for (std::size_t k = 0; k < (image.*scores).size(); ++k) {
+  // Single rays scatter so far that they would squeeze the mixtures of the others.
+  for (std::size_t i = images.size() > 1 ? 1 : 0; i < images.size(); ++i)
+    for (std::size_t k = 0; k < (images[i].*scores).size(); ++k) {
       Scale& s = scales[k % kAxes];
-      s.low = std::min(s.low, (image.*scores)[k]);
-      s.high = std::max(s.high, (image.*scores)[k]);
+      s.low = std::min(s.low, (images[i].*scores)[k]);
+      s.high = std::max(s.high, (images[i].*scores)[k]);
     }
   return scales;
 }

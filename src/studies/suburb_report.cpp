@@ -131,11 +131,12 @@ std::string suburb_report(const SceneResults& r) {
              100.0 * r.reference_pixels) +
       "<h2>Where the samples go (figure 12 of the paper)</h2>\n" + maps +
       "<h2>Error by wavelength</h2>\n<figure>" + rms_plot(r) +
-      format("<figcaption>Accuracy sampling took {:.2f} times less time than the grid 10 x 10.</figcaption></figure>\n",
-             ten.seconds / ours.seconds) +
+      format("<figcaption>Accuracy sampling took {:.2f} times the time of the grid 10 x 10.</figcaption></figure>\n",
+             ours.seconds / ten.seconds) +
       "<h2>All pixels in spectral space (figure 13 of the paper)</h2>\n" + scatter(r) +
-      "<p>Drag to turn, wheel to zoom; all panels turn together. Axes and their scale are those of the image by "
-      "stated accuracy, so that the panels can be compared. With one ray a pixel nothing mixes and the clusters "
+      "<p>Drag to turn, wheel to zoom; all panels turn together. The axes are those of the image by stated "
+      "accuracy, their scale that of all images but the first, so that the panels can be compared; what lies beyond is "
+      "drawn at the rim. With one ray a pixel nothing mixes and the clusters "
       "stand apart; as sampling grows finer the space between them fills with mixtures.</p>\n";
   return html_page("Sub-pixel content of a hyperspectral image", body);
 }
