@@ -52,14 +52,19 @@ class TableReader {
 
 SceneCache::SceneCache(std::filesystem::path path, std::string program_version, LogSink* log)
     : path_(std::move(path)), program_version_(std::move(program_version)), log_(log) {
+  constexpr int kAttempts = 5;  // another run may take the file away to put its own there
   std::error_code ignored;
-  if (!std::filesystem::exists(path_, ignored)) return;
-  if (const std::optional<std::string> wrong = open()) {
-    say(format("the scene cache '{}' is not used: {}; the scene is read from its files", path_.string(), *wrong));
-    records_.clear();
-    file_.reset();
-    dirty_ = true;
+  std::optional<std::string> wrong;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    if (!std::filesystem::exists(path_, ignored)) return;
+    wrong = open();
+    if (!wrong) return;
+    if (file_) break;
   }
+  say(format("the scene cache '{}' is not used: {}; the scene is read from its files", path_.string(), *wrong));
+  records_.clear();
+  file_.reset();
+  dirty_ = true;
 }
 
 SceneCache::~SceneCache() = default;
