@@ -24,7 +24,11 @@ struct Session::Parts {
   render::ImageInfo info;
 
   /// The job that renders the document's image.
-  render::RenderJob job() const;
+  render::RenderJob job() const { return job(plan, tolerance.get()); }
+  /// The same image sampled in another way; keeps references to both.
+  render::RenderJob job(const SamplingPlan& sampling, const render::AccuracyTolerance* limits) const;
+  /// What a plan's accuracy asks for; null where it asks for none.
+  std::unique_ptr<render::AccuracyTolerance> tolerance_of(const SamplingPlan& sampling) const;
 };
 
 }  // namespace ifov::session

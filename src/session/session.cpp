@@ -101,16 +101,23 @@ radiometry::SpectralNodes build_nodes(const Session::Parts& parts) {
 
 }  // namespace
 
-render::RenderJob Session::Parts::job() const {
-  render::RenderJob job{*spectral_scene, *camera, *footprint, *plan.sampler};
-  job.tolerance = tolerance.get();
+render::RenderJob Session::Parts::job(const SamplingPlan& sampling, const render::AccuracyTolerance* limits) const {
+  render::RenderJob job{*spectral_scene, *camera, *footprint, *sampling.sampler};
+  job.tolerance = limits;
   if (document.sampling.max_depth) job.transport.maximum_scatterings = *document.sampling.max_depth;
-  job.label_detail = plan.request ? render::LabelDetail::sun_state : render::LabelDetail::material;
+  job.label_detail = sampling.request ? render::LabelDetail::sun_state : render::LabelDetail::material;
   job.seed = document.seed;
   job.tile_px = document.sampling.tile_px;
-  job.seed_objects = plan.seed_objects;
-  job.drivers = plan.drivers;
+  job.seed_objects = sampling.seed_objects;
+  job.drivers = sampling.drivers;
   return job;
+}
+
+std::unique_ptr<render::AccuracyTolerance> Session::Parts::tolerance_of(const SamplingPlan& sampling) const {
+  if (!sampling.request) return nullptr;
+  return std::make_unique<render::AccuracyTolerance>(*sampling.request, *brightness, spectral_scene->white_reflected(),
+                                                     static_cast<std::int64_t>(camera->width_px()) *
+                                                         camera->height_px());
 }
 
 Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -140,10 +147,7 @@ Session Session::load(const io::Document& document, LogSink* log, const LoadOpti
                      100.0 * p.nodes->worst_error()));
   if (log != nullptr) warn_of_cold_surfaces(p, *log);
   p.brightness = std::make_unique<render::ChannelBrightness>(*p.nodes);
-  if (p.plan.request)
-    p.tolerance = std::make_unique<render::AccuracyTolerance>(
-        *p.plan.request, *p.brightness, p.spectral_scene->white_reflected(),
-        static_cast<std::int64_t>(p.camera->width_px()) * p.camera->height_px());
+  p.tolerance = p.tolerance_of(p.plan);
   p.info = image_info(document, *p.camera, p.channels, p.scene);
   if (log != nullptr)
     log->info(format("sensor: {} x {} pixels, {} channels in {} spectral nodes", p.info.width_px, p.info.height_px,

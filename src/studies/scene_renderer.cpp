@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/error.h"
 #include "core/format.h"
 #include "render/accuracy_tolerance.h"
 #include "render/image_renderer.h"
@@ -104,23 +105,17 @@ double SceneRenderer::render(const io::SamplingDocument& sampling, const Choices
   io::Document document = parts.document;
   document.sampling = sampling;
   const session::SamplingPlan plan = session::assemble_sampling(document, parts.channels);
-  std::unique_ptr<render::AccuracyTolerance> tolerance;
-  if (plan.request)
-    tolerance = std::make_unique<render::AccuracyTolerance>(
-        *plan.request, *parts.brightness, parts.spectral_scene->white_reflected(),
-        static_cast<std::int64_t>(parts.camera->width_px()) * parts.camera->height_px());
-  const render::RenderJob own = parts.job();
-  render::RenderJob job{own.scene, own.camera, own.footprint, *plan.sampler, tolerance.get(), own.transport};
-  job.label_detail = plan.request ? render::LabelDetail::sun_state : render::LabelDetail::material;
-  job.seed = own.seed;
+  const std::unique_ptr<render::AccuracyTolerance> tolerance = parts.tolerance_of(plan);
+  render::RenderJob job = parts.job(plan, tolerance.get());
   job.tile_px = choices.tile_px;
-  job.seed_objects = plan.seed_objects;
-  job.drivers = plan.drivers;
   return timed_render(job, choices, parts.info, image);
 }
 
 double SceneRenderer::render_abundances(int n, const Choices& choices, render::TileSink& image) const {
   const session::Session::Parts& parts = session_.parts();
+  for (const scene::Covering& covering : parts.scene.coverings)
+    if (covering.mixes_materials())
+      throw InputError("labels do not tell the materials of a mixture apart: scenes with mixture maps have no reference");
   const LabelGrid sampler(n);
   const render::RenderJob own = parts.job();
   render::RenderJob job{own.scene, own.camera, own.footprint, sampler, nullptr, own.transport};

@@ -28,6 +28,7 @@ class SceneRenderer {
   double render(const io::SamplingDocument& sampling, const Choices& choices, render::TileSink& image) const;
 
   /// Asks a lattice of n x n labels in every pixel and writes their abundances; radiances stay zero.
+  /// InputError where the scene mixes materials by map, which labels do not show.
   double render_abundances(int n, const Choices& choices, render::TileSink& image) const;
 
   const render::ImageInfo& info() const;

@@ -4,8 +4,10 @@
 #include <numbers>
 
 #include "radiometry/planck.h"
-#include "render/blend_columns.h"
+#include "render/image_renderer.h"
 #include "render/small_scene.h"
+#include "sampling/grid_sampler.h"
+#include "sensor/orthographic_camera.h"
 
 namespace ifov {
 namespace {
@@ -116,6 +118,41 @@ TEST(Blend, FurnaceOfBumpedWallsReturnsPlanck) {
 TEST(Blend, PlantedFaultLostWeightFailsTheFurnace) {
   const auto estimate = furnace(nullptr, false);
   EXPECT_GT(std::abs(estimate.mean - planck(300.0)), 3.0 * estimate.standard_error + 1e-3 * planck(300.0));
+}
+
+/// Keeps the one tile of a small image.
+struct KeptTile final : render::TileSink {
+  void begin(const render::ImageInfo&) override {}
+  void write(const sampling::TileResult& tile) override { kept = tile; }
+  sampling::TileResult kept;
+};
+
+/// Abundances are those of the map's shares, and of labels where nothing is mixed: a slab covers half of the pixel.
+TEST(Blend, AbundancesAreTheSharesByArea) {
+  SmallScene scene;
+  const std::uint32_t bright = scene.material(0.6), dark = scene.material(0.1), slab = scene.material(0.3);
+  scene.place(geometry::Plane{}, bright);
+  scene.place(geometry::Box{{-5.0, -5.0, 0.0}, {0.0, 5.0, 0.1}}, slab);
+  scene.scene().coverings[bright].patterns.push_back(std::make_shared<FixedBlend>(
+      std::vector<scene::Constituent>{{bright, bright, 0.3, 0.0}, {dark, dark, 0.7, 0.0}}));
+  scene.sky(1.0);
+  const render::SpectralScene& spectral = scene.build();
+  sensor::OrthographicCamera::Settings settings;
+  settings.width_px = settings.height_px = 1;
+  settings.gsd_m = 1.0;
+  settings.start_height_m = 10.0;
+  const sensor::OrthographicCamera camera(settings);
+  const sampling::PixelFootprint footprint = sampling::PixelFootprint::box(1.0);
+  const sampling::GridSampler sampler(4, 4);
+  KeptTile sink;
+  render::render_image({spectral, camera, footprint, sampler}, {}, sink);
+  ASSERT_EQ(sink.kept.abundances.size(), 3u);
+  EXPECT_EQ(sink.kept.columns, 1);
+  const double expected[] = {0.15, 0.35, 0.5};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(sink.kept.abundances[k].material, k);
+    EXPECT_NEAR(sink.kept.abundances[k].fraction, expected[k], 1e-6) << k;
+  }
 }
 
 TEST(Bump, SunlightComesAtTheShadingNormalsCosine) {
