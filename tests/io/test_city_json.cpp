@@ -183,7 +183,8 @@ TEST(CityJson, ErrorsShowThePlace) {
             ":1:10: 'type' is the text \"GeoJSON\", expected \"CityJSON\"");
   EXPECT_EQ(message_of("{\"type\": \"CityJSON\", \"version\": \"0.9\"}"),
             ":1:33: 'version' is the text \"0.9\", expected \"1.0\", \"1.1\" or \"2.0\"");
-  EXPECT_EQ(message_of("[1, 2"), ":1:6: expected ',' or ']' after a value of a list");
+  EXPECT_EQ(message_of("[1, 2"),
+            ":1:6: the file ends here, within the list that begins at 1:1; still to close: ]");
   EXPECT_EQ(message_of(road(R"({"type": "MultiSurface", "lod": "1", "boundaries": [[[0,1,12]]]})")),
             ":6:94: 'CityObjects.a.geometry[0].boundaries[0][0][2]' is the number 12, expected a vertex from "
             "0 to 11");
@@ -196,6 +197,27 @@ TEST(CityJson, ErrorsShowThePlace) {
       ":5:105: the parents of this object run in a circle");
   EXPECT_EQ(message_of(city("\"a\": {\"type\": \"Road\"}")), ": the file has no surfaces");
   EXPECT_THROW(read_city_json("/no/such/file.json"), EnvironmentError);
+}
+
+TEST(CityJson, AFileCutShortSaysWhatWasOpen) {
+  const std::string whole = city("\"a\": {\"type\": \"Building\", \"geometry\": [" + kSolid + "]}");
+  ASSERT_EQ(message_of(whole), "no error");
+  const auto cut_behind = [&](const std::string& last) {
+    return message_of(whole.substr(0, whole.find(last) + last.size()));
+  };
+  EXPECT_EQ(cut_behind("[4000,4000,5000],"),
+            ":5:34: the file ends here, within the list 'vertices' that begins at 4:13; still to close: ]}");
+  EXPECT_EQ(cut_behind("[8,9,1"),
+            ":5:223: the file ends here, within the list 'CityObjects.a.geometry[0].boundaries[0][1][1]' "
+            "that begins "
+            "at 5:217; still to close: ]]]]}]}}}");
+  EXPECT_EQ(cut_behind("Building"),
+            ":5:128: the file ends here, within a text that begins at 5:119 in the object 'CityObjects.a' "
+            "that begins "
+            "at 5:110; still to close: \"}}}");
+  for (std::size_t length = 1; length < whole.size(); ++length)
+    ASSERT_NE(message_of(whole.substr(0, length)).find("the file ends here, within"), std::string::npos)
+        << length;
 }
 
 /// Counts of the reference files by a look at their JSON; tests/io/test_city_models.py has an independent

@@ -171,6 +171,34 @@ TEST(DocumentJson, SyntaxErrorsSayWhatIsExpected) {
             "      |   ^");
 }
 
+TEST(DocumentJson, ATextCutShortSaysWhatWasOpen) {
+  EXPECT_EQ(
+      message_of("{\"a\": [1, {\"b\": 2,\n  \"c\": \n"),
+      "a.json:2:7: the file ends here, within the object 'a[1]' that begins at 1:11; still to close: }]}\n"
+      "    2 |   \"c\": \n"
+      "      |       ^");
+  EXPECT_EQ(message_of("{\"a\": [1, -"),
+            "a.json:1:12: the file ends here, within a value that begins at 1:11 in the list 'a' that begins "
+            "at 1:7; "
+            "still to close: ]}\n"
+            "    1 | {\"a\": [1, -\n"
+            "      |            ^");
+  EXPECT_EQ(message_of("\"abc"),
+            "a.json:1:5: the file ends here, within a text that begins at 1:1; still to close: \"\n"
+            "    1 | \"abc\n"
+            "      |     ^");
+  // A mistake before the end counts first.
+  EXPECT_EQ(message_of("{\"a\": [1 2, {").substr(0, 62),
+            "a.json:1:10: expected ',' or ']' after a value of a list\n    1");
+  const std::string whole =
+      R"({"a": [true, false, null, -1.5e-3, {"ä€😀": "\u00e4\ud83d\ude00\n"}], "b": {}, "c": []})";
+  ASSERT_EQ(message_of(whole), "accepted");
+  for (std::size_t length = 1; length < whole.size(); ++length)
+    EXPECT_NE(message_of(whole.substr(0, length)).find("the file ends here, within"), std::string::npos)
+        << whole.substr(0, length);
+  EXPECT_EQ(message_of("// \xC3").substr(0, 38), "a.json:1:4: the text is not UTF-8 here");
+}
+
 TEST(DocumentJson, ExcerptsShowTheWindowAboutTheCaret) {
   const std::string message = message_of("{" + std::string(300, ' ') + "x" + std::string(300, ' ') + "}");
   const std::size_t line = message.find('\n') + 1;

@@ -139,7 +139,7 @@ std::string plain_words(const std::string& what) {
 }
 
 /// JsonCpp reports text: "* Line 3, Column 5\n  What is wrong.\n...". The first error counts.
-InputError syntax_error(const DocumentSource& source, const std::string& report) {
+InputError syntax_error(const DocumentSource& source, const JsonTokens& tokens, const std::string& report) {
   std::size_t line = 1, column = 1;
   const auto number_after = [&](std::string_view word, std::size_t from, std::size_t& value) {
     const std::size_t at = report.find(word, from);
@@ -156,7 +156,11 @@ InputError syntax_error(const DocumentSource& source, const std::string& report)
   std::size_t offset = 0;
   for (std::size_t i = 1; i < line; ++i)
     offset = std::min(source.text().find('\n', offset) + 1, source.text().size());
-  return source.error(source.position(offset + column - 1), plain_words(what));
+  offset += column - 1;
+  if (offset >= tokens.end && !tokens.still_open.empty())
+    return source.error(source.position(tokens.end),
+                        format("the file ends here, within {}", tokens.still_open));
+  return source.error(source.position(offset), plain_words(what));
 }
 
 }  // namespace
@@ -171,7 +175,7 @@ DocumentTree parse_json(std::string text, const std::string& file_name, const Js
   const std::string& bytes = source->text();
   try {
     if (!reader->parse(bytes.data(), bytes.data() + bytes.size(), &root, &report)) {
-      throw syntax_error(*source, report);
+      throw syntax_error(*source, tokens, report);
     }
   } catch (const Json::Exception& error) {
     throw source->error({}, format("not valid JSON: {}", error.what()));

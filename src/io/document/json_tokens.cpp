@@ -1,8 +1,11 @@
 #include "io/document/json_tokens.h"
 
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "core/format.h"
+#include "io/document/json_nesting.h"
 
 namespace ifov::io {
 namespace {
@@ -14,7 +17,7 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 class Scanner {
  public:
   Scanner(const DocumentSource& source, const JsonRules& rules)
-      : source_(source), text_(source.text()), rules_(rules) {}
+      : source_(source), text_(source.text()), rules_(rules), nesting_(source) {}
 
   JsonTokens scan() {
     if (text_.size() > rules_.max_bytes) {
@@ -22,7 +25,12 @@ class Scanner {
           {}, format("the document has {} bytes, more than the {} allowed", text_.size(), rules_.max_bytes));
     }
     check_utf8();
-    while (skip_space(), at_ < text_.size()) token();
+    while (skip_space(), at_ < text_.size()) {
+      token();
+      tokens_.end = at_;
+    }
+    if (cut_character_) fail(*cut_character_, "the text is not UTF-8 here");
+    tokens_.still_open = nesting_.still_open();
     return std::move(tokens_);
   }
 
@@ -31,30 +39,44 @@ class Scanner {
     throw source_.error(source_.position(offset), message);
   }
 
+  /// For a text that ends within the text or value that begins at `begin`.
+  [[noreturn]] void fail_at_end(std::size_t begin, std::string_view what, const std::string& closing) const {
+    const std::string around = nesting_.still_open(closing);
+    fail(text_.size(),
+         format("the file ends here, within a {} that begins at {}{}", what, nesting_.place(begin),
+                around.empty() ? format("; still to close: {}", closing) : " in " + around));
+  }
+
   char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
 
   // RFC 3629: no overlong forms, no surrogates, nothing beyond U+10FFFF.
-  void check_utf8() const {
+  void check_utf8() {
     const auto byte = [&](std::size_t i) {
       return i < text_.size() ? static_cast<unsigned char>(text_[i]) : 0U;
     };
     std::size_t i = 0;
     while (i < text_.size()) {
-      const unsigned lead = byte(i), second = byte(i + 1);
+      const unsigned lead = byte(i);
+      const unsigned second = byte(i + 1);
+      const auto second_within = [&](unsigned low, unsigned high) {
+        return i + 1 == text_.size() || (second >= low && second <= high);
+      };
       std::size_t length = 0;
       if (lead < 0x80) {
         length = 1;
       } else if (lead >= 0xC2 && lead <= 0xDF) {
         length = 2;
-      } else if (lead >= 0xE0 && lead <= 0xEF && !(lead == 0xE0 && second < 0xA0) &&
-                 !(lead == 0xED && second > 0x9F)) {
+      } else if (lead >= 0xE0 && lead <= 0xEF && (lead != 0xE0 || second_within(0xA0, 0xBF)) &&
+                 (lead != 0xED || second_within(0x80, 0x9F))) {
         length = 3;
-      } else if (lead >= 0xF0 && lead <= 0xF4 && !(lead == 0xF0 && second < 0x90) &&
-                 !(lead == 0xF4 && second > 0x8F)) {
+      } else if (lead >= 0xF0 && lead <= 0xF4 && (lead != 0xF0 || second_within(0x90, 0xBF)) &&
+                 (lead != 0xF4 || second_within(0x80, 0x8F))) {
         length = 4;
       }
       bool valid = length > 0;
-      for (std::size_t k = 1; k < length; ++k) valid = valid && (byte(i + k) & 0xC0U) == 0x80U;
+      for (std::size_t k = 1; k < length && i + k < text_.size(); ++k)
+        valid = valid && (byte(i + k) & 0xC0U) == 0x80U;
+      if (valid && i + length > text_.size()) cut_character_ = i;
       if (!valid) fail(i, "the text is not UTF-8 here");
       i += length;
     }
@@ -103,7 +125,8 @@ class Scanner {
     has_pending_key_ = false;
     last_was_text_ = false;
     if (c == ',' || c == ']' || c == '}') {
-      if (c != ',') --depth_;
+      if (c != ',') nesting_.end();
+      if (c == ',') nesting_.next_item();
       ++at_;
       return;
     }
@@ -112,9 +135,11 @@ class Scanner {
     }
     if (has_key) tokens_.key_of_value.emplace(begin, key);
     if (c == '{' || c == '[') {
-      if (++depth_ > rules_.max_depth) {
+      if (nesting_.depth() >= static_cast<std::size_t>(rules_.max_depth)) {
         fail(begin, format("lists and objects are nested more than {} deep", rules_.max_depth));
       }
+      nesting_.begin(begin, c == '[',
+                     has_key ? text_.substr(key + 1, text_.find('"', key + 1) - key - 1) : "");
       ++at_;
     } else if (c == '"') {
       string();
@@ -130,26 +155,32 @@ class Scanner {
   void string() {
     const std::size_t begin = at_++;
     for (;; ++at_) {
-      if (at_ >= text_.size()) fail(begin, "this text does not end: '\"' is missing");
+      if (at_ >= text_.size()) fail_at_end(begin, "text", "\"");
       const auto byte = static_cast<unsigned char>(text_[at_]);
       if (byte == '"') break;
       if (byte == '\n' || byte == '\r') fail(begin, "this text does not end on its line: '\"' is missing");
       if (byte < 0x20) fail(at_, "a control character within a text; write it as \\t or \\u00XX");
-      if (byte == '\\') escape();
+      if (byte == '\\') escape(begin);
     }
     ++at_;
   }
 
-  void escape() {
+  void escape(std::size_t text_begin) {
+    const auto must_go_on = [&](std::size_t ahead) {
+      if (at_ + ahead >= text_.size()) fail_at_end(text_begin, "text", "\"");
+    };
     const std::size_t begin = at_++;
+    must_go_on(0);
     const char c = peek();
     if (c == 'u') {
-      const unsigned code = code_unit(begin);
+      const unsigned code = code_unit(begin, must_go_on);
       const bool leads = code >= 0xD800 && code <= 0xDBFF;
       bool paired = code < 0xD800 || code > 0xDFFF;
+      if (leads) must_go_on(1);
+      if (leads && peek(1) == '\\') must_go_on(2);
       if (leads && peek(1) == '\\' && peek(2) == 'u') {
         at_ += 2;
-        const unsigned second = code_unit(begin);
+        const unsigned second = code_unit(begin, must_go_on);
         paired = second >= 0xDC00 && second <= 0xDFFF;
       }
       if (!paired) fail(begin, "half of a surrogate pair; both halves must be written");
@@ -159,9 +190,10 @@ class Scanner {
   }
 
   // From the 'u' of an escape to its last digit.
-  unsigned code_unit(std::size_t begin) {
+  unsigned code_unit(std::size_t begin, const auto& must_go_on) {
     unsigned code = 0;
     for (std::size_t k = 1; k <= 4; ++k) {
+      must_go_on(k);
       const char c = peek(k);
       if (!is_hex(c)) fail(begin, "'\\u' needs four hexadecimal digits");
       code = 16 * code + static_cast<unsigned>(is_digit(c) ? c - '0' : (c | 0x20) - 'a' + 10);
@@ -170,7 +202,13 @@ class Scanner {
     return code;
   }
 
+  /// For a number or a word that cannot be whole.
+  void fail_if_cut(std::size_t begin) const {
+    if (at_ == text_.size() && nesting_.depth() > 0) fail_at_end(begin, "value", "");
+  }
+
   void digits(std::size_t begin) {
+    fail_if_cut(begin);
     if (!is_digit(peek())) fail(begin, "this is not a number as JSON writes it (-12, 0.5, 1.5e-3)");
     while (is_digit(peek())) ++at_;
   }
@@ -198,7 +236,10 @@ class Scanner {
     const std::size_t begin = at_;
     while (is_letter(peek()) || is_digit(peek())) ++at_;
     const std::string_view found = text_.substr(begin, at_ - begin);
-    if (found == "true" || found == "false" || found == "null") return;
+    for (const std::string_view known : {"true", "false", "null"}) {
+      if (found == known) return;
+      if (!found.empty() && known.starts_with(found)) fail_if_cut(begin);
+    }
     if (found.empty()) {
       const auto byte = static_cast<unsigned char>(text_[begin]);
       if (byte == '\'') fail(begin, "texts and keys stand in double quotes: \"...\"");
@@ -213,7 +254,8 @@ class Scanner {
   std::string_view text_;
   const JsonRules& rules_;
   std::size_t at_ = 0, values_ = 0;
-  int depth_ = 0;
+  JsonNesting nesting_;
+  std::optional<std::size_t> cut_character_;  ///< a character whose last bytes lie beyond the end
   bool last_was_text_ = false, has_pending_key_ = false;
   std::size_t last_text_ = 0, pending_key_ = 0;
   JsonTokens tokens_;
