@@ -1,15 +1,27 @@
 #include "fuzz/fuzzed_readers.h"
 
+#include <cstddef>
+#include <cstring>
 #include <fstream>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <vector>
 
 #include "fuzz/seeds.h"
+#include "geometry/body_record.h"
 #include "io/city/city_json_reader.h"
 #include "io/document/document.h"
 #include "io/instances/instance_csv.h"
+#include "io/instances/instance_file.h"
+#include "io/mesh/file_bytes.h"
 #include "io/mesh/gltf_reader.h"
 #include "io/mesh/obj_reader.h"
 #include "io/mesh/ply_reader.h"
+#include "io/products/envi_reader.h"
+#include "io/raster/elevation.h"
 #include "io/raster/raster.h"
+#include "io/scene_cache/scene_cache.h"
 #include "io/spectra/asd.h"
 #include "io/spectra/channel_table.h"
 #include "io/spectra/csv_spectrum.h"
@@ -41,6 +53,55 @@ void read_sli(const std::filesystem::path& header) {
 void read_usgs_column(const std::filesystem::path& column) {
   const io::TextFile wavelengths("wavelengths.txt", "wavelengths\n0.35\n0.36\n0.37\n");
   io::parse_usgs(io::TextFile(column), wavelengths);
+}
+
+/// A product that is read again; its data stand beside the header.
+void read_cube(const std::filesystem::path& header) {
+  std::filesystem::path data = header;
+  data.replace_extension(".img");
+  if (!std::filesystem::exists(data)) std::ofstream(data, std::ios::binary) << std::string(4096, '\x3e');
+  const io::EnviReader reader(data);
+  std::vector<float> line(static_cast<std::size_t>(reader.header().samples));
+  for (int band = 0; band < reader.header().bands; ++band) reader.read(reader.header().lines - 1, band, line);
+}
+
+/// Every copy of a list.
+void read_instance_file(const std::filesystem::path& path) {
+  const io::InstanceFile file(path);
+  for (std::size_t k = 0; k < file.count(); ++k) file.at(k);
+}
+
+/// A record of a cache; one without sense is no error there.
+void read_body_record(const std::filesystem::path& path) {
+  const std::string bytes = io::read_file_bytes(path);
+  if (!geometry::body_from_record(std::as_bytes(std::span(bytes)))) throw InputError("no body");
+}
+
+/// Damage behind the hashes, which alone would keep it out.
+void read_scene_cache(const std::filesystem::path& path) {
+  std::string bytes = io::read_file_bytes(path);
+  io::CacheHeader header;
+  if (bytes.size() >= sizeof header) {
+    std::memcpy(&header, bytes.data(), sizeof header);
+    const auto all = std::as_bytes(std::span(bytes));
+    header.content_hash = io::cache_hash(all.subspan(sizeof header));
+    std::memcpy(bytes.data(), &header, sizeof header);
+    header.header_hash = io::cache_hash(all.first(offsetof(io::CacheHeader, header_hash)));
+    std::memcpy(bytes.data(), &header, sizeof header);
+    std::ofstream(path, std::ios::binary) << bytes;
+  }
+  struct Log final : LogSink {
+    void info(const std::string& message) override { said += message; }
+    void warn(const std::string& message) override { said += message; }
+    std::string said;
+  } log;
+  io::SceneCache cache(path, "version", &log);
+  for (const char* name : {"mesh a.ply", "mesh b.ply"})
+    if (const auto record = cache.find(name)) {
+      const std::string copy(reinterpret_cast<const char*>(record->data()), record->size());
+      if (copy.size() > bytes.size()) throw std::logic_error("a record larger than its file");
+    }
+  if (log.said.find("is not used") != std::string::npos) throw InputError(log.said);
 }
 
 }  // namespace
@@ -128,6 +189,33 @@ std::vector<FuzzedReader> fuzzed_readers() {
        {"samples = ", "data type = ", "header offset = ", "interleave = ", "{", "}",
         "map info = ", "file compression = 1\n"},
        read_envi},
+      {"cube",
+       "a.img.hdr",
+       envi_header_seeds(),
+       {"samples = ", "data type = ", "header offset = ", "interleave = ", "{", "}", "byte order = 1\n"},
+       read_cube},
+      {"geotiff",
+       "a.tif",
+       geotiff_seeds(),
+       {std::string("\0\0", 2), "\xff\xff", "II*", "MM"},
+       [](const auto& path) { io::read_raster(path, 1u << 20); }},
+      {"raster",
+       "a.raster",
+       raster_seeds(),
+       {std::string("\0\0", 2), "\xff\xff", "ncols ", "DSAA", "IHDR", "nan"},
+       [](const auto& path) { io::read_raster(path, 1u << 20); }},
+      {"elevation",
+       "a.asc",
+       raster_seeds(),
+       {"-9999 ", "nan ", "nodata_value 0\n", "1e308 "},
+       [](const auto& path) { io::read_elevation(path, 1, std::nullopt, io::UnknownHeights::fill); }},
+      {"instance_file",
+       "a.ifovinst",
+       instance_file_seeds(),
+       {"\xff\xff", std::string(4, '\0')},
+       read_instance_file},
+      {"body_record", "a.record", body_record_seeds(), {"\xff\xff", std::string(8, '\0')}, read_body_record},
+      {"scene_cache", "a.cache", scene_cache_seeds(), {"\xff\xff", std::string(8, '\0')}, read_scene_cache},
   };
 }
 

@@ -21,5 +21,10 @@ std::vector<std::string> ems_seeds();
 std::vector<std::string> table_seeds();
 std::vector<std::string> channel_seeds();
 std::vector<std::string> envi_header_seeds();
+std::vector<std::string> instance_file_seeds();
+std::vector<std::string> body_record_seeds();
+std::vector<std::string> scene_cache_seeds();
+std::vector<std::string> geotiff_seeds();
+std::vector<std::string> raster_seeds();
 
 }  // namespace ifov::fuzz
