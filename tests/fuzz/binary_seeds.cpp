@@ -83,8 +83,7 @@ std::vector<std::string> geotiff_seeds() {
 
 std::vector<std::string> raster_seeds() {
   std::vector<std::string> seeds;
-  for (const char* name :
-       {"a.asc", "a.bmp", "a.img", "a.jp2", "a.jpg", "a.pgm", "a.png", "a.grd", "b.grd", "c.grd"})
+  for (const char* name : {"a.asc", "a.bmp", "a.img", "a.jpg", "a.pgm", "a.png", "a.grd", "b.grd", "c.grd"})
     seeds.push_back(raster_file(name));
   return seeds;
 }

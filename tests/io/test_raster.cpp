@@ -53,10 +53,11 @@ TEST(Raster, OtherDriversAndVirtualFilesAreNotTried) {
                         "band=\"1\"><SimpleSource><SourceFilename>" +
                             grid.path().string() +
                             "</SourceFilename></SimpleSource></VRTRasterBand></VRTDataset>");
-  EXPECT_NE(test::input_error(vrt.path(), [](const auto& p) { read_raster(p); })
-                .find("not a raster of a kind that is read (GTiff, ENVI, PNG, JPEG, BMP, AAIGrid, HFA, PNM, EHdr, "
-                      "SRTMHGT, DTED, USGSDEM, GSAG, GSBG, GS7BG, SAGA, JP2OpenJPEG)"),
-            std::string::npos);
+  EXPECT_NE(
+      test::input_error(vrt.path(), [](const auto& p) { read_raster(p); })
+          .find("not a raster of a kind that is read (GTiff, ENVI, PNG, JPEG, BMP, AAIGrid, HFA, PNM, EHdr, "
+                "SRTMHGT, DTED, USGSDEM, GSAG, GSBG, GS7BG, SAGA)"),
+      std::string::npos);
   EXPECT_THROW(read_raster("/vsizip/a.zip/b.tif"), EnvironmentError);
   EXPECT_THROW(read_raster("/nowhere/a.tif"), EnvironmentError);
   EXPECT_THROW(read_raster(std::filesystem::temp_directory_path()), EnvironmentError);
@@ -67,6 +68,26 @@ TEST(Raster, DamagedFilesAreErrors) {
   if (!file) GTEST_SKIP() << "reference data not found: malformed/rasterio/corrupt.tif";
   EXPECT_NE(test::input_error(*file, [](const auto& p) { read_raster(p); }).find("the raster is damaged"),
             std::string::npos);
+}
+
+TEST(Raster, Jpeg2000IsRefusedWithAWayOut) {
+  const ScratchFile file("a.jp2", std::string("\0\0\0\x0cjP  \r\n\x87\n", 12));
+  EXPECT_EQ(test::input_error(file.path(), [](const auto& p) { read_raster(p); }),
+            "FILE: JPEG 2000 is not read; turn it into a GeoTIFF first: gdal_translate a.jp2 a.tif");
+}
+
+TEST(Raster, BlocksMuchLargerThanTheRasterAreNotTakenMemoryFor) {
+  EXPECT_EQ(
+      test::input_error(
+          std::filesystem::path(IFOV_SOURCE_DIR "/tests/fuzz/finds/geotiff/tile_much_larger_than_image.tif"),
+          [](const auto& p) { read_raster(p); }),
+      "FILE: the raster is damaged: its blocks have 16 x 65280 cells, it has 8 x 8");
+}
+
+TEST(Raster, ASmallFileThatAnnouncesALargeRasterIsRefusedFirst) {
+  const std::filesystem::path find =
+      IFOV_SOURCE_DIR "/tests/fuzz/finds/elevation/small_file_announces_165_million.grd";
+  EXPECT_EQ(test::input_error(find, [](const auto& p) { read_raster(p); }), "x");
 }
 
 TEST(Raster, CutFilesNeverCrash) {

@@ -17,7 +17,8 @@ class QuietGdal {
   QuietGdal(const QuietGdal&) = delete;
   QuietGdal& operator=(const QuietGdal&) = delete;
   std::string message() const {
-    const std::string text = CPLGetLastErrorMsg();
+    std::string text = CPLGetLastErrorMsg();
+    while (text.ends_with('\n')) text.pop_back();
     return text.empty() ? "GDAL gives no reason" : text;
   }
 };

@@ -2,9 +2,12 @@
 
 #include <gdal.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <span>
+#include <string_view>
 
 #include "core/error.h"
 #include "io/raster/quiet_gdal.h"
@@ -12,10 +15,11 @@
 namespace ifov::io {
 namespace {
 
-// Kinds whose readers open the named file and its companions only.
-constexpr const char* kDrivers[] = {"GTiff", "ENVI",    "PNG",  "JPEG",    "BMP",  "AAIGrid", "HFA",  "PNM",
-                                    "EHdr",  "SRTMHGT", "DTED", "USGSDEM", "GSAG", "GSBG",    "GS7BG", "SAGA",
-                                    "JP2OpenJPEG", nullptr};
+// Kinds whose readers open the named file and its companions only, and refuse what is damaged. OpenJPEG does
+// not: it ends the program by an assertion.
+constexpr const char* kDrivers[] = {"GTiff", "ENVI", "PNG",   "JPEG",    "BMP",  "AAIGrid",
+                                    "HFA",   "PNM",  "EHdr",  "SRTMHGT", "DTED", "USGSDEM",
+                                    "GSAG",  "GSBG", "GS7BG", "SAGA",    nullptr};
 constexpr GIntBig kCache_bytes = GIntBig{64} << 20;
 
 void register_drivers() {
@@ -33,6 +37,37 @@ using Dataset = std::unique_ptr<void, CloseDataset>;
 
 [[noreturn]] void fail(const std::string& name, const std::string& message) {
   throw InputError(format("{}: {}", name, message), {name, 0, 0});
+}
+
+/// GDAL takes memory for whole blocks. Those of a small raster may be larger than itself, but not by much.
+void check_blocks(GDALDatasetH dataset, const std::string& name, std::size_t values) {
+  constexpr std::size_t kAlways_bytes = std::size_t{64} << 20, kMostTimes = 4;
+  int width = 0, height = 0;
+  const GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
+  GDALGetBlockSize(band, &width, &height);
+  const auto value_bytes = static_cast<std::size_t>(GDALGetDataTypeSizeBytes(GDALGetRasterDataType(band)));
+  const char* interleave = GDALGetMetadataItem(dataset, "INTERLEAVE", "IMAGE_STRUCTURE");
+  const bool all_bands = interleave != nullptr && std::string_view(interleave) == "PIXEL";
+  const std::size_t block_bytes = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                                  value_bytes *
+                                  static_cast<std::size_t>(all_bands ? GDALGetRasterCount(dataset) : 1);
+  if (block_bytes > std::max(kAlways_bytes, kMostTimes * values * value_bytes))
+    fail(name, format("the raster is damaged: its blocks have {} x {} cells, it has {} x {}", width, height,
+                      GDALGetRasterXSize(dataset), GDALGetRasterYSize(dataset)));
+}
+
+/// A small file that announces a large raster must give its last row before memory is taken for all of them.
+void check_end(GDALDatasetH dataset, const std::string& name, std::size_t values, const QuietGdal& gdal) {
+  constexpr std::size_t kSmall_bytes = std::size_t{64} << 20, kMostCompressed_times = 100;
+  std::error_code error;
+  const std::uintmax_t file_bytes = std::filesystem::file_size(name, error);
+  if (values * sizeof(float) < kSmall_bytes || values * sizeof(float) / kMostCompressed_times < file_bytes)
+    return;
+  const int width = GDALGetRasterXSize(dataset), height = GDALGetRasterYSize(dataset);
+  std::vector<float> row(static_cast<std::size_t>(width));
+  if (GDALRasterIO(GDALGetRasterBand(dataset, GDALGetRasterCount(dataset)), GF_Read, 0, height - 1, width, 1,
+                   row.data(), width, 1, GDT_Float32, 0, 0) != CE_None)
+    fail(name, format("the raster is damaged: {}", gdal.message()));
 }
 
 /// Applies the factor and offset that the file states for a band, where it states any.
@@ -62,6 +97,8 @@ Raster read_raster(const std::filesystem::path& path, std::size_t max_values) {
   const QuietGdal gdal;
   const Dataset dataset(GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                    kDrivers, nullptr, nullptr));
+  if (!dataset && (path.extension() == ".jp2" || path.extension() == ".j2k"))
+    fail(name, "JPEG 2000 is not read; turn it into a GeoTIFF first: gdal_translate a.jp2 a.tif");
   if (!dataset)
     fail(name, format("not a raster of a kind that is read ({}): {}", raster_driver_list(), gdal.message()));
 
@@ -76,6 +113,8 @@ Raster read_raster(const std::filesystem::path& path, std::size_t max_values) {
   if (width * height > max_values / bands)
     fail(name, format("a raster of {} x {} x {} numbers is larger than the {} that are read", raster.width,
                       raster.height, raster.bands, max_values));
+  check_blocks(dataset.get(), name, width * height * bands);
+  check_end(dataset.get(), name, width * height * bands, gdal);
   raster.values.resize(width * height * bands);
   for (int band = 0; band < raster.bands; ++band) {
     const GDALRasterBandH handle = GDALGetRasterBand(dataset.get(), band + 1);
