@@ -1,0 +1,105 @@
+#include "atmosphere/scattering/column_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace ifov::atmosphere {
+
+namespace {
+
+const ScatteringOptions& checked(const ScatteringOptions& options) {
+  if (options.nodes_per_hemisphere < 2 || options.nodes_per_hemisphere > 24) {
+    throw std::invalid_argument("the scattering solver takes 2 to 24 nodes per hemisphere");
+  }
+  if (!(options.sublayer_depth > 0.0) || options.most_sublayers < 1 || !(options.tolerance > 0.0) ||
+      options.most_orders < 1) {
+    throw std::invalid_argument("sublayers, tolerance and orders of the scattering solver must be positive");
+  }
+  return options;
+}
+
+FluxProfile diffuse_fluxes(const ScatteringColumn& column, const GaussNodes& nodes,
+                           const NodeRadiance& radiance) {
+  const std::size_t levels = column.altitude_km.size();
+  FluxProfile fluxes{column.altitude_km, std::vector<double>(levels), std::vector<double>(levels),
+                     std::vector<double>(levels)};
+  for (std::size_t j = 0; j < nodes.position.size(); ++j) {
+    const double weight = 2.0 * std::numbers::pi * nodes.weight[j] * nodes.position[j];
+    for (std::size_t level = 0; level < levels; ++level) {
+      fluxes.up[level] += weight * radiance.up[j * levels + level];
+      fluxes.diffuse_down[level] += weight * radiance.down[j * levels + level];
+    }
+  }
+  return fluxes;
+}
+
+}  // namespace
+
+ColumnSolver::ColumnSolver(const ScatteringOptions& options)
+    : options_(checked(options)),
+      nodes_(gauss_nodes(options.nodes_per_hemisphere)),
+      aerosol_(2 * options.nodes_per_hemisphere, options.aerosol_polarization) {}
+
+ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& optics,
+                                   double sun_zenith_rad) const {
+  ScatteringColumn column(levels, optics, sun_zenith_rad, options_);
+  ColumnPhase phase(column, aerosol_, 2 * options_.nodes_per_hemisphere);
+  const auto solved = std::make_shared<const SolvedColumn>(SolvedColumn{
+      std::move(column), std::move(phase), options_.polarized ? options_.aerosol_polarization : 0.0});
+  const SuccessiveOrders orders(solved->column, solved->phase, nodes_, options_);
+
+  SuccessiveOrders::Mode mode = orders.sunlit(0, 0.0);
+  const double reference = mode.moments.peak();
+  const int sunlit_orders = mode.orders;
+  FluxProfile sunlit_fluxes = diffuse_fluxes(solved->column, nodes_, mode.radiance);
+  for (std::size_t level = 0; level < sunlit_fluxes.altitude_km.size(); ++level) {
+    // Light in the forward peak travels with the beam, but is not the beam.
+    const double whole = std::exp(-solved->column.true_beam_depth[level]);
+    sunlit_fluxes.direct_down[level] = solved->column.sun_mu * whole;
+    sunlit_fluxes.diffuse_down[level] +=
+        solved->column.sun_mu * (std::exp(-solved->column.beam_depth[level]) - whole);
+  }
+  std::vector<ModeMoments> modes;
+  modes.push_back(std::move(mode.moments));
+  for (int m = 1; m < solved->phase.terms; ++m) {
+    mode = orders.sunlit(m, reference);
+    const double peak = mode.moments.peak();
+    modes.push_back(std::move(mode.moments));
+    if (m >= 2 && peak < options_.tolerance * reference) break;
+  }
+
+  SuccessiveOrders::Mode ground = orders.groundlit();
+  FluxProfile groundlit_fluxes = diffuse_fluxes(solved->column, nodes_, ground.radiance);
+  std::vector<ModeMoments> ground_modes;
+  ground_modes.push_back(std::move(ground.moments));
+  return ColumnSolution(
+      ScatteredField(solved, std::move(modes), std::move(sunlit_fluxes), true, sunlit_orders),
+      ScatteredField(solved, std::move(ground_modes), std::move(groundlit_fluxes), false, ground.orders));
+}
+
+double ColumnSolution::spherical_albedo() const {
+  return groundlit_.fluxes().diffuse_down.back() / std::numbers::pi;
+}
+
+Stokes ColumnSolution::diffuse_transmittance(double mu, double observer_km) const {
+  const PathLight light = groundlit_.path({mu, 0.0}, observer_km);
+  Stokes scattered = light.multiple;
+  scattered.i += light.peak_transmittance - light.transmittance;
+  return scattered;
+}
+
+double ColumnSolution::sun_transmittance(double altitude_km) const {
+  const ScatteringColumn& column = sunlit_.solved().column;
+  const auto& altitude = column.altitude_km;
+  const auto below = std::lower_bound(altitude.begin(), altitude.end(), altitude_km, std::greater<>());
+  if (below == altitude.begin()) return std::exp(-column.true_beam_depth.front());
+  if (below == altitude.end()) return std::exp(-column.true_beam_depth.back());
+  const std::size_t at = static_cast<std::size_t>(below - altitude.begin());
+  const double share = (altitude[at - 1] - altitude_km) / (altitude[at - 1] - altitude[at]);
+  const double depth = column.true_beam_depth[at - 1] * (1.0 - share) + column.true_beam_depth[at] * share;
+  return std::exp(-depth);
+}
+
+}  // namespace ifov::atmosphere

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+
+#include "atmosphere/layer_optics.h"
+#include "atmosphere/scattering/scattered_field.h"
+#include "atmosphere/scattering/scattering_options.h"
+
+namespace ifov::atmosphere {
+
+/// Everything that one wavelength and one absorption term of a column give the renderer. The ground is black
+/// in `sunlit` and adds through the coupling terms of 6S (Vermote et al. 1997): with Lambertian ground of
+/// albedo a
+///   E = E_black / (1 - a S),
+///   L = L_black + T L_surface + t a E / pi,   t = diffuse_transmittance.
+/// Radiances and irradiances are for sunlight of irradiance 1 across the beam above the air.
+class ColumnSolution {
+ public:
+  ColumnSolution(ScatteredField sunlit, ScatteredField groundlit)
+      : sunlit_(std::move(sunlit)), groundlit_(std::move(groundlit)) {}
+
+  /// Light of the Sun over black ground: path radiance, sky, fluxes.
+  const ScatteredField& sunlit() const { return sunlit_; }
+  /// Light of a ground of radiance 1 in all directions, scattered at least once: sky above bright ground, and
+  /// what reaches a sensor from beside the point that it looks at.
+  const ScatteredField& groundlit() const { return groundlit_; }
+
+  /// Albedo of the air for isotropic light from below (S).
+  double spherical_albedo() const;
+  /// Radiance of scattered light that an observer above receives from ground of radiance 1 everywhere, in
+  /// light that propagates with mu > 0. Light straight from the ground is not in it.
+  Stokes diffuse_transmittance(double mu, double observer_km) const;
+  /// Transmittance of the sunbeam down to an altitude.
+  double sun_transmittance(double altitude_km) const;
+
+ private:
+  ScatteredField sunlit_, groundlit_;
+};
+
+/// Solves columns. Constant after construction: one solver serves any number of threads.
+class ColumnSolver {
+ public:
+  /// Throws std::invalid_argument where an option makes no sense.
+  explicit ColumnSolver(const ScatteringOptions& options = {});
+  const ScatteringOptions& options() const { return options_; }
+
+  /// Throws std::invalid_argument as ScatteringColumn does.
+  ColumnSolution solve(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad) const;
+
+ private:
+  ScatteringOptions options_;
+  GaussNodes nodes_;
+  AerosolProjection aerosol_;
+};
+
+}  // namespace ifov::atmosphere

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "atmosphere/layer_optics.h"
+#include "atmosphere/scattering/scattering_options.h"
+
+namespace ifov::atmosphere {
+
+/// A column of layers cut into sublayers, from the top down, with the depth of the sunbeam at every boundary.
+///
+/// Depths marked `true` are those of LayerOptics. All others are delta-M scaled (Wiscombe 1977): the part
+/// f = g^(2 nodes) of what aerosol scatters counts as not scattered at all.
+class ScatteringColumn {
+ public:
+  /// Sun zenith angle at the ground, below 90 degrees. Throws std::invalid_argument where sizes differ,
+  /// altitudes do not rise or the Sun is not above the horizon.
+  ScatteringColumn(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad,
+                   const ScatteringOptions& options);
+
+  /// What a layer scatters, as fractions of its scaled extinction: single-scattering albedos.
+  struct Mixture {
+    double rayleigh = 0.0;
+    double aerosol = 0.0;  ///< before the forward peak is taken away
+    double asymmetry = 0.0;
+    double peak = 0.0;  ///< f
+  };
+
+  std::size_t sublayers() const { return depth.size(); }
+  double top_km() const { return altitude_km.front(); }
+  double ground_km() const { return altitude_km.back(); }
+
+  double sun_mu = 1.0;
+  double depolarization = 0.0;
+  std::vector<Mixture> mixtures;        ///< of the layers, top down
+  std::vector<double> altitude_km;      ///< [sublayers + 1], falling
+  std::vector<double> beam_depth;       ///< [sublayers + 1] along the sunbeam from space
+  std::vector<double> true_beam_depth;  ///< [sublayers + 1]
+  std::vector<double> depth;            ///< [sublayers] vertical
+  std::vector<double> true_depth;       ///< [sublayers] vertical
+  std::vector<std::size_t> mixture_of;  ///< [sublayers]
+};
+
+}  // namespace ifov::atmosphere

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "atmosphere/scattering/scattering_column.h"
+#include "atmosphere/scattering/slant_path.h"
+#include "atmosphere/scattering/stokes.h"
+
+namespace ifov::atmosphere {
+
+/// Light that a path adds, and what it lets through.
+struct PathLight {
+  Stokes single;    ///< scattered once, with the whole phase function
+  Stokes multiple;  ///< scattered more often
+  double transmittance = 1.0;
+  /// exp(-scaled depth): what is let through where light scattered into the forward peak counts as not
+  /// scattered.
+  double peak_transmittance = 1.0;
+  Stokes radiance() const { return single + multiple; }
+};
+
+/// Sunlight of irradiance 1 (across the beam, above the air) scattered once into `direction`, on the way to
+/// an observer; and the transmittance of that way. Exact for homogeneous layers: depths are delta-M scaled
+/// and the phase function is whole (TMS, Nakajima and Tanaka 1988). `multiple` stays 0.
+PathLight single_scattering(const ScatteringColumn& column, double aerosol_polarization,
+                            const Propagation& direction, double observer_km, double length_km = kEndless_km);
+
+}  // namespace ifov::atmosphere
