@@ -3,13 +3,13 @@
 #include <cmath>
 
 #include "core/format.h"
-#include "landscape/bush.h"
-#include "landscape/car.h"
-#include "landscape/harbour_things.h"
 #include "landscape/landscapes.h"
-#include "landscape/plants.h"
-#include "landscape/rock.h"
-#include "landscape/terrain.h"
+#include "landscape/plants/bush.h"
+#include "landscape/plants/plants.h"
+#include "landscape/terrain/rock.h"
+#include "landscape/terrain/terrain.h"
+#include "landscape/things/car.h"
+#include "landscape/things/harbour_things.h"
 #include "landscape/views.h"
 
 namespace ifov::landscape {

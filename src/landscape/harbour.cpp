@@ -2,12 +2,12 @@
 #include <cmath>
 
 #include "core/format.h"
-#include "landscape/car.h"
-#include "landscape/chance.h"
-#include "landscape/harbour_things.h"
 #include "landscape/landscapes.h"
-#include "landscape/mesh_builder.h"
-#include "landscape/region.h"
+#include "landscape/shapes/chance.h"
+#include "landscape/shapes/mesh_builder.h"
+#include "landscape/shapes/region.h"
+#include "landscape/things/car.h"
+#include "landscape/things/harbour_things.h"
 #include "landscape/views.h"
 
 namespace ifov::landscape {

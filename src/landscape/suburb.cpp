@@ -2,14 +2,14 @@
 #include <array>
 
 #include "core/format.h"
-#include "landscape/bush.h"
-#include "landscape/court.h"
-#include "landscape/garden_plan.h"
-#include "landscape/ground.h"
 #include "landscape/landscapes.h"
-#include "landscape/plants.h"
-#include "landscape/power_line.h"
-#include "landscape/traffic.h"
+#include "landscape/plants/bush.h"
+#include "landscape/plants/plants.h"
+#include "landscape/plots/garden_plan.h"
+#include "landscape/plots/ground.h"
+#include "landscape/plots/power_line.h"
+#include "landscape/plots/traffic.h"
+#include "landscape/things/court.h"
 #include "landscape/views.h"
 
 namespace ifov::landscape {

@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 #include "core/format.h"
-#include "landscape/library_spectrum.h"
+#include "landscape/output/library_spectrum.h"
 
 namespace ifov::landscape {
 namespace {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "landscape/landscapes.h"
-#include "landscape/scene_folder.h"
-#include "landscape/scene_text.h"
+#include "landscape/output/scene_folder.h"
+#include "landscape/output/scene_text.h"
 
 namespace ifov::landscape {
 

@@ -5,12 +5,12 @@
 #include <set>
 #include <tuple>
 
-#include "landscape/car.h"
-#include "landscape/court.h"
-#include "landscape/harbour_things.h"
-#include "landscape/house.h"
-#include "landscape/mesh_builder.h"
-#include "landscape/tree.h"
+#include "landscape/buildings/house.h"
+#include "landscape/plants/tree.h"
+#include "landscape/shapes/mesh_builder.h"
+#include "landscape/things/car.h"
+#include "landscape/things/court.h"
+#include "landscape/things/harbour_things.h"
 
 namespace ifov::landscape {
 namespace {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "landscape/court.h"
-#include "landscape/garden_plan.h"
-#include "landscape/plot_plan.h"
-#include "landscape/traffic.h"
+#include "landscape/plots/garden_plan.h"
+#include "landscape/plots/plot_plan.h"
+#include "landscape/plots/traffic.h"
+#include "landscape/things/court.h"
 
 namespace ifov::landscape {
 namespace {

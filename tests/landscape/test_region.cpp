@@ -1,4 +1,4 @@
-#include "landscape/region.h"
+#include "landscape/shapes/region.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,31 @@
+#include "landscape/output/library_spectrum.h"
+
+#include <cctype>
+
+#include "core/format.h"
+#include "io/library/material_library.h"
+
+namespace ifov::landscape {
+
+std::string library_spectrum(std::string_view material, int curve, SceneFolder& folder, LeafColumn column) {
+  const io::LibraryMaterial& entry = io::material_library().find(material);
+  const io::LibraryCurve& source = entry.curves[entry.curve_numbered(curve)];
+  std::string name;
+  for (const char c : entry.name)
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) name += c;
+    else if (!name.empty() && name.back() != '_') name += '_';
+  name = format("{}_{}", name, curve);
+  if (!folder.has(format("spectra/{}.csv", name))) {
+    std::string rows = format("# {}: {}\n# {}\nwavelength_um,reflectance{}\n", entry.name, source.sample, source.origin,
+                              source.transmittance ? ",transmittance" : "");
+    for (const double wavelength_um : source.reflectance.wavelength_um()) {
+      rows += format("{:.4g},{:.4f}", wavelength_um, source.reflectance.at(wavelength_um));
+      if (source.transmittance) rows += format(",{:.4f}", source.transmittance->at(wavelength_um));
+      rows += '\n';
+    }
+    folder.add_spectrum(name, rows);
+  }
+  return format(R"({{"csv": "spectra/{}.csv", "wavelength_unit": "um", "column": {}}})", name, static_cast<int>(column));
+}
+
+}  // namespace ifov::landscape
