@@ -1,0 +1,94 @@
+#include "atmosphere/column/atmosphere_column.h"
+
+#include <cmath>
+
+#include "atmosphere/particles/rayleigh.h"
+#include "atmosphere/profile/column_integral.h"
+#include "core/error.h"
+
+namespace ifov::atmosphere {
+namespace {
+
+Levels levels_of(const Profile& profile) {
+  Levels levels;
+  for (const double altitude : level_altitudes_km(profile.ground_km())) {
+    levels.altitude_km.push_back(altitude);
+    levels.pressure_hPa.push_back(profile.pressure_at(altitude));
+    levels.temperature_K.push_back(profile.temperature_at(altitude));
+  }
+  return levels;
+}
+
+}  // namespace
+
+std::vector<double> level_altitudes_km(double ground_km) {
+  std::vector<double> altitudes;
+  for (const double above : {0.0, 0.05, 0.1, 0.25, 0.5, 1.0, 1.5, 2.0})
+    altitudes.push_back(ground_km + above);
+  for (const double altitude :
+       {3.0,  4.0,  5.0,  6.0,  7.0,  8.0,  9.0,  10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0,
+        18.0, 19.0, 20.0, 22.0, 24.0, 26.0, 30.0, 35.0, 40.0, 45.0, 50.0, 60.0, 80.0, 100.0})
+    if (altitude > altitudes.back() + 0.3) altitudes.push_back(altitude);
+  return altitudes;
+}
+
+AtmosphereColumn::AtmosphereColumn(const AtmosphereDescription& description, TermChoice choice)
+    : description_(description),
+      choice_(choice),
+      built_(build_profile(description.air)),
+      levels_(levels_of(built_.profile)),
+      aerosol_(description.aerosol, built_.profile, description.air.model),
+      gases_(layer_amounts(built_.profile, levels_.altitude_km)) {
+  const Profile& profile = built_.profile;
+  std::vector<double> air(profile.levels());
+  for (std::size_t i = 0; i < air.size(); ++i) air[i] = 1e5 * profile.air_per_cm3(i);
+  for (std::size_t l = 0; l < levels_.layers(); ++l) {
+    const double low = levels_.altitude_km[l], high = levels_.altitude_km[l + 1];
+    air_molecules_cm2_.push_back(column_integral(profile.altitude_km, air, low, high));
+    aerosol_550_.emplace_back();
+    for (std::size_t r = 0; r < AerosolColumn::kRegions; ++r)
+      aerosol_550_.back()[r] = aerosol_.thickness_550(r, low, high);
+  }
+}
+
+ColumnOptics AtmosphereColumn::at(double wavenumber_cm1) const {
+  if (!(wavenumber_cm1 >= 200.0 && wavenumber_cm1 <= 50000.0))
+    throw InputError(format("the atmosphere at {} cm-1: expected 200 to 50000 cm-1", wavenumber_cm1));
+  ColumnOptics optics;
+  optics.wavenumber_cm1 = wavenumber_cm1;
+  optics.wavelength_um = 1e4 / wavenumber_cm1;
+  optics.lines =
+      line_absorption(wavenumber_cm1, gases_, description_.gas_model, choice_.terms, choice_.most_terms);
+  const double co2_ppm = built_.profile.of(Gas::co2).front();
+  const double cross_section = rayleigh_cross_section_cm2(optics.wavelength_um, co2_ppm);
+  LayerOptics& layers = optics.scattering;
+  layers.depolarization = rayleigh_depolarization(optics.wavelength_um, co2_ppm);
+  std::array<AerosolProperties, AerosolColumn::kRegions> properties;
+  for (std::size_t r = 0; r < properties.size() && !aerosol_.empty(); ++r)
+    properties[r] = aerosol_.properties(r, optics.wavelength_um);
+  for (std::size_t l = 0; l < levels_.layers(); ++l) {
+    optics.continuum.push_back(continuum_depths(wavenumber_cm1, gases_[l], description_.gas_model).total());
+    layers.rayleigh_scattering.push_back(cross_section * air_molecules_cm2_[l]);
+    double scattering = 0.0, absorption = 0.0, forward = 0.0;
+    for (std::size_t r = 0; r < properties.size(); ++r) {
+      const double scattered =
+          aerosol_550_[l][r] * std::max(properties[r].extinction - properties[r].absorption, 0.0);
+      scattering += scattered;
+      forward += scattered * properties[r].asymmetry;
+      absorption += aerosol_550_[l][r] * properties[r].absorption;
+    }
+    layers.aerosol_scattering.push_back(scattering);
+    layers.aerosol_absorption.push_back(absorption);
+    layers.aerosol_asymmetry.push_back(scattering > 0.0 ? forward / scattering : 0.0);
+  }
+  return optics;
+}
+
+LayerOptics ColumnOptics::term(std::size_t term) const {
+  LayerOptics layers = scattering;
+  layers.gas_absorption = continuum;
+  for (std::size_t l = 0; l < continuum.size(); ++l) layers.gas_absorption[l] += lines.depth[term][l];
+  return layers;
+}
+
+}  // namespace ifov::atmosphere

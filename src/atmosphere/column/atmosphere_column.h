@@ -1,0 +1,73 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "atmosphere/gas/gas_amounts.h"
+#include "atmosphere/gas/term_overlap.h"
+#include "atmosphere/layer_optics.h"
+#include "atmosphere/particles/aerosol_column.h"
+#include "atmosphere/profile/profile_description.h"
+
+namespace ifov::atmosphere {
+
+/// All that a user says of an atmosphere; everything has a default.
+struct AtmosphereDescription {
+  ProfileDescription air;
+  AerosolDescription aerosol;
+  GasModel gas_model = GasModel::standard;
+};
+
+/// How absorption is split into terms.
+struct TermChoice {
+  int terms = 5;       ///< of each gas: 3, 5 or 8
+  int most_terms = 8;  ///< of all gases together
+};
+
+/// The layers at one wavenumber. Lines are resolved to 20 cm-1; within that the terms are what varies.
+struct ColumnOptics {
+  double wavenumber_cm1 = 0.0;
+  double wavelength_um = 0.0;
+  AbsorptionSet lines;
+  std::vector<double> continuum;  ///< vertical absorption depth of each layer, the same in every term
+  LayerOptics scattering;         ///< everything but gas_absorption
+
+  std::size_t terms() const { return lines.terms(); }
+  double weight(std::size_t term) const { return lines.weight[term]; }
+  /// The layers as the solvers take them, lines and continua together.
+  LayerOptics term(std::size_t term) const;
+};
+
+/// An atmosphere of horizontal layers: from a description to the optical depths of its layers at any
+/// wavenumber. Immutable; at() may be called from several threads.
+class AtmosphereColumn {
+ public:
+  /// InputError for what a description cannot mean.
+  explicit AtmosphereColumn(const AtmosphereDescription& description, TermChoice choice = {});
+
+  const AtmosphereDescription& description() const { return description_; }
+  const Profile& profile() const { return built_.profile; }
+  const Levels& levels() const { return levels_; }
+  const AerosolColumn& aerosol() const { return aerosol_; }
+  /// What had to be changed in what was asked for, in words for the user.
+  const std::vector<std::string>& remarks() const { return built_.remarks; }
+
+  /// At a wavenumber of 200 to 50000 cm-1 (0.2 to 50 um); InputError outside.
+  ColumnOptics at(double wavenumber_cm1) const;
+
+ private:
+  AtmosphereDescription description_;
+  TermChoice choice_;
+  BuiltProfile built_;
+  Levels levels_;
+  AerosolColumn aerosol_;
+  std::vector<GasAmounts> gases_;          // of each layer
+  std::vector<double> air_molecules_cm2_;  // of each layer
+  std::vector<std::array<double, AerosolColumn::kRegions>> aerosol_550_;
+};
+
+/// Altitudes of the levels over a ground: 0.05, 0.1, 0.25, 0.5, 1 km ... above it, then every km to 20 km and
+/// coarser to 100 km. Thin near the ground, because in opaque bands the sky is the air of the first metres.
+std::vector<double> level_altitudes_km(double ground_km);
+
+}  // namespace ifov::atmosphere

@@ -1,0 +1,159 @@
+#include "atmosphere/particles/aerosol_column.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "atmosphere/particles/aerosol_height.h"
+#include "atmosphere/profile/column_integral.h"
+#include "core/error.h"
+#include "core/names.h"
+
+namespace ifov::atmosphere {
+namespace {
+
+struct AerosolType {
+  std::string name, optics;
+};
+
+const std::vector<AerosolType>& types() {
+  static const std::vector<AerosolType> all{
+      {"rural", "rural"},
+      {"urban", "urban"},
+      {"maritime", "maritime"},
+      {"tropospheric", "tropospheric"},
+      {"advective fog", "fog_advection"},
+      {"radiative fog", "fog_radiation"},
+  };
+  return all;
+}
+
+constexpr double kDefaultVisibilityKm = 23.0;
+constexpr double kClearestKm = 300.0;  ///< beyond, air alone limits the view (3.912 / 0.01159 km-1)
+constexpr double kThickestKm = 0.05;
+constexpr double kTroposphereHumidity = 70.0;
+
+template <class Rows>
+const auto& row_named(const Rows& rows, const std::string& name, std::string_view what,
+                      const std::vector<std::string>& choices) {
+  for (const auto& row : rows)
+    if (row.name == name) return row;
+  throw InputError(
+      format("'{}' is no {}; expected {}{}", name, what, list_names(choices), did_you_mean(name, choices)));
+}
+
+bool is_spring_summer(const std::string& season, std::string_view model) {
+  if (season.empty()) return !model.ends_with("winter");
+  static const std::vector<std::string> seasons{"spring-summer", "autumn-winter"};
+  if (season != seasons[0] && season != seasons[1])
+    throw InputError(format("'{}' is no season; expected {}{}", season, list_names(seasons),
+                            did_you_mean(season, seasons)));
+  return season == seasons[0];
+}
+
+double total_thickness(const AerosolHeights& heights) {
+  double sum = 0.0;
+  for (const std::vector<double>& extinction : heights.extinction_km)
+    sum += column_integral(heights.altitude_km, extinction, heights.altitude_km.front(),
+                           heights.altitude_km.back());
+  return sum;
+}
+
+/// The visibility at which the column has this optical thickness, if there is one.
+double visibility_for(double aot550, const auto& heights_at) {
+  double clear = 1.0 / kClearestKm, thick = 1.0 / kThickestKm;
+  for (int step = 0; step < 60; ++step) {
+    const double middle = 0.5 * (clear + thick);
+    (total_thickness(heights_at(1.0 / middle)) < aot550 ? clear : thick) = middle;
+  }
+  return 1.0 / clear;
+}
+
+double mean_humidity(const Profile& profile, const std::vector<double>& altitude,
+                     const std::vector<double>& extinction) {
+  std::vector<double> weight, logarithm;
+  for (std::size_t i = 0; i < profile.levels(); ++i) {
+    const double z = profile.altitude_km[i];
+    weight.push_back(z < altitude.back() ? density_at(altitude, extinction, z) : 0.0);
+    logarithm.push_back(weight.back() *
+                        std::log(100.0 - std::min(profile.relative_humidity_percent(i), 99.0)));
+  }
+  const double low = profile.ground_km(), high = profile.altitude_km.back();
+  const double sum = column_integral(profile.altitude_km, weight, low, high);
+  return sum > 0.0 ? 100.0 - std::exp(column_integral(profile.altitude_km, logarithm, low, high) / sum) : 0.0;
+}
+
+}  // namespace
+
+const std::vector<std::string>& aerosol_types() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all{"none"};
+    for (const AerosolType& type : types()) all.push_back(type.name);
+    return all;
+  }();
+  return names;
+}
+
+const std::vector<std::string>& stratosphere_states() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const StratosphereState& state : stratosphere_table()) all.push_back(state.name);
+    return all;
+  }();
+  return names;
+}
+
+AerosolColumn::AerosolColumn(const AerosolDescription& description, const Profile& profile,
+                             std::string_view model) {
+  if (description.type == "none") return;
+  const AerosolType& type = row_named(types(), description.type, "aerosol type", aerosol_types());
+  const StratosphereState& state = row_named(stratosphere_table(), description.stratosphere,
+                                             "state of the stratosphere", stratosphere_states());
+  const bool spring_summer = is_spring_summer(description.season, model);
+  if (description.visibility_km && description.aot550)
+    throw InputError("an aerosol has a visibility or an optical thickness at 550 nm, not both");
+  const auto heights_at = [&](double visibility) {
+    return aerosol_heights(visibility, spring_summer, state, profile.ground_km());
+  };
+  visibility_km_ = description.visibility_km.value_or(kDefaultVisibilityKm);
+  if (!(visibility_km_ >= kThickestKm && visibility_km_ <= kClearestKm))
+    throw InputError(
+        format("visibility of {} km: expected {} to {} km", visibility_km_, kThickestKm, kClearestKm));
+  double factor = 1.0;
+  if (description.aot550) {
+    if (!(*description.aot550 >= 0.0 && *description.aot550 <= 10.0))
+      throw InputError(format("optical thickness {} at 550 nm: expected 0 to 10", *description.aot550));
+    visibility_km_ = visibility_for(*description.aot550, heights_at);
+    factor = *description.aot550 / total_thickness(heights_at(visibility_km_));
+  }
+  AerosolHeights heights = heights_at(visibility_km_);
+  for (std::vector<double>& extinction : heights.extinction_km)
+    for (double& value : extinction) value *= factor;
+  humidity_percent_ = mean_humidity(profile, heights.altitude_km, heights.extinction_km[0]);
+  const std::array<AerosolOptics, kRegions> optics{
+      AerosolOptics(type.optics, humidity_percent_), AerosolOptics("tropospheric", kTroposphereHumidity),
+      AerosolOptics(state.optics, 0.0), AerosolOptics("meteoric_dust", 0.0)};
+  for (std::size_t r = 0; r < kRegions; ++r)
+    regions_.push_back({heights.altitude_km, heights.extinction_km[r], optics[r]});
+}
+
+double AerosolColumn::thickness_550(std::size_t region, double first_km, double last_km) const {
+  if (empty()) return 0.0;
+  return column_integral(regions_[region].altitude_km, regions_[region].extinction_km, first_km, last_km);
+}
+
+double AerosolColumn::thickness_550(double first_km, double last_km) const {
+  double sum = 0.0;
+  for (std::size_t r = 0; r < kRegions; ++r) sum += thickness_550(r, first_km, last_km);
+  return sum;
+}
+
+double AerosolColumn::extinction_550_km(std::size_t region, double altitude) const {
+  if (empty()) return 0.0;
+  return density_at(regions_[region].altitude_km, regions_[region].extinction_km, altitude);
+}
+
+AerosolProperties AerosolColumn::properties(std::size_t region, double wavelength_um) const {
+  return regions_[region].optics.at(wavelength_um);
+}
+
+}  // namespace ifov::atmosphere
