@@ -1,0 +1,203 @@
+#include "session/geometry_assembly.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "geometry/world_builder.h"
+#include "io/instances/instance_csv.h"
+#include "io/instances/instance_file.h"
+#include "session/city_assembly.h"
+#include "session/mesh_cache.h"
+#include "session/scatter_assembly.h"
+#include "session/shape_assembly.h"
+#include "session/with_position.h"
+
+namespace ifov::session {
+namespace {
+
+/// A prototype with, for each of its slots, what covers it.
+struct BuiltPrototype {
+  struct Slot {
+    const io::ObjectDocument* object;
+    std::string name;
+    const std::optional<io::TemperatureDocument>* temperature;  ///< the outermost that is given
+  };
+  geometry::ShapeId id;
+  std::vector<Slot> slots;
+};
+
+class GeometryAssembly {
+ public:
+  GeometryAssembly(const io::Document& document, CoveringAssembly& coverings, const MapFrame& frame,
+                   LogSink* log, io::SceneCache* cache)
+      : document_(document),
+        coverings_(coverings),
+        frame_(frame),
+        log_(log),
+        cache_(cache),
+        shapes_(document, frame, builder_, cache, log) {}
+
+  std::unique_ptr<geometry::World> assemble() {
+    const math::Transform scene_from_document =
+        math::Transform::translation(-document_.scene.origin.offset_m);
+    for (const io::ObjectDocument& object : document_.scene.objects)
+      with_position(document_, object.position, [&] { place(object, scene_from_document); });
+    return builder_.build();
+  }
+
+ private:
+  void place(const io::ObjectDocument& object, const math::Transform& scene_from_document) {
+    const math::Transform scene_from_object = scene_from_document * transform_of(object.transform);
+    if (const io::DocumentName* of = copied_by(object)) {
+      place_copies(object, prototype(of->name), scene_from_object);
+    } else if (std::holds_alternative<io::CityShape>(object.shape)) {
+      place_city(document_, object, scene_from_object, frame_, coverings_, builder_, log_);
+    } else if (const auto* scatter = std::get_if<io::ScatterShape>(&object.shape)) {
+      place_scatter(object, *scatter, scene_from_document);
+    } else {
+      const BuiltShape shape = shapes_.build(object);
+      std::vector<std::uint32_t> materials;
+      for (const std::string& slot : shape.slot_names)
+        materials.push_back(coverings_.covering(*object.material, slot, object.temperature));
+      builder_.place(shape.id, scene_from_object * shape.object_from_shape, materials,
+                     object.seed.value_or(true));
+    }
+  }
+
+  void place_copies(const io::ObjectDocument& object, const BuiltPrototype& built,
+                    const math::Transform& scene_from_object) {
+    const std::vector<std::uint32_t> materials = materials_of(object, built);
+    const bool seed = object.seed.value_or(true);
+    if (const auto list = list_of(object))
+      builder_.place_many(built.id, scene_from_object, list, materials, seed);
+    else
+      builder_.place(built.id, scene_from_object, materials, seed);
+  }
+
+  std::vector<std::uint32_t> materials_of(const io::ObjectDocument& object, const BuiltPrototype& built) {
+    std::vector<std::uint32_t> materials;
+    for (const BuiltPrototype::Slot& slot : built.slots)
+      materials.push_back(coverings_.covering(*slot.object->material, slot.name,
+                                              object.temperature ? object.temperature : *slot.temperature));
+    return materials;
+  }
+
+  void place_scatter(const io::ObjectDocument& object, const io::ScatterShape& scatter,
+                     const math::Transform& scene_from_document) {
+    const geometry::World* carrier = scatter.on ? &ground(scatter.on->name, scene_from_document) : nullptr;
+    std::vector<std::vector<io::Instance>> copies = scatter_copies(document_, scatter, frame_, carrier, log_);
+    for (std::size_t k = 0; k < copies.size(); ++k) {
+      if (copies[k].empty()) continue;
+      const BuiltPrototype& built = prototype(scatter.of[k].prototype.name);
+      builder_.place_many(built.id, scene_from_document,
+                          std::make_shared<io::InstanceList>(std::move(copies[k])),
+                          materials_of(object, built), object.seed.value_or(true));
+    }
+  }
+
+  /// The objects of a name on their own, for what stands on them.
+  const geometry::World& ground(const std::string& name, const math::Transform& scene_from_document) {
+    std::unique_ptr<geometry::World>& world = grounds_[name];
+    if (world) return *world;
+    GeometryAssembly alone(document_, coverings_, frame_, nullptr, cache_);
+    for (const io::ObjectDocument& object : document_.scene.objects)
+      if (object.name == name && object.material)
+        with_position(document_, object.position, [&] { alone.place(object, scene_from_document); });
+    world = alone.builder_.build();
+    return *world;
+  }
+
+  const BuiltPrototype& prototype(const std::string& name) {
+    const auto known = prototypes_.find(name);
+    if (known != prototypes_.end()) return known->second;
+    BuiltPrototype built;
+    std::vector<geometry::Part> parts;
+    for (const io::PrototypeDocument& source : document_.scene.prototypes) {
+      if (source.name != name) continue;
+      for (const io::ObjectDocument& object : source.objects)
+        with_position(document_, object.position, [&] { parts.push_back(part_of(object, built.slots)); });
+    }
+    built.id = builder_.add_prototype(parts);
+    return prototypes_.emplace(name, std::move(built)).first->second;
+  }
+
+  /// An object of a prototype; its slots are added to those of the prototype.
+  geometry::Part part_of(const io::ObjectDocument& object, std::vector<BuiltPrototype::Slot>& slots) {
+    geometry::Part part{{}, transform_of(object.transform), {}};
+    std::vector<BuiltPrototype::Slot> own;
+    if (const io::DocumentName* of = copied_by(object)) {
+      const BuiltPrototype& inner = prototype(of->name);
+      part.what = inner.id;
+      part.list = list_of(object);
+      own = inner.slots;
+      if (object.temperature)
+        for (BuiltPrototype::Slot& slot : own) slot.temperature = &object.temperature;
+    } else {
+      const BuiltShape shape = shapes_.build(object);
+      part.what = shape.id;
+      part.prototype_from_part = part.prototype_from_part * shape.object_from_shape;
+      for (const std::string& slot : shape.slot_names) own.push_back({&object, slot, &object.temperature});
+    }
+    for (const BuiltPrototype::Slot& slot : own) {
+      part.slots.push_back(static_cast<std::uint32_t>(slots.size()));
+      slots.push_back(slot);
+    }
+    return part;
+  }
+
+  /// The prototype that an object copies, or null.
+  static const io::DocumentName* copied_by(const io::ObjectDocument& object) {
+    if (const auto* one = std::get_if<io::InstanceShape>(&object.shape)) return &one->of;
+    if (const auto* many = std::get_if<io::InstancesShape>(&object.shape)) return &many->of;
+    return nullptr;
+  }
+
+  /// Where its copies stand; null: there is one.
+  std::shared_ptr<const geometry::Placings> list_of(const io::ObjectDocument& object) const {
+    const auto* many = std::get_if<io::InstancesShape>(&object.shape);
+    if (many == nullptr) return nullptr;
+    if (many->binary)
+      return with_position(document_, many->binary->position,
+                           [&]() -> std::shared_ptr<const geometry::Placings> {
+                             return std::make_shared<io::InstanceFile>(many->binary->path);
+                           });
+    if (many->csv)
+      return with_position(document_, many->csv->position, [&] {
+        return cached_instances(cache_, {many->csv->path},
+                                [&] { return io::read_instance_csv(many->csv->path); });
+      });
+    std::vector<io::Instance> list;
+    for (const math::Point3& at : many->at_m) list.push_back({at});
+    return std::make_shared<io::InstanceList>(std::move(list));
+  }
+
+  static math::Transform transform_of(const io::TransformDocument& source) {
+    math::Transform transform = math::Transform::translation(source.translate_m);
+    if (source.rotation_rad != 0.0)
+      transform = transform * math::Transform::rotation(source.rotation_axis, source.rotation_rad);
+    return transform * math::Transform::scaling(source.scale);
+  }
+
+  const io::Document& document_;
+  CoveringAssembly& coverings_;
+  const MapFrame& frame_;
+  LogSink* log_;
+  io::SceneCache* cache_;
+  geometry::WorldBuilder builder_;
+  ShapeAssembly shapes_;
+  std::map<std::string, BuiltPrototype> prototypes_;
+  std::map<std::string, std::unique_ptr<geometry::World>> grounds_;
+};
+
+}  // namespace
+
+std::unique_ptr<geometry::World> assemble_geometry(const io::Document& document, CoveringAssembly& coverings,
+                                                   const MapFrame& frame, LogSink* log,
+                                                   io::SceneCache* cache) {
+  return GeometryAssembly(document, coverings, frame, log, cache).assemble();
+}
+
+}  // namespace ifov::session

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <memory>
+
+#include "core/run_control.h"
+#include "geometry/world.h"
+#include "io/document/document.h"
+#include "io/scene_cache/scene_cache.h"
+#include "session/covering_assembly.h"
+#include "session/map_frame.h"
+
+namespace ifov::session {
+
+/// All that stands in a document's scene, about its origin; what covers it is asked of `coverings`. Meshes
+/// and lists are kept in `cache` from run to run; it and `log` may be null. Throws InputError with the place
+/// in the document.
+std::unique_ptr<geometry::World> assemble_geometry(const io::Document& document, CoveringAssembly& coverings,
+                                                   const MapFrame& frame, LogSink* log,
+                                                   io::SceneCache* cache);
+
+}  // namespace ifov::session
