@@ -30,6 +30,19 @@ inline std::vector<std::vector<double>> numeric_rows(const std::filesystem::path
   return rows;
 }
 
+/// The numbers at the head of each line of a MODTRAN channel file (.chn), 26 of them.
+inline std::vector<std::vector<double>> channel_rows(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::vector<std::vector<double>> rows;
+  for (std::string line; std::getline(stream, line);) {
+    std::istringstream words(line);
+    std::vector<double> row;
+    for (double value; words >> value;) row.push_back(value);
+    if (row.size() >= 26) rows.push_back(row);
+  }
+  return rows;
+}
+
 inline std::vector<LowtranRow> lowtran_rows(const std::filesystem::path& file) {
   std::vector<LowtranRow> rows;
   for (const std::vector<double>& v : numeric_rows(file, 13))
