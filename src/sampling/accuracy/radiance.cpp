@@ -24,7 +24,7 @@ constexpr std::uint64_t kStratumKey = 0x7374726174;
 
 Radiance::Radiance(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable& table,
                    const LabelSpread& spread, const LatticeValues& lattice_values,
-                   const AccuracyFaults& faults, std::uint64_t seed)
+                   const AccuracyFaults& faults, std::uint64_t seed, bool keep_values)
     : tracer_(tracer),
       ledger_(ledger),
       table_(table),
@@ -32,7 +32,8 @@ Radiance::Radiance(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable
       lattice_(lattice_values),
       faults_(faults),
       seed_(seed),
-      stride_(lattice_values.stride) {}
+      stride_(lattice_values.stride),
+      keep_values_(keep_values) {}
 
 void Radiance::add_pixel(int source, const LeafIntegrator& integrator) {
   PlainPixel plain{source, 0, 0, 0.0};
@@ -58,36 +59,40 @@ void Radiance::fill(Pixel& pixel, const LeafIntegrator& integrator) const {
   integrator.pixel(pixel.source, pixel.model);
   pixel.strata.clear();
   if (pixel.cluttered) {
-    pixel.strata.assign(kReplicates, {});
-    find_range(pixel, pixel.strata.front());
+    pixel.strata.assign(1, {});
+    find_deviation(pixel, pixel.strata.front());
   } else {
     pixel.strata.resize(pixel.model.labels.size());
     for (std::size_t s = 0; s < pixel.strata.size(); ++s) {
       pixel.strata[s].label = pixel.model.labels[s];
-      find_range(pixel, pixel.strata[s]);
+      find_deviation(pixel, pixel.strata[s]);
     }
   }
 }
 
-void Radiance::find_range(const Pixel& pixel, Stratum& stratum) const {
+void Radiance::find_deviation(const Pixel& pixel, Stratum& stratum) const {
   const bool any_label = stratum.label == EdgeTracer::kNoLabel;
   if (!any_label && spread_.constant(stratum.label)) return;
   const Lattice& lattice = tracer_.lattice();
   const int k = lattice.cells_per_pixel(), row = lattice.columns() + 1, width = lattice.domain().width();
   const int x = pixel.source % width * k, y = pixel.source / width * k;
   const std::size_t columns = static_cast<std::size_t>(ledger_.field().columns());
-  std::vector<float> low(columns, INFINITY), high(columns, -INFINITY);
+  std::vector<double> mean(columns, 0.0), squares(columns, 0.0);
+  double count = 0.0;
   for (int j = std::max(0, y - k); j <= std::min(lattice.rows(), y + 2 * k); ++j)
     for (int i = std::max(0, x - k); i <= std::min(lattice.columns(), x + 2 * k); ++i) {
       const std::size_t v = static_cast<std::size_t>(j) * row + i;
       if (!any_label && lattice_.labels[v] != stratum.label) continue;
+      count += 1.0;
       for (std::size_t c = 0; c < columns; ++c) {
-        low[c] = std::min(low[c], lattice_.values[v * stride_ + c]);
-        high[c] = std::max(high[c], lattice_.values[v * stride_ + c]);
+        const double difference = lattice_.values[v * stride_ + c] - mean[c];
+        mean[c] += difference / count;
+        squares[c] += difference * (lattice_.values[v * stride_ + c] - mean[c]);
       }
     }
-  stratum.range.resize(columns);
-  for (std::size_t c = 0; c < columns; ++c) stratum.range[c] = std::max(0.0f, high[c] - low[c]);
+  stratum.deviation.resize(columns);
+  for (std::size_t c = 0; c < columns; ++c)
+    stratum.deviation[c] = static_cast<float>(std::sqrt(squares[c] / std::max(1.0, count)));
 }
 
 void Radiance::plan(std::size_t p, std::size_t s, double count) {
@@ -139,12 +144,12 @@ bool Radiance::belongs(Stratum& stratum, FocalPoint point, std::uint32_t label, 
 
 void Radiance::trace() {
   trace_nets();
+  trace_clutter();
   if (requests_.empty()) return;
   std::vector<std::uint32_t> labels;
-  const std::size_t first = labels_.size();
+  const std::size_t first = x_.size();
   values_.resize((first + requests_.size()) * stride_);
   ledger_.values(requests_, labels, std::span<float>(values_).subspan(first * stride_));
-  labels_.insert(labels_.end(), labels.begin(), labels.end());
   for (const PathRequest& r : requests_) x_.push_back({r.point.x_px, r.point.y_px});
 
   std::size_t open = ~std::size_t{0};
@@ -166,7 +171,7 @@ void Radiance::trace() {
     const bool same_block = open != ~std::size_t{0} && planned_[open].pixel == planned.pixel &&
                             planned_[open].stratum == planned.stratum &&
                             planned_[open].block == planned.block;
-    if (!pixel.cluttered && labels[i] != stratum.label &&
+    if (labels[i] != stratum.label &&
         !belongs(stratum, requests_[i].point, labels[i], &values_[(first + i) * stride_]))
       continue;
     if (!same_block) {
