@@ -5,7 +5,7 @@
 namespace ifov::sampling {
 
 ClutterRound::ClutterRound(int side, std::size_t stride, bool keep)
-    : side_(side), stride_(stride), keep_(keep), sums_(3 * stride, 0.0) {}
+    : side_(side), stride_(stride), keep_(keep), sums_(stride) {}
 
 void ClutterRound::request(int px, int py, std::uint64_t key, std::vector<PathRequest>& requests) const {
   const std::uint32_t blocks = static_cast<std::uint32_t>(count() / kBlock);
@@ -26,15 +26,8 @@ void ClutterRound::request(int px, int py, std::uint64_t key, std::vector<PathRe
 
 void ClutterRound::add_block(const float* values, std::span<const std::uint32_t, kBlock> materials,
                              std::span<const PathRequest, kBlock> requests) {
-  const float *v0 = values, *v1 = v0 + stride_, *v2 = v1 + stride_, *v3 = v2 + stride_;
-  double *sum = sums_.data(), *squares = sum + stride_, *fourths = squares + stride_;
-  for (std::size_t c = 0; c < stride_; ++c) {
-    const double a = v0[c], b = v1[c], d = v2[c], e = v3[c];
-    const double twist = (a - b) - (d - e), square = 0.25 * twist * twist;
-    sum[c] += (a + b) + (d + e);
-    squares[c] += square;
-    fourths[c] += square * square;
-  }
+  const float* const rows[kBlock] = {values, values + stride_, values + 2 * stride_, values + 3 * stride_};
+  sums_.add_block(rows);
   for (const std::uint32_t material : materials) {
     const auto at = std::find_if(materials_.begin(), materials_.end(), [&](const auto& m) { return m.first == material; });
     if (at == materials_.end())
@@ -48,11 +41,8 @@ void ClutterRound::add_block(const float* values, std::span<const std::uint32_t,
 }
 
 ClutterRound::Moment ClutterRound::moment(int column) const {
-  const double n = static_cast<double>(count()), blocks = n / kBlock;
-  const double square = sums_[stride_ + column], fourth = sums_[2 * stride_ + column];
-  // A square with one degree of freedom has a third of its own square's expectation as its squared expectation.
-  const double freedom = fourth > 0.0 ? std::min(blocks, 3.0 * square * square / fourth) : blocks;
-  return {sums_[column] / n, kBlock * square / (n * n), freedom};
+  const double n = static_cast<double>(count());
+  return {sums_.mean(column), kBlock * sums_.squares(column) / (n * n), sums_.freedom(column)};
 }
 
 void ClutterRound::weigh(const PixelFootprint& footprint, Point2 centre, std::vector<double>& weights) const {

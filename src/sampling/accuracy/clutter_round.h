@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "sampling/accuracy/block_sums.h"
 #include "sampling/field.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/sequence.h"
@@ -37,6 +38,7 @@ class ClutterRound {
     double freedom = 0.0;   ///< degrees of freedom behind the variance
   };
   Moment moment(int column) const;
+  double spread(int column) const { return sums_.spread(column); }  ///< variance of the values, wherever they stand
   /// Of values that weigh as the footprint about `centre` does; zero weight where none of them lies under it.
   void weigh(const PixelFootprint& footprint, Point2 centre, std::vector<double>& weights) const;
   Moment moment(int column, std::span<const double> weights) const;
@@ -48,7 +50,7 @@ class ClutterRound {
   int side_;
   std::size_t stride_;
   bool keep_;
-  std::vector<double> sums_;  // per column: of the values; of the blocks' squares; of their squares
+  BlockSums sums_;
   std::vector<float> values_;
   std::vector<Point2> points_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> materials_;

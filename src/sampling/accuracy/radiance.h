@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "sampling/accuracy/block_sums.h"
 #include "sampling/accuracy/clutter_round.h"
 #include "sampling/accuracy/edge_tracer.h"
 #include "sampling/accuracy/leaf_integrator.h"
@@ -44,11 +45,8 @@ class Radiance {
   struct Stratum {
     std::uint32_t label = EdgeTracer::kNoLabel;
     std::uint32_t round = 0;
-    std::vector<std::uint32_t> samples;  ///< indices of accepted values
-    std::vector<std::uint32_t>
-        block_starts;  ///< consecutive values that stand in one block of the jittered grid
-    std::vector<std::uint32_t> round_starts;  ///< first block of each round
-    std::vector<std::uint8_t> full_block;     ///< the block holds four values, one per quarter
+    std::vector<BlockSums> rounds;       ///< of accepted values, one per jittered grid
+    std::vector<std::uint32_t> samples;  ///< indices of accepted values where those are kept, round after round
     Nets nets;
     std::vector<double> twin_squares;      ///< per column: half the squared differences of two paths at one point
     double twins = 0.0;
@@ -87,6 +85,9 @@ class Radiance {
     double weight;
   };
   const std::vector<PlainPixel>& plain_pixels() const { return plain_pixels_; }
+
+  /// Variance of the mean of a stratum's values by what they have not met and values nearby show.
+  double unseen(const Pixel& pixel, std::size_t stratum, int column) const;
 
   std::vector<Pixel>& pixels() { return pixels_; }
   void clear() {
@@ -133,24 +134,16 @@ class Radiance {
                std::vector<ClutterRound::Moment>& moments) const;
 
  private:
-  struct Block {
-    const float* value[4] = {};
-    std::size_t count = 0;
-    bool full = false;
-  };
-  struct Round {
-    std::size_t first_block, last_block, first_sample, last_sample;
-    std::size_t count() const { return last_sample - first_sample; }
-  };
-  Round round_of(const Stratum& stratum, std::size_t r) const;
-  Block block_at(const Stratum& stratum, std::size_t b) const;
-  static double block_square(const Block& block, int column);
-
   struct Planned {
     std::size_t pixel, stratum;
     std::uint32_t block;
-    std::uint8_t quarter;
+    bool twin;  ///< a second path at the point of the value before
+    bool same_block(const Planned& other) const {
+      return pixel == other.pixel && stratum == other.stratum && block == other.block;
+    }
   };
+  void plan_twins(std::size_t first);
+  void add_block(std::size_t first, std::size_t last, std::span<const std::uint32_t> labels, const float* values);
 
   void fill(Pixel& pixel, const LeafIntegrator& integrator) const;
 

@@ -23,9 +23,7 @@ void Radiance::plan_stratum_nets(std::size_t p, std::size_t s, std::uint32_t cou
   if (nets.size == 0) {
     // The first values chose the size of the nets; an estimate that left them in would favour their luck.
     stratum.samples.clear();
-    stratum.block_starts.clear();
-    stratum.full_block.clear();
-    stratum.round_starts.clear();
+    stratum.rounds.clear();
     stratum.strays = 0.0;
     stratum.stray_sum.clear();
     stratum.stray_squares.clear();
@@ -101,8 +99,10 @@ void Radiance::net_moments(const Nets& nets, std::span<const int> columns, Strat
 }
 
 std::size_t Radiance::Stratum::count() const {
-  if (nets.size == 0) return samples.size();
-  return std::accumulate(nets.accepted.begin(), nets.accepted.end(), std::size_t{0});
+  if (nets.size > 0) return std::accumulate(nets.accepted.begin(), nets.accepted.end(), std::size_t{0});
+  double count = 0.0;
+  for (const BlockSums& grid : rounds) count += grid.count();
+  return static_cast<std::size_t>(count);
 }
 
 }  // namespace ifov::sampling

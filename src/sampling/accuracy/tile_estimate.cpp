@@ -21,9 +21,6 @@ constexpr double kGrowth = 2.5;
 constexpr double kManyPaths = 320.0, kManyValues = 16384.0;
 /// A pixel's model is given up when what contradicts it may make this share of the allowed variance.
 constexpr double kDoubt = 0.05;
-/// What n values have not met is rarer than x / n but for a share exp(-x) of cases. As a standard error, in units of
-/// 1 / n: two of them are exceeded in one case in twenty, four of them in one of four hundred.
-constexpr double kUnseen = 2.0;
 /// The first round in clutter takes this share of what the lattice predicts, within these bounds.
 constexpr double kFirstShare = 0.6, kFewestClutter = 36.0, kMostFirstClutter = 400.0;
 /// What rounds of n values in clutter are planned by: their variance falls as n to minus this, between borders (3/2)
@@ -33,15 +30,6 @@ constexpr double kClutterFall = 1.25, kClutterGrowth = 6.0;
 constexpr int kClutterLook = 2;
 
 }  // namespace
-
-/// Values that are rarely far from the rest (a gap that shows the lit ground, a path that finds a bright wall) look
-/// alike as long as none of those is met: what values have not met counts as an error of their mean, as far from the
-/// rest as values nearby are from each other. Its variance.
-double TileWork::unseen(const Radiance::Stratum& stratum, int column, double count) {
-  if (stratum.deviation.empty()) return 0.0;
-  const double error = kUnseen * stratum.deviation[column] / std::max(1.0, count);
-  return error * error;
-}
 
 /// Moments per column of one stratum are weighed into every output that its source pixel reaches.
 void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> columns,
@@ -64,7 +52,7 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
         const double w = integrator.whole_weight(pixel.source, output), count = pixel.clutter_count();
         for (std::size_t c = 0; c < n; ++c) {
           sum.mean[c] += w * clutter[c].mean;
-          const double missed = unseen(pixel.strata.front(), columns[c], count);
+          const double missed = radiance_->unseen(pixel, 0, columns[c]);
           sum.path[c].add(w * w * clutter[c].variance, clutter[c].freedom);
           sum.path[c].add(w * w * missed, INFINITY);
           sum.deviation[c] += w * std::sqrt((clutter[c].variance + missed) * count);
@@ -89,7 +77,7 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
           sum.mean[c] += w * weighted[c];
           sum.path[c].add(w * w * moments[r].variance[c] * share, moments[r].freedom);
           const double count = static_cast<double>(pixel.strata[r].count());
-          const double missed = unseen(pixel.strata[r], columns[c], count);
+          const double missed = radiance_->unseen(pixel, r, columns[c]);
           sum.path[c].add(w * w * missed, INFINITY);
           sum.deviation[c] += w * std::sqrt(moments[r].variance[c] + missed * std::max(1.0, count));
         }
@@ -304,7 +292,7 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
             const double count = static_cast<double>(pixel.strata[s].count());
             weighted_deviation =
                 model.weight[o * strata + s] *
-                std::sqrt(moments.variance[d] + unseen(pixel.strata[s], steering_[d], count) * std::max(1.0, count));
+                std::sqrt(moments.variance[d] + radiance_->unseen(pixel, s, steering_[d]) * std::max(1.0, count));
           }
           wanted = std::max(wanted, weighted_deviation * sum.deviation[d] / output.path_budget[d]);
         }
@@ -327,7 +315,7 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
           for (int o : model.outputs) looked[o] = 1;
           continue;
         }
-        if (stratum.round_starts.size() >= 2)
+        if (stratum.rounds.size() >= 2)
           wanted = std::min(radiance_->with_trend(pixel, s, steering_, wanted), kGrowth * have);
         else if (have > 0.0)
           wanted = std::min(wanted, kFirstGrowth * have);

@@ -49,7 +49,6 @@ class TileWork {
   void tighten_borders();
   void gather(const LeafIntegrator& integrator, std::span<const int> columns, std::vector<Sums>& sums) const;
   bool doubtful(const Radiance::Pixel& pixel) const;
-  static double unseen(const Radiance::Stratum& stratum, int column, double count);
   bool plan_round(const LeafIntegrator& integrator, const std::vector<int>& outputs);
   bool steer_by_more(const LeafIntegrator& integrator, const std::vector<int>& outputs);
   static std::uint32_t net_size(const Radiance::Stratum& stratum, double wanted, double room);
