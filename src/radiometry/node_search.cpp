@@ -246,7 +246,7 @@ FoundRule find_rule(const ChannelGrid& grid, std::span<const std::vector<double>
   std::vector<TrialPart> parts{shapes.analysed(std::move(all))};
   NodeRule rule = rule_of(grid, parts);
   double worst = trial.worst_error(rule);
-  while (worst > demands.tolerance && rule.node_count() < kMostNodes && refine(parts, shapes)) {
+  while (worst > demands.tolerance && rule.node_count() < demands.most_nodes && refine(parts, shapes)) {
     rule = rule_of(grid, parts);
     worst = trial.worst_error(rule);
   }
