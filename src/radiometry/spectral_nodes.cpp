@@ -31,15 +31,15 @@ SpectralNodes SpectralNodes::build(std::span<const Channel> channels, const Spec
   return result;
 }
 
-SpectralNodes SpectralNodes::build(std::span<const Points> channels, std::span<const Spectrum> surfaces,
+SpectralNodes SpectralNodes::build(std::span<const ChannelGrid> channels, std::span<const Spectrum> surfaces,
                                    const NodeDemands& demands) {
   std::vector<std::optional<FoundRule>> found(channels.size());
   parallel_for(static_cast<std::int64_t>(channels.size()), 0, [&](std::int64_t k) {
-    const Points& channel = channels[static_cast<std::size_t>(k)];
-    std::vector<std::vector<double>> sampled = channel.factors;
+    const ChannelGrid& grid = channels[static_cast<std::size_t>(k)];
+    std::vector<std::vector<double>> sampled;
     for (const Spectrum& surface : surfaces)
-      if (!surface.is_constant()) sampled.push_back(channel.grid.sampled(surface));
-    found[static_cast<std::size_t>(k)] = find_rule(channel.grid, sampled, demands);
+      if (!surface.is_constant()) sampled.push_back(grid.sampled(surface));
+    found[static_cast<std::size_t>(k)] = find_rule(grid, sampled, demands);
   });
   SpectralNodes result;
   for (std::optional<FoundRule>& rule : found) result.add(std::move(*rule));

@@ -31,12 +31,8 @@ class SpectralNodes {
   static SpectralNodes build(std::span<const Channel> channels, const Spectrum& solar_irradiance,
                              std::span<const Spectrum> surfaces, const NodeDemands& demands = {});
 
-  /// A channel as points of the caller's own, with factors of light (transmittances) known at these points alone.
-  struct Points {
-    ChannelGrid grid;
-    std::vector<std::vector<double>> factors;
-  };
-  static SpectralNodes build(std::span<const Points> channels, std::span<const Spectrum> surfaces,
+  /// The same for channels as points of the caller's own.
+  static SpectralNodes build(std::span<const ChannelGrid> channels, std::span<const Spectrum> surfaces,
                              const NodeDemands& demands = {});
 
   std::size_t node_count() const { return weight_.size(); }

@@ -107,7 +107,7 @@ void SensorAtmosphere::build_nodes(const AtmosphereColumn& column, const Inputs&
   const std::vector<double>& altitude_km = column.levels().altitude_km;
   const std::vector<double> view_slant = view_slants(altitude_km, geometry_);
   const std::vector<double> sun_slant = sun_slants(altitude_km, geometry_.sun_zenith_rad.value_or(0.0));
-  std::vector<std::optional<radiometry::SpectralNodes::Points>> made(states.size());
+  std::vector<std::optional<radiometry::ChannelGrid>> made(states.size());
   parallel_for(static_cast<std::int64_t>(states.size()), inputs.threads, [&](std::int64_t k) {
     ChannelState& state = states[static_cast<std::size_t>(k)];
     std::vector<double> wavelengths, shares;
@@ -121,12 +121,11 @@ void SensorAtmosphere::build_nodes(const AtmosphereColumn& column, const Inputs&
       state.view.push_back(std::exp(-along(view_slant, depth)));
       state.irradiance.push_back(bin.irradiance);
     }
-    made[static_cast<std::size_t>(k)] = radiometry::SpectralNodes::Points{
-        radiometry::ChannelGrid(std::move(wavelengths), std::move(shares), state.sun, state.view), {state.view}};
+    made[static_cast<std::size_t>(k)].emplace(std::move(wavelengths), std::move(shares), state.sun, state.view);
   });
-  std::vector<radiometry::SpectralNodes::Points> points;
-  for (auto& channel : made) points.push_back(std::move(*channel));
-  nodes_ = radiometry::SpectralNodes::build(points, inputs.surfaces, inputs.demands);
+  std::vector<radiometry::ChannelGrid> grids;
+  for (auto& grid : made) grids.push_back(std::move(*grid));
+  nodes_ = radiometry::SpectralNodes::build(grids, inputs.surfaces, inputs.demands);
   sun_.assign(node_count(), 0.0);
   view_transmittance_.assign(node_count(), 0.0);
   for (std::size_t c = 0; c < states.size(); ++c) {
