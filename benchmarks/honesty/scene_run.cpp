@@ -148,10 +148,9 @@ HonestyOutcome run_case(const HonestyCase& which, const std::filesystem::path& w
   const Trial trial(which, work);
   const std::vector<PixelIndex> pixels = mixed_pixels(trial);
 
-  constexpr std::uint64_t kFirstSeed = 1000;
   std::vector<sampling::TileResult> results(static_cast<std::size_t>(which.seeds));
   parallel_for(which.seeds, 0, [&](std::int64_t k) {
-    results[static_cast<std::size_t>(k)] = trial.render(kFirstSeed + static_cast<std::uint64_t>(k));
+    results[static_cast<std::size_t>(k)] = trial.render(which.first_seed + static_cast<std::uint64_t>(k));
   });
   const std::vector<double> wanted = wanted_errors(results.front(), pixels);
   const PlainMeans reference = trial.plain(pixels, wanted, 4096, std::int64_t{1} << 23, 77);

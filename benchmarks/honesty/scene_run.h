@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ struct HonestyCase {
   bool sun_state = true;            ///< false: a planted fault, labels without the Sun's state
   sampling::AccuracyFaults faults;  ///< planted
   int seeds = 24;
+  std::uint64_t first_seed = 5000;
   std::filesystem::path rows;  ///< file that takes every judged pixel, seed and channel as CSV; empty: none
 };
 

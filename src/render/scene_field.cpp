@@ -46,7 +46,7 @@ void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<
   camera_.rays(points, rays_);
   scene_.scene().world->intersect(rays_, hits_);
   counts_.primary += points.size();
-  label_hits(hits_, labels);
+  label_hits(hits_, detail_, labels);
 }
 
 std::uint32_t SceneField::material_of(sampling::Label label) const {
@@ -69,6 +69,16 @@ bool SceneField::shows_sunlight(const scene::ResolvedSurface& surface, bool& tra
 
 void SceneField::values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
                         std::span<float> values) {
+  this->values(requests, labels, values, detail_);
+}
+
+void SceneField::values_and_materials(std::span<const sampling::PathRequest> requests,
+                                      std::span<sampling::Label> labels, std::span<float> values) {
+  this->values(requests, labels, values, LabelDetail::material);
+}
+
+void SceneField::values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
+                        std::span<float> values, LabelDetail detail) {
   const std::size_t row_length = static_cast<std::size_t>(stride());
   for (std::size_t first = 0; first < requests.size(); first += kGroup) {
     const std::size_t count = std::min(kGroup, requests.size() - first);
@@ -87,11 +97,12 @@ void SceneField::values(std::span<const sampling::PathRequest> requests, std::sp
       scene_.nodes().to_channels(radiance_.row(k), row);
       if (blends_.count() > 0) blends_.write_shares(hits_[k], row);
     }
-    label_hits(hits_, labels.subspan(first, count));
+    label_hits(hits_, detail, labels.subspan(first, count));
   }
 }
 
-void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, std::span<sampling::Label> labels) {
+void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelDetail detail,
+                            std::span<sampling::Label> labels) {
   const scene::Scene& scene = scene_.scene();
   sun_rays_.clear();
   owner_.clear();
@@ -105,7 +116,7 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, std::s
                                          ? SurfaceLabel::kBlend
                                          : truth_.of_material[surface.constituents[0].material];
       label = {hit.instance, hit.patch, material, hit.front, SunState::none};
-      if (detail_ == LabelDetail::sun_state && !disc_points_.empty()) {
+      if (detail == LabelDetail::sun_state && !disc_points_.empty()) {
         bool transmits = false;
         if (shows_sunlight(surface, transmits)) {
           // A leaf may be lit from behind.

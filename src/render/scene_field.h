@@ -28,6 +28,8 @@ class SceneField final : public sampling::Field {
   void labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) override;
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
               std::span<float> values) override;
+  void values_and_materials(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
+                            std::span<float> values) override;
   /// By number in scene::TruthMaterials. Rays that met nothing stand on the material of the surroundings, the last
   /// of the scene; coverings that mix stand on none: BlendColumns::kNoMaterial.
   std::uint32_t material_of(sampling::Label label) const override;
@@ -37,7 +39,10 @@ class SceneField final : public sampling::Field {
  private:
   /// Whether sunlight on a surface is seen from the side that is viewed, and whether light from behind is, too.
   bool shows_sunlight(const scene::ResolvedSurface& surface, bool& transmits) const;
-  void label_hits(std::span<const geometry::SurfacePoint> hits, std::span<sampling::Label> labels);
+  void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
+              std::span<float> values, LabelDetail detail);
+  void label_hits(std::span<const geometry::SurfacePoint> hits, LabelDetail detail,
+                  std::span<sampling::Label> labels);
 
   const SpectralScene& scene_;
   const sensor::Camera& camera_;

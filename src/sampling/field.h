@@ -48,6 +48,12 @@ class Field {
   /// One path each: its label, and its radiance in every column at values[k * stride() + column].
   virtual void values(std::span<const PathRequest> requests, std::span<Label> labels, std::span<float> values) = 0;
 
+  /// The same where labels are asked for their material alone (material_of), which may take fewer rays.
+  virtual void values_and_materials(std::span<const PathRequest> requests, std::span<Label> labels,
+                                    std::span<float> values) {
+    this->values(requests, labels, values);
+  }
+
   /// Index of the material a label stands on, for abundances.
   virtual std::uint32_t material_of(Label label) const = 0;
 

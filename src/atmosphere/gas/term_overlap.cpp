@@ -1,69 +1,14 @@
 #include "atmosphere/gas/term_overlap.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
 #include "atmosphere/gas/band_model.h"
+#include "atmosphere/gas/term_joining.h"
 
 namespace ifov::atmosphere {
 namespace {
-
-/// Lengths of path, over the vertical, at which joined terms shall still transmit as before.
-constexpr std::array<double, 6> kAirMasses{0.002, 0.02, 0.15, 0.5, 1.5, 4.0};
-
-struct Joint {
-  double weight = 0.0;
-  std::array<double, kAirMasses.size()> transmittance{};  // weighted means
-  std::vector<std::size_t> members;
-};
-
-double joining_cost(const Joint& a, const Joint& b) {
-  double difference = 0.0;
-  for (std::size_t s = 0; s < kAirMasses.size(); ++s) {
-    const double d = a.transmittance[s] - b.transmittance[s];
-    difference += d * d;
-  }
-  return a.weight * b.weight / (a.weight + b.weight) * difference;
-}
-
-void join(Joint& a, const Joint& b) {
-  const double sum = a.weight + b.weight;
-  for (std::size_t s = 0; s < kAirMasses.size(); ++s)
-    a.transmittance[s] = (a.weight * a.transmittance[s] + b.weight * b.transmittance[s]) / sum;
-  a.weight = sum;
-  a.members.insert(a.members.end(), b.members.begin(), b.members.end());
-}
-
-double sum_of(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0);
-}
-
-/// Neighbours in the order of their depth joined, always the pair that changes transmittance least.
-std::vector<Joint> joined(const AbsorptionSet& set, std::size_t most) {
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t j = 0; j < set.terms(); ++j) order.emplace_back(sum_of(set.depth[j]), j);
-  std::sort(order.begin(), order.end());
-  std::vector<Joint> joints;
-  for (const auto& [depth, j] : order) {
-    Joint joint{set.weight[j], {}, {j}};
-    for (std::size_t s = 0; s < kAirMasses.size(); ++s)
-      joint.transmittance[s] = std::exp(-kAirMasses[s] * depth);
-    joints.push_back(std::move(joint));
-  }
-  while (joints.size() > most) {
-    std::size_t best = 0;
-    double least = joining_cost(joints[0], joints[1]);
-    for (std::size_t i = 1; i + 1 < joints.size(); ++i) {
-      const double cost = joining_cost(joints[i], joints[i + 1]);
-      if (cost < least) least = cost, best = i;
-    }
-    join(joints[best], joints[best + 1]);
-    joints.erase(joints.begin() + static_cast<std::ptrdiff_t>(best) + 1);
-  }
-  return joints;
-}
 
 AbsorptionSet grey(const std::vector<double>& depth) { return {{1.0}, {depth}}; }
 
@@ -85,6 +30,19 @@ AbsorptionSet terms_of(const ActiveBand& active, const std::vector<GasAmounts>& 
   return set;
 }
 
+/// Factor for the mean depth of a group with which it transmits along the vertical what its members do: the
+/// mean alone transmits too little. Near 1; 1 where the group lets next to nothing through.
+double share_kept(const AbsorptionSet& set, const TermGroup& group, const std::vector<double>& mean) {
+  const double depth = std::accumulate(mean.begin(), mean.end(), 0.0);
+  constexpr double kOpaque = 4.0;
+  if (depth <= 0.0 || depth > kOpaque) return 1.0;
+  double transmittance = 0.0;
+  for (const std::size_t member : group.members)
+    transmittance += set.weight[member] / group.weight *
+                     std::exp(-std::accumulate(set.depth[member].begin(), set.depth[member].end(), 0.0));
+  return -std::log(transmittance) / depth;
+}
+
 }  // namespace
 
 AbsorptionSet overlapped(const AbsorptionSet& first, const AbsorptionSet& second, int most_terms) {
@@ -98,12 +56,15 @@ AbsorptionSet overlapped(const AbsorptionSet& first, const AbsorptionSet& second
     }
   if (product.terms() <= static_cast<std::size_t>(most_terms)) return product;
   AbsorptionSet reduced;
-  for (const Joint& joint : joined(product, static_cast<std::size_t>(most_terms))) {
+  for (const TermGroup& group :
+       joined_terms(product.weight, product.depth, static_cast<std::size_t>(most_terms))) {
     std::vector<double> mean(product.depth[0].size());
-    for (const std::size_t member : joint.members)
+    for (const std::size_t member : group.members)
       for (std::size_t l = 0; l < mean.size(); ++l)
-        mean[l] += product.weight[member] / joint.weight * product.depth[member][l];
-    reduced.weight.push_back(joint.weight);
+        mean[l] += product.weight[member] / group.weight * product.depth[member][l];
+    const double kept = share_kept(product, group, mean);
+    for (double& depth : mean) depth *= kept;
+    reduced.weight.push_back(group.weight);
     reduced.depth.push_back(std::move(mean));
   }
   return reduced;

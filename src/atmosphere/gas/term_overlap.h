@@ -15,9 +15,9 @@ struct AbsorptionSet {
 };
 
 /// The terms of the lines of all gases over the layers; one term of depth 0 where there are none. Each gas
-/// has `terms` terms (3, 5 or 8), gases overlap at random, and after each gas the products are sorted by
-/// their depth and neighbours joined until `most_terms` are left. A gas that absorbs less than
-/// kGreyAbsorption over the whole column is grey.
+/// has `terms` terms (3, 5 or 8), gases overlap at random, strongest first, and after each gas the products
+/// are joined until `most_terms` are left. A gas that absorbs less than kGreyAbsorption over the whole column
+/// is grey.
 AbsorptionSet line_absorption(double wavenumber_cm1, const std::vector<GasAmounts>& layers, GasModel model,
                               int terms, int most_terms);
 inline constexpr double kGreyAbsorption = 0.002;

@@ -56,6 +56,7 @@ Profile with_user_levels(const Profile& model, const std::vector<UserLevel>& lev
       profile.mixing_ratio_ppmv[g].push_back(here.mixing_ratio_ppmv[g][0]);
     if (level.relative_humidity_percent || level.mixing_ratio_g_kg)
       profile.of(Gas::h2o)[i] = vapour_ppmv(level, profile, i);
+    if (level.ozone_ppmv) profile.of(Gas::o3)[i] = *level.ozone_ppmv;
   }
   const UserLevel& top = levels.back();
   const double join = top.pressure_hPa / model.pressure_at(std::max(top.altitude_km, 0.0));

@@ -35,6 +35,15 @@ FluxProfile diffuse_fluxes(const ScatteringColumn& column, const GaussNodes& nod
   return fluxes;
 }
 
+/// Light in the forward peak travels with the beam, but is not the beam.
+void add_beam(const ScatteringColumn& column, FluxProfile& fluxes) {
+  for (std::size_t level = 0; level < fluxes.altitude_km.size(); ++level) {
+    const double whole = std::exp(-column.true_beam_depth[level]);
+    fluxes.direct_down[level] = column.sun_mu * whole;
+    fluxes.diffuse_down[level] += column.sun_mu * (std::exp(-column.beam_depth[level]) - whole);
+  }
+}
+
 }  // namespace
 
 ColumnSolver::ColumnSolver(const ScatteringOptions& options)
@@ -44,30 +53,40 @@ ColumnSolver::ColumnSolver(const ScatteringOptions& options)
 
 ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& optics,
                                    double sun_zenith_rad) const {
-  ScatteringColumn column(levels, optics, sun_zenith_rad, options_);
-  ColumnPhase phase(column, aerosol_, 2 * options_.nodes_per_hemisphere);
+  return solve(levels, optics, sun_zenith_rad, options_);
+}
+
+ColumnSolution ColumnSolver::solve_first_order(const Levels& levels, const LayerOptics& optics,
+                                               double sun_zenith_rad) const {
+  ScatteringOptions once = options_;
+  once.most_orders = 1;
+  once.polarized = false;
+  return solve(levels, optics, sun_zenith_rad, once);
+}
+
+ColumnSolution ColumnSolver::solve(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad,
+                                   const ScatteringOptions& options) const {
+  ScatteringColumn column(levels, optics, sun_zenith_rad, options);
+  ColumnPhase phase(column, aerosol_, 2 * options.nodes_per_hemisphere);
   const auto solved = std::make_shared<const SolvedColumn>(SolvedColumn{
       std::move(column), std::move(phase), options_.polarized ? options_.aerosol_polarization : 0.0});
-  const SuccessiveOrders orders(solved->column, solved->phase, nodes_, options_);
+  const SuccessiveOrders orders(solved->column, solved->phase, nodes_, options);
 
   SuccessiveOrders::Mode mode = orders.sunlit(0, 0.0);
   const double reference = mode.moments.peak();
   const int sunlit_orders = mode.orders;
   FluxProfile sunlit_fluxes = diffuse_fluxes(solved->column, nodes_, mode.radiance);
-  for (std::size_t level = 0; level < sunlit_fluxes.altitude_km.size(); ++level) {
-    // Light in the forward peak travels with the beam, but is not the beam.
-    const double whole = std::exp(-solved->column.true_beam_depth[level]);
-    sunlit_fluxes.direct_down[level] = solved->column.sun_mu * whole;
-    sunlit_fluxes.diffuse_down[level] +=
-        solved->column.sun_mu * (std::exp(-solved->column.beam_depth[level]) - whole);
-  }
+  add_beam(solved->column, sunlit_fluxes);
   std::vector<ModeMoments> modes;
-  modes.push_back(std::move(mode.moments));
-  for (int m = 1; m < solved->phase.terms; ++m) {
-    mode = orders.sunlit(m, reference);
-    const double peak = mode.moments.peak();
+  // Moments of light scattered once are the source of the second order, which was not asked for.
+  if (options.most_orders > 1) {
     modes.push_back(std::move(mode.moments));
-    if (m >= 2 && peak < options_.tolerance * reference) break;
+    for (int m = 1; m < solved->phase.terms; ++m) {
+      mode = orders.sunlit(m, reference);
+      const double peak = mode.moments.peak();
+      modes.push_back(std::move(mode.moments));
+      if (m >= 2 && peak < options.tolerance * reference) break;
+    }
   }
 
   SuccessiveOrders::Mode ground = orders.groundlit();

@@ -46,8 +46,13 @@ class ColumnSolver {
 
   /// Throws std::invalid_argument as ScatteringColumn does.
   ColumnSolution solve(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad) const;
+  /// The same with light scattered once only: what MultipleScatteringTable completes. Several times faster.
+  ColumnSolution solve_first_order(const Levels& levels, const LayerOptics& optics,
+                                   double sun_zenith_rad) const;
 
  private:
+  ColumnSolution solve(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad,
+                       const ScatteringOptions& options) const;
   ScatteringOptions options_;
   GaussNodes nodes_;
   AerosolProjection aerosol_;

@@ -18,7 +18,7 @@ struct ScatteringOptions {
   int most_sublayers = 24;
   /// Orders are added until one is below this fraction of their sum; a geometric series stands for the rest.
   double tolerance = 1e-5;
-  int most_orders = 300;
+  int most_orders = 300;  ///< 1: light scattered once, no more
 };
 
 }  // namespace ifov::atmosphere

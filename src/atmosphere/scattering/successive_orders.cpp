@@ -302,7 +302,8 @@ SuccessiveOrders::Mode SuccessiveOrders::add_orders(const Kernel& kernel, Field 
     // The orders become geometric: the last one stands for all that follow.
     const double ratio = previous > 0.0 ? std::min(peak / previous, 0.99) : 0.0;
     const double factor = last ? 1.0 / (1.0 - ratio) : 1.0;
-    add(sum.values.size(), factor, moments.values.data(), sum.values.data());
+    // Moments of light scattered once are the source of a second order, which is then not wanted.
+    if (options_.most_orders > 1) add(sum.values.size(), factor, moments.values.data(), sum.values.data());
     add(total.up.size(), factor, field.up.data(), total.up.data());
     add(total.down.size(), factor, field.down.data(), total.down.data());
     result.orders = order;

@@ -15,16 +15,13 @@ constexpr int kFinestGrid = 128;
 /// the width to which the curve is known.
 constexpr double kBorderSlack_px = 0.02;
 
-/// In place of a quarter: the value has the point of another one, whose number stands in place of the block.
-constexpr std::uint8_t kTwin = 255;
-
 constexpr std::uint64_t kStratumKey = 0x7374726174;
 
 }  // namespace
 
 Radiance::Radiance(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable& table,
                    const LabelSpread& spread, const LatticeValues& lattice_values,
-                   const AccuracyFaults& faults, std::uint64_t seed)
+                   const AccuracyFaults& faults, std::uint64_t seed, bool keep_values)
     : tracer_(tracer),
       ledger_(ledger),
       table_(table),
@@ -32,7 +29,8 @@ Radiance::Radiance(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable
       lattice_(lattice_values),
       faults_(faults),
       seed_(seed),
-      stride_(lattice_values.stride) {}
+      stride_(lattice_values.stride),
+      keep_values_(keep_values) {}
 
 void Radiance::add_pixel(int source, const LeafIntegrator& integrator) {
   PlainPixel plain{source, 0, 0, 0.0};
@@ -58,42 +56,46 @@ void Radiance::fill(Pixel& pixel, const LeafIntegrator& integrator) const {
   integrator.pixel(pixel.source, pixel.model);
   pixel.strata.clear();
   if (pixel.cluttered) {
-    pixel.strata.assign(kReplicates, {});
-    find_range(pixel, pixel.strata.front());
+    pixel.strata.assign(1, {});
+    find_deviation(pixel, pixel.strata.front());
   } else {
     pixel.strata.resize(pixel.model.labels.size());
     for (std::size_t s = 0; s < pixel.strata.size(); ++s) {
       pixel.strata[s].label = pixel.model.labels[s];
-      find_range(pixel, pixel.strata[s]);
+      find_deviation(pixel, pixel.strata[s]);
     }
   }
 }
 
-void Radiance::find_range(const Pixel& pixel, Stratum& stratum) const {
+void Radiance::find_deviation(const Pixel& pixel, Stratum& stratum) const {
   const bool any_label = stratum.label == EdgeTracer::kNoLabel;
   if (!any_label && spread_.constant(stratum.label)) return;
   const Lattice& lattice = tracer_.lattice();
   const int k = lattice.cells_per_pixel(), row = lattice.columns() + 1, width = lattice.domain().width();
   const int x = pixel.source % width * k, y = pixel.source / width * k;
   const std::size_t columns = static_cast<std::size_t>(ledger_.field().columns());
-  std::vector<float> low(columns, INFINITY), high(columns, -INFINITY);
+  std::vector<double> mean(columns, 0.0), squares(columns, 0.0);
+  double count = 0.0;
   for (int j = std::max(0, y - k); j <= std::min(lattice.rows(), y + 2 * k); ++j)
     for (int i = std::max(0, x - k); i <= std::min(lattice.columns(), x + 2 * k); ++i) {
       const std::size_t v = static_cast<std::size_t>(j) * row + i;
       if (!any_label && lattice_.labels[v] != stratum.label) continue;
+      count += 1.0;
       for (std::size_t c = 0; c < columns; ++c) {
-        low[c] = std::min(low[c], lattice_.values[v * stride_ + c]);
-        high[c] = std::max(high[c], lattice_.values[v * stride_ + c]);
+        const double difference = lattice_.values[v * stride_ + c] - mean[c];
+        mean[c] += difference / count;
+        squares[c] += difference * (lattice_.values[v * stride_ + c] - mean[c]);
       }
     }
-  stratum.range.resize(columns);
-  for (std::size_t c = 0; c < columns; ++c) stratum.range[c] = std::max(0.0f, high[c] - low[c]);
+  stratum.deviation.resize(columns);
+  for (std::size_t c = 0; c < columns; ++c)
+    stratum.deviation[c] = static_cast<float>(std::sqrt(squares[c] / std::max(1.0, count)));
 }
 
 void Radiance::plan(std::size_t p, std::size_t s, double count) {
   Pixel& pixel = pixels_[p];
   Stratum& stratum = pixel.strata[s];
-  stratum.round_starts.push_back(static_cast<std::uint32_t>(stratum.block_starts.size()));
+  stratum.rounds.emplace_back(stride_);
   const PixelRect& domain = tracer_.lattice().domain();
   const int px = domain.x0 + pixel.source % domain.width(), py = domain.y0 + pixel.source / domain.width();
   const double area = std::max(pixel.model.area[s], 1e-9);
@@ -110,16 +112,26 @@ void Radiance::plan(std::size_t p, std::size_t s, double count) {
         const std::uint32_t model = tracer_.model_label({at.x, at.y});
         if (model != stratum.label && model != EdgeTracer::kNoLabel) continue;
         requests_.push_back({{at.x, at.y}, mix(cell + 1), 0});
-        planned_.push_back({p, s, static_cast<std::uint32_t>((j / 2) * (side / 2) + i / 2),
-                            static_cast<std::uint8_t>(quarter)});
+        planned_.push_back({p, s, static_cast<std::uint32_t>((j / 2) * (side / 2) + i / 2), false});
       }
-  if (stratum.round != 2) return;
-  const std::size_t drawn = requests_.size() - first, step = std::max<std::size_t>(1, drawn / kTwins);
-  for (std::size_t k = 0; k < drawn; k += step) {
-    PathRequest twin = requests_[first + k];
-    twin.sequence = mix(twin.sequence);
-    requests_.push_back(twin);
-    planned_.push_back({p, s, static_cast<std::uint32_t>(first + k), kTwin});
+  if (stratum.round == 2) plan_twins(first);
+}
+
+/// Second paths at some of the points planned from `first` on, each after its point's own.
+void Radiance::plan_twins(std::size_t first) {
+  const std::vector<PathRequest> requests(requests_.begin() + static_cast<std::ptrdiff_t>(first), requests_.end());
+  const std::vector<Planned> planned(planned_.begin() + static_cast<std::ptrdiff_t>(first), planned_.end());
+  const std::size_t step = std::max<std::size_t>(1, requests.size() / kTwins);
+  requests_.resize(first);
+  planned_.resize(first);
+  for (std::size_t k = 0; k < requests.size(); ++k) {
+    requests_.push_back(requests[k]);
+    planned_.push_back(planned[k]);
+    if (k % step != 0) continue;
+    requests_.push_back(requests[k]);
+    requests_.back().sequence = mix(requests[k].sequence);
+    planned_.push_back(planned[k]);
+    planned_.back().twin = true;
   }
 }
 
@@ -138,47 +150,53 @@ bool Radiance::belongs(Stratum& stratum, FocalPoint point, std::uint32_t label, 
 }
 
 void Radiance::trace() {
+  constexpr std::size_t kBatch = 1024;
   trace_nets();
-  if (requests_.empty()) return;
+  trace_clutter();
   std::vector<std::uint32_t> labels;
-  const std::size_t first = labels_.size();
-  values_.resize((first + requests_.size()) * stride_);
-  ledger_.values(requests_, labels, std::span<float>(values_).subspan(first * stride_));
-  labels_.insert(labels_.end(), labels.begin(), labels.end());
-  for (const PathRequest& r : requests_) x_.push_back({r.point.x_px, r.point.y_px});
+  std::vector<float> values;
+  for (std::size_t first = 0; first < requests_.size();) {
+    std::size_t last = std::min(first + kBatch, requests_.size());
+    while (last < requests_.size() && planned_[last].same_block(planned_[last - 1])) ++last;
+    const std::span<const PathRequest> batch = std::span<const PathRequest>(requests_).subspan(first, last - first);
+    values.resize(batch.size() * stride_);
+    ledger_.values(batch, labels, values);
+    for (std::size_t i = first, end = first; i < last; i = end) {
+      while (end < last && planned_[end].same_block(planned_[i])) ++end;
+      add_block(i, end, {labels.data() + (i - first), end - i}, &values[(i - first) * stride_]);
+    }
+    first = last;
+  }
+  planned_.clear();
+  requests_.clear();
+}
 
-  std::size_t open = ~std::size_t{0};
-  for (std::size_t i = 0; i < planned_.size(); ++i) {
-    const Planned& planned = planned_[i];
-    Pixel& pixel = pixels_[planned.pixel];
-    Stratum& stratum = pixel.strata[planned.stratum];
-    if (planned.quarter == kTwin) {
-      if (labels[i] != stratum.label || labels[planned.block] != stratum.label) continue;
+/// The values of planned_[first] to planned_[last - 1], which stand in one block.
+void Radiance::add_block(std::size_t first, std::size_t last, std::span<const std::uint32_t> labels,
+                         const float* values) {
+  Stratum& stratum = pixels_[planned_[first].pixel].strata[planned_[first].stratum];
+  const float* rows[4];
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < last - first; ++i) {
+    const float* value = values + i * stride_;
+    if (planned_[first + i].twin) {
+      if (labels[i] != stratum.label || labels[i - 1] != stratum.label) continue;
       stratum.twin_squares.resize(stride_, 0.0);
-      const float *a = &values_[(first + i) * stride_], *b = &values_[(first + planned.block) * stride_];
       for (std::size_t c = 0; c < stride_; ++c) {
-        const double difference = static_cast<double>(a[c]) - b[c];
+        const double difference = static_cast<double>(value[c]) - (value - stride_)[c];
         stratum.twin_squares[c] += 0.5 * difference * difference;
       }
       stratum.twins += 1.0;
       continue;
     }
-    const bool same_block = open != ~std::size_t{0} && planned_[open].pixel == planned.pixel &&
-                            planned_[open].stratum == planned.stratum &&
-                            planned_[open].block == planned.block;
-    if (!pixel.cluttered && labels[i] != stratum.label &&
-        !belongs(stratum, requests_[i].point, labels[i], &values_[(first + i) * stride_]))
-      continue;
-    if (!same_block) {
-      stratum.block_starts.push_back(static_cast<std::uint32_t>(stratum.samples.size()));
-      stratum.full_block.push_back(0);
-      open = i;
-    }
-    stratum.samples.push_back(static_cast<std::uint32_t>(first + i));
-    stratum.full_block.back() = stratum.samples.size() - stratum.block_starts.back() == 4;
+    if (labels[i] != stratum.label && !belongs(stratum, requests_[first + i].point, labels[i], value)) continue;
+    rows[count++] = value;
+    if (!keep_values_) continue;
+    stratum.samples.push_back(static_cast<std::uint32_t>(x_.size()));
+    x_.push_back({requests_[first + i].point.x_px, requests_[first + i].point.y_px});
+    values_.insert(values_.end(), value, value + stride_);
   }
-  planned_.clear();
-  requests_.clear();
+  if (count > 0) stratum.rounds.back().add_block({rows, count});
 }
 
 }  // namespace ifov::sampling

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "sampling/accuracy/block_sums.h"
+#include "sampling/accuracy/clutter_round.h"
 #include "sampling/accuracy/edge_tracer.h"
 #include "sampling/accuracy/leaf_integrator.h"
 #include "sampling/accuracy/spread.h"
@@ -43,11 +45,8 @@ class Radiance {
   struct Stratum {
     std::uint32_t label = EdgeTracer::kNoLabel;
     std::uint32_t round = 0;
-    std::vector<std::uint32_t> samples;  ///< indices of accepted values
-    std::vector<std::uint32_t>
-        block_starts;  ///< consecutive values that stand in one block of the jittered grid
-    std::vector<std::uint32_t> round_starts;  ///< first block of each round
-    std::vector<std::uint8_t> full_block;     ///< the block holds four values, one per quarter
+    std::vector<BlockSums> rounds;       ///< of accepted values, one per jittered grid
+    std::vector<std::uint32_t> samples;  ///< indices of accepted values where those are kept, round after round
     Nets nets;
     std::vector<double> twin_squares;      ///< per column: half the squared differences of two paths at one point
     double twins = 0.0;
@@ -55,24 +54,26 @@ class Radiance {
     /// label's mean, and of the squares.
     double strays = 0.0;
     std::vector<double> stray_sum, stray_squares;
-    /// Per column: how much the lattice's values of the label differ in the pixel and those around it (of all labels
-    /// in a cluttered pixel). Empty where all values of the label agree.
-    std::vector<float> range;
+    /// Per column: standard deviation of the lattice's values of the label in the pixel and those around it (of all
+    /// labels in a cluttered pixel). Empty where all values of the label agree.
+    std::vector<float> deviation;
     std::size_t count() const;  ///< values that the estimate rests on
   };
   struct Pixel {
     int source = 0;  ///< index in the domain
     PixelModel model;
-    std::vector<Stratum> strata;  ///< one per region of the model; for a cluttered pixel one per replicate
+    std::vector<Stratum> strata;  ///< one per region of the model; for a cluttered pixel one, of all labels
     bool cluttered = false;
-    std::uint32_t net_size = 0;  ///< values per replicate of a cluttered pixel
+    std::vector<ClutterRound> rounds;  ///< of a cluttered pixel, whose strata have no values
+    double clutter_count() const;      ///< values of all rounds
   };
 
+  /// `keep_values`: for a footprint that weighs the values of a pixel unlike.
   Radiance(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable& table, const LabelSpread& spread,
-           const LatticeValues& lattice_values, const AccuracyFaults& faults, std::uint64_t seed);
+           const LatticeValues& lattice_values, const AccuracyFaults& faults, std::uint64_t seed,
+           bool keep_values);
 
   /// Few replicates know their variance badly: with 8, one interval in a hundred errs by four standard errors.
-  static constexpr int kReplicates = 24;
   static constexpr int kStratumReplicates = 24;
   /// Points of a stratum's second round that get a second path each.
   static constexpr int kTwins = 16;
@@ -85,23 +86,24 @@ class Radiance {
   };
   const std::vector<PlainPixel>& plain_pixels() const { return plain_pixels_; }
 
+  /// Variance of the mean of a stratum's values by what they have not met and values nearby show.
+  double unseen(const Pixel& pixel, std::size_t stratum, int column) const;
+
   std::vector<Pixel>& pixels() { return pixels_; }
   void clear() {
     pixels_.clear();
     plain_pixels_.clear();
     x_.clear();
     values_.clear();
-    labels_.clear();
   }
   void add_pixel(int source, const LeafIntegrator& integrator);
   /// Before any value is planned: follows what tracing has changed. False where pixels must be added anew.
   bool refresh(const LeafIntegrator& integrator);
 
-  /// Plans about `count` more values in a stratum, or nets of `count` values per replicate in a cluttered
-  /// pixel.
+  /// Plans about `count` more values in a stratum, or one more round of about `count` values in a cluttered pixel.
   void plan(std::size_t pixel, std::size_t stratum, double count);
-  void plan_nets(std::size_t pixel, std::uint32_t count);
-  /// Leaves the pixel's traced model for nets over the whole of it.
+  void plan_clutter(std::size_t pixel, double count);
+  /// Leaves the pixel's traced model for rounds over the whole of it.
   void turn_to_clutter(std::size_t pixel);
   /// Replaces a stratum's values by nets of `count` values per replicate, or makes its nets that large.
   void plan_stratum_nets(std::size_t pixel, std::size_t stratum, std::uint32_t count);
@@ -126,39 +128,31 @@ class Radiance {
   double weigh(const Pixel& pixel, std::size_t stratum, const PixelFootprint& footprint, Point2 centre,
                std::span<const int> columns, std::vector<double>& mean) const;
 
-  /// Mean over the nets of a cluttered pixel and the variance of that mean, by its replicates.
-  void nets(const Pixel& pixel, const PixelFootprint* footprint, Point2 centre, std::span<const int> columns,
-            std::vector<double>& mean, std::vector<double>& variance) const;
-
-  const std::vector<std::uint32_t>& labels() const { return labels_; }
+  /// Means over the rounds of a cluttered pixel, per column, with their variances. The footprint weighs values about
+  /// `centre`; null: all alike.
+  void clutter(const Pixel& pixel, const PixelFootprint* footprint, Point2 centre, std::span<const int> columns,
+               std::vector<ClutterRound::Moment>& moments) const;
 
  private:
-  struct Block {
-    const float* value[4] = {};
-    std::size_t count = 0;
-    bool full = false;
-  };
-  struct Round {
-    std::size_t first_block, last_block, first_sample, last_sample;
-    std::size_t count() const { return last_sample - first_sample; }
-  };
-  Round round_of(const Stratum& stratum, std::size_t r) const;
-  Block block_at(const Stratum& stratum, std::size_t b) const;
-  static double block_square(const Block& block, int column);
-
   struct Planned {
     std::size_t pixel, stratum;
     std::uint32_t block;
-    std::uint8_t quarter;
+    bool twin;  ///< a second path at the point of the value before
+    bool same_block(const Planned& other) const {
+      return pixel == other.pixel && stratum == other.stratum && block == other.block;
+    }
   };
+  void plan_twins(std::size_t first);
+  void add_block(std::size_t first, std::size_t last, std::span<const std::uint32_t> labels, const float* values);
 
   void fill(Pixel& pixel, const LeafIntegrator& integrator) const;
 
   struct PlannedInNet {
     std::size_t pixel, stratum, replicate;
   };
-  void find_range(const Pixel& pixel, Stratum& stratum) const;
+  void find_deviation(const Pixel& pixel, Stratum& stratum) const;
   void trace_nets();
+  void trace_clutter();
   /// Whether a value that was planned for a stratum belongs to it. What lies on the wrong side of a border is
   /// part of the border's variance and does not; what the border cannot explain was missed by tracing: it
   /// does, as the model counts its area to the stratum, and is kept in mind.
@@ -173,6 +167,7 @@ class Radiance {
   const AccuracyFaults& faults_;
   std::uint64_t seed_;
   std::size_t stride_;
+  bool keep_values_;
 
   std::vector<Pixel> pixels_;
   std::vector<PlainPixel> plain_pixels_;
@@ -180,8 +175,8 @@ class Radiance {
   std::vector<PathRequest> requests_;
   std::vector<PlannedInNet> net_planned_;
   std::vector<PathRequest> net_requests_;
+  std::vector<std::size_t> clutter_planned_;  // pixels
   std::vector<Point2> x_;
-  std::vector<std::uint32_t> labels_;
   std::vector<float> values_;
 };
 

@@ -1,4 +1,4 @@
-// Replicated nets of paths: in strata whose paths make the variance, and in cluttered pixels.
+// Replicated nets of paths, in strata whose paths make the variance.
 #include <algorithm>
 #include <numeric>
 
@@ -12,31 +12,9 @@ namespace {
 /// Points of a sequence looked at for each value of a stratum, before the net is left incomplete.
 constexpr double kAttemptsPerValue = 4.0;
 
-constexpr std::uint64_t kNetKey = 0x6e657473, kStratumNetKey = 0x736e657473;
+constexpr std::uint64_t kStratumNetKey = 0x736e657473;
 
 }  // namespace
-
-void Radiance::plan_nets(std::size_t p, std::uint32_t count) {
-  Pixel& pixel = pixels_[p];
-  const PixelRect& domain = tracer_.lattice().domain();
-  const int px = domain.x0 + pixel.source % domain.width(), py = domain.y0 + pixel.source / domain.width();
-  for (std::size_t r = 0; r < pixel.strata.size(); ++r) {
-    const std::uint64_t key = hash(seed_, kNetKey, px, py, r);
-    for (std::uint32_t i = pixel.net_size; i < count; ++i) {
-      const Point2 u = sequence_point(key, i, 0);
-      requests_.push_back({{px + u.x, py + u.y}, mix(key), i});
-      planned_.push_back({p, r, i, 0});
-    }
-  }
-  pixel.net_size = count;
-}
-
-void Radiance::turn_to_clutter(std::size_t p) {
-  Pixel& pixel = pixels_[p];
-  pixel.cluttered = true;
-  pixel.strata.assign(kReplicates, {});
-  find_range(pixel, pixel.strata.front());
-}
 
 void Radiance::plan_stratum_nets(std::size_t p, std::size_t s, std::uint32_t count) {
   Pixel& pixel = pixels_[p];
@@ -45,9 +23,7 @@ void Radiance::plan_stratum_nets(std::size_t p, std::size_t s, std::uint32_t cou
   if (nets.size == 0) {
     // The first values chose the size of the nets; an estimate that left them in would favour their luck.
     stratum.samples.clear();
-    stratum.block_starts.clear();
-    stratum.full_block.clear();
-    stratum.round_starts.clear();
+    stratum.rounds.clear();
     stratum.strays = 0.0;
     stratum.stray_sum.clear();
     stratum.stray_squares.clear();
@@ -123,38 +99,10 @@ void Radiance::net_moments(const Nets& nets, std::span<const int> columns, Strat
 }
 
 std::size_t Radiance::Stratum::count() const {
-  if (nets.size == 0) return samples.size();
-  return std::accumulate(nets.accepted.begin(), nets.accepted.end(), std::size_t{0});
-}
-
-void Radiance::nets(const Pixel& pixel, const PixelFootprint* footprint, Point2 centre,
-                    std::span<const int> columns, std::vector<double>& mean,
-                    std::vector<double>& variance) const {
-  const std::size_t n = columns.size();
-  mean.assign(n, 0.0);
-  variance.assign(n, 0.0);
-  std::vector<double> replicate(n);
-  double replicates = 0.0;
-  for (const Stratum& stratum : pixel.strata) {
-    std::fill(replicate.begin(), replicate.end(), 0.0);
-    double sum = 0.0;
-    for (std::uint32_t i : stratum.samples) {
-      const double w =
-          footprint == nullptr ? 1.0 : footprint->density(x_[i].x - centre.x, x_[i].y - centre.y);
-      if (w == 0.0) continue;
-      sum += w;
-      for (std::size_t c = 0; c < n; ++c)
-        replicate[c] += w / sum * (values_[i * stride_ + columns[c]] - replicate[c]);
-    }
-    if (sum == 0.0) continue;
-    replicates += 1.0;
-    for (std::size_t c = 0; c < n; ++c) {
-      const double d = replicate[c] - mean[c];
-      mean[c] += d / replicates;
-      variance[c] += d * (replicate[c] - mean[c]);
-    }
-  }
-  for (std::size_t c = 0; c < n; ++c) variance[c] /= std::max(1.0, (replicates - 1.0) * replicates);
+  if (nets.size > 0) return std::accumulate(nets.accepted.begin(), nets.accepted.end(), std::size_t{0});
+  double count = 0.0;
+  for (const BlockSums& grid : rounds) count += grid.count();
+  return static_cast<std::size_t>(count);
 }
 
 }  // namespace ifov::sampling

@@ -64,6 +64,19 @@ class RayLedger {
     }
   }
 
+  /// As values, with the numbers of materials instead of labels.
+  void values_and_materials(std::span<const PathRequest> requests, std::vector<std::uint32_t>& out,
+                            std::span<float> values) {
+    look_for_cancel();
+    out.resize(requests.size());
+    raw_.resize(requests.size());
+    field_.values_and_materials(requests, raw_, values);
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+      out[i] = field_.material_of(raw_[i] & mask_);
+      ++value_rays_[lattice_.pixel_at(requests[i].point)];
+    }
+  }
+
   static constexpr std::size_t kBatch = 4096;  ///< points asked at a time
 
   Field& field() { return field_; }

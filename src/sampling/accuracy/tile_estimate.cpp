@@ -21,10 +21,13 @@ constexpr double kGrowth = 2.5;
 constexpr double kManyPaths = 320.0, kManyValues = 16384.0;
 /// A pixel's model is given up when what contradicts it may make this share of the allowed variance.
 constexpr double kDoubt = 0.05;
-/// What n values have not met is rarer than this over n but for one case in four hundred: -ln 0.0025.
-constexpr double kUnseen = 6.0;
-/// First size of a net in clutter.
-constexpr std::uint32_t kFirstNet = 2;
+/// The first round in clutter takes this share of what the lattice predicts, within these bounds.
+constexpr double kFirstShare = 0.6, kFewestClutter = 36.0, kMostFirstClutter = 400.0;
+/// What rounds of n values in clutter are planned by: their variance falls as n to minus this, between borders (3/2)
+/// and paths (1). A round holds at most this many times the values of those before it.
+constexpr double kClutterFall = 1.25, kClutterGrowth = 6.0;
+/// First look in clutter: its values are as many as the prediction says, and its interval is as good as later ones.
+constexpr int kClutterLook = 2;
 
 }  // namespace
 
@@ -33,7 +36,8 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
                       std::vector<Sums>& sums) const {
   const std::size_t n = columns.size();
   std::vector<StratumMoments> moments;
-  std::vector<double> net_mean, net_variance, weighted(n);
+  std::vector<ClutterRound::Moment> clutter;
+  std::vector<double> weighted(n);
   for (const Radiance::PlainPixel& pixel : radiance_->plain_pixels())
     for (std::size_t c = 0; c < n; ++c)
       sums[pixel.output].mean[c] += pixel.weight * table_.mean(pixel.label)[columns[c]];
@@ -43,14 +47,15 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
     if (pixel.cluttered) {
       for (int output : model.outputs) {
         Sums& sum = sums[output];
-        radiance_->nets(pixel, integrator.unit_box() ? nullptr : &integrator.footprint(),
-                        integrator.centre(output), columns, net_mean, net_variance);
-        const double w = integrator.whole_weight(pixel.source, output);
+        radiance_->clutter(pixel, integrator.unit_box() ? nullptr : &integrator.footprint(),
+                           integrator.centre(output), columns, clutter);
+        const double w = integrator.whole_weight(pixel.source, output), count = pixel.clutter_count();
         for (std::size_t c = 0; c < n; ++c) {
-          const double variance = w * w * net_variance[c];
-          sum.mean[c] += w * net_mean[c];
-          sum.path[c].add(variance, Radiance::kReplicates - 1.0);
-          sum.deviation[c] += std::sqrt(variance * Radiance::kReplicates * pixel.net_size);
+          sum.mean[c] += w * clutter[c].mean;
+          const double missed = radiance_->unseen(pixel, 0, columns[c]);
+          sum.path[c].add(w * w * clutter[c].variance, clutter[c].freedom);
+          sum.path[c].add(w * w * missed, INFINITY);
+          sum.deviation[c] += w * std::sqrt((clutter[c].variance + missed) * count);
         }
       }
       continue;
@@ -71,7 +76,10 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
         for (std::size_t c = 0; c < n; ++c) {
           sum.mean[c] += w * weighted[c];
           sum.path[c].add(w * w * moments[r].variance[c] * share, moments[r].freedom);
-          sum.deviation[c] += w * std::sqrt(moments[r].variance[c]);
+          const double count = static_cast<double>(pixel.strata[r].count());
+          const double missed = radiance_->unseen(pixel, r, columns[c]);
+          sum.path[c].add(w * w * missed, INFINITY);
+          sum.deviation[c] += w * std::sqrt(moments[r].variance[c] + missed * std::max(1.0, count));
         }
       }
       for (std::size_t b = 0; b < model.borders.size(); ++b) {
@@ -111,7 +119,7 @@ void TileWork::estimate() {
     const bool ready = group >= sources && radiance_ != nullptr;  // by tighten_borders, of all pixels
     if (!ready) {
       radiance_ = std::make_unique<Radiance>(tracer_, ledger_, table_, *spread_, lattice_values_, faults_,
-                                             problem_.seed);
+                                             problem_.seed, !integrator.unit_box());
       for (int p = first; p < std::min(sources, first + group); ++p) radiance_->add_pixel(p, integrator);
     }
     std::vector<std::uint8_t> touched(outputs_.size(), 0);
@@ -182,6 +190,18 @@ std::uint32_t TileWork::net_size(const Radiance::Stratum& stratum, double wanted
   return size;
 }
 
+double TileWork::first_clutter(const Radiance::Pixel& pixel) const {
+  return std::clamp(kFirstShare * predicted_[pixel.source], kFewestClutter, kMostFirstClutter);
+}
+
+/// Values of the next round where `wanted` independent ones would do; 0 where there are enough.
+double TileWork::next_clutter(const Radiance::Pixel& pixel, double wanted) const {
+  const double have = pixel.clutter_count();
+  if (wanted <= have) return 0.0;
+  const double next = have * std::pow(wanted / have - 1.0, 1.0 / kClutterFall);
+  return std::clamp(kMargin * next, 0.3 * have, kClutterGrowth * have);
+}
+
 /// Whether values have met what the traced model does not know, to an extent that matters. The rest of it, which
 /// no value has met, is then likely to matter as well.
 bool TileWork::doubtful(const Radiance::Pixel& pixel) const {
@@ -204,21 +224,6 @@ bool TileWork::doubtful(const Radiance::Pixel& pixel) const {
   return false;
 }
 
-/// Values that a stratum must have before its variance is believed: those of values that are rarely far from the
-/// rest (a gap that shows the lit ground, a path that finds a bright wall) look alike as long as none is met. As many
-/// as make sure that what none of them has met, as far from the rest as values nearby are from each other, would
-/// move the output by no more than its limit.
-double TileWork::least_count(const Radiance::Pixel& pixel, std::size_t s, std::size_t o) const {
-  const Radiance::Stratum& stratum = pixel.strata[s];
-  const Output& output = outputs_[pixel.model.outputs[o]];
-  if (stratum.range.empty()) return 0.0;
-  const double weight = pixel.cluttered ? 1.0 : pixel.model.weight[o * pixel.model.labels.size() + s];
-  double least = 0.0;
-  for (std::size_t d = 0; d < steering_.size(); ++d)
-    least = std::max(least, kUnseen * weight * stratum.range[steering_[d]] / output.limit[d]);
-  return least;
-}
-
 /// Looks at the intervals so far and plans values where they are too wide; false when nothing is left to do.
 bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<int>& outputs) {
   const std::size_t n = steering_.size();
@@ -227,8 +232,9 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
   for (std::size_t p = 0; p < radiance_->pixels().size(); ++p) {
     const Radiance::Pixel& pixel = radiance_->pixels()[p];
     if (options_.clutter_switch && doubtful(pixel)) radiance_->turn_to_clutter(p);
-    if (pixel.cluttered && pixel.net_size == 0 && !pixel.model.outputs.empty()) {
-      radiance_->plan_nets(p, kFirstNet);
+    if (pixel.cluttered && pixel.rounds.empty() && !pixel.model.outputs.empty()) {
+      radiance_->plan_clutter(p, first_clutter(pixel));
+      for (int o : pixel.model.outputs) outputs_[o].look = std::max(outputs_[o].look, kClutterLook);
       cluttered_start = true;
     }
   }
@@ -259,18 +265,6 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
     }
   }
 
-  std::vector<std::uint8_t> short_of(outputs_.size(), 0);
-  for (const Radiance::Pixel& pixel : radiance_->pixels())
-    for (std::size_t s = 0; s < (pixel.cluttered ? 1 : pixel.strata.size()); ++s)
-      for (std::size_t o = 0; o < pixel.model.outputs.size(); ++o) {
-        const int output = pixel.model.outputs[o];
-        const double have = pixel.cluttered ? Radiance::kReplicates * pixel.net_size
-                                            : static_cast<double>(pixel.strata[s].count());
-        if (outputs_[output].limit.size() == n && have < least_count(pixel, s, o)) short_of[output] = 1;
-      }
-  for (std::size_t o = 0; o < short_of.size(); ++o)
-    if (short_of[o]) outputs_[o].satisfied = false;
-
   bool any = false;
   std::vector<std::uint8_t> looked(outputs_.size(), 0);
   StratumMoments moments;
@@ -290,24 +284,23 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
         const Output& output = outputs_[model.outputs[o]];
         if (output.satisfied || output.look >= Stopping::kLooks) continue;
         const Sums& sum = sums[model.outputs[o]];
-        wanted = std::max(wanted, least_count(pixel, s, o));
         for (std::size_t d = 0; d < n; ++d) {
           double weighted_deviation = 0.0;
           if (pixel.cluttered) {
             weighted_deviation = sum.deviation[d];
           } else {
-            weighted_deviation = model.weight[o * strata + s] * std::sqrt(moments.variance[d]);
+            const double count = static_cast<double>(pixel.strata[s].count());
+            weighted_deviation =
+                model.weight[o * strata + s] *
+                std::sqrt(moments.variance[d] + radiance_->unseen(pixel, s, steering_[d]) * std::max(1.0, count));
           }
           wanted = std::max(wanted, weighted_deviation * sum.deviation[d] / output.path_budget[d]);
         }
       }
       if (pixel.cluttered) {
-        if (wanted <= Radiance::kReplicates * pixel.net_size) continue;
-        std::uint32_t net = pixel.net_size;
-        const double per_replicate = std::min(wanted, room) / Radiance::kReplicates;
-        while (net < per_replicate && net < 4 * pixel.net_size) net *= 2;
-        if (net == pixel.net_size) continue;
-        radiance_->plan_nets(p, net);
+        const double more = std::min(next_clutter(pixel, wanted), room);
+        if (more <= 0.0) continue;
+        radiance_->plan_clutter(p, more);
       } else {
         const Radiance::Stratum& stratum = pixel.strata[s];
         const double have = static_cast<double>(stratum.count());
@@ -322,7 +315,7 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
           for (int o : model.outputs) looked[o] = 1;
           continue;
         }
-        if (stratum.round_starts.size() >= 2)
+        if (stratum.rounds.size() >= 2)
           wanted = std::min(radiance_->with_trend(pixel, s, steering_, wanted), kGrowth * have);
         else if (have > 0.0)
           wanted = std::min(wanted, kFirstGrowth * have);

@@ -29,18 +29,21 @@ void TileWork::finish(const LeafIntegrator& integrator, const std::vector<int>& 
     result_.converged[o] = worst <= 1.0 + 1e-6;
   }
   for (const Radiance::Pixel& pixel : radiance_->pixels())
-    if (pixel.cluttered) net_sizes_[pixel.source] = pixel.net_size;
+    for (const ClutterRound& round : pixel.rounds)
+      clutter_rounds_[pixel.source].push_back(static_cast<std::uint32_t>(round.count()));
 
   struct Share {
     std::uint32_t material;
     double fraction = 0.0, variance = 0.0;
   };
   std::vector<SmallVector<Share, 2>> shares(outputs_.size());
-  const auto share_of = [&](int output, std::uint32_t label) -> Share& {
-    const std::uint32_t material = ledger_.field().material_of(table_.label(label));
+  const auto share_of_material = [&](int output, std::uint32_t material) -> Share& {
     for (Share& s : shares[output])
       if (s.material == material) return s;
     return shares[output].push_back(Share{material});
+  };
+  const auto share_of = [&](int output, std::uint32_t label) -> Share& {
+    return share_of_material(output, ledger_.field().material_of(table_.label(label)));
   };
   for (const Radiance::PlainPixel& pixel : radiance_->plain_pixels())
     share_of(pixel.output, pixel.label).fraction += pixel.weight;
@@ -49,21 +52,19 @@ void TileWork::finish(const LeafIntegrator& integrator, const std::vector<int>& 
     for (std::size_t o = 0; o < model.outputs.size(); ++o) {
       const int output = model.outputs[o];
       if (pixel.cluttered) {
-        double count = 0.0;
-        for (const Radiance::Stratum& s : pixel.strata) count += static_cast<double>(s.samples.size());
-        const double w = integrator.whole_weight(pixel.source, output);
+        const double w = integrator.whole_weight(pixel.source, output), count = pixel.clutter_count();
         std::vector<std::pair<std::uint32_t, double>> seen;
-        for (const Radiance::Stratum& s : pixel.strata)
-          for (std::uint32_t i : s.samples) {
-            const std::uint32_t label = radiance_->labels()[i];
-            auto at = std::find_if(seen.begin(), seen.end(), [&](const auto& e) { return e.first == label; });
+        for (const ClutterRound& round : pixel.rounds)
+          for (const auto& [material, hits] : round.materials()) {
+            const auto at =
+                std::find_if(seen.begin(), seen.end(), [m = material](const auto& e) { return e.first == m; });
             if (at == seen.end())
-              seen.push_back({label, 1.0});
+              seen.push_back({material, hits});
             else
-              at->second += 1.0;
+              at->second += hits;
           }
-        for (const auto& [label, hits] : seen) {
-          Share& share = share_of(output, label);
+        for (const auto& [material, hits] : seen) {
+          Share& share = share_of_material(output, material);
           const double f = hits / count;
           share.fraction += w * f;
           share.variance += w * w * f * (1.0 - f) / count;
@@ -116,7 +117,7 @@ double missable(const std::vector<double>& rounds) {
 void TileWork::report() {
   const PixelRect &d = lattice_.domain(), &t = problem_.tile;
   // Neighbours were mostly looked at alike.
-  std::pair<int, std::uint32_t> known_looks{-1, 0};
+  int known_looks = -1;
   float known_fraction = 1.0f;
   for (int p = 0; p < d.count(); ++p) {
     const int x = d.x0 + p % d.width(), y = d.y0 + p / d.width();
@@ -128,13 +129,14 @@ void TileWork::report() {
     result_.label_rays[o] = ledger_.label_rays(p);
     result_.radiance_evaluations[o] = ledger_.value_rays(p);
     result_.samples[o] = ledger_.spent(p);
-    const std::pair<int, std::uint32_t> looks{prober_.clean_rounds(p), net_sizes_[p]};
-    if (looks != known_looks) {
-      known_looks = looks;
+    const int looks = prober_.clean_rounds(p);
+    const auto& clutter = clutter_rounds_[p];
+    if (looks != known_looks || clutter.size() > 0) {
+      known_looks = clutter.size() > 0 ? -1 : looks;
       std::vector<double> rounds{static_cast<double>(options_.lattice) * options_.lattice};
-      for (int r = 0; r < looks.first; ++r)
+      for (int r = 0; r < looks; ++r)
         rounds.push_back(static_cast<double>(options_.probes_per_side) * options_.probes_per_side);
-      if (looks.second > 0) rounds.push_back(static_cast<double>(Radiance::kReplicates) * looks.second);
+      for (const std::uint32_t count : clutter) rounds.push_back(count);
       known_fraction = static_cast<float>(missable(rounds));
     }
     result_.missable_fraction[o] = known_fraction;

@@ -52,7 +52,8 @@ TileWork::TileWork(const TileProblem& problem, Field& field, const AccuracyOptio
       all_columns_(static_cast<std::size_t>(columns_)),
       outputs_(static_cast<std::size_t>(problem.tile.count())),
       sums_(outputs_.size()),
-      net_sizes_(static_cast<std::size_t>(lattice_.domain().count()), 0),
+      predicted_(static_cast<std::size_t>(lattice_.domain().count()), 0.0f),
+      clutter_rounds_(predicted_.size()),
       faults_(faults) {
   std::iota(all_columns_.begin(), all_columns_.end(), 0);
   result_.reset(problem.tile, columns_);
@@ -245,6 +246,7 @@ void TileWork::switch_clutter() {
     const double strata = stratified_cost(contrast, border_px);
     if (kTracingCostPerCrossing * crossings > std::max(strata, kFewestStratified))
       tracer_.abandon(static_cast<std::uint32_t>(p));
+    predicted_[p] = static_cast<float>(strata);
     const double patience = kPatience * stratified_cost(contrast, std::max(border_px, kLeastBorder_px));
     std::uint32_t& budget = tracer_.budget()[p];
     budget = static_cast<std::uint32_t>(std::min<double>(budget, std::max(patience, kFewestTraced)));
@@ -269,7 +271,7 @@ void TileWork::tighten_borders() {
     const LeafIntegrator integrator(tracer_, *problem_.footprint, problem_.tile);
     if (radiance_ == nullptr || !radiance_->refresh(integrator)) {
       radiance_ = std::make_unique<Radiance>(tracer_, ledger_, table_, *spread_, lattice_values_, faults_,
-                                             problem_.seed);
+                                             problem_.seed, !integrator.unit_box());
       for (int p = 0; p < lattice_.domain().count(); ++p) radiance_->add_pixel(p, integrator);
     }
     tracer_.forget_changes();

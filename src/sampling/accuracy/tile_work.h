@@ -49,12 +49,13 @@ class TileWork {
   void tighten_borders();
   void gather(const LeafIntegrator& integrator, std::span<const int> columns, std::vector<Sums>& sums) const;
   bool doubtful(const Radiance::Pixel& pixel) const;
-  double least_count(const Radiance::Pixel& pixel, std::size_t stratum, std::size_t output) const;
   bool plan_round(const LeafIntegrator& integrator, const std::vector<int>& outputs);
   bool steer_by_more(const LeafIntegrator& integrator, const std::vector<int>& outputs);
   static std::uint32_t net_size(const Radiance::Stratum& stratum, double wanted, double room);
   double half_width(const Sums& sum, std::size_t column, int look) const;
   void finish(const LeafIntegrator& integrator, const std::vector<int>& outputs);
+  double first_clutter(const Radiance::Pixel& pixel) const;
+  double next_clutter(const Radiance::Pixel& pixel, double wanted) const;
   int nearest_output(int source) const;
   int source_of(int output) const;
 
@@ -76,7 +77,8 @@ class TileWork {
   std::vector<int> steering_;  // columns whose intervals decide how many values are drawn
   std::vector<Output> outputs_;
   std::vector<Sums> sums_;                // by output, kept between rounds for its memory
-  std::vector<std::uint32_t> net_sizes_;  // per source pixel, 0 where it was traced
+  std::vector<float> predicted_;          // per source pixel: values that clutter would take by the lattice
+  std::vector<SmallVector<std::uint32_t, 2>> clutter_rounds_;  // per source pixel: sizes of rounds; none where traced
   AccuracyFaults faults_;
 };
 

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "sampling/accuracy/block_sums.h"
+#include "sampling/field.h"
+#include "sampling/pixel_footprint.h"
+#include "sampling/sequence.h"
+
+namespace ifov::sampling {
+
+/// Values of a cluttered pixel at the points of one jittered grid, one to a cell, in blocks of 2 x 2 cells. The error of
+/// their mean falls as n^(-3/4) where borders make it, and what a plane through a block's four values does not explain
+/// shows its variance. docs/theory/accuracy_sampler.md, section 8.
+class ClutterRound {
+ public:
+  /// A grid of side x side cells, side even. `keep`: every value is kept, for footprints that weigh them unlike.
+  ClutterRound(int side, std::size_t stride, bool keep);
+
+  int side() const { return side_; }
+  std::size_t count() const { return static_cast<std::size_t>(side_) * side_; }
+  static constexpr std::size_t kBlock = 4;
+
+  /// Requests for the values of the pixel at (px, py), block after block, appended.
+  void request(int px, int py, std::uint64_t key, std::vector<PathRequest>& requests) const;
+
+  /// The four values of the next block, row by row, rows of stride floats, and the materials they stand on.
+  void add_block(const float* values, std::span<const std::uint32_t, kBlock> materials,
+                 std::span<const PathRequest, kBlock> requests);
+
+  struct Moment {
+    double mean = 0.0;
+    double variance = 0.0;  ///< of the mean
+    double freedom = 0.0;   ///< degrees of freedom behind the variance
+  };
+  Moment moment(int column) const;
+  double spread(int column) const { return sums_.spread(column); }  ///< variance of the values, wherever they stand
+  /// Of values that weigh as the footprint about `centre` does; zero weight where none of them lies under it.
+  void weigh(const PixelFootprint& footprint, Point2 centre, std::vector<double>& weights) const;
+  Moment moment(int column, std::span<const double> weights) const;
+
+  /// Values on each material.
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& materials() const { return materials_; }
+
+ private:
+  int side_;
+  std::size_t stride_;
+  bool keep_;
+  BlockSums sums_;
+  std::vector<float> values_;
+  std::vector<Point2> points_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> materials_;
+};
+
+}  // namespace ifov::sampling

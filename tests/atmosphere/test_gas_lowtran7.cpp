@@ -1,0 +1,143 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "atmosphere/gas/band_model.h"
+#include "atmosphere/gas/gas_transmittance.h"
+#include "atmosphere/particles/aerosol_column.h"
+#include "atmosphere/profile/profile_description.h"
+#include "lowtran_output.h"
+#include "measured.h"
+#include "support/truth_data.h"
+
+// Runs of the original program (Kneizys et al. 1988). Its four decimals round to 5e-5.
+namespace ifov::atmosphere {
+namespace {
+
+constexpr double kTolerance = 0.002;
+
+Profile as_in_1986(const std::string& model) {
+  ProfileDescription description;
+  description.model = model;
+  description.co2_ppm = description.ch4_ppm = description.n2o_ppm = std::nullopt;
+  return build_profile(description).profile;
+}
+
+/// The program's own layers: its 33 levels.
+Profile on_its_levels(const Profile& profile) {
+  Profile kept;
+  for (std::size_t i = 0; i < profile.levels(); ++i) {
+    const double z = profile.altitude_km[i];
+    if (z > 25.0 && z != 30.0 && z != 35.0 && z != 40.0 && z != 45.0 && z != 50.0 && z != 70.0 && z != 100.0)
+      continue;
+    kept.altitude_km.push_back(z);
+    kept.pressure_hPa.push_back(profile.pressure_hPa[i]);
+    kept.temperature_K.push_back(profile.temperature_K[i]);
+    for (std::size_t g = 0; g < kGasCount; ++g)
+      kept.mixing_ratio_ppmv[g].push_back(profile.mixing_ratio_ppmv[g][i]);
+  }
+  return kept;
+}
+
+/// Vertical, with the temperature of the water continuum taken at the mean of each layer, as the program
+/// does; we follow it through the layer (which changes a transmittance by up to 0.0021).
+GasAmounts with_mean_temperatures(const std::string& model) {
+  const Profile profile = on_its_levels(as_in_1986(model));
+  const std::vector<GasAmounts> layers = layer_amounts(profile, profile.altitude_km);
+  GasAmounts sum;
+  for (std::size_t l = 0; l < layers.size(); ++l) {
+    GasAmounts layer = layers[l];
+    const double a = profile.air_per_cm3(l), b = profile.air_per_cm3(l + 1);
+    const double mean = (a * profile.temperature_K[l] + b * profile.temperature_K[l + 1]) / (a + b);
+    layer.water_self_cold = layer.water_self * std::clamp((296.0 - mean) / 36.0, 0.0, 1.0);
+    sum.add(layer, 1.0);
+  }
+  return sum;
+}
+
+struct ProgramRun {
+  std::string file;
+  GasAmounts amounts;
+};
+
+ProgramRun run_a() {
+  return {"A_MLS_vertical_noaerosol_trans", with_mean_temperatures("mid-latitude summer")};
+}
+ProgramRun run_b() { return {"B_US76_rural23_vertical_trans", with_mean_temperatures("US standard 1976")}; }
+ProgramRun run_g() {
+  return {"G_TROP_rural23_horizontal5km_trans", horizontal_amounts(as_in_1986("tropical"), 0.0, 5.0)};
+}
+
+double mixed_gases(double nu, const GasAmounts& amounts, GasModel model) {
+  double t = std::exp(-continuum_depths(nu, amounts, model).oxygen);
+  for (const Gas gas : {Gas::co2, Gas::n2o, Gas::co, Gas::ch4, Gas::o2})
+    t *= line_transmittance(gas, nu, amounts, model);
+  return t;
+}
+
+double trace_gases(double nu, const GasAmounts& amounts, GasModel model) {
+  double t = 1.0;
+  for (const Gas gas : {Gas::nh3, Gas::no, Gas::no2, Gas::so2})
+    t *= line_transmittance(gas, nu, amounts, model);
+  return t;
+}
+
+/// Each column of the program's output against ours.
+std::map<std::string, test::Measured> compared(const std::filesystem::path& file, const GasAmounts& amounts,
+                                               GasModel model) {
+  std::map<std::string, test::Measured> columns;
+  for (const test::LowtranRow& row : test::lowtran_rows(file)) {
+    const double nu = row.wavenumber_cm1;
+    const ContinuumDepths continuum = continuum_depths(nu, amounts, model);
+    columns["H2O"].add(nu, line_transmittance(Gas::h2o, nu, amounts, model), row.h2o);
+    columns["CO2+"].add(nu, mixed_gases(nu, amounts, model), row.mixed);
+    columns["O3"].add(nu, line_transmittance(Gas::o3, nu, amounts, model) * std::exp(-continuum.ozone),
+                      row.ozone);
+    columns["trace"].add(nu, trace_gases(nu, amounts, model), row.trace);
+    columns["N2"].add(nu, std::exp(-continuum.nitrogen), row.n2_continuum);
+    columns["H2O_continuum"].add(nu, std::exp(-continuum.water), row.h2o_continuum);
+    columns["total"].add(nu, gas_transmittance(nu, amounts, model) * row.hno3 * row.rayleigh * row.aerosol,
+                         row.total);
+  }
+  return columns;
+}
+
+class Lowtran7 : public testing::TestWithParam<ProgramRun (*)()> {};
+
+TEST_P(Lowtran7, EveryGasColumn) {
+  const ProgramRun run = GetParam()();
+  const auto file = test::truth_file("atmosphere/lowtran7/" + run.file + ".tape7.txt");
+  if (!file) GTEST_SKIP() << "reference data not found: atmosphere/lowtran7/" << run.file << ".tape7.txt";
+  for (const auto& [name, measured] : compared(*file, run.amounts, GasModel::lowtran7)) {
+    measured.record(name);
+    EXPECT_GT(measured.count(), 1000) << name;
+    EXPECT_LT(measured.largest(), kTolerance) << name << ": " << measured.text();
+  }
+}
+
+TEST_P(Lowtran7, PlantedFaultsAreCaught) {
+  const ProgramRun run = GetParam()();
+  const auto file = test::truth_file("atmosphere/lowtran7/" + run.file + ".tape7.txt");
+  if (!file) GTEST_SKIP() << "reference data not found: atmosphere/lowtran7/" << run.file << ".tape7.txt";
+  // The continuum as we change it.
+  EXPECT_GT(compared(*file, run.amounts, GasModel::standard)["H2O_continuum"].largest(), 5 * kTolerance);
+  // One gas left out.
+  const std::vector<Band>& bands = BandModel::instance().bands();
+  for (const auto& [gas, column] :
+       std::map<Gas, std::string>{{Gas::co, "CO2+"}, {Gas::o2, "CO2+"}, {Gas::n2o, "CO2+"}}) {
+    GasAmounts without = run.amounts;
+    for (std::size_t b = 0; b < bands.size(); ++b)
+      if (bands[b].gas == gas) without.band[b] = 0.0;
+    EXPECT_GT(compared(*file, without, GasModel::lowtran7)[column].largest(), 5 * kTolerance)
+        << kGasNames[static_cast<std::size_t>(gas)];
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Runs, Lowtran7, testing::Values(&run_a, &run_b, &run_g),
+                         [](const auto& run) { return std::string(1, "ABG"[run.index]); });
+
+}  // namespace
+}  // namespace ifov::atmosphere
