@@ -34,6 +34,7 @@ TEST(Rayleigh, OpticalDepthOfTheStandardAtmosphere) {
         0.0021520 * (1.0455996 - 341.29061 * s - 0.90230850 * w) / (1.0 + 0.0027059889 * s - 85.968563 * w);
     const double depth = rayleigh_cross_section_cm2(wavelength, 360.0) * kMoleculesCm2;
     EXPECT_NEAR(depth / equation_30, 1.0, 3e-3) << wavelength;
+    EXPECT_GT(std::abs(depth / king_factor(wavelength, 360.0) / equation_30 - 1.0), 0.03) << "no King factor";
   }
   EXPECT_NEAR(rayleigh_cross_section_cm2(0.55, 360.0) / 4.513e-27, 1.0, 1e-3);
   EXPECT_NEAR(rayleigh_depolarization(0.55, 360.0), 0.0279, 5e-4);

@@ -84,6 +84,15 @@ TEST(Profile, WhatIsAskedForIsThere) {
   EXPECT_EQ(built.profile.altitude_km.back(), 100.0);
 }
 
+TEST(Profile, ModelAtmospheresNeedNoRemark) {
+  for (const std::string& name : model_atmosphere_names()) {
+    ProfileDescription description;
+    description.model = name;
+    EXPECT_TRUE(build_profile(description).remarks.empty())
+        << name << ": " << build_profile(description).remarks[0];
+  }
+}
+
 TEST(Profile, HumidityStaysAtSaturationAndIsSaid) {
   ProfileDescription description;
   description.water_vapour_g_cm2 = 4.2;  // the model has 2.9
@@ -167,6 +176,10 @@ TEST(Profile, WrongInputIsNamed) {
   EXPECT_EQ(message([](auto& d) { d.ground_altitude_km = -0.1; }),
             "the ground at -0.1 km is below the lowest level of the profile, 0 km");
   EXPECT_EQ(message([](auto& d) { d.ground_altitude_km = 6.5; }), "ground at 6.5 km: expected below 6 km");
+  EXPECT_EQ(message([](auto& d) { d.levels[1].relative_humidity_percent = -5.0; }),
+            "relative humidity, %, of -5 at 2 km: expected 0 or more");
+  EXPECT_EQ(message([](auto& d) { d.levels[0].ozone_ppmv = -1.0; }),
+            "ozone, ppmv, of -1 at 0 km: expected 0 or more");
   EXPECT_EQ(message([](auto& d) { d.ozone_DU = -1.0; }), "ozone of -1 DU: expected 0 or more");
 }
 

@@ -228,6 +228,39 @@ TEST(Reptran, VerticalTransmittance) {
   EXPECT_GT(wrong.rms(), 0.05);
 }
 
+// The layers as the solvers get them, against the closed form of the whole column: all terms, continua and
+// particles.
+TEST(AtmosphereColumn, TermsTransmitWhatTheColumnDoes) {
+  ColumnOptions options;
+  options.terms = 8;
+  options.most_terms = 16;
+  options.extra_altitudes_km = {2.3};
+  const AtmosphereColumn column(AtmosphereDescription{}, options);
+  const std::vector<double>& z = column.levels().altitude_km;
+  EXPECT_NE(std::find(z.begin(), z.end(), 2.3), z.end());
+  EXPECT_EQ(z[1], 0.05);
+  const GasAmounts vertical = vertical_amounts(column.profile(), 0.0, 100.0);
+  test::Measured measured;
+  for (double nu = 700.0; nu <= 28000.0; nu += 35.0) {
+    const ColumnOptics optics = column.at(nu);
+    double terms = 0.0, particles = 0.0;
+    for (std::size_t j = 0; j < optics.terms(); ++j) {
+      const LayerOptics layers = optics.term(j);
+      double depth = 0.0;
+      particles = 0.0;
+      for (std::size_t l = 0; l < layers.layers(); ++l) {
+        particles +=
+            layers.rayleigh_scattering[l] + layers.aerosol_scattering[l] + layers.aerosol_absorption[l];
+        depth += layers.gas_absorption[l];
+      }
+      terms += optics.weight(j) * std::exp(-depth - particles);
+    }
+    measured.add(nu, terms, std::exp(-particles) * gas_transmittance(nu, vertical, GasModel::standard));
+  }
+  measured.record("terms");
+  EXPECT_LT(measured.largest(), 0.002) << measured.text();
+}
+
 // A whole sensor's range: every 5 cm-1 of 0.35 to 2.5 um.
 TEST(AtmosphereColumn, AllBinsInSeconds) {
   const auto start = std::chrono::steady_clock::now();
