@@ -165,6 +165,24 @@ TEST(Aerosol, OpticalThicknessIsMet) {
   }
 }
 
+TEST(Aerosol, EveryTypeHasItsVisibility) {
+  const Profile profile = build_profile({}).profile;
+  const std::map<std::string, double> expected{
+      {"none", 0.0},          {"rural", 23.0},        {"urban", 5.0},        {"maritime", 23.0},
+      {"tropospheric", 50.0}, {"advective fog", 0.2}, {"radiative fog", 0.5}};
+  ASSERT_EQ(aerosol_types().size(), expected.size());
+  for (const std::string& type : aerosol_types()) {
+    AerosolDescription description;
+    description.type = type;
+    const AerosolColumn aerosol(description, profile, "mid-latitude summer");
+    EXPECT_EQ(aerosol.visibility_km(), expected.at(type)) << type;
+    if (type == "none") continue;
+    // Koschmieder: 3.912 over the extinction of aerosol and air (0.01159 km-1) at the ground.
+    const double range = 3.912 / (aerosol.extinction_550_km(0, 0.0) + 0.01159);
+    EXPECT_NEAR(range / aerosol.visibility_km(), 1.0, 0.02) << type;
+  }
+}
+
 TEST(Aerosol, WrongWordsAreNamed) {
   const Profile profile = build_profile({}).profile;
   const auto message = [&](const AerosolDescription& description) -> std::string {

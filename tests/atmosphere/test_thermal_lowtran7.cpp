@@ -64,7 +64,10 @@ Differences differences(const LowtranRun& run, bool uniform_layers, double from_
   description.air.co2_ppm = description.air.ch4_ppm = description.air.n2o_ppm = std::nullopt;
   description.aerosol.type = "none";
   description.gas_model = GasModel::lowtran7;
-  const AtmosphereColumn column(description, {8, 16});
+  ColumnOptions options;
+  options.terms = 8;
+  options.most_terms = 16;
+  const AtmosphereColumn column(description, options);
   const double observer_km = run.mu > 0.0 ? 200.0 : 0.0;
   Differences result;
   int count = 0;

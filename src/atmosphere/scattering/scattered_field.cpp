@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "atmosphere/linear_source.h"
 #include "atmosphere/scattering/spherical_functions.h"

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
+#include "atmosphere/scattering/column_phase.h"
+#include "atmosphere/scattering/mode_operator.h"
 #include "atmosphere/scattering/single_scattering.h"
-#include "atmosphere/scattering/successive_orders.h"
 
 namespace ifov::atmosphere {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "atmosphere/scattering/beam_integral.h"
 #include "atmosphere/scattering/scattering_matrix.h"
-#include "atmosphere/scattering/successive_orders.h"
 
 namespace ifov::atmosphere {
 
