@@ -165,6 +165,22 @@ TEST(Aerosol, OpticalThicknessIsMet) {
   }
 }
 
+// MODTRAN6's log for ground at 0.35 km and an optical thickness of 0.1: 82.726 km, of which 0.0499 in the
+// boundary layer, 0.0428 in the troposphere, 0.0072 above.
+TEST(Aerosol, VisibilityOfAThicknessAsModtran6) {
+  ProfileDescription air;
+  air.ground_altitude_km = 0.35;
+  air.water_vapour_g_cm2 = 1.5;
+  AerosolDescription description;
+  description.aot550 = 0.1;
+  const AerosolColumn aerosol(description, build_profile(air).profile, "mid-latitude summer");
+  RecordProperty("visibility_km", format("{:.2f}", aerosol.visibility_km()));
+  EXPECT_NEAR(aerosol.visibility_km(), 82.726, 0.8);
+  EXPECT_NEAR(aerosol.thickness_550(0, 0.35, 100.0), 0.04992, 5e-4);
+  EXPECT_NEAR(aerosol.thickness_550(1, 0.35, 100.0), 0.04285, 5e-4);
+  EXPECT_NEAR(aerosol.thickness_550(2, 0.35, 100.0), 0.00720, 1e-4);
+}
+
 TEST(Aerosol, EveryTypeHasItsVisibility) {
   const Profile profile = build_profile({}).profile;
   const std::map<std::string, double> expected{

@@ -70,6 +70,14 @@ TEST(Profile, ColumnsAsModtran6) {
   EXPECT_NEAR(profile.column_atm_cm(Gas::o2) / 1.6115e5, 1.0, 0.005);
 }
 
+// Columns of water vapour that MODTRAN5 prints for these models.
+TEST(Profile, PrecipitableWaterOfTheModels) {
+  for (const auto& [name, column] :
+       std::map<std::string, double>{{"tropical", 4.114728}, {"US standard 1976", 1.416445}}) {
+    EXPECT_NEAR(build_profile(of_1986(name)).profile.precipitable_water_g_cm2() / column, 1.0, 0.005) << name;
+  }
+}
+
 TEST(Profile, WhatIsAskedForIsThere) {
   ProfileDescription description;
   description.water_vapour_g_cm2 = 2.1;
