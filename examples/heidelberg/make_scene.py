@@ -10,10 +10,13 @@ Land cover by rule, on cells of 25 m, after a median of 3 x 3 heights (the model
   4, 5 field bare soil and crop on the rest below 150 m, by parcels of about 350 m x 225 m, three in seven bare
   6 meadow   the rest
   7 floor    the forest where trees stand on it, see below
+  8, 9, 10   streets, red roofs and grey roofs of the town, see below; what is left of 3 is gardens
 and of the result the most frequent class in 3 x 3 cells, except for water. The map has cells of a third of that, 8.3 m,
 with the most frequent class in 5 x 5 of them, which rounds the corners.
 
-A texture of the town, which picks among asphalt, roofs and lawns, is noise on cells of 8.3 m.
+The town has streets every 67 m and 100 m along two directions that turn slowly from place to place, houses in three of
+five cells along them, and gardens behind. A texture of the forest, which picks among crowns, holds stands of 75 m to
+600 m that differ, and single crowns.
 
 The tree is the crown of a voxel model (each voxel that it lists holds two square leaves of 0.25 m) about a
 cylinder; it is copied onto forest cells of a window, one to each square of 8 m, at a random place, turn and size.
@@ -153,14 +156,40 @@ def write_over(model, path, values):
     raster.GetRasterBand(1).WriteArray(values)
 
 
+def town(shape):
+    """Classes of a town without an end."""
+    row, column = np.indices(shape)
+    turn = 0.4 * np.sin(row / 150.0) * np.cos(column / 190.0)
+    along = (np.cos(turn) * column + np.sin(turn) * row).astype(int)
+    across = (np.cos(turn) * row - np.sin(turn) * column).astype(int)
+    from_street = np.minimum(np.minimum(along % 12, -along % 12), np.minimum(across % 8, -across % 8))
+    chance = ((along * 73856093) ^ (across * 19349663)) % 1009 / 1009.0
+    roof = (from_street > 0) & (from_street < 3) & (chance < 0.6)
+    return np.select([from_street == 0, roof & (chance < 0.42), roof], [8, 9, 10], 3).astype(np.uint8)
+
+
+def forest(shape, random):
+    """Brightness of crowns, of four sizes of noise."""
+    total = np.zeros(shape)
+    for cells, weight in ((1, 1.0), (9, 0.8), (27, 0.8), (72, 0.8)):
+        coarse = random.normal(size=[n // cells + 3 for n in shape])
+        row, column = (np.arange(n) / cells for n in shape)
+        r, c = row.astype(int), column.astype(int)
+        v, u = (row - r)[:, None], (column - c)[None, :]
+        corner = [coarse[r + i][:, c + k] for i in (0, 1) for k in (0, 1)]
+        total += weight * ((1 - v) * ((1 - u) * corner[0] + u * corner[1]) + v * ((1 - u) * corner[2] + u * corner[3]))
+    return (128 + 35 * total).clip(0, 255).astype(np.uint8)
+
+
 def main(data, folder):
     random = np.random.default_rng(1)
     model = gdal.Open(str(data / "scenes/dem/dem_hd.tif"))
     height = model.ReadAsArray().astype(float)
     classes = land_cover(height)
-    write_over(model, folder / "land_cover.tif", finer(classes, model.GetGeoTransform()))
-    noise = random.normal(128, 40, [FINER * n for n in height.shape])
-    write_over(model, folder / "town.tif", noise.clip(0, 255).astype(np.uint8))
+    fine = finer(classes, model.GetGeoTransform())
+    fine = np.where(fine == 3, town(fine.shape), fine)
+    write_over(model, folder / "land_cover.tif", fine)
+    write_over(model, folder / "forest.tif", forest(fine.shape, random))
     write_crown(data / "scenes/helios/trees/F_BR08_08_crown_250.vox", folder / "crown.obj", random)
     count = write_trees(height, classes, model.GetGeoTransform(), folder / "trees.csv", random)
     shares = ", ".join(f"{name} {100 * (classes == k).mean():.1f} %" for k, name in

@@ -113,11 +113,11 @@ MadeScene make_forest(const MakeOptions& options) {
     const double off_track = std::abs(at.y - track_y(chance, at.x));
     const double tuft = fractal_noise(chance.of(Purpose::cover, 2), at.x, at.y, 1.1, 3);
     if (off_track < kTrack_half_m && (off_track > 0.45 || tuft < 0.5)) return kGravel;
-    if (off_track < kTrack_half_m + 1.5 || glade(chance, at) > 0.6) return tuft > 0.3 ? kGrass : kSoil;
+    if (off_track < kTrack_half_m + 1.5 || glade(chance, at) > 0.6) return tuft > 0.26 ? kGrass : kSoil;
     if (tuft < 0.33) return kSoil;
     return fractal_noise(chance.of(Purpose::cover), at.x, at.y, 30.0, 2) > 0.5 ? kNeedles : kLeaves;
   };
-  terrain.covers = {"litter, needles", "litter, leaves", "soil, dark", "lawn, sparse", "gravel"};
+  terrain.covers = {"litter, needles", "litter, leaves", "soil, dark", "meadow", "gravel"};
   text.heading("The forest floor");
   add_terrain(terrain, folder, text);
 

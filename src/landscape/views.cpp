@@ -67,7 +67,7 @@ View thermal_imager(double size_m) {
 
 }  // namespace
 
-std::string clear_day(SceneFolder& folder) {
+std::string clear_day(const ViewChoice& choice, SceneFolder& folder) {
   const std::string_view sun_and_sky = R"({
     "sun": {"disc": {"zenith": "35 deg", "azimuth": "140 deg"}},
     // A clear sky, the same in every direction: blue below 1 um, as cold as about 260 K in the thermal infrared.
@@ -78,8 +78,10 @@ std::string clear_day(SceneFolder& folder) {
                  "14 W m-2 sr-1 um-1", "6 W m-2 sr-1 um-1", "2 W m-2 sr-1 um-1", "0.7 W m-2 sr-1 um-1", "0.2 W m-2 sr-1 um-1", "0.1 W m-2 sr-1 um-1",
                  "0.1 W m-2 sr-1 um-1", "3.4 W m-2 sr-1 um-1", "4.4 W m-2 sr-1 um-1", "4.8 W m-2 sr-1 um-1", "4.6 W m-2 sr-1 um-1"]}}},
     "surroundings": {"reflectance": )";
-  return std::string(sun_and_sky) + library_spectrum("grass, pasture", 1, folder) + R"(, "temperature": "27 degC"}
-  })";
+  return std::string(sun_and_sky) + library_spectrum(choice.surroundings, 1, folder) +
+         format(R"(, "temperature": "{} degC"}}
+  }})",
+                choice.surroundings_c);
 }
 
 void check_size(double size_m) {
@@ -92,7 +94,7 @@ MadeScene finish_scene(const MakeOptions& options, const ViewChoice& choice, con
   MadeScene made;
   made.contents = std::move(contents);
   made.contents.push_back(format("{} materials", text.material_count()));
-  const std::string light = clear_day(folder);
+  const std::string light = clear_day(choice, folder);
   for (const View& view : {quick_look(options.size_m), oblique(options.size_m, choice),
                            imaging_spectrometer(options.size_m), thermal_imager(options.size_m)}) {
     folder.add_text(view.file, text.document(view, choice.title, light));

@@ -14,11 +14,13 @@ struct ViewChoice {
   std::string title;  ///< of the scene, for the top of its documents
   double eye_azimuth_deg = 205.0;  ///< of the oblique camera, seen from the middle
   double eye_height_share = 0.42;  ///< of the size
+  std::string surroundings = "grass, pasture";  ///< material of the built-in library that goes on to the horizon
+  int surroundings_c = 27;
 };
 
 /// The light of all generated scenes: the Sun's disc 35 degrees from the zenith in the south-east, a clear sky that is
-/// the same in all directions, grassland around.
-std::string clear_day(SceneFolder& folder);
+/// the same in all directions.
+std::string clear_day(const ViewChoice& choice, SceneFolder& folder);
 
 /// Writes the documents, which differ in what looks at the scene alone, and publishes the folder:
 /// `quicklook.json`, `oblique.json`, `render_vswir.json`, `render_thermal.json`.

@@ -30,28 +30,41 @@ class CachedInstances final : public geometry::Placings {
 
 }  // namespace
 
-geometry::Body cached_mesh(io::SceneCache* cache, const std::string& file,
-                           const std::function<geometry::TriangleMesh()>& read) {
+geometry::Body cached_mesh(io::SceneCache* cache, const MeshSource& source,
+                           const std::function<geometry::TriangleMesh()>& read, std::string* words) {
   if (cache == nullptr) return geometry::body_of(read());
-  const std::string name = format("mesh {}", cache->name_of(file));
-  if (const auto bytes = cache->find(name)) {
-    if (std::optional<geometry::Body> body = geometry::body_from_record(*bytes)) return std::move(*body);
-    cache->reject(name);
-  }
-  std::vector<io::FileStamp> stamps = cache->stamps({&file, 1});
+  std::string name = format("mesh{}", source.more);
+  for (const std::string& file : source.files) name += format(" {}", cache->name_of(file));
+  const std::string name_of_words = format("words of {}", name);
+  const auto kept_words = words != nullptr ? cache->find(name_of_words) : std::nullopt;
+  if (words == nullptr || kept_words)
+    if (const auto bytes = cache->find(name)) {
+      if (std::optional<geometry::Body> body = geometry::body_from_record(*bytes)) {
+        if (words != nullptr)
+          words->assign(reinterpret_cast<const char*>(kept_words->data()), kept_words->size());
+        return std::move(*body);
+      }
+      cache->reject(name);
+    }
+  std::vector<io::FileStamp> stamps = cache->stamps(source.files);
   geometry::Body body = geometry::body_of(read());
   const geometry::BodyRecord record = geometry::record_of(body);
   std::vector<std::span<const std::byte>> pieces{std::as_bytes(std::span(record.head))};
   pieces.insert(pieces.end(), record.lists.begin(), record.lists.end());
   std::size_t bytes = 0;
   for (const auto& piece : pieces) bytes += piece.size();
-  if (bytes >= kLeast_bytes) cache->put(name, std::move(stamps), pieces);
+  if (bytes < kLeast_bytes) return body;
+  if (words != nullptr) {
+    const std::span<const std::byte> text = std::as_bytes(std::span(*words));
+    cache->put(name_of_words, stamps, std::span(&text, 1));
+  }
+  cache->put(name, std::move(stamps), pieces);
   return body;
 }
 
-std::shared_ptr<const geometry::Placings> cached_instances(io::SceneCache* cache, const std::vector<std::string>& files,
-                                                           const std::function<std::vector<io::Instance>()>& make,
-                                                           const std::string& more) {
+std::shared_ptr<const geometry::Placings> cached_instances(
+    io::SceneCache* cache, const std::vector<std::string>& files,
+    const std::function<std::vector<io::Instance>()>& make, const std::string& more) {
   if (cache == nullptr) return std::make_shared<io::InstanceList>(make());
   std::string name = format("instances{}", more);
   for (const std::string& file : files) name += format(" {}", cache->name_of(file));

@@ -15,13 +15,22 @@ namespace ifov::session {
 // What a scene cache keeps, and how: without a cache (null) everything is read. Records below a quarter of a
 // mebibyte are quicker to make than to keep.
 
-/// The body of the mesh in `file`, which `read` reads.
-geometry::Body cached_mesh(io::SceneCache* cache, const std::string& file,
-                           const std::function<geometry::TriangleMesh()>& read);
+/// What a mesh is made of: `files`, the first of which it is named after, by `more`, which tells it apart
+/// from others of the same files.
+struct MeshSource {
+  std::vector<std::string> files;
+  std::string more;
+};
 
-/// The list of instances that `make` makes of `files`, which `more` tells apart from others of the same files. The list must not outlive the cache.
-std::shared_ptr<const geometry::Placings> cached_instances(io::SceneCache* cache, const std::vector<std::string>& files,
-                                                           const std::function<std::vector<io::Instance>()>& make,
-                                                           const std::string& more = {});
+/// The body of the mesh that `read` makes of its source. `words`, where given, is what `read` puts there,
+/// also where the cache has the mesh.
+geometry::Body cached_mesh(io::SceneCache* cache, const MeshSource& source,
+                           const std::function<geometry::TriangleMesh()>& read, std::string* words = nullptr);
+
+/// The list of instances that `make` makes of `files`, which `more` tells apart from others of the same
+/// files. The list must not outlive the cache.
+std::shared_ptr<const geometry::Placings> cached_instances(
+    io::SceneCache* cache, const std::vector<std::string>& files,
+    const std::function<std::vector<io::Instance>()>& make, const std::string& more = {});
 
 }  // namespace ifov::session

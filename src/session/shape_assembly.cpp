@@ -65,7 +65,8 @@ BuiltShape ShapeAssembly::shape(const io::MeshShape& s) {
   const auto known = meshes_.find(key);
   if (known != meshes_.end()) return known->second;
   return with_position(document_, s.file.position, [&] {
-    geometry::Body body = cached_mesh(cache_, s.file.path, [&] { return io::read_mesh(s.file.path, log_); });
+    geometry::Body body =
+        cached_mesh(cache_, {{s.file.path}, ""}, [&] { return io::read_mesh(s.file.path, log_); });
     std::vector<std::string> slots = body.mesh.slot_names;
     if (slots.empty()) slots = {""};
     math::Transform object_from_file = math::Transform::scaling({s.unit_m, s.unit_m, s.unit_m});
@@ -78,7 +79,7 @@ BuiltShape ShapeAssembly::shape(const io::MeshShape& s) {
 BuiltShape ShapeAssembly::shape(const io::TerrainShape& s) {
   // Its coordinates are about the scene's origin; the object's transform is meant for those of the document.
   return with_position(document_, s.file.position, [&]() -> BuiltShape {
-    return {builder_.add_shape(assemble_terrain(s, frame_, log_)),
+    return {builder_.add_body(assemble_terrain(s, frame_, cache_, log_)),
             math::Transform::translation(document_.scene.origin.offset_m),
             {""}};
   });

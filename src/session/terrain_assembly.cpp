@@ -1,8 +1,13 @@
 #include "session/terrain_assembly.h"
 
 #include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
 
+#include "geometry/terrain_mesh.h"
 #include "io/raster/elevation.h"
+#include "session/mesh_cache.h"
 
 namespace ifov::session {
 
@@ -12,21 +17,23 @@ namespace {
 std::array<double, 6> georeference(const io::TerrainShape& source, const io::Elevation& elevation) {
   if (source.placement) {
     const io::RasterDocument::Placement& place = *source.placement;
-    return {place.x_m, place.width_m / elevation.width, 0.0, place.y_m + place.height_m, 0.0,
-            -place.height_m / elevation.height};
+    return {place.x_m, place.width_m / elevation.width,   0.0, place.y_m + place.height_m,
+            0.0,       -place.height_m / elevation.height};
   }
   if (elevation.geotransform) return *elevation.geotransform;
   throw InputError(format("the raster '{}' has no georeference; give low_left and size", source.file.path));
 }
 
-geometry::TerrainGrid grid_of(const io::TerrainShape& source, io::Elevation elevation, const MapFrame& frame) {
+geometry::TerrainGrid grid_of(const io::TerrainShape& source, io::Elevation elevation,
+                              const MapFrame& frame) {
   geometry::TerrainGrid grid;
   grid.columns = elevation.width;
   grid.rows = elevation.height;
   grid.height_m = std::move(elevation.height_m);
   const std::array<double, 6> t = georeference(source, elevation);
   const math::Vec3 offset_m = frame.offset_m();
-  grid.corner_m = {t[0] + 0.5 * (t[1] + t[2]) - offset_m.x, t[3] + 0.5 * (t[4] + t[5]) - offset_m.y, -offset_m.z};
+  grid.corner_m = {t[0] + 0.5 * (t[1] + t[2]) - offset_m.x, t[3] + 0.5 * (t[4] + t[5]) - offset_m.y,
+                   -offset_m.z};
   grid.along_column_m = {t[1], t[4], 0.0};
   grid.along_row_m = {t[2], t[5], 0.0};
   const auto transform =
@@ -39,30 +46,73 @@ geometry::TerrainGrid grid_of(const io::TerrainShape& source, io::Elevation elev
       points.push_back({t[0] + (column + 0.5) * t[1] + (row + 0.5) * t[2],
                         t[3] + (column + 0.5) * t[4] + (row + 0.5) * t[5]});
   transform->apply(points);
-  for (const io::MapPoint& point : points) grid.places_m.push_back({point.x - offset_m.x, point.y - offset_m.y});
+  for (const io::MapPoint& point : points)
+    grid.places_m.push_back({point.x - offset_m.x, point.y - offset_m.y});
   return grid;
+}
+
+/// What was said of a terrain, on two lines: how it was meshed, and a warning or nothing.
+std::string words_of(const io::TerrainShape& source, const geometry::TerrainGrid& grid,
+                     const geometry::TerrainMesh& terrain, std::size_t unknown) {
+  const std::string name = std::filesystem::path(source.file.path).filename().string();
+  std::string text =
+      format("terrain '{}': {} x {} heights, {} triangles, largest height error {:.3g} m", name, grid.columns,
+             grid.rows, terrain.mesh.triangles.size(), terrain.largest_height_error_m);
+  if (!grid.places_m.empty()) text += format(", largest shift on the map {:.3g} m", terrain.largest_shift_m);
+  text += '\n';
+  if (unknown > 0)
+    text += format("terrain '{}': {} of {} cells have no height; they are {}", name, unknown,
+                   grid.height_m.size(), source.fill ? "filled from their neighbours" : "holes");
+  return text;
+}
+
+/// The raster, the files beside it that GDAL looks at, and all else that its mesh depends on.
+MeshSource source_of(const io::TerrainShape& s, const MapFrame& frame) {
+  MeshSource source{{s.file.path}, {}};
+  const std::filesystem::path path = s.file.path;
+  std::vector<std::filesystem::path> companions{s.file.path + ".aux.xml", s.file.path + ".hdr"};
+  for (const char* extension : {".aux.xml", ".hdr", ".prj", ".tfw", ".wld", ".img", ".bil", ".flt", ".sdat"})
+    companions.push_back(std::filesystem::path(path).replace_extension(extension));
+  std::error_code error;
+  for (const auto& companion : companions)
+    if (companion != path && std::filesystem::is_regular_file(companion, error))
+      source.files.push_back(companion.string());
+  const math::Vec3 offset_m = frame.offset_m();
+  source.more =
+      format(" terrain band {} detail {} unit {} fill {} smooth {} offset {} {} {}", s.band, s.detail_m,
+             s.unit_m.value_or(0.0), s.fill, s.smooth, offset_m.x, offset_m.y, offset_m.z);
+  if (s.placement)
+    source.more += format(" placed {} {} {} {}", s.placement->x_m, s.placement->y_m, s.placement->width_m,
+                          s.placement->height_m);
+  if (frame.reference() != nullptr) {
+    const std::string wkt = frame.reference()->wkt();
+    source.more += format(" reference {:x}", io::cache_hash(std::as_bytes(std::span(wkt))));
+  }
+  return source;
 }
 
 }  // namespace
 
-geometry::TriangleMesh assemble_terrain(const io::TerrainShape& source, const MapFrame& frame, LogSink* log) {
-  io::Elevation elevation =
-      io::read_elevation(source.file.path, source.band, source.unit_m,
-                         source.fill ? io::UnknownHeights::fill : io::UnknownHeights::holes);
-  const std::size_t unknown = elevation.unknown;
-  const geometry::TerrainGrid grid = grid_of(source, std::move(elevation), frame);
-  geometry::TerrainMesh terrain = geometry::mesh_terrain(grid, source.detail_m, source.smooth);
+geometry::Body assemble_terrain(const io::TerrainShape& source, const MapFrame& frame, io::SceneCache* cache,
+                                LogSink* log) {
+  std::string words;
+  const auto read = [&] {
+    io::Elevation elevation =
+        io::read_elevation(source.file.path, source.band, source.unit_m,
+                           source.fill ? io::UnknownHeights::fill : io::UnknownHeights::holes);
+    const std::size_t unknown = elevation.unknown;
+    const geometry::TerrainGrid grid = grid_of(source, std::move(elevation), frame);
+    geometry::TerrainMesh terrain = geometry::mesh_terrain(grid, source.detail_m, source.smooth);
+    words = words_of(source, grid, terrain, unknown);
+    return std::move(terrain.mesh);
+  };
+  geometry::Body body = cached_mesh(cache, source_of(source, frame), read, &words);
   if (log != nullptr) {
-    const std::string name = std::filesystem::path(source.file.path).filename().string();
-    std::string text = format("terrain '{}': {} x {} heights, {} triangles, largest height error {:.3g} m", name,
-                              grid.columns, grid.rows, terrain.mesh.triangles.size(), terrain.largest_height_error_m);
-    if (!grid.places_m.empty()) text += format(", largest shift on the map {:.3g} m", terrain.largest_shift_m);
-    log->info(text);
-    if (unknown > 0)
-      log->warn(format("terrain '{}': {} of {} cells have no height; they are {}", name, unknown,
-                       grid.height_m.size(), source.fill ? "filled from their neighbours" : "holes"));
+    const std::size_t end = words.find('\n');
+    log->info(words.substr(0, end));
+    if (end + 1 < words.size()) log->warn(words.substr(end + 1));
   }
-  return std::move(terrain.mesh);
+  return body;
 }
 
 }  // namespace ifov::session

@@ -34,6 +34,7 @@ TEST(Rayleigh, OpticalDepthOfTheStandardAtmosphere) {
         0.0021520 * (1.0455996 - 341.29061 * s - 0.90230850 * w) / (1.0 + 0.0027059889 * s - 85.968563 * w);
     const double depth = rayleigh_cross_section_cm2(wavelength, 360.0) * kMoleculesCm2;
     EXPECT_NEAR(depth / equation_30, 1.0, 3e-3) << wavelength;
+    EXPECT_GT(std::abs(depth / king_factor(wavelength, 360.0) / equation_30 - 1.0), 0.03) << "no King factor";
   }
   EXPECT_NEAR(rayleigh_cross_section_cm2(0.55, 360.0) / 4.513e-27, 1.0, 1e-3);
   EXPECT_NEAR(rayleigh_depolarization(0.55, 360.0), 0.0279, 5e-4);
@@ -161,6 +162,40 @@ TEST(Aerosol, OpticalThicknessIsMet) {
     const Profile profile = build_profile({}).profile;
     const AerosolColumn aerosol(description, profile, "mid-latitude summer");
     EXPECT_NEAR(aerosol.thickness_550(0.0, 100.0), aot, 1e-6 + 1e-6 * aot);
+  }
+}
+
+// MODTRAN6's log for ground at 0.35 km and an optical thickness of 0.1: 82.726 km, of which 0.0499 in the
+// boundary layer, 0.0428 in the troposphere, 0.0072 above.
+TEST(Aerosol, VisibilityOfAThicknessAsModtran6) {
+  ProfileDescription air;
+  air.ground_altitude_km = 0.35;
+  air.water_vapour_g_cm2 = 1.5;
+  AerosolDescription description;
+  description.aot550 = 0.1;
+  const AerosolColumn aerosol(description, build_profile(air).profile, "mid-latitude summer");
+  RecordProperty("visibility_km", format("{:.2f}", aerosol.visibility_km()));
+  EXPECT_NEAR(aerosol.visibility_km(), 82.726, 0.8);
+  EXPECT_NEAR(aerosol.thickness_550(0, 0.35, 100.0), 0.04992, 5e-4);
+  EXPECT_NEAR(aerosol.thickness_550(1, 0.35, 100.0), 0.04285, 5e-4);
+  EXPECT_NEAR(aerosol.thickness_550(2, 0.35, 100.0), 0.00720, 1e-4);
+}
+
+TEST(Aerosol, EveryTypeHasItsVisibility) {
+  const Profile profile = build_profile({}).profile;
+  const std::map<std::string, double> expected{
+      {"none", 0.0},          {"rural", 23.0},        {"urban", 5.0},        {"maritime", 23.0},
+      {"tropospheric", 50.0}, {"advective fog", 0.2}, {"radiative fog", 0.5}};
+  ASSERT_EQ(aerosol_types().size(), expected.size());
+  for (const std::string& type : aerosol_types()) {
+    AerosolDescription description;
+    description.type = type;
+    const AerosolColumn aerosol(description, profile, "mid-latitude summer");
+    EXPECT_EQ(aerosol.visibility_km(), expected.at(type)) << type;
+    if (type == "none") continue;
+    // Koschmieder: 3.912 over the extinction of aerosol and air (0.01159 km-1) at the ground.
+    const double range = 3.912 / (aerosol.extinction_550_km(0, 0.0) + 0.01159);
+    EXPECT_NEAR(range / aerosol.visibility_km(), 1.0, 0.02) << type;
   }
 }
 

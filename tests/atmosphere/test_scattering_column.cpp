@@ -208,6 +208,33 @@ TEST(ScatteringColumn, LowSunComesThroughShells) {
   }
 }
 
+TEST(ScatteringColumn, SkyIsSeenThroughShells) {
+  const Column column = Air().column();
+  for (double zenith : {0.0, 60.0, 88.0, 89.99}) {
+    const ColumnSolution solution = ColumnSolver().solve(column.levels, column.optics, zenith * kDegree);
+    // The way to the Sun is as long for sight as for sunlight.
+    for (double observer : {0.0, 1.0, 10.0}) {
+      EXPECT_NEAR(solution.sunlit().sky({-std::cos(zenith * kDegree), 0.0}, observer).transmittance /
+                      solution.sun_transmittance(observer),
+                  1.0, 1e-9)
+          << zenith << " " << observer;
+    }
+  }
+  Air thin;
+  thin.rayleigh = 0.005;
+  thin.aerosol = thin.aerosol_absorption = 0.0;
+  const ColumnSolution solution = ColumnSolver().solve(column.levels, thin.column().optics, 50.0 * kDegree);
+  const auto ratio = [&](double mu) {
+    return solution.sunlit().sky({-mu, 1.0}, 0.0).radiance().i /
+           solution.sunlit().path({-mu, 1.0}, 0.0).radiance().i;
+  };
+  EXPECT_NEAR(ratio(1.0), 1.0, 1e-12);
+  EXPECT_NEAR(ratio(0.3), 1.0, 0.02);
+  EXPECT_LT(ratio(0.01), 0.8) << "flat layers pass for shells";
+  const Stokes horizon = solution.sunlit().sky({0.0, 1.0}, 0.0).radiance();
+  EXPECT_TRUE(std::isfinite(horizon.i) && horizon.i > 0.0);
+}
+
 TEST(ScatteringColumn, PathsJoin) {
   Air air;
   air.gas = 0.2;

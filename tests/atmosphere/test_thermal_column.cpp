@@ -232,10 +232,33 @@ TEST(ThermalColumn, PathsJoinAndAgreeWithTheLevels) {
   const std::size_t top = solved.depth.size();
   for (std::size_t j = 0; j < 4; ++j) {
     const double node = nodes.position[j];
-    EXPECT_NEAR(light.down_at(0, j), column.sky(node, 0.0), 1e-12);
+    EXPECT_NEAR(light.down_at(0, j), column.path(0.0, -node).radiance, 1e-12);
     const ThermalPath to_space = column.path(1e3, node);
     EXPECT_NEAR(light.up_at(top, j), to_space.radiance + 12.0 * to_space.transmittance, 1e-12);
   }
+}
+
+TEST(ThermalColumn, SkyToTheHorizon) {
+  Air air;
+  air.depth = 0.01;
+  const Solved solved(air, air.levels());
+  const ThermalColumn column = solved.column();
+  for (double observer : {0.0, 0.3, 4.0}) {
+    EXPECT_NEAR(column.sky(1.0, observer) / column.path(observer, -1.0).radiance, 1.0, 1e-12);
+    EXPECT_NEAR(column.sky(0.5, observer) / column.path(observer, -0.5).radiance, 1.0, 3e-3);
+    EXPECT_EQ(column.sky(0.5, 25.0), 0.0);
+  }
+  // Along the horizon by stepping through the same air.
+  double sky = 0.0, depth = 0.0;
+  for (double s = 0.05; s < 600.0; s += 0.1) {
+    const double z = std::sqrt(6371.0 * 6371.0 + s * s) - 6371.0;
+    if (z > 20.0) break;
+    const double step = air.depth / air.scale_km * std::exp(-z / air.scale_km) * 0.1;
+    sky += air.planck(z) * std::exp(-depth) * -std::expm1(-step);
+    depth += step;
+  }
+  EXPECT_NEAR(column.sky(0.0, 0.0) / sky, 1.0, 0.01);
+  EXPECT_GT(column.path(0.0, -1e-6).radiance / sky, 1.5) << "flat layers pass for shells";
 }
 
 TEST(ThermalColumn, OutsideTheAirThereIsNothing) {

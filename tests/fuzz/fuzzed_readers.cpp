@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "fuzz/seeds.h"
@@ -107,7 +108,7 @@ void read_scene_cache(const std::filesystem::path& path) {
 }  // namespace
 
 std::vector<FuzzedReader> fuzzed_readers() {
-  return {
+  std::vector<FuzzedReader> readers = {
       {"obj",
        "a.obj",
        obj_seeds(),
@@ -217,6 +218,8 @@ std::vector<FuzzedReader> fuzzed_readers() {
       {"body_record", "a.record", body_record_seeds(), {"\xff\xff", std::string(8, '\0')}, read_body_record},
       {"scene_cache", "a.cache", scene_cache_seeds(), {"\xff\xff", std::string(8, '\0')}, read_scene_cache},
   };
+  for (FuzzedReader& reader : atmosphere_readers()) readers.push_back(std::move(reader));
+  return readers;
 }
 
 }  // namespace ifov::fuzz

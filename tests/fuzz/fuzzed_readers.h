@@ -16,7 +16,8 @@ struct FuzzedReader {
   std::function<void(const std::filesystem::path&)> read;
 };
 
-/// All readers; a new one is a row here.
+/// All readers; a new one is a row here or in a list of a subject.
 std::vector<FuzzedReader> fuzzed_readers();
+std::vector<FuzzedReader> atmosphere_readers();  ///< of paths through the atmosphere and of weather
 
 }  // namespace ifov::fuzz

@@ -9,6 +9,7 @@
 #include "io/products/quicklook.h"
 #include "io/synthetic_image.h"
 #include "radiometry/planck.h"
+#include "radiometry/solar_spectrum.h"
 
 namespace ifov::io {
 namespace {
@@ -102,6 +103,26 @@ TEST(Picture, PercentilesOfEqualValuesStillSpanSomething) {
   EXPECT_GT(percentiles(layer, 0.01, 0.99).high, 5.0);
   layer.values[7] = 6.0f;
   EXPECT_EQ(percentiles(layer, 0.01, 0.99).high, 6.0);
+}
+
+TEST(Picture, GreyInSunlightLooksGrey) {
+  const std::vector<double> visible{0.65, 0.56, 0.48}, with_infrared{0.85, 0.65, 0.56};
+  std::vector<Layer> layers;
+  for (const double um : visible) {
+    Layer layer{10, 10, {}};
+    for (int i = 0; i < 100; ++i)
+      layer.values.push_back(static_cast<float>(
+          i * radiometry::integral(radiometry::solar_irradiance_1au(), um - 0.01, um + 0.01)));
+    layers.push_back(layer);
+  }
+  for (float& value : layers[0].values) value *= 2.0f;  // redder than sunlight
+  const std::vector<Range> ranges = colour_ranges(layers, visible, 0.0, 1.0);
+  for (const std::size_t k : {0u, 1u, 2u}) {
+    const double share = (layers[k].values[50] - ranges[k].low) / (ranges[k].high - ranges[k].low);
+    EXPECT_NEAR(share, (k == 0 ? 2.0 : 1.0) * 50.0 / 198.0, 1e-6) << k;
+  }
+  const std::vector<Range> own = colour_ranges(layers, with_infrared, 0.0, 1.0);
+  for (const std::size_t k : {0u, 1u, 2u}) EXPECT_EQ(own[k].high, percentiles(layers[k], 0.0, 1.0).high);
 }
 
 TEST(Picture, ThermalChannelsAreShownInKelvins) {

@@ -47,22 +47,23 @@ class CachedScene : public testing::Test {
     for (int j = 0; j < kCells; ++j)
       for (int i = 0; i < kCells; ++i) {
         const int a = j * (kCells + 1) + i + 1, d = a + kCells + 2;
-        file << format("usemtl {}\nf {} {} {}\nf {} {} {}\n", (i / 7 + j / 9) % 2 == 0 ? "sand" : "soil", a, a + 1, d,
-                       a, d, d - 1);
+        file << format("usemtl {}\nf {} {} {}\nf {} {} {}\n", (i / 7 + j / 9) % 2 == 0 ? "sand" : "soil", a,
+                       a + 1, d, a, d, d - 1);
       }
   }
 
   struct Run {
     std::string image, words;
   };
-  Run render(bool cache) const {
+  Run render(bool cache, const std::string& ground = R"({"mesh": {"file": "ground.obj"}, "material": {"slots":
+                                                     {"sand": "sand", "soil": "soil"}}})") const {
     const io::Document document = io::parse_document(R"({"ifov": 1, "scene": {
       "materials": {"sand": {"reflectance": 0.5}, "soil": {"reflectance": 0.2}, "leaf": {"reflectance": 0.7}},
       "prototypes": {"card": [{"box": {"low": ["-0.02 m", "-0.01 m", "0 m"], "high": ["0.02 m", "0.01 m", "0.5 m"]},
                                "material": "leaf"}],
                      "tuft": [{"instance": {"of": "card"}},
                               {"instance": {"of": "card"}, "transform": {"rotate": {"angle": "90 deg"}}}]},
-      "objects": [{"mesh": {"file": "ground.obj"}, "material": {"slots": {"sand": "sand", "soil": "soil"}}},
+      "objects": [)" + ground + R"(,
                   {"instances": {"of": "tuft", "csv": "places.csv"}}]},
       "light": {"sun": {"point": {"zenith": "40 deg", "azimuth": "130 deg"}}},
       "sensor": {"camera": {"orthographic": {"gsd": "0.25 m", "pixels": [24, 24]}},
@@ -104,6 +105,32 @@ TEST_F(CachedScene, IsReadAgainWhereItsFilesHaveChanged) {
   EXPECT_EQ(changed.image, plain.image);
   EXPECT_NE(changed.words.find("'ground.obj' has changed since"), std::string::npos) << changed.words;
   EXPECT_EQ(render(true).words, plain.words);
+}
+
+TEST_F(CachedScene, KeepsATerrainAndWhatWasSaidOfIt) {
+  const auto write_heights = [&](double height_m) {
+    std::ofstream file(folder_ / "heights.asc");
+    file << "ncols 90\nnrows 90\nxllcorner -4.5\nyllcorner -4.5\ncellsize 0.1\nnodata_value -9\n";
+    for (int j = 0; j < 90; ++j)
+      for (int i = 0; i < 90; ++i)
+        file << (i == 40 && j == 40 ? -9.0 : height_m * std::sin(0.3 * i) * std::cos(0.2 * j))
+             << (i == 89 ? '\n' : ' ');
+  };
+  write_heights(0.4);
+  const char* terrain = R"({"terrain": {"file": "heights.asc", "detail": "0.001 m"}, "material": "soil"})";
+  const char* coarse = R"({"terrain": {"file": "heights.asc", "detail": "0.002 m"}, "material": "soil"})";
+  const Run plain = render(false, terrain), first = render(true, terrain), second = render(true, terrain);
+  EXPECT_GT(fs::file_size(cache()), 500000u);
+  EXPECT_EQ(first.image, plain.image);
+  EXPECT_EQ(second.image, plain.image);
+  EXPECT_EQ(second.words, plain.words);
+  EXPECT_NE(second.words.find("1 of 8100 cells have no height"), std::string::npos) << second.words;
+  // Another detail and other heights are other terrains.
+  EXPECT_EQ(render(true, coarse).image, render(false, coarse).image);
+  write_heights(0.3);
+  const Run changed = render(true, coarse);
+  EXPECT_EQ(changed.image, render(false, coarse).image);
+  EXPECT_NE(changed.words.find("'heights.asc' has changed since"), std::string::npos) << changed.words;
 }
 
 TEST_F(CachedScene, IsReadAgainWhereTheCacheIsDamaged) {

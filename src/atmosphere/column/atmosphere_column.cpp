@@ -1,5 +1,6 @@
 #include "atmosphere/column/atmosphere_column.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "atmosphere/particles/rayleigh.h"
@@ -9,9 +10,9 @@
 namespace ifov::atmosphere {
 namespace {
 
-Levels levels_of(const Profile& profile) {
+Levels levels_of(const Profile& profile, const std::vector<double>& extra) {
   Levels levels;
-  for (const double altitude : level_altitudes_km(profile.ground_km())) {
+  for (const double altitude : level_altitudes_km(profile.ground_km(), extra)) {
     levels.altitude_km.push_back(altitude);
     levels.pressure_hPa.push_back(profile.pressure_at(altitude));
     levels.temperature_K.push_back(profile.temperature_at(altitude));
@@ -21,7 +22,7 @@ Levels levels_of(const Profile& profile) {
 
 }  // namespace
 
-std::vector<double> level_altitudes_km(double ground_km) {
+std::vector<double> level_altitudes_km(double ground_km, const std::vector<double>& extra) {
   std::vector<double> altitudes;
   for (const double above : {0.0, 0.05, 0.1, 0.25, 0.5, 1.0, 1.5, 2.0})
     altitudes.push_back(ground_km + above);
@@ -29,14 +30,21 @@ std::vector<double> level_altitudes_km(double ground_km) {
        {3.0,  4.0,  5.0,  6.0,  7.0,  8.0,  9.0,  10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0,
         18.0, 19.0, 20.0, 22.0, 24.0, 26.0, 30.0, 35.0, 40.0, 45.0, 50.0, 60.0, 80.0, 100.0})
     if (altitude > altitudes.back() + 0.3) altitudes.push_back(altitude);
+  for (const double altitude : extra) {
+    if (!(altitude >= ground_km && altitude <= kTopOfAtmosphereKm))
+      throw InputError(
+          format("a level at {} km: expected {} to {} km", altitude, ground_km, kTopOfAtmosphereKm));
+    const auto above = std::lower_bound(altitudes.begin(), altitudes.end(), altitude);
+    if (*above > altitude) altitudes.insert(above, altitude);
+  }
   return altitudes;
 }
 
-AtmosphereColumn::AtmosphereColumn(const AtmosphereDescription& description, TermChoice choice)
+AtmosphereColumn::AtmosphereColumn(const AtmosphereDescription& description, const ColumnOptions& options)
     : description_(description),
-      choice_(choice),
+      options_(options),
       built_(build_profile(description.air)),
-      levels_(levels_of(built_.profile)),
+      levels_(levels_of(built_.profile, options.extra_altitudes_km)),
       aerosol_(description.aerosol, built_.profile, description.air.model),
       gases_(layer_amounts(built_.profile, levels_.altitude_km)) {
   const Profile& profile = built_.profile;
@@ -58,7 +66,7 @@ ColumnOptics AtmosphereColumn::at(double wavenumber_cm1) const {
   optics.wavenumber_cm1 = wavenumber_cm1;
   optics.wavelength_um = 1e4 / wavenumber_cm1;
   optics.lines =
-      line_absorption(wavenumber_cm1, gases_, description_.gas_model, choice_.terms, choice_.most_terms);
+      line_absorption(wavenumber_cm1, gases_, description_.gas_model, options_.terms, options_.most_terms);
   const double co2_ppm = built_.profile.of(Gas::co2).front();
   const double cross_section = rayleigh_cross_section_cm2(optics.wavelength_um, co2_ppm);
   LayerOptics& layers = optics.scattering;

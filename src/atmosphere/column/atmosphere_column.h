@@ -18,10 +18,12 @@ struct AtmosphereDescription {
   GasModel gas_model = GasModel::standard;
 };
 
-/// How absorption is split into terms.
-struct TermChoice {
+/// How absorption is split into terms and the air into layers.
+struct ColumnOptions {
   int terms = 5;       ///< of each gas: 3, 5 or 8
   int most_terms = 8;  ///< of all gases together
+  /// Where there shall be a level besides the usual ones, such as at the sensor.
+  std::vector<double> extra_altitudes_km = {};
 };
 
 /// The layers at one wavenumber. Lines are resolved to 20 cm-1; within that the terms are what varies.
@@ -43,7 +45,7 @@ struct ColumnOptics {
 class AtmosphereColumn {
  public:
   /// InputError for what a description cannot mean.
-  explicit AtmosphereColumn(const AtmosphereDescription& description, TermChoice choice = {});
+  explicit AtmosphereColumn(const AtmosphereDescription& description, const ColumnOptions& options = {});
 
   const AtmosphereDescription& description() const { return description_; }
   const Profile& profile() const { return built_.profile; }
@@ -57,7 +59,7 @@ class AtmosphereColumn {
 
  private:
   AtmosphereDescription description_;
-  TermChoice choice_;
+  ColumnOptions options_;
   BuiltProfile built_;
   Levels levels_;
   AerosolColumn aerosol_;
@@ -67,7 +69,8 @@ class AtmosphereColumn {
 };
 
 /// Altitudes of the levels over a ground: 0.05, 0.1, 0.25, 0.5, 1 km ... above it, then every km to 20 km and
-/// coarser to 100 km. Thin near the ground, because in opaque bands the sky is the air of the first metres.
-std::vector<double> level_altitudes_km(double ground_km);
+/// coarser to 100 km, and at `extra` altitudes (InputError outside the air). Thin near the ground, because in
+/// opaque bands the sky is the air of the first metres.
+std::vector<double> level_altitudes_km(double ground_km, const std::vector<double>& extra = {});
 
 }  // namespace ifov::atmosphere

@@ -33,6 +33,9 @@ class BandModel {
   std::vector<Band> bands_;
 };
 
+/// What the band model resolves: narrower channels see a smoothed spectrum.
+inline constexpr double kBandResolutionCm1 = 20.0;
+
 /// The multiple of 5 cm-1 that stands for a wavenumber.
 int band_grid_cm1(double wavenumber_cm1);
 

@@ -13,21 +13,21 @@ namespace {
 
 struct AerosolType {
   std::string name, optics;
+  double visibility_km;  ///< where none is given
 };
 
 const std::vector<AerosolType>& types() {
   static const std::vector<AerosolType> all{
-      {"rural", "rural"},
-      {"urban", "urban"},
-      {"maritime", "maritime"},
-      {"tropospheric", "tropospheric"},
-      {"advective fog", "fog_advection"},
-      {"radiative fog", "fog_radiation"},
+      {"rural", "rural", 23.0},
+      {"urban", "urban", 5.0},
+      {"maritime", "maritime", 23.0},
+      {"tropospheric", "tropospheric", 50.0},
+      {"advective fog", "fog_advection", 0.2},
+      {"radiative fog", "fog_radiation", 0.5},
   };
   return all;
 }
 
-constexpr double kDefaultVisibilityKm = 23.0;
 constexpr double kClearestKm = 300.0;  ///< beyond, air alone limits the view (3.912 / 0.01159 km-1)
 constexpr double kThickestKm = 0.05;
 constexpr double kTroposphereHumidity = 70.0;
@@ -114,7 +114,7 @@ AerosolColumn::AerosolColumn(const AerosolDescription& description, const Profil
   const auto heights_at = [&](double visibility) {
     return aerosol_heights(visibility, spring_summer, state, profile.ground_km());
   };
-  visibility_km_ = description.visibility_km.value_or(kDefaultVisibilityKm);
+  visibility_km_ = description.visibility_km.value_or(type.visibility_km);
   if (!(visibility_km_ >= kThickestKm && visibility_km_ <= kClearestKm))
     throw InputError(
         format("visibility of {} km: expected {} to {} km", visibility_km_, kThickestKm, kClearestKm));

@@ -30,6 +30,14 @@ void check_level(const UserLevel& level, const UserLevel* below) {
                level.altitude_km));
 }
 
+void check_humidity(const UserLevel& level) {
+  for (const auto& [value, what] : {std::pair{level.relative_humidity_percent, "relative humidity, %,"},
+                                    std::pair{level.mixing_ratio_g_kg, "mixing ratio, g/kg,"},
+                                    std::pair{level.ozone_ppmv, "ozone, ppmv,"}})
+    if (value && !(*value >= 0.0 && std::isfinite(*value)))
+      throw InputError(format("{} of {} at {} km: expected 0 or more", what, *value, level.altitude_km));
+}
+
 double vapour_ppmv(const UserLevel& level, const Profile& profile, std::size_t i) {
   if (level.mixing_ratio_g_kg) {
     const double ratio = *level.mixing_ratio_g_kg * 1e-3 * kAirMolarMass / kWaterMolarMass;
@@ -48,6 +56,7 @@ Profile with_user_levels(const Profile& model, const std::vector<UserLevel>& lev
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const UserLevel& level = levels[i];
     check_level(level, i > 0 ? &levels[i - 1] : nullptr);
+    check_humidity(level);
     profile.altitude_km.push_back(level.altitude_km);
     profile.pressure_hPa.push_back(level.pressure_hPa);
     profile.temperature_K.push_back(level.temperature_K);
@@ -56,6 +65,7 @@ Profile with_user_levels(const Profile& model, const std::vector<UserLevel>& lev
       profile.mixing_ratio_ppmv[g].push_back(here.mixing_ratio_ppmv[g][0]);
     if (level.relative_humidity_percent || level.mixing_ratio_g_kg)
       profile.of(Gas::h2o)[i] = vapour_ppmv(level, profile, i);
+    if (level.ozone_ppmv) profile.of(Gas::o3)[i] = *level.ozone_ppmv;
   }
   const UserLevel& top = levels.back();
   const double join = top.pressure_hPa / model.pressure_at(std::max(top.altitude_km, 0.0));
@@ -146,16 +156,24 @@ BuiltProfile build_profile(const ProfileDescription& description) {
   set_at_ground(Gas::co2, "carbon dioxide", description.co2_ppm);
   set_at_ground(Gas::ch4, "methane", description.ch4_ppm);
   set_at_ground(Gas::n2o, "nitrous oxide", description.n2o_ppm);
-  if (description.ozone_DU)
+  const auto require_some = [&](Gas gas, std::string_view name) {
+    if (!(profile.column_atm_cm(gas) > 0.0))
+      throw InputError(format("the profile has no {} that a column could be scaled from", name));
+  };
+  if (description.ozone_DU) {
+    require_some(Gas::o3, "ozone");
     scale(profile.of(Gas::o3), 1e-3 * *description.ozone_DU / profile.column_atm_cm(Gas::o3));
+  }
   if (description.limit_humidity) {
     const std::vector<double> limited = scaled_vapour(profile, 1.0, true);
     if (limited != profile.of(Gas::h2o))
       built.remarks.push_back("relative humidity above 100 % in the profile is taken as 100 %");
     profile.of(Gas::h2o) = limited;
   }
-  if (description.water_vapour_g_cm2)
+  if (description.water_vapour_g_cm2) {
+    require_some(Gas::h2o, "water vapour");
     set_water(profile, *description.water_vapour_g_cm2, description.limit_humidity, built.remarks);
+  }
   return built;
 }
 

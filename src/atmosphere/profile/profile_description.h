@@ -16,6 +16,7 @@ struct UserLevel {
   double temperature_K = 0.0;
   std::optional<double> relative_humidity_percent;  ///< over liquid water
   std::optional<double> mixing_ratio_g_kg;          ///< water vapour to dry air, by mass
+  std::optional<double> ozone_ppmv;                 ///< by volume; default: the model atmosphere's
 };
 
 /// What is asked of the air. The model atmosphere gives everything that is not said here.

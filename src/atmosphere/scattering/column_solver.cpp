@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
+
+#include "atmosphere/scattering/successive_orders.h"
 
 namespace ifov::atmosphere {
 

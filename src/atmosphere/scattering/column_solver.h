@@ -2,7 +2,9 @@
 
 #include <memory>
 
+#include "atmosphere/gauss_nodes.h"
 #include "atmosphere/layer_optics.h"
+#include "atmosphere/scattering/phase_expansion.h"
 #include "atmosphere/scattering/scattered_field.h"
 #include "atmosphere/scattering/scattering_options.h"
 

@@ -1,6 +1,7 @@
 #include "atmosphere/scattering/phase_expansion.h"
 
 #include <cmath>
+#include <utility>
 
 #include "atmosphere/scattering/scattering_matrix.h"
 #include "atmosphere/scattering/spherical_functions.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "atmosphere/linear_source.h"
 #include "atmosphere/scattering/spherical_functions.h"
@@ -65,42 +66,61 @@ SlantSource::SlantSource(const ScatteredField& field, double mu) : field_(&field
   }
 }
 
-PathLight SlantSource::path(double azimuth_rad, double observer_km, double length_km) const {
-  const SolvedColumn& solved = field_->solved();
-  const std::size_t n = solved.phase.sublayers;
-  PathLight light;
-  if (field_->sunlit()) {
-    light = single_scattering(solved.column, solved.aerosol_polarization, {mu_, azimuth_rad}, observer_km,
-                              length_km);
+/// Adds up the pieces of a path. Q and U of light exactly along the vertical are about the azimuth asked for.
+class SlantSource::Sum {
+ public:
+  Sum(const SlantSource& source, double azimuth_rad)
+      : values_(source.source_.data()), sublayers_(source.field_->solved().phase.sublayers) {
+    for (const ModeMoments& moments : source.field_->modes()) {
+      turn_.push_back({std::cos(moments.mode * azimuth_rad), std::sin(moments.mode * azimuth_rad)});
+    }
   }
-  std::vector<std::array<double, 2>> turn;  // cos and sin of mode times azimuth
-  for (const ModeMoments& moments : field_->modes()) {
-    turn.push_back({std::cos(moments.mode * azimuth_rad), std::sin(moments.mode * azimuth_rad)});
-  }
-  // Q and U of light exactly along the vertical are about the azimuth asked for, as everywhere.
-  double depth = 0.0, true_depth = 0.0, transmission = 1.0;
-  walk_path(solved.column, observer_km, mu_, length_km, [&](const PathPiece& piece) {
+
+  bool operator()(const PathPiece& piece) {
     const LinearSource step = LinearSource::over(piece.depth);
-    // The source at the piece's two ends, weighted, is one weighting of the source at the sublayer's two
-    // ends.
-    const double bottom = transmission * (step.near * piece.near_position + step.far * piece.far_position);
-    const double top = transmission * (step.near + step.far) - bottom;
-    const double* at = source_.data() + 2 * piece.sublayer;
-    for (const auto& [c, s] : turn) {
-      light.multiple.i += c * (top * at[0] + bottom * at[1]);
-      light.multiple.q += c * (top * at[2 * n] + bottom * at[2 * n + 1]);
-      light.multiple.u += s * (top * at[4 * n] + bottom * at[4 * n + 1]);
+    // The source at the piece's two ends, weighted, is one weighting of it at the sublayer's two ends.
+    const double bottom = transmission_ * (step.near * piece.near_position + step.far * piece.far_position);
+    const double top = transmission_ * (step.near + step.far) - bottom;
+    const std::size_t n = sublayers_;
+    const double* at = values_ + 2 * piece.sublayer;
+    for (const auto& [c, s] : turn_) {
+      multiple_.i += c * (top * at[0] + bottom * at[1]);
+      multiple_.q += c * (top * at[2 * n] + bottom * at[2 * n + 1]);
+      multiple_.u += s * (top * at[4 * n] + bottom * at[4 * n + 1]);
       at += kComponents * 2 * n;
     }
-    depth += piece.depth;
-    true_depth += piece.true_depth;
-    transmission *= step.transmission;
-    return transmission > 0.0;
-  });
-  if (!field_->sunlit()) {
-    light.transmittance = std::exp(-true_depth);
-    light.peak_transmittance = std::exp(-depth);
+    transmission_ *= step.transmission;
+    return transmission_ > 0.0;
   }
+  const Stokes& multiple() const { return multiple_; }
+
+ private:
+  const double* values_;
+  std::size_t sublayers_;
+  std::vector<std::array<double, 2>> turn_;  ///< cos and sin of mode times azimuth
+  double transmission_ = 1.0;
+  Stokes multiple_;
+};
+
+PathLight SlantSource::path(double azimuth_rad, double observer_km, double length_km) const {
+  const SolvedColumn& solved = field_->solved();
+  PathLight light = single_scattering(solved.column, solved.aerosol_polarization, {mu_, azimuth_rad},
+                                      observer_km, length_km);
+  if (!field_->sunlit()) light.single = {};
+  Sum sum(*this, azimuth_rad);
+  walk_path(solved.column, observer_km, mu_, length_km, sum);
+  light.multiple = sum.multiple();
+  return light;
+}
+
+PathLight SlantSource::sky(double azimuth_rad, double observer_km) const {
+  const SolvedColumn& solved = field_->solved();
+  PathLight light =
+      single_scattering_sky(solved.column, solved.aerosol_polarization, {mu_, azimuth_rad}, observer_km);
+  if (!field_->sunlit()) light.single = {};
+  Sum sum(*this, azimuth_rad);
+  walk_sky(solved.column, observer_km, mu_, sum);
+  light.multiple = sum.multiple();
   return light;
 }
 

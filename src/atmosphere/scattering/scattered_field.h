@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
+#include "atmosphere/scattering/column_phase.h"
+#include "atmosphere/scattering/mode_operator.h"
 #include "atmosphere/scattering/single_scattering.h"
-#include "atmosphere/scattering/successive_orders.h"
 
 namespace ifov::atmosphere {
 
@@ -37,8 +39,12 @@ class SlantSource {
   double mu() const { return mu_; }
   /// Light of a path that ends at an observer at this altitude and is `length_km` long.
   PathLight path(double azimuth_rad, double observer_km, double length_km = kEndless_km) const;
+  /// Light that comes down from space (mu <= 0), through shells about a round Earth: right down to the
+  /// horizon, where path() has flat layers and no end.
+  PathLight sky(double azimuth_rad, double observer_km) const;
 
  private:
+  class Sum;
   const ScatteredField* field_;
   double mu_;
   std::vector<double> source_;  ///< [mode][component][sublayer][top, bottom]
@@ -60,6 +66,9 @@ class ScatteredField {
   /// The same for a single direction.
   PathLight path(const Propagation& direction, double observer_km, double length_km = kEndless_km) const {
     return along(direction.mu).path(direction.azimuth_rad, observer_km, length_km);
+  }
+  PathLight sky(const Propagation& direction, double observer_km) const {
+    return along(direction.mu).sky(direction.azimuth_rad, observer_km);
   }
   const FluxProfile& fluxes() const { return fluxes_; }
   const SolvedColumn& solved() const { return *solved_; }

@@ -5,11 +5,11 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "atmosphere/spherical_shells.h"
+
 namespace ifov::atmosphere {
 
 namespace {
-
-constexpr double kEarthRadius_km = 6371.0;
 
 void check(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad) {
   const std::size_t n = optics.layers();
@@ -28,34 +28,13 @@ void check(const Levels& levels, const LayerOptics& optics, double sun_zenith_ra
   }
 }
 
-/// Lengths of a sunbeam through shells: from an altitude to space, for rays that meet the vertical there at
-/// the Sun's zenith angle.
-class Beam {
- public:
-  Beam(double sun_zenith_rad, bool spherical)
-      : sine_(std::sin(sun_zenith_rad)), mu_(std::cos(sun_zenith_rad)), spherical_(spherical) {}
-
-  /// Length in km between two altitudes for the ray that arrives at `end_km`, below both.
-  double length_km(double end_km, double low_km, double high_km) const {
-    if (!spherical_) return (high_km - low_km) / mu_;
-    const double nearest = (kEarthRadius_km + end_km) * sine_, square = nearest * nearest;
-    return along(high_km, square) - along(low_km, square);
-  }
-
- private:
-  static double along(double altitude_km, double square) {
-    const double radius = kEarthRadius_km + altitude_km;
-    return std::sqrt(std::max(0.0, radius * radius - square));
-  }
-  double sine_, mu_;
-  bool spherical_;
-};
-
 }  // namespace
 
 ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad,
                                    const ScatteringOptions& options)
-    : sun_mu(std::cos(sun_zenith_rad)), depolarization(optics.depolarization) {
+    : spherical(options.spherical_earth),
+      sun_mu(std::cos(sun_zenith_rad)),
+      depolarization(optics.depolarization) {
   check(levels, optics, sun_zenith_rad);
   const std::size_t n = optics.layers();
   std::vector<double> scaled(n), whole(n);  // extinction per km, top down
@@ -83,13 +62,17 @@ ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& opti
   }
   altitude_km.push_back(levels.altitude_km[0]);
 
-  const Beam beam(sun_zenith_rad, options.spherical_earth);
+  // Length of the sunbeam that arrives at an altitude, from a level above.
+  const auto beam_km = [&](double end_km, double level_km) {
+    return options.spherical_earth ? length_to_shell_km(end_km, sun_mu, level_km)
+                                   : (level_km - end_km) / sun_mu;
+  };
   for (std::size_t level = 0; level < altitude_km.size(); ++level) {
     double sum = 0.0, true_sum = 0.0;
     const double end = altitude_km[level];
     for (std::size_t i = 0; i < n && levels.altitude_km[n - i] > end; ++i) {
-      const double length =
-          beam.length_km(end, std::max(end, levels.altitude_km[n - 1 - i]), levels.altitude_km[n - i]);
+      const double length = beam_km(end, levels.altitude_km[n - i]) -
+                            beam_km(end, std::max(end, levels.altitude_km[n - 1 - i]));
       sum += scaled[i] * length;
       true_sum += whole[i] * length;
     }

@@ -31,6 +31,7 @@ class ScatteringColumn {
   double top_km() const { return altitude_km.front(); }
   double ground_km() const { return altitude_km.back(); }
 
+  bool spherical = true;  ///< sunbeams and skies go through shells
   double sun_mu = 1.0;
   double depolarization = 0.0;
   std::vector<Mixture> mixtures;        ///< of the layers, top down

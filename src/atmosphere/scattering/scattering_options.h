@@ -9,7 +9,8 @@ struct ScatteringOptions {
   bool polarized = true;
   /// Degree of polarization of light that aerosol scatters by 90 degrees.
   double aerosol_polarization = 0.1;
-  /// Sunlight comes down through spherical shells (Chapman); else through flat layers.
+  /// Sunlight comes down through spherical shells (Chapman), and skies are seen through them; else flat
+  /// layers.
   bool spherical_earth = true;
   /// Layers are divided until a part has at most this scattering depth, or ten times this absorption depth
   /// ...

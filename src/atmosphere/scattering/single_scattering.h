@@ -22,5 +22,8 @@ struct PathLight {
 /// and the phase function is whole (TMS, Nakajima and Tanaka 1988). `multiple` stays 0.
 PathLight single_scattering(const ScatteringColumn& column, double aerosol_polarization,
                             const Propagation& direction, double observer_km, double length_km = kEndless_km);
+/// The same for light that comes down from space, by walk_sky.
+PathLight single_scattering_sky(const ScatteringColumn& column, double aerosol_polarization,
+                                const Propagation& direction, double observer_km);
 
 }  // namespace ifov::atmosphere

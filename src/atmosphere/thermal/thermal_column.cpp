@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "atmosphere/linear_source.h"
+#include "atmosphere/spherical_shells.h"
 
 namespace ifov::atmosphere {
 
@@ -60,7 +61,25 @@ ThermalRadiance ThermalColumn::radiances(const GaussNodes& nodes, const ThermalG
   return result;
 }
 
-double ThermalColumn::sky(double mu, double observer_km) const { return path(observer_km, -mu).radiance; }
+double ThermalColumn::sky(double mu, double observer_km) const {
+  const double start = std::max(observer_km, altitude_km_.front());
+  std::size_t layer =
+      static_cast<std::size_t>(std::upper_bound(altitude_km_.begin(), altitude_km_.end(), start) -
+                               altitude_km_.begin()) -
+      1;
+  double radiance = 0.0, transmission = 1.0, walked = 0.0, planck = 0.0;
+  for (bool first = true; layer < depth_.size(); ++layer, first = false) {
+    const double bottom = altitude_km_[layer], top = altitude_km_[layer + 1], height = top - bottom;
+    if (first) planck = planck_[layer] + (planck_[layer + 1] - planck_[layer]) * (start - bottom) / height;
+    const double length = length_to_shell_km(start, mu, top);
+    const LinearSource step = LinearSource::over(depth_[layer] * (length - walked) / height);
+    radiance += transmission * (step.near * planck + step.far * planck_[layer + 1]);
+    transmission *= step.transmission;
+    planck = planck_[layer + 1];
+    walked = length;
+  }
+  return radiance;
+}
 
 ThermalPath ThermalColumn::path(double observer_km, double mu, double length_km) const {
   ThermalPath path;

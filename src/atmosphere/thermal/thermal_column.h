@@ -35,7 +35,8 @@ struct ThermalGround {
 /// Within a layer extinction is constant and Planck's radiance linear in optical depth between the levels,
 /// which keeps opaque bands right: their sky is as warm as the lowest air, not as the lowest layer's middle.
 ///
-/// The spans are borrowed and must outlive the column; they run from the ground up. Flat layers.
+/// The spans are borrowed and must outlive the column; they run from the ground up. Flat layers, but for the
+/// sky.
 class ThermalColumn {
  public:
   /// altitude_km and planck at n + 1 levels, absorption depth (vertical) of n layers. Throws
@@ -47,7 +48,8 @@ class ThermalColumn {
   /// weights (gauss_nodes(8) gives fluxes within 3e-4).
   ThermalRadiance radiances(const GaussNodes& nodes, const ThermalGround& ground) const;
 
-  /// Radiance that comes down to a level from the air above, at cosine mu > 0 of the zenith angle.
+  /// Radiance that comes down to an observer from all the air above, at cosine mu >= 0 of the zenith angle,
+  /// through shells about a round Earth: right down to the horizon.
   double sky(double mu, double observer_km) const;
 
   /// Light of a straight path that ends at an observer, of light that propagates with cosine mu from the

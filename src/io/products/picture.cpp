@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "radiometry/planck.h"
+#include "radiometry/solar_spectrum.h"
 
 namespace ifov::io {
 
@@ -48,6 +49,33 @@ Range percentiles(const Layer& layer, double low, double high) {
   if (range.high > range.low) return range;
   const double margin = std::max(std::abs(range.low) * 1e-3, 1e-12);
   return {range.low - margin, range.high + margin};
+}
+
+bool all_visible(const std::vector<double>& centre_um) {
+  constexpr double kViolet_um = 0.38, kRed_um = 0.75;
+  return std::all_of(centre_um.begin(), centre_um.end(),
+                     [](double um) { return um > kViolet_um && um < kRed_um; });
+}
+
+std::vector<Range> colour_ranges(const std::vector<Layer>& layers, const std::vector<double>& centre_um,
+                                 double low, double high) {
+  std::vector<Range> ranges;
+  if (!all_visible(centre_um)) {
+    for (const Layer& layer : layers) ranges.push_back(percentiles(layer, low, high));
+    return ranges;
+  }
+  constexpr double kHalfWidth_um = 0.01;
+  std::vector<double> sunlight;
+  Layer all;
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    sunlight.push_back(radiometry::integral(radiometry::solar_irradiance_1au(), centre_um[k] - kHalfWidth_um,
+                                            centre_um[k] + kHalfWidth_um));
+    for (const float value : layers[k].values) all.values.push_back(value / static_cast<float>(sunlight[k]));
+  }
+  Range joint = percentiles(all, low, high);
+  if (joint.low < 0.5 * joint.high) joint.low = std::min(joint.low, 0.0);
+  for (const double weight : sunlight) ranges.push_back({joint.low * weight, joint.high * weight});
+  return ranges;
 }
 
 bool is_thermal(const render::ImageInfo& info, int channel) {

@@ -25,6 +25,14 @@ struct Range {
 };
 Range percentiles(const Layer& layer, double low, double high);
 
+/// Ranges of the layers of a colour picture between the percentiles of `low` and `high`. Layers of visible
+/// wavelengths share one, each as a part of sunlight at its wavelength (radiometry::solar_irradiance_1au,
+/// mean of 20 nm), so that what is grey looks grey, and begin at 0 unless the dark end lies above half the
+/// bright one; others each have their own.
+std::vector<Range> colour_ranges(const std::vector<Layer>& layers, const std::vector<double>& centre_um,
+                                 double low, double high);
+bool all_visible(const std::vector<double>& centre_um);
+
 /// True where emission outweighs sunlight: pictures then show brightness temperature.
 bool is_thermal(const render::ImageInfo& info, int channel);
 

@@ -72,19 +72,23 @@ Picture three_channels(const RasterView& radiance, const RunRecord& record, cons
                        int factor) {
   Picture p;
   std::vector<Layer> layers;
-  std::vector<Range> ranges;
+  std::vector<double> centre_um;
   for (const int channel : channels) {
     const auto& c = record.image.channels[static_cast<std::size_t>(channel)];
     layers.push_back(averaged_layer(radiance, channel, factor));
-    ranges.push_back(percentiles(layers.back(), kLow, kHigh));
+    centre_um.push_back(c.centre_um);
     p.title += format("{}{} {:.3g}", p.title.empty() ? "" : ", ", c.name, c.centre_um);
   }
   p.title = "Red, green, blue: " + p.title + " \u00b5m";
+  const std::vector<Range> ranges = colour_ranges(layers, centre_um, kLow, kHigh);
   std::string limits;
   for (const Range& r : ranges)
     limits += format("{}{:.3g} to {:.3g}", limits.empty() ? "" : ", ", r.low, r.high);
-  p.caption = {format("Each channel from its {} to its {} percentile, in linear light:", kLowName, kHighName),
-               format("{} {}", limits, shown_unit(record.image.radiance_unit))};
+  p.caption = {
+      all_visible(centre_um)
+          ? format("Parts of sunlight, up to the {} percentile, in linear light:", kHighName)
+          : format("Each channel from its {} to its {} percentile, in linear light:", kLowName, kHighName),
+      format("{} {}", limits, shown_unit(record.image.radiance_unit))};
   p.width = layers[0].width;
   p.height = layers[0].height;
   for (std::size_t i = 0; i < layers[0].values.size(); ++i) {
@@ -116,8 +120,9 @@ void text(cairo_t* c, double x, double y, double size, const std::string& words,
   cairo_show_text(c, words.c_str());
 }
 
-double text_width(cairo_t* c, double size, const std::string& words) {
-  cairo_select_font_face(c, "sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+double text_width(cairo_t* c, double size, const std::string& words, bool bold = false) {
+  cairo_select_font_face(c, "sans", CAIRO_FONT_SLANT_NORMAL,
+                         bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(c, size);
   cairo_text_extents_t extents;
   cairo_text_extents(c, words.c_str(), &extents);
@@ -230,7 +235,8 @@ std::string make_quicklook(const RasterView& radiance, const RunRecord& record,
   cairo_set_source_rgb(c, 1, 1, 1);
   cairo_paint(c);
   cairo_set_source_rgb(c, 0.1, 0.1, 0.1);
-  text(c, kMargin, 34, 17, p.title, true);
+  const double title_size = 17.0 * std::min(1.0, full / text_width(c, 17, p.title, true));
+  text(c, kMargin, 34, title_size, p.title, true);
   if (p.bar) {
     text(c, kMargin + frame + 22, kTitle - 10, 12, p.unit);
     draw_bar(c, p, kMargin + frame + 22, kTitle, height);

@@ -52,6 +52,10 @@ constexpr std::string_view kBark =
 constexpr std::string_view kTimber =
     R"({"table": {"wavelength": ["0.35 um", "0.5 um", "0.7 um", "1 um", "1.3 um", "1.45 um", "1.65 um", "1.93 um", "2.2 um", "2.5 um", "8 um", "14 um"],
         "values": [0.1, 0.17, 0.25, 0.36, 0.42, 0.36, 0.42, 0.28, 0.3, 0.2, 0.06, 0.05]}})";
+// Fallen needles of spruce: brown, without chlorophyll, and dry.
+constexpr std::string_view kNeedleLitter =
+    R"({"table": {"wavelength": ["0.35 um", "0.5 um", "0.6 um", "0.7 um", "0.85 um", "1.1 um", "1.3 um", "1.45 um", "1.65 um", "1.93 um", "2.2 um", "2.5 um", "8 um", "14 um"],
+        "values": [0.04, 0.06, 0.1, 0.16, 0.25, 0.34, 0.36, 0.27, 0.32, 0.17, 0.21, 0.13, 0.04, 0.03]}})";
 constexpr std::string_view kBirchBark =
     R"({"table": {"wavelength": ["0.35 um", "0.45 um", "0.7 um", "1 um", "1.3 um", "1.45 um", "1.65 um", "1.93 um", "2.2 um", "2.5 um", "8 um", "14 um"],
         "values": [0.25, 0.4, 0.52, 0.6, 0.6, 0.48, 0.52, 0.3, 0.34, 0.22, 0.06, 0.04]}})";
@@ -71,13 +75,14 @@ constexpr Entry kEntries[] = {
     {"lawn", "grass, lawn", 1, false, 27, "", 2, Grain::turf},
     {"lawn, sparse", "grass, lawn, sparse", 1, false, 30},
     {"lawn, dry", "grass, dry", 1, false, 35, "", 3, Grain::turf},
+    {"meadow", "grass, pasture", 1, false, 26, "", 3, Grain::turf},
     {"clover", "meadow, clover and lucerne", 1, false, 26, "", 3, Grain::turf},
     {"soil", "soil, bare, urban", 1, false, 40, "", 2, Grain::turf},
     {"soil, dark", "soil, black loam", 1, false, 41},
     {"sand", "sand, brown quartz", 1, false, 48},
     {"sand, pale", "soil, pale gypsum loam", 1, false, 44},
     {"gravel", "soil, brown gravelly loam", 1, false, 46},
-    {"litter, needles", "needles, conifer, pile", 1, false, 26},
+    {"litter, needles", "", 1, false, 26, kNeedleLitter},
     {"litter, leaves", "leaf, broadleaf, modelled", 6, false, 26},
     {"rock", "railway ballast", 1, false, 34},
     // Houses

@@ -1,0 +1,63 @@
+"""HET01 of the radiation transfer model intercomparison at every published angle (examples/rami), by way of documents
+and `ifov render`, against the published reflectance factors."""
+
+import concurrent.futures
+import csv
+import json
+import math
+import os
+import pathlib
+import struct
+import subprocess
+import time
+
+from drivers.figures import ROOT, at_most, figure, not_measured
+
+DATA = pathlib.Path(os.environ.get("IFOV_TRUTH", ROOT / "../shared/truth")) / "rami" / "het01"
+SUN_ZENITH_RAD = math.radians(20.0)
+DEVIATION_PERCENT, STANDARD_ERROR_PERCENT = 1.0, 0.2
+
+
+def only_value(file):
+    """Of a cube of one pixel and one channel."""
+    return struct.unpack("<f", file.read_bytes())[0]
+
+
+def reflectance_factor(program, document):
+    """And its standard error."""
+    products = document.with_suffix(".out")
+    subprocess.run([program, "render", document], stdout=subprocess.DEVNULL, check=True)
+    scale = math.pi / math.cos(SUN_ZENITH_RAD)
+    return (scale * only_value(products / "image_radiance.img"), scale * only_value(products / "image_standard_error.img"))
+
+
+def run(context):
+    if not DATA.exists():
+        return {"rami.worst_deviation": not_measured(f"no reference data at {DATA}")}
+    folder = context.folder / "rami"
+    subprocess.run([ROOT / "examples" / "rami" / "make_scene.py", DATA, folder], check=True)
+    with (DATA / "expected_brf.csv").open() as file:
+        expected = {float(row["view_zenith_deg"]): float(row["brf"]) for row in csv.DictReader(file)}
+    start = time.monotonic()
+    # An image of one pixel keeps one core busy.
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        found = dict(zip(expected, pool.map(
+            lambda angle: reflectance_factor(context.program("ifov"), folder / f"het01_{angle:+03.0f}.json"), expected)))
+    elapsed_s = time.monotonic() - start
+
+    rows = {angle: {"published": expected[angle], "ours": found[angle][0],
+                    "deviation_percent": 100 * (found[angle][0] / expected[angle] - 1),
+                    "standard_error_percent": 100 * found[angle][1] / found[angle][0]} for angle in expected}
+    (folder / "angles.json").write_text(json.dumps(rows, indent=1) + "\n")
+    worst = max(rows, key=lambda angle: abs(rows[angle]["deviation_percent"]))
+    mean = sum(row["deviation_percent"] for row in rows.values()) / len(rows)
+    return {
+        "rami.angles": figure(len(rows), "of the principal plane"),
+        "rami.worst_deviation": at_most(abs(rows[worst]["deviation_percent"]), DEVIATION_PERCENT, "%"),
+        "rami.its_standard_error": at_most(rows[worst]["standard_error_percent"], STANDARD_ERROR_PERCENT, "%"),
+        "rami.its_angle": figure(worst, "degrees"),
+        "rami.largest_standard_error": at_most(
+            max(row["standard_error_percent"] for row in rows.values()), STANDARD_ERROR_PERCENT, "%"),
+        "rami.mean_deviation": figure(round(mean, 3), "%"),
+        "rami.time": figure(round(elapsed_s, 1), "s"),
+    }
