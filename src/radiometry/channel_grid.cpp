@@ -55,10 +55,11 @@ ChannelGrid::ChannelGrid(const Channel& channel, const Spectrum& solar_irradianc
 }
 
 ChannelGrid::ChannelGrid(std::vector<double> wavelengths_um, std::vector<double> shares,
-                         std::vector<double> irradiances, std::vector<double> transmittances)
+                         std::vector<double> irradiances, std::vector<double> transmittances, double least)
     : wavelength_um(std::move(wavelengths_um)),
       response(std::move(shares)),
       irradiance(std::move(irradiances)),
+      least_radiance(least),
       seen(std::move(transmittances)) {
   const double total = std::accumulate(response.begin(), response.end(), 0.0);
   for (double& weight : response) weight /= total;

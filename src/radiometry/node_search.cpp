@@ -60,7 +60,7 @@ class Trial {
       const bool thermal = product.source > 0;
       const double judged = thermal ? std::min(sum, scale - sum) : sum;
       expected_.push_back(sum);
-      scale_.push_back(std::max({judged, kDarkShare * white, thermal ? 0.1 * scale : 0.0}));
+      scale_.push_back(std::max({judged, kDarkShare * white, thermal ? 0.1 * scale : 0.0, grid.least_radiance}));
     }
   }
 

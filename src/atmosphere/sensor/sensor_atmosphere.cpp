@@ -17,6 +17,8 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 /// Air does not glow at shorter wavelengths (below 1e-4 of sunlight), and sunlight that it scatters does not count at
 /// longer ones (below 1e-4 of what it emits).
 constexpr double kFirstThermal_um = 2.4, kLastSolar_um = 6.0;
+/// Light darker than this share of what a white surface sends into space may err by as much as that would.
+constexpr double kLeastShare = 3e-4;
 
 /// Length of the sunbeam within each layer over the layer's thickness, on a spherical Earth.
 std::vector<double> sun_slants(const std::vector<double>& altitude_km, double zenith_rad) {
@@ -39,6 +41,11 @@ std::vector<double> view_slants(const std::vector<double>& altitude_km, const Se
     slants.push_back(std::clamp(crossed, 0.0, 1.0) / std::cos(geometry.view_zenith_rad));
   }
   return slants;
+}
+
+/// Radiance above the air of a white surface of 300 K in the Sun.
+double white_above(double wavelength_um, double irradiance) {
+  return irradiance / std::numbers::pi + radiometry::planck_w_m2_sr_um(wavelength_um, 300.0);
 }
 
 double along(const std::vector<double>& slants, const std::vector<double>& depth) {
@@ -121,7 +128,10 @@ void SensorAtmosphere::build_nodes(const AtmosphereColumn& column, const Inputs&
       state.view.push_back(std::exp(-along(view_slant, depth)));
       state.irradiance.push_back(bin.irradiance);
     }
-    made[static_cast<std::size_t>(k)].emplace(std::move(wavelengths), std::move(shares), state.sun, state.view);
+    double white = 0.0;
+    for (std::size_t p = 0; p < shares.size(); ++p) white += shares[p] * white_above(wavelengths[p], state.irradiance[p]);
+    made[static_cast<std::size_t>(k)].emplace(std::move(wavelengths), std::move(shares), state.sun, state.view,
+                                              kLeastShare * white);
   });
   std::vector<radiometry::ChannelGrid> grids;
   for (auto& grid : made) grids.push_back(std::move(*grid));
