@@ -11,8 +11,9 @@ inline double stratified_cost(double contrast, double border_length_px) {
   return std::pow(0.46 * contrast * std::sqrt(border_length_px), 4.0 / 3.0);
 }
 
-/// Rays that tracing needs: about this many for each lattice side with unlike ends.
-constexpr double kTracingCostPerCrossing = 5.0;
+/// Rays that tracing needs: about this many for each lattice side with unlike ends, with those that find out that a
+/// pixel is clutter after all (5 where every border is simple).
+constexpr double kTracingCostPerCrossing = 10.0;
 
 /// Fewer stratified rays than this never say anything about their own error.
 constexpr double kFewestStratified = 32.0;
