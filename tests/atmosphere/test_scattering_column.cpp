@@ -273,6 +273,35 @@ TEST(ScatteringColumn, AureoleIsBrightAndSideSkyIsPolarized) {
   EXPECT_NEAR(side.u / side.i, 0.0, 1e-12);
 }
 
+TEST(ScatteringColumn, SkyHasItsNeutralPoints) {
+  // Light scattered more often turns the polarization of the solar vertical over near the Sun and opposite to
+  // it: the points of Babinet and Arago, some 20 degrees from the Sun and from the point opposite (Coulson
+  // 1988).
+  Air air;
+  air.rayleigh = 0.25;
+  air.aerosol = air.aerosol_absorption = 0.0;
+  const Column column = air.column();
+  constexpr double kElevation = 15.0;
+  const ColumnSolution solution =
+      ColumnSolver().solve(column.levels, column.optics, (90.0 - kElevation) * kDegree);
+  // Elevation at which Q changes sign, upwards from a start; 90 where it does not.
+  const auto neutral = [&](double azimuth, double start, bool once) {
+    for (double elevation = start; elevation < 90.0; elevation += 0.25) {
+      const PathLight light = solution.sunlit().sky({-std::sin(elevation * kDegree), azimuth * kDegree}, 0.0);
+      if ((once ? light.single.q : light.radiance().q) < 0.0) return elevation;
+    }
+    return 90.0;
+  };
+  const double babinet = neutral(0.0, kElevation + 0.25, false) - kElevation;
+  EXPECT_GT(babinet, 8.0);
+  EXPECT_LT(babinet, 25.0);
+  const double arago = neutral(180.0, 0.5, false) + kElevation;
+  EXPECT_GT(arago, 16.5);
+  EXPECT_LT(arago, 30.0);
+  EXPECT_EQ(neutral(0.0, kElevation + 0.25, true), kElevation + 0.25)
+      << "light scattered once has a neutral point";
+}
+
 TEST(ScatteringColumn, NothingScattersNothing) {
   Column column;
   column.add_layer(1.0, 0.0, 0.0, 0.0, 0.0);
