@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
 #include "radiometry/gauss_legendre.h"
 #include "radiometry/planck.h"
@@ -14,6 +16,8 @@ namespace {
 // but keeps the reference from vanishing where there is neither Sun nor heat.
 constexpr double kIntervals = 128.0;
 constexpr double kDarkest_w_m2_sr_um = 1e-6;
+/// Radiance that is hidden altogether counts this much still: it lights what is seen.
+constexpr double kLeastSeen = 1e-3;
 
 double reference_radiance(double wavelength_um, double irradiance) {
   return irradiance / std::numbers::pi + planck_w_m2_sr_um(wavelength_um, 300.0) + kDarkest_w_m2_sr_um;
@@ -48,6 +52,20 @@ ChannelGrid::ChannelGrid(const Channel& channel, const Spectrum& solar_irradianc
   irradiance = sampled(solar_irradiance);
   reference.resize(size());
   for (std::size_t q = 0; q < size(); ++q) reference[q] = reference_radiance(wavelength_um[q], irradiance[q]);
+}
+
+ChannelGrid::ChannelGrid(std::vector<double> wavelengths_um, std::vector<double> shares,
+                         std::vector<double> irradiances, std::vector<double> transmittances, double least)
+    : wavelength_um(std::move(wavelengths_um)),
+      response(std::move(shares)),
+      irradiance(std::move(irradiances)),
+      least_radiance(least),
+      seen(std::move(transmittances)) {
+  const double total = std::accumulate(response.begin(), response.end(), 0.0);
+  for (double& weight : response) weight /= total;
+  reference.resize(size());
+  for (std::size_t q = 0; q < size(); ++q)
+    reference[q] = std::max(kLeastSeen, seen[q]) * reference_radiance(wavelength_um[q], irradiance[q]);
 }
 
 std::vector<double> ChannelGrid::sampled(const Spectrum& spectrum) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "radiometry/channel.h"
@@ -14,9 +15,16 @@ struct ChannelGrid {
   std::vector<double> wavelength_um;
   std::vector<double> response;    ///< sums to 1
   std::vector<double> irradiance;  ///< of the Sun, W m-2 um-1
-  std::vector<double> reference;   ///< W m-2 sr-1 um-1: a white surface in the Sun, plus a blackbody of 300 K
+  double least_radiance = 0.0;     ///< W m-2 sr-1 um-1
+  std::vector<double> seen;        ///< transmittance from surfaces to the sensor; empty: 1 at all points
+  /// W m-2 sr-1 um-1: a white surface in the Sun, plus a blackbody of 300 K, as far as they are seen
+  std::vector<double> reference;
 
   ChannelGrid(const Channel& channel, const Spectrum& solar_irradiance);
+  /// From points of the caller's own, several of which may stand at one wavelength (terms of absorption). Shares are
+  /// scaled to a sum of 1. `least`: radiances darker than this may err by as much as it would.
+  ChannelGrid(std::vector<double> wavelengths_um, std::vector<double> shares, std::vector<double> irradiances,
+              std::vector<double> transmittances, double least);
   std::size_t size() const { return wavelength_um.size(); }
   std::vector<double> sampled(const Spectrum& spectrum) const;
 };

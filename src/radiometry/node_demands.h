@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 namespace ifov::radiometry {
 
 /// What the nodes of a channel have to be right for. Asking for less gives fewer nodes.
@@ -13,6 +15,8 @@ struct NodeDemands {
   /// Temperatures of what emits; a hottest of 0: nothing does.
   double coldest_k = 200.0;
   double hottest_k = 1000.0;
+  /// Nodes of a channel, whatever the error then.
+  std::size_t most_nodes = 64;
 };
 
 }  // namespace ifov::radiometry

@@ -35,7 +35,7 @@ struct Product {
 class Trial {
  public:
   Trial(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces, const NodeDemands& demands)
-      : surfaces_(surfaces), reflections_(demands.reflections) {
+      : surfaces_(surfaces), seen_(grid.seen), reflections_(demands.reflections) {
     sources_.push_back(grid.irradiance);
     for (double& value : sources_[0]) value /= std::numbers::pi;
     for (const double temperature : temperatures_k(demands)) {
@@ -50,7 +50,7 @@ class Trial {
     for (const Product& product : products_) {
       double sum = 0.0, scale = 0.0;
       for (std::size_t q = 0; q < grid.size(); ++q) {
-        double value = grid.response[q] * sources_[product.source][q];
+        double value = grid.response[q] * sources_[product.source][q] * (seen_.empty() ? 1.0 : seen_[q]);
         scale += value;
         for (const int surface : product.surfaces)
           if (surface >= 0) value *= surfaces_[static_cast<std::size_t>(surface)][q];
@@ -60,7 +60,7 @@ class Trial {
       const bool thermal = product.source > 0;
       const double judged = thermal ? std::min(sum, scale - sum) : sum;
       expected_.push_back(sum);
-      scale_.push_back(std::max({judged, kDarkShare * white, thermal ? 0.1 * scale : 0.0}));
+      scale_.push_back(std::max({judged, kDarkShare * white, thermal ? 0.1 * scale : 0.0, grid.least_radiance}));
     }
   }
 
@@ -70,11 +70,13 @@ class Trial {
     for (std::size_t s = 0; s < surfaces_.size(); ++s) rule.project_factor(surfaces_[s], factors[s]);
     std::vector<std::vector<double>> sources(sources_.size(), std::vector<double>(nodes));
     for (std::size_t s = 0; s < sources_.size(); ++s) rule.project_source(sources_[s], sources[s]);
+    std::vector<double> seen(nodes, 1.0);
+    if (!seen_.empty()) rule.project_factor(seen_, seen);
     double worst = 0.0;
     for (std::size_t p = 0; p < products_.size(); ++p) {
       double sum = 0.0;
       for (std::size_t i = 0; i < nodes; ++i) {
-        double value = rule.weight(i) * sources[products_[p].source][i];
+        double value = rule.weight(i) * sources[products_[p].source][i] * seen[i];
         for (const int surface : products_[p].surfaces)
           if (surface >= 0) value *= factors[static_cast<std::size_t>(surface)][i];
         sum += value;
@@ -86,6 +88,8 @@ class Trial {
 
  private:
   void choose_products(const ChannelGrid& grid) {
+    if (!seen_.empty())
+      for (std::size_t source = 0; source < sources_.size(); ++source) products_.push_back({source, {-1, -1, -1}});
     std::vector<std::pair<double, int>> by_variation;
     for (std::size_t s = 0; s < surfaces_.size(); ++s) {
       double mean = 0.0, square = 0.0;
@@ -117,6 +121,7 @@ class Trial {
   }
 
   std::span<const std::vector<double>> surfaces_;
+  std::span<const double> seen_;
   int reflections_;
   std::vector<std::vector<double>> sources_;  // the Sun on a white surface, then blackbodies
   std::vector<Product> products_;
@@ -151,6 +156,7 @@ class Shapes {
     };
     for (const auto& surface : surfaces)
       add([&](std::size_t q) { return surface[q]; }, std::sqrt(kDarkShare));
+    if (!grid.seen.empty()) add([&](std::size_t q) { return grid.seen[q]; }, std::sqrt(kDarkShare));
     for (const double temperature : temperatures_k(demands))
       add(
           [&](std::size_t q) {
@@ -237,7 +243,7 @@ FoundRule find_rule(const ChannelGrid& grid, std::span<const std::vector<double>
                     const NodeDemands& demands) {
   std::vector<std::uint32_t> all(grid.size());
   std::iota(all.begin(), all.end(), 0u);
-  if (grid.size() == 1 || surfaces.empty()) {
+  if (grid.size() == 1 || (surfaces.empty() && grid.seen.empty())) {
     const ChannelPart whole{std::move(all), {}, 1};
     return {NodeRule(grid, std::span(&whole, 1)), 0.0};
   }
@@ -246,7 +252,7 @@ FoundRule find_rule(const ChannelGrid& grid, std::span<const std::vector<double>
   std::vector<TrialPart> parts{shapes.analysed(std::move(all))};
   NodeRule rule = rule_of(grid, parts);
   double worst = trial.worst_error(rule);
-  while (worst > demands.tolerance && rule.node_count() < kMostNodes && refine(parts, shapes)) {
+  while (worst > demands.tolerance && rule.node_count() < demands.most_nodes && refine(parts, shapes)) {
     rule = rule_of(grid, parts);
     worst = trial.worst_error(rule);
   }

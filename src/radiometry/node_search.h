@@ -14,10 +14,8 @@ struct FoundRule {
   double worst_error = 0.0;
 };
 
-/// `surfaces`: reflectances at the points of the grid. Stops at `kMostNodes` nodes, whatever the error then.
+/// `surfaces`: reflectances (and other factors) at the points of the grid.
 FoundRule find_rule(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces,
                     const NodeDemands& demands);
-
-inline constexpr std::size_t kMostNodes = 64;
 
 }  // namespace ifov::radiometry

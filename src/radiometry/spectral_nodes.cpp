@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
-#include "radiometry/node_search.h"
+#include "core/parallel.h"
 
 namespace ifov::radiometry {
 namespace {
@@ -23,22 +25,40 @@ SpectralNodes SpectralNodes::build(std::span<const Channel> channels, const Spec
     std::vector<std::vector<double>> sampled;
     for (const Spectrum& surface : surfaces)
       if (!surface.is_constant()) sampled.push_back(grid.sampled(surface));
-    FoundRule found = find_rule(grid, sampled, demands);
-    result.worst_error_ = std::max(result.worst_error_, found.worst_error);
-
-    const std::size_t count = found.rule.node_count();
-    for (std::size_t node = 0; node < count; ++node) {
-      result.weight_.push_back(static_cast<float>(found.rule.weight(node)));
-      result.wavelength_um_.push_back(found.rule.wavelength_um(node));
-    }
-    result.first_node_.push_back(result.weight_.size());
-    result.rules_.push_back(std::move(found.rule));
+    result.add(find_rule(grid, sampled, demands));
   }
-  if (result.node_count() != result.channel_count()) result.arrange_sums();
+  result.arrange_sums();
   return result;
 }
 
+SpectralNodes SpectralNodes::build(std::span<const ChannelGrid> channels, std::span<const Spectrum> surfaces,
+                                   const NodeDemands& demands) {
+  std::vector<std::optional<FoundRule>> found(channels.size());
+  parallel_for(static_cast<std::int64_t>(channels.size()), 0, [&](std::int64_t k) {
+    const ChannelGrid& grid = channels[static_cast<std::size_t>(k)];
+    std::vector<std::vector<double>> sampled;
+    for (const Spectrum& surface : surfaces)
+      if (!surface.is_constant()) sampled.push_back(grid.sampled(surface));
+    found[static_cast<std::size_t>(k)] = find_rule(grid, sampled, demands);
+  });
+  SpectralNodes result;
+  for (std::optional<FoundRule>& rule : found) result.add(std::move(*rule));
+  result.arrange_sums();
+  return result;
+}
+
+void SpectralNodes::add(FoundRule found) {
+  worst_error_ = std::max(worst_error_, found.worst_error);
+  for (std::size_t node = 0; node < found.rule.node_count(); ++node) {
+    weight_.push_back(static_cast<float>(found.rule.weight(node)));
+    wavelength_um_.push_back(found.rule.wavelength_um(node));
+  }
+  first_node_.push_back(weight_.size());
+  rules_.push_back(std::move(found.rule));
+}
+
 void SpectralNodes::arrange_sums() {
+  if (node_count() == channel_count()) return;
   for (std::size_t first = 0; first < channel_count(); first += kLanes) {
     const std::size_t last = std::min(first + kLanes, channel_count());
     std::size_t depth = 0;

@@ -8,6 +8,7 @@
 #include "radiometry/channel.h"
 #include "radiometry/node_demands.h"
 #include "radiometry/node_rule.h"
+#include "radiometry/node_search.h"
 #include "radiometry/spectrum.h"
 
 namespace ifov::radiometry {
@@ -30,6 +31,10 @@ class SpectralNodes {
   static SpectralNodes build(std::span<const Channel> channels, const Spectrum& solar_irradiance,
                              std::span<const Spectrum> surfaces, const NodeDemands& demands = {});
 
+  /// The same for channels as points of the caller's own.
+  static SpectralNodes build(std::span<const ChannelGrid> channels, std::span<const Spectrum> surfaces,
+                             const NodeDemands& demands = {});
+
   std::size_t node_count() const { return weight_.size(); }
   std::size_t channel_count() const { return rules_.size(); }
   /// Nodes [first_node(c), first_node(c + 1)) belong to channel c.
@@ -46,6 +51,13 @@ class SpectralNodes {
   /// transmittance). The weighted sum over a channel's nodes is the channel's mean, exactly.
   void average_source(const Spectrum& spectrum, std::span<float> nodes) const;
   void average_source(std::span<const Spectrum* const> product, std::span<float> nodes) const;
+  /// The same for values at the points of one channel. Spans: nodes of the channel.
+  void average_factor(std::size_t channel, std::span<const double> at_points, std::span<double> nodes) const {
+    rules_[channel].project_factor(at_points, nodes);
+  }
+  void average_source(std::size_t channel, std::span<const double> at_points, std::span<double> nodes) const {
+    rules_[channel].project_source(at_points, nodes);
+  }
   /// Radiance of a blackbody in each node, W m-2 sr-1 um-1.
   void planck(double temperature_k, std::span<float> nodes) const;
   void planck(double temperature_k, std::span<double> nodes) const;
@@ -64,6 +76,7 @@ class SpectralNodes {
   struct Slice {
     std::size_t first_entry, depth;
   };
+  void add(FoundRule found);
   void arrange_sums();
 
   std::vector<NodeRule> rules_;  // by channel

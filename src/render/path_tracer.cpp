@@ -41,6 +41,18 @@ void sum_of_scaled_product(float* __restrict sum, const float* __restrict first,
                            const float* __restrict b, float s, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) sum[i] = first[i] + a[i] * (b[i] * s);
 }
+/// Of four rows.
+void sum_of_scaled(float* __restrict out, const float* const* rows, const float* weight, std::size_t n) {
+  const float *__restrict a = rows[0], *__restrict b = rows[1], *__restrict c = rows[2], *__restrict d = rows[3];
+  const float p = weight[0], q = weight[1], r = weight[2], s = weight[3];
+  for (std::size_t i = 0; i < n; ++i) out[i] = (a[i] * p + b[i] * q) + (c[i] * r + d[i] * s);
+}
+void add_product_of_scaled(float* __restrict sum, const float* __restrict factor, const float* const* rows,
+                           const float* weight, std::size_t n) {
+  const float *__restrict a = rows[0], *__restrict b = rows[1], *__restrict c = rows[2], *__restrict d = rows[3];
+  const float p = weight[0], q = weight[1], r = weight[2], s = weight[3];
+  for (std::size_t i = 0; i < n; ++i) sum[i] += factor[i] * ((a[i] * p + b[i] * q) + (c[i] * r + d[i] * s));
+}
 void scale(float* __restrict a, const float* __restrict b, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) a[i] *= b[i];
 }
@@ -204,11 +216,20 @@ void PathTracer::add_escaped(const Path& path, int depth, float* sum) {
   const scene::Scene& scene = scene_.scene();
   const math::Vec3 direction = path.ray.direction;
   const float* throughput = throughput_.row(path.throughput);
-  const float* light = direction.z < 0.0 ? scene_.surroundings_radiance() : scene_.sky_radiance();
-  if (depth == 0)
-    std::memcpy(sum, light, row_floats_ * sizeof(float));
-  else
-    add_product(sum, throughput, light, row_floats_);
+  const SkyDome* dome = scene_.sky_dome();
+  if (dome != nullptr && direction.z >= 0.0) {
+    const SkyDome::Corners sky = dome->at(direction);
+    if (depth == 0)
+      sum_of_scaled(sum, sky.row.data(), sky.weight.data(), row_floats_);
+    else
+      add_product_of_scaled(sum, throughput, sky.row.data(), sky.weight.data(), row_floats_);
+  } else {
+    const float* light = direction.z < 0.0 ? scene_.surroundings_radiance() : scene_.sky_radiance();
+    if (depth == 0)
+      std::memcpy(sum, light, row_floats_ * sizeof(float));
+    else
+      add_product(sum, throughput, light, row_floats_);
+  }
   if (path.sees_sun && scene.sun && scene.sun->half_angle_rad > 0.0 && direction.z > 0.0 &&
       math::length(math::cross(direction, scene.sun->direction)) < std::sin(scene.sun->half_angle_rad) &&
       math::dot(direction, scene.sun->direction) > 0.0) {

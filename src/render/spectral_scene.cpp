@@ -12,15 +12,7 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::Spectr
       materials_(scene.materials, nodes),
       emission_(scene.states.size(), nodes.node_count()),
       light_(kLightRows, nodes.node_count()) {
-  std::vector<float> planck(nodes.node_count());
-  auto emit = [&](const scene::SurfaceState& state, float* row) {
-    if (state.temperature_k <= 0.0) return;
-    nodes.planck(state.temperature_k, std::span<float>(planck));
-    const float* emissivity = materials_.emissivity(state.material);
-    for (std::size_t n = 0; n < planck.size(); ++n) row[n] = emissivity[n] * planck[n];
-  };
-  for (std::size_t s = 0; s < scene.states.size(); ++s) emit(scene.states[s], emission_.row(s));
-
+  emit_surfaces();
   if (scene.sun) {
     const radiometry::Spectrum* product[] = {&scene.sun->irradiance, &scene.sun->transmittance};
     nodes.average_source(product, light_.values(kSunIrradiance));
@@ -29,14 +21,7 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::Spectr
     nodes.average_source(*scene.sky.radiance, light_.values(kSky));
   else if (scene.sky.temperature_k)
     nodes.planck(*scene.sky.temperature_k, light_.values(kSky));
-
-  float* around = light_.row(kSurroundings);
-  emit(scene.surroundings, around);
-  const float* reflectance = materials_.reflectance(scene.surroundings.material);
-  const double sine = scene.sun ? std::max(0.0, scene.sun->direction.z) : 0.0;
-  for (std::size_t n = 0; n < node_count(); ++n)
-    around[n] += reflectance[n] * (light_.row(kSunIrradiance)[n] * static_cast<float>(sine / std::numbers::pi) +
-                                   light_.row(kSky)[n]);
+  light_surroundings();
 
   if (scene.view_path.transmittance || scene.view_path.radiance) {
     has_view_path_ = true;
@@ -44,19 +29,65 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::Spectr
                           light_.values(kViewTransmittance));
     if (scene.view_path.radiance) nodes.average_source(*scene.view_path.radiance, light_.values(kViewRadiance));
   }
+}
 
+SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::SensorAtmosphere& air)
+    : scene_(scene),
+      nodes_(air.nodes()),
+      materials_(scene.materials, nodes_),
+      emission_(scene.states.size(), nodes_.node_count()),
+      light_(kLightRows, nodes_.node_count()),
+      has_view_path_(true) {
+  emit_surfaces();
+  const float* albedo = materials_.reflectance(scene.surroundings.material);
+  const double sine = scene.sun ? std::max(0.0, scene.sun->direction.z) : 0.0;
+  std::vector<double> ground(node_count());
+  for (std::size_t n = 0; n < node_count(); ++n) {
+    const double direct = air.sun_irradiance()[n] * sine;
+    const double all = (direct + air.sky_irradiance()[n]) / (1.0 - albedo[n] * air.spherical_albedo()[n]);
+    ground[n] = albedo[n] * all / std::numbers::pi;
+    light_.row(kSunIrradiance)[n] = static_cast<float>(air.sun_irradiance()[n]);
+    light_.row(kSky)[n] = static_cast<float>((all - direct) / std::numbers::pi);
+    light_.row(kViewTransmittance)[n] = static_cast<float>(air.view_transmittance()[n]);
+    light_.row(kViewRadiance)[n] =
+        static_cast<float>(air.view_radiance()[n] + ground[n] * air.diffuse_transmittance()[n]);
+  }
+  dome_.emplace(air, scene.sun ? scene.sun->direction : math::Vec3{1.0, 0.0, 0.0}, ground);
+  light_surroundings();
+}
+
+void SpectralScene::emit(const scene::SurfaceState& state, float* row) const {
+  if (state.temperature_k <= 0.0) return;
+  std::vector<float> planck(node_count());
+  nodes_.planck(state.temperature_k, std::span<float>(planck));
+  const float* emissivity = materials_.emissivity(state.material);
+  for (std::size_t n = 0; n < planck.size(); ++n) row[n] = emissivity[n] * planck[n];
+}
+
+void SpectralScene::emit_surfaces() {
+  for (std::size_t s = 0; s < scene_.states.size(); ++s) emit(scene_.states[s], emission_.row(s));
   double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
   const auto include = [&](double coldest_k, double hottest_k) {
     lowest = std::min(lowest, coldest_k);
     highest = std::max(highest, hottest_k);
   };
-  for (const scene::Covering& covering : scene.coverings) {
+  for (const scene::Covering& covering : scene_.coverings) {
     for (const auto& map : covering.temperatures)
       if (map) include(map->minimum_k(), map->maximum_k());
     for (const auto& pattern : covering.patterns)
       if (const auto range = pattern->temperatures()) include(range->coldest_k, range->hottest_k);
   }
-  if (highest > 0.0) planck_ = std::make_unique<radiometry::PlanckTable>(nodes, lowest - 0.5, highest + 0.5);
+  if (highest > 0.0) planck_ = std::make_unique<radiometry::PlanckTable>(nodes_, lowest - 0.5, highest + 0.5);
+}
+
+void SpectralScene::light_surroundings() {
+  float* around = light_.row(kSurroundings);
+  emit(scene_.surroundings, around);
+  const float* reflectance = materials_.reflectance(scene_.surroundings.material);
+  const double sine = scene_.sun ? std::max(0.0, scene_.sun->direction.z) : 0.0;
+  for (std::size_t n = 0; n < node_count(); ++n)
+    around[n] += reflectance[n] * (light_.row(kSunIrradiance)[n] * static_cast<float>(sine / std::numbers::pi) +
+                                   light_.row(kSky)[n]);
 }
 
 const float* SpectralScene::emission(const scene::Constituent& constituent, float* scratch) const {

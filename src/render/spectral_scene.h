@@ -1,12 +1,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "materials/spectral_materials.h"
 #include "radiometry/planck_table.h"
 #include "radiometry/spectral_nodes.h"
 #include "radiometry/spectrum_block.h"
+#include "render/sky_dome.h"
 #include "scene/scene.h"
 
 namespace ifov::render {
@@ -16,6 +18,9 @@ class SpectralScene {
  public:
   /// Keeps references to both; they must outlive this.
   SpectralScene(const scene::Scene& scene, const radiometry::SpectralNodes& nodes);
+  /// With an atmosphere in place of the scene's uniform sky and its tables of transmittance and path radiance. Light
+  /// that goes back and forth between air and ground counts once, over ground as the scene's surroundings.
+  SpectralScene(const scene::Scene& scene, const atmosphere::SensorAtmosphere& atmosphere);
 
   const scene::Scene& scene() const { return scene_; }
   const radiometry::SpectralNodes& nodes() const { return nodes_; }
@@ -35,7 +40,9 @@ class SpectralScene {
 
   /// Irradiance on a surface that faces the Sun (zero without one).
   const float* sun_irradiance() const { return light_.row(kSunIrradiance); }
+  /// Of a uniform sky; under an atmosphere the mean over the sky, weighted as a level surface sees it.
   const float* sky_radiance() const { return light_.row(kSky); }
+  const SkyDome* sky_dome() const { return dome_ ? &*dome_ : nullptr; }  ///< null: the sky is uniform
   const float* surroundings_radiance() const { return light_.row(kSurroundings); }
   bool has_view_path() const { return has_view_path_; }
   const float* view_transmittance() const { return light_.row(kViewTransmittance); }
@@ -46,6 +53,9 @@ class SpectralScene {
 
  private:
   const float* emission(const scene::Constituent& constituent, float* scratch) const;
+  void emit_surfaces();
+  void emit(const scene::SurfaceState& state, float* row) const;
+  void light_surroundings();
 
   enum LightRow { kSunIrradiance, kSky, kSurroundings, kViewTransmittance, kViewRadiance, kLightRows };
   const scene::Scene& scene_;
@@ -54,6 +64,7 @@ class SpectralScene {
   radiometry::SpectrumBlock emission_;  // by state
   radiometry::SpectrumBlock light_;     // by LightRow
   std::unique_ptr<radiometry::PlanckTable> planck_;  // only where a temperature map needs it
+  std::optional<SkyDome> dome_;
   bool has_view_path_ = false;
 };
 

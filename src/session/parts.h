@@ -1,5 +1,6 @@
 #pragma once
 
+#include "atmosphere/sensor/sensor_atmosphere.h"
 #include "io/document/document.h"
 #include "render/image_renderer.h"
 #include "session/map_scale.h"
@@ -14,8 +15,10 @@ struct Session::Parts {
   scene::Scene scene;
   std::vector<MapScale> map_scales;
   std::vector<radiometry::Channel> channels;
-  std::unique_ptr<radiometry::SpectralNodes> nodes;
   std::unique_ptr<sensor::Camera> camera;
+  std::unique_ptr<atmosphere::SensorAtmosphere> atmosphere;   ///< null without a modelled one
+  std::unique_ptr<radiometry::SpectralNodes> own_nodes;       ///< null with one
+  const radiometry::SpectralNodes* nodes = nullptr;
   std::unique_ptr<sampling::PixelFootprint> footprint;
   std::unique_ptr<render::SpectralScene> spectral_scene;
   std::unique_ptr<render::ChannelBrightness> brightness;

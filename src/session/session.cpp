@@ -6,6 +6,7 @@
 
 #include "core/version.h"
 #include "io/products/product_writer.h"
+#include "session/atmosphere_assembly.h"
 #include "session/parts.h"
 #include "session/scene_assembly.h"
 #include "session/sensor_assembly.h"
@@ -61,7 +62,8 @@ void warn_of_cold_surfaces(const Session::Parts& parts, LogSink& log) {
 constexpr double kChannelError = 1e-3;
 
 /// Spectral nodes for what light can do in the scene: how often it is reflected, and how hot surfaces are.
-radiometry::SpectralNodes build_nodes(const Session::Parts& parts) {
+/// Spectral nodes for the sensor, with the atmosphere where one is modelled.
+void build_nodes(Session::Parts& parts, LogSink* log) {
   const scene::Scene& scene = parts.scene;
   std::vector<radiometry::Spectrum> surfaces;
   for (const materials::Material& material : scene.materials) {
@@ -95,8 +97,17 @@ radiometry::SpectralNodes build_nodes(const Session::Parts& parts) {
   } else {
     demands.coldest_k = demands.hottest_k = 0.0;
   }
+  if (parts.document.atmosphere.modelled) {
+    parts.atmosphere = assemble_atmosphere(parts, surfaces, demands, 0, log);
+    parts.nodes = &parts.atmosphere->nodes();
+    parts.spectral_scene = std::make_unique<render::SpectralScene>(scene, *parts.atmosphere);
+    return;
+  }
   const radiometry::Spectrum sun = scene.sun ? scene.sun->irradiance : radiometry::Spectrum();
-  return radiometry::SpectralNodes::build(parts.channels, sun, surfaces, demands);
+  parts.own_nodes = std::make_unique<radiometry::SpectralNodes>(
+      radiometry::SpectralNodes::build(parts.channels, sun, surfaces, demands));
+  parts.nodes = parts.own_nodes.get();
+  parts.spectral_scene = std::make_unique<render::SpectralScene>(scene, *parts.nodes);
 }
 
 }  // namespace
@@ -138,10 +149,7 @@ Session Session::load(const io::Document& document, LogSink* log, const LoadOpti
   p.camera = assemble_camera(document, p.scene);
   p.footprint = std::make_unique<sampling::PixelFootprint>(assemble_footprint(document));
   p.plan = assemble_sampling(document, p.channels);
-  with_position(document, document.sensor.position, [&] {
-    p.nodes = std::make_unique<radiometry::SpectralNodes>(build_nodes(p));
-    p.spectral_scene = std::make_unique<render::SpectralScene>(p.scene, *p.nodes);
-  });
+  with_position(document, document.sensor.position, [&] { build_nodes(p, log); });
   if (log != nullptr && p.nodes->worst_error() > kChannelError)
     log->warn(format("the nodes of the channels integrate some product of spectra only within {:.2g} %",
                      100.0 * p.nodes->worst_error()));

@@ -48,6 +48,7 @@ class ReferenceCheck {
     for (const DocumentName& channel : document_.output.quicklook_channels)
       require("channel", channel, channels_);
     check_sun();
+    check_sky();
     check_psf();
   }
 
@@ -153,6 +154,12 @@ class ReferenceCheck {
                : document_.scene.origin.geographic
                    ? "the document's 'time'"
                    : "the document's 'time' and the scene's 'origin' with 'latitude' and 'longitude'"));
+  }
+
+  void check_sky() const {
+    if (!document_.atmosphere.modelled || std::holds_alternative<NoSky>(document_.light.sky)) return;
+    throw document_error(document_, document_.light.position,
+                         "the sky follows from the atmosphere's 'profile': leave out 'sky', or the profile");
   }
 
   void check_psf() const {

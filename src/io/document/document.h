@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "geodesy/utc_time.h"
+#include "io/document/atmosphere_document.h"
 #include "io/document/light_document.h"
 #include "io/document/output_document.h"
 #include "io/document/sampling_document.h"

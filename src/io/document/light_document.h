@@ -45,17 +45,4 @@ struct LightDocument {
   SourcePosition position;
 };
 
-/// Between the scene and the camera (transmittance, path radiance) and between the Sun and the scene.
-/// What is absent changes nothing.
-struct TabulatedAtmosphere {
-  std::optional<SpectrumDocument> transmittance;
-  std::optional<SpectrumDocument> path_radiance;
-  std::optional<SpectrumDocument> sun_transmittance;
-};
-
-struct AtmosphereDocument {
-  std::optional<TabulatedAtmosphere> tabulated;
-  SourcePosition position;
-};
-
 }  // namespace ifov::io

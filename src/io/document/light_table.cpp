@@ -89,20 +89,4 @@ Kind<LightDocument> light_kind() {
   return record.kind();
 }
 
-Kind<AtmosphereDocument> atmosphere_kind() {
-  const Kind<SpectrumDocument> transmittance = spectrum_kind(SpectrumOf::fraction);
-  Record<TabulatedAtmosphere> tabulated("tabulated atmosphere", "An atmosphere given by its spectra.");
-  tabulated
-      .optional("transmittance", &TabulatedAtmosphere::transmittance, transmittance,
-                "from the scene to the camera")
-      .optional("path_radiance", &TabulatedAtmosphere::path_radiance, spectrum_kind(SpectrumOf::radiance),
-                "added on the way from the scene to the camera")
-      .optional("sun_transmittance", &TabulatedAtmosphere::sun_transmittance, transmittance,
-                "from the Sun to the scene");
-  Record<AtmosphereDocument> record("atmosphere", "What lies between Sun, scene and camera.");
-  record.optional("tabulated", &AtmosphereDocument::tabulated, tabulated.kind(),
-                  "spectra; those not given change nothing");
-  return record.kind();
-}
-
 }  // namespace ifov::io

@@ -81,6 +81,14 @@ constexpr Unit kIrradianceUnits[] = {
     {"W m^-2 um^-1", 1.0, 0.0, kAlias},
     {"W/m2/nm", 1e3, 0.0, kAlias},
 };
+constexpr Unit kPressureUnits[] = {{"hPa"}, {"Pa", 1e-2}, {"kPa", 10.0}, {"mbar", 1.0, 0.0, kAlias}, {"mb", 1.0, 0.0, kAlias}};
+constexpr Unit kWaterColumnUnits[] = {
+    {"g/cm2"}, {"kg/m2", 0.1}, {"mm", 0.1}, {"cm"}, {"g cm-2", 1.0, 0.0, kAlias}, {"kg m-2", 0.1, 0.0, kAlias},
+    {"g/cm^2", 1.0, 0.0, kAlias},
+};
+constexpr Unit kOzoneColumnUnits[] = {{"DU"}, {"atm-cm", 1e3}};
+constexpr Unit kMixingRatioUnits[] = {{"g/kg"}, {"g kg-1", 1.0, 0.0, kAlias}};
+constexpr Unit kMixingRatioByVolumeUnits[] = {{"ppm"}, {"ppb", 1e-3}, {"ppmv", 1.0, 0.0, kAlias}};
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -111,6 +119,11 @@ const Dimension kReflectance{"a reflectance", "0.002 reflectance", kReflectanceU
 const Dimension kRadiance{"a spectral radiance", "12 W m-2 sr-1 um-1", kRadianceUnits};
 const Dimension kDensity{"a density", "300 ha-1", kDensityUnits};
 const Dimension kIrradiance{"a spectral irradiance", "1800 W m-2 um-1", kIrradianceUnits};
+const Dimension kPressure{"a pressure", "1013 hPa", kPressureUnits};
+const Dimension kWaterColumn{"a column of water vapour", "2.1 g/cm2", kWaterColumnUnits};
+const Dimension kOzoneColumn{"a column of ozone", "320 DU", kOzoneColumnUnits};
+const Dimension kMixingRatio{"a mixing ratio", "8 g/kg", kMixingRatioUnits};
+const Dimension kMixingRatioByVolume{"a mixing ratio by volume", "420 ppm", kMixingRatioByVolumeUnits};
 
 const Unit* Dimension::find(std::string_view spelling) const {
   for (const Unit& unit : units) {

@@ -37,6 +37,11 @@ extern const Dimension kReflectance;            ///< fraction of 1
 extern const Dimension kRadiance;               ///< W m-2 sr-1 um-1
 extern const Dimension kDensity;                ///< m-2, of things on the ground
 extern const Dimension kIrradiance;             ///< W m-2 um-1
+extern const Dimension kPressure;               ///< hPa
+extern const Dimension kWaterColumn;            ///< g cm-2
+extern const Dimension kOzoneColumn;            ///< DU
+extern const Dimension kMixingRatio;            ///< g kg-1
+extern const Dimension kMixingRatioByVolume;    ///< ppm
 
 /// A number and what follows it, as written.
 struct QuantityText {
