@@ -5,8 +5,8 @@ DATA holds the files of the intercomparison: `het01_UNI_sphere.def` (radius, cen
 discs of a ball), `het01_UNI_instances.def` (centres of the 15 balls) and, where no angles are named,
 `expected_brf.csv`. An angle is the view zenith in degrees in the principal plane, negative on the Sun's side.
 
-The one pixel of an image holds the 100 m x 100 m that repeat without end; its radiance L is the reflectance factor
-pi L / (E cos 20 degrees), with E = 1 W m-2 um-1.
+The 8 x 8 pixels of an image hold the 100 m x 100 m that repeat without end; the mean L of their radiances is the
+reflectance factor pi L / (E cos 20 degrees), with E = 1 W m-2 um-1.
 """
 
 import json
@@ -18,8 +18,9 @@ import numpy as np
 SIDE_M = 100.0
 SUN_ZENITH_DEG = 20.0
 GROUND, LEAF_REFLECTANCE, LEAF_TRANSMITTANCE = 0.159, 0.4957, 0.4409
-STANDARD_ERROR_PERCENT = 0.2
-HALF_WIDTHS = 1.96  # standard errors, at a confidence of 95 %
+PIXELS = 8  # along a side
+# Of each pixel, at a confidence of 95 %: 1.5 % standard error, and so 0.19 % of their mean.
+HALF_WIDTH_PERCENT = 3
 
 
 def write_leaves(discs, path):
@@ -65,11 +66,11 @@ def document(balls, angle):
         "light": {"sun": {"point": {"zenith": f"{SUN_ZENITH_DEG} deg", "azimuth": "90 deg", "distance": "1 au",
                                     "spectrum": "1 W m-2 um-1"}}},
         "sensor": {
-            "camera": {"orthographic": {"gsd": f"{SIDE_M} m", "pixels": [1, 1], "view_zenith": f"{abs(angle)} deg",
+            "camera": {"orthographic": {"gsd": f"{SIDE_M / PIXELS} m", "pixels": [PIXELS, PIXELS], "view_zenith": f"{abs(angle)} deg",
                                         "view_azimuth": "90 deg" if angle < 0 else "270 deg"}},
             "channels": [{"name": "near infrared", "monochromatic": {"at": "0.8 um"}}],
         },
-        "sampling": {"accuracy": {"error": f"{HALF_WIDTHS * STANDARD_ERROR_PERCENT:.4g} %", "max_samples": 100000000}},
+        "sampling": {"accuracy": {"error": f"{HALF_WIDTH_PERCENT} %"}, "tile": 2},
         "output": {"formats": ["envi"]},
     }
 

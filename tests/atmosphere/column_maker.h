@@ -10,6 +10,17 @@ namespace ifov::atmosphere::test {
 
 inline constexpr double kDegree = std::numbers::pi / 180.0;
 
+/// Flat layers, as many sublayers as asked for.
+inline ScatteringOptions flat(int nodes = 8, double sublayer_depth = 0.01, bool polarized = true) {
+  ScatteringOptions options;
+  options.nodes_per_hemisphere = nodes;
+  options.sublayer_depth = sublayer_depth;
+  options.most_sublayers = 400;
+  options.spherical_earth = false;
+  options.polarized = polarized;
+  return options;
+}
+
 struct Column {
   Levels levels;
   LayerOptics optics;

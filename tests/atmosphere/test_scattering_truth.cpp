@@ -15,16 +15,6 @@ using namespace ifov::atmosphere::test;
 
 namespace {
 
-ScatteringOptions flat(int nodes, double sublayer_depth, bool polarized = true) {
-  ScatteringOptions options;
-  options.nodes_per_hemisphere = nodes;
-  options.sublayer_depth = sublayer_depth;
-  options.most_sublayers = 400;
-  options.spherical_earth = false;
-  options.polarized = polarized;
-  return options;
-}
-
 /// Lines of numbers, separated by commas or blanks; other lines are left out.
 std::vector<std::vector<double>> read_numbers(const std::filesystem::path& path) {
   std::ifstream file(path);

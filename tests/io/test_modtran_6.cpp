@@ -49,6 +49,15 @@ TEST(Modtran6Csv, PartsAddUp) {
   EXPECT_NEAR(path.column(Q::single_scatter_path_radiance)[1], 5e-10 * 2050.0 * 2050.0, 1e-9);
 }
 
+// Where MULT_SCAT holds all of the scattered light, the total says so.
+TEST(Modtran6Csv, TheTotalTellsWhatThePartsHold) {
+  const auto runs = parse(
+      "Freq (cm-1), tot_trans, thrml_em, thrml_sct, surf_emis, mult_scat, sing_scat, grnd_rflt, total_rad\n"
+      "20000, 0.9, 0, 0, 0, 5.0e-9, 4.0e-9, 4.0e-9, 9.0e-9\n");
+  EXPECT_NEAR(runs[0].path.column(Q::solar_path_radiance)[0], 5e-9 * 2e4 * 2e4, 1e-9);
+  EXPECT_NEAR(runs[0].path.column(Q::single_scatter_path_radiance)[0], 4e-9 * 2e4 * 2e4, 1e-9);
+}
+
 // Names of the JSON output and of the spectral libraries, a line of units, several cases in one file.
 TEST(Modtran6Csv, OtherSpellingsUnitsAndCases) {
   const std::string text =

@@ -148,8 +148,8 @@ TEST_F(ThreeAlbedos, CouplingTermsAreModtrans) {
       EXPECT_NEAR(coupling.direct_reflected[i] / (expected * direct / (direct + diffuse)), 1.0, 0.02) << i;
     }
   }
-  EXPECT_LT(worst_albedo, 0.01);
-  EXPECT_LT(worst_reflected, 0.02);
+  EXPECT_LT(worst_albedo, 0.0004);
+  EXPECT_LT(worst_reflected, 0.006);
   EXPECT_EQ(coupling.cut, 0u);
   RecordProperty("worst_spherical_albedo", std::to_string(worst_albedo));
   RecordProperty("worst_reflected", std::to_string(worst_reflected));

@@ -2,6 +2,7 @@
 
 #include "io/atmosphere/import_paths.h"
 #include "io/atmosphere/path_csv.h"
+#include "io/mesh/file_bytes.h"
 #include "io/spectra_files.h"
 
 namespace ifov::io {
@@ -37,6 +38,17 @@ TEST(PathCsv, UnitsOfTheSpectralColumnLeaveDensitiesAlone) {
   EXPECT_DOUBLE_EQ(paths[0].column(Q::total_radiance)[1], 8.5);
   EXPECT_DOUBLE_EQ(paths[0].wavelength_um()[1], 10.0);
   EXPECT_FALSE(paths[0].has(Q::spherical_albedo));
+}
+
+// The example of the page on formats is read as it stands there.
+TEST(PathCsv, ExampleInTheDocs) {
+  const std::string page = read_file_bytes(IFOV_SOURCE_DIR "/docs/formats/atmosphere_import.md");
+  const std::size_t begin = page.find("```\n") + 4;
+  const auto path = parse_path_csv(TextFile("example", page.substr(begin, page.find("```", begin) - begin)));
+  EXPECT_EQ(path.wavelength_um().size(), 2u);
+  EXPECT_DOUBLE_EQ(path.column(Q::spherical_albedo)[1], 0.11);
+  for (const std::string& name : atmosphere::path_quantity_names())
+    EXPECT_NE(page.find("`" + name + "`"), std::string::npos) << name;
 }
 
 TEST(PathCsv, ErrorsShowThePlace) {

@@ -5,6 +5,7 @@
 
 #include "core/format.h"
 #include "geodesy/sun_position.h"
+#include "io/mesh/file_bytes.h"
 #include "io/spectra_files.h"
 #include "io/weather/weather_file.h"
 #include "support/truth_data.h"
@@ -122,6 +123,30 @@ TEST(Weather, OwnTables) {
   EXPECT_FALSE(series.at(Q::wind_speed_m_s, parse_utc("2026-06-21T11:00:00Z")));
   // The dew point of air at 20 degrees and 50 % is 9.3 degrees.
   EXPECT_NEAR(*series.at(Q::dew_point_k, parse_utc("2026-06-21T10:00:00Z")) - 273.15, 9.27, 0.02);
+}
+
+// The example of the page on formats is read as it stands there.
+TEST(Weather, ExampleInTheDocs) {
+  const std::string page = read_file_bytes(IFOV_SOURCE_DIR "/docs/formats/weather.md");
+  const std::size_t begin = page.find("```\n") + 4;
+  const auto series = parse(page.substr(begin, page.find("```", begin) - begin));
+  EXPECT_NEAR(celsius(series, "2026-06-21T06:30:00Z"), 15.55, 1e-9);
+  for (std::size_t q = 0; q < atmosphere::kWeatherQuantities; ++q)
+    EXPECT_NE(page.find(format("`{}`", atmosphere::name_of(static_cast<Q>(q)))), std::string::npos);
+}
+
+// The last hours of 28 February in a leap year are 29 February in UTC, west of Greenwich: none is lost.
+TEST(Weather, TypicalYearsKeepTheEndOfFebruary) {
+  std::string rows;
+  for (int hour = 1; hour <= 24; ++hour)
+    rows += format("02/28/1996,{:02}:00,0,0,0,10,{},0.6,89,980,350,2.6\n", hour, hour);
+  rows += "03/01/1988,01:00,0,0,0,10,25,6.1,77,993,10,6.2\n";
+  WeatherOptions options;
+  options.typical_year = true;
+  const auto series = parse(kTmyHead + rows, options);
+  EXPECT_EQ(series.knots(Q::air_temperature_k).size(), 25u);
+  EXPECT_NEAR(celsius(series, "2026-03-01T05:00:00Z"), 24.0, 1e-9);
+  EXPECT_NEAR(celsius(series, "2026-03-01T05:30:00Z"), 24.5, 1e-9);
 }
 
 TEST(Weather, ErrorsShowThePlace) {

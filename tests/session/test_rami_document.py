@@ -34,15 +34,16 @@ class RamiDocuments(unittest.TestCase):
     def deviation(self, angle, change=lambda document: None):
         """Of the reflectance factor from the published one, relative, and its standard error."""
         document = json.loads((Path(self.folder.name) / f"het01_{angle:+03.0f}.json").read_text())
-        document["sampling"]["accuracy"]["error"] = "0.8 %"
+        document["sampling"]["accuracy"]["error"] = "6 %"
         change(document)
         path = Path(self.folder.name) / "scene.json"
         path.write_text(json.dumps(document))
         out = Path(self.folder.name) / "out"
         subprocess.run([PROGRAM, "render", path, "--output", out], check=True, capture_output=True, timeout=200)
-        ours, error = (SCALE * struct.unpack("<f", (out / f"image_{name}.img").read_bytes())[0]
-                       for name in ("radiance", "standard_error"))
-        return ours / self.published[angle] - 1.0, error / ours
+        radiance, error = ([v for (v,) in struct.iter_unpack("<f", (out / f"image_{name}.img").read_bytes())]
+                           for name in ("radiance", "standard_error"))
+        mean = sum(radiance) / len(radiance)
+        return SCALE * mean / self.published[angle] - 1.0, math.hypot(*error) / len(error) / mean
 
     def test_published_reflectance_factors(self):
         for angle in (-21.0, 61.0):

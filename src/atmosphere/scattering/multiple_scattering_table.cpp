@@ -57,26 +57,43 @@ Interpolation lagrange_within(std::span<const double> nodes, double x, std::size
   return lagrange(nodes, std::clamp(x, nodes.front(), nodes.back()), most);
 }
 
-/// Linear, and half an interval beyond the outermost: pressure puts one gas's bands at somewhat different
-/// heights.
-Interpolation between_profiles(std::span<const double> under, double x) {
-  if (under.size() < 2) return {};
-  const double before = 0.5 * (under[1] - under[0]), after = 0.5 * (under.back() - under[under.size() - 2]);
-  return lagrange(under, std::clamp(x, under.front() - before, std::min(1.0, under.back() + after)), 2);
+/// Shares of up to three profiles whose mixture has the means of `gas`; a little less than none and more than
+/// all is allowed, since pressure puts one gas's bands at somewhat different heights.
+std::array<double, 3> shares(std::span<const GasPlacement> profiles, const GasPlacement& gas) {
+  if (profiles.size() < 2) return {1.0, 0.0, 0.0};
+  const GasPlacement &a = profiles[0], &b = profiles[1];
+  const auto bounded = [](double share) { return std::clamp(share, -0.5, 1.5); };
+  if (profiles.size() == 2) {
+    const double second = bounded((gas.under - a.under) / (b.under - a.under));
+    return {1.0 - second, second, 0.0};
+  }
+  const GasPlacement& c = profiles[2];
+  const double b1 = b.under - a.under, c1 = c.under - a.under, g1 = gas.under - a.under;
+  const double b2 = b.under_square - a.under_square, c2 = c.under_square - a.under_square,
+               g2 = gas.under_square - a.under_square;
+  const double determinant = b1 * c2 - c1 * b2;
+  const double second = bounded((g1 * c2 - c1 * g2) / determinant);
+  const double third = bounded((g1 - second * b1) / c1);
+  return {1.0 - second - third, second, third};
 }
 
 }  // namespace
 
 GasPlacement gas_placement(const LayerOptics& optics) {
   GasPlacement placement;
-  double above = 0.0, scattered = 0.0;
+  double above = 0.0, square = 0.0, scattered = 0.0;
   for (std::size_t i = optics.layers(); i-- > 0;) {
     const double s = optics.rayleigh_scattering[i] + optics.aerosol_scattering[i];
     placement.depth += optics.gas_absorption[i];
+    // Means over a layer through which the share grows linearly.
     above += optics.gas_absorption[i] * (scattered + 0.5 * s);
+    square += optics.gas_absorption[i] * (scattered * (scattered + s) + s * s / 3.0);
     scattered += s;
   }
-  if (placement.depth > 0.0 && scattered > 0.0) placement.under = above / (placement.depth * scattered);
+  if (placement.depth > 0.0 && scattered > 0.0) {
+    placement.under = above / (placement.depth * scattered);
+    placement.under_square = square / (placement.depth * scattered * scattered);
+  }
   return placement;
 }
 
@@ -85,11 +102,11 @@ MultipleScatteringTable::MultipleScatteringTable(const Nodes& nodes, const MakeO
     : log_wavelength_(mapped(nodes.wavelength_um, [](double value) { return std::log(value); })),
       depth_(mapped(nodes.depth, stretched)),
       profiles_(nodes.profiles) {
-  if (nodes.depth.front() != 0.0 || profiles_ == 0) {
+  if (nodes.depth.front() != 0.0 || profiles_ < 1 || profiles_ > 3) {
     throw std::invalid_argument(
-        "a table of multiple scattering starts without gas and has at least one profile");
+        "a table of multiple scattering starts without gas and has one to three profiles");
   }
-  under_.resize(log_wavelength_.size() * profiles_);
+  placement_.resize(log_wavelength_.size() * profiles_);
   std::vector<std::vector<Entry>> rows(log_wavelength_.size() * depth_.size() * profiles_);
   parallel_for(static_cast<std::int64_t>(rows.size()), threads, [&](std::int64_t index) {
     const std::size_t at = static_cast<std::size_t>(index), profile = at % profiles_;
@@ -108,7 +125,7 @@ MultipleScatteringTable::MultipleScatteringTable(const Nodes& nodes, const MakeO
       }
       rows[at].push_back(entry);
     }
-    if (depth == 1) under_[wavelength * profiles_ + profile] = gas_placement(column).under;
+    if (depth == 1) placement_[wavelength * profiles_ + profile] = gas_placement(column);
   });
   quantities_ = rows.front().size();
   for (std::size_t at = 0; at < rows.size(); ++at) {
@@ -119,8 +136,8 @@ MultipleScatteringTable::MultipleScatteringTable(const Nodes& nodes, const MakeO
     }
     entries_.insert(entries_.end(), entries.begin(), entries.end());
   }
-  for (std::size_t i = 0; i < under_.size(); ++i) {
-    if (i % profiles_ > 0 && !(under_[i] > under_[i - 1])) {
+  for (std::size_t i = 0; i < placement_.size(); ++i) {
+    if (i % profiles_ > 0 && !(placement_[i].under > placement_[i - 1].under)) {
       throw std::invalid_argument("profiles of gas must come from the highest to the lowest");
     }
   }
@@ -136,13 +153,12 @@ void MultipleScatteringTable::complete(double wavelength_um, const GasPlacement&
   std::vector<Entry> mean(quantities_);
   for (std::size_t w = 0; w < along.count; ++w) {
     const std::size_t wavelength = along.first + w;
-    const Interpolation between =
-        between_profiles(std::span(under_).subspan(wavelength * profiles_, profiles_), gas.under);
+    const std::array<double, 3> mixture =
+        shares(std::span(placement_).subspan(wavelength * profiles_, profiles_), gas);
     for (std::size_t a = 0; a < across.count; ++a) {
-      for (std::size_t p = 0; p < between.count; ++p) {
-        const double weight = along.weight[w] * across.weight[a] * between.weight[p];
-        const Entry* entry =
-            entries_.data() + row(wavelength, across.first + a, between.first + p) * quantities_;
+      for (std::size_t p = 0; p < profiles_; ++p) {
+        const double weight = along.weight[w] * across.weight[a] * mixture[p];
+        const Entry* entry = entries_.data() + row(wavelength, across.first + a, p) * quantities_;
         for (std::size_t k = 0; k < quantities_; ++k) {
           mean[k].log_ratio += weight * entry[k].log_ratio;
           mean[k].q += weight * entry[k].q;

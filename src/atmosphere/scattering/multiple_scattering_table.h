@@ -10,12 +10,14 @@
 
 namespace ifov::atmosphere {
 
-/// What gas does to light scattered many times, in two numbers.
+/// What gas does to light scattered many times, in three numbers.
 struct GasPlacement {
   double depth = 0.0;  ///< vertical absorption depth of all gas
   /// Mean over the gas of the share of the column's scattering depth that is above it: near 0 for ozone, 0.5
   /// to 0.6 for well-mixed gases, near 1 for water vapour.
   double under = 0.5;
+  double under_square =
+      0.25;  ///< mean of that share's square: tells a mixture of high and low gas from one between
 };
 GasPlacement gas_placement(const LayerOptics& optics);
 
@@ -31,14 +33,14 @@ struct LightByOrder {
 ///
 /// Nodes are wavelengths x depths of gas x profiles of gas (say ozone, a well-mixed gas, water vapour).
 /// ln(rest / first) of I is interpolated linearly in the logarithm of wavelength, by cubics in ln(1 + 10
-/// depth) and linearly between the profiles by where their gas is; Q and U of the rest are interpolated
-/// relative to its I.
+/// depth), and linearly between the profiles, in the shares that have the gas's means of GasPlacement; Q and
+/// U of the rest are interpolated relative to its I.
 class MultipleScatteringTable {
  public:
   struct Nodes {
     std::vector<double> wavelength_um;  ///< rising, at least 2
     std::vector<double> depth;          ///< of gas, rising from 0, at least 2
-    std::size_t profiles = 1;           ///< in the order of their GasPlacement::under, rising
+    std::size_t profiles = 1;           ///< 1 to 3, in the order of their GasPlacement::under, rising
   };
   /// The column at a node: gas of this profile scaled to this depth.
   using MakeOptics = std::function<LayerOptics(double wavelength_um, double depth, std::size_t profile)>;
@@ -64,8 +66,8 @@ class MultipleScatteringTable {
   }
   std::vector<double> log_wavelength_, depth_;
   std::size_t profiles_ = 1, quantities_ = 0;
-  std::vector<double> under_;   ///< [wavelength][profile]
-  std::vector<Entry> entries_;  ///< [wavelength][depth][profile][quantity]
+  std::vector<GasPlacement> placement_;  ///< [wavelength][profile]
+  std::vector<Entry> entries_;           ///< [wavelength][depth][profile][quantity]
 };
 
 }  // namespace ifov::atmosphere

@@ -20,6 +20,7 @@ struct PathLight {
 /// Sunlight of irradiance 1 (across the beam, above the air) scattered once into `direction`, on the way to
 /// an observer; and the transmittance of that way. Exact for homogeneous layers: depths are delta-M scaled
 /// and the phase function is whole (TMS, Nakajima and Tanaka 1988). `multiple` stays 0.
+/// A column for this alone needs no sublayers (most_sublayers = 1): pieces of a layer add up to it.
 PathLight single_scattering(const ScatteringColumn& column, double aerosol_polarization,
                             const Propagation& direction, double observer_km, double length_km = kEndless_km);
 /// The same for light that comes down from space, by walk_sky.

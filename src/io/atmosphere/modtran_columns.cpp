@@ -91,36 +91,56 @@ std::vector<double> ratio(const std::vector<double>& a, const std::vector<double
   return result;
 }
 
-void check_total(const SpectralTable& table, const atmosphere::ImportedPath& path) {
+/// The sum of the parts of the radiance at the first wavelength where it is not the total; nothing where it
+/// is the total throughout, within the rounding of the file, or where there is nothing to compare.
+struct Mismatch {
+  std::size_t at = 0;
+  double parts = 0.0;
+};
+std::optional<Mismatch> mismatch(const atmosphere::ImportedPath& path) {
   const auto total = path.column(Q::total_radiance);
-  if (total.empty()) return;
   constexpr std::array kParts{Q::thermal_path_radiance, Q::surface_emission, Q::solar_path_radiance,
                               Q::ground_reflected_radiance};
-  if (!path.has(Q::thermal_path_radiance) && !path.has(Q::solar_path_radiance)) return;
+  if (!path.has(Q::thermal_path_radiance) && !path.has(Q::solar_path_radiance)) return std::nullopt;
   for (std::size_t i = 0; i < total.size(); ++i) {
     double parts = 0.0;
     for (const Q part : kParts)
       if (path.has(part)) parts += path.column(part)[i];
     if (std::abs(parts - total[i]) > 2e-3 * std::max(std::abs(parts), std::abs(total[i])) + 1e-18)
-      table.file().fail(
-          table.first_line(), 0,
-          format("at {:g} um the parts of the radiance add up to {:g}, and TOTAL_RAD is {:g} W m-2 "
-                 "sr-1 um-1; expected the same, so the columns are not what the heading says",
-                 path.wavelength_um()[i], parts, total[i]));
+      return Mismatch{i, parts};
   }
+  return std::nullopt;
+}
+
+/// PTH_THRML and SOL_SCAT are all of the thermal path radiance and of the scattered light. Under the names
+/// THRML_EM and MULT_SCAT versions give the parts without thermal scatter and without single scatter, or all
+/// of it: the one that adds up to the total is taken, the parts first.
+void set_path_radiances(const SpectralTable& table, atmosphere::ImportedPath& path) {
+  const auto radiance = [&](std::string_view name) { return table.density(name, kPerSquareMetre); };
+  std::vector<std::vector<double>> thermal{radiance("PTH_THRML")}, solar{radiance("SOL_SCAT")};
+  if (table.has("THRML_EM"))
+    thermal = {sum({radiance("THRML_EM"), radiance("THRML_SCT")}), radiance("THRML_EM")};
+  if (table.has("MULT_SCAT"))
+    solar = {sum({radiance("MULT_SCAT"), radiance("SING_SCAT")}), radiance("MULT_SCAT")};
+  std::optional<Mismatch> first;
+  for (const std::vector<double>& emitted : thermal)
+    for (const std::vector<double>& scattered : solar) {
+      path.set(Q::thermal_path_radiance, emitted);
+      path.set(Q::solar_path_radiance, scattered);
+      const std::optional<Mismatch> found = mismatch(path);
+      if (!found) return;
+      if (!first) first = found;
+    }
+  table.file().fail(
+      table.first_line(), 0,
+      format("at {:g} um the parts of the radiance add up to {:g}, and TOTAL_RAD is {:g} W m-2 sr-1 um-1; "
+             "expected the same, so the columns are not what the heading says",
+             path.wavelength_um()[first->at], first->parts, path.column(Q::total_radiance)[first->at]));
 }
 
 void set_radiances(const SpectralTable& table, atmosphere::ImportedPath& path) {
   const auto radiance = [&](std::string_view name) { return table.density(name, kPerSquareMetre); };
   path.set(Q::total_radiance, radiance("TOTAL_RAD"));
-  // Version 5 gives all of the thermal path radiance and all of the scattered light; version 6 gives the
-  // parts.
-  path.set(Q::thermal_path_radiance, table.has("THRML_EM")
-                                         ? sum({radiance("THRML_EM"), radiance("THRML_SCT")})
-                                         : radiance("PTH_THRML"));
-  path.set(Q::solar_path_radiance, table.has("MULT_SCAT")
-                                       ? sum({radiance("MULT_SCAT"), radiance("SING_SCAT")})
-                                       : radiance("SOL_SCAT"));
   path.set(Q::single_scatter_path_radiance, radiance("SING_SCAT"));
   path.set(Q::surface_emission, radiance("SURF_EMIS"));
   path.set(Q::ground_reflected_radiance, radiance("GRND_RFLT"));
@@ -129,7 +149,7 @@ void set_radiances(const SpectralTable& table, atmosphere::ImportedPath& path) {
   path.set(Q::solar_irradiance, radiance("TOA_SUN"));
   path.set(Q::surface_emissivity, table.column("DIR_EM"));
   path.set(Q::two_way_transmittance, ratio(table.column("REF_SOL"), table.column("TOA_SUN")));
-  check_total(table, path);
+  set_path_radiances(table, path);
 }
 
 }  // namespace
