@@ -64,6 +64,15 @@ WeatherSeries::WeatherSeries(WeatherSite site, Knots knots, bool typical_year)
   }
 }
 
+WeatherSeries WeatherSeries::constant(WeatherSite site, const Values& values) {
+  Knots knots;
+  for (std::size_t q = 0; q < kWeatherQuantities; ++q)
+    if (values[q]) knots[q].push_back({0.0, *values[q]});
+  WeatherSeries series(std::move(site), std::move(knots));
+  series.constant_ = true;
+  return series;
+}
+
 bool WeatherSeries::empty() const {
   return std::all_of(knots_.begin(), knots_.end(), [](const auto& list) { return list.empty(); });
 }
@@ -71,6 +80,7 @@ bool WeatherSeries::empty() const {
 std::optional<double> WeatherSeries::measured(Q quantity, double time_s) const {
   const std::vector<WeatherKnot>& list = knots(quantity);
   if (list.empty()) return std::nullopt;
+  if (constant_) return list.front().value;
   const double when = typical_year_ ? time_of_year(time_s) : time_s;
   const auto next = std::lower_bound(list.begin(), list.end(), when,
                                      [](const WeatherKnot& knot, double t) { return knot.time_s < t; });

@@ -53,8 +53,13 @@ class WeatherSeries {
   /// that is no number or two values at one time.
   WeatherSeries(WeatherSite site, Knots knots, bool typical_year = false);
 
+  /// The same at all times; what has no value is absent.
+  using Values = std::array<std::optional<double>, kWeatherQuantities>;
+  static WeatherSeries constant(WeatherSite site, const Values& values);
+
   const WeatherSite& site() const { return site_; }
   bool typical_year() const { return typical_year_; }
+  bool is_constant() const { return constant_; }
   bool empty() const;
   const std::vector<WeatherKnot>& knots(WeatherQuantity quantity) const {
     return knots_[static_cast<std::size_t>(quantity)];
@@ -68,7 +73,7 @@ class WeatherSeries {
 
   WeatherSite site_;
   Knots knots_;
-  bool typical_year_ = false;
+  bool typical_year_ = false, constant_ = false;
 };
 
 /// Pressure of water vapour saturated over water, Pa: Magnus' form with the coefficients of Alduchov and

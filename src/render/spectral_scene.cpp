@@ -17,10 +17,7 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::Spectr
     const radiometry::Spectrum* product[] = {&scene.sun->irradiance, &scene.sun->transmittance};
     nodes.average_source(product, light_.values(kSunIrradiance));
   }
-  if (scene.sky.radiance)
-    nodes.average_source(*scene.sky.radiance, light_.values(kSky));
-  else if (scene.sky.temperature_k)
-    nodes.planck(*scene.sky.temperature_k, light_.values(kSky));
+  sky_of_scene();
   light_surroundings();
 
   if (scene.view_path.transmittance || scene.view_path.radiance) {
@@ -39,12 +36,36 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Sensor
       light_(kLightRows, nodes_.node_count()),
       has_view_path_(true) {
   emit_surfaces();
-  const float* albedo = materials_.reflectance(scene.surroundings.material);
-  const double sine = scene.sun ? std::max(0.0, scene.sun->direction.z) : 0.0;
+  const std::vector<double> ground = couple(air, air.sky_irradiance());
+  dome_.emplace(air, scene.sun ? scene.sun->direction : math::Vec3{1.0, 0.0, 0.0}, ground);
+  light_surroundings();
+}
+
+SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::ImportedAtmosphere& air)
+    : scene_(scene),
+      nodes_(air.nodes()),
+      materials_(scene.materials, nodes_),
+      emission_(scene.states.size(), nodes_.node_count()),
+      light_(kLightRows, nodes_.node_count()),
+      has_view_path_(true) {
+  emit_surfaces();
+  std::vector<double> sky = air.sky_irradiance();
+  if (!air.has_sky()) {
+    sky_of_scene();
+    for (std::size_t n = 0; n < node_count(); ++n) sky[n] = std::numbers::pi * light_.row(kSky)[n];
+  }
+  couple(air, sky);
+  light_surroundings();
+}
+
+template <class Air>
+std::vector<double> SpectralScene::couple(const Air& air, std::span<const double> sky_irradiance) {
+  const float* albedo = materials_.reflectance(scene_.surroundings.material);
+  const double sine = scene_.sun ? std::max(0.0, scene_.sun->direction.z) : 0.0;
   std::vector<double> ground(node_count());
   for (std::size_t n = 0; n < node_count(); ++n) {
     const double direct = air.sun_irradiance()[n] * sine;
-    const double all = (direct + air.sky_irradiance()[n]) / (1.0 - albedo[n] * air.spherical_albedo()[n]);
+    const double all = (direct + sky_irradiance[n]) / (1.0 - albedo[n] * air.spherical_albedo()[n]);
     ground[n] = albedo[n] * all / std::numbers::pi;
     light_.row(kSunIrradiance)[n] = static_cast<float>(air.sun_irradiance()[n]);
     light_.row(kSky)[n] = static_cast<float>((all - direct) / std::numbers::pi);
@@ -52,8 +73,14 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Sensor
     light_.row(kViewRadiance)[n] =
         static_cast<float>(air.view_radiance()[n] + ground[n] * air.diffuse_transmittance()[n]);
   }
-  dome_.emplace(air, scene.sun ? scene.sun->direction : math::Vec3{1.0, 0.0, 0.0}, ground);
-  light_surroundings();
+  return ground;
+}
+
+void SpectralScene::sky_of_scene() {
+  if (scene_.sky.radiance)
+    nodes_.average_source(*scene_.sky.radiance, light_.values(kSky));
+  else if (scene_.sky.temperature_k)
+    nodes_.planck(*scene_.sky.temperature_k, light_.values(kSky));
 }
 
 void SpectralScene::emit(const scene::SurfaceState& state, float* row) const {

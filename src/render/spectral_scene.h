@@ -2,8 +2,10 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "atmosphere/imported_atmosphere.h"
 #include "materials/spectral_materials.h"
 #include "radiometry/planck_table.h"
 #include "radiometry/spectral_nodes.h"
@@ -21,6 +23,8 @@ class SpectralScene {
   /// With an atmosphere in place of the scene's uniform sky and its tables of transmittance and path radiance. Light
   /// that goes back and forth between air and ground counts once, over ground as the scene's surroundings.
   SpectralScene(const scene::Scene& scene, const atmosphere::SensorAtmosphere& atmosphere);
+  /// With what another code computed, under a uniform sky of its irradiance; where it has none, under the scene's own.
+  SpectralScene(const scene::Scene& scene, const atmosphere::ImportedAtmosphere& atmosphere);
 
   const scene::Scene& scene() const { return scene_; }
   const radiometry::SpectralNodes& nodes() const { return nodes_; }
@@ -56,6 +60,10 @@ class SpectralScene {
   void emit_surfaces();
   void emit(const scene::SurfaceState& state, float* row) const;
   void light_surroundings();
+  void sky_of_scene();
+  /// Rows of Sun, sky and view path over ground as the scene's surroundings; returns that ground's reflected radiance.
+  template <class Air>
+  std::vector<double> couple(const Air& air, std::span<const double> sky_irradiance);
 
   enum LightRow { kSunIrradiance, kSky, kSurroundings, kViewTransmittance, kViewRadiance, kLightRows };
   const scene::Scene& scene_;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "atmosphere/imported_atmosphere.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
+#include "atmosphere/weather_series.h"
 #include "io/document/document.h"
 #include "render/image_renderer.h"
 #include "session/map_scale.h"
@@ -14,10 +16,12 @@ struct Session::Parts {
   io::Document document;
   scene::Scene scene;
   std::vector<MapScale> map_scales;
+  std::optional<atmosphere::WeatherSeries> weather;
   std::vector<radiometry::Channel> channels;
   std::unique_ptr<sensor::Camera> camera;
   std::unique_ptr<atmosphere::SensorAtmosphere> atmosphere;   ///< null without a modelled one
-  std::unique_ptr<radiometry::SpectralNodes> own_nodes;       ///< null with one
+  std::unique_ptr<atmosphere::ImportedAtmosphere> imported;   ///< null without imported runs
+  std::unique_ptr<radiometry::SpectralNodes> own_nodes;       ///< null with either
   const radiometry::SpectralNodes* nodes = nullptr;
   std::unique_ptr<sampling::PixelFootprint> footprint;
   std::unique_ptr<render::SpectralScene> spectral_scene;

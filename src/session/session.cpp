@@ -7,10 +7,12 @@
 #include "core/version.h"
 #include "io/products/product_writer.h"
 #include "session/atmosphere_assembly.h"
+#include "session/imported_assembly.h"
 #include "session/parts.h"
 #include "session/scene_assembly.h"
 #include "session/sensor_assembly.h"
 #include "session/statements.h"
+#include "session/weather_assembly.h"
 #include "session/with_position.h"
 
 namespace ifov::session {
@@ -103,6 +105,12 @@ void build_nodes(Session::Parts& parts, LogSink* log) {
     parts.spectral_scene = std::make_unique<render::SpectralScene>(scene, *parts.atmosphere);
     return;
   }
+  if (parts.document.atmosphere.imported) {
+    parts.imported = assemble_imported(parts, surfaces, demands, log);
+    parts.nodes = &parts.imported->nodes();
+    parts.spectral_scene = std::make_unique<render::SpectralScene>(scene, *parts.imported);
+    return;
+  }
   const radiometry::Spectrum sun = scene.sun ? scene.sun->irradiance : radiometry::Spectrum();
   parts.own_nodes = std::make_unique<radiometry::SpectralNodes>(
       radiometry::SpectralNodes::build(parts.channels, sun, surfaces, demands));
@@ -145,6 +153,7 @@ Session Session::load(const io::Document& document, LogSink* log, const LoadOpti
     cache.emplace(std::filesystem::path(document.file_name).replace_extension(".ifovcache"), version(), log);
   p.scene = assemble_scene(document, log, p.map_scales, cache ? &*cache : nullptr);
   if (cache) cache->save();
+  p.weather = assemble_weather(document);
   p.channels = assemble_channels(document);
   p.camera = assemble_camera(document, p.scene);
   p.footprint = std::make_unique<sampling::PixelFootprint>(assemble_footprint(document));

@@ -15,11 +15,20 @@ BLOCK = re.compile(r"^```(\w+)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 
 
 def blocks(page):
-    """(language, text, name): the name is the last `file.json` in backquotes before a JSON block, if there is one."""
+    """(language, text, name): the name is the last `file.json` in backquotes before a JSON block, if there is one, and
+    `file.csv` before a CSV block."""
     text = page.read_text()
     for match in BLOCK.finditer(text):
-        names = re.findall(r"`([\w-]+\.json)`", text[: match.start()].rsplit("```", 1)[-1])
+        kind = "csv" if match.group(1) == "csv" else "json"
+        names = re.findall(rf"`([\w-]+\.{kind})`", text[: match.start()].rsplit("```", 1)[-1])
         yield match.group(1), match.group(2), names[-1] if names else None
+
+
+def write_tables(page, folder):
+    """The files that the page's documents name."""
+    for language, text, name in blocks(page):
+        if language == "csv" and name:
+            (pathlib.Path(folder) / name).write_text(text)
 
 
 def is_document(text):
@@ -37,6 +46,7 @@ class Docs(unittest.TestCase):
                 if language != "json" or not is_document(text):
                     continue
                 with self.subTest(page=page.relative_to(ROOT), text=text[:60]), tempfile.TemporaryDirectory() as folder:
+                    write_tables(page, folder)
                     (pathlib.Path(folder) / "document.json").write_text(text)
                     result = self.run_in(folder, f"{PROGRAM} check document.json")
                     self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
@@ -61,6 +71,7 @@ class Docs(unittest.TestCase):
             if not commands:
                 continue
             with tempfile.TemporaryDirectory() as folder:
+                write_tables(page, folder)
                 for language, text, name in page_blocks:
                     if language == "json" and name:
                         (pathlib.Path(folder) / name).write_text(text)

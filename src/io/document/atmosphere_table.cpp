@@ -82,6 +82,8 @@ Kind<AtmosphereDocument> atmosphere_kind() {
   Record<AtmosphereDocument> record("atmosphere", "What lies between Sun, scene and camera.");
   record.at_most_one()
       .one("tabulated", &AtmosphereDocument::tabulated, tabulated_kind(), "spectra; those not given change nothing")
+      .one("imported", &AtmosphereDocument::imported, imported_kind(),
+           "output of MODTRAN, libRadtran or any other code")
       .one("profile", into(air, &ProfileDescription::model), word(atmosphere::model_atmosphere_names()),
            "the model atmosphere (Anderson et al. 1986) that gives pressure, temperature and gases where the keys "
            "below say nothing else")

@@ -13,6 +13,7 @@
 #include "io/document/sampling_document.h"
 #include "io/document/scene_document.h"
 #include "io/document/sensor_document.h"
+#include "io/document/weather_document.h"
 
 namespace ifov::io {
 
@@ -28,6 +29,7 @@ struct Document {
   SceneDocument scene;
   LightDocument light;
   AtmosphereDocument atmosphere;
+  std::optional<WeatherDocument> weather;
   SensorDocument sensor;
   SamplingDocument sampling;
   OutputDocument output;

@@ -50,6 +50,7 @@ Kind<Document> document_kind() {
       .required("scene", &Document::scene, scene_kind(), "geometry and materials")
       .with_default("light", &Document::light, light_kind(), "{}", "Sun and sky")
       .with_default("atmosphere", &Document::atmosphere, atmosphere_kind(), "{}", "air")
+      .optional("weather", &Document::weather, weather_kind(), "air at the ground over time")
       .required("sensor", &Document::sensor, sensor_kind(), "camera and channels")
       .with_default("sampling", &Document::sampling, sampling_kind(), "{}", "rays")
       .with_default("output", &Document::output, output_kind(), "{}", "products");

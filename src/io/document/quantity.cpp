@@ -46,6 +46,7 @@ constexpr Unit kTemperatureDifferenceUnits[] = {{"K"}, {"mK", 1e-3}};
 constexpr Unit kSunDistanceUnits[] = {{"au"}, {"AU", 1.0, 0.0, kAlias}};
 constexpr Unit kPixelUnits[] = {{"px"}, {"pixel", 1.0, 0.0, kAlias}, {"pixels", 1.0, 0.0, kAlias}};
 constexpr Unit kPercentUnits[] = {{"%", 1e-2}};
+constexpr Unit kSpeedUnits[] = {{"m/s"}, {"m s-1", 1.0, 0.0, kAlias}, {"km/h", 1.0 / 3.6}, {"kn", 1852.0 / 3600.0}};
 constexpr Unit kReflectanceUnits[] = {{"reflectance"}};
 constexpr Unit kRadianceUnits[] = {
     {"W m-2 sr-1 um-1"},
@@ -119,6 +120,7 @@ const Dimension kReflectance{"a reflectance", "0.002 reflectance", kReflectanceU
 const Dimension kRadiance{"a spectral radiance", "12 W m-2 sr-1 um-1", kRadianceUnits};
 const Dimension kDensity{"a density", "300 ha-1", kDensityUnits};
 const Dimension kIrradiance{"a spectral irradiance", "1800 W m-2 um-1", kIrradianceUnits};
+const Dimension kSpeed{"a speed", "3 m/s", kSpeedUnits};
 const Dimension kPressure{"a pressure", "1013 hPa", kPressureUnits};
 const Dimension kWaterColumn{"a column of water vapour", "2.1 g/cm2", kWaterColumnUnits};
 const Dimension kOzoneColumn{"a column of ozone", "320 DU", kOzoneColumnUnits};

@@ -37,6 +37,7 @@ extern const Dimension kReflectance;            ///< fraction of 1
 extern const Dimension kRadiance;               ///< W m-2 sr-1 um-1
 extern const Dimension kDensity;                ///< m-2, of things on the ground
 extern const Dimension kIrradiance;             ///< W m-2 um-1
+extern const Dimension kSpeed;                  ///< m s-1
 extern const Dimension kPressure;               ///< hPa
 extern const Dimension kWaterColumn;            ///< g cm-2
 extern const Dimension kOzoneColumn;            ///< DU

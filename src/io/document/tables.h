@@ -17,6 +17,8 @@ Kind<SceneDocument> scene_kind();
 
 Kind<LightDocument> light_kind();
 Kind<AtmosphereDocument> atmosphere_kind();
+Kind<ImportedDocument> imported_kind();
+Kind<WeatherDocument> weather_kind();
 Kind<CameraDocument> camera_kind();
 Kind<std::vector<ChannelDocument>> channels_kind();
 Kind<SensorDocument> sensor_kind();
