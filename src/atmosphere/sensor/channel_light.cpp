@@ -17,10 +17,11 @@ void add_sunlight(const AtmosphereColumn& column, const LayerOptics& optics, con
   const double ground_km = column.levels().altitude_km.front(), mu = std::cos(geometry.view_zenith_rad);
   const ColumnSolution solution = solver.solve(column.levels(), optics, *geometry.sun_zenith_rad);
   light.sun = irradiance * solution.sun_transmittance(ground_km);
-  light.path += irradiance * solution.sunlit()
-                                 .path({mu, geometry.view_azimuth_rad - std::numbers::pi}, geometry.sensor_altitude_km)
-                                 .radiance()
-                                 .i;
+  light.path +=
+      irradiance * solution.sunlit()
+                       .path({mu, geometry.view_azimuth_rad - std::numbers::pi}, geometry.sensor_altitude_km)
+                       .radiance()
+                       .i;
   light.diffuse_transmittance = solution.diffuse_transmittance(mu, geometry.sensor_altitude_km).i;
   light.spherical_albedo = solution.spherical_albedo();
   light.sky_irradiance += irradiance * solution.sunlit().fluxes().at(ground_km).diffuse_down;
@@ -31,7 +32,8 @@ void add_emission(const AtmosphereColumn& column, const LayerOptics& optics, con
   const Levels& levels = column.levels();
   std::vector<double> depth = optics.gas_absorption, planck;
   for (std::size_t i = 0; i < depth.size(); ++i) depth[i] += optics.aerosol_absorption[i];
-  for (const double t : levels.temperature_K) planck.push_back(radiometry::planck_w_m2_sr_um(light.wavelength_um, t));
+  for (const double t : levels.temperature_K)
+    planck.push_back(radiometry::planck_w_m2_sr_um(light.wavelength_um, t));
   const ThermalColumn thermal(levels.altitude_km, planck, depth);
   light.path += thermal.path(geometry.sensor_altitude_km, std::cos(geometry.view_zenith_rad)).radiance;
   const GaussNodes hemisphere = gauss_nodes(8);
@@ -43,8 +45,9 @@ void add_emission(const AtmosphereColumn& column, const LayerOptics& optics, con
 }  // namespace
 
 std::vector<ChannelLight> solve_all_terms(const AtmosphereColumn& column, const radiometry::Channel& channel,
-                                          const radiometry::Spectrum& solar_irradiance, const SensorGeometry& geometry,
-                                          const ScatteringOptions& options, int threads) {
+                                          const radiometry::Spectrum& solar_irradiance,
+                                          const SensorGeometry& geometry, const ScatteringOptions& options,
+                                          int threads) {
   struct Part {
     ColumnOptics optics;
     std::size_t term;

@@ -14,9 +14,9 @@ std::vector<double> sun_slants(const std::vector<double>& altitude_km, double ze
   const double ground = altitude_km.front(), mu = std::cos(zenith_rad);
   std::vector<double> slants;
   for (std::size_t i = 0; i + 1 < altitude_km.size(); ++i)
-    slants.push_back(
-        (length_to_shell_km(ground, mu, altitude_km[i + 1]) - length_to_shell_km(ground, mu, altitude_km[i])) /
-        (altitude_km[i + 1] - altitude_km[i]));
+    slants.push_back((length_to_shell_km(ground, mu, altitude_km[i + 1]) -
+                      length_to_shell_km(ground, mu, altitude_km[i])) /
+                     (altitude_km[i + 1] - altitude_km[i]));
   return slants;
 }
 
@@ -24,7 +24,8 @@ std::vector<double> sun_slants(const std::vector<double>& altitude_km, double ze
 std::vector<double> view_slants(const std::vector<double>& altitude_km, const SensorGeometry& geometry) {
   std::vector<double> slants;
   for (std::size_t i = 0; i + 1 < altitude_km.size(); ++i) {
-    const double crossed = (geometry.sensor_altitude_km - altitude_km[i]) / (altitude_km[i + 1] - altitude_km[i]);
+    const double crossed =
+        (geometry.sensor_altitude_km - altitude_km[i]) / (altitude_km[i + 1] - altitude_km[i]);
     slants.push_back(std::clamp(crossed, 0.0, 1.0) / std::cos(geometry.view_zenith_rad));
   }
   return slants;
@@ -43,8 +44,8 @@ ChannelPoints::ChannelPoints(const AtmosphereColumn& column, const std::vector<C
       const LayerOptics layers = at.term(term);
       double sun_depth = 0.0, view_depth = 0.0;
       for (std::size_t i = 0; i < layers.layers(); ++i) {
-        const double depth = layers.gas_absorption[i] + layers.rayleigh_scattering[i] + layers.aerosol_scattering[i] +
-                             layers.aerosol_absorption[i];
+        const double depth = layers.gas_absorption[i] + layers.rayleigh_scattering[i] +
+                             layers.aerosol_scattering[i] + layers.aerosol_absorption[i];
         sun_depth += down[i] * depth;
         view_depth += up[i] * depth;
       }

@@ -69,7 +69,8 @@ void ChannelScattering::choose_nodes() {
   }
   const double width = high - low;
   const std::size_t count =
-      width < kNarrow ? 1 : std::min(kMostWavelengths, 2 + static_cast<std::size_t>((width - kNarrow) / kStep));
+      width < kNarrow ? 1
+                      : std::min(kMostWavelengths, 2 + static_cast<std::size_t>((width - kNarrow) / kStep));
   for (std::size_t k = 0; k < count; ++k)
     log_wavelength_.push_back(
         count == 1 ? mean : low + width * static_cast<double>(k) / static_cast<double>(count - 1));
@@ -80,8 +81,8 @@ void ChannelScattering::choose_nodes() {
   }
 }
 
-/// Everything but gas from the bin next to the wavelength; gas of the mean profile of the channel's points of about this
-/// depth.
+/// Everything but gas from the bin next to the wavelength; gas of the mean profile of the channel's points of
+/// about this depth.
 LayerOptics ChannelScattering::optics_at(double log_wavelength, double depth) const {
   const ChannelPoints::Point* nearest = &points_.points.front();
   const auto distance = [&](const ChannelPoints::Point& point) {
@@ -143,7 +144,8 @@ void ChannelScattering::solve(const ColumnSolver& solver, std::size_t solution) 
 ChannelScattering::AtPoints ChannelScattering::at_points() const {
   const std::size_t count = points_.size();
   AtPoints result;
-  for (auto* row : {&result.path, &result.sky_irradiance, &result.diffuse_transmittance, &result.spherical_albedo})
+  for (auto* row :
+       {&result.path, &result.sky_irradiance, &result.diffuse_transmittance, &result.spherical_albedo})
     row->resize(count);
   result.share.assign(nodes_.size(), std::vector<double>(count, 0.0));
   std::vector<double> scaled_depth;
@@ -159,9 +161,11 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
     const double depth = std::clamp(points_.gas_depth[p], depth_.front(), depth_.back());
     const Place at_depth = place(depth_, depth), at_scaled = place(scaled_depth, scaled(depth));
     double path = 0.0, sky = 0.0, transmittance = 0.0, albedo = 0.0;
-    for (std::size_t w = at_wavelength.low; w <= std::min(at_wavelength.low + 1, log_wavelength_.size() - 1); ++w)
+    for (std::size_t w = at_wavelength.low; w <= std::min(at_wavelength.low + 1, log_wavelength_.size() - 1);
+         ++w)
       for (std::size_t d = 0; d < columns; ++d) {
-        const double across = w == at_wavelength.low ? 1.0 - at_wavelength.high_share : at_wavelength.high_share;
+        const double across =
+            w == at_wavelength.low ? 1.0 - at_wavelength.high_share : at_wavelength.high_share;
         const auto share = [&](const Place& here) {
           return d == here.low ? 1.0 - here.high_share : d == here.low + 1 ? here.high_share : 0.0;
         };

@@ -8,15 +8,16 @@
 
 namespace ifov::atmosphere {
 
-/// Sunlight that the air scatters, at all points of a channel, from a few full solutions: at one to four wavelengths
-/// across the channel, and up to six depths of gas. Light scattered once on the way to the sensor is exact at every
-/// point, and so are the direct beams; what is interpolated between the solutions are the ratios of everything else to
-/// them, which are smooth in wavelength and depth.
+/// Sunlight that the air scatters, at all points of a channel, from a few full solutions: at one to four
+/// wavelengths across the channel, and up to six depths of gas. Light scattered once on the way to the sensor
+/// is exact at every point, and so are the direct beams; what is interpolated between the solutions are the
+/// ratios of everything else to them, which are smooth in wavelength and depth.
 class ChannelScattering {
  public:
   /// Decides what is to be solved. Keeps references to the first four.
-  ChannelScattering(const AtmosphereColumn& column, const ChannelPoints& points, const SensorGeometry& geometry,
-                    const SkyDirections& directions, const ScatteringOptions& options);
+  ChannelScattering(const AtmosphereColumn& column, const ChannelPoints& points,
+                    const SensorGeometry& geometry, const SkyDirections& directions,
+                    const ScatteringOptions& options);
 
   std::size_t solutions() const { return nodes_.size(); }
   /// Solves one of them; different ones may be solved at the same time.
@@ -30,17 +31,19 @@ class ChannelScattering {
   };
   AtPoints at_points() const;
 
-  /// The sky of a solution, [zenith][azimuth], for an irradiance of 1 on level ground, and [zenith] the sky over ground
-  /// of radiance 1 for a spherical albedo of 1.
+  /// The sky of a solution, [zenith][azimuth], for an irradiance of 1 on level ground, and [zenith] the sky
+  /// over ground of radiance 1 for a spherical albedo of 1.
   const std::vector<double>& sky_shape(std::size_t solution) const { return nodes_[solution].sky; }
-  const std::vector<double>& groundlit_shape(std::size_t solution) const { return nodes_[solution].groundlit; }
+  const std::vector<double>& groundlit_shape(std::size_t solution) const {
+    return nodes_[solution].groundlit;
+  }
 
  private:
   struct Node {
     std::size_t wavelength = 0, depth = 0;
     LayerOptics optics;
-    // Logarithms of all light over light scattered once, of the sky's light over the direct beam's, of the diffuse over
-    // the direct transmittance, of the spherical albedo.
+    // Logarithms of all light over light scattered once, of the sky's light over the direct beam's, of the
+    // diffuse over the direct transmittance, of the spherical albedo.
     double path = 0.0, sky_irradiance = 0.0, diffuse_transmittance = 0.0, spherical_albedo = 0.0;
     std::vector<double> sky, groundlit;
   };

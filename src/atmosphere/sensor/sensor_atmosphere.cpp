@@ -52,7 +52,8 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
   }
   const BinOptics optics(column, bins, inputs.threads);
   std::vector<ChannelLights> channels;
-  for (const std::vector<ChannelBin>& channel : bins) channels.push_back({{column, channel, optics, geometry_}});
+  for (const std::vector<ChannelBin>& channel : bins)
+    channels.push_back({{column, channel, optics, geometry_}});
   struct Task {
     ChannelLights* lights;
     std::size_t solution;
@@ -114,7 +115,8 @@ void SensorAtmosphere::build_nodes(const Inputs& inputs, const std::vector<Chann
   }
 }
 
-void SensorAtmosphere::add_source(std::size_t channel, const std::vector<double>& at_points, double* row) const {
+void SensorAtmosphere::add_source(std::size_t channel, const std::vector<double>& at_points,
+                                  double* row) const {
   const std::size_t first = nodes_.first_node(channel);
   std::vector<double> at_nodes(nodes_.first_node(channel + 1) - first);
   nodes_.average_source(channel, at_points, at_nodes);
@@ -128,7 +130,8 @@ void SensorAtmosphere::add_scattering(std::size_t channel, const ChannelLights& 
   const ChannelScattering::AtPoints& at = lights.scattered;
   add_source(channel, at.path, view_radiance_.data());
   add_source(channel, at.sky_irradiance, sky_irradiance_.data());
-  nodes_.average_seen(channel, at.diffuse_transmittance, std::span(diffuse_transmittance_).subspan(first, count));
+  nodes_.average_seen(channel, at.diffuse_transmittance,
+                      std::span(diffuse_transmittance_).subspan(first, count));
   nodes_.average_factor(channel, at.spherical_albedo, std::span(spherical_albedo_).subspan(first, count));
   std::vector<double> part(lights.points.size()), at_nodes(count);
   for (std::size_t s = 0; s < from.solutions(); ++s) {

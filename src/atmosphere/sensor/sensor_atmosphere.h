@@ -12,11 +12,12 @@
 
 namespace ifov::atmosphere {
 
-/// The atmosphere as one sensor's channels see it: spectral nodes, and what the air does to light in each of them. A
-/// node stands for those parts of a channel (bins of the band model and their absorption terms) that the air absorbs
-/// alike, so that absorption on the way down and on the way up stay correlated: within a node Beer's law holds along any
-/// path. Radiances are for black ground; what the ground adds follows from the groundlit quantities, which are for a
-/// ground of radiance 1 in every direction (docs/theory/atmosphere_sensor.md).
+/// The atmosphere as one sensor's channels see it: spectral nodes, and what the air does to light in each of
+/// them. A node stands for those parts of a channel (bins of the band model and their absorption terms) that
+/// the air absorbs alike, so that absorption on the way down and on the way up stay correlated: within a node
+/// Beer's law holds along any path. Radiances are for black ground; what the ground adds follows from the
+/// groundlit quantities, which are for a ground of radiance 1 in every direction
+/// (docs/theory/atmosphere_sensor.md).
 class SensorAtmosphere {
  public:
   struct Inputs {
@@ -37,17 +38,23 @@ class SensorAtmosphere {
   const SkyDirections& sky_directions() const { return directions_; }
 
   /// By node. Irradiances in W m-2 um-1, radiances in W m-2 sr-1 um-1.
-  const std::vector<double>& sun_irradiance() const { return sun_; }       ///< direct, on a surface that faces it
+  const std::vector<double>& sun_irradiance() const { return sun_; }  ///< direct, on a surface that faces it
   const std::vector<double>& view_transmittance() const { return view_transmittance_; }  ///< direct
-  const std::vector<double>& view_radiance() const { return view_radiance_; }  ///< scattered sunlight and emission
-  const std::vector<double>& diffuse_transmittance() const { return diffuse_transmittance_; }  ///< groundlit, to the sensor
+  const std::vector<double>& view_radiance() const {
+    return view_radiance_;
+  }  ///< scattered sunlight and emission
+  const std::vector<double>& diffuse_transmittance() const {
+    return diffuse_transmittance_;
+  }  ///< groundlit, to the sensor
   const std::vector<double>& spherical_albedo() const { return spherical_albedo_; }
   const std::vector<double>& sky_irradiance() const { return sky_irradiance_; }  ///< on a level surface
   /// Radiance from a direction of the table: [zenith][azimuth][node], and the groundlit sky [zenith][node].
   double sky(std::size_t zenith, std::size_t azimuth, std::size_t node) const {
     return sky_[(zenith * directions_.azimuth_rad.size() + azimuth) * node_count() + node];
   }
-  double groundlit_sky(std::size_t zenith, std::size_t node) const { return groundlit_[zenith * node_count() + node]; }
+  double groundlit_sky(std::size_t zenith, std::size_t node) const {
+    return groundlit_[zenith * node_count() + node];
+  }
 
   /// Channels narrower than the band model resolves, by index.
   const std::vector<std::size_t>& unresolved_channels() const { return unresolved_; }

@@ -21,19 +21,21 @@ SkyDirections SkyDirections::standard(std::optional<double> sun_zenith_rad) {
   for (const double zenith : {0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 68.0, 75.0, 80.0, 84.0, 87.0})
     fixed.push_back(zenith * kDegree);
   if (sun_zenith_rad)
-    for (const double beside : {0.0, -3.0, 3.0, -6.0, 6.0}) wanted.push_back(*sun_zenith_rad + beside * kDegree);
+    for (const double beside : {0.0, -3.0, 3.0, -6.0, 6.0})
+      wanted.push_back(*sun_zenith_rad + beside * kDegree);
   SkyDirections directions;
   std::vector<double>& zeniths = directions.zenith_rad;
   zeniths = {0.0, kHorizon_rad};
   for (const std::vector<double>* list : {&wanted, &fixed})
     for (const double zenith : *list)
-      if (zenith > 0.0 && std::all_of(zeniths.begin(), zeniths.end(), [&](double other) {
-            return std::abs(other - zenith) >= kLeastStep_rad;
-          }) && zenith < kHorizon_rad)
+      if (zenith > 0.0 &&
+          std::all_of(zeniths.begin(), zeniths.end(),
+                      [&](double other) { return std::abs(other - zenith) >= kLeastStep_rad; }) &&
+          zenith < kHorizon_rad)
         zeniths.push_back(zenith);
   std::sort(zeniths.begin(), zeniths.end());
-  for (const double azimuth : {0.0, 4.0, 8.0, 13.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0, 90.0, 100.0, 110.0, 120.0,
-                               135.0, 150.0, 165.0, 180.0})
+  for (const double azimuth : {0.0, 4.0, 8.0, 13.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0, 90.0, 100.0,
+                               110.0, 120.0, 135.0, 150.0, 165.0, 180.0})
     directions.azimuth_rad.push_back(azimuth * kDegree);
   return directions;
 }
@@ -52,7 +54,8 @@ std::vector<double> SkyDirections::level_weights() const {
   }
   by_zenith.back() += 0.5 * std::pow(std::cos(zenith_rad.back()), 2);
   for (std::size_t a = 0; a + 1 < azimuths; ++a) {
-    const double width = azimuth_rad[a + 1] - azimuth_rad[a];  // both sides of the Sun's plane, half to each end
+    const double width =
+        azimuth_rad[a + 1] - azimuth_rad[a];  // both sides of the Sun's plane, half to each end
     by_azimuth[a] += width;
     by_azimuth[a + 1] += width;
   }

@@ -5,9 +5,9 @@
 
 namespace ifov::atmosphere {
 
-/// Directions of the sky's table: zenith angles from 0 to just below 90 degrees, azimuths from the Sun's, 0 to pi (the
-/// sky is symmetric about the Sun's plane). Between them the sky is linear in both angles; below the last zenith angle
-/// it stays as it is there.
+/// Directions of the sky's table: zenith angles from 0 to just below 90 degrees, azimuths from the Sun's, 0
+/// to pi (the sky is symmetric about the Sun's plane). Between them the sky is linear in both angles; below
+/// the last zenith angle it stays as it is there.
 struct SkyDirections {
   std::vector<double> zenith_rad, azimuth_rad;
   /// Every 10 degrees, closer at the horizon and around the Sun.
