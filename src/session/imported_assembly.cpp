@@ -15,6 +15,9 @@ using atmosphere::ImportedPath;
 using Q = atmosphere::PathQuantity;
 
 constexpr std::size_t kMostRuns = 3;
+/// Nodes of a channel at most, and the error they may leave: every node is a column that all paths carry.
+constexpr std::size_t kMostNodes = 8;
+constexpr double kNodeTolerance = 3e-3;
 constexpr double kSameAlbedo = 0.01;
 /// Lines of sight this far from the run's get a warning.
 constexpr double kSameView_rad = 3.0 * std::numbers::pi / 180.0;
@@ -143,6 +146,8 @@ std::unique_ptr<atmosphere::ImportedAtmosphere> assemble_imported(const Session:
                                                                   radiometry::NodeDemands demands, LogSink* log) {
   const io::Document& document = parts.document;
   return with_position(document, document.atmosphere.imported->position, [&] {
+    demands.most_nodes = kMostNodes;
+    demands.tolerance = kNodeTolerance;
     const std::optional<atmosphere::SunAbove> sun = sun_above(parts.scene);
     const atmosphere::ImportedRuns runs =
         read_runs(document, sun ? std::optional(std::acos(std::clamp(sun->cos_zenith, -1.0, 1.0))) : std::nullopt);

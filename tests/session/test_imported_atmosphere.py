@@ -196,5 +196,46 @@ class Tables(unittest.TestCase):
         self.assertIn("leave out its 'spectrum' and 'distance'", self.messages(document))
 
 
+class Uvspec(unittest.TestCase):
+    """Three outputs of uvspec with radiance above the air and irradiance at the ground, made of known numbers."""
+
+    DIRECT, DIFFUSE, ALBEDO, SEEN, PATH = 500.0, 150.0, 0.1, 0.7, 20.0
+
+    def radiance(self, r):
+        return self.PATH + self.SEEN * (self.DIRECT + self.DIFFUSE) / 3.14159265 * r / (1.0 - r * self.ALBEDO)
+
+    def files(self, folder, zenith_deg):
+        names = []
+        for r in (0.0, 0.3, 0.6):
+            diffuse = (self.DIRECT + self.DIFFUSE) / (1.0 - r * self.ALBEDO) - self.DIRECT
+            block = ""
+            for nm in (600, 700):
+                block += f"{nm} {self.DIRECT} {diffuse} 0 0 0 0\n 0.0\n1.0 0 0\n"
+                block += f"{nm} 1000 0 0 0 0 0\n 0.0\n1.0 0 {self.radiance(r)}\n"
+            (folder / f"a{r}.out").write_text(block)
+            (folder / f"a{r}.inp").write_text(f"source solar\nsza {zenith_deg}\numu 1\nphi 0\nzout 0 toa\n")
+            names.append(f"a{r}")
+        return {
+            "files": [f"{name}.out" for name in names],
+            "uvspec_inputs": [f"{name}.inp" for name in names],
+            "albedos": [0, 0.3, 0.6],
+        }
+
+    def test_radiance_above_the_air_comes_back(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scene = Scene(folder)
+            imported = self.files(scene.folder, 51.99)
+            found = scene.radiance(scene.document(Tables.RED, imported, 0.45))[0]
+            self.assertAlmostEqual(found / self.radiance(0.45), 1.0, delta=1e-4)
+            error = scene.run("check", scene.document(Tables.RED, imported, 0.45, zenith_deg=40.0)).stderr
+            self.assertIn("the Sun stands 52.0 deg from the zenith; expected 40.0 deg, as in the document", error)
+            for key, message in (("albedos", "give 'albedos', one for each of the 3 runs"),
+                                 ("uvspec_inputs", "expected the input file of uvspec")):
+                less = {name: value for name, value in imported.items() if name != key}
+                self.assertIn(message, scene.run("check", scene.document(Tables.RED, less)).stderr)
+            imported["uvspec_inputs"].pop()
+            self.assertIn("2 files for 3 outputs of uvspec", scene.run("check", scene.document(Tables.RED, imported)).stderr)
+
+
 if __name__ == "__main__":
     unittest.main()
