@@ -30,6 +30,7 @@ double Radiance::unseen(const Pixel& pixel, std::size_t s, int column) const {
   double nearby = static_cast<double>(stratum.deviation[column]) * static_cast<double>(stratum.deviation[column]);
   if (!pixel.cluttered) nearby = std::max(nearby, spread_.local(stratum.label, column));
   const double hidden = std::max(0.0, nearby - seen);
+  if (faults_.zero_variance_single_samples && count < 2.0) return 0.0;
   count = std::max(1.0, count);
   const double rare = pixel.cluttered ? 0.0 : kRareValues * spread_.rare(stratum.label, column);
   return std::max(kUnseen * kUnseen * hidden, rare) / (count * count);
