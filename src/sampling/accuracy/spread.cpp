@@ -71,6 +71,7 @@ LabelSpread::LabelSpread(const Lattice& lattice, const LabelTable& table, int co
       }
       local_freedom[l] += 1.0;
     }
+  blocks_ = local_freedom;
   double any = 0.0;
   for (double f : local_freedom) any += f;
   if (any == 0.0) {
