@@ -23,7 +23,7 @@ AtmosphereSection broadband_section(const AtmosphereOptions& options) {
     return section;
   }
   std::vector<std::size_t> sites;
-  for (std::size_t site = 0; site < 100; site += options.quick ? 20 : 4) sites.push_back(site);
+  for (std::size_t site = 0; site < 100; site += options.quick ? 20 : 1) sites.push_back(site);
   Differences longwave;
   double sun = 0.0, sun_reference = 0.0, worst = 0.0;
   PlotSeries down{"long-wave", "#0072b2", {}, {}, true}, lit{"short-wave", "#d55e00", {}, {}, true};
@@ -50,6 +50,8 @@ AtmosphereSection broadband_section(const AtmosphereOptions& options) {
   plot.title = "Fluxes down to the ground, ifov less RTE+RRTMGP";
   plot.x_label = "flux, W m-2";
   plot.y_label = "difference, W m-2";
+  plot.y_low = -12.0;
+  plot.y_high = 16.0;
   plot.levels = {{"", "#888", 0.0, 0.0}};
   plot.series = {down, lit};
   section.plots.push_back({"rfmip", plot, "One point a column."});
