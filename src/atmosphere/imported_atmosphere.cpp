@@ -9,8 +9,8 @@
 namespace ifov::atmosphere {
 namespace {
 
-/// Centres within this share of the width, and widths within this share, are those of one channel: tables of channels
-/// are rounded, and filter files hold responses step by step.
+/// Centres within this share of the width, and widths within this share, are those of one channel: tables of
+/// channels are rounded, and filter files hold responses step by step.
 constexpr double kSameCentre = 0.1, kSameWidth = 0.15;
 /// Where the response is below this share of its largest value, values beyond the runs may stand in for it.
 constexpr double kCounts = 0.01;
@@ -30,7 +30,8 @@ std::optional<std::size_t> same_channel(const ImportedLight& light, const Channe
   const auto& um = light.wavelength_um;
   const auto next = std::lower_bound(um.begin(), um.end(), channel.centre_um);
   std::size_t nearest = static_cast<std::size_t>(next - um.begin());
-  if (nearest == um.size() || (nearest > 0 && channel.centre_um - um[nearest - 1] < um[nearest] - channel.centre_um))
+  if (nearest == um.size() ||
+      (nearest > 0 && channel.centre_um - um[nearest - 1] < um[nearest] - channel.centre_um))
     --nearest;
   const double width_um = light.width_um[nearest];
   if (std::abs(channel.centre_um - um[nearest]) > kSameCentre * width_um ||
@@ -54,10 +55,10 @@ std::pair<double, double> needed_um(const Channel& channel) {
 void check_range(const ImportedLight& light, const Channel& channel) {
   const auto [first, last] = needed_um(channel);
   if (first >= light.wavelength_um.front() && last <= light.wavelength_um.back()) return;
-  throw InputError(format("{} goes from {:g} to {:g} um, and channel '{}' needs {:g} to {:g} um; leave the channel out, or "
-                          "give runs that reach further",
-                          light.source, light.wavelength_um.front(), light.wavelength_um.back(), channel.name, first,
-                          last));
+  throw InputError(format(
+      "{} goes from {:g} to {:g} um, and channel '{}' needs {:g} to {:g} um; leave the channel out, or "
+      "give runs that reach further",
+      light.source, light.wavelength_um.front(), light.wavelength_um.back(), channel.name, first, last));
 }
 
 Spectrum spectrum_of(const ImportedLight& light, const std::vector<double>& values) {
@@ -66,7 +67,8 @@ Spectrum spectrum_of(const ImportedLight& light, const std::vector<double>& valu
 
 }  // namespace
 
-ImportedAtmosphere::ImportedAtmosphere(const ImportedLight& light, const Inputs& inputs) : has_sky_(!light.sky.empty()) {
+ImportedAtmosphere::ImportedAtmosphere(const ImportedLight& light, const Inputs& inputs)
+    : has_sky_(!light.sky.empty()) {
   const std::vector<double> no_sky(light.wavelength_um.size(), 0.0);
   const Spectrum sun = spectrum_of(light, light.sun);
   std::vector<std::optional<std::size_t>> same;

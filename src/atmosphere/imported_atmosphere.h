@@ -9,10 +9,10 @@
 
 namespace ifov::atmosphere {
 
-/// The light of another code's runs as one sensor's channels see it: the counterpart of SensorAtmosphere, under a
-/// uniform sky. A channel of the sensor that is one of the file's (same centre and width) has the file's own values,
-/// so that what the bands of a channel have in common is kept; any other integrates them, linear between the file's
-/// wavelengths.
+/// The light of another code's runs as one sensor's channels see it: the counterpart of SensorAtmosphere,
+/// under a uniform sky. A channel of the sensor that is one of the file's (same centre and width) has the
+/// file's own values, so that what the bands of a channel have in common is kept; any other integrates them,
+/// linear between the file's wavelengths.
 class ImportedAtmosphere {
  public:
   struct Inputs {

@@ -16,7 +16,8 @@ using Column = std::vector<double>;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kSameSun_rad = 1.0 * kDegree;
 constexpr double kBlack = 1e-3;  // albedo
-/// Above these wavelengths sunlight is a small part of what a warm ground sends out, and what air emits is not.
+/// Above these wavelengths sunlight is a small part of what a warm ground sends out, and what air emits is
+/// not.
 constexpr double kThermal_um = 3.0;
 
 class Solver {
@@ -39,7 +40,8 @@ class Solver {
     light_.width_um = dark().width_um;
     if (given_.runs.size() > 1) {
       std::vector<AlbedoRun> runs;
-      for (std::size_t k = 0; k < given_.runs.size(); ++k) runs.push_back({given_.albedo[k], &given_.runs[k]});
+      for (std::size_t k = 0; k < given_.runs.size(); ++k)
+        runs.push_back({given_.albedo[k], &given_.runs[k]});
       coupling_ = ground_coupling(runs);
     }
     find_spherical_albedo();
@@ -58,14 +60,16 @@ class Solver {
   void check_geometry(const ImportedPath& path) const {
     const PathGeometry& geometry = path.geometry;
     if (geometry.zenith_rad && *geometry.zenith_rad < 0.5 * std::numbers::pi && sees_ground(path))
-      throw InputError(format("{}: the path looks up ({:.1f} deg from the zenith); expected one from the sensor down to "
-                              "the ground",
-                              path.source(), *geometry.zenith_rad / kDegree));
+      throw InputError(
+          format("{}: the path looks up ({:.1f} deg from the zenith); expected one from the sensor down to "
+                 "the ground",
+                 path.source(), *geometry.zenith_rad / kDegree));
     if (!geometry.sun_zenith_rad || !sun_) return;
     const double zenith_rad = std::acos(std::clamp(sun_->cos_zenith, -1.0, 1.0));
     if (std::abs(zenith_rad - *geometry.sun_zenith_rad) > kSameSun_rad)
-      throw InputError(format("{}: the Sun stands {:.1f} deg from the zenith; expected {:.1f} deg, as in the document",
-                              path.source(), *geometry.sun_zenith_rad / kDegree, zenith_rad / kDegree));
+      throw InputError(
+          format("{}: the Sun stands {:.1f} deg from the zenith; expected {:.1f} deg, as in the document",
+                 path.source(), *geometry.sun_zenith_rad / kDegree, zenith_rad / kDegree));
   }
 
   /// Of the runs, the darkest first, else of the lights at the runs' wavelengths; empty where none has it.
@@ -102,16 +106,18 @@ class Solver {
     if (coupling_) {
       albedo = coupling_->spherical_albedo;
       if (coupling_->cut > 0)
-        light_.remarks.push_back(format("{}: rounding took the spherical albedo out of 0 to 1 at {} wavelengths, where "
-                                        "it was cut",
-                                        light_.source, coupling_->cut));
+        light_.remarks.push_back(
+            format("{}: rounding took the spherical albedo out of 0 to 1 at {} wavelengths, where "
+                   "it was cut",
+                   light_.source, coupling_->cut));
       return;
     }
     albedo = any(Q::spherical_albedo);
     if (!albedo.empty()) return;
     albedo.assign(count_, 0.0);
     light_.remarks.push_back(
-        format("{} has no spherical_albedo: light that goes back from the ground to the air is left out (two or three "
+        format("{} has no spherical_albedo: light that goes back from the ground to the air is left out (two "
+               "or three "
                "runs over grounds of different albedo tell it)",
                light_.source));
   }
@@ -138,8 +144,8 @@ class Solver {
     return {};
   }
 
-  /// Radiance per albedo that comes straight from the ground, without the ground's own light in turn; empty where no
-  /// run tells.
+  /// Radiance per albedo that comes straight from the ground, without the ground's own light in turn; empty
+  /// where no run tells.
   Column straight() const {
     if (coupling_ && !coupling_->direct_reflected.empty()) return coupling_->direct_reflected;
     if (coupling_ || bright_albedo() < kBlack || !bright().has(Q::ground_reflected_radiance)) return {};
@@ -158,13 +164,16 @@ class Solver {
     if (view.empty()) {
       if (!coupling_ || stated.empty())
         missing("the light of the ground cannot be carried to the sensor", Q::ground_sensor_transmittance,
-                "give runs in radiance mode of MODTRAN, or two or three runs of different albedo that state irradiances");
+                "give runs in radiance mode of MODTRAN, or two or three runs of different albedo that state "
+                "irradiances");
       for (std::size_t i = 0; i < count_; ++i)
-        view.push_back(stated[i] > 0.0 ? std::min(1.0, std::numbers::pi * coupling_->reflected[i] / stated[i]) : 0.0);
+        view.push_back(stated[i] > 0.0 ? std::min(1.0, std::numbers::pi * coupling_->reflected[i] / stated[i])
+                                       : 0.0);
       diffuse.assign(count_, 0.0);
-      light_.remarks.push_back(format("{} has no ground_sensor_transmittance: all light of the ground is taken to come "
-                                      "straight to the sensor, none from beside",
-                                      light_.source));
+      light_.remarks.push_back(
+          format("{} has no ground_sensor_transmittance: all light of the ground is taken to come "
+                 "straight to the sensor, none from beside",
+                 light_.source));
       return;
     }
     if (!straight.empty() && coupling_) {
@@ -184,9 +193,10 @@ class Solver {
       return;
     }
     diffuse.assign(count_, 0.0);
-    light_.remarks.push_back(format("{} has no diffuse_ground_sensor_transmittance: light from beside what a pixel looks "
-                                    "at is left out",
-                                    light_.source));
+    light_.remarks.push_back(
+        format("{} has no diffuse_ground_sensor_transmittance: light from beside what a pixel looks "
+               "at is left out",
+               light_.source));
   }
 
   /// Irradiance above the air on a level plane: that of the runs, else of the scene's Sun.
@@ -220,9 +230,10 @@ class Solver {
       };
       if (shines(two_way) || shines(stated) || shines(transmittance) ||
           (reflected && shines(bright().column(Q::direct_reflected_radiance))))
-        throw InputError(format("{} holds direct sunlight, and the document has no Sun above the horizon; give "
-                                "light.sun with the zenith angle of the runs",
-                                light_.source));
+        throw InputError(
+            format("{} holds direct sunlight, and the document has no Sun above the horizon; give "
+                   "light.sun with the zenith angle of the runs",
+                   light_.source));
       light_.sun = level_;
       return;
     }
@@ -243,7 +254,8 @@ class Solver {
       for (std::size_t i = 0; i < count_; ++i) level_[i] = above[i] * transmittance[i];
     } else if (light_.wavelength_um.front() < kThermal_um) {
       missing("nothing tells the direct sunlight at the ground", Q::direct_sun_ground_transmittance,
-              "add a run over ground of albedo above 0 (direct_reflected_radiance), one in MODTRAN's irradiance mode "
+              "add a run over ground of albedo above 0 (direct_reflected_radiance), one in MODTRAN's "
+              "irradiance mode "
               "(IEMSCT 3), or a column of direct_sun_ground_transmittance or direct_irradiance");
     }
     for (const double value : level_) light_.sun.push_back(value / sun_->cos_zenith);
@@ -275,7 +287,8 @@ class Solver {
               "give a run in radiance mode, or columns of solar_path_radiance and thermal_path_radiance");
     path.assign(count_, 0.0);
     const auto add = [&](const ImportedPath& run, Q quantity, double factor) {
-      for (std::size_t i = 0; i < count_ && run.has(quantity); ++i) path[i] += factor * run.column(quantity)[i];
+      for (std::size_t i = 0; i < count_ && run.has(quantity); ++i)
+        path[i] += factor * run.column(quantity)[i];
     };
     if (coupling_) {
       path = coupling_->path_radiance;
@@ -328,7 +341,8 @@ class Solver {
 bool sees_ground(const ImportedPath& path) {
   constexpr Q kOfSight[] = {Q::ground_sensor_transmittance, Q::total_radiance, Q::solar_path_radiance,
                             Q::thermal_path_radiance};
-  return std::any_of(std::begin(kOfSight), std::end(kOfSight), [&](Q quantity) { return path.has(quantity); });
+  return std::any_of(std::begin(kOfSight), std::end(kOfSight),
+                     [&](Q quantity) { return path.has(quantity); });
 }
 
 ImportedLight imported_light(const ImportedRuns& given, const std::optional<SunAbove>& sun) {

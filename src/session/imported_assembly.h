@@ -10,8 +10,8 @@ namespace ifov::session {
 
 /// The document's imported runs as the channels of its sensor see them. `surfaces` and `demands` as for
 /// radiometry::SpectralNodes::build. Throws InputError, at the place in the document.
-std::unique_ptr<atmosphere::ImportedAtmosphere> assemble_imported(const Session::Parts& parts,
-                                                                  std::span<const radiometry::Spectrum> surfaces,
-                                                                  radiometry::NodeDemands demands, LogSink* log);
+std::unique_ptr<atmosphere::ImportedAtmosphere> assemble_imported(
+    const Session::Parts& parts, std::span<const radiometry::Spectrum> surfaces,
+    radiometry::NodeDemands demands, LogSink* log);
 
 }  // namespace ifov::session

@@ -14,7 +14,9 @@ constexpr double kFreezing_k = 273.15;
 
 atmosphere::WeatherSeries inline_weather(const io::WeatherDocument& weather) {
   atmosphere::WeatherSeries::Values values;
-  const auto set = [&](Q quantity, std::optional<double> value) { values[static_cast<std::size_t>(quantity)] = value; };
+  const auto set = [&](Q quantity, std::optional<double> value) {
+    values[static_cast<std::size_t>(quantity)] = value;
+  };
   set(Q::air_temperature_k, weather.air_temperature_k);
   set(Q::relative_humidity, weather.relative_humidity);
   set(Q::wind_speed_m_s, weather.wind_speed_m_s);
@@ -59,8 +61,9 @@ std::string weather_statement(const io::Document& document, const atmosphere::We
     const std::optional<double> value = weather.at(quantity, time);
     return value ? format("{:.{}f} {}", factor * *value + offset, digits, unit) : std::string("unknown");
   };
-  std::string text = format("weather: air {}, humidity {}, wind {}", known(Q::air_temperature_k, 1.0, -kFreezing_k, "degC", 1),
-                            known(Q::relative_humidity, 100.0, 0.0, "%", 0), known(Q::wind_speed_m_s, 1.0, 0.0, "m/s", 1));
+  std::string text = format(
+      "weather: air {}, humidity {}, wind {}", known(Q::air_temperature_k, 1.0, -kFreezing_k, "degC", 1),
+      known(Q::relative_humidity, 100.0, 0.0, "%", 0), known(Q::wind_speed_m_s, 1.0, 0.0, "m/s", 1));
   if (weather.at(Q::wind_direction_rad, time))
     text += " from " + known(Q::wind_direction_rad, 180.0 / std::numbers::pi, 0.0, "deg", 0);
   if (weather.at(Q::pressure_pa, time)) text += ", pressure " + known(Q::pressure_pa, 0.01, 0.0, "hPa", 0);

@@ -16,9 +16,10 @@ using Column = std::vector<double>;
 const Column kWavelengths{0.5, 0.6, 0.7};
 constexpr double kCos = 0.6, kPi = std::numbers::pi;
 // What the runs below are made of. The beam's two-way transmittance is not the product of its two ways.
-constexpr double kAbove = 1800.0, kDown = 0.5, kUp = 0.6, kTwoWay = 0.4, kDiffuseUp = 0.1, kSky = 200.0, kAlbedo = 0.15,
-                 kPath = 12.0, kGlow = 0.3;
-constexpr double kSeenBeam = kAbove * kCos * kTwoWay / kUp;  // irradiance of level ground as the sensor sees it
+constexpr double kAbove = 1800.0, kDown = 0.5, kUp = 0.6, kTwoWay = 0.4, kDiffuseUp = 0.1, kSky = 200.0,
+                 kAlbedo = 0.15, kPath = 12.0, kGlow = 0.3;
+constexpr double kSeenBeam =
+    kAbove * kCos * kTwoWay / kUp;  // irradiance of level ground as the sensor sees it
 
 Column all(double value) { return Column(kWavelengths.size(), value); }
 
@@ -130,19 +131,23 @@ TEST(ImportedLight, ErrorsNameTheQuantityAndTheRun) {
   ImportedPath empty("a.csv", kWavelengths);
   empty.set(Q::spherical_albedo, all(0.1));
   EXPECT_EQ(error_of({{empty}, {0.0}, {}}),
-            "a.csv: has no ground_sensor_transmittance; there are 'spherical_albedo': the light of the ground cannot be "
-            "carried to the sensor; give runs in radiance mode of MODTRAN, or two or three runs of different albedo that "
+            "a.csv: has no ground_sensor_transmittance; there are 'spherical_albedo': the light of the "
+            "ground cannot be "
+            "carried to the sensor; give runs in radiance mode of MODTRAN, or two or three runs of different "
+            "albedo that "
             "state irradiances");
   ImportedPath up = run(0.0);
   up.geometry.zenith_rad = 0.3;
-  EXPECT_EQ(error_of({{up}, {0.0}, {}}),
-            "run 0: the path looks up (17.2 deg from the zenith); expected one from the sensor down to the ground");
+  EXPECT_EQ(
+      error_of({{up}, {0.0}, {}}),
+      "run 0: the path looks up (17.2 deg from the zenith); expected one from the sensor down to the ground");
   ImportedPath other_sun = run(0.0);
   other_sun.geometry.sun_zenith_rad = 0.2;
   EXPECT_EQ(error_of({{other_sun}, {0.0}, {}}),
             "run 0: the Sun stands 11.5 deg from the zenith; expected 53.1 deg, as in the document");
   EXPECT_EQ(error_of({{run(0.0)}, {0.0}, {}}, std::nullopt),
-            "run 0 holds direct sunlight, and the document has no Sun above the horizon; give light.sun with the zenith "
+            "run 0 holds direct sunlight, and the document has no Sun above the horizon; give light.sun with "
+            "the zenith "
             "angle of the runs");
 }
 

@@ -6,16 +6,18 @@ namespace ifov::io {
 
 Kind<ImportedDocument> imported_kind() {
   constexpr std::size_t kMostFiles = 8, kMostRuns = 3;
-  Record<ImportedDocument> record(
-      "imported atmosphere",
-      "Output of another radiative transfer code for this Sun and this line of sight: MODTRAN (tape7, .7sc, .chn, .csv), "
-      "libRadtran's uvspec, or a table of paths.");
+  Record<ImportedDocument> record("imported atmosphere",
+                                  "Output of another radiative transfer code for this Sun and this line of "
+                                  "sight: MODTRAN (tape7, .7sc, .chn, .csv), "
+                                  "libRadtran's uvspec, or a table of paths.");
   record
       .required("files", &ImportedDocument::files, list(file(), 1, kMostFiles),
-                "one to three runs over level grounds that differ in albedo alone, in one file or several; others may "
+                "one to three runs over level grounds that differ in albedo alone, in one file or several; "
+                "others may "
                 "tell the direct sunlight")
       .optional("albedos", &ImportedDocument::albedos, list(number(Range::between(0.0, 1.0)), 1, kMostRuns),
-                "of these grounds, in the order of the runs, where the files do not say; a single run is over black "
+                "of these grounds, in the order of the runs, where the files do not say; a single run is "
+                "over black "
                 "ground if nothing says otherwise")
       .optional("uvspec_inputs", &ImportedDocument::uvspec_inputs, list(file(), 1, kMostFiles),
                 "the input files of uvspec, one for each of 'files', all of which are its output then")

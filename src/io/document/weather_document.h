@@ -17,8 +17,8 @@ struct WeatherFileDocument {
 /// From a file, or the same at all times.
 struct WeatherDocument {
   WeatherFileDocument source;
-  std::optional<double> air_temperature_k, relative_humidity, wind_speed_m_s, wind_direction_rad, pressure_hpa,
-      cloud_fraction;
+  std::optional<double> air_temperature_k, relative_humidity, wind_speed_m_s, wind_direction_rad,
+      pressure_hpa, cloud_fraction;
   SourcePosition position;
 };
 
