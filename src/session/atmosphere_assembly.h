@@ -1,12 +1,30 @@
 #pragma once
 
 #include <memory>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "core/run_control.h"
 #include "session/parts.h"
 
 namespace ifov::session {
+
+/// Lines of sight closer to the horizon than this are not those of a plane-parallel atmosphere.
+inline constexpr double kLowestView_rad = 80.0 * std::numbers::pi / 180.0;
+
+/// The air that a document with a modelled atmosphere describes. Throws InputError.
+atmosphere::AtmosphereColumn assemble_column(const io::Document& document);
+
+/// Sun and sensor over ground at this altitude. Throws InputError, at the place in the document.
+atmosphere::SensorGeometry sensor_geometry(const io::Document& document, const sensor::Camera& camera,
+                                           const std::optional<scene::Sun>& sun, double ground_km);
+
+/// The warning about channels (by index) that are narrower than the band model resolves; empty without any.
+std::string narrow_channels(std::span<const radiometry::Channel> channels, const std::vector<std::size_t>& narrow);
 
 /// The document's modelled atmosphere as the channels of its sensor see it from its camera. `surfaces` and `demands`
 /// as for radiometry::SpectralNodes::build. Throws InputError, at the place in the document.
