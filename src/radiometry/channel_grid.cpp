@@ -50,22 +50,25 @@ ChannelGrid::ChannelGrid(const Channel& channel, const Spectrum& solar_irradianc
     for (double& weight : response) weight /= total;
   }
   irradiance = sampled(solar_irradiance);
-  reference.resize(size());
-  for (std::size_t q = 0; q < size(); ++q) reference[q] = reference_radiance(wavelength_um[q], irradiance[q]);
+  for (std::size_t q = 0; q < size(); ++q) bright.push_back(reference_radiance(wavelength_um[q], irradiance[q]));
+  reference = bright;
 }
 
 ChannelGrid::ChannelGrid(std::vector<double> wavelengths_um, std::vector<double> shares,
-                         std::vector<double> irradiances, std::vector<double> transmittances, double least)
+                         std::vector<double> irradiances, std::vector<double> skies,
+                         std::vector<double> transmittances, double least)
     : wavelength_um(std::move(wavelengths_um)),
       response(std::move(shares)),
       irradiance(std::move(irradiances)),
+      sky(std::move(skies)),
       least_radiance(least),
       seen(std::move(transmittances)) {
   const double total = std::accumulate(response.begin(), response.end(), 0.0);
   for (double& weight : response) weight /= total;
-  reference.resize(size());
-  for (std::size_t q = 0; q < size(); ++q)
-    reference[q] = std::max(kLeastSeen, seen[q]) * reference_radiance(wavelength_um[q], irradiance[q]);
+  for (std::size_t q = 0; q < size(); ++q) {
+    bright.push_back(reference_radiance(wavelength_um[q], irradiance[q]));
+    reference.push_back(std::max(kLeastSeen, seen[q]) * bright[q]);
+  }
 }
 
 std::vector<double> ChannelGrid::sampled(const Spectrum& spectrum) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <numeric>
 
@@ -61,7 +62,9 @@ double allowed_share(double value, double mean, double low, double high) {
 }  // namespace
 
 NodeRule::NodeRule(const ChannelGrid& grid, std::span<const ChannelPart> parts)
-    : grid_um_(grid.wavelength_um) {
+    : grid_um_(grid.wavelength_um), inverse_seen_(grid.size()) {
+  std::transform(grid.bright.begin(), grid.bright.end(), grid.reference.begin(), inverse_seen_.begin(),
+                 std::divides<>());
   for (const ChannelPart& part : parts) add_part(grid, part);
   double weights = 0.0;
   for (const Node& node : nodes_) weights += node.weight;
@@ -169,6 +172,14 @@ void NodeRule::project_factor(std::span<const double> at_points, std::span<doubl
     for (std::size_t i = part.first_node; i < part.last_node; ++i)
       at_nodes[i] = std::clamp(mean + share * (at_nodes[i] - mean), *low, *high);
   }
+}
+
+void NodeRule::project_seen(std::span<const double> at_points, std::span<double> at_nodes) const {
+  std::vector<double> weighted(at_points.size()), inverse(at_nodes.size());
+  std::transform(at_points.begin(), at_points.end(), inverse_seen_.begin(), weighted.begin(), std::multiplies<>());
+  project_factor(weighted, at_nodes);
+  project_factor(inverse_seen_, inverse);
+  std::transform(at_nodes.begin(), at_nodes.end(), inverse.begin(), at_nodes.begin(), std::divides<>());
 }
 
 void NodeRule::project_source(std::span<const double> at_points, std::span<double> at_nodes) const {

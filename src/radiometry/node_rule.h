@@ -33,6 +33,9 @@ class NodeRule {
 
   /// Values of a factor at the nodes, never beyond the values within the node's part.
   void project_factor(std::span<const double> at_points, std::span<double> at_nodes) const;
+  /// The same for what light passes between surfaces and the sensor, such as the grid's `seen`. The measure holds that
+  /// already: the values are weighted so that they and a source of the grid's brightness give what is seen of it.
+  void project_seen(std::span<const double> at_points, std::span<double> at_nodes) const;
   /// Values of a source: their weighted sum over the channel is the channel's mean. Never negative where the
   /// source is not.
   void project_source(std::span<const double> at_points, std::span<double> at_nodes) const;
@@ -57,6 +60,7 @@ class NodeRule {
   void keep_positive(const Part& part, std::span<double> at_nodes) const;
 
   std::vector<double> grid_um_;
+  std::vector<double> inverse_seen_;
   std::vector<Node> nodes_;
   std::vector<Part> parts_;
   std::vector<double> planck_um_;

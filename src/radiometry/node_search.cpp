@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include "radiometry/planck.h"
 
@@ -37,7 +38,10 @@ class Trial {
   Trial(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces, const NodeDemands& demands)
       : surfaces_(surfaces), seen_(grid.seen), reflections_(demands.reflections) {
     sources_.push_back(grid.irradiance);
-    for (double& value : sources_[0]) value /= std::numbers::pi;
+    if (!grid.sky.empty()) sources_.push_back(grid.sky);
+    for (std::vector<double>& source : sources_)
+      for (double& value : source) value /= std::numbers::pi;
+    first_thermal_ = sources_.size();
     for (const double temperature : temperatures_k(demands)) {
       std::vector<double> planck(grid.size());
       for (std::size_t q = 0; q < grid.size(); ++q)
@@ -57,22 +61,26 @@ class Trial {
         sum += value;
       }
       // What a surface emits is what it does not reflect: the smaller of the two is what an error hurts.
-      const bool thermal = product.source > 0;
+      const bool thermal = product.source >= first_thermal_;
       const double judged = thermal ? std::min(sum, scale - sum) : sum;
       expected_.push_back(sum);
       scale_.push_back(std::max({judged, kDarkShare * white, thermal ? 0.1 * scale : 0.0, grid.least_radiance}));
     }
   }
 
-  double worst_error(const NodeRule& rule) const {
+  struct Errors {
+    double worst = 0.0;
+    double mean = 0.0;  ///< of fourth powers: falls where many products get better and the worst does not yet
+  };
+  Errors errors(const NodeRule& rule) const {
     const std::size_t nodes = rule.node_count();
     std::vector<std::vector<double>> factors(surfaces_.size(), std::vector<double>(nodes));
     for (std::size_t s = 0; s < surfaces_.size(); ++s) rule.project_factor(surfaces_[s], factors[s]);
     std::vector<std::vector<double>> sources(sources_.size(), std::vector<double>(nodes));
     for (std::size_t s = 0; s < sources_.size(); ++s) rule.project_source(sources_[s], sources[s]);
     std::vector<double> seen(nodes, 1.0);
-    if (!seen_.empty()) rule.project_factor(seen_, seen);
-    double worst = 0.0;
+    if (!seen_.empty()) rule.project_seen(seen_, seen);
+    Errors result;
     for (std::size_t p = 0; p < products_.size(); ++p) {
       double sum = 0.0;
       for (std::size_t i = 0; i < nodes; ++i) {
@@ -81,9 +89,11 @@ class Trial {
           if (surface >= 0) value *= factors[static_cast<std::size_t>(surface)][i];
         sum += value;
       }
-      worst = std::max(worst, std::abs(sum - expected_[p]) / scale_[p]);
+      const double error = std::abs(sum - expected_[p]) / scale_[p];
+      result.worst = std::max(result.worst, error);
+      result.mean += std::pow(error, 4) / static_cast<double>(products_.size());
     }
-    return worst;
+    return result;
   }
 
  private:
@@ -123,7 +133,8 @@ class Trial {
   std::span<const std::vector<double>> surfaces_;
   std::span<const double> seen_;
   int reflections_;
-  std::vector<std::vector<double>> sources_;  // the Sun on a white surface, then blackbodies
+  std::size_t first_thermal_ = 1;
+  std::vector<std::vector<double>> sources_;  // Sun and sky on a white surface, the sky alone, blackbodies
   std::vector<Product> products_;
   std::vector<double> expected_, scale_;
 };
@@ -157,10 +168,12 @@ class Shapes {
     for (const auto& surface : surfaces)
       add([&](std::size_t q) { return surface[q]; }, std::sqrt(kDarkShare));
     if (!grid.seen.empty()) add([&](std::size_t q) { return grid.seen[q]; }, std::sqrt(kDarkShare));
+    if (!grid.sky.empty())
+      add([&](std::size_t q) { return grid.sky[q] / (std::numbers::pi * grid.bright[q]); }, std::sqrt(kDarkShare));
     for (const double temperature : temperatures_k(demands))
       add(
           [&](std::size_t q) {
-            return planck_w_m2_sr_um(grid.wavelength_um[q], temperature) / grid.reference[q];
+            return planck_w_m2_sr_um(grid.wavelength_um[q], temperature) / grid.bright[q];
           },
           std::sqrt(kDarkShare));
   }
@@ -212,23 +225,29 @@ class Shapes {
   std::vector<std::vector<double>> shapes_;
 };
 
-/// Two nodes for a part that has one; two parts for a part that has two. False where nothing more can be
-/// done.
-bool refine(std::vector<TrialPart>& parts, const Shapes& shapes) {
-  const auto worst = std::max_element(
-      parts.begin(), parts.end(), [](const TrialPart& a, const TrialPart& b) { return a.left() < b.left(); });
-  if (!(worst->left() > 0.0) || worst->part.points.size() < 2) return false;
-  if (worst->part.order == 1) {
-    worst->part.order = 2;
+/// Two nodes for a part that has one, where `pairs` are allowed; two parts for a part that has two. False where nothing
+/// more can be done.
+bool refine(std::vector<TrialPart>& parts, std::size_t which, bool pairs, const Shapes& shapes) {
+  TrialPart& part = parts[which];
+  if (!(part.left() > 0.0) || part.part.points.size() < 2) return false;
+  if (part.part.order == 1 && pairs) {
+    part.part.order = 2;
     return true;
   }
   std::vector<std::uint32_t> low, high;
-  for (std::size_t i = 0; i < worst->part.points.size(); ++i)
-    (worst->part.variable[i] < 0.0 ? low : high).push_back(worst->part.points[i]);
+  for (std::size_t i = 0; i < part.part.points.size(); ++i)
+    (part.part.variable[i] < 0.0 ? low : high).push_back(part.part.points[i]);
   if (low.empty() || high.empty()) return false;
-  *worst = shapes.analysed(std::move(low));
+  part = shapes.analysed(std::move(low));
   parts.push_back(shapes.analysed(std::move(high)));
   return true;
+}
+
+/// Refines the part that leaves most of the spectra's variance.
+bool refine_worst(std::vector<TrialPart>& parts, const Shapes& shapes) {
+  const auto worst = std::max_element(
+      parts.begin(), parts.end(), [](const TrialPart& a, const TrialPart& b) { return a.left() < b.left(); });
+  return refine(parts, static_cast<std::size_t>(worst - parts.begin()), true, shapes);
 }
 
 NodeRule rule_of(const ChannelGrid& grid, const std::vector<TrialPart>& parts) {
@@ -251,12 +270,32 @@ FoundRule find_rule(const ChannelGrid& grid, std::span<const std::vector<double>
   const Shapes shapes(grid, surfaces, demands);
   std::vector<TrialPart> parts{shapes.analysed(std::move(all))};
   NodeRule rule = rule_of(grid, parts);
-  double worst = trial.worst_error(rule);
-  while (worst > demands.tolerance && rule.node_count() < demands.most_nodes && refine(parts, shapes)) {
-    rule = rule_of(grid, parts);
-    worst = trial.worst_error(rule);
+  Trial::Errors errors = trial.errors(rule);
+  // Behind lines of absorption the measure varies by orders of magnitude, which no line follows: there the parts have one
+  // node each, and the best of all that can be divided is.
+  const bool pairs = grid.seen.empty();
+  while (errors.worst > demands.tolerance && rule.node_count() < demands.most_nodes) {
+    if (pairs) {
+      if (!refine_worst(parts, shapes)) break;
+      rule = rule_of(grid, parts);
+      errors = trial.errors(rule);
+      continue;
+    }
+    std::optional<std::vector<TrialPart>> best;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      std::vector<TrialPart> finer = parts;
+      if (!refine(finer, k, false, shapes)) continue;
+      NodeRule finer_rule = rule_of(grid, finer);
+      const Trial::Errors finer_errors = trial.errors(finer_rule);
+      if (best && finer_errors.mean >= errors.mean) continue;
+      best = std::move(finer);
+      rule = std::move(finer_rule);
+      errors = finer_errors;
+    }
+    if (!best) break;
+    parts = std::move(*best);
   }
-  return {std::move(rule), worst};
+  return {std::move(rule), errors.worst};
 }
 
 }  // namespace ifov::radiometry

@@ -55,6 +55,10 @@ class SpectralNodes {
   void average_factor(std::size_t channel, std::span<const double> at_points, std::span<double> nodes) const {
     rules_[channel].project_factor(at_points, nodes);
   }
+  /// What light passes between surfaces and the sensor, as NodeRule::project_seen.
+  void average_seen(std::size_t channel, std::span<const double> at_points, std::span<double> nodes) const {
+    rules_[channel].project_seen(at_points, nodes);
+  }
   void average_source(std::size_t channel, std::span<const double> at_points, std::span<double> nodes) const {
     rules_[channel].project_source(at_points, nodes);
   }

@@ -49,7 +49,8 @@ bool narrower_than_resolved(const radiometry::Channel& channel) {
   return 1e4 / (channel.centre_um * channel.centre_um) * channel.fwhm_um < kResolution_cm1;
 }
 
-BinOptics::BinOptics(const AtmosphereColumn& column, std::span<const std::vector<ChannelBin>> channels, int threads) {
+BinOptics::BinOptics(const AtmosphereColumn& column, std::span<const std::vector<ChannelBin>> channels,
+                     int threads) {
   for (const std::vector<ChannelBin>& bins : channels)
     for (const ChannelBin& bin : bins) optics_.try_emplace(bin.bin);
   std::vector<std::pair<const int, ColumnOptics>*> all;

@@ -23,7 +23,8 @@ struct ChannelBin {
 };
 
 /// The bins of a channel, from short to long wavelengths.
-std::vector<ChannelBin> channel_bins(const radiometry::Channel& channel, const radiometry::Spectrum& solar_irradiance);
+std::vector<ChannelBin> channel_bins(const radiometry::Channel& channel,
+                                     const radiometry::Spectrum& solar_irradiance);
 
 /// Whether the channel is narrower than the band model resolves.
 bool narrower_than_resolved(const radiometry::Channel& channel);

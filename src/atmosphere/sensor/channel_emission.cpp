@@ -1,0 +1,37 @@
+#include "atmosphere/sensor/channel_emission.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "atmosphere/thermal/thermal_column.h"
+#include "radiometry/planck.h"
+
+namespace ifov::atmosphere {
+
+ChannelEmission::ChannelEmission(const AtmosphereColumn& column, const ChannelPoints& points,
+                                 const SensorGeometry& geometry, const SkyDirections& directions)
+    : path(points.size()),
+      sky_irradiance(points.size()),
+      sky(directions.zenith_rad.size(), std::vector<double>(points.size())) {
+  const Levels& levels = column.levels();
+  const double ground_km = levels.altitude_km.front();
+  const GaussNodes hemisphere = gauss_nodes(8);
+  std::vector<double> planck(levels.altitude_km.size());
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const ChannelPoints::Point& point = points.points[p];
+    const LayerOptics layers = point.layers();
+    std::vector<double> depth = layers.gas_absorption;
+    for (std::size_t i = 0; i < depth.size(); ++i) depth[i] += layers.aerosol_absorption[i];
+    for (std::size_t i = 0; i < planck.size(); ++i)
+      planck[i] = radiometry::planck_w_m2_sr_um(point.wavelength_um, levels.temperature_K[i]);
+    const ThermalColumn thermal(levels.altitude_km, planck, depth);
+    path[p] = thermal.path(geometry.sensor_altitude_km, std::cos(geometry.view_zenith_rad)).radiance;
+    for (std::size_t z = 0; z < sky.size(); ++z)
+      sky[z][p] = thermal.sky(std::cos(directions.zenith_rad[z]), ground_km);
+    for (std::size_t j = 0; j < hemisphere.position.size(); ++j)
+      sky_irradiance[p] += 2.0 * std::numbers::pi * hemisphere.weight[j] * hemisphere.position[j] *
+                           thermal.sky(hemisphere.position[j], ground_km);
+  }
+}
+
+}  // namespace ifov::atmosphere

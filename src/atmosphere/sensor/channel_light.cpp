@@ -1,0 +1,113 @@
+#include "atmosphere/sensor/channel_light.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "atmosphere/scattering/column_solver.h"
+#include "atmosphere/sensor/sensor_limits.h"
+#include "atmosphere/thermal/thermal_column.h"
+#include "core/parallel.h"
+#include "radiometry/planck.h"
+
+namespace ifov::atmosphere {
+namespace {
+
+void add_sunlight(const AtmosphereColumn& column, const LayerOptics& optics, const SensorGeometry& geometry,
+                  const ColumnSolver& solver, double irradiance, ChannelLight& light) {
+  const double ground_km = column.levels().altitude_km.front(), mu = std::cos(geometry.view_zenith_rad);
+  const ColumnSolution solution = solver.solve(column.levels(), optics, *geometry.sun_zenith_rad);
+  light.sun = irradiance * solution.sun_transmittance(ground_km);
+  light.path +=
+      irradiance * solution.sunlit()
+                       .path({mu, geometry.view_azimuth_rad - std::numbers::pi}, geometry.sensor_altitude_km)
+                       .radiance()
+                       .i;
+  light.diffuse_transmittance = solution.diffuse_transmittance(mu, geometry.sensor_altitude_km).i;
+  light.spherical_albedo = solution.spherical_albedo();
+  light.sky_irradiance += irradiance * solution.sunlit().fluxes().at(ground_km).diffuse_down;
+}
+
+void add_emission(const AtmosphereColumn& column, const LayerOptics& optics, const SensorGeometry& geometry,
+                  ChannelLight& light) {
+  const Levels& levels = column.levels();
+  std::vector<double> depth = optics.gas_absorption, planck;
+  for (std::size_t i = 0; i < depth.size(); ++i) depth[i] += optics.aerosol_absorption[i];
+  for (const double t : levels.temperature_K)
+    planck.push_back(radiometry::planck_w_m2_sr_um(light.wavelength_um, t));
+  const ThermalColumn thermal(levels.altitude_km, planck, depth);
+  light.path += thermal.path(geometry.sensor_altitude_km, std::cos(geometry.view_zenith_rad)).radiance;
+  const GaussNodes hemisphere = gauss_nodes(8);
+  for (std::size_t j = 0; j < hemisphere.position.size(); ++j)
+    light.sky_irradiance += 2.0 * std::numbers::pi * hemisphere.weight[j] * hemisphere.position[j] *
+                            thermal.sky(hemisphere.position[j], levels.altitude_km.front());
+}
+
+}  // namespace
+
+std::vector<ChannelLight> solve_all_terms(const AtmosphereColumn& column, const radiometry::Channel& channel,
+                                          const radiometry::Spectrum& solar_irradiance,
+                                          const SensorGeometry& geometry, const ScatteringOptions& options,
+                                          int threads) {
+  struct Part {
+    ColumnOptics optics;
+    std::size_t term;
+    double irradiance;
+  };
+  std::vector<Part> parts;
+  std::vector<ChannelLight> light;
+  for (const ChannelBin& bin : channel_bins(channel, solar_irradiance)) {
+    const ColumnOptics optics = column.at(bin.bin * kBinStep_cm1);
+    for (std::size_t term = 0; term < optics.terms(); ++term) {
+      parts.push_back({optics, term, bin.irradiance});
+      light.emplace_back().wavelength_um = bin.wavelength_um;
+      light.back().weight = bin.share * optics.weight(term);
+    }
+  }
+  const ColumnSolver solver(options);
+  parallel_for(static_cast<std::int64_t>(parts.size()), threads, [&](std::int64_t k) {
+    const Part& part = parts[static_cast<std::size_t>(k)];
+    ChannelLight& here = light[static_cast<std::size_t>(k)];
+    const LayerOptics optics = part.optics.term(part.term);
+    double depth = 0.0;
+    const Levels& levels = column.levels();
+    for (std::size_t i = 0; i < optics.layers(); ++i) {
+      const double crossed = (geometry.sensor_altitude_km - levels.altitude_km[i]) /
+                             (levels.altitude_km[i + 1] - levels.altitude_km[i]);
+      depth += std::clamp(crossed, 0.0, 1.0) * (optics.gas_absorption[i] + optics.rayleigh_scattering[i] +
+                                                optics.aerosol_scattering[i] + optics.aerosol_absorption[i]);
+    }
+    here.view = std::exp(-depth / std::cos(geometry.view_zenith_rad));
+    if (geometry.sun_zenith_rad && here.wavelength_um <= kLastSolar_um)
+      add_sunlight(column, optics, geometry, solver, part.irradiance, here);
+    if (here.wavelength_um >= kFirstThermal_um) add_emission(column, optics, geometry, here);
+  });
+  return light;
+}
+
+std::vector<ChannelLight> channel_nodes(const SensorAtmosphere& atmosphere, std::size_t channel) {
+  std::vector<ChannelLight> light;
+  const radiometry::SpectralNodes& nodes = atmosphere.nodes();
+  for (std::size_t n = nodes.first_node(channel); n < nodes.first_node(channel + 1); ++n)
+    light.push_back({nodes.node_wavelength_um(n), nodes.node_weight(n), atmosphere.sun_irradiance()[n],
+                     atmosphere.view_transmittance()[n], atmosphere.view_radiance()[n],
+                     atmosphere.diffuse_transmittance()[n], atmosphere.spherical_albedo()[n],
+                     atmosphere.sky_irradiance()[n]});
+  return light;
+}
+
+double lambertian_radiance(std::span<const ChannelLight> parts, const SensorGeometry& geometry,
+                           std::span<const double> reflectance, std::span<const double> emission) {
+  const double sine = geometry.sun_zenith_rad ? std::cos(*geometry.sun_zenith_rad) : 0.0;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const ChannelLight& part = parts[k];
+    const double rho = reflectance[k], emitted = emission.empty() ? 0.0 : emission[k];
+    // Ground and air pass light back and forth.
+    const double leaving = (rho * (part.sun * sine + part.sky_irradiance) / std::numbers::pi + emitted) /
+                           (1.0 - rho * part.spherical_albedo);
+    sum += part.weight * (part.path + leaving * (part.view + part.diffuse_transmittance));
+  }
+  return sum;
+}
+
+}  // namespace ifov::atmosphere

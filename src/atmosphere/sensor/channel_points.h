@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "atmosphere/sensor/channel_bins.h"
+
+namespace ifov::atmosphere {
+
+struct SensorGeometry {
+  /// Of the Sun at the ground; none: night.
+  std::optional<double> sun_zenith_rad;
+  /// From the ground towards the sensor.
+  double view_zenith_rad = 0.0;
+  /// Of that direction from the Sun's.
+  double view_azimuth_rad = 0.0;
+  /// Above mean sea level; at or above the top of the air it is the same everywhere.
+  double sensor_altitude_km = 100.0;
+};
+
+/// A channel as its points: bins of the band model, term by term, with what is exact at each of them.
+struct ChannelPoints {
+  struct Point {
+    const ColumnOptics* optics = nullptr;
+    std::size_t term = 0;
+    double wavelength_um = 0.0;
+    LayerOptics layers() const { return optics->term(term); }
+  };
+  std::vector<Point> points;
+  std::vector<double> share;       ///< of the channel's response; sums to 1
+  std::vector<double> irradiance;  ///< of the Sun above the air, W m-2 um-1
+  std::vector<double> sun;         ///< direct, at the ground on a surface that faces the Sun
+  std::vector<double> view;        ///< direct transmittance from the ground to the sensor
+  std::vector<double> gas_depth;   ///< vertical absorption depth of all gas
+
+  ChannelPoints(const AtmosphereColumn& column, const std::vector<ChannelBin>& bins, const BinOptics& optics,
+                const SensorGeometry& geometry);
+  std::size_t size() const { return points.size(); }
+};
+
+}  // namespace ifov::atmosphere

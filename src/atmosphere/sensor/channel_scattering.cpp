@@ -1,0 +1,188 @@
+#include "atmosphere/sensor/channel_scattering.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace ifov::atmosphere {
+namespace {
+
+constexpr std::array kDepths = {0.0, 0.06, 0.25, 0.8, 2.2, 6.0, 25.0};
+/// Channels wider than this in ln(wavelength) take a second wavelength, and one more for each further step.
+constexpr double kNarrow = 0.03, kStep = 0.06;
+constexpr std::size_t kMostWavelengths = 4;
+/// Points that hold less of the channel do not decide how deep the solutions reach.
+constexpr double kLeastShare = 1e-5;
+constexpr double kDark = 1e-300;
+
+double log_ratio(double a, double b) { return std::log(std::max(a, kDark) / std::max(b, kDark)); }
+
+/// Depth as the ratio of all light to light scattered once varies with it.
+double scaled(double depth) { return std::log1p(10.0 * depth); }
+
+struct Place {
+  std::size_t low = 0;
+  double high_share = 0.0;
+};
+Place place(const std::vector<double>& nodes, double x) {
+  if (nodes.size() == 1) return {};
+  const auto above = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, x);
+  const std::size_t low = static_cast<std::size_t>(above - nodes.begin()) - 1;
+  return {low, (x - nodes[low]) / (nodes[low + 1] - nodes[low])};
+}
+
+}  // namespace
+
+ChannelScattering::ChannelScattering(const AtmosphereColumn& column, const ChannelPoints& points,
+                                     const SensorGeometry& geometry, const SkyDirections& directions,
+                                     const ScatteringOptions& options)
+    : column_(column), points_(points), geometry_(geometry), directions_(directions), options_(options) {
+  options_.most_sublayers = 1;  // light scattered once is exact in whole layers
+  choose_nodes();
+  for (std::size_t w = 0; w < log_wavelength_.size(); ++w)
+    for (std::size_t d = 0; d < depth_.size(); ++d) {
+      Node& node = nodes_.emplace_back();
+      node.wavelength = w;
+      node.depth = d;
+      node.optics = optics_at(log_wavelength_[w], depth_[d]);
+    }
+}
+
+void ChannelScattering::choose_nodes() {
+  std::vector<std::size_t> order(points_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return points_.points[a].wavelength_um < points_.points[b].wavelength_um;
+  });
+  double sum = 0.0, mean = 0.0, low = 0.0, high = 0.0, shallow = kDepths.back(), deep = 0.0;
+  for (const std::size_t p : order) {
+    const double log_wavelength = std::log(points_.points[p].wavelength_um);
+    if (sum < 0.05) low = log_wavelength;
+    if (sum < 0.95) high = log_wavelength;
+    sum += points_.share[p];
+    mean += points_.share[p] * log_wavelength;
+    if (points_.share[p] < kLeastShare) continue;
+    shallow = std::min(shallow, points_.gas_depth[p]);
+    deep = std::max(deep, points_.gas_depth[p]);
+  }
+  const double width = high - low;
+  const std::size_t count =
+      width < kNarrow ? 1
+                      : std::min(kMostWavelengths, 2 + static_cast<std::size_t>((width - kNarrow) / kStep));
+  for (std::size_t k = 0; k < count; ++k)
+    log_wavelength_.push_back(
+        count == 1 ? mean : low + width * static_cast<double>(k) / static_cast<double>(count - 1));
+  for (std::size_t k = 0; k < kDepths.size(); ++k) {
+    const bool too_shallow = k + 1 < kDepths.size() && kDepths[k + 1] <= shallow;
+    const bool too_deep = k > 0 && kDepths[k - 1] >= deep;
+    if (!too_shallow && !too_deep) depth_.push_back(kDepths[k]);
+  }
+}
+
+/// Everything but gas from the bin next to the wavelength; gas of the mean profile of the channel's points of
+/// about this depth.
+LayerOptics ChannelScattering::optics_at(double log_wavelength, double depth) const {
+  const ChannelPoints::Point* nearest = &points_.points.front();
+  const auto distance = [&](const ChannelPoints::Point& point) {
+    return std::abs(std::log(point.wavelength_um) - log_wavelength);
+  };
+  std::vector<double> profile(column_.levels().layers(), 0.0);
+  double total = 0.0;
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    const ChannelPoints::Point& point = points_.points[p];
+    if (distance(point) < distance(*nearest)) nearest = &point;
+    if (!(points_.gas_depth[p] > 0.0)) continue;
+    const double weight = points_.share[p] *
+                          std::exp(-4.0 * std::abs(scaled(points_.gas_depth[p]) - scaled(depth))) /
+                          points_.gas_depth[p];
+    const std::vector<double> gas = point.layers().gas_absorption;
+    for (std::size_t i = 0; i < profile.size(); ++i) profile[i] += weight * gas[i];
+    total += weight * points_.gas_depth[p];
+  }
+  LayerOptics optics = nearest->layers();
+  for (std::size_t i = 0; i < profile.size(); ++i)
+    optics.gas_absorption[i] = total > 0.0 ? depth * profile[i] / total : 0.0;
+  return optics;
+}
+
+Propagation ChannelScattering::towards_sensor() const {
+  return {std::cos(geometry_.view_zenith_rad), geometry_.view_azimuth_rad - std::numbers::pi};
+}
+
+void ChannelScattering::solve(const ColumnSolver& solver, std::size_t solution) {
+  Node& node = nodes_[solution];
+  const double ground_km = column_.levels().altitude_km.front(), sensor_km = geometry_.sensor_altitude_km;
+  const ColumnSolution solved = solver.solve(column_.levels(), node.optics, *geometry_.sun_zenith_rad);
+  const PathLight path = solved.sunlit().path(towards_sensor(), sensor_km);
+  const double sky_irradiance = solved.sunlit().fluxes().at(ground_km).diffuse_down;
+  const double albedo = solved.spherical_albedo();
+  node.path = log_ratio(path.radiance().i, path.single.i);
+  node.sky_irradiance = log_ratio(sky_irradiance, solved.sun_transmittance(ground_km));
+  node.diffuse_transmittance =
+      log_ratio(solved.diffuse_transmittance(towards_sensor().mu, sensor_km).i, path.transmittance);
+  node.spherical_albedo = std::log(std::max(albedo, kDark));
+
+  const std::vector<double> weights = directions_.level_weights();
+  const std::size_t zeniths = directions_.zenith_rad.size(), azimuths = directions_.azimuth_rad.size();
+  double sky_sum = 0.0, groundlit_sum = 0.0;
+  for (std::size_t z = 0; z < zeniths; ++z) {
+    const double down = -std::cos(directions_.zenith_rad[z]);
+    node.groundlit.push_back(std::max(0.0, solved.groundlit().sky({down, 0.0}, ground_km).radiance().i));
+    const SlantSource ring = solved.sunlit().along(down);
+    for (std::size_t a = 0; a < azimuths; ++a) {
+      node.sky.push_back(std::max(0.0, ring.sky(directions_.azimuth_rad[a], ground_km).radiance().i));
+      sky_sum += weights[z * azimuths + a] * node.sky.back();
+      groundlit_sum += weights[z * azimuths + a] * node.groundlit.back();
+    }
+  }
+  for (double& value : node.sky) value /= std::max(sky_sum, kDark);
+  for (double& value : node.groundlit) value *= std::numbers::pi / std::max(groundlit_sum, kDark);
+}
+
+ChannelScattering::AtPoints ChannelScattering::at_points() const {
+  const std::size_t count = points_.size();
+  AtPoints result;
+  for (auto* row :
+       {&result.path, &result.sky_irradiance, &result.diffuse_transmittance, &result.spherical_albedo})
+    row->resize(count);
+  result.share.assign(nodes_.size(), std::vector<double>(count, 0.0));
+  std::vector<double> scaled_depth;
+  for (const double depth : depth_) scaled_depth.push_back(scaled(depth));
+  const std::size_t columns = depth_.size();
+  for (std::size_t p = 0; p < count; ++p) {
+    const ChannelPoints::Point& point = points_.points[p];
+    const ScatteringColumn column(column_.levels(), point.layers(), *geometry_.sun_zenith_rad, options_);
+    const double single = single_scattering(column, options_.aerosol_polarization, towards_sensor(),
+                                            geometry_.sensor_altitude_km)
+                              .single.i;
+    const Place at_wavelength = place(log_wavelength_, std::log(point.wavelength_um));
+    const double depth = std::clamp(points_.gas_depth[p], depth_.front(), depth_.back());
+    const Place at_depth = place(depth_, depth), at_scaled = place(scaled_depth, scaled(depth));
+    double path = 0.0, sky = 0.0, transmittance = 0.0, albedo = 0.0;
+    for (std::size_t w = at_wavelength.low; w <= std::min(at_wavelength.low + 1, log_wavelength_.size() - 1);
+         ++w)
+      for (std::size_t d = 0; d < columns; ++d) {
+        const double across =
+            w == at_wavelength.low ? 1.0 - at_wavelength.high_share : at_wavelength.high_share;
+        const auto share = [&](const Place& here) {
+          return d == here.low ? 1.0 - here.high_share : d == here.low + 1 ? here.high_share : 0.0;
+        };
+        const Node& node = nodes_[w * columns + d];
+        const double plain = across * share(at_depth);
+        path += across * share(at_scaled) * node.path;
+        sky += plain * node.sky_irradiance;
+        transmittance += plain * node.diffuse_transmittance;
+        albedo += plain * node.spherical_albedo;
+        result.share[w * columns + d][p] = plain;
+      }
+    result.path[p] = points_.irradiance[p] * single * std::exp(path);
+    result.sky_irradiance[p] = points_.sun[p] * std::exp(sky);
+    result.diffuse_transmittance[p] = points_.view[p] * std::exp(transmittance);
+    result.spherical_albedo[p] = std::exp(albedo);
+  }
+  return result;
+}
+
+}  // namespace ifov::atmosphere

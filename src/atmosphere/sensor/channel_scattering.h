@@ -1,0 +1,63 @@
+#pragma once
+
+#include <vector>
+
+#include "atmosphere/scattering/column_solver.h"
+#include "atmosphere/sensor/channel_points.h"
+#include "atmosphere/sensor/sky_directions.h"
+
+namespace ifov::atmosphere {
+
+/// Sunlight that the air scatters, at all points of a channel, from a few full solutions: at one to four
+/// wavelengths across the channel, and up to six depths of gas. Light scattered once on the way to the sensor
+/// is exact at every point, and so are the direct beams; what is interpolated between the solutions are the
+/// ratios of everything else to them, which are smooth in wavelength and depth.
+class ChannelScattering {
+ public:
+  /// Decides what is to be solved. Keeps references to the first four.
+  ChannelScattering(const AtmosphereColumn& column, const ChannelPoints& points,
+                    const SensorGeometry& geometry, const SkyDirections& directions,
+                    const ScatteringOptions& options);
+
+  std::size_t solutions() const { return nodes_.size(); }
+  /// Solves one of them; different ones may be solved at the same time.
+  void solve(const ColumnSolver& solver, std::size_t solution);
+
+  /// By point, once everything is solved. Radiances and irradiances are of the Sun's light at the point.
+  struct AtPoints {
+    std::vector<double> path, sky_irradiance, diffuse_transmittance, spherical_albedo;
+    /// [solution]: the share of each solution in the shapes of the sky.
+    std::vector<std::vector<double>> share;
+  };
+  AtPoints at_points() const;
+
+  /// The sky of a solution, [zenith][azimuth], for an irradiance of 1 on level ground, and [zenith] the sky
+  /// over ground of radiance 1 for a spherical albedo of 1.
+  const std::vector<double>& sky_shape(std::size_t solution) const { return nodes_[solution].sky; }
+  const std::vector<double>& groundlit_shape(std::size_t solution) const {
+    return nodes_[solution].groundlit;
+  }
+
+ private:
+  struct Node {
+    std::size_t wavelength = 0, depth = 0;
+    LayerOptics optics;
+    // Logarithms of all light over light scattered once, of the sky's light over the direct beam's, of the
+    // diffuse over the direct transmittance, of the spherical albedo.
+    double path = 0.0, sky_irradiance = 0.0, diffuse_transmittance = 0.0, spherical_albedo = 0.0;
+    std::vector<double> sky, groundlit;
+  };
+  void choose_nodes();
+  LayerOptics optics_at(double log_wavelength, double depth) const;
+  Propagation towards_sensor() const;
+
+  const AtmosphereColumn& column_;
+  const ChannelPoints& points_;
+  const SensorGeometry& geometry_;
+  const SkyDirections& directions_;
+  ScatteringOptions options_;
+  std::vector<double> log_wavelength_, depth_;  // of the nodes, rising
+  std::vector<Node> nodes_;                     // [wavelength][depth]
+};
+
+}  // namespace ifov::atmosphere
