@@ -75,8 +75,8 @@ std::string narrow_channels(std::span<const radiometry::Channel> channels, const
 
 std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(const Session::Parts& parts,
                                                                   std::span<const radiometry::Spectrum> surfaces,
-                                                                  radiometry::NodeDemands demands, int threads,
-                                                                  LogSink* log) {
+                                                                  radiometry::NodeDemands demands,
+                                                                  const AtmosphereWork& work) {
   const io::Document& document = parts.document;
   return with_position(document, document.atmosphere.position, [&] {
     const atmosphere::AtmosphereColumn column = assemble_column(document);
@@ -89,9 +89,11 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(const Session:
     inputs.demands.tolerance = kNodeTolerance;
     inputs.geometry = sensor_geometry(document, *parts.camera, parts.scene.sun,
                                       column.levels().altitude_km.front());
-    inputs.threads = threads;
+    inputs.threads = work.threads;
+    inputs.kept = work.kept;
+    inputs.progress = work.progress;
     auto air = std::make_unique<atmosphere::SensorAtmosphere>(column, inputs);
-    if (log != nullptr) warn(parts, column, *air, *log);
+    if (work.log != nullptr) warn(parts, column, *air, *work.log);
     return air;
   });
 }

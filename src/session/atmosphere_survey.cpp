@@ -43,7 +43,8 @@ io::Document asked(const io::Document& document, const AtmosphereQuestion& quest
       parallel.view_azimuth_rad = azimuth;
     }
   }
-  if (question.sensor_altitude_km) changed.atmosphere.modelled->sensor_altitude_km = question.sensor_altitude_km;
+  if (question.sensor_altitude_km)
+    changed.atmosphere.modelled->sensor_altitude_km = question.sensor_altitude_km;
   return changed;
 }
 
@@ -78,30 +79,34 @@ std::vector<std::string> describe(const atmosphere::AtmosphereColumn& column, co
   const atmosphere::AtmosphereDescription& said = column.description();
   const atmosphere::Profile& profile = column.profile();
   std::vector<std::string> lines;
-  lines.push_back(said.air.model + (said.air.levels.empty() ? "" : ", below it levels of the document's own"));
-  lines.push_back(format("Ground at {:.3g} km: {:.1f} K, {:.0f} hPa, {:.0f} % humidity. Water vapour {:.3g} g/cm2, ozone "
-                         "{:.0f} DU, CO2 {:.0f} ppm.",
-                         profile.ground_km(), profile.temperature_K.front(), profile.pressure_hPa.front(),
-                         profile.relative_humidity_percent(0), profile.precipitable_water_g_cm2(),
-                         1e3 * profile.column_atm_cm(atmosphere::Gas::o3), profile.of(atmosphere::Gas::co2).front()));
+  lines.push_back(said.air.model +
+                  (said.air.levels.empty() ? "" : ", below it levels of the document's own"));
+  lines.push_back(
+      format("Ground at {:.3g} km: {:.1f} K, {:.0f} hPa, {:.0f} % humidity. Water vapour {:.3g} g/cm2, ozone "
+             "{:.0f} DU, CO2 {:.0f} ppm.",
+             profile.ground_km(), profile.temperature_K.front(), profile.pressure_hPa.front(),
+             profile.relative_humidity_percent(0), profile.precipitable_water_g_cm2(),
+             1e3 * profile.column_atm_cm(atmosphere::Gas::o3), profile.of(atmosphere::Gas::co2).front()));
   if (column.aerosol().empty())
     lines.push_back("No aerosol.");
   else
-    lines.push_back(format("Aerosol: {}, visibility {:.3g} km, optical thickness {:.3f} at 0.55 um.", said.aerosol.type,
-                           column.aerosol().visibility_km(),
-                           column.aerosol().thickness_550(profile.ground_km(), atmosphere::kTopOfAtmosphereKm)));
+    lines.push_back(
+        format("Aerosol: {}, visibility {:.3g} km, optical thickness {:.3f} at 0.55 um.", said.aerosol.type,
+               column.aerosol().visibility_km(),
+               column.aerosol().thickness_550(profile.ground_km(), atmosphere::kTopOfAtmosphereKm)));
   std::string where = "No Sun.";
   if (geometry.sun_zenith_rad) {
     const math::Vec3 sun = scene.sun->direction;
     const double azimuth = std::atan2(sun.x, sun.y) / kDegree;
-    where = format("Sun {:.1f} deg from the zenith at azimuth {:.1f} deg.", *geometry.sun_zenith_rad / kDegree,
-                   azimuth < 0.0 ? azimuth + 360.0 : azimuth);
+    where = format("Sun {:.1f} deg from the zenith at azimuth {:.1f} deg.",
+                   *geometry.sun_zenith_rad / kDegree, azimuth < 0.0 ? azimuth + 360.0 : azimuth);
   } else if (document.light.sun) {
     where = "The Sun is below the horizon.";
   }
   const bool above = geometry.sensor_altitude_km >= atmosphere::kTopOfAtmosphereKm;
-  lines.push_back(format("{} Sensor {:.1f} deg from the zenith, {}.", where, geometry.view_zenith_rad / kDegree,
-                         above ? std::string("above all air") : format("at {:.4g} km", geometry.sensor_altitude_km)));
+  lines.push_back(
+      format("{} Sensor {:.1f} deg from the zenith, {}.", where, geometry.view_zenith_rad / kDegree,
+             above ? std::string("above all air") : format("at {:.4g} km", geometry.sensor_altitude_km)));
   return lines;
 }
 
@@ -127,7 +132,8 @@ class Meter {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-std::size_t sky_channel(const std::vector<radiometry::Channel>& channels, const std::string& name, bool night) {
+std::size_t sky_channel(const std::vector<radiometry::Channel>& channels, const std::string& name,
+                        bool night) {
   std::vector<std::string> names;
   for (const radiometry::Channel& channel : channels) names.push_back(channel.name);
   if (!name.empty()) {
@@ -141,7 +147,8 @@ std::size_t sky_channel(const std::vector<radiometry::Channel>& channels, const 
   const double wanted = night ? kSkyByNight_um : kSkyByDay_um;
   std::size_t best = 0;
   for (std::size_t c = 1; c < channels.size(); ++c)
-    if (std::abs(std::log(channels[c].centre_um / wanted)) < std::abs(std::log(channels[best].centre_um / wanted)))
+    if (std::abs(std::log(channels[c].centre_um / wanted)) <
+        std::abs(std::log(channels[best].centre_um / wanted)))
       best = c;
   return best;
 }
@@ -157,13 +164,15 @@ io::AirReport survey_atmosphere(const io::Document& original, const AtmosphereQu
     const Stage stage(document);
     const atmosphere::AtmosphereColumn column = assemble_column(document);
     io::AirReport report;
-    report.geometry = sensor_geometry(document, *stage.camera, stage.scene.sun, column.levels().altitude_km.front());
+    report.geometry =
+        sensor_geometry(document, *stage.camera, stage.scene.sun, column.levels().altitude_km.front());
     if (stage.scene.sun) {
       const math::Vec3 sun = stage.scene.sun->direction;
       report.sun_azimuth_rad = std::atan2(sun.x, sun.y);
     }
     report.description = describe(column, document, report.geometry, stage.scene);
-    const radiometry::Spectrum sunlight = stage.scene.sun ? stage.scene.sun->irradiance : radiometry::Spectrum();
+    const radiometry::Spectrum sunlight =
+        stage.scene.sun ? stage.scene.sun->irradiance : radiometry::Spectrum();
 
     double first_um = kLongest_um, last_um = kShortest_um;
     std::vector<std::size_t> narrow;
@@ -195,7 +204,8 @@ io::AirReport survey_atmosphere(const io::Document& original, const AtmosphereQu
       report.step_cm1 = 1e4 / steps.front().response.first_um() - 1e4 / steps.front().response.last_um();
     }
     if (question.sky) {
-      const std::size_t c = sky_channel(stage.channels, question.sky_channel, !report.geometry.sun_zenith_rad);
+      const std::size_t c =
+          sky_channel(stage.channels, question.sky_channel, !report.geometry.sun_zenith_rad);
       report.sky_channel = stage.channels[c].name;
       report.sky = atmosphere::view_sky(column, stage.channels[c].centre_um, light[c].solar_irradiance,
                                         report.geometry.sun_zenith_rad, question.threads);

@@ -67,8 +67,9 @@ TEST(AirSurvey, SunlightSplitsFromEmission) {
   EXPECT_NEAR(day.view_transmittance, night.view_transmittance, 1e-12);
 }
 
-// Clear air above dark ground: skylight is most polarized 90 degrees from the Sun, across the Sun's plane, and not at all
-// near the Sun and on both sides of it (the points of Babinet and Brewster). Coulson et al. (1960) have 0.7 to 0.8.
+// Clear air above dark ground: skylight is most polarized 90 degrees from the Sun, across the Sun's plane,
+// and not at all near the Sun and on both sides of it (the points of Babinet and Brewster). Coulson et al.
+// (1960) have 0.7 to 0.8.
 TEST(SkyView, ClearSkyIsPolarizedAcrossTheSunsPlane) {
   const SkyView sky = view_sky(column("none"), 0.55, 1.0, 60.0 * kDegree);
   const std::size_t away = sky.azimuth_rad.size() - 1;
@@ -87,7 +88,8 @@ TEST(AirSurvey, StepsAreAsWideAsTheBandModelResolves) {
   EXPECT_GE(steps.back().response.last_um(), 0.6);
   EXPECT_LE(steps.front().response.first_um(), 0.5);
   for (std::size_t k = 0; k < steps.size(); ++k) {
-    EXPECT_NEAR(1e4 / steps[k].response.first_um() - 1e4 / steps[k].response.last_um(), kResolution_cm1, 1e-6);
+    EXPECT_NEAR(1e4 / steps[k].response.first_um() - 1e4 / steps[k].response.last_um(), kResolution_cm1,
+                1e-6);
     if (k > 0) EXPECT_NEAR(steps[k].response.first_um(), steps[k - 1].response.last_um(), 1e-9);
   }
   EXPECT_LE(resolved_steps(0.3, 14.0, 100).size(), 101u);

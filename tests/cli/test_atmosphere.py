@@ -58,10 +58,10 @@ class Table(unittest.TestCase):
     def test_another_geometry(self):
         with Folder(yard=YARD % AIR) as folder:
             usual = rows(run("atmosphere", "yard.json", cwd=folder).stdout)
-            low = run("atmosphere", "yard.json", "--sun", "75,90", "--view", "40,270", "--altitude", "2", cwd=folder)
+            low = run("atmosphere", "yard.json", "--sun", "75,90", "--view", "40,270", "--altitude", "0.5", cwd=folder)
             self.assertEqual(low.returncode, 0, low.stderr)
             self.assertIn("Sun 75.0 deg from the zenith at azimuth 90.0 deg. Sensor 40.0 deg", low.stdout)
-            self.assertIn("at 2 km.", low.stdout)
+            self.assertIn("at 0.5 km.", low.stdout)
             self.assertLess(rows(low.stdout)["blue"][1], usual["blue"][1])
             self.assertGreater(rows(low.stdout)["thermal"][2], usual["thermal"][2])
 

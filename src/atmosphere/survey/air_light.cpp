@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "atmosphere/thermal/thermal_column.h"
 #include "core/format.h"
 #include "core/parallel.h"
 
@@ -29,27 +28,6 @@ struct Part {
   }
 };
 
-/// The direct transmittance to the sensor: every bin and term by itself, with nothing that emits.
-double view_transmittance(const AtmosphereColumn& column, const BinOptics& optics, const std::vector<ChannelBin>& bins,
-                          const SensorGeometry& geometry) {
-  const std::vector<double> dark(column.levels().altitude_km.size(), 0.0);
-  double sum = 0.0;
-  for (const ChannelBin& bin : bins) {
-    const ColumnOptics& at = optics.at(bin.bin);
-    for (std::size_t t = 0; t < at.terms(); ++t) {
-      const LayerOptics layers = at.term(t);
-      std::vector<double> depth = layers.gas_absorption;
-      for (std::size_t i = 0; i < depth.size(); ++i)
-        depth[i] += layers.rayleigh_scattering[i] + layers.aerosol_scattering[i] + layers.aerosol_absorption[i];
-      sum += bin.share * at.weight(t) *
-             ThermalColumn(column.levels().altitude_km, dark, depth)
-                 .path(geometry.sensor_altitude_km, std::cos(geometry.view_zenith_rad))
-                 .transmittance;
-    }
-  }
-  return sum;
-}
-
 void survey_part(const Part& part, AirLight* light) {
   std::vector<std::vector<ChannelBin>> bins;
   for (const radiometry::Channel& channel : part.channels)
@@ -59,14 +37,18 @@ void survey_part(const Part& part, AirLight* light) {
   parallel_for(static_cast<std::int64_t>(part.channels.size()), part.inputs.threads, [&](std::int64_t k) {
     const std::size_t c = static_cast<std::size_t>(k);
     light[c].wavelength_um = part.channels[c].centre_um;
-    light[c].view_transmittance = view_transmittance(part.column, optics, bins[c], geometry);
-    for (const ChannelBin& bin : bins[c]) light[c].solar_irradiance += bin.share * bin.irradiance;
+    const ChannelPoints points(part.column, bins[c], optics, geometry);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      light[c].view_transmittance += points.share[p] * points.view[p];
+      light[c].solar_irradiance += points.share[p] * points.irradiance[p];
+    }
   });
 
   const auto add = [&](const SensorAtmosphere& air, auto&& use) {
     const radiometry::SpectralNodes& nodes = air.nodes();
     for (std::size_t c = 0; c < part.channels.size(); ++c)
-      for (std::size_t n = nodes.first_node(c); n < nodes.first_node(c + 1); ++n) use(light[c], n, nodes.node_weight(n));
+      for (std::size_t n = nodes.first_node(c); n < nodes.first_node(c + 1); ++n)
+        use(light[c], n, nodes.node_weight(n));
   };
   const SensorAtmosphere night = part.solve(false);
   add(night, [&](AirLight& to, std::size_t n, double weight) {
@@ -87,13 +69,15 @@ void survey_part(const Part& part, AirLight* light) {
     AirLight& of = light[c];
     of.solar_path = std::max(0.0, of.solar_path - of.thermal_path);
     of.solar_sky = std::max(0.0, of.solar_sky - of.thermal_sky);
-    of.sun_transmittance = of.solar_irradiance > 0.0 ? of.direct_irradiance / (sine * of.solar_irradiance) : 0.0;
+    of.sun_transmittance =
+        of.solar_irradiance > 0.0 ? of.direct_irradiance / (sine * of.solar_irradiance) : 0.0;
   }
 }
 
 }  // namespace
 
-std::vector<AirLight> survey_air(const AtmosphereColumn& column, std::span<const radiometry::Channel> channels,
+std::vector<AirLight> survey_air(const AtmosphereColumn& column,
+                                 std::span<const radiometry::Channel> channels,
                                  const radiometry::Spectrum& solar_irradiance, const SensorGeometry& geometry,
                                  const SurveyControl& control) {
   std::vector<AirLight> light(channels.size());
@@ -119,8 +103,8 @@ std::vector<radiometry::Channel> resolved_steps(double first_um, double last_um,
   step *= std::max(1.0, std::ceil((high - low) / (step * static_cast<double>(most))));
   std::vector<radiometry::Channel> channels;
   for (double from = std::floor(low / step) * step; from < high; from += step)
-    channels.push_back(radiometry::Channel::top_hat(format("{:g} cm-1", from + 0.5 * step), 1e4 / (from + step),
-                                                    1e4 / from));
+    channels.push_back(radiometry::Channel::top_hat(format("{:g} cm-1", from + 0.5 * step),
+                                                    1e4 / (from + step), 1e4 / from));
   std::reverse(channels.begin(), channels.end());
   return channels;
 }

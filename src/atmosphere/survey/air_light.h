@@ -9,9 +9,9 @@
 
 namespace ifov::atmosphere {
 
-/// What the air does to the light of one channel, for people to look at: means over the response. Radiances in
-/// W m-2 sr-1 um-1, irradiances in W m-2 um-1 on a level surface, both over black ground. Without a Sun, what is
-/// sunlight is 0.
+/// What the air does to the light of one channel, for people to look at: means over the response. Radiances
+/// in W m-2 sr-1 um-1, irradiances in W m-2 um-1 on a level surface, both over black ground. Without a Sun,
+/// what is sunlight is 0.
 struct AirLight {
   double wavelength_um = 0.0;
   double solar_irradiance = 0.0;       ///< above the air, across the beam
@@ -21,7 +21,7 @@ struct AirLight {
   double solar_path = 0.0, thermal_path = 0.0;  ///< radiance that the path to the sensor adds
   double direct_irradiance = 0.0;
   double solar_sky = 0.0, thermal_sky = 0.0;  ///< irradiance of the sky
-  double spherical_albedo = 0.0;              ///< of the air for light from below, 0 where it was not computed
+  double spherical_albedo = 0.0;  ///< of the air for light from below, 0 where it was not computed
 };
 
 struct SurveyControl {
@@ -32,12 +32,13 @@ struct SurveyControl {
 };
 
 /// Of each channel. InputError as BinOptics.
-std::vector<AirLight> survey_air(const AtmosphereColumn& column, std::span<const radiometry::Channel> channels,
+std::vector<AirLight> survey_air(const AtmosphereColumn& column,
+                                 std::span<const radiometry::Channel> channels,
                                  const radiometry::Spectrum& solar_irradiance, const SensorGeometry& geometry,
                                  const SurveyControl& control = {});
 
-/// Rectangular channels side by side, as wide as the band model resolves (20 cm-1), or a multiple of it where there
-/// would be more than `most`; from short to long wavelengths.
+/// Rectangular channels side by side, as wide as the band model resolves (20 cm-1), or a multiple of it where
+/// there would be more than `most`; from short to long wavelengths.
 std::vector<radiometry::Channel> resolved_steps(double first_um, double last_um, std::size_t most = 1500);
 
 }  // namespace ifov::atmosphere

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "atmosphere/scattering/column_solver.h"
+#include "atmosphere/sensor/sensor_limits.h"
 #include "atmosphere/thermal/thermal_column.h"
 #include "core/parallel.h"
 #include "radiometry/planck.h"
@@ -14,18 +15,17 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kZenithStep_deg = 2, kAzimuthStep_deg = 3;
-/// Where neither sunlight nor emission may be left out: see SensorAtmosphere.
-constexpr double kGlowsFrom_um = 2.4, kSunlitTo_um = 6.0;
 
 /// What one absorption term scatters into every direction.
-void add_scattered(const AtmosphereColumn& column, const LayerOptics& optics, double sun_zenith_rad, double factor,
-                   SkyView& sky) {
+void add_scattered(const AtmosphereColumn& column, const LayerOptics& optics, double sun_zenith_rad,
+                   double factor, SkyView& sky) {
   const ColumnSolution solution = ColumnSolver().solve(column.levels(), optics, sun_zenith_rad);
   const double ground_km = column.levels().altitude_km.front();
   for (std::size_t z = 0; z < sky.zenith_rad.size(); ++z) {
     const SlantSource ring = solution.sunlit().along(-std::cos(sky.zenith_rad[z]));
     for (std::size_t a = 0; a < sky.azimuth_rad.size(); ++a)
-      sky.light[z * sky.azimuth_rad.size() + a] += factor * ring.sky(sky.azimuth_rad[a], ground_km).radiance();
+      sky.light[z * sky.azimuth_rad.size() + a] +=
+          factor * ring.sky(sky.azimuth_rad[a], ground_km).radiance();
   }
 }
 
@@ -33,7 +33,8 @@ void add_emitted(const AtmosphereColumn& column, const LayerOptics& optics, doub
   const Levels& levels = column.levels();
   std::vector<double> depth = optics.gas_absorption, planck;
   for (std::size_t i = 0; i < depth.size(); ++i) depth[i] += optics.aerosol_absorption[i];
-  for (const double t : levels.temperature_K) planck.push_back(radiometry::planck_w_m2_sr_um(sky.wavelength_um, t));
+  for (const double t : levels.temperature_K)
+    planck.push_back(radiometry::planck_w_m2_sr_um(sky.wavelength_um, t));
   const ThermalColumn thermal(levels.altitude_km, planck, depth);
   for (std::size_t z = 0; z < sky.zenith_rad.size(); ++z) {
     const double radiance =
@@ -45,7 +46,9 @@ void add_emitted(const AtmosphereColumn& column, const LayerOptics& optics, doub
 
 }  // namespace
 
-double polarization_degree(const Stokes& light) { return light.i > 0.0 ? std::hypot(light.q, light.u) / light.i : 0.0; }
+double polarization_degree(const Stokes& light) {
+  return light.i > 0.0 ? std::hypot(light.q, light.u) / light.i : 0.0;
+}
 
 SkyView view_sky(const AtmosphereColumn& column, double wavelength_um, double solar_irradiance,
                  std::optional<double> sun_zenith_rad, int threads) {
@@ -59,9 +62,9 @@ SkyView view_sky(const AtmosphereColumn& column, double wavelength_um, double so
   parallel_for(static_cast<std::int64_t>(optics.terms()), threads, [&](std::int64_t k) {
     const std::size_t t = static_cast<std::size_t>(k);
     const LayerOptics layers = optics.term(t);
-    if (sun_zenith_rad && wavelength_um <= kSunlitTo_um)
+    if (sun_zenith_rad && wavelength_um <= kLastSolar_um)
       add_scattered(column, layers, *sun_zenith_rad, optics.weight(t) * solar_irradiance, by_term[t]);
-    if (wavelength_um >= kGlowsFrom_um) add_emitted(column, layers, optics.weight(t), by_term[t]);
+    if (wavelength_um >= kFirstThermal_um) add_emitted(column, layers, optics.weight(t), by_term[t]);
   });
   for (const SkyView& part : by_term)
     for (std::size_t d = 0; d < sky.light.size(); ++d) sky.light[d] += part.light[d];

@@ -24,9 +24,9 @@ struct SkyView {
 /// Degree of linear polarization; 0 of darkness.
 double polarization_degree(const Stokes& light);
 
-/// `solar_irradiance`: above the air, W m-2 um-1, mean over the 20 cm-1 that the band model resolves. All absorption
-/// terms of the wavelength are solved by themselves. Without a Sun the sky is what the air emits. InputError as
-/// AtmosphereColumn::at.
+/// `solar_irradiance`: above the air, W m-2 um-1, mean over the 20 cm-1 that the band model resolves. All
+/// absorption terms of the wavelength are solved by themselves. Without a Sun the sky is what the air emits.
+/// InputError as AtmosphereColumn::at.
 SkyView view_sky(const AtmosphereColumn& column, double wavelength_um, double solar_irradiance,
                  std::optional<double> sun_zenith_rad, int threads = 0);
 

@@ -10,7 +10,8 @@ namespace {
 
 using atmosphere::AirLight;
 
-constexpr double kWidth = 1180.0, kLeft = 84.0, kPlotWidth = 690.0, kPlotHeight = 190.0, kGap = 52.0, kTitle = 26.0;
+constexpr double kWidth = 1180.0, kLeft = 84.0, kPlotWidth = 690.0, kPlotHeight = 190.0, kGap = 52.0,
+                 kTitle = 26.0;
 constexpr double kSkyCentre = 960.0, kSkyRadius = 132.0;
 constexpr Ink kBlue{0.00, 0.45, 0.70}, kRed{0.84, 0.37, 0.00}, kGreen{0.00, 0.62, 0.45};
 /// Decades that a logarithmic axis shows below the brightest light.
@@ -27,8 +28,8 @@ std::vector<double> wavelength_ticks(const Axis& axis) {
   if (!axis.logarithmic) return axis.ticks(9);
   std::vector<double> found;
   double last = -1.0;
-  for (const double tick : {0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.7, 0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0,
-                            10.0, 12.0, 14.0, 20.0, 30.0, 50.0}) {
+  for (const double tick : {0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.7,  0.8,  1.0,  1.2,  1.5,  2.0,
+                            2.5, 3.0,  4.0, 5.0,  6.0, 8.0, 10.0, 12.0, 14.0, 20.0, 30.0, 50.0}) {
     if (tick < axis.first || tick > axis.last) continue;
     constexpr double kLeastDistance = 0.045;
     if (last > 0.0 && axis.place(tick) - axis.place(last) < kLeastDistance) continue;
@@ -46,7 +47,8 @@ Axis logarithmic_axis(const std::vector<Curve>& curves) {
       if (p.y > 0.0) smallest = std::min(smallest, p.y);
     }
   if (!(largest > 0.0)) return {1e-3, 1.0, true};
-  return {std::pow(10.0, std::floor(std::log10(std::max(smallest, kDecades * largest)))), 1.6 * largest, true};
+  return {std::pow(10.0, std::floor(std::log10(std::max(smallest, kDecades * largest)))), 1.6 * largest,
+          true};
 }
 
 /// Where the channels are, behind the curves.
@@ -74,9 +76,11 @@ std::string air_figure(const AirReport& report) {
 
   Axis across{spectrum.front().wavelength_um, spectrum.back().wavelength_um, false};
   across.logarithmic = across.last > 3.0 * across.first;
-  std::vector<Curve> transmittance{{"ground to sensor", kBlue, false, points(spectrum, &AirLight::view_transmittance)}};
+  std::vector<Curve> transmittance{
+      {"ground to sensor", kBlue, false, points(spectrum, &AirLight::view_transmittance)}};
   std::vector<Curve> path{{"emission of the air", kRed, false, points(spectrum, &AirLight::thermal_path)}};
-  std::vector<Curve> irradiance{{"emission of the sky", kRed, false, points(spectrum, &AirLight::thermal_sky)}};
+  std::vector<Curve> irradiance{
+      {"emission of the sky", kRed, false, points(spectrum, &AirLight::thermal_sky)}};
   if (day) {
     transmittance.insert(transmittance.begin(),
                          {"Sun to ground", kRed, false, points(spectrum, &AirLight::sun_transmittance)});
@@ -88,7 +92,8 @@ std::string air_figure(const AirReport& report) {
   // What is dark everywhere has no curve.
   for (std::vector<Curve>* curves : {&path, &irradiance})
     std::erase_if(*curves, [](const Curve& curve) {
-      return std::all_of(curve.points.begin(), curve.points.end(), [](const CanvasPoint& p) { return p.y <= 0.0; });
+      return std::all_of(curve.points.begin(), curve.points.end(),
+                         [](const CanvasPoint& p) { return p.y <= 0.0; });
     });
   const std::vector<Plot> plots{
       {kLeft, top, kPlotWidth, kPlotHeight, across, {0.0, 1.0, false}, "Transmittance"},
@@ -104,12 +109,13 @@ std::string air_figure(const AirReport& report) {
   }
   const double bottom = plots.back().y + kPlotHeight;
   canvas.text({kLeft + 0.5 * kPlotWidth, bottom + 38.0}, "Wavelength (\u00b5m)", 13.0, Anchor::centre);
-  canvas.text({kLeft, bottom + 56.0}, "Over black ground. Shaded: the sensor's channels.", 11.5, Anchor::left, false,
-              kGreyInk);
+  canvas.text({kLeft, bottom + 56.0}, "Over black ground. Shaded: the sensor's channels.", 11.5, Anchor::left,
+              false, kGreyInk);
 
   draw_sky(canvas, report, {kSkyCentre, top + kSkyRadius + 14.0}, kSkyRadius, SkyQuantity::brightness);
   if (!report.sky_is_thermal)
-    draw_sky(canvas, report, {kSkyCentre, top + 3.0 * kSkyRadius + 110.0}, kSkyRadius, SkyQuantity::polarization);
+    draw_sky(canvas, report, {kSkyCentre, top + 3.0 * kSkyRadius + 110.0}, kSkyRadius,
+             SkyQuantity::polarization);
   return canvas.png();
 }
 

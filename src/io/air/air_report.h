@@ -33,8 +33,8 @@ std::string air_table(const AirReport& report);
 /// The spectrum as a table of paths (docs/formats/atmosphere_import.md), described in its comments.
 std::string air_csv(const AirReport& report);
 
-/// Transmittance, path radiance and irradiance over wavelength, and the sky above, as PNG. The report has a spectrum
-/// and a sky. Throws EnvironmentError where it cannot be drawn.
+/// Transmittance, path radiance and irradiance over wavelength, and the sky above, as PNG. The report has a
+/// spectrum and a sky. Throws EnvironmentError where it cannot be drawn.
 std::string air_figure(const AirReport& report);
 
 }  // namespace ifov::io

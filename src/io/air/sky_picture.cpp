@@ -42,14 +42,16 @@ Axis scale_of(const AirReport& report, SkyQuantity quantity) {
   for (const Stokes& light : report.sky->light) values.push_back(shown(report, light, quantity));
   std::sort(values.begin(), values.end());
   const double high = values[static_cast<std::size_t>(kBrightest * static_cast<double>(values.size() - 1))];
-  if (quantity == SkyQuantity::polarization) return {0.0, std::max(10.0, 10.0 * std::ceil(values.back() / 10.0)), false};
+  if (quantity == SkyQuantity::polarization)
+    return {0.0, std::max(10.0, 10.0 * std::ceil(values.back() / 10.0)), false};
   if (!report.sky_is_thermal) return {0.0, std::max(high, 1e-12), false};
   const double low = values.front();
   return {low, std::max(values.back(), low + 1.0), false};
 }
 
 const ColourMap& colours_of(const AirReport& report, SkyQuantity quantity) {
-  return quantity == SkyQuantity::polarization || report.sky_is_thermal ? heat_colours() : sequential_colours();
+  return quantity == SkyQuantity::polarization || report.sky_is_thermal ? heat_colours()
+                                                                        : sequential_colours();
 }
 
 Rgb colour_at(const ColourMap& colours, double share) {
@@ -65,8 +67,8 @@ CanvasPoint on_disc(CanvasPoint centre, double radius, double zenith_rad, double
   return {centre.x - r * std::sin(azimuth_rad), centre.y - r * std::cos(azimuth_rad)};
 }
 
-void draw_disc(Canvas& canvas, const AirReport& report, CanvasPoint centre, double radius, SkyQuantity quantity,
-               const Axis& scale) {
+void draw_disc(Canvas& canvas, const AirReport& report, CanvasPoint centre, double radius,
+               SkyQuantity quantity, const Axis& scale) {
   const ColourMap& colours = colours_of(report, quantity);
   std::vector<Canvas::Pixel> pixels(static_cast<std::size_t>(kSide) * kSide);
   for (int row = 0; row < kSide; ++row)
@@ -74,7 +76,8 @@ void draw_disc(Canvas& canvas, const AirReport& report, CanvasPoint centre, doub
       const double x = 2.0 * (column + 0.5) / kSide - 1.0, y = 1.0 - 2.0 * (row + 0.5) / kSide;
       const double distance = std::hypot(x, y);
       if (distance > 1.0) continue;
-      const double azimuth = std::abs(std::remainder(std::atan2(-x, y) - sun_azimuth(report), 2.0 * std::numbers::pi));
+      const double azimuth =
+          std::abs(std::remainder(std::atan2(-x, y) - sun_azimuth(report), 2.0 * std::numbers::pi));
       const double value =
           shown(report, light_at(*report.sky, 0.5 * std::numbers::pi * distance, azimuth), quantity);
       pixels[static_cast<std::size_t>(row) * kSide + static_cast<std::size_t>(column)] = {
@@ -98,7 +101,8 @@ void draw_marks(Canvas& canvas, const AirReport& report, CanvasPoint centre, dou
   canvas.circle(sun, 5.0, kBlackInk, 1.0);
 }
 
-void draw_scale(Canvas& canvas, const ColourMap& colours, const Axis& scale, double x, double y, double height) {
+void draw_scale(Canvas& canvas, const ColourMap& colours, const Axis& scale, double x, double y,
+                double height) {
   constexpr double kBarWidth = 16.0;
   for (int k = 0; k < 256; ++k) {
     const Rgb c = colours[static_cast<std::size_t>(k)];
@@ -114,15 +118,17 @@ void draw_scale(Canvas& canvas, const ColourMap& colours, const Axis& scale, dou
 
 }  // namespace
 
-void draw_sky(Canvas& canvas, const AirReport& report, CanvasPoint centre, double radius, SkyQuantity quantity) {
+void draw_sky(Canvas& canvas, const AirReport& report, CanvasPoint centre, double radius,
+              SkyQuantity quantity) {
   const Axis scale = scale_of(report, quantity);
   draw_disc(canvas, report, centre, radius, quantity, scale);
   draw_marks(canvas, report, centre, radius);
   draw_scale(canvas, colours_of(report, quantity), scale, centre.x + radius + 28.0, centre.y - 0.8 * radius,
              1.6 * radius);
   const std::string what = quantity == SkyQuantity::polarization ? "Degree of linear polarization, %"
-                           : report.sky_is_thermal               ? "Brightness temperature of the sky, K"
-                                                   : "Sky radiance, W m\u207b\u00b2 sr\u207b\u00b9 \u00b5m\u207b\u00b9";
+                           : report.sky_is_thermal
+                               ? "Brightness temperature of the sky, K"
+                               : "Sky radiance, W m\u207b\u00b2 sr\u207b\u00b9 \u00b5m\u207b\u00b9";
   canvas.text({centre.x, centre.y + radius + 36.0}, what, 13.0, Anchor::centre);
   canvas.text({centre.x, centre.y + radius + 53.0},
               format("{}, {:.4g} \u00b5m{}", report.sky_channel, report.sky->wavelength_um,

@@ -11,7 +11,8 @@ namespace {
 constexpr double kNumbers = 12.0, kLabels = 13.0;
 
 std::string raised(int power) {
-  const char* const digits[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074", "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  const char* const digits[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
   std::string text = power < 0 ? "\u207b" : "";
   for (const char digit : std::to_string(std::abs(power))) text += digits[digit - '0'];
   return text;
@@ -36,7 +37,8 @@ std::vector<double> Axis::ticks(int most) const {
   double step = 10.0 * power;
   for (const double m : {5.0, 2.0, 1.0})
     if (m * power >= 0.999999 * raw) step = m * power;
-  for (double k = std::ceil(first / step - 1e-9); k * step <= last + 1e-9 * step; k += 1.0) found.push_back(k * step);
+  for (double k = std::ceil(first / step - 1e-9); k * step <= last + 1e-9 * step; k += 1.0)
+    found.push_back(k * step);
   return found;
 }
 
@@ -46,7 +48,8 @@ std::string tick_label(double value, const Axis& axis) {
   return format("{:.6g}", std::abs(value) < 1e-9 * std::abs(axis.last) ? 0.0 : value);
 }
 
-void draw_axes(Canvas& canvas, const Plot& plot, const std::vector<double>& ticks_across, bool numbers_below) {
+void draw_axes(Canvas& canvas, const Plot& plot, const std::vector<double>& ticks_across,
+               bool numbers_below) {
   const double right = plot.x + plot.width, bottom = plot.y + plot.height;
   for (const double tick : ticks_across) {
     const double x = plot.to_x(tick);

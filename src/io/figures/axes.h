@@ -14,11 +14,13 @@ struct Axis {
   bool logarithmic = false;
   /// Share of the way from first to last, 0 to 1 between them.
   double place(double value) const;
-  /// Values with a number beside them: 1, 2 or 5 times a power of ten, or powers of ten alone; about `most` of them.
+  /// Values with a number beside them: 1, 2 or 5 times a power of ten, or powers of ten alone; about `most`
+  /// of them.
   std::vector<double> ticks(int most) const;
 };
 
-/// Digits that tell the ticks apart, without zeros at the end; powers of ten far from 1 as 10 and a raised number.
+/// Digits that tell the ticks apart, without zeros at the end; powers of ten far from 1 as 10 and a raised
+/// number.
 std::string tick_label(double value, const Axis& axis);
 
 /// A rectangle with axes that curves are drawn in.

@@ -28,7 +28,8 @@ Surface image(cairo_format_t format, int width, int height) {
 void use(cairo_t* c, const Ink& ink) { cairo_set_source_rgba(c, ink.red, ink.green, ink.blue, ink.alpha); }
 
 void font(cairo_t* c, double size, bool bold) {
-  cairo_select_font_face(c, "sans", CAIRO_FONT_SLANT_NORMAL, bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_select_font_face(c, "sans", CAIRO_FONT_SLANT_NORMAL,
+                         bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(c, size);
 }
 
@@ -104,10 +105,14 @@ double Canvas::text_width(const std::string& words, double size, bool bold) cons
   return extents.x_advance;
 }
 
-void Canvas::text(CanvasPoint at, const std::string& words, double size, Anchor anchor, bool bold, const Ink& ink) {
+void Canvas::text(CanvasPoint at, const std::string& words, double size, Anchor anchor, bool bold,
+                  const Ink& ink) {
   const double width = text_width(words, size, bold);
   use(parts_->c(), ink);
-  cairo_move_to(parts_->c(), at.x - (anchor == Anchor::left ? 0.0 : anchor == Anchor::centre ? 0.5 * width : width),
+  cairo_move_to(parts_->c(),
+                at.x - (anchor == Anchor::left     ? 0.0
+                        : anchor == Anchor::centre ? 0.5 * width
+                                                   : width),
                 at.y);
   cairo_show_text(parts_->c(), words.c_str());
 }
@@ -128,8 +133,10 @@ void Canvas::picture(double x, double y, double size, int side, std::span<const 
   for (int row = 0; row < side; ++row) {
     auto* to = reinterpret_cast<std::uint32_t*>(rows + static_cast<std::ptrdiff_t>(row) * stride);
     for (int k = 0; k < side; ++k) {
-      const Pixel& p = pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(side) + static_cast<std::size_t>(k)];
-      to[k] = p.opaque ? 0xFF000000u | (std::uint32_t{p.colour.r} << 16) | (std::uint32_t{p.colour.g} << 8) | p.colour.b
+      const Pixel& p = pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(side) +
+                              static_cast<std::size_t>(k)];
+      to[k] = p.opaque ? 0xFF000000u | (std::uint32_t{p.colour.r} << 16) | (std::uint32_t{p.colour.g} << 8) |
+                             p.colour.b
                        : 0u;
     }
   }

@@ -21,8 +21,8 @@ inline constexpr Ink kBlackInk{0.12, 0.12, 0.12}, kGreyInk{0.4, 0.4, 0.4}, kGrid
 
 enum class Anchor { left, centre, right };
 
-/// A white sheet to draw figures on, in units of a screen's pixels from the upper left corner; the PNG has twice as
-/// many. Throws EnvironmentError where there is no memory for it.
+/// A white sheet to draw figures on, in units of a screen's pixels from the upper left corner; the PNG has
+/// twice as many. Throws EnvironmentError where there is no memory for it.
 class Canvas {
  public:
   Canvas(double width, double height);
@@ -35,13 +35,13 @@ class Canvas {
   void frame(double x, double y, double width, double height, const Ink& ink, double line_width);
   void circle(CanvasPoint centre, double radius, const Ink& ink, double line_width);
   void disc(CanvasPoint centre, double radius, const Ink& ink);
-  void text(CanvasPoint at, const std::string& words, double size, Anchor anchor = Anchor::left, bool bold = false,
-            const Ink& ink = kBlackInk);
+  void text(CanvasPoint at, const std::string& words, double size, Anchor anchor = Anchor::left,
+            bool bold = false, const Ink& ink = kBlackInk);
   /// Reads upwards, centred.
   void upright_text(CanvasPoint at, const std::string& words, double size);
   double text_width(const std::string& words, double size, bool bold = false) const;
-  /// Square picture of `side` x `side` colours, row by row from the top, over the square at (x, y); what is not
-  /// opaque stays as it was.
+  /// Square picture of `side` x `side` colours, row by row from the top, over the square at (x, y); what is
+  /// not opaque stays as it was.
   struct Pixel {
     Rgb colour;
     bool opaque = false;
