@@ -67,21 +67,16 @@ View thermal_imager(double size_m) {
 
 }  // namespace
 
-std::string clear_day(const ViewChoice& choice, SceneFolder& folder) {
-  const std::string_view sun_and_sky = R"({
+SceneLight clear_day(const ViewChoice& choice, SceneFolder& folder) {
+  const std::string light = R"({
     "sun": {"disc": {"zenith": "35 deg", "azimuth": "140 deg"}},
-    // A clear sky, the same in every direction: blue below 1 um, as cold as about 260 K in the thermal infrared.
-    "sky": {"radiance": {"table": {
-      "wavelength": ["0.35 um", "0.4 um", "0.45 um", "0.5 um", "0.55 um", "0.65 um", "0.8 um", "1 um", "1.3 um", "1.65 um", "2.2 um", "2.6 um",
-                     "4 um", "8 um", "10 um", "12 um", "14 um"],
-      "values": ["95 W m-2 sr-1 um-1", "100 W m-2 sr-1 um-1", "94 W m-2 sr-1 um-1", "72 W m-2 sr-1 um-1", "54 W m-2 sr-1 um-1", "31 W m-2 sr-1 um-1",
-                 "14 W m-2 sr-1 um-1", "6 W m-2 sr-1 um-1", "2 W m-2 sr-1 um-1", "0.7 W m-2 sr-1 um-1", "0.2 W m-2 sr-1 um-1", "0.1 W m-2 sr-1 um-1",
-                 "0.1 W m-2 sr-1 um-1", "3.4 W m-2 sr-1 um-1", "4.4 W m-2 sr-1 um-1", "4.8 W m-2 sr-1 um-1", "4.6 W m-2 sr-1 um-1"]}}},
-    "surroundings": {"reflectance": )";
-  return std::string(sun_and_sky) + library_spectrum(choice.surroundings, 1, folder) +
-         format(R"(, "temperature": "{} degC"}}
+    "surroundings": {"reflectance": )" +
+                            library_spectrum(choice.surroundings, 1, folder) +
+                            format(R"(, "temperature": "{} degC"}}
   }})",
-                choice.surroundings_c);
+                                   choice.surroundings_c);
+  return {light, format(R"({{"profile": "{}", "aerosol": {{"type": "{}", "visibility": "23 km"}}}})", choice.air,
+                        choice.haze)};
 }
 
 void check_size(double size_m) {
@@ -94,7 +89,7 @@ MadeScene finish_scene(const MakeOptions& options, const ViewChoice& choice, con
   MadeScene made;
   made.contents = std::move(contents);
   made.contents.push_back(format("{} materials", text.material_count()));
-  const std::string light = clear_day(choice, folder);
+  const SceneLight light = clear_day(choice, folder);
   for (const View& view : {quick_look(options.size_m), oblique(options.size_m, choice),
                            imaging_spectrometer(options.size_m), thermal_imager(options.size_m)}) {
     folder.add_text(view.file, text.document(view, choice.title, light));

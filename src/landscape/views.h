@@ -16,11 +16,13 @@ struct ViewChoice {
   double eye_height_share = 0.42;  ///< of the size
   std::string surroundings = "grass, pasture";  ///< material of the built-in library that goes on to the horizon
   int surroundings_c = 27;
+  std::string air = "mid-latitude summer";  ///< model atmosphere
+  std::string haze = "rural";               ///< type of aerosol
 };
 
-/// The light of all generated scenes: the Sun's disc 35 degrees from the zenith in the south-east, a clear sky that is
-/// the same in all directions.
-std::string clear_day(const ViewChoice& choice, SceneFolder& folder);
+/// The light of all generated scenes: the Sun's disc 35 degrees from the zenith in the south-east, through a model
+/// atmosphere with a visibility of 23 km.
+SceneLight clear_day(const ViewChoice& choice, SceneFolder& folder);
 
 /// Writes the documents, which differ in what looks at the scene alone, and publishes the folder:
 /// `quicklook.json`, `oblique.json`, `render_vswir.json`, `render_thermal.json`.

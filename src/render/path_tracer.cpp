@@ -75,6 +75,9 @@ void set_scaled(float* __restrict out, const float* __restrict a, float s, std::
 /// What the random choice between shapes at a surface is keyed by, beside its path and depth.
 constexpr std::uint64_t kShapeChoice = 0x7368617065ull;
 
+/// Share of the directions that a level surface draws from the sky.
+constexpr double kMostSkySamples = 0.6;
+
 /// A shading normal is bent back until the viewer stands at least this far above its horizon (a cosine): nobody sees
 /// a surface from behind.
 constexpr double kLeastCosine = 1e-3;
@@ -110,6 +113,7 @@ struct PathTracer::Sides {
 PathTracer::PathTracer(const SpectralScene& scene, TransportOptions options)
     : scene_(scene), options_(options), row_floats_(scene.stride()) {
   if (scene.scene().sun) disc_.emplace(scene.scene().sun->half_angle_rad);
+  if (scene.sky_dome() != nullptr && !scene.sky_dome()->sampler().empty()) sky_ = &scene.sky_dome()->sampler();
 }
 
 void PathTracer::trace(std::span<const math::Ray> rays, std::span<const PathKey> keys,
@@ -318,8 +322,8 @@ bool PathTracer::bounce(const SurfaceRows& rows, const Sides& sides, const geome
   }
   const math::Vec3 outward = through ? -sides.outward : sides.outward;
   const math::Normal3 lobe = through ? -sides.shading : sides.shading;
-  materials::ScatterSample sample =
-      rows.scattering->sample(through ? lobe.as_vector() : sides.outgoing, lobe, u.x, u.y);
+  const math::Vec3 viewer = through ? lobe.as_vector() : sides.outgoing;
+  materials::ScatterSample sample = sample_bounce(*rows.scattering, viewer, lobe, sides.bent, u);
   if (sides.bent && math::dot(sample.incoming, outward) < 0.0) sample.incoming = mirrored(sample.incoming, outward);
   if (!(sample.weight > 0.0) || !(math::dot(sample.incoming, outward) > 0.0)) return false;
   event.bounce_weight = static_cast<float>(sample.weight / chance);
@@ -327,6 +331,29 @@ bool PathTracer::bounce(const SurfaceRows& rows, const Sides& sides, const geome
   event.next = {hit.position_m + hit.offset_m * outward, sample.incoming};
   event.next_sees_sun = rows.scattering->is_delta();
   return true;
+}
+
+/// Under a sky that is brighter here than there, some directions are drawn from the sky and all weigh by the density of
+/// both (Veach and Guibas 1995, one sample, balance heuristic): those that see the sky weigh almost alike.
+materials::ScatterSample PathTracer::sample_bounce(const materials::Scattering& scattering, math::Vec3 viewer,
+                                                   math::Normal3 lobe, bool bent, sampling::Point2 u) const {
+  const double height = lobe.as_vector().z;
+  const double share = sky_ == nullptr || bent || scattering.is_delta() || height <= 0.0
+                           ? 0.0
+                           : kMostSkySamples * height * height;
+  if (share == 0.0) return scattering.sample(viewer, lobe, u.x, u.y);
+  materials::ScatterSample sample;
+  if (u.x < share)
+    sample.incoming = sky_->sample({u.x / share, u.y});
+  else
+    sample = scattering.sample(viewer, lobe, (u.x - share) / (1.0 - share), u.y);
+  const double cosine = math::dot(lobe.as_vector(), sample.incoming);
+  sample.pdf =
+      (1.0 - share) * scattering.pdf(viewer, sample.incoming, lobe) + share * sky_->density(sample.incoming);
+  sample.weight = cosine > 0.0 && sample.pdf > 0.0
+                      ? scattering.evaluate(viewer, sample.incoming, lobe) * cosine / sample.pdf
+                      : 0.0;
+  return sample;
 }
 
 sampling::LightSample PathTracer::sample_sun(math::Vec3 normal, bool either_side, sampling::Point2 u) const {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "materials/scattering.h"
 #include "math/ray.h"
 #include "render/spectral_scene.h"
 #include "render/surface_rows.h"
@@ -71,12 +72,15 @@ class PathTracer {
   /// Direction, factor and weight of the continued path, before any roulette; false where it ends.
   bool bounce(const SurfaceRows& rows, const Sides& sides, const geometry::SurfacePoint& hit, sampling::Point2 u,
               Scatter& event) const;
+  materials::ScatterSample sample_bounce(const materials::Scattering& scattering, math::Vec3 viewer, math::Normal3 lobe,
+                                         bool bent, sampling::Point2 u) const;
   sampling::LightSample sample_sun(math::Vec3 normal, bool either_side, sampling::Point2 u) const;
 
   const SpectralScene& scene_;
   TransportOptions options_;
   std::size_t row_floats_;
   std::optional<sampling::SolarDisc> disc_;
+  const SkySampler* sky_ = nullptr;  // of a sky that is not uniform
   radiometry::SpectrumBlock throughput_;
   radiometry::SpectrumBlock scratch_;  // of emission
   radiometry::SpectrumBlock blends_;   // two rows for each path of a group; empty without blends

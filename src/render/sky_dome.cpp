@@ -26,6 +26,28 @@ SkyDome::SkyDome(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towa
       for (std::size_t n = 0; n < atmosphere.node_count(); ++n)
         rows_.row(z * azimuth_rad_.size() + a)[n] =
             static_cast<float>(atmosphere.sky(z, a, n) + ground_radiance[n] * atmosphere.groundlit_sky(z, n));
+  make_sampler(atmosphere.node_count());
+}
+
+/// A cell between directions of the table is as bright as the mean of its corners; nodes count by their share of their
+/// own sky's irradiance.
+void SkyDome::make_sampler(std::size_t nodes) {
+  const std::size_t rings = zenith_rad_.size() - 1, azimuths = azimuth_rad_.size() - 1;
+  const auto corners = [&](std::size_t z, std::size_t a, std::size_t n) {
+    return 0.25 * (row(z, a)[n] + row(z, a + 1)[n] + row(z + 1, a)[n] + row(z + 1, a + 1)[n]);
+  };
+  std::vector<double> brightness(rings * azimuths, 0.0);
+  for (std::size_t n = 0; n < nodes; ++n) {
+    double all = 0.0;
+    for (std::size_t z = 0; z < rings; ++z)
+      for (std::size_t a = 0; a < azimuths; ++a)
+        all += corners(z, a, n) * (std::pow(std::sin(zenith_rad_[z + 1]), 2) - std::pow(std::sin(zenith_rad_[z]), 2));
+    if (!(all > 0.0)) continue;
+    for (std::size_t z = 0; z < rings; ++z)
+      for (std::size_t a = 0; a < azimuths; ++a) brightness[z * azimuths + a] += corners(z, a, n) / all;
+  }
+  if (std::any_of(brightness.begin(), brightness.end(), [](double b) { return b > 0.0; }))
+    sampler_ = SkySampler(zenith_rad_, azimuth_rad_, towards_sun_, brightness);
 }
 
 SkyDome::Corners SkyDome::at(math::Vec3 direction) const {

@@ -7,6 +7,7 @@
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "math/vec3.h"
 #include "radiometry/spectrum_block.h"
+#include "render/sky_sampler.h"
 
 namespace ifov::render {
 
@@ -25,13 +26,18 @@ class SkyDome {
   };
   Corners at(math::Vec3 direction) const;
 
+  /// Directions that are drawn as bright as they are, all nodes alike.
+  const SkySampler& sampler() const { return sampler_; }
+
  private:
+  void make_sampler(std::size_t nodes);
   const float* row(std::size_t zenith, std::size_t azimuth) const {
     return rows_.row(zenith * azimuth_rad_.size() + azimuth);
   }
   math::Vec3 towards_sun_;
   std::vector<double> zenith_rad_, azimuth_rad_;
   radiometry::SpectrumBlock rows_;
+  SkySampler sampler_;
 };
 
 }  // namespace ifov::render

@@ -82,7 +82,11 @@ std::string SceneRenderer::lighting() const {
                      : std::string("a point"));
   }
   constexpr double kGreen_um = 0.55;
-  if (scene.sky.radiance)
+  const auto& modelled = session_.parts().document.atmosphere.modelled;
+  if (modelled)
+    out += format("; the {} atmosphere with {} aerosol, over surroundings of the document", modelled->description.air.model,
+                  modelled->description.aerosol.type);
+  else if (scene.sky.radiance)
     out += format("; a uniform sky of {:.3g} W m-2 sr-1 um-1 at {} um", scene.sky.radiance->at(kGreen_um), kGreen_um);
   else if (scene.sky.temperature_k)
     out += format("; a sky that radiates as a black body of {:.1f} K", *scene.sky.temperature_k);

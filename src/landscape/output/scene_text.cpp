@@ -63,7 +63,7 @@ void SceneText::prototype(const std::string& name, const std::vector<std::string
   prototypes_.push_back(format("\"{}\": [\n{}]", name, text));
 }
 
-std::string SceneText::document(const View& view, std::string_view title, std::string_view light) const {
+std::string SceneText::document(const View& view, std::string_view title, const SceneLight& light) const {
   std::string text = format("{{\n  // {}\n", title);
   for (std::size_t from = 0; from < view.purpose.size();) {
     const std::size_t end = std::min(view.purpose.find('\n', from), view.purpose.size());
@@ -75,7 +75,8 @@ std::string SceneText::document(const View& view, std::string_view title, std::s
   text += format("    \"materials\": {{\n{}    }},\n", listed(materials_));
   if (!prototypes_.empty()) text += format("    \"prototypes\": {{\n{}    }},\n", listed(prototypes_));
   text += format("    \"objects\": [\n{}    ]\n  }},\n", listed(objects_));
-  text += format("  \"light\": {},\n  \"sensor\": {},\n  \"sampling\": {}", light, view.sensor, view.sampling);
+  text += format("  \"light\": {},\n  \"atmosphere\": {},\n  \"sensor\": {},\n  \"sampling\": {}", light.light, light.atmosphere,
+                 view.sensor, view.sampling);
   if (!view.output.empty()) text += format(",\n  \"output\": {}", view.output);
   return text + "\n}\n";
 }

@@ -19,6 +19,11 @@ struct View {
   std::string sensor, sampling, output;  ///< JSON
 };
 
+/// What shines on the scene, and through what air.
+struct SceneLight {
+  std::string light, atmosphere;  ///< JSON
+};
+
 /// The scene's part of a document, collected piece by piece, as JSON with comments.
 class SceneText {
  public:
@@ -36,7 +41,7 @@ class SceneText {
   /// Above the next object.
   void heading(const std::string& comment) { objects_.push_back("// " + comment); }
 
-  std::string document(const View& view, std::string_view title, std::string_view light) const;
+  std::string document(const View& view, std::string_view title, const SceneLight& light) const;
   std::size_t material_count() const { return materials_.size(); }
 
  private:

@@ -7,21 +7,19 @@ namespace ifov::sampling {
 ClutterRound::ClutterRound(int side, std::size_t stride, bool keep)
     : side_(side), stride_(stride), keep_(keep), sums_(stride) {}
 
-void ClutterRound::request(int px, int py, std::uint64_t key, std::vector<PathRequest>& requests) const {
-  const std::uint32_t blocks = static_cast<std::uint32_t>(count() / kBlock);
+void ClutterRound::request(int px, int py, std::uint64_t key, std::uint32_t block,
+                           std::vector<PathRequest>& requests) const {
   const double cell = 1.0 / side_;
-  for (std::uint32_t b = 0; b < blocks; ++b)
-    for (std::uint32_t quarter = 0; quarter < kBlock; ++quarter) {
-      const int across = side_ / 2;
-      const int i = 2 * (static_cast<int>(b) % across) + static_cast<int>(quarter % 2);
-      const int j = 2 * (static_cast<int>(b) / across) + static_cast<int>(quarter / 2);
-      const std::uint64_t jitter = hash(key, i, j);
-      // All paths of the round are stratified among themselves. Those of a block are far apart in the sequence: paths
-      // made unlike within a block would show as variance what they take away.
-      requests.push_back({{px + (i + unit_double(jitter)) * cell, py + (j + unit_double(mix(jitter))) * cell},
-                          key,
-                          quarter * blocks + b});
-    }
+  const int across = side_ / 2, column = static_cast<int>(block) % across, row = static_cast<int>(block) / across;
+  for (std::uint32_t quarter = 0; quarter < kBlock; ++quarter) {
+    const int i = 2 * column + static_cast<int>(quarter % 2), j = 2 * row + static_cast<int>(quarter / 2);
+    const std::uint64_t jitter = hash(key, i, j);
+    // All paths of the round are stratified among themselves. Those of a block are far apart in the sequence: paths made
+    // unlike within a block would show as variance what they take away.
+    requests.push_back({{px + (i + unit_double(jitter)) * cell, py + (j + unit_double(mix(jitter))) * cell},
+                        key,
+                        quarter * blocks() + block});
+  }
 }
 
 void ClutterRound::add_block(const float* values, std::span<const std::uint32_t, kBlock> materials,

@@ -25,8 +25,9 @@ class ClutterRound {
   std::size_t count() const { return static_cast<std::size_t>(side_) * side_; }
   static constexpr std::size_t kBlock = 4;
 
-  /// Requests for the values of the pixel at (px, py), block after block, appended.
-  void request(int px, int py, std::uint64_t key, std::vector<PathRequest>& requests) const;
+  std::uint32_t blocks() const { return static_cast<std::uint32_t>(count() / kBlock); }
+  /// Requests for the values of a block of the pixel at (px, py), appended.
+  void request(int px, int py, std::uint64_t key, std::uint32_t block, std::vector<PathRequest>& requests) const;
 
   /// The four values of the next block, row by row, rows of stride floats, and the materials they stand on.
   void add_block(const float* values, std::span<const std::uint32_t, kBlock> materials,

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint64_t kClutterKey = 0x636c7574;
 
 /// Sides of a round's grid, in cells.
-constexpr int kCoarsest = 4, kFinest = 256;
+constexpr int kCoarsest = 4, kFinest = 8192;
 
 /// Rounds weigh as the inverse of the variance of a round of n values where borders make it, n^(3/2), by their sizes
 /// alone and never by what they found.
@@ -39,37 +39,32 @@ void Radiance::plan_clutter(std::size_t p, double count) {
 }
 
 void Radiance::trace_clutter() {
-  constexpr std::size_t kBatch = 1024;
+  constexpr std::size_t kBatch = 1024, kBlock = ClutterRound::kBlock;
   std::vector<PathRequest> requests;
+  std::vector<ClutterRound*> rounds;  // of each block of the batch
   std::vector<std::uint32_t> materials;
   std::vector<float> values(kBatch * stride_);
-  const auto of_round = [&](std::size_t p) {
-    const Pixel& pixel = pixels_[p];
-    const PixelRect& domain = tracer_.lattice().domain();
-    const int px = domain.x0 + pixel.source % domain.width(), py = domain.y0 + pixel.source / domain.width();
-    pixel.rounds.back().request(px, py, hash(seed_, kClutterKey, px, py, pixel.rounds.size()), requests);
+  const auto trace_batch = [&] {
+    ledger_.values_and_materials(requests, materials, std::span<float>(values).first(requests.size() * stride_));
+    for (std::size_t b = 0; b < rounds.size(); ++b)
+      rounds[b]->add_block(&values[b * kBlock * stride_], std::span(materials).subspan(b * kBlock).first<kBlock>(),
+                           std::span<const PathRequest>(requests).subspan(b * kBlock).first<kBlock>());
+    requests.clear();
+    rounds.clear();
   };
-  std::size_t next = 0;      // request
-  std::size_t answered = 0;  // blocks of the round that is being filled
-  std::size_t filled = 0;    // rounds
-  const auto trace_batch = [&](std::size_t count) {
-    const std::span<const PathRequest> batch = std::span<const PathRequest>(requests).subspan(next, count);
-    ledger_.values_and_materials(batch, materials, std::span<float>(values).first(count * stride_));
-    constexpr std::size_t kBlock = ClutterRound::kBlock;
-    for (std::size_t i = 0; i < count; i += kBlock) {
-      ClutterRound& round = pixels_[clutter_planned_[filled]].rounds.back();
-      round.add_block(&values[i * stride_], std::span(materials).subspan(i).first<kBlock>(),
-                      batch.subspan(i).first<kBlock>());
-      if (++answered * kBlock == round.count()) answered = 0, ++filled;
-    }
-    next += count;
-    if (next == requests.size()) requests.clear(), next = 0;
-  };
+  const PixelRect& domain = tracer_.lattice().domain();
   for (const std::size_t p : clutter_planned_) {
-    of_round(p);
-    while (requests.size() - next >= kBatch) trace_batch(kBatch);
+    Pixel& pixel = pixels_[p];
+    ClutterRound& round = pixel.rounds.back();
+    const int px = domain.x0 + pixel.source % domain.width(), py = domain.y0 + pixel.source / domain.width();
+    const std::uint64_t key = hash(seed_, kClutterKey, px, py, pixel.rounds.size());
+    for (std::uint32_t b = 0; b < round.blocks(); ++b) {
+      round.request(px, py, key, b, requests);
+      rounds.push_back(&round);
+      if (requests.size() == kBatch) trace_batch();
+    }
   }
-  if (!requests.empty()) trace_batch(requests.size() - next);
+  if (!requests.empty()) trace_batch();
   clutter_planned_.clear();
 }
 

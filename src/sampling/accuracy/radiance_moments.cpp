@@ -14,7 +14,10 @@ double borrowed(double own) { return 8.0 / (1.0 + own * own / 64.0); }
 
 /// What n values have not met is rarer than x / n but for a share exp(-x) of cases. As a standard error, in units of
 /// 1 / n, with room for what lies farther off than one deviation.
-constexpr double kUnseen = 3.0;
+constexpr double kUnseen = 2.5;
+/// Values far from the rest are taken to be one more than were met: else those strata would stop soonest that
+/// happened to meet few of them, and would be wrong all the same way.
+constexpr double kRareValues = 1.0, kManyValues = 8.0;
 
 }  // namespace
 
@@ -24,9 +27,16 @@ double Radiance::unseen(const Pixel& pixel, std::size_t s, int column) const {
   double seen = 0.0, count = pixel.cluttered ? pixel.clutter_count() : static_cast<double>(stratum.count());
   if (pixel.cluttered && !pixel.rounds.empty()) seen = pixel.rounds.back().spread(column);
   if (!pixel.cluttered && !stratum.rounds.empty()) seen = stratum.rounds.back().spread(column);
-  const double nearby = stratum.deviation[column], hidden = std::max(0.0, nearby * nearby - seen);
+  double nearby = static_cast<double>(stratum.deviation[column]) * static_cast<double>(stratum.deviation[column]);
+  // Strata of few values have borrowed from the tile in moments(); what many agree on may still not be all.
+  const bool many = !pixel.cluttered && count >= kManyValues && spread_.blocks(stratum.label) >= kManyValues;
+  if (many) nearby = std::max(nearby, spread_.local(stratum.label, column));
+  const double hidden = std::max(0.0, nearby - seen);
+  if (faults_.zero_variance_single_samples && count < 2.0) return 0.0;
   count = std::max(1.0, count);
-  return kUnseen * kUnseen * hidden / (count * count);
+  const double rare = many ? kRareValues * spread_.rare(stratum.label, column) : 0.0;
+  const double squared = pixel.cluttered ? kUnseen * kUnseen : std::min(kUnseen * kUnseen, 1.0 + count);
+  return std::max(squared * hidden, rare) / (count * count);
 }
 
 bool Radiance::paths_differ(const Stratum& stratum, std::span<const int> columns,

@@ -33,7 +33,8 @@ LabelSpread::LabelSpread(const Lattice& lattice, const LabelTable& table, int co
     : columns_(static_cast<std::size_t>(columns)),
       labels_(table.size()),
       local_((labels_ + 1) * columns_, 0.0),
-      total_((labels_ + 1) * columns_, 0.0) {
+      total_((labels_ + 1) * columns_, 0.0),
+      rare_((labels_ + 1) * columns_, 0.0) {
   std::vector<double> local_freedom(labels_, 0.0), total_freedom(labels_, -1.0);
   const std::size_t row_length = static_cast<std::size_t>(lattice.columns()) + 1;
   for (std::size_t v = 0; v < labels.size(); ++v) {
@@ -64,17 +65,23 @@ LabelSpread::LabelSpread(const Lattice& lattice, const LabelTable& table, int co
       const float *a = &values[v * stride], *b = a + stride, *d = &values[w * stride], *e = d + stride;
       for (std::size_t c = 0; c < columns_; ++c) {
         const double twist = (static_cast<double>(a[c]) - b[c]) - (static_cast<double>(d[c]) - e[c]);
-        local_[l * columns_ + c] += 0.25 * twist * twist;
+        const double square = 0.25 * twist * twist;
+        local_[l * columns_ + c] += square;
+        rare_[l * columns_ + c] += square * square;
       }
       local_freedom[l] += 1.0;
     }
+  blocks_ = local_freedom;
   double any = 0.0;
   for (double f : local_freedom) any += f;
   if (any == 0.0) {
     local_ = total_;
     local_freedom = total_freedom;
   }
+  pool(rare_, local_freedom, labels_, columns_);
   pool(local_, local_freedom, labels_, columns_);
+  for (std::size_t k = 0; k < rare_.size(); ++k)
+    rare_[k] = local_[k] > 0.0 ? std::max(0.0, 4.0 * rare_[k] / local_[k] - 12.0 * local_[k]) : 0.0;
   pool(total_, total_freedom, labels_, columns_);
   constant_.resize(labels_);
   for (std::size_t l = 0; l < labels_; ++l) {

@@ -22,6 +22,13 @@ class LabelSpread {
   /// than the lattice have that of all labels.
   double local(std::uint32_t label, int column) const { return row(local_, label)[column]; }
 
+  /// Blocks of the lattice that lie in the label: what its own differences are known from.
+  double blocks(std::uint32_t label) const { return label < labels_ ? blocks_[label] : 0.0; }
+
+  /// Square of how far the label's rare values are from the others, as their local differences tell: 4 E[s^2]/E[s]
+  /// of blocks whose squares s have mean E[s], less the 12 E[s] that normal values would give; 0 where none is rare.
+  double rare(std::uint32_t label, int column) const { return row(rare_, label)[column]; }
+
   /// Whether all values of the label agree, and so do those of all labels that it could borrow a variance from.
   bool constant(std::uint32_t label) const { return label < labels_ && constant_[label] != 0; }
 
@@ -35,7 +42,8 @@ class LabelSpread {
 
   std::size_t columns_, labels_;
   std::vector<std::uint8_t> constant_;
-  std::vector<double> local_, total_;  // [label][column], the last row for all labels together
+  std::vector<double> blocks_;
+  std::vector<double> local_, total_, rare_;  // [label][column], the last row for all labels together
 };
 
 }  // namespace ifov::sampling

@@ -25,7 +25,7 @@ constexpr double kDoubt = 0.05;
 constexpr double kFirstShare = 0.6, kFewestClutter = 36.0, kMostFirstClutter = 400.0;
 /// What rounds of n values in clutter are planned by: their variance falls as n to minus this, between borders (3/2)
 /// and paths (1). A round holds at most this many times the values of those before it.
-constexpr double kClutterFall = 1.25, kClutterGrowth = 6.0;
+constexpr double kClutterFall = 1.35, kClutterGrowth = 6.0;
 /// First look in clutter: its values are as many as the prediction says, and its interval is as good as later ones.
 constexpr int kClutterLook = 2;
 
@@ -199,7 +199,7 @@ double TileWork::next_clutter(const Radiance::Pixel& pixel, double wanted) const
   const double have = pixel.clutter_count();
   if (wanted <= have) return 0.0;
   const double next = have * std::pow(wanted / have - 1.0, 1.0 / kClutterFall);
-  return std::clamp(kMargin * next, 0.3 * have, kClutterGrowth * have);
+  return std::clamp(next, 0.3 * have, kClutterGrowth * have);
 }
 
 /// Whether values have met what the traced model does not know, to an extent that matters. The rest of it, which
