@@ -34,8 +34,8 @@ std::string air_table(const AirReport& report) {
   const bool day = report.geometry.sun_zenith_rad.has_value();
   std::string text;
   for (const std::string& line : report.description) text += line + "\n";
-  text += format("\n{:<{}}  {:>7}  {:^15}  {:^17}  {:^17}  {:>6}  {:>5}\n", "", widest, "", "transmittance",
-                 "path radiance", "irradiance", "", "");
+  text += format("\n{:<{}}  {:>7}  {:^15}  {:^17}     irradiance\n", "", widest, "", "transmittance",
+                 "path radiance");
   text += format("{:<{}}  {:>7}  {:>7} {:>7}  {:>8} {:>8}  {:>8} {:>8}  {:>6}  {:>5}\n", "channel", widest,
                  "um", "Sun", "sensor", "solar", "thermal", "direct", "diffuse", "albedo", "sky K");
   for (const AirReport::Channel& channel : report.channels) {
