@@ -12,7 +12,7 @@ namespace {
 
 /// Nodes of a channel at most, and the error they may leave: every node is a column that all paths carry.
 constexpr std::size_t kMostNodes = 8;
-constexpr double kNodeTolerance = 3e-3;
+constexpr double kNodeTolerance = 5e-3;
 constexpr double kAboveAllAir_km = 100.0;
 
 void warn(const Session::Parts& parts, const atmosphere::AtmosphereColumn& column,
