@@ -1,6 +1,6 @@
 // What the modelled atmosphere costs. Prints one JSON object: seconds to build the tables of three sensors on
 // two threads, peak memory, and the time of a path under it over that of the same path under a uniform sky.
-//   bench_atmosphere
+//   bench_atmosphere FOLDER                the forest's files go there
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -17,12 +18,13 @@
 #include "io/document/document.h"
 #include "io/library/material_library.h"
 #include "radiometry/solar_spectrum.h"
+#include "scene/forest.h"
 #include "session/parts.h"
 
 namespace {
 
 using namespace ifov;
-constexpr int kThreads = 2, kRounds = 5;
+constexpr int kThreads = 2, kRounds = 5, kPixels = 256;
 
 double seconds(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -60,8 +62,9 @@ struct Tables {
 
 /// The first channel is checked against all of its bins and terms: tables that are wrong are not fast.
 Tables build(const std::vector<radiometry::Channel>& channels) {
-  const radiometry::Spectrum surfaces[] = {io::material_library().find("grass, lawn").curves[0].reflectance,
-                                           io::material_library().find("asphalt, black").curves[0].reflectance};
+  const radiometry::Spectrum surfaces[] = {
+      io::material_library().find("grass, lawn").curves[0].reflectance,
+      io::material_library().find("asphalt, black").curves[0].reflectance};
   atmosphere::SensorAtmosphere::Inputs inputs;
   inputs.channels = channels;
   inputs.solar_irradiance = radiometry::solar_irradiance_1au();
@@ -87,25 +90,26 @@ Tables build(const std::vector<radiometry::Channel>& channels) {
   return tables;
 }
 
-/// Blocks on grass, in 210 channels of 10 nm.
+/// The forest of the speed benchmarks in spectra of the library, in 210 channels of 10 nm.
 std::string document(bool modelled) {
-  std::string objects = R"({"plane": {}, "material": "grass"})";
-  for (int k = 0; k < 40; ++k) {
-    const double x = -60.0 + 17.0 * (k % 8), y = -50.0 + 21.0 * (k / 8), high = 4.0 + (k * 7 % 5);
-    objects += format(
-        R"(, {{"box": {{"low": ["{} m", "{} m", "0 m"], "high": ["{} m", "{} m", "{} m"]}}, "material": "road"}})",
-        x, y, x + 8.0, y + 11.0, high);
-  }
-  const std::string light = modelled ? R"("atmosphere": {"profile": "mid-latitude summer"},)" : "";
+  constexpr const char* kGround[] = {"grass, lawn", "asphalt, black"};
+  std::string slots;
+  for (int m = 0; m < benchmarks::kForestGroundMaterials; ++m)
+    slots += format(R"({}"ground{}": "ground{}")", m > 0 ? ", " : "", m, m % 2);
+  const std::string air = modelled ? R"("atmosphere": {"profile": "mid-latitude summer"},)" : "";
   const std::string sky = modelled ? "" : R"("sky": {"radiance": "50 W m-2 sr-1 um-1"},)";
-  return format(R"({{"ifov": 1, "scene": {{"materials": {{
-      "grass": {{"reflectance": {{"library": "grass, lawn"}}}}, "road": {{"reflectance": {{"library": "asphalt, black"}}}}}},
-    "objects": [{}]}}, {}
+  return format(
+      R"({{"ifov": 1, "scene": {{"materials": {{
+      "ground0": {{"reflectance": {{"library": "{}"}}}}, "ground1": {{"reflectance": {{"library": "{}"}}}},
+      "leaf": {{"reflectance": {{"library": "grass, lawn"}}}}}},
+    "prototypes": {{"tree": [{{"mesh": {{"file": "tree.obj"}}, "material": {{"slots": {{"tree0": "leaf", "tree1": "ground1"}}}}}}]}},
+    "objects": [{{"mesh": {{"file": "terrain.obj"}}, "material": {{"slots": {{{}}}}}}},
+                {{"instances": {{"of": "tree", "csv": "trees.csv"}}}}]}}, {}
     "light": {{{} "sun": {{"disc": {{"zenith": "40 deg", "azimuth": "150 deg"}}}}}},
-    "sensor": {{"camera": {{"orthographic": {{"gsd": "1 m", "pixels": [128, 128], "center": ["0 m", "0 m"]}}}},
+    "sensor": {{"camera": {{"orthographic": {{"gsd": "3.83 m", "pixels": [{}, {}]}}}},
       "channels": [{{"name": "S", "series": {{"gaussian": {{"from": "400 nm", "to": "2500 nm", "count": 210, "fwhm": "10 nm"}}}}}}]}},
-    "sampling": {{"grid": {{"elements": [4, 4]}}}}}})",
-                objects, light, sky);
+    "sampling": {{"single": {{}}}}}})",
+      kGround[0], kGround[1], slots, air, sky, kPixels, kPixels);
 }
 
 class NoSink final : public render::TileSink {
@@ -128,16 +132,17 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-void run() {
+void run(const std::filesystem::path& folder) {
   const Tables solar = build(gaussians(210, 0.4, 2.5, 0.01)), thermal = build(gaussians(10, 8.2, 12.25, 0.4)),
                few = build(multispectral());
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   const double peak_gib = static_cast<double>(usage.ru_maxrss) / (1 << 20);
-  const session::Session under_air =
-      session::Session::load(io::parse_document(document(true), "atmosphere.json"), nullptr);
+  benchmarks::write_forest(folder);
+  const session::Session under_air = session::Session::load(
+      io::parse_document(document(true), (folder / "atmosphere.json").string()), nullptr);
   const session::Session under_sky =
-      session::Session::load(io::parse_document(document(false), "sky.json"), nullptr);
+      session::Session::load(io::parse_document(document(false), (folder / "sky.json").string()), nullptr);
   render_s(under_air);
   std::vector<double> ratios, seconds_air;
   for (int round = 0; round < kRounds; ++round) {
@@ -150,16 +155,20 @@ void run() {
           R"({{"vswir_s": {}, "vswir_nodes": {}, "thermal_s": {}, "multispectral_s": {}, "right": {}, "peak_gib": {}, )"
           R"("path_over_sky": {}, "path_us": {}, "columns_air": {}, "columns_sky": {}}})",
           solar.seconds, solar.nodes, thermal.seconds, few.seconds, solar.right && thermal.right && few.right,
-          peak_gib, median(ratios), 1e6 * median(seconds_air) / (128.0 * 128.0 * 16.0),
+          peak_gib, median(ratios), 1e6 * median(seconds_air) / (static_cast<double>(kPixels) * kPixels),
           under_air.parts().nodes->node_count(), under_sky.parts().nodes->node_count())
           .c_str());
 }
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: bench_atmosphere FOLDER\n");
+    return 2;
+  }
   try {
-    run();
+    run(argv[1]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

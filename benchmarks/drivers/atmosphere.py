@@ -1,5 +1,5 @@
-"""The modelled atmosphere: time and memory that its tables take on two threads, and what it adds to a path, against the
-same scene under a uniform sky."""
+"""The modelled atmosphere: time and memory that its tables take on two threads, and what it adds to a path, in the
+forest, against the same under a uniform sky."""
 
 from drivers.figures import at_least, at_most, figure, run_json
 
@@ -8,7 +8,7 @@ def run(context):
     program = context.program("bench_atmosphere")
     if not program.exists():
         return {}
-    found = run_json([program])
+    found = run_json([program, context.folder / "atmosphere"])
     return {
         "atmosphere.tables_210_channels_s": at_most(found["vswir_s"], 60.0, "s", 2),
         "atmosphere.tables_10_thermal_s": at_most(found["thermal_s"], 20.0, "s", 2),

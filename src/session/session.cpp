@@ -1,12 +1,14 @@
 #include "session/session.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <set>
 
 #include "core/version.h"
 #include "io/products/product_writer.h"
 #include "session/atmosphere_assembly.h"
+#include "session/atmosphere_cache.h"
 #include "session/imported_assembly.h"
 #include "session/parts.h"
 #include "session/scene_assembly.h"
@@ -45,27 +47,44 @@ void warn_of_cold_surfaces(const Session::Parts& parts, LogSink& log) {
   for (std::size_t s = 0; s < parts.scene.states.size(); ++s) {
     const std::uint32_t index = parts.scene.states[s].material;
     const materials::Material& material = parts.scene.materials[index];
-    const bool mapped = std::any_of(parts.scene.coverings.begin(), parts.scene.coverings.end(), [&](const auto& c) {
-      for (std::size_t k = 0; k < c.temperatures.size(); ++k)
-        if (c.states[k] == s && c.temperatures[k]) return true;
-      return std::any_of(c.patterns.begin(), c.patterns.end(), [&](const auto& pattern) {
-        const std::vector<std::uint32_t> mixed = pattern->mixed_materials();
-        return pattern->temperatures() && std::find(mixed.begin(), mixed.end(), index) != mixed.end();
-      });
-    });
+    const bool mapped =
+        std::any_of(parts.scene.coverings.begin(), parts.scene.coverings.end(), [&](const auto& c) {
+          for (std::size_t k = 0; k < c.temperatures.size(); ++k)
+            if (c.states[k] == s && c.temperatures[k]) return true;
+          return std::any_of(c.patterns.begin(), c.patterns.end(), [&](const auto& pattern) {
+            const std::vector<std::uint32_t> mixed = pattern->mixed_materials();
+            return pattern->temperatures() && std::find(mixed.begin(), mixed.end(), index) != mixed.end();
+          });
+        });
     if (parts.scene.states[s].temperature_k > 0.0 || mapped || material.curve_of) continue;
     names += (names.empty() ? "'" : ", '") + material.name + "'";
   }
   if (!names.empty())
-    log.warn(format("there are thermal channels, and no temperature for {}: what has none emits nothing", names));
+    log.warn(
+        format("there are thermal channels, and no temperature for {}: what has none emits nothing", names));
 }
 
 /// Channels integrate within this of a full integration.
 constexpr double kChannelError = 1e-3;
 
-/// Spectral nodes for what light can do in the scene: how often it is reflected, and how hot surfaces are.
-/// Spectral nodes for the sensor, with the atmosphere where one is modelled.
-void build_nodes(Session::Parts& parts, LogSink* log) {
+/// Tells how many of the atmosphere's solutions are there, and ends the work when asked to.
+std::function<void(std::size_t, std::size_t)> atmosphere_progress(const LoadOptions& options) {
+  if (options.progress == nullptr && options.cancel == nullptr) return {};
+  return [options, start = std::chrono::steady_clock::now()](std::size_t done, std::size_t total) {
+    if (options.cancel != nullptr && options.cancel->cancelled()) throw Cancelled();
+    if (options.progress == nullptr) return;
+    Progress progress;
+    progress.pixels_done = static_cast<std::int64_t>(done);
+    progress.pixels_total = static_cast<std::int64_t>(total);
+    progress.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    options.progress->report(progress);
+  };
+}
+
+/// Spectral nodes for what light can do in the scene (how often it is reflected, and how hot surfaces are),
+/// behind the atmosphere where one is modelled.
+void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options,
+                 atmosphere::KeptSolutions* kept) {
   const scene::Scene& scene = parts.scene;
   std::vector<radiometry::Spectrum> surfaces;
   for (const materials::Material& material : scene.materials) {
@@ -100,7 +119,8 @@ void build_nodes(Session::Parts& parts, LogSink* log) {
     demands.coldest_k = demands.hottest_k = 0.0;
   }
   if (parts.document.atmosphere.modelled) {
-    parts.atmosphere = assemble_atmosphere(parts, surfaces, demands, 0, log);
+    parts.atmosphere = assemble_atmosphere(parts, surfaces, demands,
+                                           {options.threads, kept, atmosphere_progress(options), log});
     parts.nodes = &parts.atmosphere->nodes();
     parts.spectral_scene = std::make_unique<render::SpectralScene>(scene, *parts.atmosphere);
     return;
@@ -120,7 +140,8 @@ void build_nodes(Session::Parts& parts, LogSink* log) {
 
 }  // namespace
 
-render::RenderJob Session::Parts::job(const SamplingPlan& sampling, const render::AccuracyTolerance* limits) const {
+render::RenderJob Session::Parts::job(const SamplingPlan& sampling,
+                                      const render::AccuracyTolerance* limits) const {
   render::RenderJob job{*spectral_scene, *camera, *footprint, *sampling.sampler};
   job.tolerance = limits;
   if (document.sampling.max_depth) job.transport.maximum_scatterings = *document.sampling.max_depth;
@@ -134,9 +155,9 @@ render::RenderJob Session::Parts::job(const SamplingPlan& sampling, const render
 
 std::unique_ptr<render::AccuracyTolerance> Session::Parts::tolerance_of(const SamplingPlan& sampling) const {
   if (!sampling.request) return nullptr;
-  return std::make_unique<render::AccuracyTolerance>(*sampling.request, *brightness, spectral_scene->white_reflected(),
-                                                     static_cast<std::int64_t>(camera->width_px()) *
-                                                         camera->height_px());
+  return std::make_unique<render::AccuracyTolerance>(
+      *sampling.request, *brightness, spectral_scene->white_reflected(),
+      static_cast<std::int64_t>(camera->width_px()) * camera->height_px());
 }
 
 Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -152,13 +173,25 @@ Session Session::load(const io::Document& document, LogSink* log, const LoadOpti
   if (options.scene_cache)
     cache.emplace(std::filesystem::path(document.file_name).replace_extension(".ifovcache"), version(), log);
   p.scene = assemble_scene(document, log, p.map_scales, cache ? &*cache : nullptr);
-  if (cache) cache->save();
   p.weather = assemble_weather(document);
   p.channels = assemble_channels(document);
   p.camera = assemble_camera(document, p.scene);
   p.footprint = std::make_unique<sampling::PixelFootprint>(assemble_footprint(document));
   p.plan = assemble_sampling(document, p.channels);
-  with_position(document, document.sensor.position, [&] { build_nodes(p, log); });
+  std::optional<AtmosphereCache> solutions;
+  if (cache && document.atmosphere.modelled) solutions.emplace(*cache);
+  const auto save = [&] {
+    if (solutions) solutions->save();
+    if (cache) cache->save();
+  };
+  try {
+    with_position(document, document.sensor.position,
+                  [&] { build_nodes(p, log, options, solutions ? &*solutions : nullptr); });
+  } catch (...) {
+    save();
+    throw;
+  }
+  save();
   if (log != nullptr && p.nodes->worst_error() > kChannelError)
     log->warn(format("the nodes of the channels integrate some product of spectra only within {:.2g} %",
                      100.0 * p.nodes->worst_error()));
@@ -167,8 +200,8 @@ Session Session::load(const io::Document& document, LogSink* log, const LoadOpti
   p.tolerance = p.tolerance_of(p.plan);
   p.info = image_info(document, *p.camera, p.channels, p.scene);
   if (log != nullptr)
-    log->info(format("sensor: {} x {} pixels, {} channels in {} spectral nodes", p.info.width_px, p.info.height_px,
-                     p.channels.size(), p.nodes->node_count()));
+    log->info(format("sensor: {} x {} pixels, {} channels in {} spectral nodes", p.info.width_px,
+                     p.info.height_px, p.channels.size(), p.nodes->node_count()));
   return Session(std::move(parts));
 }
 

@@ -12,9 +12,11 @@ AtmosphereSection broadband_section(const AtmosphereOptions& options) {
   section.title = "Broadband fluxes";
   section.text =
       "Clear columns of RFMIP (Pincus et al. 2016), experiment 0: fluxes down to the ground against "
-      "RTE+RRTMGP. Below 200 "
-      "cm-1, where the band model ends, the air counts as opaque. Sunlight is solved every 50 cm-1 from 0.2 "
-      "to 10 um, for "
+      "RTE+RRTMGP. "
+      "Below 200 cm-1, where the band model ends, the air counts as opaque, which is too bright over dry "
+      "cold "
+      "ground. Sunlight is solved in flat layers, as the reference has it, every 50 cm-1 from 0.2 to 10 um, "
+      "for "
       "columns whose Sun is at least 5 degrees high.";
   const std::string name = "atmosphere/rrtmgp_rfmip";
   const auto folder = options.reference.file(name);
