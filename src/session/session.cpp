@@ -47,21 +47,19 @@ void warn_of_cold_surfaces(const Session::Parts& parts, LogSink& log) {
   for (std::size_t s = 0; s < parts.scene.states.size(); ++s) {
     const std::uint32_t index = parts.scene.states[s].material;
     const materials::Material& material = parts.scene.materials[index];
-    const bool mapped =
-        std::any_of(parts.scene.coverings.begin(), parts.scene.coverings.end(), [&](const auto& c) {
-          for (std::size_t k = 0; k < c.temperatures.size(); ++k)
-            if (c.states[k] == s && c.temperatures[k]) return true;
-          return std::any_of(c.patterns.begin(), c.patterns.end(), [&](const auto& pattern) {
-            const std::vector<std::uint32_t> mixed = pattern->mixed_materials();
-            return pattern->temperatures() && std::find(mixed.begin(), mixed.end(), index) != mixed.end();
-          });
-        });
+    const bool mapped = std::any_of(parts.scene.coverings.begin(), parts.scene.coverings.end(), [&](const auto& c) {
+      for (std::size_t k = 0; k < c.temperatures.size(); ++k)
+        if (c.states[k] == s && c.temperatures[k]) return true;
+      return std::any_of(c.patterns.begin(), c.patterns.end(), [&](const auto& pattern) {
+        const std::vector<std::uint32_t> mixed = pattern->mixed_materials();
+        return pattern->temperatures() && std::find(mixed.begin(), mixed.end(), index) != mixed.end();
+      });
+    });
     if (parts.scene.states[s].temperature_k > 0.0 || mapped || material.curve_of) continue;
     names += (names.empty() ? "'" : ", '") + material.name + "'";
   }
   if (!names.empty())
-    log.warn(
-        format("there are thermal channels, and no temperature for {}: what has none emits nothing", names));
+    log.warn(format("there are thermal channels, and no temperature for {}: what has none emits nothing", names));
 }
 
 /// Channels integrate within this of a full integration.
@@ -81,10 +79,9 @@ std::function<void(std::size_t, std::size_t)> atmosphere_progress(const LoadOpti
   };
 }
 
-/// Spectral nodes for what light can do in the scene (how often it is reflected, and how hot surfaces are),
-/// behind the atmosphere where one is modelled.
-void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options,
-                 atmosphere::KeptSolutions* kept) {
+/// Spectral nodes for what light can do in the scene (how often it is reflected, and how hot surfaces are), behind the
+/// atmosphere where one is modelled.
+void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept) {
   const scene::Scene& scene = parts.scene;
   std::vector<radiometry::Spectrum> surfaces;
   for (const materials::Material& material : scene.materials) {
@@ -119,8 +116,8 @@ void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options
     demands.coldest_k = demands.hottest_k = 0.0;
   }
   if (parts.document.atmosphere.modelled) {
-    parts.atmosphere = assemble_atmosphere(parts, surfaces, demands,
-                                           {options.threads, kept, atmosphere_progress(options), log});
+    parts.atmosphere = assemble_atmosphere(
+        parts, surfaces, demands, {options.threads, kept, atmosphere_progress(options), log});
     parts.nodes = &parts.atmosphere->nodes();
     parts.spectral_scene = std::make_unique<render::SpectralScene>(scene, *parts.atmosphere);
     return;
@@ -140,8 +137,7 @@ void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options
 
 }  // namespace
 
-render::RenderJob Session::Parts::job(const SamplingPlan& sampling,
-                                      const render::AccuracyTolerance* limits) const {
+render::RenderJob Session::Parts::job(const SamplingPlan& sampling, const render::AccuracyTolerance* limits) const {
   render::RenderJob job{*spectral_scene, *camera, *footprint, *sampling.sampler};
   job.tolerance = limits;
   if (document.sampling.max_depth) job.transport.maximum_scatterings = *document.sampling.max_depth;
@@ -155,9 +151,9 @@ render::RenderJob Session::Parts::job(const SamplingPlan& sampling,
 
 std::unique_ptr<render::AccuracyTolerance> Session::Parts::tolerance_of(const SamplingPlan& sampling) const {
   if (!sampling.request) return nullptr;
-  return std::make_unique<render::AccuracyTolerance>(
-      *sampling.request, *brightness, spectral_scene->white_reflected(),
-      static_cast<std::int64_t>(camera->width_px()) * camera->height_px());
+  return std::make_unique<render::AccuracyTolerance>(*sampling.request, *brightness, spectral_scene->white_reflected(),
+                                                     static_cast<std::int64_t>(camera->width_px()) *
+                                                         camera->height_px());
 }
 
 Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -200,8 +196,8 @@ Session Session::load(const io::Document& document, LogSink* log, const LoadOpti
   p.tolerance = p.tolerance_of(p.plan);
   p.info = image_info(document, *p.camera, p.channels, p.scene);
   if (log != nullptr)
-    log->info(format("sensor: {} x {} pixels, {} channels in {} spectral nodes", p.info.width_px,
-                     p.info.height_px, p.channels.size(), p.nodes->node_count()));
+    log->info(format("sensor: {} x {} pixels, {} channels in {} spectral nodes", p.info.width_px, p.info.height_px,
+                     p.channels.size(), p.nodes->node_count()));
   return Session(std::move(parts));
 }
 
