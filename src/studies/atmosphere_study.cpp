@@ -79,7 +79,7 @@ StudyOutcome run_atmosphere_study(const StudyOptions& options) {
   std::vector<AtmosphereSection> sections;
   for (const auto section :
        {lowtran7_section, terms_section, scattering_section, solar_codes_section, thermal_codes_section,
-        broadband_section, nodes_section, rendered_section, sun_section}) {
+        broadband_section, nodes_section, rendered_section, sun_section, speed_section}) {
     if (options.cancel != nullptr && options.cancel->cancelled()) throw Cancelled();
     sections.push_back(section(choices));
     if (options.log != nullptr) options.log->info(sections.back().title);

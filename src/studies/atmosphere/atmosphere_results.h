@@ -80,5 +80,6 @@ AtmosphereSection broadband_section(const AtmosphereOptions& options);
 AtmosphereSection nodes_section(const AtmosphereOptions& options);
 AtmosphereSection rendered_section(const AtmosphereOptions& options);
 AtmosphereSection sun_section(const AtmosphereOptions& options);
+AtmosphereSection speed_section(const AtmosphereOptions& options);
 
 }  // namespace ifov::studies

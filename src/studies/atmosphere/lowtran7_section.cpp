@@ -152,6 +152,7 @@ void add_transmittance(const AtmosphereOptions& options, AtmosphereSection& sect
       plot.title = "5 km at the ground, tropical air";
       plot.x_label = "wavenumber, cm-1";
       plot.y_label = "transmittance of gases";
+      plot.y_high = 1.0;
       plot.series = {theirs, ours};
       section.plots.push_back({"lowtran7_transmittance", plot, "Both curves lie on each other."});
     }
@@ -167,7 +168,7 @@ void add_thermal(const AtmosphereOptions& options, AtmosphereSection& section) {
   plot.title = "Thermal radiance against LOWTRAN7, relative difference";
   plot.x_label = "wavenumber, cm-1";
   plot.y_label = "difference, %";
-  plot.y_low = -4.0;
+  plot.y_low = -2.0;
   plot.y_high = 10.0;
   plot.levels = {{"", "#888", 0.0, 1.0}};
   const char* colours[] = {"#0072b2", "#009e73", "#cc79a7"};
@@ -236,7 +237,8 @@ void add_scattering(const AtmosphereOptions& options, AtmosphereSection& section
       ground{"ground, all light", "#009e73", {}, {}};
   double blue = 0.0, worst_ground = 0.0;
   for (const auto& row : number_rows(*single, 9)) {
-    if (row[0] < 5400.0 || row[0] > 30600.0 || std::fmod(row[0], options.quick ? 1800.0 : 600.0) != 0.0)
+    // Below are bands of absorption, in which the direct light is a poor measure.
+    if (row[0] < 14500.0 || row[0] > 30600.0 || std::fmod(row[0], options.quick ? 1800.0 : 600.0) != 0.0)
       continue;
     const auto other = std::find_if(with.begin(), with.end(), [&](const auto& r) { return r[0] == row[0]; });
     if (other == with.end()) continue;
@@ -261,11 +263,11 @@ void add_scattering(const AtmosphereOptions& options, AtmosphereSection& section
     const double x = 1e4 / row[0];
     const double difference_once = path_once / direct / (row[4] / row[6]) - 1.0;
     const double difference_ground = lit / direct / ((*other)[5] / (*other)[6]) - 1.0;
+    if (row[0] >= 24000.0) blue = std::max(blue, std::abs(difference_once));
+    if (row[0] >= 15000.0) worst_ground = std::max(worst_ground, std::abs(difference_ground));
     once.x.push_back(x), once.y.push_back(100.0 * difference_once);
     all.x.push_back(x), all.y.push_back(100.0 * (path_all / direct / ((*other)[3] / (*other)[6]) - 1.0));
     ground.x.push_back(x), ground.y.push_back(100.0 * difference_ground);
-    if (row[0] >= 24000.0) blue = std::max(blue, std::abs(difference_once));
-    if (row[0] >= 15000.0) worst_ground = std::max(worst_ground, std::abs(difference_ground));
   }
   section.figures.at_most(
       "lowtran7_single_scattering", 100.0 * blue, 1.0, "%",
@@ -283,16 +285,17 @@ void add_scattering(const AtmosphereOptions& options, AtmosphereSection& section
                          "all path radiance below 0.7 um, ours less theirs: the most (two streams, scalar)");
   section.figures.report("lowtran7_path_least", least, "%", "and the least");
   Plot plot;
-  plot.title = "Nadir from 100 km, Sun at 45 degrees, rural haze of 23 km, against LOWTRAN7";
+  plot.title = "Sunlight at 100 km, rural haze, against LOWTRAN7";
   plot.x_label = "wavelength, um";
   plot.y_label = "difference, %";
   plot.levels = {{"", "#888", 0.0, 1.0}};
-  plot.y_low = -40.0;
+  plot.y_low = -10.0;
   plot.y_high = 20.0;
   plot.series = {once, all, ground};
   section.plots.push_back(
       {"lowtran7_solar", plot,
-       "Haze makes the difference beyond 0.5 um: the program has phase functions of its own, we "
+       "Nadir, Sun at 45 degrees, 23 km visibility. Haze makes the difference of light scattered once beyond "
+       "0.5 um: the program has phase functions of its own, we "
        "have Henyey and Greenstein's. Its multiple scattering has two streams and no polarization."});
 }
 

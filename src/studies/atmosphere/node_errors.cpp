@@ -39,7 +39,7 @@ NodeErrors node_errors(std::span<const radiometry::Channel> channels, int thread
   inputs.geometry = geometry;
   inputs.scattering = rough;
   inputs.threads = threads;
-  inputs.demands.tolerance = 3e-3;
+  inputs.demands.tolerance = 5e-3;
   inputs.demands.most_nodes = most_nodes;
   const bool warm = channels.front().centre_um > kFirstWarm_um;
   inputs.demands.coldest_k = warm ? 260.0 : 0.0;

@@ -113,6 +113,7 @@ double shortwave_down(const AtmosphereColumn& column, double zenith_rad, double 
   options.nodes_per_hemisphere = 4;
   options.polarized = false;
   options.sublayer_depth = 0.05;
+  options.spherical_earth = false;  // as the reference has it
   const ColumnSolver solver(options);
   const radiometry::Spectrum& spectrum = radiometry::solar_irradiance_1au();
   constexpr double kStep_cm1 = 50.0, kLast_cm1 = 49000.0;

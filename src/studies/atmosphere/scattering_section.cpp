@@ -95,6 +95,8 @@ void add_table(const AtmosphereOptions& options, AtmosphereSection& section) {
   plot.title = "Radiance above molecules over black ground";
   plot.x_label = "scattering angle, degrees";
   plot.y_label = "error of I, %";
+  plot.y_low = -12.0;
+  plot.y_high = 14.0;
   plot.series = {scalar, vector};
   section.plots.push_back(
       {"polarization", plot,

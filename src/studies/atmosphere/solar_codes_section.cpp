@@ -142,6 +142,7 @@ void add_pasadena(const AtmosphereOptions& options, const Pasadena& scene, Atmos
   plot.title = "Sun to ground to sensor at 2.3 km, channels of 5.6 nm";
   plot.x_label = "wavelength, um";
   plot.y_label = "transmittance";
+  plot.y_high = 1.0;
   plot.series = {theirs, ours};
   section.plots.push_back(
       {"modtran6_transmittance", plot,
@@ -151,6 +152,7 @@ void add_pasadena(const AtmosphereOptions& options, const Pasadena& scene, Atmos
   path.title = "Path radiance at 2.3 km";
   path.x_label = "wavelength, um";
   path.y_label = "reflectance";
+  path.y_high = 0.04;
   path.series = {path_theirs, path_ours};
   section.plots.push_back(
       {"modtran6_path", path, "Sunlight scattered into the line of sight, as a reflectance."});
