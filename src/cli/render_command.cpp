@@ -37,7 +37,11 @@ ExitCode render(const RenderArguments& arguments) {
   Console console(arguments.quiet, arguments.log);
   try {
     const io::Document document = io::read_document(arguments.document);
-    const session::Session session = session::Session::load(document, &console, {.scene_cache = !arguments.no_cache});
+    const session::Session session = session::Session::load(document, &console,
+                                                             {.scene_cache = !arguments.no_cache,
+                                                              .threads = arguments.threads,
+                                                              .cancel = &cancel,
+                                                              .progress = &console});
     session::RunOptions options;
     options.threads = arguments.threads;
     options.output_folder = arguments.output;
