@@ -12,7 +12,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
-from drivers import honesty, instances, micro, mitsuba, rami, speed, studies  # noqa: E402
+from drivers import atmosphere, honesty, instances, micro, mitsuba, rami, speed, studies  # noqa: E402
 from drivers.figures import Context, show  # noqa: E402
 
 GROUPS = {
@@ -20,6 +20,7 @@ GROUPS = {
     "instances": instances.run,
     "speed": speed.run,
     "studies": studies.run,
+    "atmosphere": atmosphere.run,
     "rami": rami.run,
     "honesty": honesty.run,
     "mitsuba": mitsuba.run,

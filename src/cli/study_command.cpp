@@ -13,7 +13,7 @@ namespace ifov::cli {
 namespace {
 
 struct StudyArguments {
-  std::string name, output, log, scene;
+  std::string name, output, log, scene, reference;
   int trials = 1000, threads = 0;
   std::uint64_t seed = 1;
   bool quiet = false;
@@ -40,6 +40,7 @@ ExitCode study(const StudyArguments& arguments) {
   studies::StudyOptions options;
   options.output_folder = arguments.output.empty() ? format("study-{}", entry.name) : arguments.output;
   options.scene = arguments.scene;
+  options.reference = arguments.reference;
   options.trials = arguments.trials;
   options.threads = arguments.threads;
   options.seed = arguments.seed;
@@ -61,6 +62,8 @@ Command add_study_command(CLI::App& app) {
   CLI::App* parser = app.add_subcommand("study", "Run a study and write its report");
   parser->add_option("NAME", arguments->name, "Which study")->required();
   parser->add_option("-o,--output", arguments->output, "Folder of the report (default: study-NAME)");
+  parser->add_option("--reference", arguments->reference,
+                     "Folder of reference data (atmosphere; default: the environment variable IFOV_TRUTH)");
   parser->add_option("--scene", arguments->scene, "Document to study instead of the study's own scene (suburb)");
   parser->add_option("--trials", arguments->trials, "Random shifts of each scene; fewer give a quick look")
       ->check(CLI::Range(1, 1000000))

@@ -47,6 +47,9 @@ void AccuracyTolerance::limits(std::span<const double> mean, std::span<double> l
       case ErrorUnit::reflectance:
         limit[c] = request_.error * white_[c];
         break;
+      case ErrorUnit::noise:
+        limit[c] = request_.error * request_.noise_w_m2_sr_um[c];
+        break;
     }
   }
 }

@@ -12,7 +12,7 @@ namespace {
 
 /// Nodes of a channel at most, and the error they may leave: every node is a column that all paths carry.
 constexpr std::size_t kMostNodes = 8;
-constexpr double kNodeTolerance = 3e-3;
+constexpr double kNodeTolerance = 5e-3;
 constexpr double kAboveAllAir_km = 100.0;
 /// Lines of sight closer to the horizon than this are not those of a plane-parallel atmosphere.
 constexpr double kLowestView_rad = 80.0 * std::numbers::pi / 180.0;

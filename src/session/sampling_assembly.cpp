@@ -8,6 +8,7 @@
 #include "sampling/adaptive_sampler.h"
 #include "sampling/grid_sampler.h"
 #include "sampling/single_sampler.h"
+#include "session/spectrum_assembly.h"
 #include "session/with_position.h"
 
 namespace ifov::session {
@@ -20,6 +21,7 @@ std::string text_of(const io::ErrorSize& error) {
     case io::ErrorSize::Unit::radiance: return format("{:g} W m-2 sr-1 um-1", error.value);
     case io::ErrorSize::Unit::fraction: return format("{:g} %", 100.0 * error.value);
     case io::ErrorSize::Unit::reflectance: return format("{:g} reflectance", error.value);
+    case io::ErrorSize::Unit::noise: return format("{:g} of the sensor's noise", error.value);
   }
   return {};
 }
@@ -29,6 +31,7 @@ render::ErrorUnit unit_of(io::ErrorSize::Unit unit) {
     case io::ErrorSize::Unit::kelvin: return render::ErrorUnit::kelvin;
     case io::ErrorSize::Unit::radiance: return render::ErrorUnit::radiance;
     case io::ErrorSize::Unit::reflectance: return render::ErrorUnit::reflectance;
+    case io::ErrorSize::Unit::noise: return render::ErrorUnit::noise;
     case io::ErrorSize::Unit::fraction: break;
   }
   return render::ErrorUnit::percent;
@@ -43,6 +46,28 @@ struct Plan {
     for (std::size_t c = 0; c < channels.size(); ++c)
       if (channels[c].name == channel->name) return {static_cast<int>(c)};
     throw io::document_error(document, channel->position, format("there is no channel '{}'", channel->name));
+  }
+
+  /// Noise of every channel, W m-2 sr-1 um-1. InputError at a judged channel that declares none.
+  std::vector<double> noise(const std::vector<int>& judged) const {
+    constexpr double kWarm_k = 300.0;
+    std::vector<double> result(channels.size(), 0.0);
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      const io::ChannelDocument& source = document.sensor.channels[c];
+      if (source.noise)
+        result[c] = with_position(document, source.position, [&] {
+          return assemble_spectrum(document, *source.noise, "noise").at(channels[c].centre_um);
+        });
+      else if (source.noise_k)
+        result[c] = *source.noise_k * radiometry::channel_planck_slope_w_m2_sr_um_k(channels[c], kWarm_k);
+      const bool asked = judged.empty() || std::find(judged.begin(), judged.end(), static_cast<int>(c)) != judged.end();
+      if (asked && !(result[c] > 0.0))
+        throw io::document_error(document, source.position,
+                                 format("the accuracy is stated as a share of the sensor's noise, and channel '{}' has "
+                                        "none above 0: give it 'noise' or 'noise_temperature'",
+                                        source.name));
+    }
+    return result;
   }
 
   SamplingPlan operator()(const io::SingleSampling&) const {
@@ -94,6 +119,7 @@ struct Plan {
     request.simultaneous = source.simultaneous;
     request.floor = source.floor;
     request.channels = judged(source.channel);
+    if (request.unit == render::ErrorUnit::noise) request.noise_w_m2_sr_um = noise(request.channels);
     plan.accuracy_asked =
         format("{}{}, confidence {:g} % {}", text_of(source.error),
                source.channel ? format(" in channel '{}'", source.channel->name) : " in every channel",

@@ -24,6 +24,10 @@ class FigureTable {
   void between(std::string name, double value, double low, double high, std::string unit,
                std::string meaning);
 
+  void append(const FigureTable& other) {
+    figures_.insert(figures_.end(), other.figures_.begin(), other.figures_.end());
+  }
+
   const std::vector<Figure>& figures() const { return figures_; }
   bool all_met() const;
 

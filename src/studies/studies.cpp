@@ -1,6 +1,7 @@
 #include "studies/studies.h"
 
 #include "studies/aliasing_study.h"
+#include "studies/atmosphere_study.h"
 #include "studies/suburb_study.h"
 #include "studies/thermal_study.h"
 
@@ -12,6 +13,7 @@ constexpr StudyEntry kStudies[] = {
     {"aliasing", "a resolution chart by every sampler, against the exact answer", run_aliasing_study},
     {"thermal", "hot targets smaller than a pixel: samples needed for an accuracy", run_thermal_study},
     {"suburb", "sub-pixel content of a hyperspectral image, by every sampler", run_suburb_study, true},
+    {"atmosphere", "the modelled atmosphere against tables and other programs", run_atmosphere_study},
 };
 
 }  // namespace

@@ -38,7 +38,7 @@ struct Axis {
                                      : raw / magnitude > 2 ? 5
                                      : raw / magnitude > 1 ? 2
                                                            : 1);
-    for (double k = std::ceil(low / step - 1e-9); k <= high / step + 1e-9; ++k) out.push_back(k * step);
+    for (double k = std::ceil(low / step - 1e-9); k <= high / step + 1e-9; ++k) out.push_back(k * step + 0.0);  // no -0
     return out;
   }
 };
@@ -66,6 +66,12 @@ std::string svg_plot(const Plot& plot) {
     for (double v : s.y) y.add(v, plot.y_log);
   }
   for (const PlotLevel& level : plot.levels) y.add(level.value, plot.y_log);
+  // Room for dots at the edges.
+  if (!plot.x_log && std::any_of(plot.series.begin(), plot.series.end(), [](const auto& s) { return s.markers_only; })) {
+    const double room = 0.02 * (x.high - x.low);
+    x.low -= room;
+    x.high += room;
+  }
   if (plot.y_low < plot.y_high) y = {plot.y_low, plot.y_high};
   const Axis across = axis_of(plot.x_log, x.low, x.high, kLeft, kWidth - kRight);
   const Axis up = axis_of(plot.y_log, y.low, y.high, kHeight - kBottom, kTop);
@@ -114,8 +120,9 @@ std::string svg_plot(const Plot& plot) {
   const auto legend = [&](const std::string& name, const std::string& colour) {
     if (name.empty()) return;
     out += format(
+        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"16\" fill=\"#fff\" opacity=\"0.8\"/>"
         "<rect x=\"{}\" y=\"{}\" width=\"14\" height=\"4\" fill=\"{}\"/><text x=\"{}\" y=\"{}\">{}</text>\n",
-        kWidth - 230, row - 6, colour, kWidth - 210, row, html_text(name));
+        kWidth - 236, row - 12, 236 - kRight, kWidth - 230, row - 6, colour, kWidth - 210, row, html_text(name));
     row += 16;
   };
   for (const PlotSeries& s : plot.series) legend(s.name, s.colour);

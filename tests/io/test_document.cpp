@@ -254,6 +254,7 @@ TEST(Document, ErrorsInFourUnits) {
   EXPECT_EQ(error("50 mK").value, 0.05);
   EXPECT_EQ(error("1%").value, 0.01);
   EXPECT_EQ(error("0.002 reflectance").unit, ErrorSize::Unit::reflectance);
+  EXPECT_EQ(error("0.5 noise").unit, ErrorSize::Unit::noise);
   EXPECT_EQ(error("0.05 W/m2/sr/um").unit, ErrorSize::Unit::radiance);
 }
 

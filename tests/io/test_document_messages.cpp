@@ -70,9 +70,9 @@ TEST(DocumentMessages, Units) {
   EXPECT_EQ(message_with("\"0.1 K\"", "\"0.1 degC\""),
             "folder/a.json:41:38: 'sampling.accuracy.error' is the text \"0.1 degC\", expected a size above "
             "0 with its "
-            "unit, such as \"0.1 K\", \"1 %\", \"12 W m-2 sr-1 um-1\", \"0.002 reflectance\" (units: K, mK, "
+            "unit, such as \"0.1 K\", \"1 %\", \"12 W m-2 sr-1 um-1\", \"0.002 reflectance\", \"0.5 noise\" (units: K, mK, "
             "%, W m-2 sr-1 "
-            "um-1, W m-2 sr-1 nm-1, mW m-2 sr-1 nm-1, uW cm-2 sr-1 nm-1, reflectance)\n"
+            "um-1, W m-2 sr-1 nm-1, mW m-2 sr-1 nm-1, uW cm-2 sr-1 nm-1, reflectance, noise)\n"
             "   41 |   \"sampling\": {\"accuracy\": {\"error\": \"0.1 degC\", \"channel\": \"8.5 um\"}},\n"
             "      |                                      ^");
 }

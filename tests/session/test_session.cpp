@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/format.h"
 #include "io/document/document.h"
+#include "session/parts.h"
 
 namespace ifov {
 namespace {
@@ -51,6 +52,34 @@ class SessionTest : public testing::Test {
 
 void expect_in(const std::string& part, const std::string& text) {
   EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+/// Accuracy as a share of the noise that channels declare, as a radiance or as a temperature difference.
+TEST_F(SessionTest, AccuracyInUnitsOfTheNoise) {
+  const auto limits = [&](const std::string& noise) {
+    const io::Document document = io::parse_document(
+        format(R"({{"ifov": 1, "scene": {{"materials": {{"grey": {{"reflectance": 0.3, "temperature": "300 K"}}}},
+          "objects": [{{"plane": {{}}, "material": "grey"}}]}},
+          "sensor": {{"camera": {{"orthographic": {{"gsd": "1 m", "pixels": [2, 2]}}}},
+            "channels": [{{"name": "hot", "gaussian": {{"center": "10 um", "fwhm": "0.5 um"}}{}}}]}},
+          "sampling": {{"accuracy": {{"error": "0.5 noise"}}}}}})",
+               noise),
+        (folder_ / "noise.json").string());
+    const session::Session session = session::Session::load(document, nullptr);
+    std::vector<double> limit(1);
+    session.parts().tolerance->limits(std::vector<double>{9.0}, limit);
+    return limit[0];
+  };
+  EXPECT_NEAR(limits(R"(, "noise": "0.02 W m-2 sr-1 um-1")"), 0.01, 1e-12);
+  // The slope of Planck's law at 10 um and 300 K is 0.1600 W m-2 sr-1 um-1 K-1.
+  EXPECT_NEAR(limits(R"(, "noise_temperature": "0.1 K")"), 0.5 * 0.1 * 0.1600, 5e-5);
+  try {
+    limits("");
+    FAIL() << "a channel without noise was taken";
+  } catch (const InputError& error) {
+    expect_in("channel 'hot' has none above 0: give it 'noise' or 'noise_temperature'", error.what());
+    expect_in("noise.json:4:", error.what());
+  }
 }
 
 TEST_F(SessionTest, MissingMeshIsShownInTheDocument) {

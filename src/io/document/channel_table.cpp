@@ -15,6 +15,8 @@ struct ChannelEntry {
   std::string name;
   std::vector<Response> responses;
   SourcePosition position;
+  std::optional<SpectrumDocument> noise;
+  std::optional<double> noise_k;
 };
 
 Kind<double> wavelength() { return quantity(kWavelength, Range::above(0.0, "um")); }
@@ -102,7 +104,13 @@ Kind<ChannelEntry> entry_kind() {
       .one("top_hat", store, top_hat_kind(), "a rectangle")
       .one("tabulated", store, tabulated_kind(), "from a file")
       .one("monochromatic", store, monochromatic_kind(), "one wavelength")
-      .one("series", &ChannelEntry::responses, series_kind(), "many at once");
+      .one("series", &ChannelEntry::responses, series_kind(), "many at once")
+      .at_most_one()
+      .one("noise", &ChannelEntry::noise, spectrum_kind(SpectrumOf::radiance),
+           "standard deviation of the sensor's noise as a radiance at the centre of the channel (NEdL); for errors stated in its unit")
+      .one("noise_temperature", &ChannelEntry::noise_k,
+           quantity(kTemperatureDifference, Range::above(0.0, "K")),
+           "the same as a temperature difference of a black surface of 300 K (NEdT)");
   return record.kind();
 }
 
@@ -140,7 +148,7 @@ Kind<std::vector<ChannelDocument>> channels_kind() {
                 const std::string name = entry.name.empty() ? own
                                          : series           ? format("{} {}", entry.name, own)
                                                             : entry.name;
-                channels.push_back({name, std::move(response), entry.position});
+                channels.push_back({name, std::move(response), entry.position, entry.noise, entry.noise_k});
               }
             }
             return channels;

@@ -47,6 +47,7 @@ constexpr Unit kSunDistanceUnits[] = {{"au"}, {"AU", 1.0, 0.0, kAlias}};
 constexpr Unit kPixelUnits[] = {{"px"}, {"pixel", 1.0, 0.0, kAlias}, {"pixels", 1.0, 0.0, kAlias}};
 constexpr Unit kPercentUnits[] = {{"%", 1e-2}};
 constexpr Unit kReflectanceUnits[] = {{"reflectance"}};
+constexpr Unit kNoiseUnits[] = {{"noise"}};
 constexpr Unit kRadianceUnits[] = {
     {"W m-2 sr-1 um-1"},
     {"W m-2 sr-1 nm-1", 1e3},
@@ -116,6 +117,7 @@ const Dimension kSunDistance{"a distance of the Sun", "1.016 au", kSunDistanceUn
 const Dimension kPixels{"a number of pixels", "0.6 px", kPixelUnits};
 const Dimension kPercent{"a percentage", "1 %", kPercentUnits};
 const Dimension kReflectance{"a reflectance", "0.002 reflectance", kReflectanceUnits};
+const Dimension kNoise{"a share of the sensor's noise", "0.5 noise", kNoiseUnits};
 const Dimension kRadiance{"a spectral radiance", "12 W m-2 sr-1 um-1", kRadianceUnits};
 const Dimension kDensity{"a density", "300 ha-1", kDensityUnits};
 const Dimension kIrradiance{"a spectral irradiance", "1800 W m-2 um-1", kIrradianceUnits};

@@ -23,6 +23,7 @@ struct ErrorSize {
     radiance,     ///< W m-2 sr-1 um-1
     fraction,     ///< of the pixel's own value (1 % is 0.01)
     reflectance,  ///< apparent reflectance
+    noise,        ///< the noise that each channel of the sensor declares
   };
   double value = 0.0;  ///< above zero
   Unit unit = Unit::fraction;

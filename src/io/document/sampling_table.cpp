@@ -89,10 +89,11 @@ Kind<AccuracySampling> accuracy_kind() {
           error_size_kind({{ErrorSize::Unit::kelvin, &kTemperatureDifference},
                            {ErrorSize::Unit::fraction, &kPercent},
                            {ErrorSize::Unit::radiance, &kRadiance},
-                           {ErrorSize::Unit::reflectance, &kReflectance}}),
+                           {ErrorSize::Unit::reflectance, &kReflectance},
+                           {ErrorSize::Unit::noise, &kNoise}}),
           "\"1 %\"",
           "allowed half-width of each pixel's interval: brightness temperature, share of the pixel's value, "
-          "radiance or apparent reflectance")
+          "radiance, apparent reflectance, or share of the noise that channels declare")
       .with_default("confidence", &AccuracySampling::confidence, fraction({0.5, 1.0, false, true, {}}),
                     "0.95", "probability with which the interval holds the true value")
       .optional("channel", &AccuracySampling::channel, name_of("a channel"), "that is judged; without it all")

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/document/document_values.h"
+#include "io/document/spectrum_document.h"
 #include "math/vec3.h"
 
 namespace ifov::io {
@@ -71,6 +72,8 @@ struct ChannelDocument {
   std::string name;
   std::variant<GaussianChannel, TopHatChannel, TabulatedChannel, MonochromaticChannel> response;
   SourcePosition position;
+  std::optional<SpectrumDocument> noise;  ///< noise-equivalent radiance, W m-2 sr-1 um-1
+  std::optional<double> noise_k;          ///< or noise-equivalent temperature difference at 300 K
 };
 
 struct NoPsf {};

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/figures.h"
+#include "studies/studies.h"
+#include "studies/svg_plot.h"
+
+namespace ifov::studies {
+
+/// Published and computed reference data, one folder of small files, which are read in place.
+class ReferenceData {
+ public:
+  explicit ReferenceData(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  /// Nothing where it is absent.
+  std::optional<std::filesystem::path> file(const std::string& relative) const {
+    std::error_code error;
+    if (folder_.empty() || !std::filesystem::exists(folder_ / relative, error)) return std::nullopt;
+    return folder_ / relative;
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// Lines of numbers, separated by blanks or commas; what else a line holds ends it. Shorter ones are left
+/// out.
+std::vector<std::vector<double>> number_rows(const std::filesystem::path& file, std::size_t least_columns);
+
+/// Differences of a run of comparisons.
+class Differences {
+ public:
+  void add(double value, double reference);
+  double rms() const;
+  double mean() const { return count_ > 0 ? sum_ / count_ : 0.0; }
+  double largest() const { return largest_; }
+  int count() const { return count_; }
+
+ private:
+  double sum_ = 0.0, squares_ = 0.0, largest_ = 0.0;
+  int count_ = 0;
+};
+
+struct ReportPlot {
+  std::string name;  ///< of its file, without extension
+  Plot plot;
+  std::string caption;
+};
+
+/// What one page shows: sections of figures and plots.
+struct AtmosphereSection {
+  std::string title, text;
+  FigureTable figures;
+  std::vector<ReportPlot> plots;
+
+  /// A figure that could not be taken, and what was missing.
+  void not_measured(const std::string& name, const std::string& meaning, const std::string& missing) {
+    figures.report(name, std::numeric_limits<double>::quiet_NaN(), "",
+                   meaning + " (not measured: no " + missing + ")");
+  }
+};
+
+struct AtmosphereOptions {
+  const ReferenceData& reference;
+  const StudyOptions& study;
+  bool quick = false;
+};
+
+AtmosphereSection lowtran7_section(const AtmosphereOptions& options);
+AtmosphereSection terms_section(const AtmosphereOptions& options);
+AtmosphereSection scattering_section(const AtmosphereOptions& options);
+AtmosphereSection solar_codes_section(const AtmosphereOptions& options);
+AtmosphereSection thermal_codes_section(const AtmosphereOptions& options);
+AtmosphereSection broadband_section(const AtmosphereOptions& options);
+AtmosphereSection nodes_section(const AtmosphereOptions& options);
+AtmosphereSection rendered_section(const AtmosphereOptions& options);
+AtmosphereSection sun_section(const AtmosphereOptions& options);
+AtmosphereSection speed_section(const AtmosphereOptions& options);
+
+}  // namespace ifov::studies

@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/format.h"
+#include "studies/atmosphere/atmosphere_results.h"
+#include "studies/atmosphere/rfmip_fluxes.h"
+
+namespace ifov::studies {
+
+AtmosphereSection broadband_section(const AtmosphereOptions& options) {
+  AtmosphereSection section;
+  section.title = "Broadband fluxes";
+  section.text =
+      "Clear columns of RFMIP (Pincus et al. 2016), experiment 0: fluxes down to the ground against "
+      "RTE+RRTMGP. "
+      "Below 200 cm-1, where the band model ends, the air counts as opaque, which is too bright over dry "
+      "cold "
+      "ground. Sunlight is solved in flat layers, as the reference has it, every 50 cm-1 from 0.2 to 10 um, "
+      "for "
+      "columns whose Sun is at least 5 degrees high.";
+  const std::string name = "atmosphere/rrtmgp_rfmip";
+  const auto folder = options.reference.file(name);
+  if (!folder) {
+    section.not_measured("rfmip_longwave", "RFMIP fluxes", name);
+    return section;
+  }
+  std::vector<std::size_t> sites;
+  for (std::size_t site = 0; site < 100; site += options.quick ? 20 : 1) sites.push_back(site);
+  Differences longwave;
+  double sun = 0.0, sun_reference = 0.0, worst = 0.0;
+  PlotSeries down{"long-wave", "#0072b2", {}, {}, true}, lit{"short-wave", "#d55e00", {}, {}, true};
+  for (const RfmipColumn& column : rfmip_fluxes(*folder, sites, options.study.threads)) {
+    longwave.add(column.longwave, column.longwave_reference);
+    down.x.push_back(column.longwave_reference),
+        down.y.push_back(column.longwave - column.longwave_reference);
+    if (column.shortwave_reference <= 0.0) continue;
+    sun += column.shortwave;
+    sun_reference += column.shortwave_reference;
+    worst = std::max(worst, std::abs(column.shortwave / column.shortwave_reference - 1.0));
+    lit.x.push_back(column.shortwave_reference),
+        lit.y.push_back(column.shortwave - column.shortwave_reference);
+  }
+  section.figures.at_most("rfmip_longwave", std::abs(longwave.mean()), 6.0, "W m-2",
+                          format("long-wave flux down, {} columns: mean difference", longwave.count()));
+  section.figures.at_most("rfmip_longwave_rms", longwave.rms(), 6.0, "W m-2", "the same, rms");
+  section.figures.report("rfmip_longwave_largest", longwave.largest(), "W m-2", "the same, largest");
+  section.figures.at_most("rfmip_shortwave", 100.0 * std::abs(sun / sun_reference - 1.0), 2.0, "%",
+                          format("short-wave flux down, {} columns: difference of the sums", lit.x.size()));
+  section.figures.report("rfmip_shortwave_largest", 100.0 * worst, "%",
+                         "the same, largest difference of a column");
+  Plot plot;
+  plot.title = "Fluxes down to the ground, ifov less RTE+RRTMGP";
+  plot.x_label = "flux, W m-2";
+  plot.y_label = "difference, W m-2";
+  plot.y_low = -12.0;
+  plot.y_high = 16.0;
+  plot.levels = {{"", "#888", 0.0, 0.0}};
+  plot.series = {down, lit};
+  section.plots.push_back({"rfmip", plot, "One point a column."});
+  return section;
+}
+
+}  // namespace ifov::studies

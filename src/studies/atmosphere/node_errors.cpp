@@ -1,0 +1,78 @@
+#include "studies/atmosphere/node_errors.h"
+
+#include <numbers>
+
+#include "atmosphere/sensor/channel_light.h"
+#include "core/format.h"
+#include "io/library/material_library.h"
+#include "radiometry/planck.h"
+#include "radiometry/solar_spectrum.h"
+
+namespace ifov::studies {
+
+NodeErrors node_errors(std::span<const radiometry::Channel> channels, int threads, std::size_t most_nodes) {
+  using namespace atmosphere;
+  constexpr double kDegree = std::numbers::pi / 180.0, kGround_k = 300.0, kFirstWarm_um = 2.5;
+  const AtmosphereColumn column{AtmosphereDescription{}};
+  SensorGeometry geometry;
+  geometry.sun_zenith_rad = 40.0 * kDegree;
+  geometry.view_zenith_rad = 10.0 * kDegree;
+  geometry.view_azimuth_rad = 110.0 * kDegree;
+  ScatteringOptions rough;
+  rough.nodes_per_hemisphere = 4;
+  rough.polarized = false;
+  rough.sublayer_depth = 0.05;
+
+  NodeErrors errors;
+  std::vector<radiometry::Spectrum> surfaces;
+  for (const double reflectance : {0.05, 0.2, 0.5}) {
+    errors.surfaces.push_back(format("reflectance {:g}", reflectance));
+    surfaces.push_back(radiometry::Spectrum::constant(reflectance));
+  }
+  errors.surfaces.push_back("grass");
+  surfaces.push_back(io::material_library().find("grass, lawn").curves[0].reflectance);
+
+  SensorAtmosphere::Inputs inputs;
+  inputs.channels = channels;
+  inputs.solar_irradiance = radiometry::solar_irradiance_1au();
+  inputs.surfaces = surfaces;
+  inputs.geometry = geometry;
+  inputs.scattering = rough;
+  inputs.threads = threads;
+  inputs.demands.tolerance = 5e-3;
+  inputs.demands.most_nodes = most_nodes;
+  const bool warm = channels.front().centre_um > kFirstWarm_um;
+  inputs.demands.coldest_k = warm ? 260.0 : 0.0;
+  inputs.demands.hottest_k = warm ? 340.0 : 0.0;
+  const SensorAtmosphere atmosphere(column, inputs);
+  errors.nodes = atmosphere.node_count();
+  errors.relative.resize(surfaces.size());
+  std::vector<float> reflectance(atmosphere.node_count()), planck(atmosphere.node_count());
+  atmosphere.nodes().planck(kGround_k, std::span<float>(planck));
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    errors.centre_um.push_back(channels[c].centre_um);
+    const auto all = solve_all_terms(column, channels[c], inputs.solar_irradiance, geometry, rough, threads);
+    const auto nodes = channel_nodes(atmosphere, c);
+    const std::size_t first = atmosphere.nodes().first_node(c);
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+      atmosphere.nodes().average_surface(surfaces[s], reflectance);
+      std::vector<double> at_all, at_nodes, glow_all, glow_nodes;
+      for (const ChannelLight& part : all) {
+        at_all.push_back(surfaces[s].at(part.wavelength_um));
+        glow_all.push_back(warm ? (1.0 - at_all.back()) *
+                                      radiometry::planck_w_m2_sr_um(part.wavelength_um, kGround_k)
+                                : 0.0);
+      }
+      for (std::size_t n = 0; n < nodes.size(); ++n) {
+        at_nodes.push_back(reflectance[first + n]);
+        glow_nodes.push_back(warm ? (1.0 - at_nodes.back()) * planck[first + n] : 0.0);
+      }
+      errors.relative[s].push_back(lambertian_radiance(nodes, geometry, at_nodes, glow_nodes) /
+                                       lambertian_radiance(all, geometry, at_all, glow_all) -
+                                   1.0);
+    }
+  }
+  return errors;
+}
+
+}  // namespace ifov::studies

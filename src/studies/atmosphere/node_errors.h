@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "radiometry/channel.h"
+
+namespace ifov::studies {
+
+/// What the reduction to spectral nodes costs in accuracy, over Lambertian ground of several kinds (300 K in
+/// the thermal infrared), against all bins and terms of the band model.
+struct NodeErrors {
+  std::vector<double> centre_um;  ///< of the channels
+  std::vector<std::string> surfaces;
+  std::vector<std::vector<double>> relative;  ///< [surface][channel], of the radiance at the sensor
+  std::size_t nodes = 0;                      ///< of all channels
+};
+
+/// `most_nodes` of a channel; 1 is a fault on purpose.
+NodeErrors node_errors(std::span<const radiometry::Channel> channels, int threads,
+                       std::size_t most_nodes = 8);
+
+}  // namespace ifov::studies

@@ -1,0 +1,162 @@
+#include "studies/atmosphere/rfmip_fluxes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "atmosphere/column/atmosphere_column.h"
+#include "atmosphere/scattering/column_solver.h"
+#include "atmosphere/thermal/thermal_column.h"
+#include "core/parallel.h"
+#include "io/raster/netcdf_variable.h"
+#include "radiometry/planck.h"
+#include "radiometry/solar_spectrum.h"
+
+namespace ifov::studies {
+namespace {
+
+using namespace atmosphere;
+constexpr std::size_t kLevels = 61, kLayers = 60, kSites = 100;
+constexpr double kStefanBoltzmann = 5.670374419e-8, kPi = std::numbers::pi;
+/// The band model begins here; below, the air is taken for opaque.
+constexpr double kFirst_cm1 = 200.0, kLastThermal_cm1 = 3250.0;
+
+/// Everything of the first experiment.
+struct Inputs {
+  std::vector<double> pressure_Pa, layer_pressure_Pa, temperature_K, water, ozone, zenith_deg, albedo,
+      irradiance, weight, longwave, shortwave;
+  double co2_ppm, ch4_ppm, n2o_ppm;
+
+  explicit Inputs(const std::filesystem::path& folder) {
+    const auto read = [&](const char* file, const char* name) {
+      return io::read_netcdf_variable(folder / file, name).values;
+    };
+    const char* inputs = "rfmip_inputs.nc";
+    pressure_Pa = read(inputs, "pres_level");
+    layer_pressure_Pa = read(inputs, "pres_layer");
+    temperature_K = read(inputs, "temp_level");
+    water = read(inputs, "water_vapor");
+    ozone = read(inputs, "ozone");
+    zenith_deg = read(inputs, "solar_zenith_angle");
+    albedo = read(inputs, "surface_albedo");
+    irradiance = read(inputs, "total_solar_irradiance");
+    weight = read(inputs, "profile_weight");
+    longwave = read("rld.nc", "rld");
+    shortwave = read("rsd.nc", "rsd");
+    co2_ppm = read(inputs, "carbon_dioxide_GM")[0];
+    ch4_ppm = 1e-3 * read(inputs, "methane_GM")[0];
+    n2o_ppm = 1e-3 * read(inputs, "nitrous_oxide_GM")[0];
+  }
+};
+
+/// The site's levels, from the ground up, at altitudes by the hydrostatic law.
+AtmosphereDescription described(const Inputs& inputs, std::size_t site, double water_share) {
+  const double* pressure = &inputs.pressure_Pa[site * kLevels];
+  const double* temperature = &inputs.temperature_K[site * kLevels];
+  const bool falling = pressure[0] > pressure[kLevels - 1];
+  const auto level = [&](std::size_t k) { return falling ? k : kLevels - 1 - k; };
+  const auto at_level = [&](const std::vector<double>& layers, std::size_t k) {
+    const std::size_t a = std::min(level(k), kLayers - 1), b = level(k) == 0 ? 0 : level(k) - 1;
+    return 0.5 * (layers[site * kLayers + a] + layers[site * kLayers + b]);
+  };
+  AtmosphereDescription description;
+  description.air.model = "US standard 1976";
+  description.air.limit_humidity = false;
+  description.air.co2_ppm = inputs.co2_ppm;
+  description.air.ch4_ppm = inputs.ch4_ppm;
+  description.air.n2o_ppm = inputs.n2o_ppm;
+  description.aerosol.type = "none";
+  double altitude_km = 0.0;
+  for (std::size_t k = 0; k < kLevels; ++k) {
+    const std::size_t here = level(k);
+    if (k > 0) {
+      const std::size_t below = level(k - 1);
+      const double warm = 0.5 * (temperature[here] + temperature[below]);
+      altitude_km += 1e-3 * 287.05 * warm * (1.0 + 0.61 * 0.622 * at_level(inputs.water, k)) / 9.80665 *
+                     std::log(pressure[below] / pressure[here]);
+    }
+    if (altitude_km > 80.0) break;
+    UserLevel& user = description.air.levels.emplace_back();
+    user.altitude_km = altitude_km;
+    user.pressure_hPa = 1e-2 * pressure[here];
+    user.temperature_K = temperature[here];
+    user.mixing_ratio_g_kg = 1e3 * 0.622 * water_share * at_level(inputs.water, k);
+    user.ozone_ppmv = 1e6 * at_level(inputs.ozone, k);
+  }
+  return description;
+}
+
+double longwave_down(const AtmosphereColumn& column) {
+  const GaussNodes nodes = gauss_nodes(4);
+  const double ground_k = column.levels().temperature_K.front();
+  double sum = 0.0, below = kStefanBoltzmann * std::pow(ground_k, 4);
+  for (double nu = kFirst_cm1; nu < 30000.0; nu += 5.0)
+    below -= 5.0 * kPi * radiometry::planck_w_m2_sr_um(1e4 / nu, ground_k) * 1e4 / (nu * nu);
+  for (double nu = kFirst_cm1; nu < kLastThermal_cm1; nu += 5.0) {
+    const ColumnOptics optics = column.at(nu);
+    const double um = optics.wavelength_um;
+    std::vector<double> planck;
+    for (double t : column.levels().temperature_K) planck.push_back(radiometry::planck_w_m2_sr_um(um, t));
+    for (std::size_t term = 0; term < optics.terms(); ++term) {
+      const LayerOptics layers = optics.term(term);
+      const ThermalColumn thermal(column.levels().altitude_km, planck, layers.gas_absorption);
+      sum += 5.0 * optics.weight(term) * thermal.radiances(nodes, {1.0, planck[0]}).flux_down[0] * um * um *
+             1e-4;
+    }
+  }
+  return sum + below;
+}
+
+double shortwave_down(const AtmosphereColumn& column, double zenith_rad, double albedo,
+                      double total_irradiance) {
+  ScatteringOptions options;
+  options.nodes_per_hemisphere = 4;
+  options.polarized = false;
+  options.sublayer_depth = 0.05;
+  options.spherical_earth = false;  // as the reference has it
+  const ColumnSolver solver(options);
+  const radiometry::Spectrum& spectrum = radiometry::solar_irradiance_1au();
+  constexpr double kStep_cm1 = 50.0, kLast_cm1 = 49000.0;
+  const double ground_km = column.levels().altitude_km.front();
+  double sum = 0.0, all = 0.0;
+  for (double nu = 1000.0; nu < kLast_cm1; nu += kStep_cm1) {
+    double irradiance = 0.0;  // of the step
+    for (double at = nu - 0.5 * kStep_cm1 + 2.5; at < nu + 0.5 * kStep_cm1; at += 5.0)
+      irradiance += spectrum.at(1e4 / at) * 5.0 * 1e4 / (at * at);
+    all += irradiance;
+    const ColumnOptics optics = column.at(nu);
+    for (std::size_t term = 0; term < optics.terms(); ++term) {
+      const ColumnSolution solution = solver.solve(column.levels(), optics.term(term), zenith_rad);
+      const FluxProfile::Fluxes fluxes = solution.sunlit().fluxes().at(ground_km);
+      sum += irradiance * optics.weight(term) * (fluxes.direct_down + fluxes.diffuse_down) /
+             (1.0 - albedo * solution.spherical_albedo());
+    }
+  }
+  return sum * total_irradiance / all;
+}
+
+}  // namespace
+
+std::vector<RfmipColumn> rfmip_fluxes(const std::filesystem::path& folder, std::span<const std::size_t> sites,
+                                      int threads, double water_share) {
+  const Inputs inputs(folder);
+  std::vector<RfmipColumn> columns(sites.size());
+  parallel_for(static_cast<std::int64_t>(sites.size()), threads, [&](std::int64_t k) {
+    const std::size_t site = sites[static_cast<std::size_t>(k)];
+    RfmipColumn& result = columns[static_cast<std::size_t>(k)];
+    const AtmosphereColumn column(described(inputs, site, water_share));
+    const double* pressure = &inputs.pressure_Pa[site * kLevels];
+    const std::size_t ground = pressure[0] > pressure[kLevels - 1] ? 0 : kLevels - 1;
+    result.site = site;
+    result.weight = inputs.weight[site];
+    result.longwave = longwave_down(column);
+    result.longwave_reference = inputs.longwave[site * kLevels + ground];
+    const double zenith_rad = inputs.zenith_deg[site] * kPi / 180.0;
+    if (zenith_rad > 85.0 * kPi / 180.0) return;
+    result.shortwave = shortwave_down(column, zenith_rad, inputs.albedo[site], inputs.irradiance[site]);
+    result.shortwave_reference = inputs.shortwave[site * kLevels + ground];
+  });
+  return columns;
+}
+
+}  // namespace ifov::studies

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace ifov::studies {
+
+/// Fluxes down to the ground of clear columns of RFMIP's first experiment (Pincus et al. 2016), ours and
+/// those that RTE+RRTMGP computes, W m-2.
+struct RfmipColumn {
+  std::size_t site = 0;
+  double weight = 0.0;  ///< of the column in the global mean
+  double longwave = 0.0, longwave_reference = 0.0;
+  double shortwave = 0.0, shortwave_reference = 0.0;  ///< 0 where the Sun is down
+};
+
+/// `folder` holds rfmip_inputs.nc, rld.nc and rsd.nc; sites count from 0 to 99. `water_share` other than 1: a
+/// fault on purpose.
+std::vector<RfmipColumn> rfmip_fluxes(const std::filesystem::path& folder, std::span<const std::size_t> sites,
+                                      int threads, double water_share = 1.0);
+
+}  // namespace ifov::studies

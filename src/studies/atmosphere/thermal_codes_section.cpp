@@ -1,0 +1,116 @@
+#include <cmath>
+
+#include "atmosphere/column/atmosphere_column.h"
+#include "atmosphere/thermal/thermal_column.h"
+#include "core/format.h"
+#include "radiometry/planck.h"
+#include "studies/atmosphere/atmosphere_results.h"
+
+namespace ifov::studies {
+namespace {
+
+using namespace atmosphere;
+
+void add_flux(const AtmosphereOptions& options, AtmosphereSection& section) {
+  const std::string name = "atmosphere/libradtran/spectrum_terrestrial_reptran.OUT";
+  const auto file = options.reference.file(name);
+  if (!file) return section.not_measured("reptran_flux", "REPTRAN fine, thermal flux down", name);
+  AtmosphereDescription description;
+  description.air.model = "subarctic summer";
+  description.air.ozone_DU = 300.0;
+  description.aerosol.type = "none";
+  const AtmosphereColumn column(description);
+  const GaussNodes nodes = gauss_nodes(8);
+  const auto rows = number_rows(*file, 3);
+  constexpr double kFirst = 255.0, kLast = 2900.0, kPlotStep = 60.0;
+  double ours = 0.0, theirs = 0.0, part = 0.0;
+  PlotSeries line{"ifov", "#0072b2", {}, {}}, reference{"REPTRAN fine", "#d55e00", {}, {}};
+  for (double nu = kFirst; nu < kLast; nu += 5.0) {
+    const ColumnOptics optics = column.at(nu);
+    const double um = optics.wavelength_um;
+    std::vector<double> planck;
+    for (double t : column.levels().temperature_K) planck.push_back(radiometry::planck_w_m2_sr_um(um, t));
+    double flux = 0.0;
+    for (std::size_t term = 0; term < optics.terms(); ++term) {
+      const LayerOptics layers = optics.term(term);
+      const ThermalColumn thermal(column.levels().altitude_km, planck, layers.gas_absorption);
+      flux += 5.0 * optics.weight(term) * thermal.radiances(nodes, {0.7, planck[0]}).flux_down[0] * um * um *
+              1e-4;
+    }
+    ours += flux;
+    part += flux;
+    if (std::fmod(nu - kFirst, kPlotStep) != kPlotStep - 5.0) continue;
+    line.x.push_back(nu - 0.5 * kPlotStep + 2.5), line.y.push_back(part / kPlotStep);
+    part = 0.0;
+  }
+  std::vector<double> sums(line.x.size(), 0.0);
+  for (const auto& row : rows) {
+    if (row[1] < kFirst - 2.5 || row[1] >= kLast - 2.5) continue;
+    theirs += row[2];
+    const std::size_t bin = static_cast<std::size_t>((row[1] - (kFirst - 2.5)) / kPlotStep);
+    if (bin < sums.size()) sums[bin] += row[2] / kPlotStep;
+  }
+  reference.x = line.x;
+  reference.y = sums;
+  section.figures.at_most(
+      "reptran_flux", 100.0 * std::abs(ours / theirs - 1.0), 1.5, "%",
+      format("REPTRAN fine, thermal flux down in the subarctic summer, 255 to 2900 cm-1 ({:.1f} W m-2): "
+             "difference",
+             theirs));
+  Plot plot;
+  plot.title = "Thermal flux that comes down to the ground, subarctic summer";
+  plot.x_label = "wavenumber, cm-1";
+  plot.y_label = "W m-2 per cm-1";
+  plot.series = {reference, line};
+  section.plots.push_back({"reptran_flux", plot, "Means over 60 cm-1."});
+}
+
+void add_windows(const AtmosphereOptions& options, AtmosphereSection& section) {
+  const std::string name = "atmosphere/modtran_tape7_pyradi/horizon5kmtropical_first12cols.txt";
+  const auto file = options.reference.file(name);
+  if (!file) return section.not_measured("modtran5_windows", "MODTRAN5, 5 km at the ground", name);
+  ProfileDescription description;
+  description.model = "tropical";
+  description.co2_ppm = 360.0;
+  description.ch4_ppm = 1.7;
+  description.n2o_ppm = 0.32;
+  const Profile profile = build_profile(description).profile;
+  const GasAmounts path = horizontal_amounts(profile, 0.0, 5.0);
+  const auto rows = number_rows(*file, 12);
+  for (const auto& [first, last] : std::vector<std::pair<double, double>>{{750, 1250},
+                                                                          {1900, 2250},
+                                                                          {2250, 2450},
+                                                                          {2450, 2900},
+                                                                          {4000, 4900},
+                                                                          {5600, 6700},
+                                                                          {7500, 9100},
+                                                                          {9300, 10300}}) {
+    Differences window;
+    for (const auto& row : rows)
+      if (row[0] >= first && row[0] <= last)
+        window.add(gas_transmittance(row[0], path, GasModel::standard),
+                   row[2] * row[3] * row[4] * row[5] * row[6] * row[7]);
+    section.figures.between(format("modtran5_{:g}_{:g}", first, last), window.mean(), -0.03, 0.03, "",
+                            format("MODTRAN5, 5 km at the ground, tropical: mean of our transmittance less "
+                                   "theirs, {:g} to {:g} cm-1",
+                                   first, last));
+  }
+}
+
+}  // namespace
+
+AtmosphereSection thermal_codes_section(const AtmosphereOptions& options) {
+  AtmosphereSection section;
+  section.title = "Thermal light, against other programs";
+  section.text =
+      "The sky's flux against REPTRAN, and windows of a long moist path (9.5 g cm-2 of water) against "
+      "MODTRAN5, gases "
+      "alone. From 2450 to 2900 cm-1 the lines of water, methane and nitrous oxide as known in 1986 absorb "
+      "too much on "
+      "such a path.";
+  add_flux(options, section);
+  add_windows(options, section);
+  return section;
+}
+
+}  // namespace ifov::studies
