@@ -16,8 +16,11 @@ struct CheckArguments {
   bool quiet = false, no_cache = false;
 };
 
-std::string description_of(const std::string& file, bool no_cache, LogSink& log) {
-  std::string text = session::Session::load(io::read_document(file), &log, {.scene_cache = !no_cache}).description();
+std::string description_of(const std::string& file, bool no_cache, Console& console) {
+  std::string text = session::Session::load(io::read_document(file), &console,
+                                             {.scene_cache = !no_cache, .progress = &console})
+                         .description();
+  console.finish();
   if (text.empty() || text.back() != '\n') text += '\n';
   return text;
 }

@@ -43,7 +43,7 @@ std::string progress_line(const Progress& progress, int width) {
   const double done = std::clamp(static_cast<double>(progress.pixels_done) / total, 0.0, 1.0);
   std::string line = format("{:5.1f} %", std::floor(1000.0 * done) / 10.0);
   if (done > 0.0) line += format("  {} left", short_duration(progress.elapsed_s * (1.0 - done) / done));
-  if (progress.elapsed_s > 0.0) {
+  if (progress.elapsed_s > 0.0 && progress.rays > 0) {
     line += format("  {} rays/s", short_count(static_cast<double>(progress.rays) / progress.elapsed_s));
   }
   if (progress.worst_error_ratio > 0.0 && progress.pixels_done > 0) {

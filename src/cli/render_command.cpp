@@ -53,7 +53,11 @@ ExitCode render(const RenderArguments& arguments) {
   Console console(arguments.quiet, arguments.log);
   try {
     const io::Document document = io::read_document(arguments.document);
-    const session::Session session = session::Session::load(document, &console, {.scene_cache = !arguments.no_cache});
+    const session::Session session = session::Session::load(document, &console,
+                                                             {.scene_cache = !arguments.no_cache,
+                                                              .threads = arguments.threads,
+                                                              .cancel = &cancel,
+                                                              .progress = &console});
     session::RunRequest request;
     session::RunOptions& options = request.options;
     options.threads = arguments.threads;

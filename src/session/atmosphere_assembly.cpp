@@ -14,65 +14,72 @@ namespace {
 constexpr std::size_t kMostNodes = 8;
 constexpr double kNodeTolerance = 5e-3;
 constexpr double kAboveAllAir_km = 100.0;
-/// Lines of sight closer to the horizon than this are not those of a plane-parallel atmosphere.
-constexpr double kLowestView_rad = 80.0 * std::numbers::pi / 180.0;
 
-atmosphere::SensorGeometry geometry_of(const Session::Parts& parts, double ground_km) {
-  const scene::Scene& scene = parts.scene;
+void warn(const Session::Parts& parts, const atmosphere::AtmosphereColumn& column,
+          const atmosphere::SensorAtmosphere& air, LogSink& log) {
+  for (const std::string& remark : column.remarks()) log.warn(format("atmosphere: {}", remark));
+  const std::string narrow = narrow_channels(parts.channels, air.unresolved_channels());
+  if (!narrow.empty()) log.warn(narrow);
+}
+
+}  // namespace
+
+atmosphere::AtmosphereColumn assemble_column(const io::Document& document) {
+  atmosphere::AtmosphereDescription description = document.atmosphere.modelled->description;
+  if (!description.air.ground_altitude_km && description.air.levels.empty())
+    description.air.ground_altitude_km = std::max(0.0, 1e-3 * document.scene.origin.height_m);
+  return atmosphere::AtmosphereColumn(description);
+}
+
+atmosphere::SensorGeometry sensor_geometry(const io::Document& document, const sensor::Camera& camera,
+                                           const std::optional<scene::Sun>& sun, double ground_km) {
   atmosphere::SensorGeometry geometry;
-  const sampling::FocalPoint centre{0.5 * parts.camera->width_px(), 0.5 * parts.camera->height_px()};
+  const sampling::FocalPoint centre{0.5 * camera.width_px(), 0.5 * camera.height_px()};
   math::Ray ray;
-  parts.camera->rays({&centre, 1}, {&ray, 1});
+  camera.rays({&centre, 1}, {&ray, 1});
   const math::Vec3 up = -ray.direction;
   geometry.view_zenith_rad = std::acos(std::clamp(up.z, -1.0, 1.0));
   if (!(geometry.view_zenith_rad <= kLowestView_rad))
-    throw InputError(format("under a modelled atmosphere the camera must look down, at most {:.0f} degrees from the "
-                            "nadir; the middle of its image looks {:.1f} degrees away",
-                            kLowestView_rad * 180.0 / std::numbers::pi,
-                            geometry.view_zenith_rad * 180.0 / std::numbers::pi));
-  if (scene.sun && scene.sun->direction.z > 0.0) {
-    const math::Vec3 sun = scene.sun->direction;
-    geometry.sun_zenith_rad = std::acos(std::clamp(sun.z, -1.0, 1.0));
-    geometry.view_azimuth_rad = std::atan2(up.x, up.y) - std::atan2(sun.x, sun.y);
+    throw io::document_error(
+        document, document.sensor.camera.position,
+        format("under a modelled atmosphere the camera must look down, at most {:.0f} degrees from the nadir; the middle "
+               "of its image looks {:.1f} degrees away",
+               kLowestView_rad * 180.0 / std::numbers::pi, geometry.view_zenith_rad * 180.0 / std::numbers::pi));
+  if (sun && sun->direction.z > 0.0) {
+    const math::Vec3 towards = sun->direction;
+    geometry.sun_zenith_rad = std::acos(std::clamp(towards.z, -1.0, 1.0));
+    geometry.view_azimuth_rad = std::atan2(up.x, up.y) - std::atan2(towards.x, towards.y);
   }
-  const bool frame = std::holds_alternative<io::FrameCamera>(parts.document.sensor.camera.model);
+  const bool frame = std::holds_alternative<io::FrameCamera>(document.sensor.camera.model);
   geometry.sensor_altitude_km = frame ? ground_km + 1e-3 * ray.origin_m.z : kAboveAllAir_km;
-  if (parts.document.atmosphere.modelled->sensor_altitude_km)
-    geometry.sensor_altitude_km = *parts.document.atmosphere.modelled->sensor_altitude_km;
+  if (document.atmosphere.modelled->sensor_altitude_km)
+    geometry.sensor_altitude_km = *document.atmosphere.modelled->sensor_altitude_km;
   if (!(geometry.sensor_altitude_km > ground_km))
     throw InputError(format("the sensor stands at {:g} km, not above the ground at {:g} km",
                             geometry.sensor_altitude_km, ground_km));
   return geometry;
 }
 
-void warn(const Session::Parts& parts, const atmosphere::AtmosphereColumn& column,
-          const atmosphere::SensorAtmosphere& air, LogSink& log) {
-  for (const std::string& remark : column.remarks()) log.warn(format("atmosphere: {}", remark));
-  const std::vector<std::size_t>& narrow = air.unresolved_channels();
-  if (narrow.empty()) return;
+std::string narrow_channels(std::span<const radiometry::Channel> channels, const std::vector<std::size_t>& narrow) {
+  if (narrow.empty()) return {};
   std::string names;
   constexpr std::size_t kNamed = 4;
   for (std::size_t k = 0; k < std::min(kNamed, narrow.size()); ++k)
-    names += format("{}'{}'", k == 0 ? "" : ", ", parts.channels[narrow[k]].name);
+    names += format("{}'{}'", k == 0 ? "" : ", ", channels[narrow[k]].name);
   if (narrow.size() > kNamed) names += format(" and {} more", narrow.size() - kNamed);
-  log.warn(format("channels narrower than the {:g} cm-1 that the atmosphere's band model resolves: {}; their absorption "
-                  "is that of a channel of this width (wider channels, or spectra from a line-by-line code under "
-                  "'tabulated', are right)",
-                  atmosphere::kResolution_cm1, names));
+  return format("channels narrower than the {:g} cm-1 that the atmosphere's band model resolves: {}; their absorption "
+                "is that of a channel of this width (wider channels, or spectra from a line-by-line code under "
+                "'tabulated', are right)",
+                atmosphere::kResolution_cm1, names);
 }
-
-}  // namespace
 
 std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(const Session::Parts& parts,
                                                                   std::span<const radiometry::Spectrum> surfaces,
-                                                                  radiometry::NodeDemands demands, int threads,
-                                                                  LogSink* log) {
+                                                                  radiometry::NodeDemands demands,
+                                                                  const AtmosphereWork& work) {
   const io::Document& document = parts.document;
   return with_position(document, document.atmosphere.position, [&] {
-    atmosphere::AtmosphereDescription description = document.atmosphere.modelled->description;
-    if (!description.air.ground_altitude_km && description.air.levels.empty())
-      description.air.ground_altitude_km = std::max(0.0, 1e-3 * document.scene.origin.height_m);
-    const atmosphere::AtmosphereColumn column(description);
+    const atmosphere::AtmosphereColumn column = assemble_column(document);
     atmosphere::SensorAtmosphere::Inputs inputs;
     inputs.channels = parts.channels;
     if (parts.scene.sun) inputs.solar_irradiance = parts.scene.sun->irradiance;
@@ -80,10 +87,13 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(const Session:
     inputs.demands = demands;
     inputs.demands.most_nodes = kMostNodes;
     inputs.demands.tolerance = kNodeTolerance;
-    inputs.geometry = geometry_of(parts, column.levels().altitude_km.front());
-    inputs.threads = threads;
+    inputs.geometry = sensor_geometry(document, *parts.camera, parts.scene.sun,
+                                      column.levels().altitude_km.front());
+    inputs.threads = work.threads;
+    inputs.kept = work.kept;
+    inputs.progress = work.progress;
     auto air = std::make_unique<atmosphere::SensorAtmosphere>(column, inputs);
-    if (log != nullptr) warn(parts, column, *air, *log);
+    if (work.log != nullptr) warn(parts, column, *air, *work.log);
     return air;
   });
 }

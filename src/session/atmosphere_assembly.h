@@ -1,6 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "core/run_control.h"
@@ -8,11 +14,32 @@
 
 namespace ifov::session {
 
+/// Lines of sight closer to the horizon than this are not those of a plane-parallel atmosphere.
+inline constexpr double kLowestView_rad = 80.0 * std::numbers::pi / 180.0;
+
+/// The air that a document with a modelled atmosphere describes. Throws InputError.
+atmosphere::AtmosphereColumn assemble_column(const io::Document& document);
+
+/// Sun and sensor over ground at this altitude. Throws InputError, at the place in the document.
+atmosphere::SensorGeometry sensor_geometry(const io::Document& document, const sensor::Camera& camera,
+                                           const std::optional<scene::Sun>& sun, double ground_km);
+
+/// The warning about channels (by index) that are narrower than the band model resolves; empty without any.
+std::string narrow_channels(std::span<const radiometry::Channel> channels, const std::vector<std::size_t>& narrow);
+
+/// How an atmosphere is worked out; the pointers may be null.
+struct AtmosphereWork {
+  int threads = 0;
+  atmosphere::KeptSolutions* kept = nullptr;
+  std::function<void(std::size_t, std::size_t)> progress;  ///< solutions done, of how many; may throw
+  LogSink* log = nullptr;
+};
+
 /// The document's modelled atmosphere as the channels of its sensor see it from its camera. `surfaces` and `demands`
 /// as for radiometry::SpectralNodes::build. Throws InputError, at the place in the document.
 std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(const Session::Parts& parts,
                                                                   std::span<const radiometry::Spectrum> surfaces,
-                                                                  radiometry::NodeDemands demands, int threads,
-                                                                  LogSink* log);
+                                                                  radiometry::NodeDemands demands,
+                                                                  const AtmosphereWork& work);
 
 }  // namespace ifov::session

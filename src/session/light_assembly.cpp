@@ -1,8 +1,10 @@
 #include "session/light_assembly.h"
 
+#include <cmath>
 #include <numbers>
 
 #include "geodesy/sun_position.h"
+#include "radiometry/planck.h"
 #include "radiometry/solar_spectrum.h"
 #include "session/spectrum_assembly.h"
 #include "session/with_position.h"
@@ -10,6 +12,30 @@
 namespace ifov::session {
 
 namespace {
+
+/// DIRSIG's simple atmosphere: a blackbody scaled so that a surface that faces it has what it gets on a clear day.
+radiometry::Spectrum simple_sunlight() {
+  constexpr double kTemperature_k = 5800.0, kClearDay_w_m2 = 1000.0, kStefanBoltzmann_w_m2_k4 = 5.670374419e-8;
+  constexpr double kFirst_um = 0.2, kLast_um = 50.0;
+  constexpr int kSteps = 600;
+  const double scale =
+      std::numbers::pi * kClearDay_w_m2 / (kStefanBoltzmann_w_m2_k4 * std::pow(kTemperature_k, 4));
+  std::vector<double> wavelength_um, irradiance;
+  for (int k = 0; k <= kSteps; ++k) {
+    wavelength_um.push_back(kFirst_um * std::pow(kLast_um / kFirst_um, static_cast<double>(k) / kSteps));
+    irradiance.push_back(scale * radiometry::planck_w_m2_sr_um(wavelength_um.back(), kTemperature_k));
+  }
+  return {std::move(wavelength_um), std::move(irradiance), radiometry::OutsideRange::extend, "blackbody Sun"};
+}
+
+/// What an atmosphere says of sunlight at the ground; nothing: sunlight above the air counts.
+std::optional<radiometry::Spectrum> sunlight_at_ground(const io::Document& document) {
+  const io::AtmosphereDocument& air = document.atmosphere;
+  if (air.simple) return simple_sunlight();
+  if (air.uniform) return radiometry::Spectrum::constant(air.uniform->direct_w_m2_um);
+  if (air.four_curve) return assemble_spectrum(document, air.four_curve->direct, "direct irradiance");
+  return std::nullopt;
+}
 
 scene::Sun assemble_sun(const io::Document& document, const io::SunDocument& source) {
   scene::Sun sun;
@@ -30,6 +56,10 @@ scene::Sun assemble_sun(const io::Document& document, const io::SunDocument& sou
     distance_au = geodesy::sun_position(*document.time, 0.0, 0.0).distance_au;
   }
   if (source.distance_au) distance_au = *source.distance_au;
+  if (const std::optional<radiometry::Spectrum> at_ground = sunlight_at_ground(document)) {
+    sun.irradiance = *at_ground;
+    return sun;
+  }
   const radiometry::Spectrum at_1au = source.irradiance
                                           ? assemble_spectrum(document, *source.irradiance, "irradiance of the Sun")
                                           : radiometry::solar_irradiance_1au();
@@ -38,6 +68,22 @@ scene::Sun assemble_sun(const io::Document& document, const io::SunDocument& sou
     sun.transmittance =
         assemble_spectrum(document, *document.atmosphere.tabulated->sun_transmittance, "transmittance to the Sun");
   return sun;
+}
+
+/// Sky and path of DIRSIG's atmospheres.
+void assemble_plain_air(const io::Document& document, scene::Scene& scene) {
+  const io::AtmosphereDocument& air = document.atmosphere;
+  if (air.simple) scene.sky.temperature_k = air.simple->sky_temperature_k;
+  if (air.uniform)
+    scene.sky.radiance = radiometry::Spectrum::constant(air.uniform->diffuse_w_m2_um / std::numbers::pi);
+  if (!air.four_curve) return;
+  const io::FourCurveAtmosphere& curves = *air.four_curve;
+  const double lengths = curves.distance_m / curves.length_m;
+  scene.sky.radiance =
+      assemble_spectrum(document, curves.diffuse, "diffuse irradiance").scaled(1.0 / std::numbers::pi);
+  scene.view_path.transmittance = assemble_spectrum(document, curves.transmittance, "transmittance to the sensor")
+                                      .mapped([&](double t) { return std::pow(t, lengths); });
+  scene.view_path.radiance = assemble_spectrum(document, curves.path_radiance, "path radiance").scaled(lengths);
 }
 
 }  // namespace
@@ -68,6 +114,7 @@ void assemble_light(const io::Document& document, scene::Scene& scene) {
     if (table.path_radiance)
       scene.view_path.radiance = assemble_spectrum(document, *table.path_radiance, "path radiance");
   }
+  with_position(document, document.atmosphere.position, [&] { assemble_plain_air(document, scene); });
 }
 
 }  // namespace ifov::session

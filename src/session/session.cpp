@@ -1,10 +1,12 @@
 #include "session/session.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 
 #include "core/version.h"
 #include "session/atmosphere_assembly.h"
+#include "session/atmosphere_cache.h"
 #include "session/parts.h"
 #include "session/scene_assembly.h"
 #include "session/sensor_assembly.h"
@@ -45,9 +47,23 @@ void warn_of_cold_surfaces(const Session::Parts& parts, LogSink& log) {
 /// Channels integrate within this of a full integration.
 constexpr double kChannelError = 1e-3;
 
-/// Spectral nodes for what light can do in the scene: how often it is reflected, and how hot surfaces are.
-/// Spectral nodes for the sensor, with the atmosphere where one is modelled.
-void build_nodes(Session::Parts& parts, LogSink* log) {
+/// Tells how many of the atmosphere's solutions are there, and ends the work when asked to.
+std::function<void(std::size_t, std::size_t)> atmosphere_progress(const LoadOptions& options) {
+  if (options.progress == nullptr && options.cancel == nullptr) return {};
+  return [options, start = std::chrono::steady_clock::now()](std::size_t done, std::size_t total) {
+    if (options.cancel != nullptr && options.cancel->cancelled()) throw Cancelled();
+    if (options.progress == nullptr) return;
+    Progress progress;
+    progress.pixels_done = static_cast<std::int64_t>(done);
+    progress.pixels_total = static_cast<std::int64_t>(total);
+    progress.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    options.progress->report(progress);
+  };
+}
+
+/// Spectral nodes for what light can do in the scene (how often it is reflected, and how hot surfaces are), behind the
+/// atmosphere where one is modelled.
+void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept) {
   const scene::Scene& scene = parts.scene;
   std::vector<radiometry::Spectrum> surfaces;
   for (const materials::Material& material : scene.materials) {
@@ -82,7 +98,8 @@ void build_nodes(Session::Parts& parts, LogSink* log) {
     demands.coldest_k = demands.hottest_k = 0.0;
   }
   if (parts.document.atmosphere.modelled) {
-    parts.atmosphere = assemble_atmosphere(parts, surfaces, demands, 0, log);
+    parts.atmosphere = assemble_atmosphere(
+        parts, surfaces, demands, {options.threads, kept, atmosphere_progress(options), log});
     parts.nodes = &parts.atmosphere->nodes();
     parts.spectral_scene = std::make_unique<render::SpectralScene>(scene, *parts.atmosphere);
     return;
@@ -128,12 +145,24 @@ Session Session::load(const io::Document& document, LogSink* log, const LoadOpti
   if (options.scene_cache)
     cache.emplace(std::filesystem::path(document.file_name).replace_extension(".ifovcache"), version(), log);
   p.scene = assemble_scene(document, log, p.map_scales, cache ? &*cache : nullptr);
-  if (cache) cache->save();
   p.channels = assemble_channels(document);
   p.camera = assemble_camera(document, p.scene);
   p.footprint = std::make_unique<sampling::PixelFootprint>(assemble_footprint(document));
   p.plan = assemble_sampling(document, p.channels);
-  with_position(document, document.sensor.position, [&] { build_nodes(p, log); });
+  std::optional<AtmosphereCache> solutions;
+  if (cache && document.atmosphere.modelled) solutions.emplace(*cache);
+  const auto save = [&] {
+    if (solutions) solutions->save();
+    if (cache) cache->save();
+  };
+  try {
+    with_position(document, document.sensor.position,
+                  [&] { build_nodes(p, log, options, solutions ? &*solutions : nullptr); });
+  } catch (...) {
+    save();
+    throw;
+  }
+  save();
   if (log != nullptr && p.nodes->worst_error() > kChannelError)
     log->warn(format("the nodes of the channels integrate some product of spectra only within {:.2g} %",
                      100.0 * p.nodes->worst_error()));

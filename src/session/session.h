@@ -23,7 +23,11 @@ struct RunOptions {
 };
 
 struct LoadOptions {
-  bool scene_cache = false;  ///< keep what is worked out from large files beside the document, and use it
+  /// Keep what is worked out from large files and for the atmosphere beside the document, and use it.
+  bool scene_cache = false;
+  int threads = 0;                       ///< for the atmosphere; 0: all cores
+  const CancelToken* cancel = nullptr;   ///< asked while the atmosphere is worked out
+  ProgressSink* progress = nullptr;      ///< of the atmosphere: solutions instead of pixels
 };
 
 struct ProductFile {

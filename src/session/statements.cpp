@@ -7,8 +7,11 @@ namespace ifov::session {
 std::string describe(const Session::Parts& parts) {
   std::string text = format("scene: {} objects, {} triangles, {} materials\n", parts.scene.world->object_count(),
                             parts.scene.world->triangle_count(), parts.document.scene.materials.size());
-  text += format("light: {}, {}\n", parts.scene.sun ? "sun" : "no sun",
-                 parts.scene.sky.radiance || parts.scene.sky.temperature_k ? "sky" : "no sky");
+  const bool sky = parts.scene.sky.radiance || parts.scene.sky.temperature_k || parts.atmosphere;
+  text += format("light: {}, {}\n", parts.scene.sun ? "sun" : "no sun", sky ? "sky" : "no sky");
+  if (parts.atmosphere)
+    text += format("atmosphere: {} ('ifov atmosphere {}' shows it)\n",
+                   parts.document.atmosphere.modelled->description.air.model, parts.document.file_name);
   text += format("sensor: {} x {} pixels, {} channels ({} spectral nodes)\n", parts.info.width_px,
                  parts.info.height_px, parts.channels.size(), parts.nodes->node_count());
   text += format("sampling: {}\n",

@@ -111,8 +111,51 @@ Propagation ChannelScattering::towards_sensor() const {
   return {std::cos(geometry_.view_zenith_rad), geometry_.view_azimuth_rad - std::numbers::pi};
 }
 
-void ChannelScattering::solve(const ColumnSolver& solver, std::size_t solution) {
+/// All that a solution depends on but the program: whoever keeps answers keeps them by its version.
+std::vector<double> ChannelScattering::question(const ColumnSolver& solver, const Node& node) const {
+  const ScatteringOptions& options = solver.options();
+  std::vector<double> all{*geometry_.sun_zenith_rad, geometry_.view_zenith_rad, geometry_.view_azimuth_rad,
+                          geometry_.sensor_altitude_km, options.aerosol_polarization, options.sublayer_depth,
+                          options.tolerance};
+  for (const int count : {options.nodes_per_hemisphere, options.polarized ? 1 : 0, options.spherical_earth ? 1 : 0,
+                          options.most_sublayers, options.most_orders})
+    all.push_back(count);
+  const LayerOptics& optics = node.optics;
+  for (const std::vector<double>* list :
+       {&column_.levels().altitude_km, &optics.gas_absorption, &optics.rayleigh_scattering,
+        &optics.aerosol_scattering, &optics.aerosol_absorption, &optics.aerosol_asymmetry, &directions_.zenith_rad,
+        &directions_.azimuth_rad}) {
+    all.push_back(static_cast<double>(list->size()));
+    all.insert(all.end(), list->begin(), list->end());
+  }
+  all.push_back(optics.depolarization);
+  return all;
+}
+
+void ChannelScattering::solve(const ColumnSolver& solver, std::size_t solution, KeptSolutions* kept) {
   Node& node = nodes_[solution];
+  if (kept == nullptr) return solve(solver, node);
+  const std::size_t zeniths = directions_.zenith_rad.size(), azimuths = directions_.azimuth_rad.size();
+  const std::vector<double> asked = question(solver, node);
+  std::vector<double> answer(4 + zeniths * (azimuths + 1));
+  if (!kept->find(asked, answer)) {
+    solve(solver, node);
+    answer = {node.path, node.sky_irradiance, node.diffuse_transmittance, node.spherical_albedo};
+    answer.insert(answer.end(), node.sky.begin(), node.sky.end());
+    answer.insert(answer.end(), node.groundlit.begin(), node.groundlit.end());
+    kept->keep(asked, answer);
+    return;
+  }
+  node.path = answer[0];
+  node.sky_irradiance = answer[1];
+  node.diffuse_transmittance = answer[2];
+  node.spherical_albedo = answer[3];
+  const auto sky = answer.begin() + 4, groundlit = sky + static_cast<std::ptrdiff_t>(zeniths * azimuths);
+  node.sky.assign(sky, groundlit);
+  node.groundlit.assign(groundlit, answer.end());
+}
+
+void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
   const double ground_km = column_.levels().altitude_km.front(), sensor_km = geometry_.sensor_altitude_km;
   const ColumnSolution solved = solver.solve(column_.levels(), node.optics, *geometry_.sun_zenith_rad);
   const PathLight path = solved.sunlit().path(towards_sensor(), sensor_km);

@@ -4,6 +4,7 @@
 
 #include "atmosphere/scattering/column_solver.h"
 #include "atmosphere/sensor/channel_points.h"
+#include "atmosphere/sensor/kept_solutions.h"
 #include "atmosphere/sensor/sky_directions.h"
 
 namespace ifov::atmosphere {
@@ -20,8 +21,9 @@ class ChannelScattering {
                     const ScatteringOptions& options);
 
   std::size_t solutions() const { return nodes_.size(); }
-  /// Solves one of them; different ones may be solved at the same time.
-  void solve(const ColumnSolver& solver, std::size_t solution);
+  /// Solves one of them, or takes it from what is kept (may be null); different ones may be solved at the same
+  /// time.
+  void solve(const ColumnSolver& solver, std::size_t solution, KeptSolutions* kept = nullptr);
 
   /// By point, once everything is solved. Radiances and irradiances are of the Sun's light at the point.
   struct AtPoints {
@@ -47,6 +49,8 @@ class ChannelScattering {
     double path = 0.0, sky_irradiance = 0.0, diffuse_transmittance = 0.0, spherical_albedo = 0.0;
     std::vector<double> sky, groundlit;
   };
+  void solve(const ColumnSolver& solver, Node& node) const;
+  std::vector<double> question(const ColumnSolver& solver, const Node& node) const;
   void choose_nodes();
   LayerOptics optics_at(double log_wavelength, double depth) const;
   Propagation towards_sensor() const;

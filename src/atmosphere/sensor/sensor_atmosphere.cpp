@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 #include <numeric>
 
@@ -65,9 +66,14 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
     for (std::size_t k = 0; k < lights.scattering->solutions(); ++k) tasks.push_back({&lights, k});
   }
   const ColumnSolver solver(inputs.scattering);
+  std::mutex telling;
+  std::size_t solved = 0;
   parallel_for(static_cast<std::int64_t>(tasks.size()), inputs.threads, [&](std::int64_t k) {
     const Task task = tasks[static_cast<std::size_t>(k)];
-    task.lights->scattering->solve(solver, task.solution);
+    task.lights->scattering->solve(solver, task.solution, inputs.kept);
+    if (!inputs.progress) return;
+    const std::scoped_lock lock(telling);
+    inputs.progress(++solved, tasks.size());
   });
   parallel_for(static_cast<std::int64_t>(channels.size()), inputs.threads, [&](std::int64_t k) {
     ChannelLights& lights = channels[static_cast<std::size_t>(k)];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/scattering/scattering_options.h"
 #include "atmosphere/sensor/channel_points.h"
+#include "atmosphere/sensor/kept_solutions.h"
 #include "atmosphere/sensor/sky_directions.h"
 #include "radiometry/spectral_nodes.h"
 
@@ -29,6 +31,9 @@ class SensorAtmosphere {
     std::optional<SkyDirections> sky = {};  ///< none: the standard ones
     ScatteringOptions scattering;
     int threads = 0;
+    KeptSolutions* kept = nullptr;  ///< solutions from before, if any
+    /// Told how many solutions of how many are there, one call at a time; may throw to end it.
+    std::function<void(std::size_t, std::size_t)> progress = {};
   };
   SensorAtmosphere(const AtmosphereColumn& column, const Inputs& inputs);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "atmosphere/column/atmosphere_column.h"
 #include "io/document/spectrum_document.h"
@@ -15,6 +16,25 @@ struct TabulatedAtmosphere {
   std::optional<SpectrumDocument> sun_transmittance;
 };
 
+/// DIRSIG's SimpleAtm: a Sun of 5800 K as bright as on a clear day, a sky that only glows, and clear air.
+struct SimpleAtmosphere {
+  double sky_temperature_k = 0.0;
+};
+
+/// DIRSIG's UniformAtm: the same light at all wavelengths, and clear air.
+struct UniformAtmosphere {
+  double direct_w_m2_um = 0.0;   ///< across the beam, at the ground
+  double diffuse_w_m2_um = 0.0;  ///< of the sky, on level ground
+};
+
+/// DIRSIG's FourCurveAtm: light at the ground, and air that is the same all along a path.
+struct FourCurveAtmosphere {
+  SpectrumDocument direct, diffuse;               ///< irradiance across the beam; of the sky on level ground
+  SpectrumDocument transmittance, path_radiance;  ///< of each `length_m`
+  double length_m = 1.0;
+  double distance_m = 0.0;  ///< from the scene to the camera
+};
+
 /// An atmosphere computed from its state.
 struct ModelledAtmosphere {
   atmosphere::AtmosphereDescription description;
@@ -23,7 +43,14 @@ struct ModelledAtmosphere {
 
 struct AtmosphereDocument {
   std::optional<TabulatedAtmosphere> tabulated;
+  std::optional<SimpleAtmosphere> simple;
+  std::optional<UniformAtmosphere> uniform;
+  std::optional<FourCurveAtmosphere> four_curve;
   std::optional<ModelledAtmosphere> modelled;
+  /// What makes the sky, by its key; empty: the light's own 'sky'.
+  std::string sky_maker() const {
+    return modelled ? "profile" : simple ? "simple" : uniform ? "uniform" : four_curve ? "four_curve" : "";
+  }
   SourcePosition position;
 };
 

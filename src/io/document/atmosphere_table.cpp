@@ -28,6 +28,44 @@ Kind<TabulatedAtmosphere> tabulated_kind() {
   return record.kind();
 }
 
+Kind<SimpleAtmosphere> simple_kind() {
+  Record<SimpleAtmosphere> record("simple atmosphere",
+                                  "A Sun of 5800 K that gives 1000 W m-2 across its beam, a black sky that glows, and "
+                                  "air that neither absorbs nor shines.");
+  record.required("sky_temperature", &SimpleAtmosphere::sky_temperature_k,
+                  quantity(kTemperature, Range::at_least(0.0, "K")), "of the sky as a blackbody");
+  return record.kind();
+}
+
+Kind<UniformAtmosphere> uniform_kind() {
+  const Kind<double> irradiance = quantity(kIrradiance, Range::at_least(0.0, "W m-2 um-1"));
+  Record<UniformAtmosphere> record("uniform atmosphere",
+                                   "The same light at all wavelengths, and air that neither absorbs nor shines.");
+  record.required("direct", &UniformAtmosphere::direct_w_m2_um, irradiance, "of the Sun at the ground, across its beam")
+      .required("diffuse", &UniformAtmosphere::diffuse_w_m2_um, irradiance,
+                "of the sky, the same in every direction, on level ground");
+  return record.kind();
+}
+
+Kind<FourCurveAtmosphere> four_curve_kind() {
+  Record<FourCurveAtmosphere> record("four-curve atmosphere",
+                                     "Light at the ground, and air that is the same all along the path to the camera.");
+  record
+      .required("direct", &FourCurveAtmosphere::direct, spectrum_kind(SpectrumOf::irradiance),
+                "of the Sun at the ground, across its beam")
+      .required("diffuse", &FourCurveAtmosphere::diffuse, spectrum_kind(SpectrumOf::irradiance),
+                "of the sky, the same in every direction, on level ground")
+      .required("transmittance", &FourCurveAtmosphere::transmittance, spectrum_kind(SpectrumOf::fraction),
+                "of a length of path")
+      .required("path_radiance", &FourCurveAtmosphere::path_radiance, spectrum_kind(SpectrumOf::radiance),
+                "that a length of path adds")
+      .with_default("length", &FourCurveAtmosphere::length_m, quantity(kLength, Range::above(0.0, "m")), "\"1 m\"",
+                    "the length that transmittance and path radiance are for")
+      .required("distance", &FourCurveAtmosphere::distance_m, quantity(kLength, Range::at_least(0.0, "m")),
+                "from the scene to the camera, the same for all pixels");
+  return record.kind();
+}
+
 Kind<AerosolDescription> aerosol_kind() {
   Record<AerosolDescription> record("aerosol", "Haze and dust (Shettle and Fenn 1979).");
   record
@@ -64,6 +102,20 @@ Kind<UserLevel> level_kind() {
   return record.kind();
 }
 
+/// Where a level of a profile stands on another, or weighs more than it.
+void check_levels(const DocumentNode& atmosphere, const std::vector<UserLevel>& levels) {
+  for (std::size_t k = 1; k < levels.size(); ++k) {
+    const UserLevel &below = levels[k - 1], &here = levels[k];
+    const DocumentNode& node = atmosphere.find("levels")->items()[k];
+    if (!(here.altitude_km > below.altitude_km))
+      node.find("altitude")->fail(format("the altitudes of a profile must rise: {:g} km follows {:g} km",
+                                         here.altitude_km, below.altitude_km));
+    if (!(here.pressure_hPa < below.pressure_hPa))
+      node.find("pressure")->fail(format("the pressures of a profile must fall: {:g} hPa follows {:g} hPa",
+                                         here.pressure_hPa, below.pressure_hPa));
+  }
+}
+
 /// Stores into a part of the modelled atmosphere.
 template <class Part, class V>
 auto into(Part part, V value) {
@@ -82,6 +134,9 @@ Kind<AtmosphereDocument> atmosphere_kind() {
   Record<AtmosphereDocument> record("atmosphere", "What lies between Sun, scene and camera.");
   record.at_most_one()
       .one("tabulated", &AtmosphereDocument::tabulated, tabulated_kind(), "spectra; those not given change nothing")
+      .one("simple", &AtmosphereDocument::simple, simple_kind(), "no air, a Sun like a blackbody")
+      .one("uniform", &AtmosphereDocument::uniform, uniform_kind(), "no air, light without colour")
+      .one("four_curve", &AtmosphereDocument::four_curve, four_curve_kind(), "four spectra, the same for every path")
       .one("profile", into(air, &ProfileDescription::model), word(atmosphere::model_atmosphere_names()),
            "the model atmosphere (Anderson et al. 1986) that gives pressure, temperature and gases where the keys "
            "below say nothing else")
@@ -121,6 +176,15 @@ Kind<AtmosphereDocument> atmosphere_kind() {
             AtmosphereDocument document = kind.read(node);
             // Defaults of the model's keys stand for nothing without a profile.
             if (node.find("profile") == nullptr) document.modelled.reset();
+            if (document.modelled) {
+              const ProfileDescription& profile = document.modelled->description.air;
+              check_levels(node, profile.levels);
+              const std::optional<double>& sensor_km = document.modelled->sensor_altitude_km;
+              if (sensor_km && profile.ground_altitude_km && *sensor_km <= *profile.ground_altitude_km)
+                node.find("sensor_altitude")
+                    ->fail(format("the sensor stands at {:g} km, not above the ground at {:g} km", *sensor_km,
+                                  *profile.ground_altitude_km));
+            }
             return document;
           }};
 }

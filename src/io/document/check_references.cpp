@@ -157,9 +157,16 @@ class ReferenceCheck {
   }
 
   void check_sky() const {
-    if (!document_.atmosphere.modelled || std::holds_alternative<NoSky>(document_.light.sky)) return;
-    throw document_error(document_, document_.light.position,
-                         "the sky follows from the atmosphere's 'profile': leave out 'sky', or the profile");
+    const std::string maker = document_.atmosphere.sky_maker();
+    if (maker.empty()) return;
+    const LightDocument& light = document_.light;
+    if (!std::holds_alternative<NoSky>(light.sky))
+      throw document_error(document_, light.sky_position,
+                           format("the sky follows from the atmosphere's '{0}': leave out 'sky', or '{0}'", maker));
+    if (maker != "profile" && light.sun && light.sun->irradiance)
+      throw document_error(document_, light.sun->position,
+                           format("the Sun's light follows from the atmosphere's '{0}': leave out 'spectrum', or '{0}'",
+                                  maker));
   }
 
   void check_psf() const {

@@ -41,6 +41,7 @@ struct SurroundingsDocument {
 struct LightDocument {
   std::optional<SunDocument> sun;
   std::variant<NoSky, SkyTemperature, SkyRadiance> sky;
+  SourcePosition sky_position;
   std::optional<SurroundingsDocument> surroundings;  ///< absent: black and at 0 K
   SourcePosition position;
 };

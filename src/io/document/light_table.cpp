@@ -42,6 +42,7 @@ Kind<SunDocument> sun_kind() {
 
 struct SkyEntry {
   std::variant<NoSky, SkyTemperature, SkyRadiance> sky;
+  SourcePosition position;
 };
 
 Kind<SkyEntry> sky_kind() {
@@ -82,7 +83,12 @@ Kind<LightDocument> light_kind() {
   Record<LightDocument> record("light", "What shines on the scene. Warm surfaces always emit.");
   record.optional("sun", &LightDocument::sun, sun_kind(), "without it no sunlight")
       .optional(
-          "sky", [](LightDocument& light, SkyEntry entry) { light.sky = std::move(entry.sky); }, sky_kind(),
+          "sky",
+          [](LightDocument& light, SkyEntry entry) {
+            light.sky = std::move(entry.sky);
+            light.sky_position = entry.position;
+          },
+          sky_kind(),
           "without it a black sky")
       .optional("surroundings", &LightDocument::surroundings, surroundings_kind(),
                 "without them black and cold");

@@ -29,8 +29,7 @@ std::optional<SizeAndTime> look_at(const std::filesystem::path& file) {
 
 std::array<std::uint64_t, 2> hash_of(const std::filesystem::path& file) {
   const MappedFile mapped(file);
-  const XXH128_hash_t hash = XXH3_128bits(mapped.bytes().data(), mapped.bytes().size());
-  return {hash.low64, hash.high64};
+  return content_hash(mapped.bytes());
 }
 
 /// The folder of a bare file name is empty, and is the current one.
@@ -39,6 +38,11 @@ std::filesystem::path absolute_path(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+std::array<std::uint64_t, 2> content_hash(std::span<const std::byte> bytes) {
+  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+  return {hash.low64, hash.high64};
+}
 
 std::string name_beside(const std::filesystem::path& file, const std::filesystem::path& folder) {
   return absolute_path(file).lexically_proximate(absolute_path(folder)).string();

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 
 namespace ifov::io {
@@ -16,6 +18,9 @@ struct FileStamp {
   std::array<std::uint64_t, 2> hash{};  ///< XXH3, 128 bits, of its bytes
   friend bool operator==(const FileStamp&, const FileStamp&) = default;
 };
+
+/// XXH3, 128 bits.
+std::array<std::uint64_t, 2> content_hash(std::span<const std::byte> bytes);
 
 /// The path of a file relative to a folder, both taken from the working directory.
 std::string name_beside(const std::filesystem::path& file, const std::filesystem::path& folder);

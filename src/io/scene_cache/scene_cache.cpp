@@ -177,6 +177,12 @@ void SceneCache::put(const std::string& name, std::vector<FileStamp> made_from,
   }
 }
 
+void SceneCache::replace(const std::string& name, std::vector<FileStamp> made_from,
+                         std::span<const std::span<const std::byte>> pieces) {
+  std::erase_if(records_, [&](const Record& record) { return record.name == name; });
+  put(name, std::move(made_from), pieces);
+}
+
 void SceneCache::save() {
   const bool dropped = std::any_of(records_.begin(), records_.end(), [](const Record& r) { return !r.found; });
   const bool any = std::any_of(records_.begin(), records_.end(), [](const Record& r) { return r.found; });

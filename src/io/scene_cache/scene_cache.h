@@ -41,6 +41,10 @@ class SceneCache {
   void put(const std::string& name, std::vector<FileStamp> made_from,
            std::span<const std::span<const std::byte>> pieces);
 
+  /// The same in place of a record that was found.
+  void replace(const std::string& name, std::vector<FileStamp> made_from,
+               std::span<const std::span<const std::byte>> pieces);
+
   /// A record that was found makes no sense to its reader: the log is told, and it is not kept.
   void reject(const std::string& name);
 

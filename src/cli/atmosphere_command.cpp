@@ -1,0 +1,146 @@
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdio>
+#include <numbers>
+
+#include "cli/command.h"
+#include "cli/console.h"
+#include "cli/interrupt.h"
+#include "core/error.h"
+#include "core/format.h"
+#include "io/products/part_file.h"
+#include "session/atmosphere_survey.h"
+
+namespace ifov::cli {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kLowestSun_deg = 90.0, kLowestView_deg = 80.0;
+
+struct AtmosphereArguments {
+  std::string document, plot, csv, sun, view, channel;
+  std::optional<double> altitude_km;
+  int threads = 0;
+  bool quiet = false, wants_plot = false;
+};
+
+/// "30,135": zenith angle and azimuth in degrees.
+session::AtmosphereQuestion::Direction direction(const std::string& option, const std::string& text,
+                                                 double lowest_deg) {
+  const std::size_t comma = text.find(',');
+  const auto number = [&](std::string_view part) -> std::optional<double> {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (error != std::errc() || end != part.data() + part.size()) return std::nullopt;
+    return value;
+  };
+  const std::string_view all = text;
+  const auto zenith = number(all.substr(0, comma));
+  const auto azimuth = comma == std::string::npos ? std::optional<double>() : number(all.substr(comma + 1));
+  if (!zenith || !azimuth)
+    throw InputError(
+        format("ifov: {} is '{}', expected ZENITH,AZIMUTH in degrees, such as 30,135", option, text));
+  if (!(*zenith >= 0.0 && *zenith <= lowest_deg))
+    throw InputError(format("ifov: {} has a zenith angle of {:g} degrees, expected 0 to {:g}", option,
+                            *zenith, lowest_deg));
+  return {*zenith * kDegree, *azimuth * kDegree};
+}
+
+void write_file(const std::string& path, const std::string& content) {
+  io::PartFile file(path);
+  io::write_part(file, content);
+  file.publish();
+}
+
+ExitCode look(const AtmosphereArguments& arguments) {
+  Console console(arguments.quiet, "");
+  session::AtmosphereQuestion question;
+  if (arguments.sun == "none")
+    question.night = true;
+  else if (!arguments.sun.empty())
+    question.sun = direction("--sun", arguments.sun, kLowestSun_deg);
+  if (!arguments.view.empty()) question.view = direction("--view", arguments.view, kLowestView_deg);
+  question.sensor_altitude_km = arguments.altitude_km;
+  question.sky_channel = arguments.channel;
+  question.sky = arguments.wants_plot;
+  question.spectrum = arguments.wants_plot || !arguments.csv.empty();
+  question.threads = arguments.threads;
+  question.cancel = &cancel_on_interrupt();
+  question.progress = &console;
+  question.log = &console;
+  const io::AirReport report = session::survey_atmosphere(io::read_document(arguments.document), question);
+  console.finish();
+  if (!arguments.quiet) std::fputs(io::air_table(report).c_str(), stdout);
+  if (arguments.wants_plot) {
+    const std::string path =
+        arguments.plot.empty()
+            ? std::filesystem::path(arguments.document).replace_extension(".atmosphere.png").string()
+            : arguments.plot;
+    write_file(path, io::air_figure(report));
+    if (!arguments.quiet) std::fputs(format("{}  (figure, PNG)\n", path).c_str(), stderr);
+  }
+  if (!arguments.csv.empty()) {
+    write_file(arguments.csv, io::air_csv(report));
+    if (!arguments.quiet)
+      std::fputs(format("{}  (spectrum, {} steps of {:g} cm-1)\n", arguments.csv, report.spectrum.size(),
+                        report.step_cm1)
+                     .c_str(),
+                 stderr);
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Command add_atmosphere_command(CLI::App& app) {
+  auto arguments = std::make_shared<AtmosphereArguments>();
+  CLI::App* parser =
+      app.add_subcommand("atmosphere", "Show what a document's atmosphere does to its channels");
+  parser->add_option("FILE", arguments->document, "The document (JSON), with a 'profile' under 'atmosphere'")
+      ->required();
+  CLI::Option* plot = parser->add_option(
+      "--plot", arguments->plot,
+      "Draw spectra and sky into this file (PNG); without a name FILE.atmosphere.png beside the document");
+  plot->expected(0, 1)->type_name("[PNG]");
+  parser->add_option("--csv", arguments->csv, "Write the spectrum as a table of paths")->type_name("OUT");
+  parser
+      ->add_option("--sun", arguments->sun,
+                   "Where the Sun stands instead, in degrees (azimuth from north over east); 'none': night")
+      ->type_name("ZENITH,AZIMUTH");
+  parser
+      ->add_option("--view", arguments->view,
+                   "Where the sensor stands instead, seen from the ground, in degrees")
+      ->type_name("ZENITH,AZIMUTH");
+  parser->add_option("--altitude", arguments->altitude_km, "Of the sensor instead, above mean sea level")
+      ->type_name("KM");
+  parser
+      ->add_option("--channel", arguments->channel,
+                   "Whose sky is drawn (default: the one next to 0.45 um, at night 10 um)")
+      ->type_name("NAME");
+  parser->add_option("-j,--threads", arguments->threads, "Threads; 0 takes all cores")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str();
+  parser->add_flag("-q,--quiet", arguments->quiet, "Print nothing but errors");
+  parser->footer(
+      "Prints a row for each channel: direct transmittance from the Sun to the ground and from the ground "
+      "to\n"
+      "the sensor, radiance of the path (sunlight that it scatters, and its own emission), irradiance of "
+      "level\n"
+      "ground from Sun and sky, the air's albedo for light from below, and in the thermal infrared the "
+      "sky's\n"
+      "temperature. All over black ground. Meshes and maps of the scene are not read.\n\n"
+      "The figure and the table of --csv have the spectrum over the sensor's range at the 20 cm-1 that the "
+      "band\n"
+      "model resolves. The sky is drawn as seen lying on the back: north up, east on the left.\n\n"
+      "Examples:\n"
+      "  ifov atmosphere scene.json\n"
+      "  ifov atmosphere scene.json --plot air.png --channel blue\n"
+      "  ifov atmosphere scene.json --sun 70,120 --view 30,300 --altitude 3 --csv air.csv\n"
+      "  ifov atmosphere scene.json --sun none");
+  return {parser, [arguments, plot] {
+            arguments->wants_plot = plot->count() > 0;
+            return look(*arguments);
+          }};
+}
+
+}  // namespace ifov::cli

@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <cmath>
+
+#include "io/air/air_report.h"
+#include "io/air/sky_picture.h"
+#include "io/figures/axes.h"
+
+namespace ifov::io {
+namespace {
+
+using atmosphere::AirLight;
+
+constexpr double kWidth = 1180.0, kLeft = 84.0, kPlotWidth = 690.0, kPlotHeight = 190.0, kGap = 52.0,
+                 kTitle = 26.0;
+constexpr double kSkyCentre = 960.0, kSkyRadius = 132.0;
+constexpr Ink kBlue{0.00, 0.45, 0.70}, kRed{0.84, 0.37, 0.00}, kGreen{0.00, 0.62, 0.45};
+/// Decades that a logarithmic axis shows below the brightest light.
+constexpr double kDecades = 1e-4;
+
+std::vector<CanvasPoint> points(const std::vector<AirLight>& spectrum, double AirLight::*value) {
+  std::vector<CanvasPoint> found;
+  for (const AirLight& step : spectrum) found.push_back({step.wavelength_um, step.*value});
+  return found;
+}
+
+/// Round wavelengths between the ends, more of them where the axis is short.
+std::vector<double> wavelength_ticks(const Axis& axis) {
+  if (!axis.logarithmic) return axis.ticks(9);
+  std::vector<double> found;
+  double last = -1.0;
+  for (const double tick : {0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.7,  0.8,  1.0,  1.2,  1.5,  2.0,
+                            2.5, 3.0,  4.0, 5.0,  6.0, 8.0, 10.0, 12.0, 14.0, 20.0, 30.0, 50.0}) {
+    if (tick < axis.first || tick > axis.last) continue;
+    constexpr double kLeastDistance = 0.045;
+    if (last > 0.0 && axis.place(tick) - axis.place(last) < kLeastDistance) continue;
+    found.push_back(tick);
+    last = tick;
+  }
+  return found;
+}
+
+Axis logarithmic_axis(const std::vector<Curve>& curves) {
+  double largest = 0.0, smallest = 1e300;
+  for (const Curve& curve : curves)
+    for (const CanvasPoint& p : curve.points) {
+      largest = std::max(largest, p.y);
+      if (p.y > 0.0) smallest = std::min(smallest, p.y);
+    }
+  if (!(largest > 0.0)) return {1e-3, 1.0, true};
+  return {std::pow(10.0, std::floor(std::log10(std::max(smallest, kDecades * largest)))), 1.6 * largest,
+          true};
+}
+
+/// Where the channels are, behind the curves.
+void draw_channels(Canvas& canvas, const AirReport& report, const Plot& plot) {
+  constexpr std::size_t kMost = 24;
+  if (report.channels.size() > kMost) return;
+  canvas.begin_clip(plot.x, plot.y, plot.width, plot.height);
+  for (const AirReport::Channel& channel : report.channels) {
+    const double left = plot.to_x(channel.first_um), right = plot.to_x(channel.last_um);
+    canvas.fill_rectangle(left, plot.y, std::max(1.0, right - left), plot.height, {0.55, 0.6, 0.75, 0.16});
+  }
+  canvas.end_clip();
+}
+
+}  // namespace
+
+std::string air_figure(const AirReport& report) {
+  const std::vector<AirLight>& spectrum = report.spectrum;
+  const bool day = report.geometry.sun_zenith_rad.has_value();
+  const double top = kTitle + 20.0 * static_cast<double>(report.description.size()) + 44.0;
+  Canvas canvas(kWidth, top + 3.0 * kPlotHeight + 2.0 * kGap + 62.0);
+  double line = kTitle;
+  for (std::size_t k = 0; k < report.description.size(); ++k, line += 20.0)
+    canvas.text({kLeft, line}, report.description[k], k == 0 ? 16.0 : 13.0, Anchor::left, k == 0);
+
+  Axis across{spectrum.front().wavelength_um, spectrum.back().wavelength_um, false};
+  across.logarithmic = across.last > 3.0 * across.first;
+  std::vector<Curve> transmittance{
+      {"ground to sensor", kBlue, false, points(spectrum, &AirLight::view_transmittance)}};
+  std::vector<Curve> path{{"emission of the air", kRed, false, points(spectrum, &AirLight::thermal_path)}};
+  std::vector<Curve> irradiance{
+      {"emission of the sky", kRed, false, points(spectrum, &AirLight::thermal_sky)}};
+  if (day) {
+    transmittance.insert(transmittance.begin(),
+                         {"Sun to ground", kRed, false, points(spectrum, &AirLight::sun_transmittance)});
+    path.insert(path.begin(), {"scattered sunlight", kBlue, false, points(spectrum, &AirLight::solar_path)});
+    irradiance.insert(irradiance.begin(),
+                      {{"Sun", kGreen, false, points(spectrum, &AirLight::direct_irradiance)},
+                       {"sunlight from the sky", kBlue, false, points(spectrum, &AirLight::solar_sky)}});
+  }
+  // What is dark everywhere has no curve.
+  for (std::vector<Curve>* curves : {&path, &irradiance})
+    std::erase_if(*curves, [](const Curve& curve) {
+      return std::all_of(curve.points.begin(), curve.points.end(),
+                         [](const CanvasPoint& p) { return p.y <= 0.0; });
+    });
+  const std::vector<Plot> plots{
+      {kLeft, top, kPlotWidth, kPlotHeight, across, {0.0, 1.0, false}, "Transmittance"},
+      {kLeft, top + kPlotHeight + kGap, kPlotWidth, kPlotHeight, across, logarithmic_axis(path),
+       "Path, W m\u207b\u00b2 sr\u207b\u00b9 \u00b5m\u207b\u00b9"},
+      {kLeft, top + 2.0 * (kPlotHeight + kGap), kPlotWidth, kPlotHeight, across, logarithmic_axis(irradiance),
+       "On the ground, W m\u207b\u00b2 \u00b5m\u207b\u00b9"}};
+  const std::vector<const std::vector<Curve>*> curves{&transmittance, &path, &irradiance};
+  for (std::size_t k = 0; k < plots.size(); ++k) {
+    draw_channels(canvas, report, plots[k]);
+    draw_axes(canvas, plots[k], wavelength_ticks(across), k + 1 == plots.size());
+    draw_curves(canvas, plots[k], *curves[k]);
+  }
+  const double bottom = plots.back().y + kPlotHeight;
+  canvas.text({kLeft + 0.5 * kPlotWidth, bottom + 38.0}, "Wavelength (\u00b5m)", 13.0, Anchor::centre);
+  canvas.text({kLeft, bottom + 56.0}, "Over black ground. Shaded: the sensor's channels.", 11.5, Anchor::left,
+              false, kGreyInk);
+
+  draw_sky(canvas, report, {kSkyCentre, top + kSkyRadius + 14.0}, kSkyRadius, SkyQuantity::brightness);
+  if (!report.sky_is_thermal)
+    draw_sky(canvas, report, {kSkyCentre, top + 3.0 * kSkyRadius + 110.0}, kSkyRadius,
+             SkyQuantity::polarization);
+  return canvas.png();
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "atmosphere/survey/air_light.h"
+#include "atmosphere/survey/sky_view.h"
+
+namespace ifov::io {
+
+/// What there is to tell of a document's atmosphere.
+struct AirReport {
+  struct Channel {
+    std::string name;
+    double first_um = 0.0, last_um = 0.0;  ///< where the response is above half of its maximum
+    atmosphere::AirLight light;
+  };
+  std::vector<std::string> description;  ///< air, aerosol and geometry, a line each
+  atmosphere::SensorGeometry geometry;
+  std::optional<double> sun_azimuth_rad;  ///< clockwise from north
+  std::vector<Channel> channels;
+  std::vector<atmosphere::AirLight> spectrum;  ///< from short to long wavelengths; empty if not asked for
+  double step_cm1 = 0.0;                       ///< of the spectrum
+  std::optional<atmosphere::SkyView> sky;
+  std::string sky_channel;
+  bool sky_is_thermal = false;  ///< emission outweighs sunlight: shown as brightness temperature
+};
+
+/// The table of channels, for a terminal: at most 110 columns.
+std::string air_table(const AirReport& report);
+
+/// The spectrum as a table of paths (docs/formats/atmosphere_import.md), described in its comments.
+std::string air_csv(const AirReport& report);
+
+/// Transmittance, path radiance and irradiance over wavelength, and the sky above, as PNG. The report has a
+/// spectrum and a sky. Throws EnvironmentError where it cannot be drawn.
+std::string air_figure(const AirReport& report);
+
+}  // namespace ifov::io

@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <numbers>
+
+#include "atmosphere/imported_path.h"
+#include "core/format.h"
+#include "io/air/air_report.h"
+#include "io/atmosphere/path_csv.h"
+#include "radiometry/planck.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr std::size_t kLongestName = 24;
+constexpr double kFirstSkyTemperature_um = 3.0;
+
+/// Three or four digits, and 0 as such.
+std::string figure(double value) {
+  if (value <= 0.0) return "0";
+  return value >= 99.95   ? format("{:.1f}", value)
+         : value >= 0.001 ? format("{:.4g}", value)
+                          : format("{:.2e}", value);
+}
+
+std::string fitted(const std::string& name) {
+  return name.size() <= kLongestName ? name : name.substr(0, kLongestName - 3) + "...";
+}
+
+}  // namespace
+
+std::string air_table(const AirReport& report) {
+  std::size_t widest = 7;
+  for (const AirReport::Channel& channel : report.channels)
+    widest = std::max(widest, fitted(channel.name).size());
+  const bool day = report.geometry.sun_zenith_rad.has_value();
+  std::string text;
+  for (const std::string& line : report.description) text += line + "\n";
+  text += format("\n{:<{}}  {:>7}  {:^15}  {:^17}     irradiance\n", "", widest, "", "transmittance",
+                 "path radiance");
+  text += format("{:<{}}  {:>7}  {:>7} {:>7}  {:>8} {:>8}  {:>8} {:>8}  {:>6}  {:>5}\n", "channel", widest,
+                 "um", "Sun", "sensor", "solar", "thermal", "direct", "diffuse", "albedo", "sky K");
+  for (const AirReport::Channel& channel : report.channels) {
+    const atmosphere::AirLight& of = channel.light;
+    const double sky = of.solar_sky + of.thermal_sky;
+    const std::string kelvin =
+        of.wavelength_um >= kFirstSkyTemperature_um && sky > 0.0
+            ? format("{:.1f}", radiometry::brightness_temperature_k(of.wavelength_um, sky / std::numbers::pi))
+            : "-";
+    text += format(
+        "{:<{}}  {:>7.4g}  {:>7} {:>7.4f}  {:>8} {:>8}  {:>8} {:>8}  {:>6}  {:>5}\n", fitted(channel.name),
+        widest, of.wavelength_um, day ? format("{:.4f}", of.sun_transmittance) : "-", of.view_transmittance,
+        day ? figure(of.solar_path) : "-", figure(of.thermal_path), day ? figure(of.direct_irradiance) : "-",
+        figure(sky), of.spherical_albedo > 0.0 ? format("{:.4f}", of.spherical_albedo) : "-", kelvin);
+  }
+  return text +
+         "\nOver black ground. Direct transmittances; radiances in W m-2 sr-1 um-1, irradiances of level "
+         "ground in\n"
+         "W m-2 um-1; albedo: of the air for light from below; sky K: temperature of a black sky as "
+         "bright.\n";
+}
+
+std::string air_csv(const AirReport& report) {
+  using atmosphere::PathQuantity;
+  std::vector<double> wavelength_um;
+  for (const atmosphere::AirLight& step : report.spectrum) wavelength_um.push_back(step.wavelength_um);
+  atmosphere::ImportedPath path("spectrum", std::move(wavelength_um));
+  const auto set = [&](PathQuantity quantity, auto value) {
+    std::vector<double> values;
+    for (const atmosphere::AirLight& step : report.spectrum) values.push_back(value(step));
+    path.set(quantity, std::move(values));
+  };
+  using Light = atmosphere::AirLight;
+  set(PathQuantity::ground_sensor_transmittance, [](const Light& l) { return l.view_transmittance; });
+  set(PathQuantity::thermal_path_radiance, [](const Light& l) { return l.thermal_path; });
+  set(PathQuantity::diffuse_irradiance, [](const Light& l) { return l.solar_sky + l.thermal_sky; });
+  if (report.geometry.sun_zenith_rad) {
+    set(PathQuantity::direct_sun_ground_transmittance, [](const Light& l) { return l.sun_transmittance; });
+    set(PathQuantity::diffuse_ground_sensor_transmittance,
+        [](const Light& l) { return l.diffuse_transmittance; });
+    set(PathQuantity::solar_path_radiance, [](const Light& l) { return l.solar_path; });
+    set(PathQuantity::direct_irradiance, [](const Light& l) { return l.direct_irradiance; });
+    set(PathQuantity::solar_irradiance, [](const Light& l) { return l.solar_irradiance; });
+    set(PathQuantity::spherical_albedo, [](const Light& l) { return l.spherical_albedo; });
+  }
+  std::string text;
+  for (const std::string& line : report.description) text += "# " + line + "\n";
+  text += format("# means over {:g} cm-1, over black ground\n", report.step_cm1);
+  return text + path_csv(path);
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,139 @@
+#include "io/air/sky_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/format.h"
+#include "io/figures/axes.h"
+#include "radiometry/planck.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr int kSide = 560;
+constexpr double kBrightest = 0.985;  // quantile at the end of the scale: the aureole is brighter
+
+using atmosphere::SkyView;
+using atmosphere::Stokes;
+
+/// Index of the interval that holds x, and the share of its upper end.
+std::pair<std::size_t, double> place(const std::vector<double>& nodes, double x) {
+  const auto above = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, x);
+  const std::size_t low = static_cast<std::size_t>(above - nodes.begin()) - 1;
+  return {low, std::clamp((x - nodes[low]) / (nodes[low + 1] - nodes[low]), 0.0, 1.0)};
+}
+
+Stokes light_at(const SkyView& sky, double zenith_rad, double azimuth_rad) {
+  const auto [z, up] = place(sky.zenith_rad, zenith_rad);
+  const auto [a, on] = place(sky.azimuth_rad, azimuth_rad);
+  return (1.0 - up) * ((1.0 - on) * sky.at(z, a) + on * sky.at(z, a + 1)) +
+         up * ((1.0 - on) * sky.at(z + 1, a) + on * sky.at(z + 1, a + 1));
+}
+
+double shown(const AirReport& report, const Stokes& light, SkyQuantity quantity) {
+  if (quantity == SkyQuantity::polarization) return 100.0 * atmosphere::polarization_degree(light);
+  if (report.sky_is_thermal) return radiometry::brightness_temperature_k(report.sky->wavelength_um, light.i);
+  return light.i;
+}
+
+Axis scale_of(const AirReport& report, SkyQuantity quantity) {
+  std::vector<double> values;
+  for (const Stokes& light : report.sky->light) values.push_back(shown(report, light, quantity));
+  std::sort(values.begin(), values.end());
+  const double high = values[static_cast<std::size_t>(kBrightest * static_cast<double>(values.size() - 1))];
+  if (quantity == SkyQuantity::polarization)
+    return {0.0, std::max(10.0, 10.0 * std::ceil(values.back() / 10.0)), false};
+  if (!report.sky_is_thermal) return {0.0, std::max(high, 1e-12), false};
+  const double low = values.front();
+  return {low, std::max(values.back(), low + 1.0), false};
+}
+
+const ColourMap& colours_of(const AirReport& report, SkyQuantity quantity) {
+  return quantity == SkyQuantity::polarization || report.sky_is_thermal ? heat_colours()
+                                                                        : sequential_colours();
+}
+
+Rgb colour_at(const ColourMap& colours, double share) {
+  return colours[static_cast<std::size_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)))];
+}
+
+/// Azimuth from north of the table's zero.
+double sun_azimuth(const AirReport& report) { return report.sun_azimuth_rad.value_or(0.0); }
+
+/// North is up and east on the left.
+CanvasPoint on_disc(CanvasPoint centre, double radius, double zenith_rad, double azimuth_rad) {
+  const double r = radius * zenith_rad / (0.5 * std::numbers::pi);
+  return {centre.x - r * std::sin(azimuth_rad), centre.y - r * std::cos(azimuth_rad)};
+}
+
+void draw_disc(Canvas& canvas, const AirReport& report, CanvasPoint centre, double radius,
+               SkyQuantity quantity, const Axis& scale) {
+  const ColourMap& colours = colours_of(report, quantity);
+  std::vector<Canvas::Pixel> pixels(static_cast<std::size_t>(kSide) * kSide);
+  for (int row = 0; row < kSide; ++row)
+    for (int column = 0; column < kSide; ++column) {
+      const double x = 2.0 * (column + 0.5) / kSide - 1.0, y = 1.0 - 2.0 * (row + 0.5) / kSide;
+      const double distance = std::hypot(x, y);
+      if (distance > 1.0) continue;
+      const double azimuth =
+          std::abs(std::remainder(std::atan2(-x, y) - sun_azimuth(report), 2.0 * std::numbers::pi));
+      const double value =
+          shown(report, light_at(*report.sky, 0.5 * std::numbers::pi * distance, azimuth), quantity);
+      pixels[static_cast<std::size_t>(row) * kSide + static_cast<std::size_t>(column)] = {
+          colour_at(colours, scale.place(value)), true};
+    }
+  canvas.picture(centre.x - radius, centre.y - radius, 2.0 * radius, kSide, pixels);
+}
+
+void draw_marks(Canvas& canvas, const AirReport& report, CanvasPoint centre, double radius) {
+  const Ink pale{1.0, 1.0, 1.0, 0.45};
+  for (const double share : {1.0 / 3.0, 2.0 / 3.0}) canvas.circle(centre, share * radius, pale, 0.8);
+  canvas.circle(centre, radius, kBlackInk, 1.0);
+  const char* const names[] = {"N", "E", "S", "W"};
+  for (int k = 0; k < 4; ++k) {
+    const CanvasPoint at = on_disc(centre, radius + 11.0, 0.5 * std::numbers::pi, 0.5 * k * std::numbers::pi);
+    canvas.text({at.x, at.y + 4.5}, names[k], 12.0, Anchor::centre);
+  }
+  if (!report.geometry.sun_zenith_rad) return;
+  const CanvasPoint sun = on_disc(centre, radius, *report.geometry.sun_zenith_rad, sun_azimuth(report));
+  canvas.disc(sun, 5.0, {1.0, 1.0, 1.0});
+  canvas.circle(sun, 5.0, kBlackInk, 1.0);
+}
+
+void draw_scale(Canvas& canvas, const ColourMap& colours, const Axis& scale, double x, double y,
+                double height) {
+  constexpr double kBarWidth = 16.0;
+  for (int k = 0; k < 256; ++k) {
+    const Rgb c = colours[static_cast<std::size_t>(k)];
+    canvas.fill_rectangle(x, y + height * (255 - k) / 256.0, kBarWidth, height / 256.0 + 0.6,
+                          {c.r / 255.0, c.g / 255.0, c.b / 255.0});
+  }
+  for (const double tick : scale.ticks(5)) {
+    const double at = y + height * (1.0 - scale.place(tick));
+    canvas.fill_rectangle(x + kBarWidth, at - 0.5, 5.0, 1.0, kBlackInk);
+    canvas.text({x + kBarWidth + 8.0, at + 4.5}, tick_label(tick, scale), 12.0);
+  }
+}
+
+}  // namespace
+
+void draw_sky(Canvas& canvas, const AirReport& report, CanvasPoint centre, double radius,
+              SkyQuantity quantity) {
+  const Axis scale = scale_of(report, quantity);
+  draw_disc(canvas, report, centre, radius, quantity, scale);
+  draw_marks(canvas, report, centre, radius);
+  draw_scale(canvas, colours_of(report, quantity), scale, centre.x + radius + 28.0, centre.y - 0.8 * radius,
+             1.6 * radius);
+  const std::string what = quantity == SkyQuantity::polarization ? "Degree of linear polarization, %"
+                           : report.sky_is_thermal
+                               ? "Brightness temperature of the sky, K"
+                               : "Sky radiance, W m\u207b\u00b2 sr\u207b\u00b9 \u00b5m\u207b\u00b9";
+  canvas.text({centre.x, centre.y + radius + 36.0}, what, 13.0, Anchor::centre);
+  canvas.text({centre.x, centre.y + radius + 53.0},
+              format("{}, {:.4g} \u00b5m{}", report.sky_channel, report.sky->wavelength_um,
+                     report.geometry.sun_zenith_rad ? "; white: the Sun" : ""),
+              12.0, Anchor::centre, false, kGreyInk);
+}
+
+}  // namespace ifov::io

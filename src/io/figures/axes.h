@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "io/figures/canvas.h"
+
+namespace ifov::io {
+
+/// One direction of a plot.
+struct Axis {
+  double first = 0.0, last = 1.0;
+  bool logarithmic = false;
+  /// Share of the way from first to last, 0 to 1 between them.
+  double place(double value) const;
+  /// Values with a number beside them: 1, 2 or 5 times a power of ten, or powers of ten alone; about `most`
+  /// of them.
+  std::vector<double> ticks(int most) const;
+};
+
+/// Digits that tell the ticks apart, without zeros at the end; powers of ten far from 1 as 10 and a raised
+/// number.
+std::string tick_label(double value, const Axis& axis);
+
+/// A rectangle with axes that curves are drawn in.
+struct Plot {
+  double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
+  Axis across, up;
+  std::string label;  ///< of the upright axis
+  double to_x(double value) const { return x + width * across.place(value); }
+  double to_y(double value) const { return y + height * (1.0 - up.place(value)); }
+};
+
+/// Grid, frame and numbers; those of the horizontal axis only where `numbers_below`.
+void draw_axes(Canvas& canvas, const Plot& plot, const std::vector<double>& ticks_across, bool numbers_below);
+
+struct Curve {
+  std::string name;
+  Ink ink;
+  bool dashed = false;
+  std::vector<CanvasPoint> points;  ///< values, not places; above 0 where the axis is logarithmic
+};
+
+/// The curves inside the plot, and their names in a row above its upper left corner.
+void draw_curves(Canvas& canvas, const Plot& plot, const std::vector<Curve>& curves);
+
+}  // namespace ifov::io

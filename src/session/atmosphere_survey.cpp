@@ -1,0 +1,218 @@
+#include "session/atmosphere_survey.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "core/names.h"
+#include "geodesy/sun_position.h"
+#include "geometry/world_builder.h"
+#include "session/atmosphere_assembly.h"
+#include "session/light_assembly.h"
+#include "session/sensor_assembly.h"
+#include "session/with_position.h"
+
+namespace ifov::session {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kSkyByDay_um = 0.45, kSkyByNight_um = 10.0;
+/// Shortest wavelength at which a sky is shown as a temperature.
+constexpr double kThermalSky_um = 4.0;
+/// A spectrum reaches this share beyond the sensor's channels.
+constexpr double kMargin = 0.04;
+constexpr double kShortest_um = 0.2, kLongest_um = 50.0;
+
+/// The document as the question wants it.
+io::Document asked(const io::Document& document, const AtmosphereQuestion& question) {
+  io::Document changed = document;
+  if (question.night) changed.light.sun.reset();
+  if (question.sun) {
+    if (!changed.light.sun) changed.light.sun.emplace();
+    changed.light.sun->direction = {question.sun->zenith_rad, question.sun->azimuth_rad};
+  }
+  if (question.view) {
+    const double zenith = question.view->zenith_rad, azimuth = question.view->azimuth_rad;
+    if (auto* frame = std::get_if<io::FrameCamera>(&changed.sensor.camera.model)) {
+      const math::Vec3 up = geodesy::direction_enu(azimuth, 0.5 * std::numbers::pi - zenith);
+      frame->orientation = io::LookAt{frame->position_m - up, std::nullopt};
+    } else {
+      auto& parallel = std::get<io::OrthographicCamera>(changed.sensor.camera.model);
+      parallel.view_zenith_rad = zenith;
+      parallel.view_azimuth_rad = azimuth;
+    }
+  }
+  if (question.sensor_altitude_km)
+    changed.atmosphere.modelled->sensor_altitude_km = question.sensor_altitude_km;
+  return changed;
+}
+
+/// A scene of light alone: no mesh is read.
+struct Stage {
+  scene::Scene scene;
+  std::vector<radiometry::Channel> channels;
+  std::unique_ptr<sensor::Camera> camera;
+
+  explicit Stage(const io::Document& document) {
+    scene.world = geometry::WorldBuilder().build();
+    assemble_light(document, scene);
+    channels = assemble_channels(document);
+    camera = assemble_camera(document, scene);
+  }
+};
+
+/// Where the response is above half of its maximum.
+std::pair<double, double> half_width(const radiometry::Channel& channel) {
+  if (channel.is_monochromatic()) return {channel.centre_um, channel.centre_um};
+  const auto wavelength = channel.response.wavelength_um();
+  const auto response = channel.response.values();
+  const double half = 0.5 * channel.response.maximum();
+  std::size_t first = 0, last = wavelength.size() - 1;
+  while (response[first] < half) ++first;
+  while (response[last] < half) --last;
+  return {wavelength[first], wavelength[last]};
+}
+
+std::vector<std::string> describe(const atmosphere::AtmosphereColumn& column, const io::Document& document,
+                                  const atmosphere::SensorGeometry& geometry, const scene::Scene& scene) {
+  const atmosphere::AtmosphereDescription& said = column.description();
+  const atmosphere::Profile& profile = column.profile();
+  std::vector<std::string> lines;
+  lines.push_back(said.air.model +
+                  (said.air.levels.empty() ? "" : ", below it levels of the document's own"));
+  lines.push_back(
+      format("Ground at {:.3g} km: {:.1f} K, {:.0f} hPa, {:.0f} % humidity. Water vapour {:.3g} g/cm2, ozone "
+             "{:.0f} DU, CO2 {:.0f} ppm.",
+             profile.ground_km(), profile.temperature_K.front(), profile.pressure_hPa.front(),
+             profile.relative_humidity_percent(0), profile.precipitable_water_g_cm2(),
+             1e3 * profile.column_atm_cm(atmosphere::Gas::o3), profile.of(atmosphere::Gas::co2).front()));
+  if (column.aerosol().empty())
+    lines.push_back("No aerosol.");
+  else
+    lines.push_back(
+        format("Aerosol: {}, visibility {:.3g} km, optical thickness {:.3f} at 0.55 um.", said.aerosol.type,
+               column.aerosol().visibility_km(),
+               column.aerosol().thickness_550(profile.ground_km(), atmosphere::kTopOfAtmosphereKm)));
+  std::string where = "No Sun.";
+  if (geometry.sun_zenith_rad) {
+    const math::Vec3 sun = scene.sun->direction;
+    const double azimuth = std::atan2(sun.x, sun.y) / kDegree;
+    where = format("Sun {:.1f} deg from the zenith at azimuth {:.1f} deg.",
+                   *geometry.sun_zenith_rad / kDegree, azimuth < 0.0 ? azimuth + 360.0 : azimuth);
+  } else if (document.light.sun) {
+    where = "The Sun is below the horizon.";
+  }
+  const bool above = geometry.sensor_altitude_km >= atmosphere::kTopOfAtmosphereKm;
+  lines.push_back(
+      format("{} Sensor {:.1f} deg from the zenith, {}.", where, geometry.view_zenith_rad / kDegree,
+             above ? std::string("above all air") : format("at {:.4g} km", geometry.sensor_altitude_km)));
+  return lines;
+}
+
+/// Tells how far the survey has come, and ends it when asked to.
+class Meter {
+ public:
+  Meter(const AtmosphereQuestion& question, std::size_t total) : question_(question), total_(total) {}
+  std::function<void(std::size_t)> from(std::size_t before) {
+    return [this, before](std::size_t done) {
+      if (question_.cancel != nullptr && question_.cancel->cancelled()) throw Cancelled();
+      if (question_.progress == nullptr) return;
+      Progress progress;
+      progress.pixels_done = static_cast<std::int64_t>(before + done);
+      progress.pixels_total = static_cast<std::int64_t>(total_);
+      progress.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+      question_.progress->report(progress);
+    };
+  }
+
+ private:
+  const AtmosphereQuestion& question_;
+  std::size_t total_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::size_t sky_channel(const std::vector<radiometry::Channel>& channels, const std::string& name,
+                        bool night) {
+  std::vector<std::string> names;
+  for (const radiometry::Channel& channel : channels) names.push_back(channel.name);
+  if (!name.empty()) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      throw InputError(format("the sensor has no channel '{}'{} Channels: {}", name,
+                              did_you_mean(name, names).empty() ? "." : did_you_mean(name, names),
+                              list_names(names, "and", 12)));
+    return static_cast<std::size_t>(found - names.begin());
+  }
+  const double wanted = night ? kSkyByNight_um : kSkyByDay_um;
+  std::size_t best = 0;
+  for (std::size_t c = 1; c < channels.size(); ++c)
+    if (std::abs(std::log(channels[c].centre_um / wanted)) <
+        std::abs(std::log(channels[best].centre_um / wanted)))
+      best = c;
+  return best;
+}
+
+}  // namespace
+
+io::AirReport survey_atmosphere(const io::Document& original, const AtmosphereQuestion& question) {
+  if (!original.atmosphere.modelled)
+    throw io::document_error(original, original.atmosphere.position,
+                             "there is no modelled atmosphere to look at: 'atmosphere' has no 'profile'");
+  const io::Document document = asked(original, question);
+  return with_position(document, document.atmosphere.position, [&] {
+    const Stage stage(document);
+    const atmosphere::AtmosphereColumn column = assemble_column(document);
+    io::AirReport report;
+    report.geometry =
+        sensor_geometry(document, *stage.camera, stage.scene.sun, column.levels().altitude_km.front());
+    if (stage.scene.sun) {
+      const math::Vec3 sun = stage.scene.sun->direction;
+      report.sun_azimuth_rad = std::atan2(sun.x, sun.y);
+    }
+    report.description = describe(column, document, report.geometry, stage.scene);
+    const radiometry::Spectrum sunlight =
+        stage.scene.sun ? stage.scene.sun->irradiance : radiometry::Spectrum();
+
+    double first_um = kLongest_um, last_um = kShortest_um;
+    std::vector<std::size_t> narrow;
+    for (std::size_t c = 0; c < stage.channels.size(); ++c) {
+      const auto [from, to] = half_width(stage.channels[c]);
+      report.channels.push_back({stage.channels[c].name, from, to, {}});
+      first_um = std::min(first_um, from * (1.0 - kMargin));
+      last_um = std::max(last_um, to * (1.0 + kMargin));
+      if (atmosphere::narrower_than_resolved(stage.channels[c])) narrow.push_back(c);
+    }
+    if (question.log != nullptr) {
+      for (const std::string& remark : column.remarks()) question.log->warn(format("atmosphere: {}", remark));
+      if (!narrow.empty()) question.log->warn(narrow_channels(stage.channels, narrow));
+    }
+    std::vector<radiometry::Channel> steps;
+    if (question.spectrum)
+      steps = atmosphere::resolved_steps(std::max(first_um, kShortest_um), std::min(last_um, kLongest_um));
+    Meter meter(question, stage.channels.size() + steps.size());
+    atmosphere::SurveyControl control;
+    control.threads = question.threads;
+    control.progress = meter.from(0);
+    const std::vector<atmosphere::AirLight> light =
+        atmosphere::survey_air(column, stage.channels, sunlight, report.geometry, control);
+    for (std::size_t c = 0; c < light.size(); ++c) report.channels[c].light = light[c];
+    if (!steps.empty()) {
+      control.most_nodes = 1;
+      control.progress = meter.from(stage.channels.size());
+      report.spectrum = atmosphere::survey_air(column, steps, sunlight, report.geometry, control);
+      report.step_cm1 = 1e4 / steps.front().response.first_um() - 1e4 / steps.front().response.last_um();
+    }
+    if (question.sky) {
+      const std::size_t c =
+          sky_channel(stage.channels, question.sky_channel, !report.geometry.sun_zenith_rad);
+      report.sky_channel = stage.channels[c].name;
+      report.sky = atmosphere::view_sky(column, stage.channels[c].centre_um, light[c].solar_irradiance,
+                                        report.geometry.sun_zenith_rad, question.threads);
+      report.sky_is_thermal = stage.channels[c].centre_um > kThermalSky_um || !report.geometry.sun_zenith_rad;
+    }
+    return report;
+  });
+}
+
+}  // namespace ifov::session

@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "atmosphere/survey/air_light.h"
+#include "atmosphere/survey/sky_view.h"
+#include "radiometry/solar_spectrum.h"
+
+namespace ifov::atmosphere {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+AtmosphereColumn column(const std::string& aerosol) {
+  AtmosphereDescription description;
+  description.aerosol.type = aerosol;
+  return AtmosphereColumn(description);
+}
+
+SensorGeometry sun_at(double zenith_deg) {
+  SensorGeometry geometry;
+  geometry.sun_zenith_rad = zenith_deg * kDegree;
+  return geometry;
+}
+
+/// Irradiance of level ground from the sky's radiances: the trapezoidal rule over both angles.
+double irradiance(const SkyView& sky) {
+  double sum = 0.0;
+  for (std::size_t z = 0; z + 1 < sky.zenith_rad.size(); ++z)
+    for (std::size_t a = 0; a + 1 < sky.azimuth_rad.size(); ++a)
+      for (const std::size_t dz : {0, 1})
+        for (const std::size_t da : {0, 1}) {
+          const double zenith = sky.zenith_rad[z + dz];
+          sum += 0.5 * sky.at(z + dz, a + da).i * std::sin(zenith) * std::cos(zenith) *
+                 (sky.zenith_rad[z + 1] - sky.zenith_rad[z]) * (sky.azimuth_rad[a + 1] - sky.azimuth_rad[a]);
+        }
+  return sum;  // both sides of the Sun's plane: twice a quarter
+}
+
+TEST(AirSurvey, TheSkyInThePictureGivesTheIrradianceInTheTable) {
+  const AtmosphereColumn air = column("none");
+  const std::vector<radiometry::Channel> channels{radiometry::Channel::top_hat("blue", 0.4495, 0.4505)};
+  const auto& sunlight = radiometry::solar_irradiance_1au();
+  const AirLight light = survey_air(air, channels, sunlight, sun_at(50.0)).front();
+  const SkyView sky = view_sky(air, 0.45, light.solar_irradiance, 50.0 * kDegree);
+  EXPECT_NEAR(irradiance(sky) / light.solar_sky, 1.0, 0.01);
+}
+
+TEST(AirSurvey, TheThermalSkyInThePictureGivesTheIrradianceInTheTable) {
+  const AtmosphereColumn air = column("rural");
+  const std::vector<radiometry::Channel> channels{radiometry::Channel::monochromatic("thermal", 1e4 / 900.0)};
+  const AirLight light = survey_air(air, channels, radiometry::Spectrum(), {}).front();
+  const SkyView sky = view_sky(air, 1e4 / 900.0, 0.0, std::nullopt);
+  EXPECT_NEAR(irradiance(sky) / light.thermal_sky, 1.0, 0.01);
+  EXPECT_EQ(light.solar_path, 0.0);
+}
+
+TEST(AirSurvey, SunlightSplitsFromEmission) {
+  const AtmosphereColumn air = column("rural");
+  const std::vector<radiometry::Channel> channels{radiometry::Channel::top_hat("mid-wave", 3.8, 4.0)};
+  const auto& sunlight = radiometry::solar_irradiance_1au();
+  const AirLight day = survey_air(air, channels, sunlight, sun_at(30.0)).front();
+  const AirLight night = survey_air(air, channels, radiometry::Spectrum(), {}).front();
+  EXPECT_NEAR(day.thermal_path / night.thermal_path, 1.0, 1e-6);
+  EXPECT_GT(day.solar_path, 0.0);
+  EXPECT_NEAR(day.view_transmittance, night.view_transmittance, 1e-12);
+}
+
+// Clear air above dark ground: skylight is most polarized 90 degrees from the Sun, across the Sun's plane,
+// and not at all near the Sun and on both sides of it (the points of Babinet and Brewster). Coulson et al.
+// (1960) have 0.7 to 0.8.
+TEST(SkyView, ClearSkyIsPolarizedAcrossTheSunsPlane) {
+  const SkyView sky = view_sky(column("none"), 0.55, 1.0, 60.0 * kDegree);
+  const std::size_t away = sky.azimuth_rad.size() - 1;
+  const std::size_t ninety = 15;  // 30 degrees from the zenith, opposite the Sun
+  ASSERT_NEAR(sky.zenith_rad[ninety], 30.0 * kDegree, 1e-12);
+  EXPECT_NEAR(polarization_degree(sky.at(ninety, away)), 0.80, 0.08);
+  EXPECT_LT(polarization_degree(sky.at(30, 0)), 0.05);
+  int neutral = 0;
+  for (std::size_t z = 1; z + 1 < sky.zenith_rad.size(); ++z)
+    neutral += sky.at(z, 0).q * sky.at(z + 1, 0).q < 0.0 ? 1 : 0;
+  EXPECT_EQ(neutral, 2);
+}
+
+TEST(AirSurvey, StepsAreAsWideAsTheBandModelResolves) {
+  const std::vector<radiometry::Channel> steps = resolved_steps(0.5, 0.6);
+  EXPECT_GE(steps.back().response.last_um(), 0.6);
+  EXPECT_LE(steps.front().response.first_um(), 0.5);
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    EXPECT_NEAR(1e4 / steps[k].response.first_um() - 1e4 / steps[k].response.last_um(), kResolution_cm1,
+                1e-6);
+    if (k > 0) EXPECT_NEAR(steps[k].response.first_um(), steps[k - 1].response.last_um(), 1e-9);
+  }
+  EXPECT_LE(resolved_steps(0.3, 14.0, 100).size(), 101u);
+}
+
+}  // namespace
+}  // namespace ifov::atmosphere

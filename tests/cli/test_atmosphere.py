@@ -1,0 +1,224 @@
+"""`ifov atmosphere`: table, figure, spectrum, other geometry; and what is said where an atmosphere is wrong."""
+
+import re
+import struct
+import unittest
+
+from program import Folder, run
+
+AIR = '"profile": "mid-latitude summer", "water_vapour": "2.1 g/cm2"'
+YARD = """{
+  "ifov": 1,
+  "scene": {
+    "materials": {"soil": {"reflectance": 0.2, "temperature": "300 K"}},
+    "objects": [{"plane": {}, "material": "soil"}]
+  },
+  "light": {"sun": {"disc": {"zenith": "30 deg", "azimuth": "150 deg"}}},
+  "atmosphere": {%s},
+  "sensor": {
+    "camera": {"orthographic": {"gsd": "1 m", "pixels": [4, 4]}},
+    "channels": [
+      {"name": "blue", "gaussian": {"center": "0.48 um", "fwhm": "0.06 um"}},
+      {"name": "red", "gaussian": {"center": "0.65 um", "fwhm": "0.04 um"}},
+      {"name": "thermal", "top_hat": {"from": "10.6 um", "to": "11.2 um"}}
+    ]
+  }
+}
+"""
+
+
+def rows(text):
+    """{channel: numbers of its row}, None where there is a dash."""
+    found = {}
+    for line in text.splitlines():
+        words = line.split()
+        if words and words[0] in ("blue", "red", "thermal"):
+            found[words[0]] = [None if word == "-" else float(word) for word in words[1:]]
+    return found
+
+
+class Table(unittest.TestCase):
+    def test_a_row_for_each_channel(self):
+        with Folder(yard=YARD % AIR) as folder:
+            done = run("atmosphere", "yard.json", cwd=folder)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn("mid-latitude summer\n", done.stdout)
+            self.assertIn("Water vapour 2.1 g/cm2", done.stdout)
+            self.assertIn("Sun 30.0 deg from the zenith at azimuth 150.0 deg. Sensor 0.0 deg", done.stdout)
+            self.assertLessEqual(max(map(len, done.stdout.splitlines())), 110)
+            table = rows(done.stdout)
+            wavelength, sun, sensor, solar, thermal, direct, diffuse, albedo, sky = table["blue"]
+            self.assertEqual((wavelength, thermal, sky), (0.48, 0.0, None))
+            # Beer: the sunbeam is 1 / cos 30 degrees as long as the line of sight.
+            self.assertAlmostEqual(sun, sensor ** (1 / 0.8660), delta=0.002)
+            self.assertTrue(20 < solar < 100 and 500 < direct < 1500 and 100 < diffuse < 700 and 0.1 < albedo < 0.3)
+            self.assertLess(table["red"][3], solar)
+            self.assertTrue(200 < table["thermal"][8] < 294)
+
+    def test_another_geometry(self):
+        with Folder(yard=YARD % AIR) as folder:
+            usual = rows(run("atmosphere", "yard.json", cwd=folder).stdout)
+            low = run("atmosphere", "yard.json", "--sun", "75,90", "--view", "40,270", "--altitude", "0.5", cwd=folder)
+            self.assertEqual(low.returncode, 0, low.stderr)
+            self.assertIn("Sun 75.0 deg from the zenith at azimuth 90.0 deg. Sensor 40.0 deg", low.stdout)
+            self.assertIn("at 0.5 km.", low.stdout)
+            self.assertLess(rows(low.stdout)["blue"][1], usual["blue"][1])
+            self.assertGreater(rows(low.stdout)["thermal"][2], usual["thermal"][2])
+
+    def test_the_night_is_dark_and_warm(self):
+        with Folder(yard=YARD % AIR) as folder:
+            night = run("atmosphere", "yard.json", "--sun", "none", cwd=folder)
+            self.assertIn("No Sun.", night.stdout)
+            self.assertEqual(rows(night.stdout)["blue"][1], None)
+            day = rows(run("atmosphere", "yard.json", cwd=folder).stdout)
+            self.assertEqual(rows(night.stdout)["thermal"][4], day["thermal"][4])
+
+    def test_draws_a_figure(self):
+        with Folder(yard=YARD % AIR) as folder:
+            done = run("atmosphere", "yard.json", "--plot", cwd=folder)
+            self.assertEqual((done.returncode, done.stderr), (0, "yard.atmosphere.png  (figure, PNG)\n"))
+            png = (folder / "yard.atmosphere.png").read_bytes()
+            self.assertEqual(png[:8], b"\x89PNG\r\n\x1a\n")
+            self.assertEqual(struct.unpack(">I", png[16:20])[0], 2360)
+            self.assertGreater(len(png), 100000)
+            named = run("atmosphere", "yard.json", "--plot", "red.png", "--channel", "red", "--sun", "none", cwd=folder)
+            self.assertEqual(named.returncode, 0, named.stderr)
+            self.assertTrue((folder / "red.png").exists())
+
+    def test_writes_the_spectrum(self):
+        with Folder(yard=YARD % AIR) as folder:
+            done = run("atmosphere", "yard.json", "--csv", "air.csv", "--quiet", cwd=folder)
+            self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+            lines = (folder / "air.csv").read_text().splitlines()
+            comments = [line for line in lines if line.startswith("#")]
+            self.assertIn("# means over 20 cm-1, over black ground", comments)
+            head = lines[len(comments)].split(",")
+            self.assertEqual(head[0], "wavelength_um")
+            self.assertIn("solar_path_radiance", head)
+            table = [list(map(float, line.split(","))) for line in lines[len(comments) + 1 :]]
+            wavelength = [row[0] for row in table]
+            self.assertEqual(wavelength, sorted(wavelength))
+            self.assertTrue(wavelength[0] < 0.45 and wavelength[-1] > 11.2)
+            through = head.index("ground_sensor_transmittance")
+            oxygen = min(row[through] for row in table if 0.755 < row[0] < 0.77)
+            beside = max(row[through] for row in table if 0.745 < row[0] < 0.755)
+            self.assertLess(oxygen, 0.6 * beside)
+
+
+class Errors(unittest.TestCase):
+    def refused(self, air, words, place, *arguments, text=YARD, command="check"):
+        with Folder(yard=text % air) as folder:
+            done = run(command, "yard.json", *arguments, cwd=folder)
+            self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+            self.assertIn(words, done.stderr)
+            if place is not None:
+                line, column = map(int, re.match(r"yard\.json:(\d+):(\d+): ", done.stderr).groups())
+                source = (text % air).splitlines()[line - 1]
+                self.assertTrue(source[column - 1 :].startswith(place), f"{place} is not at {line}:{column}: {source}")
+
+    def test_unknown_names(self):
+        self.refused('"profile": "mid-latitude sumer"', "did you mean 'mid-latitude summer'?", '"mid-latitude sumer"')
+        self.refused(
+            AIR + ', "aerosol": {"type": "rurul"}',
+            "is the text \"rurul\", expected 'none', 'rural', 'urban', 'maritime'",
+            '"rurul"',
+        )
+
+    def test_one_measure_of_aerosol(self):
+        self.refused(
+            AIR + ', "aerosol": {"visibility": "23 km", "aot550": 0.1}',
+            "'aot550' cannot stand beside 'visibility'",
+            '"aot550"',
+        )
+
+    def test_levels(self):
+        level = '{"altitude": "%s", "pressure": "%s", "temperature": "280 K"}'
+        levels = ', "levels": [%s,\n %s]'
+        self.refused(
+            AIR + levels % (level % ("2000 m", "800 hPa"), level % ("1000 m", "700 hPa")),
+            "the altitudes of a profile must rise: 1 km follows 2 km",
+            '"1000 m"',
+        )
+        self.refused(
+            AIR + levels % (level % ("0 m", "800 hPa"), level % ("1000 m", "900 hPa")),
+            "the pressures of a profile must fall: 900 hPa follows 800 hPa",
+            '"900 hPa"',
+        )
+
+    def test_the_sky_is_the_atmospheres(self):
+        sky = YARD.replace('"light": {', '"light": {"sky": {"temperature": "250 K"}, ')
+        self.refused(AIR, "the sky follows from the atmosphere's 'profile'", '{"temperature"', text=sky)
+        self.refused(
+            '"simple": {"sky_temperature": "250 K"}', "leave out 'sky', or 'simple'", '{"temperature"', text=sky
+        )
+
+    def test_geometry(self):
+        flat = YARD.replace('"gsd": "1 m"', '"gsd": "1 m", "view_zenith": "85 deg"')
+        self.refused(AIR, "at most 80 degrees from the nadir; the middle of its image looks 85.0 degrees away",
+                     '{"orthographic"', text=flat)
+        self.refused(
+            AIR + ', "ground_altitude": "2 km", "sensor_altitude": "1 km"',
+            "the sensor stands at 1 km, not above the ground at 2 km",
+            '"1 km"',
+        )
+        self.refused(AIR + ', "ground_altitude": "7 km"', "ground at 7 km: expected below 6 km", "{")
+
+    def test_keys_of_a_profile_need_one(self):
+        self.refused('"water_vapour": "2 g/cm2"', "'water_vapour' needs the key 'profile' beside it", "{")
+        self.refused(
+            '"tabulated": {"transmittance": 0.8}, ' + AIR, "'profile' cannot stand beside 'tabulated'", '"profile"'
+        )
+
+    def test_the_command(self):
+        self.refused('"tabulated": {"transmittance": 0.8}',
+                     "there is no modelled atmosphere to look at: 'atmosphere' has no 'profile'", "{",
+                     command="atmosphere")
+        self.refused(AIR, "ifov: --sun is 'noon', expected ZENITH,AZIMUTH in degrees, such as 30,135", None,
+                     "--sun", "noon", command="atmosphere")
+        self.refused(AIR, "ifov: --view has a zenith angle of 85 degrees, expected 0 to 80", None,
+                     "--view", "85,0", command="atmosphere")
+        self.refused(AIR, "the sensor has no channel 'blu'; did you mean 'blue'? Channels: 'blue', 'red' and 'thermal'",
+                     None, "--plot", "a.png", "--channel", "blu", command="atmosphere")
+        self.refused(AIR, "the sensor stands at -1 km, not above the ground at 0 km", None, "--altitude", "-1",
+                     command="atmosphere")
+
+
+class PlainAtmospheres(unittest.TestCase):
+    """The simpler atmospheres light a Lambertian plane as their definitions say."""
+
+    def radiance(self, air):
+        with Folder(yard=YARD % air) as folder:
+            done = run("render", "yard.json", "--quiet", cwd=folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            raw = (folder / "yard.out" / "image_radiance.img").read_bytes()
+            pixels = struct.unpack(f"<{len(raw) // 4}f", raw)
+            # Lines one behind the other, in each the channels: 4 pixels of blue, of red, of thermal.
+            return [sum(pixels[12 * line + 4 * c + k] for line in range(4) for k in range(4)) / 16 for c in range(3)]
+
+    def test_uniform(self):
+        blue, red, _ = self.radiance('"uniform": {"direct": "900 W m-2 um-1", "diffuse": "100 W m-2 um-1"}')
+        expected = 0.2 / 3.14159265 * (900 * 0.8660254 + 100)
+        self.assertAlmostEqual(blue / expected, 1.0, delta=0.01)
+        self.assertAlmostEqual(red / expected, 1.0, delta=0.01)
+
+    def test_simple(self):
+        blue, red, thermal = self.radiance('"simple": {"sky_temperature": "250 K"}')
+        # Planck's law at 5800 K, scaled to 1000 W m-2: 1362.9 and 1139.9 W m-2 um-1.
+        for value, wavelength in ((blue, 0.48), (red, 0.65)):
+            planck = 1.191042972e8 / wavelength**5 / (2.718281828 ** (14387.769 / (wavelength * 5800)) - 1)
+            sun = planck * 3.14159265 * 1000 / (5.670374419e-8 * 5800**4)
+            self.assertAlmostEqual(value / (0.2 / 3.14159265 * sun * 0.8660254), 1.0, delta=0.01)
+        planck = lambda t: 1.191042972e8 / 10.9**5 / (2.718281828 ** (14387.769 / (10.9 * t)) - 1)
+        self.assertAlmostEqual(thermal / (0.8 * planck(300) + 0.2 * planck(250)), 1.0, delta=0.01)
+
+    def test_four_curves(self):
+        blue, _, _ = self.radiance(
+            '"four_curve": {"direct": "900 W m-2 um-1", "diffuse": "100 W m-2 um-1", "transmittance": 0.9,'
+            ' "path_radiance": "2 W m-2 sr-1 um-1", "length": "1 km", "distance": "3 km"}'
+        )
+        ground = 0.2 / 3.14159265 * (900 * 0.8660254 + 100)
+        self.assertAlmostEqual(blue / (0.9**3 * ground + 6), 1.0, delta=0.01)
+
+
+if __name__ == "__main__":
+    unittest.main()
