@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/run_commands.h"
 #include "core/error.h"
 #include "core/format.h"
 #include "core/names.h"
@@ -19,7 +20,8 @@ constexpr const char* kFooter =
     "  ifov render scene.json            radiance, errors, a picture and a report\n"
     "  ifov info scene.out               what came out\n\n"
     "Exit codes: 0 done; 1 the command line or the input is wrong; 2 a file, the disk or memory fails;\n"
-    "3 a bug in ifov; 4 a study's figure is not what it must be; 130 stopped by Ctrl-C.";
+    "3 a bug in ifov; 4 a study's figure is not what it must be, or a time limit came first;\n"
+    "130 stopped by Ctrl-C.";
 
 int fail(ExitCode code, const std::string& message) {
   std::fprintf(stderr, "%s\n", message.c_str());
@@ -52,7 +54,7 @@ int run(int argc, char** argv) {
   const std::vector<Command> commands{add_render_command(app), add_check_command(app),
                                       add_atmosphere_command(app), add_info_command(app),
                                       add_study_command(app), add_make_command(app), add_materials_command(app),
-                                      add_schema_command(app)};
+                                      add_status_command(app), add_merge_command(app), add_schema_command(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

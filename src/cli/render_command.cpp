@@ -1,38 +1,54 @@
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdio>
 
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/duration.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
+#include "cli/run_summary.h"
+#include "core/error.h"
 #include "core/format.h"
 #include "io/document/document.h"
-#include "session/session.h"
+#include "session/forecast.h"
+#include "session/run.h"
 
 namespace ifov::cli {
 namespace {
 
 struct RenderArguments {
-  std::string document, output, log;
+  std::string document, output, log, tiles, time_limit;
   int threads = 0;
-  bool quiet = false, no_cache = false;
+  bool quiet = false, no_cache = false, resume = false, restart = false, no_state = false, dry_run = false;
 };
 
-void print_summary(const session::RunSummary& summary) {
-  std::string text;
-  for (const session::ProductFile& file : summary.files)
-    text += format("{}  ({})\n", file.path.string(), file.what);
-  const Progress& totals = summary.totals;
-  text += format(
-      "{} pixels, {} rays in {} ({} rays/s)\n", totals.pixels_done,
-      short_count(static_cast<double>(totals.rays)),
-      totals.elapsed_s < 60.0 ? format("{:.2f} s", totals.elapsed_s) : short_duration(totals.elapsed_s),
-      short_count(static_cast<double>(totals.rays) / std::max(totals.elapsed_s, 1e-9)));
-  if (!summary.accuracy_statement.empty()) text += summary.accuracy_statement + "\n";
+void print_forecast(const session::Forecast& forecast) {
+  const auto size = [](std::uint64_t bytes) { return format("{}B", short_count(static_cast<double>(bytes))); };
+  std::string text = format("rays       {}\n", short_count(forecast.rays));
+  text += format("time       {}, give or take {:.0f} %\n",
+                 forecast.elapsed_s < 60.0 ? format("{:.2f} s", forecast.elapsed_s) : short_duration(forecast.elapsed_s),
+                 200.0 * forecast.uncertainty);
+  text += format("memory     {}\n", size(forecast.memory_bytes));
+  text += format("disk       {} while it works, {} of products\n", size(forecast.disk_bytes), size(forecast.product_bytes));
+  text += format("probed     {} pieces, {:.2g} % of the image, in {:.1f} s\n", forecast.probes,
+                 100.0 * forecast.probed_share, forecast.probing_s);
+  for (const std::string& shortage : forecast.shortages) text += format("it will not do: {}\n", shortage);
   std::fputs(text.c_str(), stdout);
 }
 
+/// "17/64".
+render::TileShare read_share(const std::string& text) {
+  render::TileShare share;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%9d/%9d%c", &share.number, &share.count, &rest) != 2 || share.number < 1 ||
+      share.count < share.number)
+    throw InputError(format("--tiles '{}': expected which share of how many, such as 1/64 to 64/64", text));
+  return share;
+}
+
 ExitCode render(const RenderArguments& arguments) {
+  const auto begin = std::chrono::steady_clock::now();
   CancelToken& cancel = cancel_on_interrupt();
   Console console(arguments.quiet, arguments.log);
   try {
@@ -42,16 +58,41 @@ ExitCode render(const RenderArguments& arguments) {
                                                               .threads = arguments.threads,
                                                               .cancel = &cancel,
                                                               .progress = &console});
-    session::RunOptions options;
+    session::RunRequest request;
+    session::RunOptions& options = request.options;
     options.threads = arguments.threads;
     options.output_folder = arguments.output;
+    if (!arguments.time_limit.empty())
+      request.deadline = begin + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                     read_duration(arguments.time_limit, "--time-limit"));
+    if (!arguments.tiles.empty()) {
+      request.share = read_share(arguments.tiles);
+      if (arguments.output.empty())
+        options.output_folder =
+            format("{}.{}-of-{}", document.output.folder, request.share.number, request.share.count);
+    }
     options.cancel = &cancel;
     options.progress = &console;
     options.log = &console;
+    request.keep_tiles = !arguments.no_state;
+    request.start = arguments.resume ? RunStart::resume : arguments.restart ? RunStart::restart : RunStart::fresh;
     if (cancel.cancelled()) throw Cancelled();
-    const session::RunSummary summary = session.render(options);
+    if (arguments.dry_run) {
+      const session::Forecast forecast = session::forecast_run(session, request);
+      console.finish();
+      print_forecast(forecast);
+      return forecast.shortages.empty() ? ExitCode::ok : ExitCode::environment;
+    }
+    const session::RunResult result = session::render_run(session, request);
     console.finish();
-    if (!arguments.quiet) print_summary(summary);
+    if (!arguments.quiet) print_summary(result);
+    if (result.tiles_left > 0) return ExitCode::unmet;
+  } catch (const Cancelled& stop) {
+    console.finish();
+    console.info(format("ended: {}", stop.what()));
+    std::fprintf(stderr, "ifov: %s; unfinished products carry the ending .part%s\n", stop.what(),
+                 arguments.no_state ? "" : ", and --resume goes on with what is finished");
+    return ExitCode::stopped;
   } catch (const std::exception& error) {
     console.finish();
     console.info(format("ended: {}", error.what()));
@@ -73,6 +114,22 @@ Command add_render_command(CLI::App& app) {
                    "Threads; 0 takes all cores. The result is the same for any number")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
+  CLI::Option* resume = parser->add_flag("--resume", arguments->resume,
+                                         "Go on with the run in the output folder that was stopped; the products are the "
+                                         "same, byte for byte. Where there is none, begin");
+  CLI::Option* restart = parser->add_flag("--restart", arguments->restart,
+                                          "Throw away what an unfinished run left in the output folder, and begin");
+  parser->add_flag("--no-state", arguments->no_state, "Do not keep finished tiles: a run that is stopped cannot go on")
+      ->excludes(resume)
+      ->excludes(restart);
+  resume->excludes(restart);
+  parser->add_option("--time-limit", arguments->time_limit,
+                     "Be done within this time (90s, 10min, 1.5h), products and all; pixels that were not reached hold "
+                     "no value, and --resume goes on with them");
+  parser->add_flag("--dry-run", arguments->dry_run,
+                   "Foretell rays, time, memory and disk from a few pieces of the image, and render nothing");
+  parser->add_option("--tiles", arguments->tiles,
+                     "Render one share of the tiles, such as 17/64, for 'ifov merge'; makes no products");
   parser->add_option("--log", arguments->log, "Write what happens to this file");
   parser->add_flag("--no-cache", arguments->no_cache,
                    "Read all files of the scene, and keep nothing of them beside the document");
@@ -80,9 +137,11 @@ Command add_render_command(CLI::App& app) {
   parser->footer(
       "Writes the radiance (ENVI, GeoTIFF), its standard error, sample counts, material abundances,\n"
       "a picture, a report and run.json; names are listed at the end. Ctrl-C stops within a second\n"
-      "and leaves no product that looks complete; a second Ctrl-C ends at once.\n\n"
+      "and leaves no product that looks complete; a second Ctrl-C ends at once. Finished tiles are\n"
+      "kept in the output folder, in run.part, until the products are whole.\n\n"
       "Examples:\n"
       "  ifov render scene.json\n"
+      "  ifov render scene.json --resume\n"
       "  ifov render scene.json --output /data/run7 --threads 8 --log run7.log");
   return {parser, [arguments] { return render(*arguments); }};
 }

@@ -130,7 +130,10 @@ void attach(RTCDevice device, RTCScene scene, RTCGeometry geometry, unsigned num
 EmbreeDevice make_device(int threads, std::atomic<std::int64_t>& bytes) {
   const std::string config = threads > 0 ? format("isa=avx2,threads={}", threads) : std::string("isa=avx2");
   EmbreeDevice device(rtcNewDevice(config.c_str()));
-  if (!device) throw EnvironmentError("the ray tracer cannot start: it needs a processor with AVX2");
+  if (!device)
+    throw EnvironmentError(rtcGetDeviceError(nullptr) == RTC_ERROR_UNSUPPORTED_CPU
+                               ? "the ray tracer cannot start: it needs a processor with AVX2"
+                               : "the ray tracer cannot start: there is too little memory, or no thread can be made");
   const auto count = [](void* total, ssize_t change, bool) {
     static_cast<std::atomic<std::int64_t>*>(total)->fetch_add(change, std::memory_order_relaxed);
     return true;

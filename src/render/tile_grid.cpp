@@ -12,4 +12,10 @@ std::vector<sampling::PixelRect> tile_grid(int width_px, int height_px, int tile
   return tiles;
 }
 
+std::size_t tile_index(int x0, int y0, int width_px, int tile_px) {
+  const int columns = (width_px + tile_px - 1) / tile_px;
+  return static_cast<std::size_t>(y0 / tile_px) * static_cast<std::size_t>(columns) +
+         static_cast<std::size_t>(x0 / tile_px);
+}
+
 }  // namespace ifov::render

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "sampling/tile.h"
@@ -9,5 +10,18 @@ namespace ifov::render {
 /// Cuts an image into square tiles of the document's size (the last row and column may be smaller), row by row.
 /// The grid belongs to the document: a tile's result depends on it, never on threads or order.
 std::vector<sampling::PixelRect> tile_grid(int width_px, int height_px, int tile_px);
+
+/// The share of the tiles of an image that one job of an array renders: the first of 64 takes tiles 0, 64, 128, ...
+struct TileShare {
+  int number = 1, count = 1;  ///< from 1
+  bool is_whole() const { return count == 1; }
+  bool has(std::size_t tile) const {
+    return tile % static_cast<std::size_t>(count) + 1 == static_cast<std::size_t>(number);
+  }
+  friend bool operator==(const TileShare&, const TileShare&) = default;
+};
+
+/// Position in that grid of the tile with this upper left corner.
+std::size_t tile_index(int x0, int y0, int width_px, int tile_px);
 
 }  // namespace ifov::render

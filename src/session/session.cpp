@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
-#include <set>
 
 #include "core/version.h"
-#include "io/products/product_writer.h"
 #include "session/atmosphere_assembly.h"
 #include "session/atmosphere_cache.h"
 #include "session/imported_assembly.h"
@@ -20,20 +18,6 @@
 namespace ifov::session {
 
 namespace {
-
-io::ProductOptions product_options(const io::Document& document, const std::filesystem::path& folder) {
-  io::ProductOptions options;
-  options.folder = folder;
-  const std::set<io::ProductFormat> formats(document.output.formats.begin(), document.output.formats.end());
-  options.geotiff = formats.contains(io::ProductFormat::geotiff);
-  options.quicklook = formats.contains(io::ProductFormat::png);
-  options.report = formats.contains(io::ProductFormat::html);
-  for (const io::DocumentName& channel : document.output.quicklook_channels)
-    for (std::size_t c = 0; c < document.sensor.channels.size(); ++c)
-      if (document.sensor.channels[c].name == channel.name)
-        options.quicklook_channels.push_back(static_cast<int>(c));
-  return options;
-}
 
 /// Beyond this wavelength light is mostly emitted.
 constexpr double kThermal_um = 5.0;
@@ -202,43 +186,5 @@ Session Session::load(const io::Document& document, LogSink* log, const LoadOpti
 }
 
 std::string Session::description() const { return describe(*parts_); }
-
-RunSummary Session::render(const RunOptions& options) const {
-  const Parts& p = *parts_;
-  const std::filesystem::path folder =
-      options.output_folder.empty() ? std::filesystem::path(p.document.output.folder) : options.output_folder;
-  io::RunIdentity identity;
-  identity.version = version();
-  identity.document_path = p.document.file_name;
-  identity.document_text = *p.document.text;
-  identity.seed = p.document.seed;
-  identity.sampler = p.plan.method;
-  identity.accuracy_asked = p.plan.accuracy_asked;
-  if (p.tolerance) identity.confidence = p.tolerance->confidence();
-
-  io::ProductOptions products = product_options(p.document, folder);
-  products.standard_error = products.half_width = p.plan.knows_errors;
-  io::ProductWriter writer(products, identity);
-  writer.begin(p.info);
-  DetectionTally detection(writer);
-  render::RenderControl control;
-  control.threads = options.threads;
-  control.cancel = options.cancel;
-  control.progress = options.progress;
-  RunSummary summary;
-  summary.folder = folder;
-  summary.totals = render::render_image(p.job(), control, detection);
-
-  io::RunOutcome outcome;
-  outcome.accuracy_statement = accuracy_statement(p, summary.totals);
-  outcome.detection_statement = detection.statement();
-  outcome.notes = notes(p);
-  outcome.elapsed_s = summary.totals.elapsed_s;
-  outcome.threads = options.threads;
-  const io::RunRecord record = writer.finish(outcome);
-  for (const io::ProductFile& file : record.files) summary.files.push_back({file.path, file.what});
-  summary.accuracy_statement = outcome.accuracy_statement;
-  return summary;
-}
 
 }  // namespace ifov::session

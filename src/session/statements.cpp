@@ -25,19 +25,24 @@ std::string describe(const Session::Parts& parts) {
   return text;
 }
 
-std::string accuracy_statement(const Session::Parts& parts, const Progress& totals) {
-  if (!parts.tolerance)
-    return format("No accuracy was asked for ({}); {}.", parts.plan.method,
-                  parts.plan.knows_errors ? "half-widths are at 95 %" : "the method says nothing of its error");
-  const std::int64_t missed = totals.pixels_total - totals.pixels_converged;
-  std::string text = format("Asked for {}. ", parts.plan.accuracy_asked);
+std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals, const std::string& why_gaps) {
+  std::string text;
+  if (totals.pixels_done < totals.pixels_total)
+    text = format("{} of {} pixels hold no value (NaN), because {}. ", totals.pixels_total - totals.pixels_done,
+                  totals.pixels_total, why_gaps);
+  if (!plan.judged)
+    return text + format("No accuracy was asked for ({}); {}.", plan.identity.sampler,
+                         plan.knows_errors ? "half-widths are at 95 %" : "the method says nothing of its error");
+  const std::int64_t missed = totals.pixels_done - totals.pixels_converged;
+  text += format("Asked for {}. ", plan.identity.accuracy_asked);
+  if (totals.pixels_done == 0) return text + "No pixel is done.";
   if (missed == 0)
-    text += format("Reached in all {} pixels; the widest interval is {:.2f} of its limit.", totals.pixels_total,
-                   totals.worst_error_ratio);
+    text += format("Reached in all {} pixels{}; the widest interval is {:.2f} of its limit.", totals.pixels_done,
+                   totals.pixels_done < totals.pixels_total ? " that are done" : "", totals.worst_error_ratio);
   else
     text += format("Reached in {} of {} pixels; {} stayed wider, at worst {:.2f} times the limit (see the quality "
                    "product).",
-                   totals.pixels_converged, totals.pixels_total, missed, totals.worst_error_ratio);
+                   totals.pixels_converged, totals.pixels_done, missed, totals.worst_error_ratio);
   return text;
 }
 

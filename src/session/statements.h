@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "io/run_state/run_plan.h"
 #include "render/tile_sink.h"
 #include "session/parts.h"
 
@@ -12,8 +13,9 @@ namespace ifov::session {
 /// What was loaded, a few lines for people.
 std::string describe(const Session::Parts& parts);
 
-/// What was asked for, what was reached, and where it was not.
-std::string accuracy_statement(const Session::Parts& parts, const Progress& totals);
+/// What was asked for, what was reached, and where it was not; `why_gaps` says why pixels are not done, where some are
+/// not.
+std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals, const std::string& why_gaps);
 
 /// Floors and assumptions that enter the result.
 std::vector<std::string> notes(const Session::Parts& parts);

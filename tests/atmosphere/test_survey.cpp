@@ -90,7 +90,9 @@ TEST(AirSurvey, StepsAreAsWideAsTheBandModelResolves) {
   for (std::size_t k = 0; k < steps.size(); ++k) {
     EXPECT_NEAR(1e4 / steps[k].response.first_um() - 1e4 / steps[k].response.last_um(), kResolution_cm1,
                 1e-6);
-    if (k > 0) EXPECT_NEAR(steps[k].response.first_um(), steps[k - 1].response.last_um(), 1e-9);
+    if (k > 0) {
+      EXPECT_NEAR(steps[k].response.first_um(), steps[k - 1].response.last_um(), 1e-9);
+    }
   }
   EXPECT_LE(resolved_steps(0.3, 14.0, 100).size(), 101u);
 }

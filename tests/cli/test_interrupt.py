@@ -87,7 +87,8 @@ class Interrupt(unittest.TestCase):
             output, errors = process.communicate(timeout=20)
             self.assertEqual(process.returncode, 130)
             self.assertEqual(output, "")
-            self.assertEqual(errors, "ifov: stopped on request; unfinished products carry the ending .part\n")
+            self.assertEqual(errors, "ifov: stopped on request; unfinished products carry the ending .part, and "
+                             "--resume goes on with what is finished\n")
 
     def test_ctrl_c_stops_within_a_second_and_leaves_nothing_that_looks_complete(self):
         with Folder(long=LONG) as folder:
@@ -98,9 +99,9 @@ class Interrupt(unittest.TestCase):
                 terminal.process.send_signal(signal.SIGINT)
                 self.assertEqual(terminal.process.wait(timeout=20), 130)
                 self.assertLess(time.monotonic() - begin, 1.0)
-                terminal.read(1, until=".part")
+                terminal.read(1, until="finished\r\n")
                 self.assertTrue(terminal.text.endswith("\r\x1b[Kifov: stopped on request; unfinished products carry the "
-                                                       "ending .part\r\n"), terminal.text[-200:])
+                                                       "ending .part, and --resume goes on with what is finished\r\n"), terminal.text[-200:])
                 left = os.listdir(folder / "long.out")
                 self.assertEqual([name for name in left if not name.endswith(".part")], [])
                 self.assertIn("ended: stopped on request", (folder / "run.log").read_text())

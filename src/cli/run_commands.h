@@ -1,0 +1,11 @@
+#pragma once
+
+#include "cli/command.h"
+
+namespace ifov::cli {
+
+/// Commands about runs that are under way or were split up.
+Command add_status_command(CLI::App& app);
+Command add_merge_command(CLI::App& app);
+
+}  // namespace ifov::cli

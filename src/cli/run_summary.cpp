@@ -1,0 +1,34 @@
+#include "cli/run_summary.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "cli/progress_line.h"
+#include "core/format.h"
+
+namespace ifov::cli {
+
+void print_summary(const session::RunResult& result) {
+  const session::RunSummary& summary = result.summary;
+  std::string text;
+  for (const session::ProductFile& file : summary.files)
+    text += format("{}  ({})\n", file.path.string(), file.what);
+  const Progress& totals = summary.totals;
+  text += format(
+      "{} pixels, {} rays in {} ({} rays/s)\n", totals.pixels_done,
+      short_count(static_cast<double>(totals.rays)),
+      totals.elapsed_s < 60.0 ? format("{:.2f} s", totals.elapsed_s) : short_duration(totals.elapsed_s),
+      short_count(static_cast<double>(totals.rays) / std::max(totals.elapsed_s, 1e-9)));
+  if (!summary.accuracy_statement.empty()) text += summary.accuracy_statement + "\n";
+  if (result.tiles_left > 0)
+    text += format("Stopped by the time limit: {} of {} tiles are done. --resume goes on.\n",
+                   result.tiles_done, result.tiles_done + result.tiles_left);
+  else if (summary.files.empty())
+    text += format(
+        "All {} tiles of this share are done and kept in {}; 'ifov merge' makes the products of all "
+        "shares.\n",
+        result.tiles_done, summary.folder.string());
+  std::fputs(text.c_str(), stdout);
+}
+
+}  // namespace ifov::cli

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+
+namespace ifov {
+
+/// The most memory that this process has held so far (its peak resident set); 0 where the system does not
+/// say.
+std::uint64_t peak_memory_bytes();
+
+/// What this process may hold: what the machine has available beside what the process holds already, and no
+/// more than its limits (RLIMIT_AS, the control group's memory.max) allow.
+std::uint64_t memory_within_reach_bytes();
+
+}  // namespace ifov

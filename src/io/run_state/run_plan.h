@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/products/product_writer.h"
+#include "io/products/run_record.h"
+#include "io/scene_cache/file_stamp.h"
+#include "render/tile_grid.h"
+#include "render/tile_sink.h"
+
+namespace ifov::io {
+
+/// What a run's tiles and products depend on, kept with the tiles: enough to notice what has changed, and to
+/// make the products without the scene.
+struct RunPlan {
+  RunIdentity identity;          ///< program version, document, seed, sampler, accuracy asked
+  std::string build;             ///< which build of that version
+  std::string instruction_set;   ///< of the machine
+  std::vector<FileStamp> files;  ///< of the scene, paths relative to the document's folder
+  render::ImageInfo image;
+  int tile_px = 0;
+  bool judged = false;  ///< an accuracy is asked for
+  bool knows_errors = false;
+  std::vector<std::string> notes;
+  bool geotiff = false, quicklook = false, report = false;
+  std::vector<int> quicklook_channels;
+  render::TileShare share;
+
+  std::vector<sampling::PixelRect> grid() const;
+  ProductOptions products(const std::filesystem::path& folder) const;
+  /// Tells this run's tiles from those of others: of all that a tile's numbers depend on.
+  std::uint64_t key() const;
+};
+
+/// What the tiles of two runs differ in, a line each: what it was, what it is. Sizes and bytes of files
+/// count, their times do not.
+std::vector<std::string> differences(const RunPlan& was, const RunPlan& is);
+
+/// JSON, with a checksum. docs/formats/run_state.md lists the keys.
+std::string to_json(const RunPlan& plan);
+
+/// Throws EnvironmentError where the file cannot be read, is damaged or of another format.
+RunPlan read_plan(const std::filesystem::path& file);
+
+}  // namespace ifov::io

@@ -1,0 +1,178 @@
+#include "io/run_state/run_state.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/error.h"
+#include "io/products/part_file.h"
+#include "io/run_state/tile_packs.h"
+
+namespace ifov::io {
+namespace {
+
+/// Adds up tiles, each once, and the time of the starts they come from.
+class Survey {
+ public:
+  explicit Survey(std::size_t tiles) { result_.done.resize(tiles); }
+
+  /// False for a tile that is there already.
+  bool add(const TileHeader& header) {
+    double& elapsed_s = elapsed_[header.start];
+    elapsed_s = std::max(elapsed_s, header.elapsed_s);
+    if (result_.done[header.index]) return false;
+    result_.done[header.index] = true;
+    result_.pixels += header.rect().count();
+    result_.converged += header.converged;
+    result_.rays += static_cast<std::int64_t>(header.primary_rays + header.shadow_rays + header.bounce_rays);
+    result_.worst_ratio = std::max<double>(result_.worst_ratio, header.worst_ratio);
+    return true;
+  }
+  TilesDone result() {
+    result_.elapsed_s = 0.0;
+    for (const auto& [start, elapsed_s] : elapsed_) result_.elapsed_s += elapsed_s;
+    return result_;
+  }
+
+ private:
+  TilesDone result_;
+  std::map<std::uint64_t, double> elapsed_;
+};
+
+void remove_leftovers(const std::filesystem::path& tiles) {
+  std::error_code error;
+  std::vector<std::filesystem::path> leftovers;
+  for (std::filesystem::directory_iterator entry(tiles, error), end; !error && entry != end;
+       entry.increment(error))
+    if (entry->path().extension() == ".part") leftovers.push_back(entry->path());
+  for (const auto& leftover : leftovers) std::filesystem::remove(leftover, error);
+}
+
+std::string tile_count(const TilesDone& tiles) {
+  return format("{} of {} tiles", tiles.count(), tiles.done.size());
+}
+
+void require_same(const std::filesystem::path& folder, const RunPlan& was, const RunPlan& is) {
+  std::vector<std::string> lines = differences(was, is);
+  if (was.share != is.share)
+    lines.push_back(format("the share of the tiles was {}/{} and is {}/{}", was.share.number, was.share.count,
+                           is.share.number, is.share.count));
+  if (lines.empty()) return;
+  std::string message =
+      format("{}: the run cannot go on, because its tiles would not fit together:", folder.string());
+  for (const std::string& line : lines) message += format("\n  {}", line);
+  throw InputError(message +
+                   format("\nPut back what has changed and resume; or keep the {} that are done and render "
+                          "into another folder (--output); or throw them away and start anew (--restart).",
+                          tile_count(survey_tiles(folder, was))));
+}
+
+}  // namespace
+
+std::size_t TilesDone::count() const {
+  return static_cast<std::size_t>(std::count(done.begin(), done.end(), true));
+}
+
+std::filesystem::path state_folder(const std::filesystem::path& folder) { return folder / "run.part"; }
+std::filesystem::path plan_file(const std::filesystem::path& folder) {
+  return state_folder(folder) / "state.json";
+}
+
+TilesDone survey_tiles(const std::filesystem::path& folder, const RunPlan& plan,
+                       const std::function<void(std::uint32_t, const sampling::TileResult&)>& take,
+                       LogSink* log) {
+  const std::vector<sampling::PixelRect> grid = plan.grid();
+  const TileDemands demands{plan.key(), static_cast<int>(plan.image.channels.size()), grid};
+  Survey survey(grid.size());
+  for (const auto& pack : packs_in(state_folder(folder) / "tiles")) {
+    if (take)
+      read_pack(
+          pack, demands,
+          [&](const TileHeader& header, const sampling::TileResult& tile) {
+            if (survey.add(header)) take(header.index, tile);
+          },
+          log, false);
+    else
+      read_headers(pack, demands, [&](const TileHeader& header) { survey.add(header); });
+  }
+  return survey.result();
+}
+
+std::uint64_t product_bytes(const RunPlan& plan) {
+  const std::uint64_t spectral =
+      plan.image.channels.size() * ((plan.knows_errors ? 3 : 1) + (plan.geotiff ? 1 : 0));
+  const std::uint64_t others = 3 + 3 + 2 * plan.image.materials.size();  // samples, quality, abundances
+  return 4 * (spectral + others) * static_cast<std::uint64_t>(plan.image.width_px) *
+         static_cast<std::uint64_t>(plan.image.height_px);
+}
+
+std::uint64_t state_bytes(const RunPlan& plan) {
+  constexpr std::uint64_t kMaterialsInPixel = 2;
+  const std::uint64_t pixels =
+      static_cast<std::uint64_t>(plan.image.width_px) * static_cast<std::uint64_t>(plan.image.height_px);
+  const std::uint64_t per_pixel = 4 * plan.image.channels.size() * (plan.knows_errors ? 4 : 1) + 5 * 4 + 1 +
+                                  kMaterialsInPixel * sizeof(sampling::Abundance);
+  const auto across = [&](int size_px) { return static_cast<std::uint64_t>((size_px - 1) / plan.tile_px + 1); };
+  const std::uint64_t tiles = across(plan.image.width_px) * across(plan.image.height_px);
+  return pixels * per_pixel / static_cast<std::uint64_t>(plan.share.count) +
+         tiles * sizeof(TileHeader);
+}
+
+RunState::RunState(const std::filesystem::path& folder, const RunPlan& plan, RunStart start, LogSink* log)
+    : plan_(plan), log_(log), path_(state_folder(folder)) {
+  require_space(path_, 0);
+  lock_ = std::make_unique<RunLock>(path_ / "lock", log);
+  const std::filesystem::path kept_plan = plan_file(folder), tiles = path_ / "tiles";
+  const bool exists = std::filesystem::exists(kept_plan);
+  if (exists && start == RunStart::fresh) {
+    const TilesDone kept = survey_tiles(folder, read_plan(kept_plan));
+    if (kept.count() > 0)
+      throw InputError(
+          format("{}: this folder holds an unfinished run, {} are done. Go on with it (--resume), throw it "
+                 "away and start anew (--restart), or take another folder (--output).",
+                 folder.string(), tile_count(kept)));
+  }
+  if (exists && start == RunStart::resume) {
+    plan_ = read_plan(kept_plan);
+    require_same(folder, plan_, plan);
+  } else {
+    std::error_code ignored;
+    std::filesystem::remove_all(tiles, ignored);
+    PartFile file(kept_plan);
+    write_part(file, to_json(plan_));
+    file.publish();
+    sync_folder(path_);
+  }
+  remove_leftovers(tiles);
+}
+
+TilesDone RunState::read(const std::function<void(const sampling::TileResult&)>& take) {
+  const std::vector<sampling::PixelRect> grid = plan_.grid();
+  const TileDemands demands{plan_.key(), static_cast<int>(plan_.image.channels.size()), grid};
+  Survey survey(grid.size());
+  for (const auto& pack : packs_in(path_ / "tiles"))
+    read_pack(
+        pack, demands,
+        [&](const TileHeader& header, const sampling::TileResult& tile) {
+          if (survey.add(header)) take(tile);
+        },
+        log_, true);
+  store_ = std::make_unique<TileStore>(path_ / "tiles", plan_.key());
+  return survey.result();
+}
+
+void RunState::put(std::uint32_t index, const sampling::TileResult& tile) { store_->put(index, tile); }
+
+void RunState::close() {
+  if (store_) store_->close();
+}
+
+void RunState::remove() {
+  store_.reset();
+  std::error_code ignored;
+  std::filesystem::remove_all(path_ / "tiles", ignored);
+  std::filesystem::remove(plan_file(path_.parent_path()), ignored);
+  lock_.reset();
+  std::filesystem::remove(path_, ignored);
+}
+
+}  // namespace ifov::io

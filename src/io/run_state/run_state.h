@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/run_control.h"
+#include "core/run_start.h"
+#include "io/run_state/run_lock.h"
+#include "io/run_state/run_plan.h"
+#include "io/run_state/tile_store.h"
+
+namespace ifov::io {
+
+/// What is known of a run's finished tiles.
+struct TilesDone {
+  std::vector<bool> done;  ///< by tile
+  std::int64_t pixels = 0, converged = 0, rays = 0;
+  double worst_ratio = 0.0;
+  double elapsed_s = 0.0;  ///< wall time of all its starts
+  std::size_t count() const;
+};
+
+/// The state of an unfinished run, in the folder `run.part` of its output folder: plan, lock and finished
+/// tiles. One process at a time.
+class RunState {
+ public:
+  /// Takes the lock. Throws InputError where the folder holds a run that is not to be thrown away, or that
+  /// differs from `plan`; EnvironmentError where another process is at work in it, and for files.
+  RunState(const std::filesystem::path& folder, const RunPlan& plan, RunStart start, LogSink* log);
+
+  /// Each finished tile goes to `take`, in no particular order, each once. Damaged tiles are told to the log
+  /// and removed. Comes before the first put().
+  TilesDone read(const std::function<void(const sampling::TileResult&)>& take);
+
+  /// From any thread.
+  void put(std::uint32_t index, const sampling::TileResult& tile);
+  /// Returns when all tiles are on disk; no put() follows.
+  void close();
+  /// Takes the folder away.
+  void remove();
+
+  /// As of the first start: the name of the document, for one, is the one given then.
+  const RunPlan& plan() const { return plan_; }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  RunPlan plan_;
+  LogSink* log_;
+  std::filesystem::path path_;
+  std::unique_ptr<RunLock> lock_;
+  std::unique_ptr<TileStore> store_;
+};
+
+/// The folder of a run's state, and the plan in it.
+std::filesystem::path state_folder(const std::filesystem::path& folder);
+std::filesystem::path plan_file(const std::filesystem::path& folder);
+
+/// The tiles of a run that may be at work: their figures by their headers, or (`take` given) each of them.
+/// Damaged tiles are told to `log` (may be null) and stay.
+TilesDone survey_tiles(const std::filesystem::path& folder, const RunPlan& plan,
+                       const std::function<void(std::uint32_t, const sampling::TileResult&)>& take = nullptr,
+                       LogSink* log = nullptr);
+
+/// About what a run's products take on disk; the picture and the report, which are small, are left out.
+std::uint64_t product_bytes(const RunPlan& plan);
+
+/// Bytes that the state of a run takes, about: how many materials share a pixel is not known before.
+std::uint64_t state_bytes(const RunPlan& plan);
+
+}  // namespace ifov::io

@@ -1,0 +1,61 @@
+#include "io/run_state/scene_files.h"
+
+#include <json/json.h>
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+
+#include "core/parallel.h"
+
+namespace ifov::io {
+namespace {
+
+/// Names of the buffers beside a .gltf file; whether it is right is for its reader to say.
+std::vector<std::filesystem::path> buffers_of(const std::filesystem::path& gltf) {
+  std::vector<std::filesystem::path> buffers;
+  std::ifstream stream(gltf);
+  Json::Value root;
+  std::string errors;
+  if (!Json::parseFromStream(Json::CharReaderBuilder(), stream, &root, &errors) || !root.isObject() ||
+      !root["buffers"].isArray())
+    return buffers;
+  for (const Json::Value& buffer : root["buffers"]) {
+    const Json::Value uri = buffer.isObject() ? buffer["uri"] : Json::Value();
+    if (uri.isString() && !uri.asString().starts_with("data:"))
+      buffers.push_back(gltf.parent_path() / uri.asString());
+  }
+  return buffers;
+}
+
+std::vector<std::filesystem::path> companions_of(const std::filesystem::path& file) {
+  if (file.extension() == ".gltf") return buffers_of(file);
+  std::vector<std::filesystem::path> companions{file.string() + ".aux.xml", file.string() + ".hdr"};
+  for (const char* extension : {".aux.xml", ".hdr", ".prj", ".tfw", ".wld", ".img", ".bil", ".flt", ".sdat"})
+    companions.push_back(std::filesystem::path(file).replace_extension(extension));
+  return companions;
+}
+
+}  // namespace
+
+std::vector<FileStamp> stamp_scene_files(const std::vector<std::string>& named,
+                                         const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& file : named) {
+    files.emplace_back(file);
+    std::error_code ignored;
+    for (const auto& companion : companions_of(file))
+      if (std::filesystem::is_regular_file(companion, ignored)) files.push_back(companion);
+  }
+  std::sort(files.begin(), files.end());
+  files.erase(std::unique(files.begin(), files.end()), files.end());
+  std::vector<FileStamp> stamps(files.size());
+  parallel_for(static_cast<std::int64_t>(files.size()), 0, [&](std::int64_t k) {
+    stamps[static_cast<std::size_t>(k)] = stamp_of(files[static_cast<std::size_t>(k)], folder);
+  });
+  std::sort(stamps.begin(), stamps.end(),
+            [](const FileStamp& a, const FileStamp& b) { return a.path < b.path; });
+  return stamps;
+}
+
+}  // namespace ifov::io

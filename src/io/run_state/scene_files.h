@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/scene_cache/file_stamp.h"
+
+namespace ifov::io {
+
+/// The stamps of the files that a document names, and of those that their readers look at beside them
+/// (headers and georeferences of rasters, buffers of glTF meshes), sorted by path; paths are relative to
+/// `folder`, the document's. Throws EnvironmentError where one cannot be read.
+std::vector<FileStamp> stamp_scene_files(const std::vector<std::string>& named,
+                                         const std::filesystem::path& folder);
+
+}  // namespace ifov::io

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sampling/tile.h"
+
+namespace ifov::io {
+
+/// What a finished tile is kept as: this header, then its arrays (docs/formats/run_state.md). The first hash
+/// is of the arrays, the second of the header before it.
+struct TileHeader {
+  char magic[8];
+  std::uint32_t byte_order, format;
+  std::uint32_t index;          ///< in the image's grid of tiles, row by row
+  std::int32_t x0, y0, x1, y1;  ///< pixels [x0, x1) x [y0, y1)
+  std::int32_t columns;
+  std::uint32_t has_errors;
+  std::uint32_t abundances;
+  std::uint64_t payload_bytes;
+  std::uint64_t halo_samples, seed_samples, probe_samples;
+  std::uint64_t primary_rays, shadow_rays, bounce_rays;
+  std::uint64_t start;      ///< tells the starts of a run apart
+  double elapsed_s;         ///< since that start
+  std::uint32_t converged;  ///< pixels
+  float worst_ratio;
+  std::uint64_t run;  ///< which run the tile belongs to, RunPlan::key()
+  std::uint64_t payload_hash, header_hash;
+
+  std::uint64_t record_bytes() const { return sizeof(TileHeader) + payload_bytes; }
+  sampling::PixelRect rect() const { return {x0, y0, x1, y1}; }
+};
+static_assert(sizeof(TileHeader) == 152);
+
+/// What a tile's header says besides the tile.
+struct TileStamp {
+  std::uint32_t index = 0;
+  std::uint64_t start = 0, run = 0;
+  double elapsed_s = 0.0;
+};
+
+/// Header and arrays, one behind the other.
+std::vector<std::byte> encode_tile(const sampling::TileResult& tile, const TileStamp& stamp);
+
+/// What the header must say, beside being whole: a record of another run or image is not taken.
+struct TileDemands {
+  std::uint64_t run = 0;
+  int columns = 0;
+  std::span<const sampling::PixelRect> grid;
+};
+
+/// What is wrong with a header, in words ("its header is damaged"); empty where it is right. Only then may
+/// its sizes be believed.
+std::string fault_of(const TileHeader& header, const TileDemands& demands);
+
+/// The tile of a header without fault and of its arrays; false where the arrays' checksum is wrong.
+bool decode_tile(const TileHeader& header, std::span<const std::byte> payload, sampling::TileResult& tile);
+
+}  // namespace ifov::io

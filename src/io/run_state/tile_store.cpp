@@ -1,0 +1,109 @@
+#include "io/run_state/tile_store.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/error.h"
+#include "io/products/part_file.h"
+#include "io/run_state/tile_packs.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr double kLeastGather_s = 1e-3, kMostGather_s = 1.0, kGatherShare = 0.05;
+constexpr std::size_t kPackBytes = std::size_t{8} << 20;
+constexpr std::size_t kMostWaitingBytes = std::size_t{64} << 20;
+
+/// Different for any two starts, whatever the clock says.
+std::uint64_t start_mark() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+  return static_cast<std::uint64_t>(now) * 1000003u + static_cast<std::uint64_t>(getpid());
+}
+
+int number_of(const std::filesystem::path& pack) { return std::atoi(pack.stem().c_str()); }
+
+}  // namespace
+
+TileStore::TileStore(std::filesystem::path folder, std::uint64_t run)
+    : folder_(std::move(folder)), run_(run), start_(start_mark()), began_(std::chrono::steady_clock::now()) {
+  require_space(folder_, 0);
+  for (const auto& pack : packs_in(folder_)) next_pack_ = std::max(next_pack_, number_of(pack) + 1);
+  writer_ = std::thread([this] { work(); });
+}
+
+TileStore::~TileStore() {
+  try {
+    close();
+  } catch (const std::exception&) {
+    // The run ends for a reason of its own, which is said; what is on disk stays.
+  }
+}
+
+double TileStore::elapsed_s() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+}
+
+void TileStore::put(std::uint32_t index, const sampling::TileResult& tile) {
+  Record record = encode_tile(tile, {index, start_, run_, elapsed_s()});
+  std::unique_lock lock(mutex_);
+  room_.wait(lock, [&] { return waiting_bytes_ < kMostWaitingBytes || failure_; });
+  if (failure_) std::rethrow_exception(failure_);
+  waiting_bytes_ += record.size();
+  waiting_.push_back(std::move(record));
+  wake_.notify_one();
+}
+
+void TileStore::close() {
+  {
+    const std::lock_guard lock(mutex_);
+    closing_ = true;
+  }
+  wake_.notify_one();
+  if (writer_.joinable()) writer_.join();
+  if (failure_) std::rethrow_exception(failure_);
+}
+
+void TileStore::work() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    wake_.wait(lock, [&] { return closing_ || !waiting_.empty(); });
+    if (waiting_.empty()) return;
+    const std::chrono::duration<double> gather(
+        std::clamp(kGatherShare * elapsed_s(), kLeastGather_s, kMostGather_s));
+    wake_.wait_for(lock, gather, [&] { return closing_ || waiting_bytes_ >= kPackBytes; });
+    std::vector<Record> records;
+    records.swap(waiting_);
+    waiting_bytes_ = 0;
+    room_.notify_all();
+    lock.unlock();
+    try {
+      write_pack(records);
+    } catch (...) {
+      lock.lock();
+      failure_ = std::current_exception();
+      room_.notify_all();
+      return;
+    }
+    lock.lock();
+  }
+}
+
+void TileStore::write_pack(const std::vector<Record>& records) {
+  PartFile file(folder_ / format("{:06d}{}", next_pack_, kPackEnding));
+  std::uint64_t offset = 0;
+  try {
+    for (const Record& record : records) {
+      file.write_at(offset, record.data(), record.size());
+      offset += record.size();
+    }
+    file.publish();
+  } catch (...) {
+    file.discard();
+    throw;
+  }
+  ++next_pack_;
+}
+
+}  // namespace ifov::io

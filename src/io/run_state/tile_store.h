@@ -1,0 +1,57 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "io/run_state/tile_record.h"
+
+namespace ifov::io {
+
+inline constexpr const char* kPackEnding = ".tiles";
+
+/// Keeps finished tiles in files, each written beside its name and renamed when whole. Tiles that are
+/// finished within a short time share a file, a pack, so that cheap tiles do not drown in files: at first a
+/// thousandth of a second, later a twentieth of what the run has taken, at most a second. A thread of its own
+/// writes; errors in it (a full disk) are thrown by the next put() or close() as EnvironmentError.
+class TileStore {
+ public:
+  /// `run` is RunPlan::key(). Makes the folder.
+  TileStore(std::filesystem::path folder, std::uint64_t run);
+  /// Writes what waits; errors are lost, call close() to see them.
+  ~TileStore();
+  TileStore(const TileStore&) = delete;
+  TileStore& operator=(const TileStore&) = delete;
+
+  /// From any thread; waits where far more is put than the disk takes.
+  void put(std::uint32_t index, const sampling::TileResult& tile);
+
+  /// Returns when all is on disk. No put() may be under way or follow.
+  void close();
+
+ private:
+  using Record = std::vector<std::byte>;
+  double elapsed_s() const;
+  void work();
+  void write_pack(const std::vector<Record>& records);
+
+  std::filesystem::path folder_;
+  std::uint64_t run_, start_;
+  std::chrono::steady_clock::time_point began_;
+  int next_pack_ = 0;
+  std::mutex mutex_;
+  std::condition_variable wake_, room_;
+  std::vector<Record> waiting_;
+  std::size_t waiting_bytes_ = 0;
+  bool closing_ = false;
+  std::exception_ptr failure_;
+  std::thread writer_;
+};
+
+}  // namespace ifov::io

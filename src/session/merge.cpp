@@ -1,0 +1,102 @@
+#include "session/merge.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "io/run_state/run_state.h"
+#include "session/run_products.h"
+
+namespace ifov::session {
+namespace {
+
+std::vector<io::RunPlan> plans_of(const std::vector<std::filesystem::path>& folders) {
+  std::vector<io::RunPlan> plans;
+  for (const auto& folder : folders) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(io::plan_file(folder), ignored))
+      throw InputError(
+          format("'{}' holds no tiles of a run (run.part); expected the output folder of 'ifov render "
+                 "--tiles'",
+                 folder.string()));
+    plans.push_back(io::read_plan(io::plan_file(folder)));
+    const std::vector<std::string> lines = io::differences(plans.front(), plans.back());
+    if (lines.empty()) continue;
+    std::string message = format(
+        "the tiles in '{}' and in '{}' are not of one run:", folders.front().string(), folder.string());
+    for (const std::string& line : lines) message += format("\n  {}", line);
+    throw InputError(message);
+  }
+  return plans;
+}
+
+/// Which folder is to have more tiles, a line each, and which share nobody has.
+std::string where_tiles_are_missing(const std::vector<std::filesystem::path>& folders,
+                                    const std::vector<io::RunPlan>& plans, const std::vector<bool>& done) {
+  std::string text;
+  std::vector<bool> owned(done.size());
+  for (std::size_t f = 0; f < folders.size(); ++f) {
+    std::size_t missing = 0;
+    for (std::size_t k = 0; k < done.size(); ++k) {
+      if (!plans[f].share.has(k)) continue;
+      owned[k] = true;
+      if (!done[k]) ++missing;
+    }
+    if (missing > 0)
+      text += format("\n  {}: {} tiles of its share {}/{} are not done", folders[f].string(), missing,
+                     plans[f].share.number, plans[f].share.count);
+  }
+  std::size_t missing = 0;
+  for (std::size_t k = 0; k < done.size(); ++k) missing += !owned[k] && !done[k] ? 1 : 0;
+  if (missing > 0) text += format("\n  {} tiles are in the share of none of these folders", missing);
+  return text;
+}
+
+}  // namespace
+
+RunResult merge_runs(const std::vector<std::filesystem::path>& folders, const MergeOptions& options) {
+  const std::vector<io::RunPlan> plans = plans_of(folders);
+  const io::RunPlan& plan = plans.front();
+  const std::vector<sampling::PixelRect> grid = plan.grid();
+  const auto require_all = [&](const std::vector<bool>& done) {
+    const auto count = static_cast<std::size_t>(std::count(done.begin(), done.end(), true));
+    if (count == done.size() || options.partial) return;
+    throw InputError(
+        format("{} of {} tiles are missing:{}\nFinish them with 'ifov render --tiles ... --resume', or make "
+               "products with gaps (--partial).",
+               done.size() - count, done.size(), where_tiles_are_missing(folders, plans, done)));
+  };
+  std::vector<bool> done(grid.size());
+  for (std::size_t f = 0; f < folders.size(); ++f) {
+    const io::TilesDone tiles = io::survey_tiles(folders[f], plans[f]);
+    for (std::size_t k = 0; k < grid.size(); ++k) done[k] = done[k] || tiles.done[k];
+  }
+  require_all(done);
+
+  done.assign(grid.size(), false);
+  RunProducts products(plan, options.output_folder);
+  Progress totals;
+  for (std::size_t f = 0; f < folders.size(); ++f) {
+    const auto take = [&](std::uint32_t index, const sampling::TileResult& tile) {
+      if (done[index]) return;
+      done[index] = true;
+      products.write(tile);
+      totals.pixels_done += tile.tile.count();
+      totals.pixels_converged += std::count(tile.converged.begin(), tile.converged.end(), std::uint8_t{1});
+      totals.rays += static_cast<std::int64_t>(tile.rays.total());
+      for (const float ratio : tile.worst_ratio)
+        totals.worst_error_ratio = std::max<double>(totals.worst_error_ratio, ratio);
+    };
+    totals.elapsed_s += io::survey_tiles(folders[f], plans[f], take, options.log).elapsed_s;
+  }
+  require_all(done);  // a damaged one shows only when it is read
+  for (std::size_t k = 0; k < grid.size(); ++k)
+    if (!done[k]) products.write_missing(grid[k]);
+  totals.pixels_total = static_cast<std::int64_t>(plan.image.width_px) * plan.image.height_px;
+  RunResult result;
+  result.summary = products.finish(totals, options.threads, "their tiles were not there to merge");
+  result.tiles_done = static_cast<std::size_t>(std::count(done.begin(), done.end(), true));
+  result.tiles_left = grid.size() - result.tiles_done;
+  return result;
+}
+
+}  // namespace ifov::session

@@ -1,0 +1,43 @@
+#include "session/plan_assembly.h"
+
+#include <filesystem>
+#include <set>
+
+#include "core/version.h"
+#include "io/document/named_files.h"
+#include "io/run_state/scene_files.h"
+#include "session/statements.h"
+
+namespace ifov::session {
+
+io::RunPlan assemble_plan(const Session::Parts& parts) {
+  const io::Document& document = parts.document;
+  io::RunPlan plan;
+  plan.identity.version = version();
+  plan.identity.document_path = document.file_name;
+  plan.identity.document_text = *document.text;
+  plan.identity.seed = document.seed;
+  plan.identity.sampler = parts.plan.method;
+  plan.identity.accuracy_asked = parts.plan.accuracy_asked;
+  if (parts.tolerance) plan.identity.confidence = parts.tolerance->confidence();
+  plan.build = build_id();
+  plan.instruction_set = instruction_set();
+  plan.files = io::stamp_scene_files(io::named_files(document),
+                                     std::filesystem::path(document.file_name).parent_path());
+  plan.image = parts.info;
+  plan.tile_px = document.sampling.tile_px;
+  plan.judged = parts.tolerance != nullptr;
+  plan.knows_errors = parts.plan.knows_errors;
+  plan.notes = notes(parts);
+  const std::set<io::ProductFormat> formats(document.output.formats.begin(), document.output.formats.end());
+  plan.geotiff = formats.contains(io::ProductFormat::geotiff);
+  plan.quicklook = formats.contains(io::ProductFormat::png);
+  plan.report = formats.contains(io::ProductFormat::html);
+  for (const io::DocumentName& channel : document.output.quicklook_channels)
+    for (std::size_t c = 0; c < document.sensor.channels.size(); ++c)
+      if (document.sensor.channels[c].name == channel.name)
+        plan.quicklook_channels.push_back(static_cast<int>(c));
+  return plan;
+}
+
+}  // namespace ifov::session

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "io/run_state/run_plan.h"
+#include "session/parts.h"
+
+namespace ifov::session {
+
+/// What the tiles and the products of a document's run depend on. Looks at every file of the scene. Throws
+/// EnvironmentError where one cannot be read.
+io::RunPlan assemble_plan(const Session::Parts& parts);
+
+}  // namespace ifov::session

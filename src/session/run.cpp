@@ -1,0 +1,197 @@
+#include "session/run.h"
+
+#include <mutex>
+#include <new>
+#include <optional>
+
+#include "core/error.h"
+#include "io/products/part_file.h"
+#include "io/run_state/run_state.h"
+#include "session/parts.h"
+#include "session/plan_assembly.h"
+#include "session/run_products.h"
+#include "session/time_limit.h"
+
+namespace ifov::session {
+namespace {
+
+/// What assembly takes is set aside of a time limit: this, and the products' bytes at this rate.
+constexpr double kAssembly_s = 1.0, kAssembly_bytes_per_s = 60e6;
+constexpr const char* kTimeLimit = "the time limit came first";
+
+/// Keeps finished tiles, hands them to the products, and notes which there are.
+class KeepingSink final : public render::TileSink {
+ public:
+  KeepingSink(const io::RunPlan& plan, RunProducts* products, io::RunState* state, std::vector<bool>& done)
+      : plan_(plan), products_(products), state_(state), done_(done) {}
+  void begin(const render::ImageInfo&) override {}
+  void write(const sampling::TileResult& tile) override {
+    const std::size_t index =
+        render::tile_index(tile.tile.x0, tile.tile.y0, plan_.image.width_px, plan_.tile_px);
+    if (state_ != nullptr) state_->put(static_cast<std::uint32_t>(index), tile);
+    if (products_ != nullptr) products_->write(tile);
+    const std::scoped_lock lock(mutex_);
+    done_[index] = true;
+  }
+
+ private:
+  const io::RunPlan& plan_;
+  RunProducts* products_;
+  io::RunState* state_;
+  std::mutex mutex_;
+  std::vector<bool>& done_;
+};
+
+/// Hands the progress on, counted from the first start of the run, and keeps the last of it for runs that end
+/// early.
+class LastProgress final : public ProgressSink {
+ public:
+  LastProgress(const Progress& before, ProgressSink* next) : before_(before), last_(before), next_(next) {}
+  void report(const Progress& progress) override {
+    last_.pixels_done = before_.pixels_done + progress.pixels_done;
+    last_.pixels_converged = before_.pixels_converged + progress.pixels_converged;
+    last_.rays = before_.rays + progress.rays;
+    last_.worst_error_ratio = std::max(before_.worst_error_ratio, progress.worst_error_ratio);
+    last_.elapsed_s = before_.elapsed_s + progress.elapsed_s;
+    if (next_ != nullptr) next_->report(last_);
+  }
+  const Progress& last() const { return last_; }
+
+ private:
+  Progress before_, last_;
+  ProgressSink* next_;
+};
+
+/// One start of a run.
+class Run {
+ public:
+  Run(const Session& session, const RunRequest& request)
+      : parts_(session.parts()),
+        options_(request.options),
+        deadline_(request.deadline),
+        folder_(request.folder(session)),
+        plan_(assemble_plan(parts_)) {
+    plan_.share = request.share;
+    if (!request.keep_tiles) return;
+    state_.emplace(folder_, plan_, request.start, options_.log);
+    plan_ = state_->plan();
+  }
+
+  /// Where the surroundings fail, the message says that nothing is lost.
+  RunResult go() {
+    try {
+      take_finished();
+      trace();
+      if (state_) state_->close();
+      return finish();
+    } catch (const EnvironmentError& error) {
+      throw EnvironmentError(kept(error.what()));
+    } catch (const std::bad_alloc&) {
+      throw EnvironmentError(kept("memory ran out"));
+    }
+  }
+
+ private:
+  std::string kept(const std::string& what) const {
+    if (!state_) return what;
+    return format("{}\nFinished tiles are kept in {}: put this right and go on with --resume.", what,
+                  state_->path().string());
+  }
+
+  void take_finished() {
+    const std::vector<sampling::PixelRect> grid = plan_.grid();
+    tiles_.done.resize(grid.size());
+    for (std::size_t k = 0; k < grid.size(); ++k)
+      if (plan_.share.has(k)) totals_.pixels_total += grid[k].count();
+    if (plan_.share.is_whole()) products_.emplace(plan_, folder_);
+    if (!state_) return;
+    tiles_ = state_->read([&](const sampling::TileResult& tile) {
+      if (products_) products_->write(tile);
+    });
+    if (tiles_.count() > 0 && options_.log != nullptr)
+      options_.log->info(format("{}: {} of {} tiles are done already", folder_.string(), tiles_.count(),
+                                tiles_.done.size()));
+    totals_.pixels_done = tiles_.pixels;
+    totals_.pixels_converged = tiles_.converged;
+    totals_.rays = tiles_.rays;
+    totals_.worst_error_ratio = tiles_.worst_ratio;
+    totals_.elapsed_s = tiles_.elapsed_s;
+  }
+
+  std::vector<int> tiles_left() const {
+    std::vector<int> left;
+    for (std::size_t k = 0; k < tiles_.done.size(); ++k)
+      if (!tiles_.done[k] && plan_.share.has(k)) left.push_back(static_cast<int>(k));
+    return left;
+  }
+
+  void trace() {
+    const std::vector<int> left = tiles_left();
+    if (left.empty()) return;
+    if (state_) io::require_space(folder_, io::state_bytes(plan_) * left.size() / tiles_.done.size());
+    std::optional<TimeLimit::Clock::time_point> end = deadline_;
+    if (end && products_)
+      *end -= std::chrono::duration_cast<TimeLimit::Clock::duration>(std::chrono::duration<double>(
+          kAssembly_s + static_cast<double>(io::product_bytes(plan_)) / kAssembly_bytes_per_s));
+    const TimeLimit limit(end, options_.cancel);
+    LastProgress progress(totals_, options_.progress);
+    KeepingSink sink(plan_, products_ ? &*products_ : nullptr, state_ ? &*state_ : nullptr, tiles_.done);
+    render::RenderControl control;
+    control.threads = options_.threads;
+    control.cancel = limit.token();
+    control.progress = &progress;
+    control.tile_order = left;
+    try {
+      render::render_image(parts_.job(), control, sink);
+    } catch (const Cancelled&) {
+      if (!limit.reached()) throw;
+    }
+    totals_ = progress.last();
+  }
+
+  RunResult finish() {
+    const std::size_t left = tiles_left().size();
+    RunResult result;
+    if (products_) {
+      const std::vector<sampling::PixelRect> grid = plan_.grid();
+      for (std::size_t k = 0; k < grid.size(); ++k)
+        if (!tiles_.done[k]) products_->write_missing(grid[k]);
+      result.summary = products_->finish(totals_, options_.threads, kTimeLimit);
+    } else {
+      result.summary.folder = folder_;
+      result.summary.totals = totals_;
+      result.summary.accuracy_statement = accuracy_statement(plan_, totals_, kTimeLimit);
+    }
+    result.tiles_done = tiles_.count();
+    result.tiles_left = left;
+    if (left == 0 && products_ && state_) state_->remove();
+    return result;
+  }
+
+  const Session::Parts& parts_;
+  const RunOptions& options_;
+  std::optional<TimeLimit::Clock::time_point> deadline_;
+  std::filesystem::path folder_;
+  io::RunPlan plan_;
+  std::optional<io::RunState> state_;
+  std::optional<RunProducts> products_;  ///< none for a share of the tiles
+  io::TilesDone tiles_;
+  Progress totals_;
+};
+
+}  // namespace
+
+std::filesystem::path RunRequest::folder(const Session& session) const {
+  return options.output_folder.empty() ? std::filesystem::path(session.parts().document.output.folder)
+                                       : options.output_folder;
+}
+
+RunResult render_run(const Session& session, const RunRequest& request) { return Run(session, request).go(); }
+
+RunSummary Session::render(const RunOptions& options) const {
+  RunRequest request;
+  request.options = options;
+  return render_run(*this, request).summary;
+}
+
+}  // namespace ifov::session

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
+
+#include "core/run_start.h"
+#include "render/tile_grid.h"
+#include "session/session.h"
+
+namespace ifov::session {
+
+/// A run keeps each finished tile in its output folder until its products are whole; see docs/guide/runs.md.
+struct RunRequest {
+  RunOptions options;
+  RunStart start = RunStart::fresh;  ///< where the folder holds the tiles of an earlier run
+  bool keep_tiles = true;            ///< false: a run that is stopped cannot go on
+  render::TileShare share;           ///< of the tiles; a share leaves tiles and no products, see merge_runs()
+  std::optional<std::chrono::steady_clock::time_point>
+      deadline;  ///< when all must be done; pixels that are not by then
+                 ///< hold no value in the products
+
+  /// Of the options, else as the document says.
+  std::filesystem::path folder(const Session& session) const;
+};
+
+struct RunResult {
+  RunSummary summary;          ///< without files for a share
+  std::size_t tiles_done = 0;  ///< of the share, those of earlier starts included
+  std::size_t tiles_left = 0;  ///< not 0: the deadline came first
+};
+
+/// Errors as of Session; EnvironmentErrors say that what is finished is kept.
+RunResult render_run(const Session& session, const RunRequest& request);
+
+}  // namespace ifov::session

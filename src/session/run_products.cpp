@@ -1,0 +1,42 @@
+#include "session/run_products.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ifov::session {
+
+RunProducts::RunProducts(const io::RunPlan& plan, const std::filesystem::path& folder)
+    : plan_(plan), folder_(folder), writer_(plan.products(folder), plan.identity), detection_(writer_) {
+  writer_.begin(plan.image);
+}
+
+void RunProducts::write_missing(sampling::PixelRect pixels) {
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  sampling::TileResult tile;
+  tile.reset(pixels, static_cast<int>(plan_.image.channels.size()), plan_.knows_errors);
+  for (auto* values : {&tile.mean, &tile.variance_geometry, &tile.variance_path, &tile.half_width,
+                       &tile.worst_ratio, &tile.missable_fraction})
+    std::fill(values->begin(), values->end(), kNone);
+  for (std::uint32_t p = 0; p < tile.samples.size(); ++p)
+    for (std::uint32_t m = 0; m < plan_.image.materials.size(); ++m)
+      tile.abundances.push_back({p, m, kNone, kNone});
+  writer_.write(tile);
+}
+
+RunSummary RunProducts::finish(const Progress& totals, int threads, const std::string& why_gaps) {
+  io::RunOutcome outcome;
+  outcome.accuracy_statement = accuracy_statement(plan_, totals, why_gaps);
+  outcome.detection_statement = detection_.statement();
+  outcome.notes = plan_.notes;
+  outcome.elapsed_s = totals.elapsed_s;
+  outcome.threads = threads;
+  const io::RunRecord record = writer_.finish(outcome);
+  RunSummary summary;
+  summary.folder = folder_;
+  summary.totals = totals;
+  for (const io::ProductFile& file : record.files) summary.files.push_back({file.path, file.what});
+  summary.accuracy_statement = outcome.accuracy_statement;
+  return summary;
+}
+
+}  // namespace ifov::session

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+
+#include "io/products/product_writer.h"
+#include "io/run_state/run_plan.h"
+#include "session/session.h"
+#include "session/statements.h"
+
+namespace ifov::session {
+
+/// Makes the products of a run out of its tiles, wherever they come from.
+class RunProducts final : public render::TileSink {
+ public:
+  /// Takes the disk space of the products. Errors as of io::ProductWriter.
+  RunProducts(const io::RunPlan& plan, const std::filesystem::path& folder);
+
+  void begin(const render::ImageInfo&) override {}
+  void write(const sampling::TileResult& tile) override { detection_.write(tile); }
+
+  /// For pixels that there is no tile of: not a number in every cube, 0 in the counts of samples.
+  void write_missing(sampling::PixelRect pixels);
+
+  /// After the last tile. `why_gaps` as for accuracy_statement().
+  RunSummary finish(const Progress& totals, int threads, const std::string& why_gaps);
+
+ private:
+  const io::RunPlan& plan_;
+  std::filesystem::path folder_;
+  io::ProductWriter writer_;
+  DetectionTally detection_;
+};
+
+}  // namespace ifov::session
