@@ -63,7 +63,7 @@ ClutterRound::Moment ClutterRound::moment(int column, std::span<const double> we
     squares += square;
     fourths += square * square;
   }
-  if (weight == 0.0) return {};
+  if (weight == 0.0) return moment(column);
   const double blocks = static_cast<double>(weights.size()) / kBlock;
   const double freedom = fourths > 0.0 ? std::min(blocks, 3.0 * squares * squares / fourths) : blocks;
   return {sum / weight, squares / (weight * weight), freedom};

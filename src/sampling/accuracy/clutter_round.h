@@ -40,8 +40,9 @@ class ClutterRound {
   };
   Moment moment(int column) const;
   double spread(int column) const { return sums_.spread(column); }  ///< variance of the values, wherever they stand
-  /// Of values that weigh as the footprint about `centre` does; zero weight where none of them lies under it.
+  /// Weights of the values as the footprint about `centre` has them.
   void weigh(const PixelFootprint& footprint, Point2 centre, std::vector<double>& weights) const;
+  /// Of values that weigh so; of values that weigh alike where none lies under the footprint.
   Moment moment(int column, std::span<const double> weights) const;
 
   /// Values on each material.

@@ -90,12 +90,6 @@ class Radiance {
   double unseen(const Pixel& pixel, std::size_t stratum, int column) const;
 
   std::vector<Pixel>& pixels() { return pixels_; }
-  void clear() {
-    pixels_.clear();
-    plain_pixels_.clear();
-    x_.clear();
-    values_.clear();
-  }
   void add_pixel(int source, const LeafIntegrator& integrator);
   /// Before any value is planned: follows what tracing has changed. False where pixels must be added anew.
   bool refresh(const LeafIntegrator& integrator);

@@ -1,0 +1,92 @@
+#include "sampling/accuracy/clutter_round.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "sampling/hash.h"
+
+namespace ifov::sampling {
+namespace {
+
+constexpr std::size_t kStride = 16;
+
+/// A round over pixel (2, 3) of a picture, whose value may depend on a key that is different for every path.
+ClutterRound filled(int side, std::uint64_t key, bool keep,
+                    const std::function<double(double x, double y, std::uint64_t path)>& picture) {
+  ClutterRound round(side, kStride, keep);
+  for (std::uint32_t block = 0; block < round.blocks(); ++block) {
+    std::vector<PathRequest> requests;
+    round.request(2, 3, key, block, requests);
+    std::vector<float> values(ClutterRound::kBlock * kStride, 0.0f);
+    for (std::size_t q = 0; q < requests.size(); ++q)
+      values[q * kStride] = static_cast<float>(picture(requests[q].point.x_px - 2.0, requests[q].point.y_px - 3.0,
+                                                       hash(requests[q].sequence, requests[q].index)));
+    const std::uint32_t materials[4] = {7, 7, 7, 8};
+    round.add_block(values.data(), materials, std::span<const PathRequest>(requests).first<ClutterRound::kBlock>());
+  }
+  return round;
+}
+
+struct Spread {
+  double true_variance = 0.0, estimated = 0.0, as_if_independent = 0.0;
+};
+
+Spread spread(int side, const std::function<double(double, double, std::uint64_t)>& picture) {
+  constexpr int kTrials = 2000;
+  double sum = 0.0, squares = 0.0;
+  Spread s;
+  for (int k = 0; k < kTrials; ++k) {
+    const ClutterRound round = filled(side, hash(5, k), false, picture);
+    const ClutterRound::Moment m = round.moment(0);
+    sum += m.mean;
+    squares += m.mean * m.mean;
+    s.estimated += m.variance / kTrials;
+    s.as_if_independent += round.spread(0) / static_cast<double>(round.count()) / kTrials;
+  }
+  s.true_variance = squares / kTrials - sum * sum / kTrials / kTrials;
+  return s;
+}
+
+TEST(ClutterRound, NoiseHasTheVarianceOfItsMean) {
+  const Spread s = spread(8, [](double, double, std::uint64_t path) { return unit_double(path); });
+  EXPECT_NEAR(s.true_variance, 1.0 / 12.0 / 64.0, 0.1 / 12.0 / 64.0);
+  EXPECT_NEAR(s.estimated, s.true_variance, 0.1 * s.true_variance);
+}
+
+/// A border: blocks see 1.3 to 1.5 times its variance, values taken for independent many times.
+TEST(ClutterRound, ABorderCostsLessThanIndependentValuesWould) {
+  const Spread s = spread(10, [](double x, double y, std::uint64_t) { return 0.8 * x + 0.6 * y > 0.65 ? 1.0 : 0.0; });
+  EXPECT_GT(s.estimated, 0.95 * s.true_variance);
+  EXPECT_LT(s.estimated, 2.0 * s.true_variance);
+  EXPECT_GT(s.as_if_independent, 5.0 * s.true_variance);
+}
+
+TEST(ClutterRound, AFootprintWeighsValuesByWhereTheyStand) {
+  const ClutterRound round = filled(8, 11, true, [](double x, double, std::uint64_t) { return x; });
+  std::vector<double> weights;
+  // The left half of the pixel, whose centre is at (2.5, 3.5).
+  round.weigh(PixelFootprint::box(1.0), {2.0, 3.5}, weights);
+  EXPECT_NEAR(round.moment(0, weights).mean, 0.25, 0.02);
+  EXPECT_NEAR(round.moment(0).mean, 0.5, 0.02);
+}
+
+/// The rim of a footprint may hold none of a few values: those then count alike, and never as 0.
+TEST(ClutterRound, AFootprintOverNoValueLeavesThePlainMean) {
+  const ClutterRound round = filled(4, 11, true, [](double, double, std::uint64_t) { return 5.0; });
+  std::vector<double> weights;
+  round.weigh(PixelFootprint::box(1.0), {20.0, 3.5}, weights);
+  EXPECT_DOUBLE_EQ(round.moment(0, weights).mean, 5.0);
+}
+
+TEST(ClutterRound, CountsMaterials) {
+  const ClutterRound round = filled(4, 3, false, [](double, double, std::uint64_t) { return 1.0; });
+  ASSERT_EQ(round.materials().size(), 2u);
+  EXPECT_EQ(round.materials()[0], (std::pair<std::uint32_t, std::uint32_t>{7, 12}));
+  EXPECT_EQ(round.materials()[1], (std::pair<std::uint32_t, std::uint32_t>{8, 4}));
+}
+
+}  // namespace
+}  // namespace ifov::sampling
