@@ -10,7 +10,7 @@
 
 namespace ifov::session {
 
-io::RunPlan assemble_plan(const Session::Parts& parts) {
+io::RunPlan assemble_plan(const Session::Parts& parts, bool with_files) {
   const io::Document& document = parts.document;
   io::RunPlan plan;
   plan.identity.version = version();
@@ -22,8 +22,9 @@ io::RunPlan assemble_plan(const Session::Parts& parts) {
   if (parts.tolerance) plan.identity.confidence = parts.tolerance->confidence();
   plan.build = build_id();
   plan.instruction_set = instruction_set();
-  plan.files = io::stamp_scene_files(io::named_files(document),
-                                     std::filesystem::path(document.file_name).parent_path());
+  if (with_files)
+    plan.files = io::stamp_scene_files(io::named_files(document),
+                                       std::filesystem::path(document.file_name).parent_path());
   plan.image = parts.info;
   plan.tile_px = document.sampling.tile_px;
   plan.judged = parts.tolerance != nullptr;
