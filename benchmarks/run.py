@@ -12,7 +12,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
-from drivers import atmosphere, honesty, instances, micro, mitsuba, rami, speed, studies  # noqa: E402
+from drivers import atmosphere, cluster, honesty, instances, micro, mitsuba, rami, speed, studies  # noqa: E402
 from drivers.figures import Context, show  # noqa: E402
 
 GROUPS = {
@@ -23,6 +23,7 @@ GROUPS = {
     "atmosphere": atmosphere.run,
     "rami": rami.run,
     "honesty": honesty.run,
+    "cluster": cluster.run,
     "mitsuba": mitsuba.run,
 }
 

@@ -78,4 +78,10 @@ std::vector<int> TileSchedule::take(int idle, int threads) {
   return group;
 }
 
+std::optional<int> TileSchedule::take_one() {
+  if (left() == 0) return std::nullopt;
+  if (next_ >= first_ones_) sort_rest();
+  return order_[next_++].tile;
+}
+
 }  // namespace ifov::cluster

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace ifov::cluster {
@@ -27,6 +28,9 @@ class TileSchedule {
   /// second, at least one for each idle thread, and fewer towards the end. Where no thread waits and few tiles are
   /// left: none, so that a tile goes to who can begin it.
   std::vector<int> take(int idle, int threads);
+
+  /// For a thread that needs no message to ask.
+  std::optional<int> take_one();
 
   std::size_t left() const { return order_.size() - next_; }
 

@@ -42,10 +42,9 @@ std::optional<int> TileServer::next() {
     own_.erase(was);
   }
   if (stopped_) return std::nullopt;
-  const std::vector<int> tiles = schedule_.take(1, 1);
-  if (tiles.empty()) return std::nullopt;
-  own_[std::this_thread::get_id()] = {tiles.front(), now_s()};
-  return tiles.front();
+  const std::optional<int> tile = schedule_.take_one();
+  if (tile) own_[std::this_thread::get_id()] = {*tile, now_s()};
+  return tile;
 }
 
 Progress TileServer::others() const {

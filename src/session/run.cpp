@@ -180,6 +180,8 @@ class Run {
     if (stopped) throw Cancelled();
     totals_ = progress.last();
     for (const auto& [rank, farewell] : farewells) take_from(rank, farewell.packs);
+    if (const std::size_t missing = tiles_left().size(); server && missing > 0 && !limit.reached())
+      throw EnvironmentError(format("{} tiles of other ranks cannot be read back", missing));
   }
 
   std::unique_ptr<cluster::TileServer> begin_team(const std::vector<int>& left,

@@ -109,6 +109,15 @@ class Ranks(unittest.TestCase):
                 self.assertEqual(len(re.findall(r"^3300 pixels, ", done.stdout, re.MULTILINE)), 1, done.stdout)
                 self.expect_whole(folder / "scene.out")
 
+    def test_tiles_that_take_no_time_are_handed_out_in_groups(self):
+        """Thousands of them, far quicker than a message."""
+        cheap = re.sub(r'"sampling": .*\n', '"sampling": {"single": {}, "tile": 4},\n', SCENE).replace("[60, 55]", "[400, 300]")
+        with Folder(scene=cheap) as folder:
+            self.assertEqual(run("render", "scene.json", "-o", "alone", cwd=folder).returncode, 0)
+            done = mpirun(3, "render", "scene.json", cwd=folder)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertEqual(products(folder / "scene.out"), products(folder / "alone"))
+
     def test_ranks_of_different_speed(self):
         with Folder(scene=SCENE) as folder:
             process = start(3, cwd=folder)

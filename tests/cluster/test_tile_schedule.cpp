@@ -26,16 +26,19 @@ double cost_s(int tile) {
 TEST(TileSchedule, HandsOutEachTileOnce) {
   TileSchedule schedule(all_tiles(), kColumns, kThreads);
   std::vector<int> handed_out;
-  for (int ask = 0; schedule.left() > 0; ++ask) {
+  for (int ask = 0; schedule.left() > 1; ++ask) {
     const int idle = ask % 3;
+    if (ask % 7 == 0) handed_out.push_back(*schedule.take_one());
     for (const int tile : schedule.take(idle, 2)) {
       handed_out.push_back(tile);
       if (ask % 5 != 0) schedule.finished({tile, cost_s(tile)});
     }
   }
+  while (const std::optional<int> tile = schedule.take_one()) handed_out.push_back(*tile);
   std::sort(handed_out.begin(), handed_out.end());
   EXPECT_EQ(handed_out, all_tiles());
   EXPECT_TRUE(schedule.take(4, 4).empty());
+  EXPECT_FALSE(schedule.take_one());
 }
 
 TEST(TileSchedule, SpreadsTheFirstTilesAndThenTakesTheDearest) {
