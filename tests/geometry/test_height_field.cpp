@@ -170,6 +170,34 @@ TEST(HeightField, LeavesASurfaceWithoutMeetingItAgain) {
   EXPECT_EQ(again, 0);
 }
 
+TEST(HeightField, ShadesItselfAsTheMeshDoes) {
+  const TerrainGrid grid = grid_of(200, 200, [](int c, int r) {
+    return hills(c, r) + 0.6 * test::uniform(5, static_cast<std::uint64_t>(200 * r + c));
+  });
+  const auto field = field_world(grid, true), mesh = mesh_world(grid, true);
+  const std::vector<Ray> rays = rays_about(*mesh, 20000);
+  std::vector<SurfacePoint> hits(rays.size());
+  mesh->intersect(rays, hits);
+  std::vector<Ray> away;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (!hits[i].hit()) continue;
+    const Vec3 n = hits[i].geometric_normal.as_vector() * (hits[i].front ? 1.0 : -1.0);
+    Vec3 d = test::direction(9, i);
+    if (dot(d, n) < 0.0) d = -d;
+    away.push_back(
+        {hits[i].position_m + n * hits[i].offset_m, d, 0.0, std::numeric_limits<double>::infinity()});
+  }
+  std::vector<std::uint8_t> ours(away.size()), theirs(away.size());
+  field->occluded(away, ours);
+  mesh->occluded(away, theirs);
+  int blocked = 0;
+  for (std::size_t i = 0; i < away.size(); ++i) {
+    blocked += theirs[i];
+    EXPECT_EQ(ours[i], theirs[i]) << i;
+  }
+  EXPECT_GT(blocked, 1000);
+}
+
 TEST(HeightField, SaysWhatItCannotTrace) {
   const auto error_of = [](TerrainGrid grid) {
     try {

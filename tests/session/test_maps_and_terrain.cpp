@@ -238,7 +238,7 @@ TEST_F(MapsAndTerrain, ATerrainMovesWithItsTransformAndHasHoles) {
 }
 
 TEST_F(MapsAndTerrain, ATerrainMayBeTracedInItsRaster) {
-  write_grid("dem.asc", 100, 200, 10, 4, 4, "5 6 8 5\n5 3 5 9\n5 7 5 -9999\n1 5 2 5");
+  write_grid("dem.asc", 100, 200, 10, 4, 4, "5.1 6.4 8.2 5.7\n5.9 3.3 4.6 9.2\n5.4 7.8 5.2 -9999\n1.3 5.8 2.9 5.5");
   Messages log;
   const auto scene = [](const std::string& more) {
     return format("{{\"materials\": {{\"a\": {{\"reflectance\": 0.1}}}}, \"objects\": [{{\"terrain\": {{\"file\": "
@@ -262,7 +262,7 @@ TEST_F(MapsAndTerrain, ATerrainMayBeTracedInItsRaster) {
   expect_in("warning: terrain 'dem.asc': 1 of 16 cells have no height; they are holes", log.text);
   expect_in("a terrain of the form 'grid' keeps every height: found a detail of 2 m, expected 0 m or the form 'mesh'",
             load_error(scene(R"(, "form": "grid", "detail": "2 m")")));
-  expect_in("found \"tin\", expected \"mesh\" or \"grid\"", load_error(scene(R"(, "form": "tin")")));
+  expect_in("terrain.form' is the text \"tin\", expected 'mesh' or 'grid'", load_error(scene(R"(, "form": "tin")")));
 }
 
 TEST_F(MapsAndTerrain, DegreesNeedAReference) {
