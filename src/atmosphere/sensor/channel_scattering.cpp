@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -16,6 +17,10 @@ constexpr std::size_t kMostWavelengths = 4;
 /// Points that hold less of the channel do not decide how deep the solutions reach.
 constexpr double kLeastShare = 1e-5;
 constexpr double kDark = 1e-300;
+/// What of sunlight paths scatter towards the sensor, and how gas dims it, where points are chosen to be checked: rough
+/// is enough. A point on a solution counts a little, for there may be none between.
+constexpr double kPathShare = 0.1, kPathDepth = 0.3, kLeastWeakness = 0.01;
+constexpr std::size_t kMostChecks = 2;
 
 double log_ratio(double a, double b) { return std::log(std::max(a, kDark) / std::max(b, kDark)); }
 
@@ -34,6 +39,24 @@ Place place(const std::vector<double>& nodes, double x) {
 }
 
 }  // namespace
+
+std::vector<double> solution_question(const ScatteringOptions& options, const SensorGeometry& geometry,
+                                      const Levels& levels, const LayerOptics& optics) {
+  std::vector<double> all{*geometry.sun_zenith_rad, geometry.view_zenith_rad, geometry.view_azimuth_rad,
+                          geometry.sensor_altitude_km, options.aerosol_polarization, options.sublayer_depth,
+                          options.tolerance};
+  for (const int count : {options.nodes_per_hemisphere, options.polarized ? 1 : 0, options.spherical_earth ? 1 : 0,
+                          options.most_sublayers, options.most_orders})
+    all.push_back(count);
+  for (const std::vector<double>* list :
+       {&levels.altitude_km, &optics.gas_absorption, &optics.rayleigh_scattering, &optics.aerosol_scattering,
+        &optics.aerosol_absorption, &optics.aerosol_asymmetry}) {
+    all.push_back(static_cast<double>(list->size()));
+    all.insert(all.end(), list->begin(), list->end());
+  }
+  all.push_back(optics.depolarization);
+  return all;
+}
 
 ChannelScattering::ChannelScattering(const AtmosphereColumn& column, const ChannelPoints& points,
                                      const SensorGeometry& geometry, const SkyDirections& directions,
@@ -111,25 +134,50 @@ Propagation ChannelScattering::towards_sensor() const {
   return {std::cos(geometry_.view_zenith_rad), geometry_.view_azimuth_rad - std::numbers::pi};
 }
 
-/// All that a solution depends on but the program: whoever keeps answers keeps them by its version.
 std::vector<double> ChannelScattering::question(const ColumnSolver& solver, const Node& node) const {
-  const ScatteringOptions& options = solver.options();
-  std::vector<double> all{*geometry_.sun_zenith_rad, geometry_.view_zenith_rad, geometry_.view_azimuth_rad,
-                          geometry_.sensor_altitude_km, options.aerosol_polarization, options.sublayer_depth,
-                          options.tolerance};
-  for (const int count : {options.nodes_per_hemisphere, options.polarized ? 1 : 0, options.spherical_earth ? 1 : 0,
-                          options.most_sublayers, options.most_orders})
-    all.push_back(count);
-  const LayerOptics& optics = node.optics;
-  for (const std::vector<double>* list :
-       {&column_.levels().altitude_km, &optics.gas_absorption, &optics.rayleigh_scattering,
-        &optics.aerosol_scattering, &optics.aerosol_absorption, &optics.aerosol_asymmetry, &directions_.zenith_rad,
-        &directions_.azimuth_rad}) {
+  std::vector<double> all = solution_question(solver.options(), geometry_, column_.levels(), node.optics);
+  for (const std::vector<double>* list : {&directions_.zenith_rad, &directions_.azimuth_rad}) {
     all.push_back(static_cast<double>(list->size()));
     all.insert(all.end(), list->begin(), list->end());
   }
-  all.push_back(optics.depolarization);
   return all;
+}
+
+std::vector<ChannelScattering::WeakPoint> ChannelScattering::weak_points() const {
+  struct Gap {
+    double light = 0.0, weakness = 0.0, worst = -1.0;
+    std::size_t point = 0;
+  };
+  std::map<std::pair<std::size_t, std::size_t>, Gap> gaps;
+  std::vector<double> scaled_depth;
+  for (const double depth : depth_) scaled_depth.push_back(scaled(depth));
+  const auto bulge = [](double share) { return share >= 1.0 ? 1.0 : std::abs(4.0 * share * (1.0 - share)); };
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    const double gas = points_.gas_depth[p];
+    const Place wavelength = place(log_wavelength_, std::log(points_.points[p].wavelength_um));
+    const Place depth = place(scaled_depth, scaled(gas));
+    const double light = points_.share[p] * (points_.sun[p] * points_.view[p] +
+                                             kPathShare * points_.irradiance[p] * std::exp(-kPathDepth * gas));
+    const double weakness =
+        light * std::max({kLeastWeakness, bulge(wavelength.high_share), bulge(depth.high_share)});
+    Gap& gap = gaps[{wavelength.low, depth.low}];
+    gap.light += light;
+    gap.weakness += weakness;
+    if (weakness > gap.worst) {
+      gap.worst = weakness;
+      gap.point = p;
+    }
+  }
+  std::vector<Gap> chosen;
+  for (const auto& entry : gaps) chosen.push_back(entry.second);
+  std::stable_sort(chosen.begin(), chosen.end(), [](const Gap& a, const Gap& b) { return a.weakness > b.weakness; });
+  if (chosen.size() > kMostChecks) chosen.resize(kMostChecks);
+  double all = 0.0;
+  for (const Gap& gap : chosen) all += gap.light;
+  std::vector<WeakPoint> points;
+  for (const Gap& gap : chosen)
+    points.push_back({gap.point, all > 0.0 ? gap.light / all : 1.0 / static_cast<double>(chosen.size())});
+  return points;
 }
 
 void ChannelScattering::solve(const ColumnSolver& solver, std::size_t solution, KeptSolutions* kept) {

@@ -9,6 +9,11 @@
 
 namespace ifov::atmosphere {
 
+/// All numbers that the solution of a column for a sensor depends on: whoever keeps answers keeps them by these and by
+/// the program's version.
+std::vector<double> solution_question(const ScatteringOptions& options, const SensorGeometry& geometry,
+                                      const Levels& levels, const LayerOptics& optics);
+
 /// Sunlight that the air scatters, at all points of a channel, from a few full solutions: at one to four
 /// wavelengths across the channel, and up to six depths of gas. Light scattered once on the way to the sensor
 /// is exact at every point, and so are the direct beams; what is interpolated between the solutions are the
@@ -24,6 +29,14 @@ class ChannelScattering {
   /// Solves one of them, or takes it from what is kept (may be null); different ones may be solved at the same
   /// time.
   void solve(const ColumnSolver& solver, std::size_t solution, KeptSolutions* kept = nullptr);
+
+  /// A point that lies far from the solutions, and the share of the channel's light that it stands for.
+  struct WeakPoint {
+    std::size_t point = 0;
+    double share = 0.0;
+  };
+  /// One or two, of different gaps between the solutions; their shares add up to 1.
+  std::vector<WeakPoint> weak_points() const;
 
   /// By point, once everything is solved. Radiances and irradiances are of the Sun's light at the point.
   struct AtPoints {

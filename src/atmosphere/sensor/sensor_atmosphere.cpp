@@ -6,9 +6,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "atmosphere/sensor/channel_emission.h"
-#include "atmosphere/sensor/channel_scattering.h"
-#include "atmosphere/sensor/sensor_limits.h"
+#include "atmosphere/sensor/error_estimate.h"
+#include "atmosphere/column/light_limits.h"
 #include "core/parallel.h"
 #include "radiometry/planck.h"
 
@@ -25,24 +24,6 @@ double white_above(double wavelength_um, double irradiance) {
 
 }  // namespace
 
-/// All that is known of a channel at its points.
-struct SensorAtmosphere::ChannelLights {
-  ChannelPoints points;
-  std::optional<ChannelScattering> scattering = {};
-  ChannelScattering::AtPoints scattered = {};
-  std::optional<ChannelEmission> emitted = {};
-
-  std::vector<double> sky_irradiance() const {
-    std::vector<double> sum(points.size(), 0.0);
-    const auto add = [&](const std::vector<double>& part) {
-      std::transform(sum.begin(), sum.end(), part.begin(), sum.begin(), std::plus<>());
-    };
-    if (scattering) add(scattered.sky_irradiance);
-    if (emitted) add(emitted->sky_irradiance);
-    return sum;
-  }
-};
-
 SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs& inputs)
     : geometry_(inputs.geometry),
       directions_(inputs.sky.value_or(SkyDirections::standard(inputs.geometry.sun_zenith_rad))) {
@@ -55,22 +36,31 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
   std::vector<ChannelLights> channels;
   for (const std::vector<ChannelBin>& channel : bins)
     channels.push_back({{column, channel, optics, geometry_}});
+  std::optional<FinerAir> finer;
+  if (inputs.with_errors) finer.emplace(column);
   struct Task {
     ChannelLights* lights;
     std::size_t solution;
+    bool check;
   };
   std::vector<Task> tasks;
   for (ChannelLights& lights : channels) {
     if (!geometry_.sun_zenith_rad || lights.points.points.front().wavelength_um > kLastSolar_um) continue;
     lights.scattering.emplace(column, lights.points, geometry_, directions_, inputs.scattering);
-    for (std::size_t k = 0; k < lights.scattering->solutions(); ++k) tasks.push_back({&lights, k});
+    for (std::size_t k = 0; k < lights.scattering->solutions(); ++k) tasks.push_back({&lights, k, false});
+    if (!finer) continue;
+    lights.checks.emplace(*lights.scattering, lights.points, geometry_, *finer);
+    for (std::size_t k = 0; k < lights.checks->solutions(); ++k) tasks.push_back({&lights, k, true});
   }
-  const ColumnSolver solver(inputs.scattering);
+  const ColumnSolver solver(inputs.scattering), careful(FinerAir::finer(inputs.scattering));
   std::mutex telling;
   std::size_t solved = 0;
   parallel_for(static_cast<std::int64_t>(tasks.size()), inputs.threads, [&](std::int64_t k) {
     const Task task = tasks[static_cast<std::size_t>(k)];
-    task.lights->scattering->solve(solver, task.solution, inputs.kept);
+    if (task.check)
+      task.lights->checks->solve(careful, task.solution, inputs.kept);
+    else
+      task.lights->scattering->solve(solver, task.solution, inputs.kept);
     if (!inputs.progress) return;
     const std::scoped_lock lock(telling);
     inputs.progress(++solved, tasks.size());
@@ -94,6 +84,10 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
     if (channels[channel].emitted) add_emission(channel, channels[channel]);
   });
   normalise_sky();
+  if (!finer) return;
+  errors_ = estimate_errors(
+      {column, *finer, geometry_, directions_, inputs.scattering, inputs.ground, inputs.threads}, bins, channels);
+  for (std::size_t c = 0; c < errors_.size(); ++c) errors_[c].nodes.surface = nodes_.worst_error(c);
 }
 
 void SensorAtmosphere::build_nodes(const Inputs& inputs, const std::vector<ChannelLights>& channels) {

@@ -7,7 +7,8 @@
 
 #include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/scattering/scattering_options.h"
-#include "atmosphere/sensor/channel_points.h"
+#include "atmosphere/sensor/air_error.h"
+#include "atmosphere/sensor/channel_lights.h"
 #include "atmosphere/sensor/kept_solutions.h"
 #include "atmosphere/sensor/sky_directions.h"
 #include "radiometry/spectral_nodes.h"
@@ -32,6 +33,9 @@ class SensorAtmosphere {
     ScatteringOptions scattering;
     int threads = 0;
     KeptSolutions* kept = nullptr;  ///< solutions from before, if any
+    /// Whether errors() are wanted, and the reflectance of the ground around the scene, which they depend on.
+    bool with_errors = false;
+    radiometry::Spectrum ground = radiometry::Spectrum::constant(0.0);
     /// Told how many solutions of how many are there, one call at a time; may throw to end it.
     std::function<void(std::size_t, std::size_t)> progress = {};
   };
@@ -61,11 +65,13 @@ class SensorAtmosphere {
     return groundlit_[zenith * node_count() + node];
   }
 
+  /// How far each channel may be off because of how all this is computed; empty where it was not asked for.
+  const std::vector<AirErrors>& errors() const { return errors_; }
+
   /// Channels narrower than the band model resolves, by index.
   const std::vector<std::size_t>& unresolved_channels() const { return unresolved_; }
 
  private:
-  struct ChannelLights;
   void build_nodes(const Inputs& inputs, const std::vector<ChannelLights>& channels);
   void add_scattering(std::size_t channel, const ChannelLights& lights);
   void add_emission(std::size_t channel, const ChannelLights& lights);
@@ -79,6 +85,7 @@ class SensorAtmosphere {
   std::vector<double> sun_, view_transmittance_, view_radiance_, diffuse_transmittance_, spherical_albedo_,
       sky_irradiance_, sky_, groundlit_;
   std::vector<std::size_t> unresolved_;
+  std::vector<AirErrors> errors_;
 };
 
 }  // namespace ifov::atmosphere
