@@ -89,6 +89,8 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(const Session:
     inputs.demands.tolerance = kNodeTolerance;
     inputs.geometry = sensor_geometry(document, *parts.camera, parts.scene.sun,
                                       column.levels().altitude_km.front());
+    inputs.with_errors = true;
+    inputs.ground = parts.scene.materials[parts.scene.surroundings.material].reflectance;
     inputs.threads = work.threads;
     inputs.kept = work.kept;
     inputs.progress = work.progress;

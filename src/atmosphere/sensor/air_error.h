@@ -2,8 +2,8 @@
 
 namespace ifov::atmosphere {
 
-/// How far the radiance of a channel may be off because of how the air is computed. What is known of the air (band
-/// model, aerosol, profile) is taken as right.
+/// How far the radiance of a channel may be off because of how the air is computed. What is known of the air
+/// (band model, aerosol, profile) is taken as right.
 struct AirError {
   double path = 0.0;     ///< of the radiance that the path adds, W m-2 sr-1 um-1
   double surface = 0.0;  ///< of light from surfaces that arrives at the sensor, relative

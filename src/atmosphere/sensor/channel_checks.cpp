@@ -47,7 +47,8 @@ ChannelChecks::Errors ChannelChecks::against(const ChannelScattering::AtPoints& 
     const double sun = points_.irradiance[p], share = check.at.share;
     errors.path += share * relative(given.path[p], sun * check.path);
     errors.sky_irradiance += share * relative(given.sky_irradiance[p], sun * check.sky_irradiance);
-    errors.diffuse_transmittance += share * relative(given.diffuse_transmittance[p], check.diffuse_transmittance);
+    errors.diffuse_transmittance +=
+        share * relative(given.diffuse_transmittance[p], check.diffuse_transmittance);
     errors.spherical_albedo += share * relative(given.spherical_albedo[p], check.spherical_albedo);
   }
   return errors;

@@ -9,12 +9,12 @@
 
 namespace ifov::atmosphere {
 
-/// Solves the points of a channel at which interpolation between its solutions is worst by themselves and with more
-/// care, and says how far what was interpolated is from that. Keeps references.
+/// Solves the points of a channel at which interpolation between its solutions is worst by themselves and
+/// with more care, and says how far what was interpolated is from that. Keeps references.
 class ChannelChecks {
  public:
-  ChannelChecks(const ChannelScattering& scattering, const ChannelPoints& points, const SensorGeometry& geometry,
-                const FinerAir& air);
+  ChannelChecks(const ChannelScattering& scattering, const ChannelPoints& points,
+                const SensorGeometry& geometry, const FinerAir& air);
 
   std::size_t solutions() const { return checks_.size(); }
   /// Different ones may be solved at the same time.

@@ -17,8 +17,8 @@ constexpr std::size_t kMostWavelengths = 4;
 /// Points that hold less of the channel do not decide how deep the solutions reach.
 constexpr double kLeastShare = 1e-5;
 constexpr double kDark = 1e-300;
-/// What of sunlight paths scatter towards the sensor, and how gas dims it, where points are chosen to be checked: rough
-/// is enough. A point on a solution counts a little, for there may be none between.
+/// What of sunlight paths scatter towards the sensor, and how gas dims it, where points are chosen to be
+/// checked: rough is enough. A point on a solution counts a little, for there may be none between.
 constexpr double kPathShare = 0.1, kPathDepth = 0.3, kLeastWeakness = 0.01;
 constexpr std::size_t kMostChecks = 2;
 
@@ -42,11 +42,15 @@ Place place(const std::vector<double>& nodes, double x) {
 
 std::vector<double> solution_question(const ScatteringOptions& options, const SensorGeometry& geometry,
                                       const Levels& levels, const LayerOptics& optics) {
-  std::vector<double> all{*geometry.sun_zenith_rad, geometry.view_zenith_rad, geometry.view_azimuth_rad,
-                          geometry.sensor_altitude_km, options.aerosol_polarization, options.sublayer_depth,
+  std::vector<double> all{*geometry.sun_zenith_rad,
+                          geometry.view_zenith_rad,
+                          geometry.view_azimuth_rad,
+                          geometry.sensor_altitude_km,
+                          options.aerosol_polarization,
+                          options.sublayer_depth,
                           options.tolerance};
-  for (const int count : {options.nodes_per_hemisphere, options.polarized ? 1 : 0, options.spherical_earth ? 1 : 0,
-                          options.most_sublayers, options.most_orders})
+  for (const int count : {options.nodes_per_hemisphere, options.polarized ? 1 : 0,
+                          options.spherical_earth ? 1 : 0, options.most_sublayers, options.most_orders})
     all.push_back(count);
   for (const std::vector<double>* list :
        {&levels.altitude_km, &optics.gas_absorption, &optics.rayleigh_scattering, &optics.aerosol_scattering,
@@ -156,8 +160,9 @@ std::vector<ChannelScattering::WeakPoint> ChannelScattering::weak_points() const
     const double gas = points_.gas_depth[p];
     const Place wavelength = place(log_wavelength_, std::log(points_.points[p].wavelength_um));
     const Place depth = place(scaled_depth, scaled(gas));
-    const double light = points_.share[p] * (points_.sun[p] * points_.view[p] +
-                                             kPathShare * points_.irradiance[p] * std::exp(-kPathDepth * gas));
+    const double light =
+        points_.share[p] *
+        (points_.sun[p] * points_.view[p] + kPathShare * points_.irradiance[p] * std::exp(-kPathDepth * gas));
     const double weakness =
         light * std::max({kLeastWeakness, bulge(wavelength.high_share), bulge(depth.high_share)});
     Gap& gap = gaps[{wavelength.low, depth.low}];
@@ -170,7 +175,8 @@ std::vector<ChannelScattering::WeakPoint> ChannelScattering::weak_points() const
   }
   std::vector<Gap> chosen;
   for (const auto& entry : gaps) chosen.push_back(entry.second);
-  std::stable_sort(chosen.begin(), chosen.end(), [](const Gap& a, const Gap& b) { return a.weakness > b.weakness; });
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [](const Gap& a, const Gap& b) { return a.weakness > b.weakness; });
   if (chosen.size() > kMostChecks) chosen.resize(kMostChecks);
   double all = 0.0;
   for (const Gap& gap : chosen) all += gap.light;

@@ -9,8 +9,8 @@
 
 namespace ifov::atmosphere {
 
-/// All numbers that the solution of a column for a sensor depends on: whoever keeps answers keeps them by these and by
-/// the program's version.
+/// All numbers that the solution of a column for a sensor depends on: whoever keeps answers keeps them by
+/// these and by the program's version.
 std::vector<double> solution_question(const ScatteringOptions& options, const SensorGeometry& geometry,
                                       const Levels& levels, const LayerOptics& optics);
 
@@ -26,8 +26,8 @@ class ChannelScattering {
                     const ScatteringOptions& options);
 
   std::size_t solutions() const { return nodes_.size(); }
-  /// Solves one of them, or takes it from what is kept (may be null); different ones may be solved at the same
-  /// time.
+  /// Solves one of them, or takes it from what is kept (may be null); different ones may be solved at the
+  /// same time.
   void solve(const ColumnSolver& solver, std::size_t solution, KeptSolutions* kept = nullptr);
 
   /// A point that lies far from the solutions, and the share of the channel's light that it stands for.

@@ -46,9 +46,11 @@ struct ExactLight {
       }
       surface += points.share[p] * points.view[p] * light;
       if (!geometry.sun_zenith_rad || wavelength_um > kLastSolar_um) continue;
-      const ScatteringColumn layers(column.levels(), points.points[p].layers(), *geometry.sun_zenith_rad, options);
-      once += points.share[p] * points.irradiance[p] *
-              single_scattering(layers, options.aerosol_polarization, up, geometry.sensor_altitude_km).single.i;
+      const ScatteringColumn layers(column.levels(), points.points[p].layers(), *geometry.sun_zenith_rad,
+                                    options);
+      once +=
+          points.share[p] * points.irradiance[p] *
+          single_scattering(layers, options.aerosol_polarization, up, geometry.sensor_altitude_km).single.i;
     }
   }
 };
@@ -80,7 +82,8 @@ class Estimate {
     const ChannelPoints points(column, bins_[channel], optics_, question_.geometry);
     std::optional<ChannelEmission> emitted;
     if (given.emitted) emitted.emplace(column, points, question_.geometry, SkyDirections{});
-    const ExactLight right(column, points, emitted ? &*emitted : nullptr, question_.geometry, question_.scattering);
+    const ExactLight right(column, points, emitted ? &*emitted : nullptr, question_.geometry,
+                           question_.scattering);
     const ExactLight ours(question_.column, given.points, given.emitted ? &*given.emitted : nullptr,
                           question_.geometry, question_.scattering);
     const double scattered = given.scattering ? mean(given.points.share, given.scattered.path) : 0.0;
@@ -111,7 +114,8 @@ class Estimate {
         errors.spherical_albedo * back, sky > 0.0 ? errors.sky_irradiance * scattered / sky : 0.0};
   }
 
-  /// Neighbouring channels have skies of much the same shape: of some, the one is looked at that has most light.
+  /// Neighbouring channels have skies of much the same shape: of some, the one is looked at that has most
+  /// light.
   void skies() {
     std::vector<std::size_t> order(channels_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -126,13 +130,14 @@ class Estimate {
       const auto light = [&](std::size_t c) {
         return mean(channels_[c].points.share, channels_[c].sky_irradiance());
       };
-      const double error =
-          sky(*std::max_element(first, last, [&](std::size_t a, std::size_t b) { return light(a) < light(b); }));
+      const double error = sky(
+          *std::max_element(first, last, [&](std::size_t a, std::size_t b) { return light(a) < light(b); }));
       for (auto c = first; c != last; ++c) errors_[*c].sky.sky = error;
     });
   }
 
-  /// Of the whole sky of a channel: sunlight as at the point where most of it comes down, and the air's own light.
+  /// Of the whole sky of a channel: sunlight as at the point where most of it comes down, and the air's own
+  /// light.
   double sky(std::size_t channel) const {
     const ChannelLights& given = channels_[channel];
     const SkyDirections finer = halved(question_.directions);
@@ -152,17 +157,18 @@ class Estimate {
         if (light(p) > light(middle)) middle = p;
       beam = points.sun[middle];
       const double ground_km = question_.column.levels().altitude_km.front();
-      const ColumnSolution solved =
-          ColumnSolver(question_.scattering)
-              .solve(question_.column.levels(), points.points[middle].layers(), *question_.geometry.sun_zenith_rad);
+      const ColumnSolution solved = ColumnSolver(question_.scattering)
+                                        .solve(question_.column.levels(), points.points[middle].layers(),
+                                               *question_.geometry.sun_zenith_rad);
       for (std::size_t z = 0; z < finer.zenith_rad.size(); ++z) {
         const SlantSource ring = solved.sunlit().along(-std::cos(finer.zenith_rad[z]));
         for (std::size_t a = 0; a < azimuths; ++a)
-          radiance[z * azimuths + a] +=
-              points.irradiance[middle] * std::max(0.0, ring.sky(finer.azimuth_rad[a], ground_km).radiance().i);
+          radiance[z * azimuths + a] += points.irradiance[middle] *
+                                        std::max(0.0, ring.sky(finer.azimuth_rad[a], ground_km).radiance().i);
       }
     }
-    return inclined_error(question_.directions, radiance, beam, question_.geometry.sun_zenith_rad.value_or(0.0));
+    return inclined_error(question_.directions, radiance, beam,
+                          question_.geometry.sun_zenith_rad.value_or(0.0));
   }
 
   ErrorQuestion question_;
@@ -174,7 +180,8 @@ class Estimate {
 
 }  // namespace
 
-std::vector<AirErrors> estimate_errors(const ErrorQuestion& question, std::span<const std::vector<ChannelBin>> bins,
+std::vector<AirErrors> estimate_errors(const ErrorQuestion& question,
+                                       std::span<const std::vector<ChannelBin>> bins,
                                        std::span<const ChannelLights> channels) {
   return Estimate(question, bins, channels).made();
 }

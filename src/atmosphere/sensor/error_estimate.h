@@ -20,8 +20,10 @@ struct ErrorQuestion {
   int threads = 0;
 };
 
-/// Errors of solved channels by where they come from, all but that of the nodes (docs/theory/atmosphere_error.md).
-std::vector<AirErrors> estimate_errors(const ErrorQuestion& question, std::span<const std::vector<ChannelBin>> bins,
+/// Errors of solved channels by where they come from, all but that of the nodes
+/// (docs/theory/atmosphere_error.md).
+std::vector<AirErrors> estimate_errors(const ErrorQuestion& question,
+                                       std::span<const std::vector<ChannelBin>> bins,
                                        std::span<const ChannelLights> channels);
 
 }  // namespace ifov::atmosphere

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "atmosphere/sensor/error_estimate.h"
 #include "atmosphere/column/light_limits.h"
+#include "atmosphere/sensor/error_estimate.h"
 #include "core/parallel.h"
 #include "radiometry/planck.h"
 
@@ -86,7 +86,8 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
   normalise_sky();
   if (!finer) return;
   errors_ = estimate_errors(
-      {column, *finer, geometry_, directions_, inputs.scattering, inputs.ground, inputs.threads}, bins, channels);
+      {column, *finer, geometry_, directions_, inputs.scattering, inputs.ground, inputs.threads}, bins,
+      channels);
   for (std::size_t c = 0; c < errors_.size(); ++c) errors_[c].nodes.surface = nodes_.worst_error(c);
 }
 

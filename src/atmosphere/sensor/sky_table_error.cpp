@@ -26,7 +26,8 @@ std::vector<double> with_middles(const std::vector<double>& nodes) {
 
 /// Cosine between surface k and a direction; 0 behind it.
 double facing(std::size_t k, double x, double y, double z) {
-  const double inclination = kInclinations[k / kAzimuths.size()] * kDegree, azimuth = kAzimuths[k % kAzimuths.size()] * kDegree;
+  const double inclination = kInclinations[k / kAzimuths.size()] * kDegree,
+               azimuth = kAzimuths[k % kAzimuths.size()] * kDegree;
   return std::max(0.0, std::cos(inclination) * z +
                            std::sin(inclination) * (std::cos(azimuth) * x + std::sin(azimuth) * y));
 }
@@ -57,7 +58,8 @@ class Irradiances {
  private:
   /// From both sides of the Sun's plane.
   void add(double zenith, double azimuth, double light) {
-    const double z = std::cos(zenith), x = std::sin(zenith) * std::cos(azimuth), y = std::sin(zenith) * std::sin(azimuth);
+    const double z = std::cos(zenith), x = std::sin(zenith) * std::cos(azimuth),
+                 y = std::sin(zenith) * std::sin(azimuth);
     for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += light * (facing(k, x, y, z) + facing(k, x, -y, z));
   }
 };
@@ -71,19 +73,26 @@ SkyDirections halved(const SkyDirections& table) {
 double inclined_error(const SkyDirections& table, std::span<const double> radiance, double beam,
                       double sun_zenith_rad) {
   const SkyDirections finer = halved(table);
-  std::vector<double> at_table;
-  for (std::size_t z = 0; z < finer.zenith_rad.size(); z += 2)
-    for (std::size_t a = 0; a < finer.azimuth_rad.size(); a += 2)
-      at_table.push_back(radiance[z * finer.azimuth_rad.size() + a]);
+  const std::size_t zeniths = finer.zenith_rad.size(), azimuths = finer.azimuth_rad.size();
+  // The table's own sky at the finer directions: the mean of the two or four around.
+  std::vector<double> linear(radiance.size());
+  for (std::size_t z = 0; z < zeniths; ++z)
+    for (std::size_t a = 0; a < azimuths; ++a) {
+      const std::size_t up = z - z % 2, down = z + z % 2, left = a - a % 2, right = a + a % 2;
+      linear[z * azimuths + a] =
+          0.25 * (radiance[up * azimuths + left] + radiance[up * azimuths + right] +
+                  radiance[down * azimuths + left] + radiance[down * azimuths + right]);
+    }
   Irradiances right, given;
   right.add(finer, radiance);
-  given.add(table, at_table);
+  given.add(finer, linear);
   if (!(given.sum.front() > 0.0)) return 0.0;
   const double scale = right.sum.front() / given.sum.front();
   double worst = 0.0;
   for (std::size_t k = 0; k < right.sum.size(); ++k)
     worst = std::max(worst, std::abs(scale * given.sum[k] - right.sum[k]) /
-                                (right.sum[k] + beam * facing(k, std::sin(sun_zenith_rad), 0.0, std::cos(sun_zenith_rad))));
+                                (right.sum[k] +
+                                 beam * facing(k, std::sin(sun_zenith_rad), 0.0, std::cos(sun_zenith_rad))));
   return 4.0 / 3.0 * worst;
 }
 
