@@ -6,7 +6,8 @@
 namespace ifov::render {
 namespace {
 
-/// Steepest slope of a line of sight that the table is asked for, tan 85 degrees: flatter ones are on its rim.
+/// Steepest slope of a line of sight that the table is asked for, tan 85 degrees: flatter ones are on its
+/// rim.
 constexpr double kLeastRise = 0.0872;
 
 }  // namespace
@@ -33,7 +34,8 @@ ViewTable::ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 
           const atmosphere::SensorAtmosphere::Sight sight = atmosphere.sight(line);
           for (std::size_t n = 0; n < nodes; ++n) {
             through[n] += weight[line] * sight.transmittance[n];
-            added[n] += weight[line] * (sight.radiance[n] + ground_radiance[n] * sight.diffuse_transmittance[n]);
+            added[n] +=
+                weight[line] * (sight.radiance[n] + ground_radiance[n] * sight.diffuse_transmittance[n]);
           }
         }
         for (std::size_t n = 0; n < nodes; ++n) {
@@ -46,9 +48,9 @@ ViewTable::ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 
 
 ViewTable::Place ViewTable::at(math::Vec3 towards_sensor, double height_m) const {
   const double rise = std::max(towards_sensor.z, kLeastRise);
-  const std::array<double, 3> wanted{
-      1e-3 * height_m, (towards_sensor.x * sun_x_ + towards_sensor.y * sun_y_) / rise,
-      std::abs(towards_sensor.x * sun_y_ - towards_sensor.y * sun_x_) / rise};
+  const std::array<double, 3> wanted{1e-3 * height_m,
+                                     (towards_sensor.x * sun_x_ + towards_sensor.y * sun_y_) / rise,
+                                     std::abs(towards_sensor.x * sun_y_ - towards_sensor.y * sun_x_) / rise};
   const std::array<std::size_t, 3> stride{axes_[1].size() * axes_[2].size(), axes_[2].size(), 1};
   // Along which axes the cell's far end is met first.
   std::array<std::pair<double, std::size_t>, 3> ahead;
@@ -62,7 +64,13 @@ ViewTable::Place ViewTable::at(math::Vec3 towards_sensor, double height_m) const
     ahead[active++] = {std::clamp((wanted[axis] - places[low]) / (places[low + 1] - places[low]), 0.0, 1.0),
                        stride[axis]};
   }
-  std::sort(ahead.begin(), ahead.begin() + static_cast<std::ptrdiff_t>(active), std::greater<>());
+  // Three at most: the farthest ahead first.
+  const auto order = [&](std::size_t a, std::size_t b) {
+    if (b < active && ahead[a].first < ahead[b].first) std::swap(ahead[a], ahead[b]);
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
   Place place;
   double left = 1.0;
   for (std::size_t k = 0; k <= active; ++k) {

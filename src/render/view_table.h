@@ -10,8 +10,9 @@
 
 namespace ifov::render {
 
-/// What the air between surfaces and the sensor does, by line of sight and height of the surface, in spectral nodes:
-/// linear in the simplices of a fine grid of slopes and heights (Kuhn's division of each cell), which takes 2 to 4 rows.
+/// What the air between surfaces and the sensor does, by line of sight and height of the surface, in spectral
+/// nodes: linear in the simplices of a fine grid of slopes and heights (Kuhn's division of each cell), which
+/// takes 2 to 4 rows.
 class ViewTable {
  public:
   /// `ground_radiance`: of the ground around the scene, by node, whose light the air scatters into the path.
@@ -27,7 +28,7 @@ class ViewTable {
   Place at(math::Vec3 towards_sensor, double height_m) const;
 
  private:
-  double sun_x_ = 0.0, sun_y_ = 1.0;  // horizontal direction of the Sun, unit
+  double sun_x_ = 0.0, sun_y_ = 1.0;         // horizontal direction of the Sun, unit
   std::array<std::vector<double>, 3> axes_;  // height in km, along, across
   radiometry::SpectrumBlock transmittance_, radiance_;
 };

@@ -23,10 +23,11 @@ struct AirErrors {
   AirError scattering;  ///< interpolation between few solutions, and their angles, layers and orders
   AirError nodes;       ///< few spectral nodes
   AirError sky;         ///< linear between the directions of the sky's table
+  AirError sights;      ///< between the lines of sight of the path's table
 
   AirError total() const {
     AirError sum = absorption;
-    return ((sum += scattering) += nodes) += sky;
+    return (((sum += scattering) += nodes) += sky) += sights;
   }
 };
 

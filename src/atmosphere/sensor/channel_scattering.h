@@ -41,6 +41,8 @@ class ChannelScattering {
   /// By point, once everything is solved. Radiances and irradiances are of the Sun's light at the point.
   struct AtPoints {
     std::vector<double> path, sky_irradiance, diffuse_transmittance, spherical_albedo;
+    /// [sight][point] and [height][point].
+    std::vector<std::vector<double>> sight_path, sight_diffuse, sky_at_height;
     /// [solution]: the share of each solution in the shapes of the sky.
     std::vector<std::vector<double>> share;
   };
@@ -60,12 +62,18 @@ class ChannelScattering {
     // Logarithms of all light over light scattered once, of the sky's light over the direct beam's, of the
     // diffuse over the direct transmittance, of the spherical albedo.
     double path = 0.0, sky_irradiance = 0.0, diffuse_transmittance = 0.0, spherical_albedo = 0.0;
+    // The same by sight and by height.
+    std::vector<double> sight_path, sight_diffuse, sky_at_height;
     std::vector<double> sky, groundlit;
+    std::vector<double> packed() const;
+    void unpack(std::span<const double> answer, const SensorGeometry& geometry,
+                const SkyDirections& directions);
   };
   void solve(const ColumnSolver& solver, Node& node) const;
   std::vector<double> question(const ColumnSolver& solver, const Node& node) const;
   void choose_nodes();
   LayerOptics optics_at(double log_wavelength, double depth) const;
+  void solve_sights(const ColumnSolution& solved, Node& node) const;
   Propagation towards_sensor() const;
 
   const AtmosphereColumn& column_;

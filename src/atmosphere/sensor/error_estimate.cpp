@@ -171,7 +171,7 @@ class Estimate {
                           question_.geometry.sun_zenith_rad.value_or(0.0));
   }
 
-  ErrorQuestion question_;
+  const ErrorQuestion& question_;
   std::span<const std::vector<ChannelBin>> bins_;
   std::span<const ChannelLights> channels_;
   BinOptics optics_;

@@ -26,7 +26,15 @@ double white_above(double wavelength_um, double irradiance) {
 
 SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs& inputs)
     : geometry_(inputs.geometry),
-      directions_(inputs.sky.value_or(SkyDirections::standard(inputs.geometry.sun_zenith_rad))) {
+      directions_(inputs.sky.value_or(SkyDirections::standard(inputs.geometry.sun_zenith_rad))),
+      sights_(inputs.sights.value_or(
+          SightGrid(SightLine{geometry_.view_zenith_rad, geometry_.view_azimuth_rad, 0.0}))) {
+  if (!sights_.trivial()) {
+    geometry_.sights = sights_.lines();
+    const std::vector<SightLine> checks = sights_.checks();
+    geometry_.sights.insert(geometry_.sights.end(), checks.begin(), checks.end());
+    geometry_.heights_km.assign(sights_.height().known().begin() + 1, sights_.height().known().end());
+  }
   std::vector<std::vector<ChannelBin>> bins;
   for (std::size_t c = 0; c < inputs.channels.size(); ++c) {
     bins.push_back(channel_bins(inputs.channels[c], inputs.solar_irradiance));
@@ -76,19 +84,29 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
   const std::size_t nodes = node_count(), zeniths = directions_.zenith_rad.size();
   for (auto* row : {&view_radiance_, &diffuse_transmittance_, &spherical_albedo_, &sky_irradiance_})
     row->assign(nodes, 0.0);
+  if (!sights_.trivial()) {
+    for (auto* rows : {&sight_transmittance_, &sight_radiance_, &sight_diffuse_})
+      rows->assign(sights_.known_lines() * nodes, 0.0);
+    for (auto* rows : {&sun_at_height_, &sky_at_height_})
+      rows->assign(sights_.height().known().size() * nodes, 0.0);
+  }
   sky_.assign(zeniths * directions_.azimuth_rad.size() * nodes, 0.0);
   groundlit_.assign(zeniths * nodes, 0.0);
   parallel_for(static_cast<std::int64_t>(channels.size()), inputs.threads, [&](std::int64_t k) {
     const std::size_t channel = static_cast<std::size_t>(k);
     if (channels[channel].scattering) add_scattering(channel, channels[channel]);
     if (channels[channel].emitted) add_emission(channel, channels[channel]);
+    if (!sights_.trivial()) add_sights(channel, channels[channel]);
   });
   normalise_sky();
   if (!finer) return;
+  const SensorGeometry alone = geometry_.alone();
   errors_ = estimate_errors(
-      {column, *finer, geometry_, directions_, inputs.scattering, inputs.ground, inputs.threads}, bins,
-      channels);
-  for (std::size_t c = 0; c < errors_.size(); ++c) errors_[c].nodes.surface = nodes_.worst_error(c);
+      {column, *finer, alone, directions_, inputs.scattering, inputs.ground, inputs.threads}, bins, channels);
+  for (std::size_t c = 0; c < errors_.size(); ++c) {
+    errors_[c].nodes.surface = nodes_.worst_error(c);
+    errors_[c].sights = sight_error(c, channels[c], inputs.ground);
+  }
 }
 
 void SensorAtmosphere::build_nodes(const Inputs& inputs, const std::vector<ChannelLights>& channels) {

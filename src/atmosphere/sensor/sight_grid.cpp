@@ -12,8 +12,9 @@ namespace {
 constexpr double kOneSlope = 1e-3;
 /// Of the finer places, in slope, and how many there are at most.
 constexpr double kWantedStep = 0.03;
-constexpr std::size_t kMostWanted = 65;
-constexpr double kOneHeight_km = 1e-3;
+constexpr std::size_t kMostWanted = 97;
+/// Lower surfaces are taken for ground.
+constexpr double kOneHeight_km = 0.02;
 
 /// Points for a range whose half is this, in asinh(slope), which is how fast the path's length grows.
 std::size_t points_for(double half) {
@@ -86,6 +87,7 @@ SightGrid::SightGrid(const SightRange& range, const Levels& levels)
     : along_(SightAxis::slopes(range.along_low, range.along_high)),
       across_(SightAxis::slopes(range.across_low, range.across_high)),
       height_(SightAxis::heights(levels, range.highest_km)) {
+  highest_km_ = std::max(0.0, range.highest_km);
   only_ = line(along_.known().front(), across_.known().front(), 0.0);
 }
 
@@ -104,20 +106,28 @@ std::vector<SightLine> SightGrid::lines() const {
 
 std::vector<SightLine> SightGrid::checks() const {
   std::vector<SightLine> all;
-  if (single()) return all;
+  if (trivial()) return all;
   // Near the corners, where polynomials are worst, and within; heights between levels.
-  constexpr std::array<std::array<double, 3>, 6> kPlaces{
-      {{0.04, 0.04, 0.11}, {0.96, 0.06, 0.93}, {0.05, 0.95, 0.55}, {0.94, 0.97, 0.3}, {0.52, 0.47, 0.71}, {0.3, 0.7, 0.04}}};
+  constexpr std::array<std::array<double, 3>, 6> kPlaces{{{0.04, 0.04, 0.11},
+                                                          {0.96, 0.06, 0.93},
+                                                          {0.05, 0.95, 0.55},
+                                                          {0.94, 0.97, 0.3},
+                                                          {0.52, 0.47, 0.71},
+                                                          {0.3, 0.7, 0.04}}};
   const auto at = [](const SightAxis& axis, double share) {
     return axis.known().front() + share * (axis.known().back() - axis.known().front());
   };
-  for (const auto& [a, c, h] : kPlaces) all.push_back(line(at(along_, a), at(across_, c), at(height_, h)));
+  for (const auto& [a, c, h] : kPlaces) all.push_back(line(at(along_, a), at(across_, c), h * highest_km_));
   return all;
 }
 
 std::vector<double> SightGrid::weights(const SightLine& line) const {
-  const std::vector<double> by_height = height_.weights(line.height_km), by_along = along_.weights(slope_along(line)),
-                            by_across = across_.weights(slope_across(line));
+  return weights(line.height_km, slope_along(line), slope_across(line));
+}
+
+std::vector<double> SightGrid::weights(double height_km, double along, double across) const {
+  const std::vector<double> by_height = height_.weights(height_km), by_along = along_.weights(along),
+                            by_across = across_.weights(across);
   std::vector<double> all;
   for (const double h : by_height)
     for (const double a : by_along)

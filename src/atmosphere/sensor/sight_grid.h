@@ -15,16 +15,16 @@ struct SightLine {
   double height_km = 0.0;    ///< of the surface above the column's ground
 };
 
-/// Lines of sight of an image, as the box that holds them: slopes tan(zenith) cos(azimuth) along the Sun's azimuth and
-/// |tan(zenith) sin(azimuth)| across it (the air is the same on both sides of the Sun's plane).
+/// Lines of sight of an image, as the box that holds them: slopes tan(zenith) cos(azimuth) along the Sun's
+/// azimuth and |tan(zenith) sin(azimuth)| across it (the air is the same on both sides of the Sun's plane).
 struct SightRange {
   double along_low = 0.0, along_high = 0.0;
   double across_low = 0.0, across_high = 0.0;
   double highest_km = 0.0;  ///< of the surfaces, above the column's ground
 };
 
-/// An axis that a smooth quantity is known at few places of, and taken from at many: between the few it is the polynomial
-/// through all of them (Chebyshev's points, where that is safe), or straight lines.
+/// An axis that a smooth quantity is known at few places of, and taken from at many: between the few it is
+/// the polynomial through all of them (Chebyshev's points, where that is safe), or straight lines.
 class SightAxis {
  public:
   /// One place.
@@ -65,10 +65,14 @@ class SightGrid {
   std::vector<SightLine> checks() const;
   /// Weights of lines() at a line of sight.
   std::vector<double> weights(const SightLine& line) const;
+  std::vector<double> weights(double height_km, double along, double across) const;
+  /// Whether anything but a single line's own light is asked for.
+  bool trivial() const { return single() && !(highest_km_ > 0.0); }
 
  private:
   SightLine line(double along, double across, double height_km) const;
   SightLine only_;
+  double highest_km_ = 0.0;
   SightAxis along_, across_, height_;
 };
 
