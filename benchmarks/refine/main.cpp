@@ -1,4 +1,5 @@
-// What a run costs that is taken from twice an error to it, against one that is at it from the start; rays are counted.
+// What a run costs that is taken from twice an error to it, against one that is at it from the start; rays
+// are counted.
 //   bench_refine DOCUMENT [FACTOR]         the document says the tighter error
 // Prints one JSON object.
 #include <algorithm>
@@ -76,7 +77,8 @@ double disagreement(const Tiles& a, const Tiles& b) {
 void run(const char* path, double factor) {
   const session::Session session = session::Session::load(io::read_document(path), nullptr);
   const session::Session::Parts& parts = session.parts();
-  if (!parts.tolerance || !parts.plan.sampler->can_refine()) throw InputError("the document asks for no accuracy");
+  if (!parts.tolerance || !parts.plan.sampler->can_refine())
+    throw InputError("the document asks for no accuracy");
   session::SamplingPlan loose = session::assemble_sampling(parts.document, parts.channels);
   loose.request->error *= factor;
   const auto loose_limits = parts.tolerance_of(loose);
@@ -91,12 +93,14 @@ void run(const char* path, double factor) {
   const auto refined = render(parts.job(), true, first.get());
   const auto direct = render(parts.job(), false, nullptr);
   const Cost a = cost(*first), b = cost(*refined), c = cost(*direct);
-  std::puts(format(R"({{"ratio": {:.4f}, "ratio_samples": {:.4f}, "first_over_direct": {:.4f}, "rays_direct": {}, "samples_per_pixel": {:.1f}, "values_per_pixel": {:.1f}, )"
-                   R"("disagree": {:.5f}, "disagree_first": {:.5f}, "converged": {:.5f}, "converged_direct": {:.5f}, "bytes_per_pixel": {:.0f}, "bytes_per_pixel_first": {:.0f}}})",
-                   b.rays / c.rays, b.samples / c.samples, a.rays / c.rays, c.rays, c.samples / c.pixels, c.values / c.pixels,
-                   disagreement(*refined, *direct), disagreement(*refined, *first), b.converged / b.pixels,
-                   c.converged / c.pixels, b.memory / b.pixels, a.memory / a.pixels)
-                .c_str());
+  std::puts(
+      format(
+          R"({{"ratio": {:.4f}, "ratio_samples": {:.4f}, "first_over_direct": {:.4f}, "rays_direct": {}, "samples_per_pixel": {:.1f}, "values_per_pixel": {:.1f}, )"
+          R"("disagree": {:.5f}, "disagree_first": {:.5f}, "converged": {:.5f}, "converged_direct": {:.5f}, "bytes_per_pixel": {:.0f}, "bytes_per_pixel_first": {:.0f}}})",
+          b.rays / c.rays, b.samples / c.samples, a.rays / c.rays, c.rays, c.samples / c.pixels,
+          c.values / c.pixels, disagreement(*refined, *direct), disagreement(*refined, *first),
+          b.converged / b.pixels, c.converged / c.pixels, b.memory / b.pixels, a.memory / a.pixels)
+          .c_str());
 }
 
 }  // namespace

@@ -6,9 +6,11 @@
 
 #include "core/error.h"
 #include "io/products/part_file.h"
+#include "io/run_state/kept_run.h"
 #include "io/run_state/run_state.h"
 #include "session/parts.h"
 #include "session/plan_assembly.h"
+#include "session/refinement.h"
 #include "session/run_products.h"
 #include "session/time_limit.h"
 
@@ -72,6 +74,10 @@ class Run {
         folder_(request.folder(session)),
         plan_(assemble_plan(parts_)) {
     plan_.share = request.share;
+    if (request.keep_finished) require_refinable(parts_);
+    plan_.keeps_memory = request.keep_finished;
+    if (request.refine) plan_refinement(folder_, parts_, plan_);
+    if (request.start == RunStart::resume) resume_refinement(folder_, plan_);
     if (!request.keep_tiles) return;
     state_.emplace(folder_, plan_, request.start, options_.log);
     plan_ = state_->plan();
@@ -141,12 +147,24 @@ class Run {
     control.cancel = limit.token();
     control.progress = &progress;
     control.tile_order = left;
+    render::RenderJob job = parts_.job();
+    job.keep_memory = plan_.keeps_memory;
+    std::optional<io::KeptTiles> earlier;
+    if (plan_.base != 0) job.earlier = &open_kept(earlier);
     try {
-      render::render_image(parts_.job(), control, sink);
+      render::render_image(job, control, sink);
     } catch (const Cancelled&) {
       if (!limit.reached()) throw;
     }
     totals_ = progress.last();
+  }
+
+  io::KeptTiles& open_kept(std::optional<io::KeptTiles>& tiles) const {
+    const io::RunPlan kept = io::read_kept_plan(folder_);
+    if (kept.key() != plan_.base)
+      throw InputError(
+          format("{}: the run that is refined is not there any more. Render anew (--restart).", folder_.string()));
+    return tiles.emplace(folder_, kept, options_.log);
   }
 
   RunResult finish() {
@@ -164,7 +182,12 @@ class Run {
     }
     result.tiles_done = tiles_.count();
     result.tiles_left = left;
-    if (left == 0 && products_ && state_) state_->remove();
+    if (left == 0 && products_ && state_) {
+      if (plan_.keeps_memory)
+        state_->keep();
+      else
+        state_->remove();
+    }
     return result;
   }
 

@@ -9,7 +9,8 @@ namespace ifov::sampling {
 
 namespace {
 
-/// A stratum's values stand for its region as it is traced now where its area has changed by less than this share.
+/// A stratum's values stand for its region as it is traced now where its area has changed by less than this
+/// share.
 constexpr double kSameArea = 0.05;
 
 template <class Archive, class Nets>
@@ -116,7 +117,8 @@ bool Radiance::recall(std::size_t p, const TileMemory& memory) {
       return table_.label(stratum.label) == label;
     });
     if (region == pixel.strata.end() ||
-        std::abs(pixel.model.area[static_cast<std::size_t>(region - pixel.strata.begin())] - area) > kSameArea * area) {
+        std::abs(pixel.model.area[static_cast<std::size_t>(region - pixel.strata.begin())] - area) >
+            kSameArea * area) {
       all = false;
       x_.resize(first);
       values_.resize(first * stride_);

@@ -18,8 +18,8 @@ namespace ifov::sampling {
 enum class Purpose { trace, seed, probe };
 
 /// Every ray of a tile goes through here: asked in large batches, counted per pixel and purpose, with a look
-/// at the cancel token between batches. Labels leave as numbers of the tile's label table. Where the tile has a memory,
-/// what it knows is not traced again; decisions go by the rays asked for, as if it were.
+/// at the cancel token between batches. Labels leave as numbers of the tile's label table. Where the tile has
+/// a memory, what it knows is not traced again; decisions go by the rays asked for, as if it were.
 class RayLedger {
  public:
   /// `memory` may be null.
@@ -73,7 +73,8 @@ class RayLedger {
   }
 
   /// As values, of paths that every run of the tile needs: they are kept in its memory.
-  void first_values(std::span<const PathRequest> requests, std::vector<std::uint32_t>& out, std::span<float> values) {
+  void first_values(std::span<const PathRequest> requests, std::vector<std::uint32_t>& out,
+                    std::span<float> values) {
     if (memory_ == nullptr) {
       this->values(requests, out, values);
       return;
@@ -170,9 +171,9 @@ class RayLedger {
   TileMemory* memory_;
   Label mask_;
   std::vector<Label> raw_;
-  std::vector<std::uint64_t> keys_;     // of the points asked
-  std::vector<std::size_t> unknown_;  // of them, those that the memory does not know
-  std::vector<std::uint32_t> label_rays_, value_rays_;  // asked for
+  std::vector<std::uint64_t> keys_;                         // of the points asked
+  std::vector<std::size_t> unknown_;                        // of them, those that the memory does not know
+  std::vector<std::uint32_t> label_rays_, value_rays_;      // asked for
   std::vector<std::uint32_t> known_labels_, known_values_;  // of these, those that the memory knew
   std::uint64_t seed_rays_ = 0, probe_rays_ = 0;
 };

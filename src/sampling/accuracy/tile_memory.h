@@ -81,14 +81,14 @@ class MemoryReader {
   std::span<const std::byte> bytes_;
 };
 
-/// What the accuracy sampler has found out about a tile, so that a later run at a tighter accuracy pays only for what is
-/// new: the label of each point asked, the values of the lattice and of labels met first, and, of each source pixel, the
-/// sums of its values. docs/theory/accuracy_sampler.md, section 10.
+/// What the accuracy sampler has found out about a tile, so that a later run at a tighter accuracy pays only
+/// for what is new: the label of each point asked, the values of the lattice and of labels met first, and, of
+/// each source pixel, the sums of its values. docs/theory/accuracy_sampler.md, section 10.
 class TileMemory {
  public:
   explicit TileMemory(std::size_t columns) : columns_(columns) {}
-  /// As to_bytes() of the earlier run left it, to be added to. Throws EnvironmentError where the bytes are damaged or
-  /// of another number of columns.
+  /// As to_bytes() of the earlier run left it, to be added to. Throws EnvironmentError where the bytes are
+  /// damaged or of another number of columns.
   TileMemory(std::size_t columns, std::span<const std::byte> bytes);
 
   static std::uint64_t key_of(FocalPoint point) { return hash(bits(point.x_px), bits(point.y_px)); }
@@ -143,7 +143,7 @@ class TileMemory {
   std::vector<std::uint32_t> point_names_, path_names_;
   std::vector<float> values_;  // [path][column]
   std::vector<std::uint8_t> looks_before_, looks_;
-  std::vector<std::byte> before_, kept_;           // of pixels
+  std::vector<std::byte> before_, kept_;                            // of pixels
   std::vector<std::pair<std::size_t, std::size_t>> pixels_before_;  // [source]: offset and size
 };
 

@@ -19,11 +19,12 @@ void TileWork::recall_values(std::size_t pixel) {
 }
 
 void TileWork::remember_values() {
-  for (const Radiance::Pixel& pixel : radiance_->pixels()) radiance_->remember(pixel, predicted_[pixel.source], *memory_);
+  for (const Radiance::Pixel& pixel : radiance_->pixels())
+    radiance_->remember(pixel, predicted_[pixel.source], *memory_);
 }
 
-/// Values that clutter still takes by the lattice's prediction, where an earlier run has begun, and has shown what such
-/// predictions are worth in the pixel.
+/// Values that clutter still takes by the lattice's prediction, where an earlier run has begun, and has shown
+/// what such predictions are worth in the pixel.
 double TileWork::clutter_to_come(int source, double predicted) const {
   if (problem_.before == nullptr) return predicted;
   const Radiance::ClutterBefore before = Radiance::clutter_before(*memory_, source);
@@ -46,7 +47,8 @@ void TileWork::add_counts_before() {
 
 void TileWork::keep_memory() {
   std::vector<std::uint8_t> looks;
-  for (const Output& output : outputs_) looks.push_back(static_cast<std::uint8_t>(std::min(output.look, 255)));
+  for (const Output& output : outputs_)
+    looks.push_back(static_cast<std::uint8_t>(std::min(output.look, 255)));
   memory_->keep_looks(std::move(looks));
   result_.memory = memory_->to_bytes();
 }

@@ -14,8 +14,8 @@ namespace {
 
 /// Share of the allowed variance that borders may take where paths vary as well.
 constexpr double kGeometryShareWithPaths = 0.15;
-/// The first run of a tile that is kept traces borders for an error this much smaller: rays that look beside a border
-/// are of no use where it is known better.
+/// The first run of a tile that is kept traces borders, and tells clutter, for an error this much smaller: rays that look
+/// beside a border are of no use where it is known better, nor are values of clutter in a pixel that is traced.
 constexpr double kForesight = 2.0;
 /// Source pixels that weigh less than this in every output are traced as if they weighed so much, and those
 /// below twice of it are not probed.
@@ -140,10 +140,9 @@ void TileWork::trace_lattice() {
           spread_->local(static_cast<std::uint32_t>(l), problem_.drivers[d]);
   set_limits();
   const double energy = footprint_energy(*problem_.footprint);
-  const double foresight = problem_.keep_memory && problem_.before == nullptr ? kForesight : 1.0;
   for (int p = 0; p < lattice_.domain().count(); ++p) {
     const double importance = std::max(relative_weight(p), kLeastImportance);
-    tracer_.allowed_variance()[p] = geometry_share(p) / (energy * importance * importance * foresight * foresight);
+    tracer_.allowed_variance()[p] = geometry_share(p) / (energy * importance * importance);
   }
   tracer_.plant(lattice_values_.labels);
 }
@@ -200,6 +199,7 @@ void TileWork::set_limits() {
         for (std::size_t c = 0; c < columns; ++c)
           source_mean[p * columns + c] += w * lattice_values_.values[v * lattice_values_.stride + c];
       }
+  const double foresight = problem_.keep_memory && problem_.before == nullptr ? kForesight : 1.0;
   std::vector<double> mean(columns), limit(columns), allowed(outputs_.size() * problem_.drivers.size());
   for (int o = 0; o < problem_.tile.count(); ++o) {
     std::fill(mean.begin(), mean.end(), 0.0);
@@ -212,7 +212,7 @@ void TileWork::set_limits() {
       }
     problem_.tolerance->limits(mean, limit);
     for (std::size_t n = 0; n < problem_.drivers.size(); ++n)
-      allowed[o * problem_.drivers.size() + n] = limit[problem_.drivers[n]] / stopping_.normal();
+      allowed[o * problem_.drivers.size() + n] = limit[problem_.drivers[n]] / (stopping_.normal() * foresight);
   }
   for (int p = 0; p < d.count(); ++p)
     std::copy_n(&allowed[nearest_output(p) * problem_.drivers.size()], problem_.drivers.size(),
