@@ -21,7 +21,7 @@ struct RenderArguments {
   std::string document, output, log, tiles, time_limit;
   int threads = 0;
   bool quiet = false, no_cache = false, resume = false, restart = false, no_state = false, dry_run = false;
-  bool keep = false, refine = false;
+  bool keep = false, refine = false, anyway = false;
 };
 
 void print_forecast(const session::Forecast& forecast) {
@@ -78,6 +78,7 @@ ExitCode render(const RenderArguments& arguments) {
     request.keep_tiles = !arguments.no_state;
     request.keep_finished = arguments.keep;
     request.refine = arguments.refine;
+    request.anyway = arguments.anyway;
     request.start = arguments.resume ? RunStart::resume : arguments.restart ? RunStart::restart : RunStart::fresh;
     if (cancel.cancelled()) throw Cancelled();
     if (arguments.dry_run) {
@@ -136,6 +137,8 @@ Command add_render_command(CLI::App& app) {
   parser->add_option("--time-limit", arguments->time_limit,
                      "Be done within this time (90s, 10min, 1.5h), products and all; pixels that were not reached hold "
                      "no value, and --resume goes on with them");
+  parser->add_flag("--anyway", arguments->anyway,
+                   "Begin also where memory or disk will not do, by what is known before the first ray");
   parser->add_flag("--dry-run", arguments->dry_run,
                    "Foretell rays, time, memory and disk from a few pieces of the image, and render nothing");
   parser

@@ -8,6 +8,7 @@
 #include "io/products/part_file.h"
 #include "io/run_state/kept_run.h"
 #include "io/run_state/run_state.h"
+#include "session/needs.h"
 #include "session/parts.h"
 #include "session/plan_assembly.h"
 #include "session/refinement.h"
@@ -71,6 +72,7 @@ class Run {
       : parts_(session.parts()),
         options_(request.options),
         deadline_(request.deadline),
+        anyway_(request.anyway),
         folder_(request.folder(session)),
         plan_(assemble_plan(parts_)) {
     plan_.share = request.share;
@@ -131,10 +133,22 @@ class Run {
     return left;
   }
 
+  /// What is known before the first ray; space that earlier tiles take is taken already.
+  void require_room(std::size_t tiles_left) const {
+    std::uint64_t disk = (products_ ? io::product_bytes(plan_) : 0) + (state_ ? io::state_bytes(plan_) : 0);
+    disk = disk * tiles_left / tiles_.done.size();
+    const std::vector<std::string> lines =
+        shortages(folder_, disk, least_memory_bytes(plan_, options_.threads));
+    if (lines.empty()) return;
+    std::string message;
+    for (const std::string& line : lines) message += line + "\n";
+    throw EnvironmentError(message + "Nothing was begun. --anyway begins all the same; --dry-run says more.");
+  }
+
   void trace() {
     const std::vector<int> left = tiles_left();
     if (left.empty()) return;
-    if (state_) io::require_space(folder_, io::state_bytes(plan_) * left.size() / tiles_.done.size());
+    if (!anyway_) require_room(left.size());
     std::optional<TimeLimit::Clock::time_point> end = deadline_;
     if (end && products_)
       *end -= std::chrono::duration_cast<TimeLimit::Clock::duration>(std::chrono::duration<double>(
@@ -194,6 +208,7 @@ class Run {
   const Session::Parts& parts_;
   const RunOptions& options_;
   std::optional<TimeLimit::Clock::time_point> deadline_;
+  bool anyway_;
   std::filesystem::path folder_;
   io::RunPlan plan_;
   std::optional<io::RunState> state_;
