@@ -86,6 +86,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     result.rays = field.counts();
     result.rays += before.rays;
     field.blends().settle(result);
+    widen(job.air, job.tolerance, result);
     sink.write(result);
     tally.add(result);
   });
