@@ -25,9 +25,9 @@ struct RenderJob {
   int tile_px = 64;
   bool seed_objects = true;        ///< send a ray at each compact object smaller than a pixel
   std::vector<int> drivers{};      ///< channels that steer the sampler
+  std::span<const AirHalfWidth> air{};  ///< by channel; empty: the air has no error that is known
   bool keep_memory = false;        ///< tiles carry what a run at a tighter tolerance can go on from
   EarlierTiles* earlier = nullptr; ///< tiles of a run at a looser tolerance, to go on from
-  std::span<const AirHalfWidth> air{};  ///< by channel; empty: the air has no error that is known
 };
 
 /// How the work is done; the result does not depend on it.
