@@ -54,11 +54,13 @@ ExitCode render(const RenderArguments& arguments) {
   Console console(arguments.quiet, arguments.log);
   try {
     const io::Document document = io::read_document(arguments.document);
+    console.begin("atmosphere");  // the one thing that takes long enough to tell
     const session::Session session = session::Session::load(document, &console,
                                                              {.scene_cache = !arguments.no_cache,
                                                               .threads = arguments.threads,
                                                               .cancel = &cancel,
                                                               .progress = &console});
+    console.begin("");
     session::RunRequest request;
     session::RunOptions& options = request.options;
     options.threads = arguments.threads;
