@@ -7,8 +7,8 @@ namespace ifov::render {
 
 namespace {
 
-/// Parts of a long object get a seed each, this far apart: well below a pixel, so that a following trace of its
-/// edges meets the next.
+/// Parts of a long object get a seed each, this far apart or as far as it is wide: well below a pixel, so that a
+/// following trace of its edges meets the next.
 constexpr double kSpacing_px = 0.35;
 
 /// An object whose every direction is wider than this meets the detection lattice anyway.
@@ -31,7 +31,8 @@ ObjectSeeds::ObjectSeeds(const geometry::World& world, const sensor::Camera& cam
     const double gsd_m = camera.gsd_m(object.centre_m);
     if (object.width_m > kSeeded_px * gsd_m) continue;
     const double half_length_m = math::length(object.half_length_m);
-    const int parts = std::max(1, static_cast<int>(std::ceil(2.0 * half_length_m / (kSpacing_px * gsd_m))));
+    const double spacing_m = std::max(kSpacing_px * gsd_m, object.width_m);
+    const int parts = std::max(1, static_cast<int>(std::ceil(2.0 * half_length_m / spacing_m)));
     if (2.0 * half_length_m <= kSeeded_px * gsd_m || parts == 1) {
       add(object.seed_m);
       continue;

@@ -11,6 +11,7 @@
 #include "sampling/accuracy/contrast.h"
 #include "sampling/accuracy/curve_check.h"
 #include "sampling/accuracy/flat_map.h"
+#include "sampling/accuracy/junction.h"
 #include "sampling/accuracy/lattice.h"
 #include "sampling/accuracy/options.h"
 #include "sampling/accuracy/ray_ledger.h"
@@ -80,6 +81,7 @@ class EdgeTracer {
   const Lattice& lattice() const { return lattice_; }
   const std::vector<Cell>& cells() const { return cells_; }
   const Curve& curve_of(const Cell& cell) const { return curves_[cell.chord]; }
+  const Junction& junction_of(const Cell& cell) const { return junctions_[cell.chord]; }
   const Contrast& contrast() const { return contrast_; }
 
   /// The region of `inner` in a cell with a curve, as a polygon in image coordinates.
@@ -88,6 +90,11 @@ class EdgeTracer {
   /// Variance of the area of `inner` in px^4, from crossings, middle and legs; Curve::loose_area comes on
   /// top.
   double area_variance(const Cell& cell) const;
+
+  /// Sector i of a cell with a junction, likewise.
+  Polygon sector_region(const Cell& cell, int sector) const;
+  /// Variance of the area that the sectors on either side of a junction's border i may have exchanged, px^4.
+  double border_variance(const Cell& cell, int border) const;
 
  private:
   /// A position beside a side whose middle differs from its two ends: cells there must be smaller than
@@ -123,6 +130,7 @@ class EdgeTracer {
   void classify(std::uint32_t cell, std::vector<std::uint32_t>& awaiting);
   void settle_complex(std::uint32_t cell);
   bool narrow_corner(const Cell& cell) const;
+  void end_in(std::uint32_t bracket, std::uint32_t cell);
 
   // Crossings (edge_tracer_brackets.cpp)
   std::uint32_t bracket_on(const Cell& cell, int side);
@@ -138,6 +146,7 @@ class EdgeTracer {
   bool foreign(const Cell& cell, std::uint32_t label) const;
   bool within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model, std::uint32_t seen,
                         double slack_px) const;
+  bool beside_legs(const Cell& cell, FocalPoint point, std::uint32_t seen, double slack_px) const;
 
   // Verification (edge_tracer_predict.cpp, edge_tracer_verify.cpp)
   void verify();
@@ -146,7 +155,19 @@ class EdgeTracer {
   void refuse(CurveCheck& check);
   void accept(CurveCheck& check);
   bool may_leave_pixel(const CurveCheck& check, std::uint32_t pixel) const;
-  bool neighbour_end(const Curve& curve, int end, Point2& point) const;
+  bool neighbour_end(std::uint32_t bracket, std::uint32_t cell, Point2& point) const;
+
+  // Junctions (edge_tracer_junctions.cpp)
+  void make_junction(std::uint32_t cell, const int crossed[3]);
+  void crossings(const Junction& junction, Point2 crossing[3]) const;
+  Point2 into_cell(const Cell& cell, Point2 p) const;
+  void verify_junctions();
+  double leg_tolerance(const Junction& junction, int border) const;
+  void predict(JunctionCheck& check);
+  void weigh_answers(JunctionCheck& check, const std::vector<std::uint32_t>& answers);
+  void check_legs(JunctionCheck& check);
+  void refuse(JunctionCheck& check);
+  void accept(JunctionCheck& check);
 
   // The model (edge_tracer_model.cpp)
   std::uint32_t label_in(const Cell& cell, FocalPoint point) const;
@@ -173,6 +194,7 @@ class EdgeTracer {
   void sharpen();
   void sharpen_pixel(std::uint32_t pixel);
   void collect_terms(std::uint32_t pixel);
+  void collect_junction_terms(std::uint32_t cell);
   double split_largest_loose(std::uint32_t pixel);
   void want_halvings(double target);
   void halve_brackets();
@@ -193,13 +215,14 @@ class EdgeTracer {
 
   std::vector<Cell> cells_;
   std::vector<Curve> curves_;
+  std::vector<Junction> junctions_;
   std::vector<Bracket> brackets_;
   FlatMap bracket_index_, vertex_index_;      // beyond the lattice's own
   std::vector<std::uint32_t> root_brackets_;  // by root_edge
   std::vector<std::uint32_t> root_vertices_;  // labels, (columns + 1) x (rows + 1)
   std::vector<std::uint32_t> fine_vertices_;  // labels of the others, in order of discovery
   std::vector<FocalPoint> pending_points_;    // fine vertices not traced yet
-  std::vector<std::uint32_t> new_cells_, tentative_, split_cells_;
+  std::vector<std::uint32_t> new_cells_, tentative_, open_junctions_, split_cells_;
   std::vector<HangingNode> hanging_;
   std::vector<double> allowed_variance_;
   std::vector<std::uint32_t> budget_;
@@ -218,6 +241,7 @@ class EdgeTracer {
   // Kept for their memory.
   std::vector<std::uint32_t> seen_, active_, level_, awaiting_;
   std::vector<CurveCheck> checks_;
+  std::vector<JunctionCheck> junction_checks_;
   std::vector<CrossingTerm> crossings_;
   std::vector<MiddleTerm> middles_;
   std::vector<LooseTerm> loose_;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -31,6 +32,18 @@ void EdgeTracer::grow() {
     std::iota(active_.begin(), active_.end(), static_cast<std::uint32_t>(first_bracket));
     locate();
     for (std::uint32_t index : awaiting) {
+      if (cells_[index].kind == CellKind::junction) {
+        const Junction& junction = junctions_[cells_[index].chord];
+        if (std::any_of(junction.bracket, junction.bracket + 3,
+                        [&](std::uint32_t b) { return brackets_[b].third_label; })) {
+          suspect_[cells_[index].pixel] = 1;
+          settle_complex(index);
+        } else {
+          stir(cells_[index].pixel);
+          open_junctions_.push_back(index);
+        }
+        continue;
+      }
       const Curve& curve = curves_[cells_[index].chord];
       if (brackets_[curve.bracket[0]].third_label || brackets_[curve.bracket[1]].third_label) {
         suspect_[cells_[index].pixel] = 1;
@@ -72,6 +85,11 @@ void EdgeTracer::classify(std::uint32_t index, std::vector<std::uint32_t>& await
   const double area = lattice_.side_px(cell.level) * lattice_.side_px(cell.level);
   const double error = kUniformSpread * area * contrast_.among(cell.pixel, cell.corner);
   const bool negligible = error < 0.1 * kLooseCell * std::sqrt(allowed_variance_[cell.pixel]);
+  if (!two_labels && crossings == 3 && error > kLooseCell * std::sqrt(allowed_variance_[cell.pixel])) {
+    make_junction(index, crossed);
+    awaiting.push_back(index);
+    return;
+  }
   if (!two_labels || crossings != 2 || (negligible && !narrow_corner(cell))) {
     // Two things that look alike, met side by side: another may lie between them and show at no corner.
     if ((two_labels && crossings == 4) || (negligible && cell.level == 0)) suspect_[cell.pixel] = 1;
@@ -85,13 +103,18 @@ void EdgeTracer::classify(std::uint32_t index, std::vector<std::uint32_t>& await
   curve.outer = cell.corner[crossed[0]];
   for (int t = 0; t < 2; ++t) {
     curve.bracket[t] = bracket_on(cell, crossed[t]);
-    std::uint32_t* cells = brackets_[curve.bracket[t]].cells;
-    const bool first_is_dead = cells[0] == 0 || cells_[cells[0] - 1].kind == CellKind::split;
-    cells[first_is_dead ? 0 : 1] = index + 1;
+    end_in(curve.bracket[t], index);
   }
   cells_[index].chord = static_cast<std::uint32_t>(curves_.size());
   curves_.push_back(curve);
   awaiting.push_back(index);
+}
+
+/// Notes that a border which crosses this bracket goes on in the cell.
+void EdgeTracer::end_in(std::uint32_t bracket, std::uint32_t index) {
+  std::uint32_t* cells = brackets_[bracket].cells;
+  const bool first_is_dead = cells[0] == 0 || cells_[cells[0] - 1].kind == CellKind::split;
+  cells[first_is_dead ? 0 : 1] = index + 1;
 }
 
 void EdgeTracer::settle_complex(std::uint32_t index) {

@@ -10,7 +10,9 @@ namespace {
 /// Width of the error of a middle that was predicted but not verified, as a share of the chord. Where the
 /// tolerance can bear it, no ray is spent.
 constexpr double kUnverifiedWidth = 0.25;
-/// Only borders that go on gently on both sides may stay unverified: sagitta over chord, by either neighbour.
+/// The same where both neighbours predict the same curve; what they disagree by comes on top.
+constexpr double kAgreedWidth = 0.06;
+/// Only borders that go on, and gently so, may stay unverified: sagitta over chord, by either neighbour.
 constexpr double kGentleBend = 0.1;
 
 /// Curvature of a border from that found towards its two ends: their mean where they tell of one smooth
@@ -49,8 +51,10 @@ void EdgeTracer::predict(CurveCheck& check) {
   double curvature[2] = {0.0, 0.0}, weights[2] = {0.0, 0.0};
   Point2 beyond[2];
   int neighbours = 0;
+  bool continued = false;
   for (int end = 0; end < 2; ++end) {
-    if (!neighbour_end(curve, end, beyond[end])) continue;
+    if (!neighbour_end(curve.bracket[end], curve.cell, beyond[end])) continue;
+    continued = true;
     const double reach = length(beyond[end] - (end == 0 ? a : b));
     if (reach <= 3.0 * brackets_[curve.bracket[end]].width()) continue;
     curvature[end] = end == 0 ? menger_curvature(beyond[0], a, b) : menger_curvature(a, b, beyond[1]);
@@ -81,10 +85,11 @@ void EdgeTracer::predict(CurveCheck& check) {
                        std::abs(dot(check.apex - check.centre, check.normal)) > 2.0 * check.tolerance;
     }
   }
-  const double unverified_width = kUnverifiedWidth * check.chord;
+  const double disagreement = std::abs(curvature[0] - curvature[1]) * check.chord * check.chord / 8.0;
+  const double unverified_width =
+      std::min(kUnverifiedWidth, neighbours == 2 ? kAgreedWidth + disagreement / check.chord : INFINITY) * check.chord;
   const double bend = std::max(std::abs(curvature[0]), std::abs(curvature[1])) * check.chord / 8.0;
-  if (unverified_width <= curve.wanted_middle && neighbours > 0 && bend < kGentleBend &&
-      !narrow_corner(cell)) {
+  if (unverified_width <= curve.wanted_middle && continued && bend < kGentleBend) {
     check.predicted = std::clamp(check.predicted, check.least, check.most);
     check.low = check.predicted - 0.5 * unverified_width;
     check.high = check.predicted + 0.5 * unverified_width;
@@ -105,7 +110,6 @@ void EdgeTracer::predict(CurveCheck& check) {
     }
     check.predicted = std::clamp(check.predicted, check.least, check.most);
   }
-  const double disagreement = std::abs(curvature[0] - curvature[1]) * check.chord * check.chord / 8.0;
   check.smooth = neighbours == 2 && disagreement <= std::max(1.5 * std::max(check.tolerance, blur),
                                                              0.35 * std::abs(check.predicted));
 }
