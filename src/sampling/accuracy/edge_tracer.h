@@ -121,6 +121,7 @@ class EdgeTracer {
   void list_edge_cell(std::uint32_t cell);
   std::uint32_t vertex(std::int32_t x, std::int32_t y);
   std::uint32_t known_vertex(std::int32_t x, std::int32_t y) const;
+  std::uint32_t label_if_known(std::int32_t x, std::int32_t y) const;
   void trace_vertices();
   void notice_hanging_nodes();
   void split_beside_hanging_nodes();
@@ -130,6 +131,7 @@ class EdgeTracer {
   void classify(std::uint32_t cell, std::vector<std::uint32_t>& awaiting);
   void settle_complex(std::uint32_t cell);
   bool narrow_corner(const Cell& cell) const;
+  double feature_width(const Cell& cell) const;
   void end_in(std::uint32_t bracket, std::uint32_t cell);
 
   // Crossings (edge_tracer_brackets.cpp)

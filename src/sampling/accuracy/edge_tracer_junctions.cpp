@@ -12,12 +12,15 @@ namespace {
 constexpr double kNearest = 1e-4, kFarthest = 0.2;
 /// Standard deviation of a junction about the middle of its crossings, in sides of the cell.
 constexpr double kAboutMiddle = 0.15;
+/// Width of the error claimed for a junction, in units of that to which it was located: the borders may meet outside
+/// the three points that were seen.
+constexpr double kClaimedWidth = 1.6;
 /// Rounds of rays after which a junction counts as none.
 constexpr int kMostRounds = 30;
 /// A junction is kept this far from the cell's sides, as a share of them.
 constexpr double kRim = 0.02;
 /// Width of the error of the middle of a straight leg that was not verified, as a share of the leg.
-constexpr double kUnverifiedLeg = 0.1;
+constexpr double kUnverifiedLeg = 0.15;
 /// Only legs that go on what the neighbours show stay unverified: sagitta over leg.
 constexpr double kGentleLeg = 0.05;
 
@@ -228,8 +231,8 @@ double EdgeTracer::border_variance(const Cell& cell, int border) const {
   const Point2 leg = junction.at - crossing[border];
   const double swept = std::abs(bracket.vertical ? leg.x : leg.y) * bracket.width();
   const double lens = 2.0 / 3.0 * length(leg) * junction.leg_width;
-  return (0.5 * swept * swept + lens * lens + exchanged_by_motion(crossing, border) * junction.width * junction.width) /
-         12.0;
+  const double moved = kClaimedWidth * junction.width;
+  return (0.5 * swept * swept + lens * lens + exchanged_by_motion(crossing, border) * moved * moved) / 12.0;
 }
 
 

@@ -10,8 +10,13 @@ namespace {
 /// Width of the error of a middle that was predicted but not verified, as a share of the chord. Where the
 /// tolerance can bear it, no ray is spent.
 constexpr double kUnverifiedWidth = 0.25;
-/// The same where both neighbours predict the same curve; what they disagree by comes on top.
-constexpr double kAgreedWidth = 0.06;
+/// The same where both neighbours predict it: this and so many times the sagitta that they predict.
+constexpr double kAgreedWidth = 0.06, kBendWidth = 2.0;
+/// A curve in a narrow feature, or one whose neighbours are too near to tell its direction, may stay unverified where a
+/// corner in it would cost less than this share of the allowed standard error,
+constexpr double kTrustedAnyway = 0.25;
+/// and the feature is so wide, in spacings of the lattice, that vertices show where it goes on, or matters little.
+constexpr double kSeenWidth = 0.5;
 /// Only borders that go on, and gently so, may stay unverified: sagitta over chord, by either neighbour.
 constexpr double kGentleBend = 0.1;
 
@@ -85,11 +90,17 @@ void EdgeTracer::predict(CurveCheck& check) {
                        std::abs(dot(check.apex - check.centre, check.normal)) > 2.0 * check.tolerance;
     }
   }
-  const double disagreement = std::abs(curvature[0] - curvature[1]) * check.chord * check.chord / 8.0;
-  const double unverified_width =
-      std::min(kUnverifiedWidth, neighbours == 2 ? kAgreedWidth + disagreement / check.chord : INFINITY) * check.chord;
+  const double contrast = contrast_(cell.pixel, curve.inner, curve.outer);
+  const double allowed = std::sqrt(allowed_variance_[cell.pixel]);
+  const double hidden = kRefusedShare * check.chord * check.chord * contrast;
   const double bend = std::max(std::abs(curvature[0]), std::abs(curvature[1])) * check.chord / 8.0;
-  if (unverified_width <= curve.wanted_middle && continued && bend < kGentleBend) {
+  const double unverified_width =
+      check.chord * (neighbours == 2 ? std::min(kUnverifiedWidth, kAgreedWidth + kBendWidth * bend) : kUnverifiedWidth);
+  const double feature = feature_width(cell), spacing = lattice_.side_px(0);
+  const bool cannot_hide = feature > kSeenWidth * spacing || feature * spacing * contrast < allowed;
+  const bool trusted = (feature == INFINITY && neighbours > 0) ||
+                       (continued && cannot_hide && hidden < kTrustedAnyway * allowed);
+  if (unverified_width <= curve.wanted_middle && trusted && bend < kGentleBend) {
     check.predicted = std::clamp(check.predicted, check.least, check.most);
     check.low = check.predicted - 0.5 * unverified_width;
     check.high = check.predicted + 0.5 * unverified_width;
@@ -101,15 +112,14 @@ void EdgeTracer::predict(CurveCheck& check) {
     return;
   }
   if (std::abs(check.predicted) > check.most) {
-    const double contrast = contrast_(cell.pixel, curve.inner, curve.outer);
-    const double worth = kLooseCurve * std::sqrt(allowed_variance_[cell.pixel]);
-    if (cell.level < kMaxLevel && kRefusedShare * check.chord * check.chord * contrast > worth) {
+    if (cell.level < kMaxLevel && hidden > kLooseCurve * allowed) {
       check.stage = CurveCheck::Stage::done;
       split(check.cell);
       return;
     }
     check.predicted = std::clamp(check.predicted, check.least, check.most);
   }
+  const double disagreement = std::abs(curvature[0] - curvature[1]) * check.chord * check.chord / 8.0;
   check.smooth = neighbours == 2 && disagreement <= std::max(1.5 * std::max(check.tolerance, blur),
                                                              0.35 * std::abs(check.predicted));
 }

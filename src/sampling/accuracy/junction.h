@@ -20,9 +20,9 @@ struct Junction {
   std::uint8_t side[3] = {};
   bool located = false;
   Point2 at;
-  double width = 0.0;      ///< width of the error claimed for `at` in any direction, px
+  double width = 0.0;      ///< to which it was located, in any direction, px
   double leg_width = 0.0;  ///< likewise for the middles of the borders
-  double wanted = 0.0;     ///< width that the tolerance allows to both
+  double wanted = 0.0;     ///< what the tolerance allows to both
 };
 
 /// A straight line that a border is expected to follow: through `through` along `along` (unit length), with the
