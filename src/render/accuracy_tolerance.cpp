@@ -6,6 +6,13 @@
 #include <utility>
 
 namespace ifov::render {
+namespace {
+
+/// Share of a pixel's radiance below which no error is resolved: paths and products are in single precision,
+/// whose rounding errors are 1e-7 and, over a path, some 1e-6.
+constexpr double kResolution = 1e-5;
+
+}  // namespace
 
 AccuracyTolerance::AccuracyTolerance(AccuracyRequest request, const ChannelBrightness& brightness,
                                      std::vector<double> white_reflected_w_m2_sr_um, std::int64_t pixel_count)
@@ -16,7 +23,8 @@ AccuracyTolerance::AccuracyTolerance(AccuracyRequest request, const ChannelBrigh
   floor_.resize(channels);
   constexpr double kReference_k = 288.15;
   for (std::size_t c = 0; c < channels; ++c)
-    floor_[c] = request_.floor * (white_[c] + brightness_.radiance_w_m2_sr_um(static_cast<int>(c), kReference_k));
+    floor_[c] =
+        request_.floor * (white_[c] + brightness_.radiance_w_m2_sr_um(static_cast<int>(c), kReference_k));
 
   confidence_ = request_.confidence;
   if (request_.simultaneous) {
@@ -51,6 +59,7 @@ void AccuracyTolerance::limits(std::span<const double> mean, std::span<double> l
         limit[c] = request_.error * request_.noise_w_m2_sr_um[c];
         break;
     }
+    limit[c] = std::max(limit[c], kResolution * radiance);
   }
 }
 

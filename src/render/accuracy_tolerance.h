@@ -16,18 +16,20 @@ struct AccuracyRequest {
   ErrorUnit unit = ErrorUnit::percent;
   /// K, W m-2 sr-1 um-1, fraction of the pixel's radiance, reflectance, or share of the noise
   double error = 0.01;
-  double confidence = 0.95;        ///< per pixel and channel
-  bool simultaneous = false;       ///< the confidence is for all judged channels of all pixels together
-  std::vector<int> channels;       ///< judged channels; empty: all
+  double confidence = 0.95;              ///< per pixel and channel
+  bool simultaneous = false;             ///< the confidence is for all judged channels of all pixels together
+  std::vector<int> channels;             ///< judged channels; empty: all
   std::vector<double> noise_w_m2_sr_um;  ///< of the sensor, by channel; for errors in its unit
-  double floor = 1e-3;             ///< of the white reference's radiance (percent and kelvin)
+  double floor = 1e-3;                   ///< of the white reference's radiance (percent and kelvin)
 };
 
-/// Limits by channel for a pixel's radiance L. The white reference W is a level white Lambertian's radiance under
-/// the scene's Sun and sky plus a black body's of 288.15 K, so that it means something in every channel.
-/// Percent: max(error * |L|, floor * W). Kelvin: error * dL/dT at the pixel's own brightness temperature, taken no
-/// colder than that of floor * W. Reflectance: error * the white Lambertian's reflected radiance. Noise: error * the channel's noise. So dark channels
-/// and pixels finish.
+/// Limits by channel for a pixel's radiance L. The white reference W is a level white Lambertian's radiance
+/// under the scene's Sun and sky plus a black body's of 288.15 K, so that it means something in every
+/// channel. Percent: max(error * |L|, floor * W). Kelvin: error * dL/dT at the pixel's own brightness
+/// temperature, taken no colder than that of floor * W. Reflectance: error * the white Lambertian's reflected
+/// radiance. Noise: error * the channel's noise. So dark channels and pixels finish. None is below 1e-5 of
+/// |L|, which single precision can bear: in a channel where the air is opaque a reflectance is worth less
+/// than the rounding of the air's own radiance.
 class AccuracyTolerance final : public sampling::Tolerance {
  public:
   /// `white_reflected` is the radiance of a level white Lambertian lit by Sun and sky, by channel;

@@ -19,8 +19,9 @@ struct SceneResult {
   double samples_per_px = 0.0;
   std::uint32_t fewest_samples = 0, most_samples = 0;
   std::vector<double> rms;       ///< by channel, against the reference where there is one, W m-2 sr-1 um-1
-  double worst_over_grid = 0.0;  ///< largest ratio over channels of its RMS error to that of the grid 10 x 10
-  double coverage = 0.0;         ///< share of radiance intervals that hold the reference; NaN without intervals
+  double worst_over_grid = 0.0;  ///< largest ratio of its RMS error to that of the grid 10 x 10, over
+                                 ///< channels in which that is more than rounding
+  double coverage = 0.0;  ///< share of radiance intervals that hold the reference; NaN without intervals
   MaterialCounts materials;
   AbundanceErrors abundances;
 };
@@ -30,8 +31,8 @@ struct SceneResults {
   std::size_t chosen = 0;            ///< the accuracy setting that is judged
   std::vector<double> wavelengths_um;
   std::vector<std::string> materials;
-  std::string lighting;              ///< what shines on the scene and how warm it is, in words
-  double reference_pixels = 0.0;     ///< share of the pixels whose radiance is known from the reference
+  std::string lighting;           ///< what shines on the scene and how warm it is, in words
+  double reference_pixels = 0.0;  ///< share of the pixels whose radiance is known from the reference
   FigureTable figures;
 };
 

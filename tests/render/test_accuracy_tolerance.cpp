@@ -51,6 +51,21 @@ TEST(AccuracyTolerance, PercentHasAFloorAndUnjudgedChannelsNone) {
   EXPECT_NEAR(limit[0], 0.4, 1e-9);
 }
 
+TEST(AccuracyTolerance, AsksForNothingFinerThanSinglePrecision) {
+  const auto nodes = nodes_at(1.9);
+  const ChannelBrightness brightness(nodes);
+  AccuracyRequest request;
+  request.unit = ErrorUnit::reflectance;
+  request.error = 0.02;
+  const double opaque_white = 1e-9, clear_white = 40.0;
+  double limit[1];
+  const double air[] = {0.0066}, ground[] = {8.0};
+  AccuracyTolerance(request, brightness, {opaque_white}, 1).limits(air, limit);
+  EXPECT_DOUBLE_EQ(limit[0], 1e-5 * air[0]);
+  AccuracyTolerance(request, brightness, {clear_white}, 1).limits(ground, limit);
+  EXPECT_DOUBLE_EQ(limit[0], 0.02 * clear_white);
+}
+
 TEST(AccuracyTolerance, SimultaneousConfidenceIsTighterPerStatement) {
   const auto nodes = nodes_at(8.5);
   const ChannelBrightness brightness(nodes);

@@ -93,7 +93,8 @@ Kind<AccuracySampling> accuracy_kind() {
                            {ErrorSize::Unit::noise, &kNoise}}),
           "\"1 %\"",
           "allowed half-width of each pixel's interval: brightness temperature, share of the pixel's value, "
-          "radiance, apparent reflectance, or share of the noise that channels declare")
+          "radiance, apparent reflectance, or share of the noise that channels declare; never finer than "
+          "1e-5 of the value, the precision of the products")
       .with_default("confidence", &AccuracySampling::confidence, fraction({0.5, 1.0, false, true, {}}),
                     "0.95", "probability with which the interval holds the true value")
       .optional("channel", &AccuracySampling::channel, name_of("a channel"), "that is judged; without it all")
@@ -110,7 +111,8 @@ Kind<AccuracySampling> accuracy_kind() {
       .with_default("max_samples", &AccuracySampling::max_samples, long_integer(1, kMostSamples), "100000",
                     "per pixel")
       .with_default("floor", &AccuracySampling::floor, fraction(Range::between(0.0, 1.0)), "\"0.1 %\"",
-                    "share of a white surface's radiance W: in percent no half-width need be below floor x W; in K a pixel is "
+                    "share of a white surface's radiance W: in percent no half-width need be below floor x "
+                    "W; in K a pixel is "
                     "taken to be no colder than one of radiance floor x W")
       .with_default("clutter", &AccuracySampling::clutter, boolean(), "true",
                     "stratified samples instead of edges where there are too many edges");
