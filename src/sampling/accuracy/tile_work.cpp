@@ -265,7 +265,7 @@ void TileWork::switch_clutter() {
 
 void TileWork::trace_borders() {
   tracer_.settle();
-  if (options_.seeds) prober_.follow_seeds(problem_.seeds);
+  if (options_.seeds) prober_.follow_seeds(problem_.seeds, problem_.seed_objects);
   std::vector<std::uint8_t> worth(static_cast<std::size_t>(lattice_.domain().count()));
   for (std::size_t p = 0; p < worth.size(); ++p)
     worth[p] = relative_weight(static_cast<int>(p)) > kLeastProbed;
