@@ -164,7 +164,8 @@ class EdgeTracer {
   void crossings(const Junction& junction, Point2 crossing[3]) const;
   Point2 into_cell(const Cell& cell, Point2 p) const;
   void verify_junctions();
-  double leg_tolerance(const Junction& junction, int border) const;
+  double leg_tolerance(const Junction& junction, int border, Point2 leg) const;
+  bool too_vague(const Junction& junction) const;
   void predict(JunctionCheck& check);
   void weigh_answers(JunctionCheck& check, const std::vector<std::uint32_t>& answers);
   void check_legs(JunctionCheck& check);

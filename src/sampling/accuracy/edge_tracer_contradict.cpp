@@ -69,9 +69,10 @@ bool EdgeTracer::beside_legs(const Cell& cell, FocalPoint point, std::uint32_t s
   const Junction& junction = junctions_[cell.chord];
   if (std::find(junction.sector, junction.sector + 3, seen) == junction.sector + 3) return false;
   const Point2 p{point.x_px, point.y_px};
-  for (std::uint32_t bracket : junction.bracket) {
-    const double width = std::max({brackets_[bracket].width(), 2.0 * junction.width, 2.0 * junction.leg_width});
-    if (distance_to_segment(p, end_point(bracket), junction.at) <= width + slack_px) return true;
+  for (int i = 0; i < 3; ++i) {
+    const double blur = brackets_[junction.bracket[i]].width();
+    const double width = std::max({blur, 2.0 * junction.width, 2.0 * junction.leg_width[i]}) + slack_px;
+    if (distance_to_segment(p, end_point(junction.bracket[i]), junction.at) <= width) return true;
   }
   return false;
 }

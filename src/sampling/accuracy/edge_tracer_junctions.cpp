@@ -12,11 +12,10 @@ namespace {
 constexpr double kNearest = 1e-4, kFarthest = 0.2;
 /// Standard deviation of a junction about the middle of its crossings, in sides of the cell.
 constexpr double kAboutMiddle = 0.15;
-/// Width of the error claimed for a junction, in units of that to which it was located: the borders may meet outside
-/// the three points that were seen.
-constexpr double kClaimedWidth = 1.6;
 /// Rounds of rays after which a junction counts as none.
 constexpr int kMostRounds = 30;
+/// Rays that confirm a leg's middle are this share of its bracket's width from it at least.
+constexpr double kLegBlur = 0.75;
 /// A junction is kept this far from the cell's sides, as a share of them.
 constexpr double kRim = 0.02;
 /// Width of the error of the middle of a straight leg that was not verified, as a share of the leg.
@@ -79,7 +78,7 @@ void EdgeTracer::predict(JunctionCheck& check) {
     const Point2 leg = check.at - check.crossing[i], before = check.crossing[i] - beyond[i];
     const double reach = length(leg), sides = length(before) * (reach + length(before));
     const bool gentle = continued[i] && 0.25 * std::abs(cross(before, leg)) < kGentleLeg * sides;
-    const double tolerance = leg_tolerance(junction, i);
+    const double tolerance = leg_tolerance(junction, i, leg);
     check.leg_tolerance[i] = (gentle && kUnverifiedLeg * reach <= junction.wanted) || tolerance > reach / 3.0
                                  ? 0.0
                                  : tolerance;
@@ -88,8 +87,22 @@ void EdgeTracer::predict(JunctionCheck& check) {
   for (Point2& p : check.seen_in) p = into_cell(cell, p);
 }
 
-double EdgeTracer::leg_tolerance(const Junction& junction, int border) const {
-  return std::max(junction.wanted, 0.75 * brackets_[junction.bracket[border]].width());
+/// How far beside a leg's middle rays are to confirm it: beyond the blur of the crossing, across the leg.
+double EdgeTracer::leg_tolerance(const Junction& junction, int border, Point2 leg) const {
+  const Bracket& bracket = brackets_[junction.bracket[border]];
+  const double reach = length(leg), across = std::abs(bracket.vertical ? leg.x : leg.y);
+  return std::max(junction.wanted, reach > 0.0 ? kLegBlur * bracket.width() * across / reach : 0.0);
+}
+
+/// Whether a junction that was located once is to be located better.
+bool EdgeTracer::too_vague(const Junction& junction) const {
+  if (!junction.located) return false;
+  bool vague = junction.width > 1.05 * junction.wanted;
+  for (int i = 0; i < 3; ++i) {
+    const Point2 leg = junction.at - end_point(junction.bracket[i]);
+    vague |= junction.leg_width[i] > 1.05 * std::max(leg_tolerance(junction, i, leg), kNearest * length(leg));
+  }
+  return vague;
 }
 
 void EdgeTracer::verify_junctions() {
@@ -201,11 +214,9 @@ void EdgeTracer::accept(JunctionCheck& check) {
   Junction& junction = junctions_[cells_[check.cell].chord];
   junction.at = check.at;
   junction.width = check.width;
-  junction.leg_width = 0.0;
   for (int i = 0; i < 3; ++i)
-    junction.leg_width = std::max(junction.leg_width, check.leg_tolerance[i] > 0.0
-                                                          ? check.leg_tolerance[i]
-                                                          : kUnverifiedLeg * length(check.at - check.crossing[i]));
+    junction.leg_width[i] =
+        check.leg_tolerance[i] > 0.0 ? check.leg_tolerance[i] : kUnverifiedLeg * length(check.at - check.crossing[i]);
   junction.located = true;
   stir(cells_[check.cell].pixel);
 }
@@ -230,8 +241,8 @@ double EdgeTracer::border_variance(const Cell& cell, int border) const {
   const Bracket& bracket = brackets_[junction.bracket[border]];
   const Point2 leg = junction.at - crossing[border];
   const double swept = std::abs(bracket.vertical ? leg.x : leg.y) * bracket.width();
-  const double lens = 2.0 / 3.0 * length(leg) * junction.leg_width;
-  const double moved = kClaimedWidth * junction.width;
+  const double lens = 2.0 / 3.0 * length(leg) * junction.leg_width[border];
+  const double moved = kJunctionClaim * junction.width;
   return (0.5 * swept * swept + lens * lens + exchanged_by_motion(crossing, border) * moved * moved) / 12.0;
 }
 

@@ -105,7 +105,8 @@ void EdgeTracer::collect_junction_terms(std::uint32_t index) {
     const Point2 leg = at - crossing[i];
     const double swept = brackets_[junction.bracket[i]].vertical ? leg.x : leg.y;
     crossings_.push_back({junction.bracket[i], 0.5 * swept * swept * square / 12.0});
-    gain += (4.0 / 9.0 * dot(leg, leg) + exchanged_by_motion(crossing, i)) * square / 12.0;
+    const double moved = kJunctionClaim * kJunctionClaim * exchanged_by_motion(crossing, i);
+    gain += (4.0 / 9.0 * dot(leg, leg) + moved) * square / 12.0;
   }
   middles_.push_back({cell.pixel, index, gain});
 }
@@ -201,11 +202,8 @@ void EdgeTracer::share_middles(std::size_t first, std::size_t last) {
     Cell& cell = cells_[term.cell];
     if (cell.kind == CellKind::junction) {
       Junction& junction = junctions_[cell.chord];
-      double blur = 0.0;
-      for (std::uint32_t bracket : junction.bracket) blur = std::max(blur, brackets_[bracket].width());
-      junction.wanted = std::max(term.gain > 0.0 ? std::sqrt(share / term.gain) : INFINITY, 0.5 * blur);
-      if (junction.located && std::max(junction.width, junction.leg_width / 1.5) > 1.05 * junction.wanted)
-        open_junctions_.push_back(term.cell);
+      junction.wanted = term.gain > 0.0 ? std::sqrt(share / term.gain) : INFINITY;
+      if (too_vague(junction)) open_junctions_.push_back(term.cell);
       continue;
     }
     if (cell.kind != CellKind::tentative && cell.kind != CellKind::chord) continue;

@@ -11,6 +11,10 @@
 
 namespace ifov::sampling {
 
+/// Width of the error claimed for a junction, in units of that to which it was located: the borders may meet outside
+/// the three points that were seen.
+constexpr double kJunctionClaim = 1.6;
+
 /// Where three labels meet in a cell: a border runs straight from a crossing on each of three sides to one point.
 /// Border i starts on side[i]; sector i, between borders i and i + 1, holds the corners side[i] + 1 ... side[i + 1].
 struct Junction {
@@ -21,7 +25,7 @@ struct Junction {
   bool located = false;
   Point2 at;
   double width = 0.0;      ///< to which it was located, in any direction, px
-  double leg_width = 0.0;  ///< likewise for the middles of the borders
+  double leg_width[3] = {};  ///< width of the error claimed for the middle of each border, px
   double wanted = 0.0;     ///< what the tolerance allows to both
 };
 
