@@ -14,7 +14,7 @@ constexpr double kUnverifiedWidth = 0.25;
 constexpr double kAgreedWidth = 0.06, kBendWidth = 2.0;
 /// A curve in a narrow feature, or one whose neighbours are too near to tell its direction, may stay unverified where a
 /// corner in it would cost less than this share of the allowed standard error,
-constexpr double kTrustedAnyway = 0.25;
+constexpr double kTrustedAnyway = 0.16;
 /// and the feature is so wide, in spacings of the lattice, that vertices show where it goes on, or matters little.
 constexpr double kSeenWidth = 0.5;
 /// Only borders that go on, and gently so, may stay unverified: sagitta over chord, by either neighbour.
