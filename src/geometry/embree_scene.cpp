@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "core/error.h"
-#include "geometry/ray_packet.h"
+#include "geometry/instance_set.h"
 
 namespace ifov::geometry {
 namespace {
@@ -104,6 +104,55 @@ void occlude_analytic(const RTCOccludedFunctionNArguments* a) {
   }
 }
 
+void intersect_field(const RTCIntersectFunctionNArguments* a) {
+  RayPacket& packet = packet_of(a->context);
+  const auto& placed = *static_cast<const PlacedField*>(a->geometryUserPtr);
+  RTCRayN* rays = RTCRayHitN_RayN(a->rayhit, a->N);
+  for (unsigned i = 0; i < a->N; ++i) {
+    if (a->valid[i] == 0) continue;
+    const std::size_t k = RTCRayN_id(rays, a->N, i);
+    const HeightField::Hit hit =
+        placed.field->meet(a->primID, placed.field_from_centred(packet.start(k)),
+                           placed.field_from_centred(packet.direction(k)), packet.low[k], packet.high[k]);
+    if (hit.t < packet.high[k] &&
+        packet.take(k, hit.t, hit.t, {Candidate::field, RTC_INVALID_GEOMETRY_ID, hit.triangle, 0, &placed}))
+      RTCRayN_tfar(rays, a->N, i) =
+          std::min(RTCRayN_tfar(rays, a->N, i), static_cast<float>(hit.t + packet.window_m));
+  }
+}
+
+void occlude_field(const RTCOccludedFunctionNArguments* a) {
+  const RayPacket& packet = packet_of(a->context);
+  const auto& placed = *static_cast<const PlacedField*>(a->geometryUserPtr);
+  for (unsigned i = 0; i < a->N; ++i) {
+    if (a->valid[i] == 0) continue;
+    const std::size_t k = RTCRayN_id(a->ray, a->N, i);
+    const HeightField::Hit hit =
+        placed.field->meet(a->primID, placed.field_from_centred(packet.start(k)),
+                           placed.field_from_centred(packet.direction(k)), packet.low[k], packet.high[k]);
+    if (hit.t < packet.high[k]) RTCRayN_tfar(a->ray, a->N, i) = -kFloatInfinity;
+  }
+}
+
+void bound_field(const RTCBoundsFunctionArguments* a) {
+  const auto& placed = *static_cast<const PlacedField*>(a->geometryUserPtr);
+  const World::Bounds own = placed.field->block_bounds(a->primID);
+  if (!(own.low_m.z <= own.high_m.z)) {
+    *a->bounds_o = {kFloatInfinity,  kFloatInfinity,  kFloatInfinity,  0.0f,
+                    -kFloatInfinity, -kFloatInfinity, -kFloatInfinity, 0.0f};
+    return;
+  }
+  const World::Bounds b = image_of(own, placed.centred_from_field);
+  const auto down = [&](double v) {
+    return std::nextafter(static_cast<float>(v - placed.padding_m), -kFloatInfinity);
+  };
+  const auto up = [&](double v) {
+    return std::nextafter(static_cast<float>(v + placed.padding_m), kFloatInfinity);
+  };
+  *a->bounds_o = {down(b.low_m.x), down(b.low_m.y), down(b.low_m.z), 0.0f,
+                  up(b.high_m.x),  up(b.high_m.y),  up(b.high_m.z),  0.0f};
+}
+
 void bound_analytic(const RTCBoundsFunctionArguments* a) {
   const auto& set = *static_cast<const AnalyticSet*>(a->geometryUserPtr);
   const UnitPrimitive& shape = set.shapes[a->primID];
@@ -131,9 +180,10 @@ EmbreeDevice make_device(int threads, std::atomic<std::int64_t>& bytes) {
   const std::string config = threads > 0 ? format("isa=avx2,threads={}", threads) : std::string("isa=avx2");
   EmbreeDevice device(rtcNewDevice(config.c_str()));
   if (!device)
-    throw EnvironmentError(rtcGetDeviceError(nullptr) == RTC_ERROR_UNSUPPORTED_CPU
-                               ? "the ray tracer cannot start: it needs a processor with AVX2"
-                               : "the ray tracer cannot start: there is too little memory, or no thread can be made");
+    throw EnvironmentError(
+        rtcGetDeviceError(nullptr) == RTC_ERROR_UNSUPPORTED_CPU
+            ? "the ray tracer cannot start: it needs a processor with AVX2"
+            : "the ray tracer cannot start: there is too little memory, or no thread can be made");
   const auto count = [](void* total, ssize_t change, bool) {
     static_cast<std::atomic<std::int64_t>*>(total)->fetch_add(change, std::memory_order_relaxed);
     return true;
@@ -179,6 +229,16 @@ void attach_analytic(RTCDevice device, RTCScene scene, unsigned geometry, const 
   rtcSetGeometryBoundsFunction(g, bound_analytic, nullptr);
   rtcSetGeometryIntersectFunction(g, intersect_analytic);
   rtcSetGeometryOccludedFunction(g, occlude_analytic);
+  attach(device, scene, g, geometry);
+}
+
+void attach_field(RTCDevice device, RTCScene scene, unsigned geometry, const PlacedField& field) {
+  RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(g, field.field->blocks());
+  rtcSetGeometryUserData(g, const_cast<PlacedField*>(&field));
+  rtcSetGeometryBoundsFunction(g, bound_field, nullptr);
+  rtcSetGeometryIntersectFunction(g, intersect_field);
+  rtcSetGeometryOccludedFunction(g, occlude_field);
   attach(device, scene, g, geometry);
 }
 

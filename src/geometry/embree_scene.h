@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "geometry/primitive_sets.h"
+#include "geometry/ray_packet.h"
 #include "geometry/world.h"
 #include "math/transform.h"
 
@@ -22,8 +23,8 @@ struct ReleaseScene {
 using EmbreeDevice = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
 using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
 
-/// Pinned to AVX2, so that machines with wider vectors give the same bytes. `threads` (0: all) build. What Embree
-/// allocates is added to `bytes`, which must outlive the device.
+/// Pinned to AVX2, so that machines with wider vectors give the same bytes. `threads` (0: all) build. What
+/// Embree allocates is added to `bytes`, which must outlive the device.
 EmbreeDevice make_device(int threads, std::atomic<std::int64_t>& bytes);
 
 /// Of medium build quality; `robust`: watertight where triangles share vertices, at a tenth of the speed.
@@ -37,6 +38,7 @@ void attach(RTCDevice device, RTCScene scene, RTCGeometry geometry, unsigned num
 /// The sets must outlive the scene; what a set holds for Embree alone is given away here.
 void attach_triangles(RTCDevice device, RTCScene scene, unsigned geometry, TriangleSet& set);
 void attach_analytic(RTCDevice device, RTCScene scene, unsigned geometry, const AnalyticSet& set);
+void attach_field(RTCDevice device, RTCScene scene, unsigned geometry, const PlacedField& field);
 void attach_instance(RTCDevice device, RTCScene scene, unsigned geometry, RTCScene what,
                      const math::Transform& scene_from_set);
 

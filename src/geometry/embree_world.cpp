@@ -187,6 +187,8 @@ void EmbreeWorld::finish(const RayPacket& packet, std::size_t k, const Ray& ray,
   hit.u = hit.v = 0.0;
   if (c.kind == Candidate::triangle)
     finish_triangle(c, hit);
+  else if (c.kind == Candidate::field)
+    finish_field(c, hit);
   else if (c.kind == Candidate::analytic)
     finish_analytic(packet, k, hit);
   else
@@ -252,6 +254,20 @@ void EmbreeWorld::apply_attributes(const Attributes& kept, const Transform& mesh
     const double side = dot(shading, hit.geometric_normal.as_vector());
     if (std::isfinite(side)) hit.shading_normal = side < 0.0 ? -shading : shading;
   }
+}
+
+void EmbreeWorld::finish_field(const Candidate& c, SurfacePoint& hit) const {
+  const auto& placed = *static_cast<const PlacedField*>(c.set);
+  const Transform& map = placed.field_from_centred;
+  const Point3 at = map(Point3{} + (hit.position_m - centre_m_));
+  hit.geometric_normal = normal_in_scene(map, placed.field->normal(c.prim));
+  const Normal3 shading = normal_in_scene(map, placed.field->shading_normal(c.prim, at));
+  hit.shading_normal = dot(shading, hit.geometric_normal.as_vector()) < 0.0 ? -shading : shading;
+  hit.instance = placed.object;
+  hit.primitive = c.prim;
+  hit.patch = 0;
+  hit.material = placed.material;
+  hit.offset_m = std::max(triangle_offset_m_, analytic_offset(hit));
 }
 
 void EmbreeWorld::finish_analytic(const RayPacket& packet, std::size_t k, SurfacePoint& hit) const {

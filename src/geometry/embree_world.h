@@ -21,7 +21,7 @@ namespace ifov::geometry {
 
 /// The world on Embree. The scene is moved about the centre of its bounds in double before it becomes float;
 /// bodies that stand in several places become Embree instances about their own centres, all others lie in the
-/// scene itself; planes are met beside Embree.
+/// scene itself; height fields are met block by block in their own frames, planes beside Embree.
 class EmbreeWorld final : public World {
  public:
   EmbreeWorld(WorldContent content, const BuildOptions& options);
@@ -72,6 +72,7 @@ class EmbreeWorld final : public World {
   void build_prototypes(WorldContent& content, const std::vector<bool>& instanced, const std::vector<double>& shrink);
   void place_pieces(WorldContent& content, const PieceWalk& walk, const PrototypePlan& plan,
                     const std::vector<bool>& instanced);
+  void place_fields(const WorldContent& content);
   void build_scene(InstanceStorage instances);
   void note_storage(const PrototypePlan& plan);
 
@@ -83,6 +84,7 @@ class EmbreeWorld final : public World {
               SurfacePoint& hit) const;
   void finish_plane(const Candidate& c, SurfacePoint& hit) const;
   void finish_triangle(const Candidate& c, SurfacePoint& hit) const;
+  void finish_field(const Candidate& c, SurfacePoint& hit) const;
   void finish_analytic(const RayPacket& packet, std::size_t k, SurfacePoint& hit) const;
   void apply_attributes(const Attributes& kept, const math::Transform& mesh_from_scene, math::Point3 in_mesh,
                         std::uint32_t triangle, SurfacePoint& hit) const;
@@ -95,6 +97,7 @@ class EmbreeWorld final : public World {
   TriangleSet triangles_;
   AnalyticSet analytic_;
   InstanceSet instance_set_;
+  std::vector<PlacedField> fields_;
   EmbreeScene scene_;  ///< null where everything is planes
   std::vector<PlaneObject> planes_;
 

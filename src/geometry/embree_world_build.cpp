@@ -63,7 +63,7 @@ EmbreeWorld::EmbreeWorld(WorldContent content, const BuildOptions& options)
   const PieceWalk walk(content, plan, contents);
   std::vector<bool> instanced(content.templates.size());
   for (std::size_t t = 0; t < instanced.size(); ++t)
-    instanced[t] = !content.templates[t].plane && plan.flat[t] && plan.copies[t] > 0 &&
+    instanced[t] = content.templates[t].has_body() && plan.flat[t] && plan.copies[t] > 0 &&
                    !better_copied(content.templates[t].body, plan.copies[t]);
   for (const Run& run : content.runs) triangle_count_ += run.what.copies() * contents[run.what.of].triangles;
   materials_ = content.materials;
@@ -73,6 +73,7 @@ EmbreeWorld::EmbreeWorld(WorldContent content, const BuildOptions& options)
   find_bounds(content, walk, instanced, shrink);
   build_prototypes(content, instanced, shrink);
   place_pieces(content, walk, plan, instanced);
+  place_fields(content);
   build_scene(options.instances);
   note_storage(plan);
 }
@@ -88,6 +89,9 @@ void EmbreeWorld::find_bounds(const WorldContent& content, const PieceWalk& walk
     if (!body.analytic.empty())
       shrink[piece.of] = std::max(shrink[piece.of], largest_stretch(piece.scene_from_body.inverse()));
   });
+  for (const Run& run : content.runs)
+    if (const auto& field = content.templates[run.what.of].field)
+      box.include(image_of(field->bounds(), run.what.whole_from_list));
   if (!box.empty()) bounds_ = box.bounds;
 
   centre_m_ = bounds_.low_m + (bounds_.high_m - bounds_.low_m) * 0.5;
@@ -195,8 +199,19 @@ void EmbreeWorld::place_pieces(WorldContent& content, const PieceWalk& walk, con
   }
 }
 
+void EmbreeWorld::place_fields(const WorldContent& content) {
+  const Transform centred_from_scene = Transform::translation(Point3{} - centre_m_);
+  for (const Run& run : content.runs) {
+    const auto& field = content.templates[run.what.of].field;
+    if (!field) continue;
+    const Transform centred_from_field = centred_from_scene * run.what.whole_from_list * field->object_from_field();
+    fields_.push_back({field, centred_from_field, centred_from_field.inverse(), std::ldexp(scale_m_, -20),
+                       run.first_object, content.materials[run.materials]});
+  }
+}
+
 void EmbreeWorld::build_scene(InstanceStorage storage) {
-  if (instances_.empty() && triangles_.facets.empty() && analytic_.shapes.empty()) return;
+  if (instances_.empty() && triangles_.facets.empty() && analytic_.shapes.empty() && fields_.empty()) return;
   storage_.stored_triangles += triangles_.facets.size();
   storage_.instances = instances_.size();
   storage_.instance_table =
@@ -217,6 +232,8 @@ void EmbreeWorld::build_scene(InstanceStorage storage) {
   }
   if (!triangles_.facets.empty()) attach_triangles(device_.get(), scene_.get(), next, triangles_);
   if (!analytic_.shapes.empty()) attach_analytic(device_.get(), scene_.get(), next + 1, analytic_);
+  next += 2;
+  for (const PlacedField& field : fields_) attach_field(device_.get(), scene_.get(), next++, field);
   commit(device_.get(), scene_.get());
 }
 
@@ -225,6 +242,7 @@ void EmbreeWorld::note_storage(const PrototypePlan& plan) {
   storage_.bytes = static_cast<std::size_t>(std::max<std::int64_t>(0, embree_bytes_)) + bytes_of(triangles_) +
                    bytes_of(analytic_) + bytes_of(objects_) + bytes_of(transforms_) + bytes_of(set_from_scene_) +
                    bytes_of(instances_) + bytes_of(copies_) + bytes_of(materials_) + bytes_of(body_from_scene_);
+  for (const PlacedField& field : fields_) storage_.bytes += field.field->bytes();
   if (!storage_.instance_table) storage_.bytes += kUnseenNodeBytes * instances_.size();
   for (const auto& prototype : prototypes_)
     if (prototype) storage_.bytes += bytes_of(prototype->triangles) + bytes_of(prototype->analytic);

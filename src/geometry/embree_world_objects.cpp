@@ -20,6 +20,10 @@ void EmbreeWorld::note_figures(const WorldContent& content, const PrototypePlan&
     if (one.plane) {
       figure.centre_m = figure.seed_m = {0.0, 0.0, one.plane->z_m};
       figure.radius_m = std::numeric_limits<double>::infinity();
+    } else if (one.field) {
+      const World::Bounds b = one.field->bounds();
+      const Point3 centre = b.low_m + (b.high_m - b.low_m) * 0.5;
+      figure = {centre, one.field->middle(), 0.5 * length(b.high_m - b.low_m), b, oriented_extent({}, b), centre};
     } else if (one.body.patch_count > 0) {
       const Body& body = one.body;
       figure = {body.centre_m, body.seed_m, body.radius_m, body.bounds, {}, body.centre_m};

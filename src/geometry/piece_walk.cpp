@@ -38,7 +38,7 @@ PieceWalk::Node PieceWalk::node_of(std::uint32_t of, std::uint32_t materials) {
 void PieceWalk::visit(const Visitor& visitor) const {
   for (std::size_t r = 0; r < content_.runs.size(); ++r) {
     const Run& run = content_.runs[r];
-    if (content_.templates[run.what.of].plane) continue;
+    if (!content_.templates[run.what.of].has_body()) continue;
     const Node& node = nodes_[node_of_run_[r]];
     PlacedPiece piece;
     piece.of = run.what.of;

@@ -74,6 +74,7 @@ std::vector<Contents> contents_of(const WorldContent& content) {
     const Template& one = content.templates[t];
     Contents& c = all[t];
     c = {one.body.mesh.triangles.size(), one.body.analytic.size(), one.body.patch_count};
+    if (one.field) c = {one.field->triangles(), 0, 1};
     for (const TemplatePart& part : one.parts) {
       const std::uint64_t copies = part.copies();
       const Contents& inner = all[part.of];

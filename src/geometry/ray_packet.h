@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 
+#include "geometry/height_field.h"
 #include "geometry/primitive_sets.h"
 
 namespace ifov::geometry {
@@ -15,21 +17,29 @@ inline constexpr int kLanes = 8;
 /// What a lane of a packet has met. Embree's numbers: `prim` within the set, `instance`
 /// RTC_INVALID_GEOMETRY_ID for the sets of the scene itself.
 struct Candidate {
-  enum Kind : std::uint32_t { none, plane, triangle, analytic } kind = none;
+  enum Kind : std::uint32_t { none, plane, triangle, analytic, field } kind = none;
   std::uint32_t instance = RTC_INVALID_GEOMETRY_ID;
   std::uint32_t prim = 0;
   std::uint32_t face = 0;
   const void* set = nullptr;
 };
 
-/// A body in the scene, as an instance or copied: its numbers are added to those within the body's set. A copy's
-/// triangles begin at `set_triangle` of the set it shares; additions are modulo 2^32.
+/// A body in the scene, as an instance or copied: its numbers are added to those within the body's set. A
+/// copy's triangles begin at `set_triangle` of the set it shares; additions are modulo 2^32.
 struct Piece {
   std::uint32_t object = 0;
   std::uint32_t of = 0;         ///< template with the body
   std::uint32_t materials = 0;  ///< where its materials begin
   std::uint32_t first_patch = 0, first_analytic = 0, first_triangle = 0;
   std::uint32_t set_triangle = 0;
+};
+
+/// A height field in the scene. "Centred": about the scene's centre.
+struct PlacedField {
+  std::shared_ptr<const HeightField> field;
+  math::Transform centred_from_field, field_from_centred;
+  double padding_m = 0.0;  ///< by which bounds are widened against Embree's rounding
+  std::uint32_t object = 0, material = 0;
 };
 
 /// How instances and objects are looked up while a packet is under way.
@@ -74,6 +84,8 @@ struct RayPacket {
   /// Instance number and primitive number in the object, for ties.
   std::uint64_t rank(const Candidate& c) const {
     if (c.kind == Candidate::plane) return std::uint64_t{c.prim} << 32;
+    if (c.kind == Candidate::field)
+      return (std::uint64_t{static_cast<const PlacedField*>(c.set)->object} << 32) | c.prim;
     const bool triangle = c.kind == Candidate::triangle;
     const Piece* piece;
     if (c.instance != RTC_INVALID_GEOMETRY_ID)
@@ -104,7 +116,7 @@ struct RayPacket {
   }
 
  private:
-  /// Only triangles come without their exact distance.
+  /// Only triangles of meshes come without their exact distance.
   double distance(std::size_t k, const Candidate& c) const {
     return facet_distance(k, *static_cast<const TriangleSet*>(c.set), c.instance, c.prim);
   }

@@ -181,8 +181,11 @@ math::Normal3 normal_at(const TerrainGrid& grid, int column, int row) {
       return grid.node(c, r);
     return grid.node(column, row);
   };
-  const math::Vec3 east = neighbour(column + 1, row) - neighbour(column - 1, row);
-  const math::Vec3 north = neighbour(column, row - 1) - neighbour(column, row + 1);
+  math::Vec3 east = neighbour(column + 1, row) - neighbour(column - 1, row);
+  math::Vec3 north = neighbour(column, row - 1) - neighbour(column, row + 1);
+  // Level along an axis on which both are missing.
+  if (grid.places_m.empty() && length(east) == 0.0) east = grid.along_column_m;
+  if (grid.places_m.empty() && length(north) == 0.0) north = -grid.along_row_m;
   const math::Vec3 up = math::cross(east, north);
   if (!(math::length(up) > 0.0)) return {0.0, 0.0, 1.0};
   const math::Vec3 unit = math::normalized(up);

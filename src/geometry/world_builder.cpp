@@ -78,11 +78,19 @@ ShapeId WorldBuilder::add_body(Body body) {
   return {static_cast<std::uint32_t>(content_->templates.size() - 1)};
 }
 
+ShapeId WorldBuilder::add_height_field(std::shared_ptr<const HeightField> field) {
+  Template t;
+  t.field = std::move(field);
+  content_->templates.push_back(std::move(t));
+  return {static_cast<std::uint32_t>(content_->templates.size() - 1)};
+}
+
 ShapeId WorldBuilder::add_prototype(std::span<const Part> parts) {
   Template whole;
   for (const Part& part : parts) {
     const Template& t = content_->at(part.what);
     if (t.plane) throw InputError("a plane cannot be part of a prototype");
+    if (t.field) throw InputError("a terrain that is traced as a grid cannot be part of a prototype");
     if (!part.slots.empty() && part.slots.size() != t.slot_count)
       throw InputError(format("a part has {} material slots, {} are given", t.slot_count, part.slots.size()));
     TemplatePart kept{part.what.value, part.prototype_from_part, part.list, part.slots};
@@ -113,6 +121,7 @@ std::uint32_t WorldBuilder::place_many(ShapeId what, const math::Transform& scen
                                        std::shared_ptr<const Placings> list,
                                        std::span<const std::uint32_t> material_of_slot, bool seed) {
   if (content_->at(what).plane) throw InputError("a plane cannot be placed many times");
+  if (content_->at(what).field) throw InputError("a terrain that is traced as a grid cannot be placed many times");
   return content_->place({what.value, scene_from_list, std::move(list), {}}, material_of_slot, seed);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/body.h"
+#include "geometry/height_field.h"
 #include "geometry/placings.h"
 #include "geometry/shapes.h"
 #include "geometry/world.h"
@@ -50,6 +51,9 @@ class WorldBuilder {
 
   /// The same for a body made before, by body_of().
   ShapeId add_body(Body body);
+
+  /// A terrain that is traced in its grid. It cannot be a part, nor be placed many times at once.
+  ShapeId add_height_field(std::shared_ptr<const HeightField> field);
 
   /// Several parts that are placed as one object; planes cannot be parts. Parts may be prototypes themselves, to any
   /// depth.

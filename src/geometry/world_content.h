@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/body.h"
+#include "geometry/height_field.h"
 #include "geometry/placings.h"
 #include "geometry/shapes.h"
 #include "math/transform.h"
@@ -25,14 +26,16 @@ struct TemplatePart {
   }
 };
 
-/// A shape or prototype as the builder hands it over: a plane, a body, or parts that may become a body.
+/// A shape or prototype as the builder hands it over: a plane, a height field, a body, or parts that may become a body.
 struct Template {
   std::optional<Plane> plane;
+  std::shared_ptr<const HeightField> field;
   Body body;
   std::vector<TemplatePart> parts;  ///< of a prototype; they refer to templates before it
   std::uint32_t slot_count = 1;
   std::uint64_t uses = 0;  ///< placed objects
 
+  bool has_body() const { return !plane && !field; }
   bool is_prototype() const { return !parts.empty(); }
 };
 

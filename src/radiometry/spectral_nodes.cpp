@@ -49,6 +49,7 @@ SpectralNodes SpectralNodes::build(std::span<const ChannelGrid> channels, std::s
 
 void SpectralNodes::add(FoundRule found) {
   worst_error_ = std::max(worst_error_, found.worst_error);
+  channel_error_.push_back(found.worst_error);
   for (std::size_t node = 0; node < found.rule.node_count(); ++node) {
     weight_.push_back(static_cast<float>(found.rule.weight(node)));
     wavelength_um_.push_back(found.rule.wavelength_um(node));

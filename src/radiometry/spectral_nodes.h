@@ -43,6 +43,7 @@ class SpectralNodes {
   double node_weight(std::size_t node) const { return weight_[node]; }
   /// Largest relative error seen in the checks at construction.
   double worst_error() const { return worst_error_; }
+  double worst_error(std::size_t channel) const { return channel_error_[channel]; }
 
   /// A factor of light (reflectance, transmittance): within [0, 1] where the spectrum is. Spans:
   /// node_count().
@@ -91,6 +92,7 @@ class SpectralNodes {
   std::vector<float> slice_weight_;
   std::vector<std::int32_t> slice_node_;
   double worst_error_ = 0.0;
+  std::vector<double> channel_error_;
 };
 
 }  // namespace ifov::radiometry

@@ -15,8 +15,12 @@ constexpr double kResolution = 1e-5;
 }  // namespace
 
 AccuracyTolerance::AccuracyTolerance(AccuracyRequest request, const ChannelBrightness& brightness,
-                                     std::vector<double> white_reflected_w_m2_sr_um, std::int64_t pixel_count)
-    : request_(std::move(request)), brightness_(brightness), white_(std::move(white_reflected_w_m2_sr_um)) {
+                                     std::vector<double> white_reflected_w_m2_sr_um, std::int64_t pixel_count,
+                                     std::vector<AirHalfWidth> air)
+    : request_(std::move(request)),
+      brightness_(brightness),
+      white_(std::move(white_reflected_w_m2_sr_um)),
+      air_(std::move(air)) {
   const std::size_t channels = white_.size();
   judged_.assign(channels, request_.channels.empty() ? 1 : 0);
   for (int c : request_.channels) judged_[static_cast<std::size_t>(c)] = 1;
@@ -35,6 +39,19 @@ AccuracyTolerance::AccuracyTolerance(AccuracyRequest request, const ChannelBrigh
 }
 
 void AccuracyTolerance::limits(std::span<const double> mean, std::span<double> limit) const {
+  asked(mean, limit);
+  for (std::size_t c = 0; c < air_.size(); ++c)
+    limit[c] = std::max(limit[c] - air_[c].of(mean[c]), kLeastShare * limit[c]);
+}
+
+double AccuracyTolerance::air_share(std::size_t channel, double radiance) const {
+  std::vector<double> mean(white_.size(), 0.0), limit(white_.size());
+  mean[channel] = radiance;
+  asked(mean, limit);
+  return air_.empty() ? 0.0 : air_[channel].of(radiance) / limit[channel];
+}
+
+void AccuracyTolerance::asked(std::span<const double> mean, std::span<double> limit) const {
   for (std::size_t c = 0; c < mean.size(); ++c) {
     if (c >= judged_.size() || !judged_[c]) {
       limit[c] = std::numeric_limits<double>::infinity();

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "render/air_half_width.h"
 #include "render/channel_brightness.h"
 #include "sampling/tolerance.h"
 
@@ -35,9 +36,17 @@ class AccuracyTolerance final : public sampling::Tolerance {
   /// `white_reflected` is the radiance of a level white Lambertian lit by Sun and sky, by channel;
   /// `pixel_count` counts for simultaneous confidence only.
   AccuracyTolerance(AccuracyRequest request, const ChannelBrightness& brightness,
-                    std::vector<double> white_reflected_w_m2_sr_um, std::int64_t pixel_count);
+                    std::vector<double> white_reflected_w_m2_sr_um, std::int64_t pixel_count,
+                    std::vector<AirHalfWidth> air = {});
 
+  /// What is left for paths and edges: what is asked for less what the air may be wrong by, but never less than
+  /// kLeastShare of it, because no number of rays makes up for the air.
   void limits(std::span<const double> mean, std::span<double> limit) const override;
+  /// What is asked for.
+  void asked(std::span<const double> mean, std::span<double> limit) const;
+  static constexpr double kLeastShare = 0.5;
+  /// What the air may be wrong by over what is asked for, in a judged channel: up to 1 - kLeastShare it can be reached.
+  double air_share(std::size_t channel, double radiance) const;
   double confidence() const override { return confidence_; }
 
   bool judged(int channel) const { return judged_[static_cast<std::size_t>(channel)] != 0; }
@@ -47,6 +56,7 @@ class AccuracyTolerance final : public sampling::Tolerance {
   AccuracyRequest request_;
   const ChannelBrightness& brightness_;
   std::vector<double> white_;
+  std::vector<AirHalfWidth> air_;  // by channel; empty: none
   std::vector<double> floor_;
   std::vector<char> judged_;
   double confidence_ = 0.95;

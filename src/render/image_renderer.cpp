@@ -82,6 +82,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     job.sampler.sample(problem, field, result);
     result.rays = field.counts();
     field.blends().settle(result);
+    widen(job.air, job.tolerance, result);
     sink.write(result);
     tally.add(result);
   });

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/run_control.h"
+#include "render/air_budget.h"
 #include "render/scene_field.h"
 #include "render/tile_sink.h"
 #include "sampling/tile.h"
@@ -17,13 +18,14 @@ struct RenderJob {
   const sensor::Camera& camera;
   const sampling::PixelFootprint& footprint;
   const sampling::PixelSampler& sampler;
-  const sampling::Tolerance* tolerance = nullptr;
+  const AccuracyTolerance* tolerance = nullptr;
   TransportOptions transport{};
   LabelDetail label_detail = LabelDetail::sun_state;
   std::uint64_t seed = 1;
   int tile_px = 64;
   bool seed_objects = true;        ///< send a ray at each compact object smaller than a pixel
   std::vector<int> drivers{};      ///< channels that steer the sampler
+  std::span<const AirHalfWidth> air{};  ///< by channel; empty: the air has no error that is known
 };
 
 /// How the work is done; the result does not depend on it.

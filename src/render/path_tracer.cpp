@@ -59,6 +59,9 @@ void scale(float* __restrict a, const float* __restrict b, std::size_t n) {
 void scale(float* __restrict a, const float* __restrict b, float s, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) a[i] *= b[i] * s;
 }
+void set_product(float* __restrict out, const float* __restrict a, const float* __restrict b, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) out[i] = a[i] * b[i];
+}
 /// Both at one surface: what its sunlight adds, and the throughput beyond it.
 void add_and_scale(float* __restrict sum, float* __restrict throughput, const float* __restrict factor,
                    const float* __restrict sun, float sun_weight, float weight, std::size_t n) {
@@ -70,6 +73,27 @@ void add_and_scale(float* __restrict sum, float* __restrict throughput, const fl
 }
 void set_scaled(float* __restrict out, const float* __restrict a, float s, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) out[i] = a[i] * s;
+}
+
+/// Light of a surface after the air before it, from 1 to 4 rows of the table.
+void see_through(float* __restrict light, const ViewTable::Place& at, std::size_t n) {
+  const auto *t = at.transmittance.data(), *l = at.radiance.data();
+  const float* w = at.weight.data();
+  switch (at.count) {
+    case 2:
+      for (std::size_t i = 0; i < n; ++i)
+        light[i] = light[i] * (t[0][i] * w[0] + t[1][i] * w[1]) + (l[0][i] * w[0] + l[1][i] * w[1]);
+      return;
+    case 3:
+      for (std::size_t i = 0; i < n; ++i)
+        light[i] = light[i] * (t[0][i] * w[0] + t[1][i] * w[1] + t[2][i] * w[2]) +
+                   (l[0][i] * w[0] + l[1][i] * w[1] + l[2][i] * w[2]);
+      return;
+    default:
+      for (std::size_t i = 0; i < n; ++i)
+        light[i] = light[i] * ((t[0][i] * w[0] + t[1][i] * w[1]) + (t[2][i] * w[2] + t[3][i] * w[3])) +
+                   ((l[0][i] * w[0] + l[1][i] * w[1]) + (l[2][i] * w[2] + l[3][i] * w[3]));
+  }
 }
 
 /// What the random choice between shapes at a surface is keyed by, beside its path and depth.
@@ -135,7 +159,15 @@ void PathTracer::trace(std::span<const math::Ray> rays, std::span<const PathKey>
       advance(depth, radiance, counts);
     }
   }
-  if (scene_.has_view_path()) {
+  if (const ViewTable* table = scene_.view_table()) {
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      const math::Vec3 towards_sensor = -rays[k].direction;
+      if (!first_hits[k].hit() && towards_sensor.z <= 0.0) continue;  // the sky itself
+      const ViewTable::Place place =
+          table->at(towards_sensor, first_hits[k].hit() ? first_hits[k].position_m.z : 0.0);
+      see_through(radiance.row(k), place, row_floats_);
+    }
+  } else if (scene_.has_view_path()) {
     for (std::size_t k = 0; k < rays.size(); ++k) {
       float* row = radiance.row(k);
       scale(row, scene_.view_transmittance(), row_floats_);
@@ -187,7 +219,7 @@ void PathTracer::advance(int depth, radiometry::SpectrumBlock& radiance, samplin
     const Path& path = paths_[event.path];
     float* sum = radiance.row(path.row);
     float* throughput = throughput_.row(path.throughput);
-    const float* sun = scene_.sun_irradiance();
+    const float* sun = scene_.sun_irradiance(hits_[event.path].position_m.z, scratch_.row(0));
     const bool sunlit = event.shadow != kNone && blocked_[event.shadow] == 0;
     const bool goes_on = event.bounce_weight > 0.0f;
     if (depth == 0) {
@@ -225,7 +257,12 @@ void PathTracer::add_escaped(const Path& path, int depth, float* sum) {
     const SkyDome::Corners sky = dome->at(direction);
     if (depth == 0)
       sum_of_scaled(sum, sky.row.data(), sky.weight.data(), row_floats_);
-    else
+    else if (scene_.light_by_height()) {
+      const float* share = scene_.sky_share(path.ray.origin_m.z, scratch_.row(0));
+      float* light = scratch_.row(1);
+      set_product(light, throughput, share, row_floats_);
+      add_product_of_scaled(sum, light, sky.row.data(), sky.weight.data(), row_floats_);
+    } else
       add_product_of_scaled(sum, throughput, sky.row.data(), sky.weight.data(), row_floats_);
   } else {
     const float* light = direction.z < 0.0 ? scene_.surroundings_radiance() : scene_.sky_radiance();

@@ -37,7 +37,10 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Sensor
       has_view_path_(true) {
   emit_surfaces();
   const std::vector<double> ground = couple(air, air.sky_irradiance());
-  dome_.emplace(air, scene.sun ? scene.sun->direction : math::Vec3{1.0, 0.0, 0.0}, ground);
+  const math::Vec3 towards_sun = scene.sun ? scene.sun->direction : math::Vec3{1.0, 0.0, 0.0};
+  dome_.emplace(air, towards_sun, ground);
+  if (!air.sights().single()) view_table_.emplace(air, towards_sun, ground);
+  light_heights(air);
   light_surroundings();
 }
 
@@ -74,6 +77,39 @@ std::vector<double> SpectralScene::couple(const Air& air, std::span<const double
         static_cast<float>(air.view_radiance()[n] + ground[n] * air.diffuse_transmittance()[n]);
   }
   return ground;
+}
+
+void SpectralScene::light_heights(const atmosphere::SensorAtmosphere& air) {
+  const std::vector<double>& heights_km = air.sights().height().known();
+  if (heights_km.size() < 2) return;
+  for (const double height : heights_km) heights_m_.push_back(1e3 * height);
+  sun_rows_.resize(heights_km.size(), node_count());
+  sky_rows_.resize(heights_km.size(), node_count());
+  for (std::size_t h = 0; h < heights_km.size(); ++h)
+    for (std::size_t n = 0; n < node_count(); ++n) {
+      const double ground = air.sky_at_height(0)[n];
+      sun_rows_.row(h)[n] = static_cast<float>(air.sun_at_height(h)[n]);
+      sky_rows_.row(h)[n] = ground > 0.0 ? static_cast<float>(air.sky_at_height(h)[n] / ground) : 1.0f;
+    }
+}
+
+const float* SpectralScene::between_heights(const radiometry::SpectrumBlock& rows, double height_m,
+                                            float* scratch) const {
+  const auto above = std::upper_bound(heights_m_.begin() + 1, heights_m_.end() - 1, height_m);
+  const std::size_t low = static_cast<std::size_t>(above - heights_m_.begin()) - 1;
+  const float share = static_cast<float>(
+      std::clamp((height_m - heights_m_[low]) / (heights_m_[low + 1] - heights_m_[low]), 0.0, 1.0));
+  const float *a = rows.row(low), *b = rows.row(low + 1);
+  for (std::size_t n = 0; n < stride(); ++n) scratch[n] = a[n] + share * (b[n] - a[n]);
+  return scratch;
+}
+
+const float* SpectralScene::sun_irradiance(double height_m, float* scratch) const {
+  return heights_m_.empty() ? sun_irradiance() : between_heights(sun_rows_, height_m, scratch);
+}
+
+const float* SpectralScene::sky_share(double height_m, float* scratch) const {
+  return between_heights(sky_rows_, height_m, scratch);
 }
 
 void SpectralScene::sky_of_scene() {

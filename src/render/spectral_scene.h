@@ -11,6 +11,7 @@
 #include "radiometry/spectral_nodes.h"
 #include "radiometry/spectrum_block.h"
 #include "render/sky_dome.h"
+#include "render/view_table.h"
 #include "scene/scene.h"
 
 namespace ifov::render {
@@ -51,6 +52,15 @@ class SpectralScene {
   bool has_view_path() const { return has_view_path_; }
   const float* view_transmittance() const { return light_.row(kViewTransmittance); }
   const float* view_radiance() const { return light_.row(kViewRadiance); }
+  /// Null where the two hold for all lines of sight and heights.
+  const ViewTable* view_table() const { return view_table_ ? &*view_table_ : nullptr; }
+
+  /// Whether sunlight and skylight change with the height of what they fall on.
+  bool light_by_height() const { return !heights_m_.empty(); }
+  /// As sun_irradiance at a height; written to `scratch` (stride() floats, 64-byte aligned) where it changes.
+  const float* sun_irradiance(double height_m, float* scratch) const;
+  /// How much brighter than at the ground the sky is there.
+  const float* sky_share(double height_m, float* scratch) const;
 
   /// By channel: radiance of a level white Lambertian under Sun and sky, through the view path's transmittance.
   std::vector<double> white_reflected() const;
@@ -60,6 +70,8 @@ class SpectralScene {
   void emit_surfaces();
   void emit(const scene::SurfaceState& state, float* row) const;
   void light_surroundings();
+  void light_heights(const atmosphere::SensorAtmosphere& air);
+  const float* between_heights(const radiometry::SpectrumBlock& rows, double height_m, float* scratch) const;
   void sky_of_scene();
   /// Rows of Sun, sky and view path over ground as the scene's surroundings; returns that ground's reflected radiance.
   template <class Air>
@@ -73,6 +85,9 @@ class SpectralScene {
   radiometry::SpectrumBlock light_;     // by LightRow
   std::unique_ptr<radiometry::PlanckTable> planck_;  // only where a temperature map needs it
   std::optional<SkyDome> dome_;
+  std::optional<ViewTable> view_table_;
+  std::vector<double> heights_m_;                  // rising from 0; empty: all is as at the ground
+  radiometry::SpectrumBlock sun_rows_, sky_rows_;  // by height
   bool has_view_path_ = false;
 };
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "render/air_half_width.h"
 #include "sampling/tile.h"
 
 namespace ifov::render {
@@ -12,6 +14,7 @@ struct ChannelInfo {
   std::string name;
   double centre_um = 0.0;
   double fwhm_um = 0.0;
+  std::optional<AirHalfWidth> air = {};  ///< where the atmosphere knows its error
 };
 
 /// What every product says of itself.

@@ -60,6 +60,41 @@ atmosphere::SensorGeometry sensor_geometry(const io::Document& document, const s
   return geometry;
 }
 
+atmosphere::SightRange sight_range(const sensor::Camera& camera, const std::optional<scene::Sun>& sun,
+                                   double highest_m) {
+  constexpr int kPoints = 17;
+  constexpr double kMargin_px = 4.0;  // of what samplers look at beyond the image
+  std::vector<sampling::FocalPoint> points;
+  for (int j = 0; j < kPoints; ++j)
+    for (int i = 0; i < kPoints; ++i)
+      points.push_back({-kMargin_px + (camera.width_px() + 2.0 * kMargin_px) * i / (kPoints - 1),
+                        -kMargin_px + (camera.height_px() + 2.0 * kMargin_px) * j / (kPoints - 1)});
+  std::vector<math::Ray> rays(points.size());
+  camera.rays(points, rays);
+  math::Vec3 towards = sun ? sun->direction : math::Vec3{1.0, 0.0, 0.0};
+  const double level = std::hypot(towards.x, towards.y);
+  towards = level > 0.0 ? (1.0 / level) * math::Vec3{towards.x, towards.y, 0.0} : math::Vec3{0.0, 1.0, 0.0};
+  const double steepest = std::tan(kLowestView_rad);
+  constexpr double kFar = 1e300;
+  atmosphere::SightRange range{kFar, -kFar, kFar, -kFar, 1e-3 * std::max(0.0, highest_m)};
+  bool left = false, right = false;
+  for (const math::Ray& ray : rays) {
+    const math::Vec3 up = -ray.direction;
+    const double flat = std::hypot(up.x, up.y);
+    const double scale = up.z > 0.0 && flat < steepest * up.z ? 1.0 / up.z : steepest / std::max(flat, 1e-12);
+    const double along = scale * (up.x * towards.x + up.y * towards.y),
+                 across = scale * (up.x * towards.y - up.y * towards.x);
+    range.along_low = std::min(range.along_low, along);
+    range.along_high = std::max(range.along_high, along);
+    range.across_low = std::min(range.across_low, std::abs(across));
+    range.across_high = std::max(range.across_high, std::abs(across));
+    left = left || across < 0.0;
+    right = right || across > 0.0;
+  }
+  if (left && right) range.across_low = 0.0;
+  return range;
+}
+
 std::string narrow_channels(std::span<const radiometry::Channel> channels, const std::vector<std::size_t>& narrow) {
   if (narrow.empty()) return {};
   std::string names;
@@ -89,6 +124,10 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(const Session:
     inputs.demands.tolerance = kNodeTolerance;
     inputs.geometry = sensor_geometry(document, *parts.camera, parts.scene.sun,
                                       column.levels().altitude_km.front());
+    inputs.sights.emplace(sight_range(*parts.camera, parts.scene.sun, parts.scene.world->bounds().high_m.z),
+                          column.levels());
+    inputs.with_errors = true;
+    inputs.ground = parts.scene.materials[parts.scene.surroundings.material].reflectance;
     inputs.threads = work.threads;
     inputs.kept = work.kept;
     inputs.progress = work.progress;

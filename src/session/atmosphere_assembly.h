@@ -24,6 +24,10 @@ atmosphere::AtmosphereColumn assemble_column(const io::Document& document);
 atmosphere::SensorGeometry sensor_geometry(const io::Document& document, const sensor::Camera& camera,
                                            const std::optional<scene::Sun>& sun, double ground_km);
 
+/// The lines of sight of an image, over surfaces up to this height.
+atmosphere::SightRange sight_range(const sensor::Camera& camera, const std::optional<scene::Sun>& sun,
+                                   double highest_m);
+
 /// The warning about channels (by index) that are narrower than the band model resolves; empty without any.
 std::string narrow_channels(std::span<const radiometry::Channel> channels, const std::vector<std::size_t>& narrow);
 

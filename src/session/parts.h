@@ -4,6 +4,7 @@
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "atmosphere/weather_series.h"
 #include "io/document/document.h"
+#include "render/air_budget.h"
 #include "render/image_renderer.h"
 #include "session/map_scale.h"
 #include "session/sampling_assembly.h"
@@ -26,6 +27,7 @@ struct Session::Parts {
   std::unique_ptr<sampling::PixelFootprint> footprint;
   std::unique_ptr<render::SpectralScene> spectral_scene;
   std::unique_ptr<render::ChannelBrightness> brightness;
+  std::vector<render::AirHalfWidth> air;  ///< by channel; empty without a modelled atmosphere
   SamplingPlan plan;
   std::unique_ptr<render::AccuracyTolerance> tolerance;  ///< null where no accuracy is asked for
   render::ImageInfo info;

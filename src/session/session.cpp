@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/version.h"
+#include "session/air_statements.h"
 #include "session/atmosphere_assembly.h"
 #include "session/atmosphere_cache.h"
 #include "session/imported_assembly.h"
@@ -124,6 +125,7 @@ void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options
 render::RenderJob Session::Parts::job(const SamplingPlan& sampling, const render::AccuracyTolerance* limits) const {
   render::RenderJob job{*spectral_scene, *camera, *footprint, *sampling.sampler};
   job.tolerance = limits;
+  job.air = air;
   if (document.sampling.max_depth) job.transport.maximum_scatterings = *document.sampling.max_depth;
   job.label_detail = sampling.request ? render::LabelDetail::sun_state : render::LabelDetail::material;
   job.seed = document.seed;
@@ -137,7 +139,8 @@ std::unique_ptr<render::AccuracyTolerance> Session::Parts::tolerance_of(const Sa
   if (!sampling.request) return nullptr;
   return std::make_unique<render::AccuracyTolerance>(*sampling.request, *brightness, spectral_scene->white_reflected(),
                                                      static_cast<std::int64_t>(camera->width_px()) *
-                                                         camera->height_px());
+                                                         camera->height_px(),
+                                                     air);
 }
 
 Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -172,13 +175,16 @@ Session Session::load(const io::Document& document, LogSink* log, const LoadOpti
     throw;
   }
   save();
-  if (log != nullptr && p.nodes->worst_error() > kChannelError)
+  if (log != nullptr && !p.atmosphere && p.nodes->worst_error() > kChannelError)
     log->warn(format("the nodes of the channels integrate some product of spectra only within {:.2g} %",
                      100.0 * p.nodes->worst_error()));
   if (log != nullptr) warn_of_cold_surfaces(p, *log);
   p.brightness = std::make_unique<render::ChannelBrightness>(*p.nodes);
+  if (p.atmosphere) p.air = render::air_half_widths(*p.spectral_scene, *p.atmosphere);
   p.tolerance = p.tolerance_of(p.plan);
+  if (log != nullptr) warn_of_air_errors(p, *log);
   p.info = image_info(document, *p.camera, p.channels, p.scene);
+  for (std::size_t c = 0; c < p.air.size(); ++c) p.info.channels[c].air = p.air[c];
   if (log != nullptr)
     log->info(format("sensor: {} x {} pixels, {} channels in {} spectral nodes", p.info.width_px, p.info.height_px,
                      p.channels.size(), p.nodes->node_count()));

@@ -79,7 +79,8 @@ BuiltShape ShapeAssembly::shape(const io::MeshShape& s) {
 BuiltShape ShapeAssembly::shape(const io::TerrainShape& s) {
   // Its coordinates are about the scene's origin; the object's transform is meant for those of the document.
   return with_position(document_, s.file.position, [&]() -> BuiltShape {
-    return {builder_.add_body(assemble_terrain(s, frame_, cache_, log_)),
+    return {s.as_grid ? builder_.add_height_field(assemble_height_field(s, frame_, log_))
+                      : builder_.add_body(assemble_terrain(s, frame_, cache_, log_)),
             math::Transform::translation(document_.scene.origin.offset_m),
             {""}};
   });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "session/air_statements.h"
 #include "session/weather_assembly.h"
 
 namespace ifov::session {
@@ -59,6 +60,7 @@ std::vector<std::string> notes(const Session::Parts& parts) {
     lines.push_back(format("floor of the accuracy: {:g} of a white surface's radiance, {:.3g} to {:.3g} W m-2 sr-1 um-1",
                            parts.plan.request->floor, low, high));
   }
+  if (!parts.air.empty()) lines.push_back(air_error_note(parts.air));
   for (const std::string& line :
        scale_statements(parts.map_scales, ground_sample_m(*parts.camera, *parts.scene.world)))
     lines.push_back(line);

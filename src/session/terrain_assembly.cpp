@@ -93,6 +93,38 @@ MeshSource source_of(const io::TerrainShape& s, const MapFrame& frame) {
 
 }  // namespace
 
+std::shared_ptr<const geometry::HeightField> assemble_height_field(const io::TerrainShape& source,
+                                                                   const MapFrame& frame, LogSink* log) {
+  if (source.detail_m > 0.0)
+    throw InputError(
+        format("a terrain of the form 'grid' keeps every height: found a detail of {:g} m, expected 0 m or "
+               "the form 'mesh'",
+               source.detail_m));
+  io::Elevation elevation =
+      io::read_elevation(source.file.path, source.band, source.unit_m,
+                         source.fill ? io::UnknownHeights::fill : io::UnknownHeights::holes);
+  const std::size_t unknown = elevation.unknown;
+  geometry::TerrainGrid grid = grid_of(source, std::move(elevation), frame);
+  if (!grid.places_m.empty())
+    throw InputError(
+        format("a terrain of the form 'grid' must be in the scene's own coordinates: '{}' is in others; give "
+               "the scene "
+               "the 'crs' of the raster, or use the form 'mesh'",
+               source.file.path));
+  const int columns = grid.columns, rows = grid.rows;
+  auto field = std::make_shared<geometry::HeightField>(std::move(grid), source.smooth);
+  if (log != nullptr) {
+    const std::string name = std::filesystem::path(source.file.path).filename().string();
+    log->info(format("terrain '{}': {} x {} heights, traced as a grid of {} triangles", name, columns, rows,
+                     field->triangles()));
+    if (unknown > 0)
+      log->warn(format("terrain '{}': {} of {} cells have no height; they are {}", name, unknown,
+                       static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows),
+                       source.fill ? "filled from their neighbours" : "holes"));
+  }
+  return field;
+}
+
 geometry::Body assemble_terrain(const io::TerrainShape& source, const MapFrame& frame, io::SceneCache* cache,
                                 LogSink* log) {
   std::string words;

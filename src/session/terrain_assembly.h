@@ -1,7 +1,10 @@
 #pragma once
 
+#include <memory>
+
 #include "core/run_control.h"
 #include "geometry/body.h"
+#include "geometry/height_field.h"
 #include "io/document/document.h"
 #include "io/scene_cache/scene_cache.h"
 #include "session/map_frame.h"
@@ -13,5 +16,10 @@ namespace ifov::session {
 /// to run; it and `log` may be null.
 geometry::Body assemble_terrain(const io::TerrainShape& source, const MapFrame& frame, io::SceneCache* cache,
                                 LogSink* log);
+
+/// The same for a terrain that is traced in its raster; read anew in every run, since there is nothing to
+/// make of it.
+std::shared_ptr<const geometry::HeightField> assemble_height_field(const io::TerrainShape& source,
+                                                                   const MapFrame& frame, LogSink* log);
 
 }  // namespace ifov::session

@@ -63,7 +63,7 @@ RenderTimes render_document(const std::string& text, const std::filesystem::path
                               own.tolerance,    own.transport,
                               own.label_detail, own.seed,
                               own.tile_px,      own.seed_objects,
-                              own.drivers};
+                              own.drivers,      own.air};
   image.begin(parts.info);
   render::RenderControl control;
   control.threads = choices.threads;

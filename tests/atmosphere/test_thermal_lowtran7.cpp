@@ -66,7 +66,7 @@ Differences differences(const LowtranRun& run, bool uniform_layers, double from_
   description.gas_model = GasModel::lowtran7;
   ColumnOptions options;
   options.terms = 8;
-  options.most_terms = 16;
+  options.most_terms = 32;
   const AtmosphereColumn column(description, options);
   const double observer_km = run.mu > 0.0 ? 200.0 : 0.0;
   Differences result;

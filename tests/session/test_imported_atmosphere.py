@@ -1,7 +1,9 @@
 """Plains under imported runs: MODTRAN's own radiance comes back, and what is wrong is said at its place."""
 
 import json
+import math
 import os
+import re
 import struct
 import subprocess
 import tempfile
@@ -138,6 +140,62 @@ class Pasadena(unittest.TestCase):
         done = self.scene.run("check", self.scene.document(channel, {"files": [str(sky)]}))
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, r"scene\.json:\d+:\d+: .*(looks up|has no)")
+
+
+LOWTRAN = DATA / "lowtran7" / "C_US76_noaerosol_nadir100km_thermal_T300.tape7.txt"
+
+
+@unittest.skipUnless(LOWTRAN.is_file(), f"reference data not found: {LOWTRAN}")
+class WarmGround(unittest.TestCase):
+    """LOWTRAN7 from space down to black ground of 300 K: transmittance and path as a table, its total radiance again."""
+
+    CHANNELS = ((4.8, 0.2), (8.7, 0.4), (9.6, 0.3), (10.9, 0.6), (12.5, 0.5))
+
+    @staticmethod
+    def planck(um, kelvin):
+        return 1.191042972e8 / um**5 / math.expm1(14387.76877 / (um * kelvin))
+
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.scene = Scene(self.temporary.name)
+        self.rows = []
+        for line in LOWTRAN.read_text().splitlines():
+            found = re.match(r" *(\d+)\. +(\d\.\d+) +(\d\.\d+E-\d+) ", line)
+            if found and 500 < int(found[1]) < 3300:
+                um = 1e4 / int(found[1])
+                self.rows.append((um, float(found[2]), float(found[3]) * 1e8 / um**2))
+        self.rows.sort()
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def totals(self):
+        """By channel, of the program's own column."""
+        sums = []
+        for centre, fwhm in self.CHANNELS:
+            weights = [math.exp(-4 * math.log(2) * ((um - centre) / fwhm) ** 2) for um, _, _ in self.rows]
+            steps = [self.rows[min(i + 1, len(self.rows) - 1)][0] - self.rows[max(i - 1, 0)][0] for i in range(len(self.rows))]
+            shares = [w * d for w, d in zip(weights, steps)]
+            sums.append(sum(s * row[2] for s, row in zip(shares, self.rows)) / sum(shares))
+        return sums
+
+    def radiance(self, ground_k):
+        lines = ["wavelength_um,ground_sensor_transmittance,thermal_path_radiance"]
+        lines += [f"{um:.8f},{t},{max(0.0, total - t * self.planck(um, 300.0)):.8g}" for um, t, total in self.rows]
+        (self.scene.folder / "path.csv").write_text("\n".join(lines) + "\n")
+        channels = [{"gaussian": {"center": f"{um} um", "fwhm": f"{fwhm} um"}} for um, fwhm in self.CHANNELS]
+        document = self.scene.document(channels, {"files": ["path.csv"]}, albedo=0.0)
+        document["scene"]["materials"]["plain"]["temperature"] = f"{ground_k} K"
+        del document["light"]["sun"]
+        return self.scene.radiance(document)
+
+    def test_its_own_radiance_comes_back(self):
+        self.assertGreaterEqual(len(self.rows), 500)
+        far = max(abs(ours / theirs - 1.0) for ours, theirs in zip(self.radiance(300.0), self.totals()))
+        self.assertLess(far, 0.004)
+        # The planted fault: ground of another temperature.
+        cold = max(abs(ours / theirs - 1.0) for ours, theirs in zip(self.radiance(295.0), self.totals()))
+        self.assertGreater(cold, 0.03)
 
 
 class Tables(unittest.TestCase):

@@ -237,15 +237,43 @@ TEST_F(MapsAndTerrain, ATerrainMovesWithItsTransformAndHasHoles) {
   EXPECT_NEAR(hit_at(filled, 34.0, 16.0).position_m.z, 6.0, 1e-5);
 }
 
+TEST_F(MapsAndTerrain, ATerrainMayBeTracedInItsRaster) {
+  write_grid("dem.asc", 100, 200, 10, 4, 4, "5.1 6.4 8.2 5.7\n5.9 3.3 4.6 9.2\n5.4 7.8 5.2 -9999\n1.3 5.8 2.9 5.5");
+  Messages log;
+  const auto scene = [](const std::string& more) {
+    return format("{{\"materials\": {{\"a\": {{\"reflectance\": 0.1}}}}, \"objects\": [{{\"terrain\": {{\"file\": "
+                  "\"dem.asc\"{}}}, \"material\": \"a\", \"transform\": {{\"translate\": [\"-100 m\", \"-200 m\", "
+                  "\"1 m\"]}}}}]}}",
+                  more);
+  };
+  const Session mesh = load(scene("")), grid = load(scene(R"(, "form": "grid")"), &log);
+  int hits = 0;
+  for (double x = 0.3; x < 40.0; x += 1.7)
+    for (double y = 0.4; y < 40.0; y += 1.9) {
+      const geometry::SurfacePoint a = hit_at(grid, x, y), b = hit_at(mesh, x, y);
+      ASSERT_EQ(a.hit(), b.hit()) << x << ' ' << y;
+      if (!a.hit()) continue;
+      ++hits;
+      EXPECT_NEAR(a.position_m.z, b.position_m.z, 1e-6);
+      EXPECT_NEAR(dot(a.shading_normal, b.shading_normal.as_vector()), 1.0, 1e-9);
+    }
+  EXPECT_GT(hits, 200);
+  expect_in("terrain 'dem.asc': 4 x 4 heights, traced as a grid of 18 triangles", log.text);
+  expect_in("warning: terrain 'dem.asc': 1 of 16 cells have no height; they are holes", log.text);
+  expect_in("a terrain of the form 'grid' keeps every height: found a detail of 2 m, expected 0 m or the form 'mesh'",
+            load_error(scene(R"(, "form": "grid", "detail": "2 m")")));
+  expect_in("terrain.form' is the text \"tin\", expected 'mesh' or 'grid'", load_error(scene(R"(, "form": "tin")")));
+}
+
 TEST_F(MapsAndTerrain, DegreesNeedAReference) {
   write_grid("dem.asc", 8.7, 49.4, 0.001, 3, 3, "1 2 3\n4 5 6\n7 8 9");
   write("dem.prj",
         "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563]],PRIMEM[\"Greenwich\",0],"
         "UNIT[\"degree\",0.0174532925199433]]\n");
-  const auto scene = [](const std::string& origin) {
+  const auto scene = [](const std::string& origin, const char* form = "mesh") {
     return format("{{{}\"materials\": {{\"a\": {{\"reflectance\": 0.1}}}}, \"objects\": [{{\"terrain\": {{\"file\": "
-                  "\"dem.asc\"}}, \"material\": \"a\"}}]}}",
-                  origin);
+                  "\"dem.asc\", \"form\": \"{}\"}}, \"material\": \"a\"}}]}}",
+                  origin, form);
   };
   expect_in("whose coordinates are not metres; give the scene's 'origin' a 'crs' to take it to", load_error(scene("")));
   // With latitude and longitude alone, the scene's origin is their place in the projection.
@@ -254,6 +282,9 @@ TEST_F(MapsAndTerrain, DegreesNeedAReference) {
   const geometry::SurfacePoint hit = hit_at(session, 0.0, 0.0);
   ASSERT_TRUE(hit.hit());
   EXPECT_NEAR(hit.position_m.z, 5.0, 0.02);
+  expect_in("a terrain of the form 'grid' must be in the scene's own coordinates",
+            load_error(
+                scene(R"("origin": {"latitude": "49.4015 deg", "longitude": "8.7015 deg", "crs": "EPSG:25832"}, )", "grid")));
   expect_in("is no coordinate reference system that PROJ knows",
             load_error(scene(R"("origin": {"latitude": "49 deg", "longitude": "8 deg", "crs": "EPSG:1"}, )")));
   expect_in("is not a map projection in metres",
@@ -271,13 +302,13 @@ TEST_F(MapsAndTerrain, TheHeidelbergModelKeepsItsDetail) {
     double height_m;
   };
   const Cell cells[] = {{0, 0, 34.000000}, {520, 356, 286.000000}, {1040, 712, 34.000000}, {300, 600, 93.000000}};
-  for (const double detail_m : {0.0, 5.0}) {
+  for (const auto& [detail_m, form] : {std::pair{0.0, "mesh"}, {5.0, "mesh"}, {0.0, "grid"}}) {
     Messages log;
     const Session session = load(
         format("{{\"origin\": {{\"easting\": \"478000 m\", \"northing\": \"5474000 m\", \"crs\": \"EPSG:32632\"}}, "
                "\"materials\": {{\"a\": {{\"reflectance\": 0.1}}}}, \"objects\": [{{\"terrain\": {{\"file\": \"{}\", "
-               "\"detail\": \"{} m\"}}, \"material\": \"a\"}}]}}",
-               file->string(), detail_m),
+               "\"detail\": \"{} m\", \"form\": \"{}\"}}, \"material\": \"a\"}}]}}",
+               file->string(), detail_m, form),
         &log);
     for (const Cell& cell : cells) {
       // A millimetre inside: rays along the rim may pass it.

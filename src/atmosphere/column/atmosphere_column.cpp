@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atmosphere/column/light_limits.h"
 #include "atmosphere/particles/rayleigh.h"
 #include "atmosphere/profile/column_integral.h"
 #include "core/error.h"
@@ -24,11 +25,12 @@ Levels levels_of(const Profile& profile, const std::vector<double>& extra) {
 
 std::vector<double> level_altitudes_km(double ground_km, const std::vector<double>& extra) {
   std::vector<double> altitudes;
-  for (const double above : {0.0, 0.05, 0.1, 0.25, 0.5, 1.0, 1.5, 2.0})
+  for (const double above : {0.0, 0.05, 0.1, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5})
     altitudes.push_back(ground_km + above);
   for (const double altitude :
-       {3.0,  4.0,  5.0,  6.0,  7.0,  8.0,  9.0,  10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0,
-        18.0, 19.0, 20.0, 22.0, 24.0, 26.0, 30.0, 35.0, 40.0, 45.0, 50.0, 60.0, 80.0, 100.0})
+       {3.0,  3.5,  4.0,  4.5,  5.0,  6.0,  7.0,  8.0,  9.0,  10.0, 11.0, 12.0, 13.0, 14.0,
+        15.0, 16.0, 17.0, 18.0, 19.0, 20.0, 22.0, 24.0, 26.0, 28.0, 30.0, 32.5, 35.0, 37.5,
+        40.0, 42.5, 45.0, 47.5, 50.0, 55.0, 60.0, 65.0, 70.0, 75.0, 80.0, 90.0, 100.0})
     if (altitude > altitudes.back() + 0.3) altitudes.push_back(altitude);
   for (const double altitude : extra) {
     if (!(altitude >= ground_km && altitude <= kTopOfAtmosphereKm))
@@ -65,8 +67,11 @@ ColumnOptics AtmosphereColumn::at(double wavenumber_cm1) const {
   ColumnOptics optics;
   optics.wavenumber_cm1 = wavenumber_cm1;
   optics.wavelength_um = 1e4 / wavenumber_cm1;
+  const bool warm = optics.wavelength_um >= kFirstThermal_um;
   optics.lines =
-      line_absorption(wavenumber_cm1, gases_, description_.gas_model, options_.terms, options_.most_terms);
+      line_absorption(wavenumber_cm1, gases_, description_.gas_model,
+                      warm ? std::max(options_.terms, options_.warm_terms) : options_.terms,
+                      warm ? std::max(options_.most_terms, options_.most_warm_terms) : options_.most_terms);
   const double co2_ppm = built_.profile.of(Gas::co2).front();
   const double cross_section = rayleigh_cross_section_cm2(optics.wavelength_um, co2_ppm);
   LayerOptics& layers = optics.scattering;

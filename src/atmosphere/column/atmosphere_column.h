@@ -22,6 +22,9 @@ struct AtmosphereDescription {
 struct ColumnOptions {
   int terms = 5;       ///< of each gas: 3, 5 or 8
   int most_terms = 8;  ///< of all gases together
+  /// At least, where air glows (kFirstThermal_um): what a term leaves out of a clear window's absorption is
+  /// missing in its light.
+  int warm_terms = 8, most_warm_terms = 16;
   /// Where there shall be a level besides the usual ones, such as at the sensor.
   std::vector<double> extra_altitudes_km = {};
 };
@@ -68,9 +71,9 @@ class AtmosphereColumn {
   std::vector<std::array<double, AerosolColumn::kRegions>> aerosol_550_;
 };
 
-/// Altitudes of the levels over a ground: 0.05, 0.1, 0.25, 0.5, 1 km ... above it, then every km to 20 km and
-/// coarser to 100 km, and at `extra` altitudes (InputError outside the air). Thin near the ground, because in
-/// opaque bands the sky is the air of the first metres.
+/// Altitudes of the levels over a ground: 0.05, 0.1, 0.25, 0.5, 0.75 km ... above it, every half km to 5 km,
+/// every km to 20 km and coarser to 100 km, and at `extra` altitudes (InputError outside the air). Thin near
+/// the ground, because in opaque bands the sky is the air of the first metres.
 std::vector<double> level_altitudes_km(double ground_km, const std::vector<double>& extra = {});
 
 }  // namespace ifov::atmosphere

@@ -37,7 +37,9 @@ double column_integral(const std::vector<double>& altitude_km, const std::vector
   over_pieces(altitude_km, first, last, [&](std::size_t i, double f0, double f1, double length) {
     const double a = interpolated(density[i], density[i + 1], f0);
     const double b = interpolated(density[i], density[i + 1], f1);
-    sum += length * exponential_mean(a, b);
+    // From or to nothing the density is linear, in every part of the interval.
+    const bool exponential = density[i] > 0.0 && density[i + 1] > 0.0;
+    sum += length * (exponential ? exponential_mean(a, b) : 0.5 * (a + b));
   });
   return sum;
 }

@@ -12,7 +12,9 @@ ChannelEmission::ChannelEmission(const AtmosphereColumn& column, const ChannelPo
                                  const SensorGeometry& geometry, const SkyDirections& directions)
     : path(points.size()),
       sky_irradiance(points.size()),
-      sky(directions.zenith_rad.size(), std::vector<double>(points.size())) {
+      sky(directions.zenith_rad.size(), std::vector<double>(points.size())),
+      sight_path(geometry.sights.size(), std::vector<double>(points.size())),
+      sky_at_height(geometry.heights_km.size(), std::vector<double>(points.size())) {
   const Levels& levels = column.levels();
   const double ground_km = levels.altitude_km.front();
   const GaussNodes hemisphere = gauss_nodes(8);
@@ -28,9 +30,23 @@ ChannelEmission::ChannelEmission(const AtmosphereColumn& column, const ChannelPo
     path[p] = thermal.path(geometry.sensor_altitude_km, std::cos(geometry.view_zenith_rad)).radiance;
     for (std::size_t z = 0; z < sky.size(); ++z)
       sky[z][p] = thermal.sky(std::cos(directions.zenith_rad[z]), ground_km);
-    for (std::size_t j = 0; j < hemisphere.position.size(); ++j)
-      sky_irradiance[p] += 2.0 * std::numbers::pi * hemisphere.weight[j] * hemisphere.position[j] *
-                           thermal.sky(hemisphere.position[j], ground_km);
+    const auto irradiance = [&](double altitude_km) {
+      double sum = 0.0;
+      for (std::size_t j = 0; j < hemisphere.position.size(); ++j)
+        sum += 2.0 * std::numbers::pi * hemisphere.weight[j] * hemisphere.position[j] *
+               thermal.sky(hemisphere.position[j], altitude_km);
+      return sum;
+    };
+    sky_irradiance[p] = irradiance(ground_km);
+    for (std::size_t h = 0; h < sky_at_height.size(); ++h)
+      sky_at_height[h][p] = irradiance(ground_km + geometry.heights_km[h]);
+    for (std::size_t s = 0; s < sight_path.size(); ++s) {
+      const double mu = std::cos(geometry.sights[s].zenith_rad);
+      sight_path[s][p] = thermal
+                             .path(geometry.sensor_altitude_km, mu,
+                                   sight_length_km(geometry, ground_km, geometry.sights[s].height_km, mu))
+                             .radiance;
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "atmosphere/spherical_shells.h"
@@ -20,40 +21,71 @@ std::vector<double> sun_slants(const std::vector<double>& altitude_km, double ze
   return slants;
 }
 
-/// The same for a straight line of sight in flat layers, up to the sensor.
-std::vector<double> view_slants(const std::vector<double>& altitude_km, const SensorGeometry& geometry) {
+/// The same for a straight line of sight in flat layers, from a height above the ground up to the sensor.
+std::vector<double> view_slants(const std::vector<double>& altitude_km, double sensor_km,
+                                const SightLine& line) {
+  const double surface_km = altitude_km.front() + line.height_km;
   std::vector<double> slants;
   for (std::size_t i = 0; i + 1 < altitude_km.size(); ++i) {
-    const double crossed =
-        (geometry.sensor_altitude_km - altitude_km[i]) / (altitude_km[i + 1] - altitude_km[i]);
-    slants.push_back(std::clamp(crossed, 0.0, 1.0) / std::cos(geometry.view_zenith_rad));
+    const auto crossed = [&](double top_km) {
+      return std::clamp((top_km - altitude_km[i]) / (altitude_km[i + 1] - altitude_km[i]), 0.0, 1.0);
+    };
+    slants.push_back(std::max(0.0, crossed(sensor_km) - crossed(surface_km)) / std::cos(line.zenith_rad));
   }
+  return slants;
+}
+
+/// Of the sunbeam, only above a height.
+std::vector<double> above(const std::vector<double>& altitude_km, std::vector<double> slants,
+                          double height_km) {
+  const double surface_km = altitude_km.front() + height_km;
+  for (std::size_t i = 0; i < slants.size(); ++i)
+    slants[i] *=
+        std::clamp((altitude_km[i + 1] - surface_km) / (altitude_km[i + 1] - altitude_km[i]), 0.0, 1.0);
   return slants;
 }
 
 }  // namespace
 
+double sight_length_km(const SensorGeometry& geometry, double ground_km, double height_km, double mu) {
+  if (!(height_km > 0.0)) return std::numeric_limits<double>::infinity();
+  return std::max(0.0, geometry.sensor_altitude_km - ground_km - height_km) / mu;
+}
+
 ChannelPoints::ChannelPoints(const AtmosphereColumn& column, const std::vector<ChannelBin>& bins,
                              const BinOptics& optics, const SensorGeometry& geometry) {
   const std::vector<double>& altitude_km = column.levels().altitude_km;
-  const std::vector<double> up = view_slants(altitude_km, geometry);
+  const auto up_along = [&](const SightLine& line) {
+    return view_slants(altitude_km, geometry.sensor_altitude_km, line);
+  };
+  const std::vector<double> up = up_along({geometry.view_zenith_rad, geometry.view_azimuth_rad, 0.0});
   const std::vector<double> down = sun_slants(altitude_km, geometry.sun_zenith_rad.value_or(0.0));
+  std::vector<std::vector<double>> sights, suns;
+  for (const SightLine& line : geometry.sights) sights.push_back(up_along(line));
+  for (const double height : geometry.heights_km) suns.push_back(above(altitude_km, down, height));
+  sight_view.resize(sights.size());
+  sun_at_height.resize(suns.size());
+  std::vector<double> depths(altitude_km.size() - 1);
+  const auto along = [&](const std::vector<double>& slants) {
+    return std::inner_product(slants.begin(), slants.end(), depths.begin(), 0.0);
+  };
   for (const ChannelBin& bin : bins) {
     const ColumnOptics& at = optics.at(bin.bin);
     for (std::size_t term = 0; term < at.terms(); ++term) {
       const LayerOptics layers = at.term(term);
-      double sun_depth = 0.0, view_depth = 0.0;
-      for (std::size_t i = 0; i < layers.layers(); ++i) {
-        const double depth = layers.gas_absorption[i] + layers.rayleigh_scattering[i] +
-                             layers.aerosol_scattering[i] + layers.aerosol_absorption[i];
-        sun_depth += down[i] * depth;
-        view_depth += up[i] * depth;
-      }
+      for (std::size_t i = 0; i < layers.layers(); ++i)
+        depths[i] = layers.gas_absorption[i] + layers.rayleigh_scattering[i] + layers.aerosol_scattering[i] +
+                    layers.aerosol_absorption[i];
+      const auto sunlight = [&](const std::vector<double>& slants) {
+        return geometry.sun_zenith_rad ? bin.irradiance * std::exp(-along(slants)) : 0.0;
+      };
       points.push_back({&at, term, bin.wavelength_um});
       share.push_back(bin.share * at.weight(term));
       irradiance.push_back(bin.irradiance);
-      sun.push_back(geometry.sun_zenith_rad ? bin.irradiance * std::exp(-sun_depth) : 0.0);
-      view.push_back(std::exp(-view_depth));
+      sun.push_back(sunlight(down));
+      view.push_back(std::exp(-along(up)));
+      for (std::size_t s = 0; s < sights.size(); ++s) sight_view[s].push_back(std::exp(-along(sights[s])));
+      for (std::size_t h = 0; h < suns.size(); ++h) sun_at_height[h].push_back(sunlight(suns[h]));
       gas_depth.push_back(std::accumulate(layers.gas_absorption.begin(), layers.gas_absorption.end(), 0.0));
     }
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "atmosphere/sensor/channel_bins.h"
+#include "atmosphere/sensor/sight_grid.h"
 
 namespace ifov::atmosphere {
 
@@ -17,7 +18,22 @@ struct SensorGeometry {
   double view_azimuth_rad = 0.0;
   /// Above mean sea level; at or above the top of the air it is the same everywhere.
   double sensor_altitude_km = 100.0;
+  /// Further lines of sight that are wanted, and further heights of surfaces above the ground.
+  std::vector<SightLine> sights = {};
+  std::vector<double> heights_km = {};
+
+  /// The same without these.
+  SensorGeometry alone() const {
+    SensorGeometry geometry = *this;
+    geometry.sights.clear();
+    geometry.heights_km.clear();
+    return geometry;
+  }
 };
+
+/// Length of the straight path from a surface at this height above the ground up to the sensor, which looks
+/// at it under this cosine; endless for the ground itself.
+double sight_length_km(const SensorGeometry& geometry, double ground_km, double height_km, double mu);
 
 /// A channel as its points: bins of the band model, term by term, with what is exact at each of them.
 struct ChannelPoints {
@@ -28,11 +44,13 @@ struct ChannelPoints {
     LayerOptics layers() const { return optics->term(term); }
   };
   std::vector<Point> points;
-  std::vector<double> share;       ///< of the channel's response; sums to 1
-  std::vector<double> irradiance;  ///< of the Sun above the air, W m-2 um-1
-  std::vector<double> sun;         ///< direct, at the ground on a surface that faces the Sun
-  std::vector<double> view;        ///< direct transmittance from the ground to the sensor
-  std::vector<double> gas_depth;   ///< vertical absorption depth of all gas
+  std::vector<double> share;                       ///< of the channel's response; sums to 1
+  std::vector<double> irradiance;                  ///< of the Sun above the air, W m-2 um-1
+  std::vector<double> sun;                         ///< direct, at the ground on a surface that faces the Sun
+  std::vector<double> view;                        ///< direct transmittance from the ground to the sensor
+  std::vector<std::vector<double>> sight_view;     ///< [sight], as view
+  std::vector<std::vector<double>> sun_at_height;  ///< [height], as sun
+  std::vector<double> gas_depth;                   ///< vertical absorption depth of all gas
 
   ChannelPoints(const AtmosphereColumn& column, const std::vector<ChannelBin>& bins, const BinOptics& optics,
                 const SensorGeometry& geometry);

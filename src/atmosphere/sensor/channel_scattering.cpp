@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -16,6 +17,10 @@ constexpr std::size_t kMostWavelengths = 4;
 /// Points that hold less of the channel do not decide how deep the solutions reach.
 constexpr double kLeastShare = 1e-5;
 constexpr double kDark = 1e-300;
+/// What of sunlight paths scatter towards the sensor, and how gas dims it, where points are chosen to be
+/// checked: rough is enough. A point on a solution counts a little, for there may be none between.
+constexpr double kPathShare = 0.1, kPathDepth = 0.3, kLeastWeakness = 0.01;
+constexpr std::size_t kMostChecks = 2;
 
 double log_ratio(double a, double b) { return std::log(std::max(a, kDark) / std::max(b, kDark)); }
 
@@ -34,6 +39,28 @@ Place place(const std::vector<double>& nodes, double x) {
 }
 
 }  // namespace
+
+std::vector<double> solution_question(const ScatteringOptions& options, const SensorGeometry& geometry,
+                                      const Levels& levels, const LayerOptics& optics) {
+  std::vector<double> all{*geometry.sun_zenith_rad,
+                          geometry.view_zenith_rad,
+                          geometry.view_azimuth_rad,
+                          geometry.sensor_altitude_km,
+                          options.aerosol_polarization,
+                          options.sublayer_depth,
+                          options.tolerance};
+  for (const int count : {options.nodes_per_hemisphere, options.polarized ? 1 : 0,
+                          options.spherical_earth ? 1 : 0, options.most_sublayers, options.most_orders})
+    all.push_back(count);
+  for (const std::vector<double>* list :
+       {&levels.altitude_km, &optics.gas_absorption, &optics.rayleigh_scattering, &optics.aerosol_scattering,
+        &optics.aerosol_absorption, &optics.aerosol_asymmetry}) {
+    all.push_back(static_cast<double>(list->size()));
+    all.insert(all.end(), list->begin(), list->end());
+  }
+  all.push_back(optics.depolarization);
+  return all;
+}
 
 ChannelScattering::ChannelScattering(const AtmosphereColumn& column, const ChannelPoints& points,
                                      const SensorGeometry& geometry, const SkyDirections& directions,
@@ -111,48 +138,111 @@ Propagation ChannelScattering::towards_sensor() const {
   return {std::cos(geometry_.view_zenith_rad), geometry_.view_azimuth_rad - std::numbers::pi};
 }
 
-/// All that a solution depends on but the program: whoever keeps answers keeps them by its version.
 std::vector<double> ChannelScattering::question(const ColumnSolver& solver, const Node& node) const {
-  const ScatteringOptions& options = solver.options();
-  std::vector<double> all{*geometry_.sun_zenith_rad, geometry_.view_zenith_rad, geometry_.view_azimuth_rad,
-                          geometry_.sensor_altitude_km, options.aerosol_polarization, options.sublayer_depth,
-                          options.tolerance};
-  for (const int count : {options.nodes_per_hemisphere, options.polarized ? 1 : 0, options.spherical_earth ? 1 : 0,
-                          options.most_sublayers, options.most_orders})
-    all.push_back(count);
-  const LayerOptics& optics = node.optics;
+  std::vector<double> all = solution_question(solver.options(), geometry_, column_.levels(), node.optics);
   for (const std::vector<double>* list :
-       {&column_.levels().altitude_km, &optics.gas_absorption, &optics.rayleigh_scattering,
-        &optics.aerosol_scattering, &optics.aerosol_absorption, &optics.aerosol_asymmetry, &directions_.zenith_rad,
-        &directions_.azimuth_rad}) {
+       {&directions_.zenith_rad, &directions_.azimuth_rad, &geometry_.heights_km}) {
     all.push_back(static_cast<double>(list->size()));
     all.insert(all.end(), list->begin(), list->end());
   }
-  all.push_back(optics.depolarization);
+  for (const SightLine& line : geometry_.sights)
+    all.insert(all.end(), {line.zenith_rad, line.azimuth_rad, line.height_km});
   return all;
+}
+
+std::vector<ChannelScattering::WeakPoint> ChannelScattering::weak_points() const {
+  struct Gap {
+    double light = 0.0, weakness = 0.0, worst = -1.0;
+    std::size_t point = 0;
+  };
+  std::map<std::pair<std::size_t, std::size_t>, Gap> gaps;
+  std::vector<double> scaled_depth;
+  for (const double depth : depth_) scaled_depth.push_back(scaled(depth));
+  const auto bulge = [](double share) { return share >= 1.0 ? 1.0 : std::abs(4.0 * share * (1.0 - share)); };
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    const double gas = points_.gas_depth[p];
+    const Place wavelength = place(log_wavelength_, std::log(points_.points[p].wavelength_um));
+    const Place depth = place(scaled_depth, scaled(gas));
+    const double light =
+        points_.share[p] *
+        (points_.sun[p] * points_.view[p] + kPathShare * points_.irradiance[p] * std::exp(-kPathDepth * gas));
+    const double weakness =
+        light * std::max({kLeastWeakness, bulge(wavelength.high_share), bulge(depth.high_share)});
+    Gap& gap = gaps[{wavelength.low, depth.low}];
+    gap.light += light;
+    gap.weakness += weakness;
+    if (weakness > gap.worst) {
+      gap.worst = weakness;
+      gap.point = p;
+    }
+  }
+  std::vector<Gap> chosen;
+  for (const auto& entry : gaps) chosen.push_back(entry.second);
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [](const Gap& a, const Gap& b) { return a.weakness > b.weakness; });
+  if (chosen.size() > kMostChecks) chosen.resize(kMostChecks);
+  double all = 0.0;
+  for (const Gap& gap : chosen) all += gap.light;
+  std::vector<WeakPoint> points;
+  for (const Gap& gap : chosen)
+    points.push_back({gap.point, all > 0.0 ? gap.light / all : 1.0 / static_cast<double>(chosen.size())});
+  return points;
 }
 
 void ChannelScattering::solve(const ColumnSolver& solver, std::size_t solution, KeptSolutions* kept) {
   Node& node = nodes_[solution];
   if (kept == nullptr) return solve(solver, node);
-  const std::size_t zeniths = directions_.zenith_rad.size(), azimuths = directions_.azimuth_rad.size();
   const std::vector<double> asked = question(solver, node);
-  std::vector<double> answer(4 + zeniths * (azimuths + 1));
-  if (!kept->find(asked, answer)) {
-    solve(solver, node);
-    answer = {node.path, node.sky_irradiance, node.diffuse_transmittance, node.spherical_albedo};
-    answer.insert(answer.end(), node.sky.begin(), node.sky.end());
-    answer.insert(answer.end(), node.groundlit.begin(), node.groundlit.end());
-    kept->keep(asked, answer);
-    return;
+  const std::size_t rings = directions_.zenith_rad.size() * (directions_.azimuth_rad.size() + 1);
+  std::vector<double> answer(4 + 2 * geometry_.sights.size() + geometry_.heights_km.size() + rings);
+  if (kept->find(asked, answer)) return node.unpack(answer, geometry_, directions_);
+  solve(solver, node);
+  kept->keep(asked, node.packed());
+}
+
+std::vector<double> ChannelScattering::Node::packed() const {
+  std::vector<double> answer{path, sky_irradiance, diffuse_transmittance, spherical_albedo};
+  for (const std::vector<double>* list : {&sight_path, &sight_diffuse, &sky_at_height, &sky, &groundlit})
+    answer.insert(answer.end(), list->begin(), list->end());
+  return answer;
+}
+
+void ChannelScattering::Node::unpack(std::span<const double> answer, const SensorGeometry& geometry,
+                                     const SkyDirections& directions) {
+  path = answer[0];
+  sky_irradiance = answer[1];
+  diffuse_transmittance = answer[2];
+  spherical_albedo = answer[3];
+  const std::size_t zeniths = directions.zenith_rad.size(), azimuths = directions.azimuth_rad.size();
+  std::size_t next = 4;
+  const auto take = [&](std::vector<double>& list, std::size_t count) {
+    const auto part = answer.subspan(next, count);
+    list.assign(part.begin(), part.end());
+    next += count;
+  };
+  take(sight_path, geometry.sights.size());
+  take(sight_diffuse, geometry.sights.size());
+  take(sky_at_height, geometry.heights_km.size());
+  take(sky, zeniths * azimuths);
+  take(groundlit, zeniths);
+}
+
+/// Ratios as at the ground and along the sensor's own line of sight.
+void ChannelScattering::solve_sights(const ColumnSolution& solved, Node& node) const {
+  const double ground_km = column_.levels().altitude_km.front(), sensor_km = geometry_.sensor_altitude_km;
+  for (const double height : geometry_.heights_km)
+    node.sky_at_height.push_back(log_ratio(solved.sunlit().fluxes().at(ground_km + height).diffuse_down,
+                                           solved.sun_transmittance(ground_km + height)));
+  std::map<double, SlantSource> rings;  // by cosine: lines of one slope end at several heights
+  for (const SightLine& line : geometry_.sights) {
+    const double mu = std::cos(line.zenith_rad),
+                 length = sight_length_km(geometry_, ground_km, line.height_km, mu);
+    const SlantSource& ring = rings.try_emplace(mu, solved.sunlit(), mu).first->second;
+    const PathLight path = ring.path(line.azimuth_rad - std::numbers::pi, sensor_km, length);
+    node.sight_path.push_back(path.single.i > 0.0 ? log_ratio(path.radiance().i, path.single.i) : 0.0);
+    node.sight_diffuse.push_back(
+        log_ratio(solved.diffuse_transmittance(mu, sensor_km, length).i, path.transmittance));
   }
-  node.path = answer[0];
-  node.sky_irradiance = answer[1];
-  node.diffuse_transmittance = answer[2];
-  node.spherical_albedo = answer[3];
-  const auto sky = answer.begin() + 4, groundlit = sky + static_cast<std::ptrdiff_t>(zeniths * azimuths);
-  node.sky.assign(sky, groundlit);
-  node.groundlit.assign(groundlit, answer.end());
 }
 
 void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
@@ -166,6 +256,8 @@ void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
   node.diffuse_transmittance =
       log_ratio(solved.diffuse_transmittance(towards_sensor().mu, sensor_km).i, path.transmittance);
   node.spherical_albedo = std::log(std::max(albedo, kDark));
+
+  solve_sights(solved, node);
 
   const std::vector<double> weights = directions_.level_weights();
   const std::size_t zeniths = directions_.zenith_rad.size(), azimuths = directions_.azimuth_rad.size();
@@ -185,25 +277,36 @@ void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
 }
 
 ChannelScattering::AtPoints ChannelScattering::at_points() const {
-  const std::size_t count = points_.size();
+  const std::size_t count = points_.size(), sights = geometry_.sights.size(),
+                    heights = geometry_.heights_km.size();
   AtPoints result;
   for (auto* row :
        {&result.path, &result.sky_irradiance, &result.diffuse_transmittance, &result.spherical_albedo})
     row->resize(count);
+  result.sight_path.assign(sights, std::vector<double>(count));
+  result.sight_diffuse.assign(sights, std::vector<double>(count));
+  result.sky_at_height.assign(heights, std::vector<double>(count));
   result.share.assign(nodes_.size(), std::vector<double>(count, 0.0));
   std::vector<double> scaled_depth;
   for (const double depth : depth_) scaled_depth.push_back(scaled(depth));
   const std::size_t columns = depth_.size();
+  const double ground_km = column_.levels().altitude_km.front();
   for (std::size_t p = 0; p < count; ++p) {
     const ChannelPoints::Point& point = points_.points[p];
     const ScatteringColumn column(column_.levels(), point.layers(), *geometry_.sun_zenith_rad, options_);
-    const double single = single_scattering(column, options_.aerosol_polarization, towards_sensor(),
-                                            geometry_.sensor_altitude_km)
-                              .single.i;
+    const auto once = [&](const Propagation& up, double length_km) {
+      return points_.irradiance[p] * single_scattering(column, options_.aerosol_polarization, up,
+                                                       geometry_.sensor_altitude_km, length_km)
+                                         .single.i;
+    };
     const Place at_wavelength = place(log_wavelength_, std::log(point.wavelength_um));
     const double depth = std::clamp(points_.gas_depth[p], depth_.front(), depth_.back());
     const Place at_depth = place(depth_, depth), at_scaled = place(scaled_depth, scaled(depth));
-    double path = 0.0, sky = 0.0, transmittance = 0.0, albedo = 0.0;
+    struct Part {
+      const Node* node;
+      double plain, scaled;
+    };
+    std::vector<Part> parts;
     for (std::size_t w = at_wavelength.low; w <= std::min(at_wavelength.low + 1, log_wavelength_.size() - 1);
          ++w)
       for (std::size_t d = 0; d < columns; ++d) {
@@ -212,18 +315,36 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
         const auto share = [&](const Place& here) {
           return d == here.low ? 1.0 - here.high_share : d == here.low + 1 ? here.high_share : 0.0;
         };
-        const Node& node = nodes_[w * columns + d];
-        const double plain = across * share(at_depth);
-        path += across * share(at_scaled) * node.path;
-        sky += plain * node.sky_irradiance;
-        transmittance += plain * node.diffuse_transmittance;
-        albedo += plain * node.spherical_albedo;
-        result.share[w * columns + d][p] = plain;
+        parts.push_back({&nodes_[w * columns + d], across * share(at_depth), across * share(at_scaled)});
+        result.share[w * columns + d][p] = parts.back().plain;
       }
-    result.path[p] = points_.irradiance[p] * single * std::exp(path);
-    result.sky_irradiance[p] = points_.sun[p] * std::exp(sky);
-    result.diffuse_transmittance[p] = points_.view[p] * std::exp(transmittance);
-    result.spherical_albedo[p] = std::exp(albedo);
+    const auto ratio = [&](const auto& of) {
+      double sum = 0.0;
+      for (const Part& part : parts) sum += part.plain * of(*part.node);
+      return std::exp(sum);
+    };
+    const auto path_ratio = [&](const auto& of) {
+      double sum = 0.0;
+      for (const Part& part : parts) sum += part.scaled * of(*part.node);
+      return std::exp(sum);
+    };
+    result.path[p] = once(towards_sensor(), kEndless_km) * path_ratio([](const Node& n) { return n.path; });
+    result.sky_irradiance[p] = points_.sun[p] * ratio([](const Node& n) { return n.sky_irradiance; });
+    result.diffuse_transmittance[p] =
+        points_.view[p] * ratio([](const Node& n) { return n.diffuse_transmittance; });
+    result.spherical_albedo[p] = ratio([](const Node& n) { return n.spherical_albedo; });
+    for (std::size_t s = 0; s < sights; ++s) {
+      const SightLine& line = geometry_.sights[s];
+      const double mu = std::cos(line.zenith_rad);
+      result.sight_path[s][p] = once({mu, line.azimuth_rad - std::numbers::pi},
+                                     sight_length_km(geometry_, ground_km, line.height_km, mu)) *
+                                path_ratio([s](const Node& n) { return n.sight_path[s]; });
+      result.sight_diffuse[s][p] =
+          points_.sight_view[s][p] * ratio([s](const Node& n) { return n.sight_diffuse[s]; });
+    }
+    for (std::size_t h = 0; h < heights; ++h)
+      result.sky_at_height[h][p] =
+          points_.sun_at_height[h][p] * ratio([h](const Node& n) { return n.sky_at_height[h]; });
   }
   return result;
 }

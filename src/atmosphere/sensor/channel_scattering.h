@@ -9,6 +9,11 @@
 
 namespace ifov::atmosphere {
 
+/// All numbers that the solution of a column for a sensor depends on: whoever keeps answers keeps them by
+/// these and by the program's version.
+std::vector<double> solution_question(const ScatteringOptions& options, const SensorGeometry& geometry,
+                                      const Levels& levels, const LayerOptics& optics);
+
 /// Sunlight that the air scatters, at all points of a channel, from a few full solutions: at one to four
 /// wavelengths across the channel, and up to six depths of gas. Light scattered once on the way to the sensor
 /// is exact at every point, and so are the direct beams; what is interpolated between the solutions are the
@@ -21,13 +26,23 @@ class ChannelScattering {
                     const ScatteringOptions& options);
 
   std::size_t solutions() const { return nodes_.size(); }
-  /// Solves one of them, or takes it from what is kept (may be null); different ones may be solved at the same
-  /// time.
+  /// Solves one of them, or takes it from what is kept (may be null); different ones may be solved at the
+  /// same time.
   void solve(const ColumnSolver& solver, std::size_t solution, KeptSolutions* kept = nullptr);
+
+  /// A point that lies far from the solutions, and the share of the channel's light that it stands for.
+  struct WeakPoint {
+    std::size_t point = 0;
+    double share = 0.0;
+  };
+  /// One or two, of different gaps between the solutions; their shares add up to 1.
+  std::vector<WeakPoint> weak_points() const;
 
   /// By point, once everything is solved. Radiances and irradiances are of the Sun's light at the point.
   struct AtPoints {
     std::vector<double> path, sky_irradiance, diffuse_transmittance, spherical_albedo;
+    /// [sight][point] and [height][point].
+    std::vector<std::vector<double>> sight_path, sight_diffuse, sky_at_height;
     /// [solution]: the share of each solution in the shapes of the sky.
     std::vector<std::vector<double>> share;
   };
@@ -47,12 +62,18 @@ class ChannelScattering {
     // Logarithms of all light over light scattered once, of the sky's light over the direct beam's, of the
     // diffuse over the direct transmittance, of the spherical albedo.
     double path = 0.0, sky_irradiance = 0.0, diffuse_transmittance = 0.0, spherical_albedo = 0.0;
+    // The same by sight and by height.
+    std::vector<double> sight_path, sight_diffuse, sky_at_height;
     std::vector<double> sky, groundlit;
+    std::vector<double> packed() const;
+    void unpack(std::span<const double> answer, const SensorGeometry& geometry,
+                const SkyDirections& directions);
   };
   void solve(const ColumnSolver& solver, Node& node) const;
   std::vector<double> question(const ColumnSolver& solver, const Node& node) const;
   void choose_nodes();
   LayerOptics optics_at(double log_wavelength, double depth) const;
+  void solve_sights(const ColumnSolution& solved, Node& node) const;
   Propagation towards_sensor() const;
 
   const AtmosphereColumn& column_;

@@ -6,9 +6,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "atmosphere/sensor/channel_emission.h"
-#include "atmosphere/sensor/channel_scattering.h"
-#include "atmosphere/sensor/sensor_limits.h"
+#include "atmosphere/column/light_limits.h"
+#include "atmosphere/sensor/error_estimate.h"
 #include "core/parallel.h"
 #include "radiometry/planck.h"
 
@@ -25,27 +24,17 @@ double white_above(double wavelength_um, double irradiance) {
 
 }  // namespace
 
-/// All that is known of a channel at its points.
-struct SensorAtmosphere::ChannelLights {
-  ChannelPoints points;
-  std::optional<ChannelScattering> scattering = {};
-  ChannelScattering::AtPoints scattered = {};
-  std::optional<ChannelEmission> emitted = {};
-
-  std::vector<double> sky_irradiance() const {
-    std::vector<double> sum(points.size(), 0.0);
-    const auto add = [&](const std::vector<double>& part) {
-      std::transform(sum.begin(), sum.end(), part.begin(), sum.begin(), std::plus<>());
-    };
-    if (scattering) add(scattered.sky_irradiance);
-    if (emitted) add(emitted->sky_irradiance);
-    return sum;
-  }
-};
-
 SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs& inputs)
     : geometry_(inputs.geometry),
-      directions_(inputs.sky.value_or(SkyDirections::standard(inputs.geometry.sun_zenith_rad))) {
+      directions_(inputs.sky.value_or(SkyDirections::standard(inputs.geometry.sun_zenith_rad))),
+      sights_(inputs.sights.value_or(
+          SightGrid(SightLine{geometry_.view_zenith_rad, geometry_.view_azimuth_rad, 0.0}))) {
+  if (!sights_.trivial()) {
+    geometry_.sights = sights_.lines();
+    const std::vector<SightLine> checks = sights_.checks();
+    geometry_.sights.insert(geometry_.sights.end(), checks.begin(), checks.end());
+    geometry_.heights_km.assign(sights_.height().known().begin() + 1, sights_.height().known().end());
+  }
   std::vector<std::vector<ChannelBin>> bins;
   for (std::size_t c = 0; c < inputs.channels.size(); ++c) {
     bins.push_back(channel_bins(inputs.channels[c], inputs.solar_irradiance));
@@ -55,22 +44,31 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
   std::vector<ChannelLights> channels;
   for (const std::vector<ChannelBin>& channel : bins)
     channels.push_back({{column, channel, optics, geometry_}});
+  std::optional<FinerAir> finer;
+  if (inputs.with_errors) finer.emplace(column);
   struct Task {
     ChannelLights* lights;
     std::size_t solution;
+    bool check;
   };
   std::vector<Task> tasks;
   for (ChannelLights& lights : channels) {
     if (!geometry_.sun_zenith_rad || lights.points.points.front().wavelength_um > kLastSolar_um) continue;
     lights.scattering.emplace(column, lights.points, geometry_, directions_, inputs.scattering);
-    for (std::size_t k = 0; k < lights.scattering->solutions(); ++k) tasks.push_back({&lights, k});
+    for (std::size_t k = 0; k < lights.scattering->solutions(); ++k) tasks.push_back({&lights, k, false});
+    if (!finer) continue;
+    lights.checks.emplace(*lights.scattering, lights.points, geometry_, *finer);
+    for (std::size_t k = 0; k < lights.checks->solutions(); ++k) tasks.push_back({&lights, k, true});
   }
-  const ColumnSolver solver(inputs.scattering);
+  const ColumnSolver solver(inputs.scattering), careful(FinerAir::finer(inputs.scattering));
   std::mutex telling;
   std::size_t solved = 0;
   parallel_for(static_cast<std::int64_t>(tasks.size()), inputs.threads, [&](std::int64_t k) {
     const Task task = tasks[static_cast<std::size_t>(k)];
-    task.lights->scattering->solve(solver, task.solution, inputs.kept);
+    if (task.check)
+      task.lights->checks->solve(careful, task.solution, inputs.kept);
+    else
+      task.lights->scattering->solve(solver, task.solution, inputs.kept);
     if (!inputs.progress) return;
     const std::scoped_lock lock(telling);
     inputs.progress(++solved, tasks.size());
@@ -86,14 +84,29 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
   const std::size_t nodes = node_count(), zeniths = directions_.zenith_rad.size();
   for (auto* row : {&view_radiance_, &diffuse_transmittance_, &spherical_albedo_, &sky_irradiance_})
     row->assign(nodes, 0.0);
+  if (!sights_.trivial()) {
+    for (auto* rows : {&sight_transmittance_, &sight_radiance_, &sight_diffuse_})
+      rows->assign(sights_.known_lines() * nodes, 0.0);
+    for (auto* rows : {&sun_at_height_, &sky_at_height_})
+      rows->assign(sights_.height().known().size() * nodes, 0.0);
+  }
   sky_.assign(zeniths * directions_.azimuth_rad.size() * nodes, 0.0);
   groundlit_.assign(zeniths * nodes, 0.0);
   parallel_for(static_cast<std::int64_t>(channels.size()), inputs.threads, [&](std::int64_t k) {
     const std::size_t channel = static_cast<std::size_t>(k);
     if (channels[channel].scattering) add_scattering(channel, channels[channel]);
     if (channels[channel].emitted) add_emission(channel, channels[channel]);
+    if (!sights_.trivial()) add_sights(channel, channels[channel]);
   });
   normalise_sky();
+  if (!finer) return;
+  const SensorGeometry alone = geometry_.alone();
+  errors_ = estimate_errors(
+      {column, *finer, alone, directions_, inputs.scattering, inputs.ground, inputs.threads}, bins, channels);
+  for (std::size_t c = 0; c < errors_.size(); ++c) {
+    errors_[c].nodes.surface = nodes_.worst_error(c);
+    errors_[c].sights = sight_error(c, channels[c], inputs.ground);
+  }
 }
 
 void SensorAtmosphere::build_nodes(const Inputs& inputs, const std::vector<ChannelLights>& channels) {

@@ -7,7 +7,8 @@
 
 #include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/scattering/scattering_options.h"
-#include "atmosphere/sensor/channel_points.h"
+#include "atmosphere/sensor/air_error.h"
+#include "atmosphere/sensor/channel_lights.h"
 #include "atmosphere/sensor/kept_solutions.h"
 #include "atmosphere/sensor/sky_directions.h"
 #include "radiometry/spectral_nodes.h"
@@ -31,7 +32,11 @@ class SensorAtmosphere {
     std::optional<SkyDirections> sky = {};  ///< none: the standard ones
     ScatteringOptions scattering;
     int threads = 0;
-    KeptSolutions* kept = nullptr;  ///< solutions from before, if any
+    std::optional<SightGrid> sights = {};  ///< none: that of the geometry holds for all surfaces
+    KeptSolutions* kept = nullptr;         ///< solutions from before, if any
+    /// Whether errors() are wanted, and the reflectance of the ground around the scene, which they depend on.
+    bool with_errors = false;
+    radiometry::Spectrum ground = radiometry::Spectrum::constant(0.0);
     /// Told how many solutions of how many are there, one call at a time; may throw to end it.
     std::function<void(std::size_t, std::size_t)> progress = {};
   };
@@ -41,6 +46,7 @@ class SensorAtmosphere {
   std::size_t node_count() const { return nodes_.node_count(); }
   const SensorGeometry& geometry() const { return geometry_; }
   const SkyDirections& sky_directions() const { return directions_; }
+  const SightGrid& sights() const { return sights_; }
 
   /// By node. Irradiances in W m-2 um-1, radiances in W m-2 sr-1 um-1.
   const std::vector<double>& sun_irradiance() const { return sun_; }  ///< direct, on a surface that faces it
@@ -53,6 +59,16 @@ class SensorAtmosphere {
   }  ///< groundlit, to the sensor
   const std::vector<double>& spherical_albedo() const { return spherical_albedo_; }
   const std::vector<double>& sky_irradiance() const { return sky_irradiance_; }  ///< on a level surface
+  /// The same along one of sights().lines(), by node.
+  struct Sight {
+    std::span<const double> transmittance, radiance, diffuse_transmittance;
+  };
+  Sight sight(std::size_t line) const;
+  /// Irradiances at one of sights().height().known(), by node: direct as sun_irradiance, of the sky as
+  /// sky_irradiance.
+  std::span<const double> sun_at_height(std::size_t height) const { return row(sun_at_height_, height); }
+  std::span<const double> sky_at_height(std::size_t height) const { return row(sky_at_height_, height); }
+
   /// Radiance from a direction of the table: [zenith][azimuth][node], and the groundlit sky [zenith][node].
   double sky(std::size_t zenith, std::size_t azimuth, std::size_t node) const {
     return sky_[(zenith * directions_.azimuth_rad.size() + azimuth) * node_count() + node];
@@ -61,17 +77,25 @@ class SensorAtmosphere {
     return groundlit_[zenith * node_count() + node];
   }
 
+  /// How far each channel may be off because of how all this is computed; empty where it was not asked for.
+  const std::vector<AirErrors>& errors() const { return errors_; }
+
   /// Channels narrower than the band model resolves, by index.
   const std::vector<std::size_t>& unresolved_channels() const { return unresolved_; }
 
  private:
-  struct ChannelLights;
   void build_nodes(const Inputs& inputs, const std::vector<ChannelLights>& channels);
   void add_scattering(std::size_t channel, const ChannelLights& lights);
   void add_emission(std::size_t channel, const ChannelLights& lights);
   /// Adds a source's values at the points of a channel to a row over all nodes.
   void add_source(std::size_t channel, const std::vector<double>& at_points, double* row) const;
+  void add_sights(std::size_t channel, const ChannelLights& lights);
+  AirError sight_error(std::size_t channel, const ChannelLights& lights,
+                       const radiometry::Spectrum& ground) const;
   void normalise_sky();
+  std::span<const double> row(const std::vector<double>& rows, std::size_t k) const {
+    return std::span(rows).subspan(k * node_count(), node_count());
+  }
 
   SensorGeometry geometry_;
   SkyDirections directions_;
@@ -79,6 +103,10 @@ class SensorAtmosphere {
   std::vector<double> sun_, view_transmittance_, view_radiance_, diffuse_transmittance_, spherical_albedo_,
       sky_irradiance_, sky_, groundlit_;
   std::vector<std::size_t> unresolved_;
+  std::vector<AirErrors> errors_;
+  SightGrid sights_;
+  std::vector<double> sight_transmittance_, sight_radiance_, sight_diffuse_;  // [line][node]
+  std::vector<double> sun_at_height_, sky_at_height_;                         // [height][node]
 };
 
 }  // namespace ifov::atmosphere

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "atmosphere/scattering/column_solver.h"
-#include "atmosphere/sensor/sensor_limits.h"
+#include "atmosphere/column/light_limits.h"
 #include "atmosphere/thermal/thermal_column.h"
 #include "core/parallel.h"
 #include "radiometry/planck.h"

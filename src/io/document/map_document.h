@@ -98,6 +98,7 @@ struct TerrainShape {
   std::optional<double> unit_m;  ///< metres per unit of the heights; none: as the file says
   bool fill = false;             ///< cells without a height are filled; else they are holes
   bool smooth = true;
+  bool as_grid = false;          ///< traced in its raster, every height; else meshed
 };
 
 }  // namespace ifov::io

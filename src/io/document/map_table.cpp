@@ -146,7 +146,10 @@ Kind<TerrainShape> terrain_kind() {
                     "cells without a height: holes, or filled from the nearest cells in four quadrants, weighted by the "
                     "inverse of their distance")
       .with_default("smooth", &TerrainShape::smooth, boolean(), "true",
-                    "slopes, as light sees them, change smoothly from height to height; else each triangle is flat");
+                    "slopes, as light sees them, change smoothly from height to height; else each triangle is flat")
+      .with_default("form", &TerrainShape::as_grid, choice<bool>({{"mesh", false}, {"grid", true}}), "\"mesh\"",
+                    "a mesh of triangles, or the raster itself with every height (`detail` 0 and the scene's own `crs`): "
+                    "4 bytes a cell and nothing to build");
   return record.kind();
 }
 

@@ -20,6 +20,8 @@ CubeKind kind_of(int index, const render::ImageInfo& info) {
       return {"_standard_error", "standard error of radiance", "", true, {}, kReal};
     case CubeSet::kHalfWidth:
       return {"_half_width", "half-width of the radiance's interval", "", true, {}, kReal};
+    case CubeSet::kAirHalfWidth:
+      return {"_air_half_width", "part of the half-width that the air's computation adds", "", true, {}, kReal};
     case CubeSet::kSamples:
       return {"_samples",
               "samples per pixel",
@@ -87,6 +89,9 @@ CubeSet::CubeSet(const std::filesystem::path& stem, Selection selection, const r
 bool CubeSet::selected(Index index) const {
   if (index == kStandardError) return selection_.standard_error;
   if (index == kHalfWidth) return selection_.half_width;
+  if (index == kAirHalfWidth)
+    return selection_.half_width && std::any_of(info_.channels.begin(), info_.channels.end(),
+                                                [](const render::ChannelInfo& c) { return c.air.has_value(); });
   if (index == kAbundance || index == kAbundanceHalfWidth)
     return selection_.abundance && !info_.materials.empty();
   return true;
@@ -127,6 +132,14 @@ void CubeSet::write(const sampling::TileResult& tile) {
     write_values(kStandardError, tile, error);
   }
   if (selection_.half_width) write_values(kHalfWidth, tile, tile.half_width);
+
+  if (cubes_[kAirHalfWidth]) {
+    std::vector<float> air(tile.mean.size(), 0.0f);
+    for (std::size_t i = 0; i < air.size(); ++i)
+      if (const auto& channel = info_.channels[i % info_.channels.size()]; channel.air)
+        air[i] = static_cast<float>(channel.air->of(tile.mean[i]));
+    write_values(kAirHalfWidth, tile, air);
+  }
 
   const std::size_t pixels = tile.samples.size();
   std::vector<std::uint32_t> counts(3 * pixels);

@@ -19,6 +19,7 @@ class CubeSet {
     kRadiance,
     kStandardError,
     kHalfWidth,
+    kAirHalfWidth,
     kSamples,
     kQuality,
     kAbundance,

@@ -42,6 +42,12 @@ Json::Value channels(const RunRecord& record) {
     v["standard_deviation"] = number(s.standard_deviation);
     v["mean_half_width"] = number(s.mean_half_width);
     v["largest_half_width"] = number(s.largest_half_width);
+    if (channel.air) {
+      v["air_half_width"]["path"] = number(channel.air->path);
+      v["air_half_width"]["surface"] = number(channel.air->surface);
+      v["air_half_width"]["sky"] = number(channel.air->sky);
+      v["air_half_width"]["of_grey_surface"] = number(channel.air->of(channel.air->grey_radiance));
+    }
     v["not_finite"] = count(s.not_finite);
     list.append(v);
   }

@@ -32,6 +32,14 @@ std::string checksum_of(const Json::Value& state) {
   return sum.digest();
 }
 
+constexpr std::pair<const char*, double render::AirHalfWidth::*> kAirKeys[] = {
+    {"path", &render::AirHalfWidth::path},
+    {"surface", &render::AirHalfWidth::surface},
+    {"sky", &render::AirHalfWidth::sky},
+    {"path_radiance", &render::AirHalfWidth::path_radiance},
+    {"white_in_sky", &render::AirHalfWidth::white_in_sky},
+    {"grey_radiance", &render::AirHalfWidth::grey_radiance}};
+
 Json::Value image_value(const render::ImageInfo& image) {
   Json::Value v;
   v["width_px"] = image.width_px;
@@ -43,6 +51,8 @@ Json::Value image_value(const render::ImageInfo& image) {
     c["name"] = channel.name;
     c["centre_um"] = channel.centre_um;
     c["fwhm_um"] = channel.fwhm_um;
+    if (channel.air)
+      for (const auto& [key, member] : kAirKeys) c["air"][key] = (*channel.air).*member;
     v["channels"].append(c);
   }
   v["materials"] = Json::arrayValue;
@@ -62,8 +72,12 @@ render::ImageInfo image_of(const Json::Value& v) {
   image.width_px = v["width_px"].asInt();
   image.height_px = v["height_px"].asInt();
   image.radiance_unit = v["radiance_unit"].asString();
-  for (const Json::Value& c : v["channels"])
+  for (const Json::Value& c : v["channels"]) {
     image.channels.push_back({c["name"].asString(), c["centre_um"].asDouble(), c["fwhm_um"].asDouble()});
+    if (!c.isMember("air")) continue;
+    render::AirHalfWidth& air = image.channels.back().air.emplace();
+    for (const auto& [key, member] : kAirKeys) air.*member = c["air"][key].asDouble();
+  }
   for (const Json::Value& name : v["materials"]) image.materials.push_back(name.asString());
   if (v.isMember("map")) {
     const Json::Value& map = v["map"];

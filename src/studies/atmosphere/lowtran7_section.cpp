@@ -87,7 +87,7 @@ Spectrum thermal_run(const std::filesystem::path& file, const std::string& model
   description.aerosol.type = "none";
   ColumnOptions column_options;
   column_options.terms = 8;
-  column_options.most_terms = 16;
+  column_options.most_terms = 32;
   const AtmosphereColumn column(description, column_options);
   const double observer_km = mu > 0.0 ? 200.0 : 0.0;
   Spectrum result;

@@ -1,0 +1,189 @@
+#include "atmosphere/sensor/error_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "atmosphere/column/light_limits.h"
+#include "atmosphere/sensor/sky_table_error.h"
+#include "atmosphere/thermal/thermal_column.h"
+#include "core/parallel.h"
+#include "radiometry/planck.h"
+
+namespace ifov::atmosphere {
+namespace {
+
+/// Channels whose sky is looked at between the directions of the table.
+constexpr std::size_t kSkiesLookedAt = 6;
+/// A grey surface of 300 K, which light that comes down and light that it emits are weighed by.
+constexpr double kGrey = 0.3, kGrey_k = 300.0;
+
+double mean(const std::vector<double>& share, const std::vector<double>& values) {
+  return std::inner_product(share.begin(), share.end(), values.begin(), 0.0);
+}
+double part_of(double difference, double whole) {
+  return whole > 0.0 ? std::min(1.0, std::abs(difference) / whole) : 0.0;
+}
+
+/// What is known at every point without a solution: means over the channel.
+struct ExactLight {
+  double surface = 0.0;   ///< of the grey surface, in the direct beam and its own light and the air's
+  double once = 0.0;      ///< sunlight scattered once into the path
+  double emission = 0.0;  ///< of the path
+  ExactLight(const AtmosphereColumn& column, const ChannelPoints& points, const ChannelEmission* emitted,
+             const SensorGeometry& geometry, ScatteringOptions options) {
+    options.most_sublayers = 1;
+    const double sine = geometry.sun_zenith_rad ? std::cos(*geometry.sun_zenith_rad) : 0.0;
+    const Propagation up{std::cos(geometry.view_zenith_rad), geometry.view_azimuth_rad - std::numbers::pi};
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const double wavelength_um = points.points[p].wavelength_um;
+      double light = kGrey * sine * points.sun[p] / std::numbers::pi;
+      if (emitted != nullptr) {
+        light += kGrey * emitted->sky_irradiance[p] / std::numbers::pi +
+                 (1.0 - kGrey) * radiometry::planck_w_m2_sr_um(wavelength_um, kGrey_k);
+        emission += points.share[p] * emitted->path[p];
+      }
+      surface += points.share[p] * points.view[p] * light;
+      if (!geometry.sun_zenith_rad || wavelength_um > kLastSolar_um) continue;
+      const ScatteringColumn layers(column.levels(), points.points[p].layers(), *geometry.sun_zenith_rad,
+                                    options);
+      once +=
+          points.share[p] * points.irradiance[p] *
+          single_scattering(layers, options.aerosol_polarization, up, geometry.sensor_altitude_km).single.i;
+    }
+  }
+};
+
+class Estimate {
+ public:
+  Estimate(const ErrorQuestion& question, std::span<const std::vector<ChannelBin>> bins,
+           std::span<const ChannelLights> channels)
+      : question_(question),
+        bins_(bins),
+        channels_(channels),
+        optics_(question.finer.column(), bins, question.threads),
+        errors_(channels.size()) {}
+
+  std::vector<AirErrors> made() {
+    parallel_for(static_cast<std::int64_t>(channels_.size()), question_.threads, [&](std::int64_t k) {
+      const std::size_t channel = static_cast<std::size_t>(k);
+      absorption(channel);
+      scattering(channel);
+    });
+    skies();
+    return std::move(errors_);
+  }
+
+ private:
+  void absorption(std::size_t channel) {
+    const ChannelLights& given = channels_[channel];
+    const AtmosphereColumn& column = question_.finer.column();
+    const ChannelPoints points(column, bins_[channel], optics_, question_.geometry);
+    std::optional<ChannelEmission> emitted;
+    if (given.emitted) emitted.emplace(column, points, question_.geometry, SkyDirections{});
+    const ExactLight right(column, points, emitted ? &*emitted : nullptr, question_.geometry,
+                           question_.scattering);
+    const ExactLight ours(question_.column, given.points, given.emitted ? &*given.emitted : nullptr,
+                          question_.geometry, question_.scattering);
+    const double scattered = given.scattering ? mean(given.points.share, given.scattered.path) : 0.0;
+    errors_[channel].absorption = {
+        part_of(ours.once - right.once, right.once) * scattered + std::abs(ours.emission - right.emission),
+        part_of(ours.surface - right.surface, right.surface), 0.0};
+  }
+
+  void scattering(std::size_t channel) {
+    const ChannelLights& given = channels_[channel];
+    if (!given.checks) return;
+    const ChannelChecks::Errors errors = given.checks->against(given.scattered);
+    const ChannelPoints& points = given.points;
+    const double sine = std::cos(*question_.geometry.sun_zenith_rad);
+    std::vector<double> reflectance;
+    for (const ChannelPoints::Point& point : points.points)
+      reflectance.push_back(question_.ground.at(point.wavelength_um));
+    const double ground = mean(points.share, reflectance);
+    const double albedo = mean(points.share, given.scattered.spherical_albedo);
+    const double scattered = mean(points.share, given.scattered.sky_irradiance);
+    const double sky = mean(points.share, given.sky_irradiance());
+    const double all = sine * mean(points.share, points.sun) + sky;
+    const double back = ground * albedo / (1.0 - ground * albedo);
+    const double groundlit = mean(points.share, given.scattered.diffuse_transmittance);
+    errors_[channel].scattering = {
+        errors.path * mean(points.share, given.scattered.path) +
+            errors.diffuse_transmittance * groundlit * ground * all * (1.0 + back) / std::numbers::pi,
+        errors.spherical_albedo * back, sky > 0.0 ? errors.sky_irradiance * scattered / sky : 0.0};
+  }
+
+  /// Neighbouring channels have skies of much the same shape: of some, the one is looked at that has most
+  /// light.
+  void skies() {
+    std::vector<std::size_t> order(channels_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto wavelength = [&](std::size_t c) { return channels_[c].points.points.front().wavelength_um; };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return wavelength(a) < wavelength(b); });
+    const std::size_t groups = std::min(order.size(), kSkiesLookedAt);
+    parallel_for(static_cast<std::int64_t>(groups), question_.threads, [&](std::int64_t k) {
+      const std::size_t group = static_cast<std::size_t>(k);
+      const auto first = order.begin() + static_cast<std::ptrdiff_t>(group * order.size() / groups),
+                 last = order.begin() + static_cast<std::ptrdiff_t>((group + 1) * order.size() / groups);
+      const auto light = [&](std::size_t c) {
+        return mean(channels_[c].points.share, channels_[c].sky_irradiance());
+      };
+      const double error = sky(
+          *std::max_element(first, last, [&](std::size_t a, std::size_t b) { return light(a) < light(b); }));
+      for (auto c = first; c != last; ++c) errors_[*c].sky.sky = error;
+    });
+  }
+
+  /// Of the whole sky of a channel: sunlight as at the point where most of it comes down, and the air's own
+  /// light.
+  double sky(std::size_t channel) const {
+    const ChannelLights& given = channels_[channel];
+    const SkyDirections finer = halved(question_.directions);
+    const std::size_t azimuths = finer.azimuth_rad.size();
+    std::vector<double> radiance(finer.zenith_rad.size() * azimuths, 0.0);
+    double beam = 0.0;
+    if (given.emitted) {
+      const ChannelEmission emitted(question_.column, given.points, question_.geometry, finer);
+      for (std::size_t d = 0; d < radiance.size(); ++d)
+        radiance[d] += mean(given.points.share, emitted.sky[d / azimuths]);
+    }
+    if (given.scattering) {
+      const ChannelPoints& points = given.points;
+      std::size_t middle = 0;
+      const auto light = [&](std::size_t p) { return points.share[p] * given.scattered.sky_irradiance[p]; };
+      for (std::size_t p = 1; p < points.size(); ++p)
+        if (light(p) > light(middle)) middle = p;
+      beam = points.sun[middle];
+      const double ground_km = question_.column.levels().altitude_km.front();
+      const ColumnSolution solved = ColumnSolver(question_.scattering)
+                                        .solve(question_.column.levels(), points.points[middle].layers(),
+                                               *question_.geometry.sun_zenith_rad);
+      for (std::size_t z = 0; z < finer.zenith_rad.size(); ++z) {
+        const SlantSource ring = solved.sunlit().along(-std::cos(finer.zenith_rad[z]));
+        for (std::size_t a = 0; a < azimuths; ++a)
+          radiance[z * azimuths + a] += points.irradiance[middle] *
+                                        std::max(0.0, ring.sky(finer.azimuth_rad[a], ground_km).radiance().i);
+      }
+    }
+    return inclined_error(question_.directions, radiance, beam,
+                          question_.geometry.sun_zenith_rad.value_or(0.0));
+  }
+
+  const ErrorQuestion& question_;
+  std::span<const std::vector<ChannelBin>> bins_;
+  std::span<const ChannelLights> channels_;
+  BinOptics optics_;
+  std::vector<AirErrors> errors_;
+};
+
+}  // namespace
+
+std::vector<AirErrors> estimate_errors(const ErrorQuestion& question,
+                                       std::span<const std::vector<ChannelBin>> bins,
+                                       std::span<const ChannelLights> channels) {
+  return Estimate(question, bins, channels).made();
+}
+
+}  // namespace ifov::atmosphere

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "atmosphere/sensor/air_error.h"
+#include "atmosphere/sensor/channel_bins.h"
+#include "atmosphere/sensor/channel_lights.h"
+#include "atmosphere/sensor/finer_air.h"
+
+namespace ifov::atmosphere {
+
+struct ErrorQuestion {
+  const AtmosphereColumn& column;
+  const FinerAir& finer;
+  const SensorGeometry& geometry;
+  const SkyDirections& directions;
+  const ScatteringOptions& scattering;
+  const radiometry::Spectrum& ground;  ///< reflectance of the ground around the scene
+  int threads = 0;
+};
+
+/// Errors of solved channels by where they come from, all but that of the nodes
+/// (docs/theory/atmosphere_error.md).
+std::vector<AirErrors> estimate_errors(const ErrorQuestion& question,
+                                       std::span<const std::vector<ChannelBin>> bins,
+                                       std::span<const ChannelLights> channels);
+
+}  // namespace ifov::atmosphere

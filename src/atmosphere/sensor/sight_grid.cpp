@@ -1,0 +1,138 @@
+#include "atmosphere/sensor/sight_grid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace ifov::atmosphere {
+namespace {
+
+/// Slopes that differ by less are one: 0.06 degrees at the nadir.
+constexpr double kOneSlope = 1e-3;
+/// Of the finer places, in slope, and how many there are at most.
+constexpr double kWantedStep = 0.03;
+constexpr std::size_t kMostWanted = 97;
+/// Lower surfaces are taken for ground.
+constexpr double kOneHeight_km = 0.02;
+
+/// Points for a range whose half is this, in asinh(slope), which is how fast the path's length grows.
+std::size_t points_for(double half) {
+  return half < 0.03 ? 2 : half < 0.1 ? 3 : half < 0.25 ? 4 : half < 0.45 ? 5 : half < 0.8 ? 6 : 8;
+}
+
+std::size_t below(const std::vector<double>& places, double x) {
+  const auto above = std::upper_bound(places.begin() + 1, places.end() - 1, x);
+  return static_cast<std::size_t>(above - places.begin()) - 1;
+}
+
+}  // namespace
+
+SightAxis SightAxis::slopes(double low, double high) {
+  if (!(high - low > kOneSlope)) return SightAxis(0.5 * (low + high));
+  SightAxis axis;
+  axis.straight_ = false;
+  axis.known_.clear();
+  axis.wanted_.clear();
+  const std::size_t count = points_for(0.5 * (std::asinh(high) - std::asinh(low)));
+  for (std::size_t k = 0; k < count; ++k) {
+    const double at = -std::cos(std::numbers::pi * static_cast<double>(k) / static_cast<double>(count - 1));
+    axis.known_.push_back(0.5 * (low + high) + 0.5 * (high - low) * at);
+  }
+  const std::size_t steps =
+      std::min(kMostWanted - 1, 1 + static_cast<std::size_t>((high - low) / kWantedStep));
+  for (std::size_t k = 0; k <= steps; ++k)
+    axis.wanted_.push_back(low + (high - low) * static_cast<double>(k) / static_cast<double>(steps));
+  return axis;
+}
+
+SightAxis SightAxis::heights(const Levels& levels, double highest_km) {
+  SightAxis axis(0.0);
+  if (!(highest_km > kOneHeight_km)) return axis;
+  for (std::size_t l = 1; l < levels.altitude_km.size() && axis.known_.back() < highest_km; ++l)
+    axis.known_.push_back(std::min(highest_km, levels.altitude_km[l] - levels.altitude_km.front()));
+  axis.wanted_ = axis.known_;
+  return axis;
+}
+
+std::vector<double> SightAxis::weights(double place) const {
+  const std::size_t count = known_.size();
+  std::vector<double> result(count, 0.0);
+  if (count == 1) return {1.0};
+  const double x = std::clamp(place, known_.front(), known_.back());
+  if (straight_) {
+    const std::size_t low = below(known_, x);
+    const double share = (x - known_[low]) / (known_[low + 1] - known_[low]);
+    result[low] = 1.0 - share;
+    result[low + 1] = share;
+    return result;
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    result[k] = 1.0;
+    for (std::size_t j = 0; j < count; ++j)
+      if (j != k) result[k] *= (x - known_[j]) / (known_[k] - known_[j]);
+  }
+  return result;
+}
+
+double slope_along(const SightLine& line) { return std::tan(line.zenith_rad) * std::cos(line.azimuth_rad); }
+double slope_across(const SightLine& line) {
+  return std::abs(std::tan(line.zenith_rad) * std::sin(line.azimuth_rad));
+}
+
+SightGrid::SightGrid(const SightLine& line)
+    : only_(line), along_(slope_along(line)), across_(slope_across(line)), height_(line.height_km) {}
+
+SightGrid::SightGrid(const SightRange& range, const Levels& levels)
+    : along_(SightAxis::slopes(range.along_low, range.along_high)),
+      across_(SightAxis::slopes(range.across_low, range.across_high)),
+      height_(SightAxis::heights(levels, range.highest_km)) {
+  highest_km_ = std::max(0.0, range.highest_km);
+  only_ = line(along_.known().front(), across_.known().front(), 0.0);
+}
+
+SightLine SightGrid::line(double along, double across, double height_km) const {
+  return {std::atan(std::hypot(along, across)), std::atan2(across, along), height_km};
+}
+
+std::vector<SightLine> SightGrid::lines() const {
+  if (single()) return {only_};
+  std::vector<SightLine> all;
+  for (const double height : height_.known())
+    for (const double along : along_.known())
+      for (const double across : across_.known()) all.push_back(line(along, across, height));
+  return all;
+}
+
+std::vector<SightLine> SightGrid::checks() const {
+  std::vector<SightLine> all;
+  if (trivial()) return all;
+  // Near the corners, where polynomials are worst, and within; heights between levels.
+  constexpr std::array<std::array<double, 3>, 6> kPlaces{{{0.04, 0.04, 0.11},
+                                                          {0.96, 0.06, 0.93},
+                                                          {0.05, 0.95, 0.55},
+                                                          {0.94, 0.97, 0.3},
+                                                          {0.52, 0.47, 0.71},
+                                                          {0.3, 0.7, 0.04}}};
+  const auto at = [](const SightAxis& axis, double share) {
+    return axis.known().front() + share * (axis.known().back() - axis.known().front());
+  };
+  for (const auto& [a, c, h] : kPlaces) all.push_back(line(at(along_, a), at(across_, c), h * highest_km_));
+  return all;
+}
+
+std::vector<double> SightGrid::weights(const SightLine& line) const {
+  return weights(line.height_km, slope_along(line), slope_across(line));
+}
+
+std::vector<double> SightGrid::weights(double height_km, double along, double across) const {
+  const std::vector<double> by_height = height_.weights(height_km), by_along = along_.weights(along),
+                            by_across = across_.weights(across);
+  std::vector<double> all;
+  for (const double h : by_height)
+    for (const double a : by_along)
+      for (const double c : by_across) all.push_back(h * a * c);
+  return all;
+}
+
+}  // namespace ifov::atmosphere

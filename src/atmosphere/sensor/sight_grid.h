@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "atmosphere/layer_optics.h"
+
+namespace ifov::atmosphere {
+
+/// A line of sight from a surface to the sensor.
+struct SightLine {
+  double zenith_rad = 0.0;   ///< of the direction from the surface towards the sensor
+  double azimuth_rad = 0.0;  ///< of that direction from the Sun's
+  double height_km = 0.0;    ///< of the surface above the column's ground
+};
+
+/// Lines of sight of an image, as the box that holds them: slopes tan(zenith) cos(azimuth) along the Sun's
+/// azimuth and |tan(zenith) sin(azimuth)| across it (the air is the same on both sides of the Sun's plane).
+struct SightRange {
+  double along_low = 0.0, along_high = 0.0;
+  double across_low = 0.0, across_high = 0.0;
+  double highest_km = 0.0;  ///< of the surfaces, above the column's ground
+};
+
+/// An axis that a smooth quantity is known at few places of, and taken from at many: between the few it is
+/// the polynomial through all of them (Chebyshev's points, where that is safe), or straight lines.
+class SightAxis {
+ public:
+  /// One place.
+  explicit SightAxis(double place = 0.0) : known_{place}, wanted_{place} {}
+  /// Chebyshev's points of [low, high], more of them for longer ranges.
+  static SightAxis slopes(double low, double high);
+  /// The column's own levels, straight between.
+  static SightAxis heights(const Levels& levels, double highest_km);
+
+  const std::vector<double>& known() const { return known_; }
+  /// Rising, evenly spaced for slopes; its first and last place are the range's ends.
+  const std::vector<double>& wanted() const { return wanted_; }
+  /// Weights of the known places at a place.
+  std::vector<double> weights(double place) const;
+
+ private:
+  std::vector<double> known_, wanted_;
+  bool straight_ = true;
+};
+
+/// The lines of sight that an image's table is made of.
+class SightGrid {
+ public:
+  /// A single line of sight.
+  explicit SightGrid(const SightLine& line);
+  SightGrid(const SightRange& range, const Levels& levels);
+
+  const SightAxis& along() const { return along_; }
+  const SightAxis& across() const { return across_; }
+  const SightAxis& height() const { return height_; }
+  bool single() const { return known_lines() == 1; }
+  std::size_t known_lines() const {
+    return along_.known().size() * across_.known().size() * height_.known().size();
+  }
+  /// At the known places, [height][along][across].
+  std::vector<SightLine> lines() const;
+  /// Some between them, for checks; none of a single line.
+  std::vector<SightLine> checks() const;
+  /// Weights of lines() at a line of sight.
+  std::vector<double> weights(const SightLine& line) const;
+  std::vector<double> weights(double height_km, double along, double across) const;
+  /// Whether anything but a single line's own light is asked for.
+  bool trivial() const { return single() && !(highest_km_ > 0.0); }
+
+ private:
+  SightLine line(double along, double across, double height_km) const;
+  SightLine only_;
+  double highest_km_ = 0.0;
+  SightAxis along_, across_, height_;
+};
+
+/// Slopes of a direction.
+double slope_along(const SightLine& line);
+double slope_across(const SightLine& line);
+
+}  // namespace ifov::atmosphere

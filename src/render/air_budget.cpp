@@ -1,0 +1,55 @@
+#include "render/air_budget.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ifov::render {
+
+std::vector<AirHalfWidth> air_half_widths(const SpectralScene& scene,
+                                          const atmosphere::SensorAtmosphere& atmosphere) {
+  std::vector<AirHalfWidth> all;
+  constexpr double kGrey = 0.2, kGrey_k = 288.15;
+  const radiometry::SpectralNodes& nodes = scene.nodes();
+  const std::vector<double> white = scene.white_reflected();
+  std::vector<double> planck(nodes.node_count());
+  nodes.planck(kGrey_k, planck);
+  for (std::size_t c = 0; c < atmosphere.errors().size(); ++c) {
+    const atmosphere::AirError error = atmosphere.errors()[c].total();
+    AirHalfWidth& air = all.emplace_back(AirHalfWidth{error.path, error.surface, error.sky});
+    for (std::size_t n = nodes.first_node(c); n < nodes.first_node(c + 1); ++n) {
+      air.path_radiance += nodes.node_weight(n) * scene.view_radiance()[n];
+      air.grey_radiance += nodes.node_weight(n) * (1.0 - kGrey) * planck[n] * scene.view_transmittance()[n];
+      air.white_in_sky += nodes.node_weight(n) * scene.sky_radiance()[n] * scene.view_transmittance()[n];
+    }
+    air.grey_radiance += air.path_radiance + kGrey * white[c];
+  }
+  return all;
+}
+
+void widen(std::span<const AirHalfWidth> air, const AccuracyTolerance* tolerance,
+           sampling::TileResult& tile) {
+  if (air.empty() || !tile.has_errors()) return;
+  const std::size_t columns = static_cast<std::size_t>(tile.columns);
+  std::vector<double> mean(columns), limit(columns);
+  for (std::size_t p = 0; p < tile.samples.size(); ++p) {
+    float* half_width = tile.half_width.data() + p * columns;
+    for (std::size_t c = 0; c < columns; ++c) {
+      mean[c] = tile.mean[p * columns + c];
+      half_width[c] += static_cast<float>(air[c].of(mean[c]));
+    }
+    if (tolerance == nullptr) continue;
+    tolerance->asked(mean, limit);
+    double worst = 0.0;
+    for (std::size_t c = 0; c < columns; ++c) {
+      const double ratio = half_width[c] / limit[c];
+      worst = std::max(worst, std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio);
+    }
+    tile.worst_ratio[p] = static_cast<float>(worst);
+    // A little more than the limit is the rounding of the sum.
+    constexpr double kRounding = 1e-5;
+    tile.converged[p] = tile.converged[p] != 0 && worst <= 1.0 + kRounding;
+  }
+}
+
+}  // namespace ifov::render

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/accuracy_tolerance.h"
+#include "render/air_half_width.h"
+#include "render/spectral_scene.h"
+#include "sampling/tile.h"
+
+namespace ifov::render {
+
+/// By channel; empty where the atmosphere does not know its errors.
+std::vector<AirHalfWidth> air_half_widths(const SpectralScene& scene,
+                                          const atmosphere::SensorAtmosphere& atmosphere);
+
+/// Widens a tile's intervals by what the air may be wrong by, and judges its pixels anew by what was asked
+/// for. An error that is the same in all pixels and for all rays neither averages out nor is independent of
+/// anything: the interval holds the true value for sure only if it grows by the whole of it on both sides.
+/// `tolerance` may be null.
+void widen(std::span<const AirHalfWidth> air, const AccuracyTolerance* tolerance, sampling::TileResult& tile);
+
+}  // namespace ifov::render

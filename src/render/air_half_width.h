@@ -1,0 +1,24 @@
+#pragma once
+
+#include <algorithm>
+
+namespace ifov::render {
+
+/// How far a channel's radiance may be off because of how the air was computed: the same for every path and
+/// every ray, so no number of rays makes it smaller. W m-2 sr-1 um-1.
+struct AirHalfWidth {
+  double path = 0.0;           ///< of the light that the path adds
+  double surface = 0.0;        ///< of light from surfaces, relative
+  double sky = 0.0;            ///< of skylight that they reflect, relative
+  double path_radiance = 0.0;  ///< what is above it comes from surfaces
+  double white_in_sky = 0.0;   ///< what a white surface reflects of the sky: no surface reflects more
+  double grey_radiance =
+      0.0;  ///< of a level surface of reflectance 0.2 and 288 K, to say how much all this is
+
+  double of(double radiance) const {
+    const double from_surface = std::max(0.0, radiance - path_radiance);
+    return path + surface * from_surface + sky * std::min(from_surface, white_in_sky);
+  }
+};
+
+}  // namespace ifov::render

@@ -1,0 +1,66 @@
+#include "session/air_statements.h"
+
+#include <algorithm>
+
+#include "core/format.h"
+#include "session/parts.h"
+
+namespace ifov::session {
+namespace {
+
+std::string in_units(const render::AccuracyRequest& request, double error) {
+  switch (request.unit) {
+    case render::ErrorUnit::kelvin:
+      return format("{:.2g} K", error);
+    case render::ErrorUnit::radiance:
+      return format("{:.2g} W m-2 sr-1 um-1", error);
+    case render::ErrorUnit::percent:
+      return format("{:.2g} %", 100.0 * error);
+    case render::ErrorUnit::reflectance:
+      return format("{:.2g} reflectance", error);
+    case render::ErrorUnit::noise:
+      return format("{:.2g} of the sensor's noise", error);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string air_error_note(std::span<const render::AirHalfWidth> air) {
+  double low = 1e300, high = 0.0;
+  for (const render::AirHalfWidth& channel : air) {
+    const double share = channel.of(channel.grey_radiance) / channel.grey_radiance;
+    low = std::min(low, share);
+    high = std::max(high, share);
+  }
+  return format(
+      "numerical error of the air: {:.2g} to {:.2g} % of a grey surface's radiance, by channel; it is in the "
+      "half-widths, and rays do not lower it",
+      100.0 * low, 100.0 * high);
+}
+
+void warn_of_air_errors(const Session::Parts& parts, LogSink& log) {
+  if (parts.air.empty() || !parts.tolerance) return;
+  constexpr std::size_t kNamed = 4;
+  std::size_t count = 0;
+  double worst = 0.0;
+  std::string names;
+  for (std::size_t c = 0; c < parts.air.size(); ++c) {
+    if (!parts.tolerance->judged(static_cast<int>(c))) continue;
+    const double share = parts.tolerance->air_share(c, parts.air[c].grey_radiance);
+    if (share <= 1.0 - render::AccuracyTolerance::kLeastShare) continue;
+    if (count++ < kNamed) names += format("{}'{}'", names.empty() ? "" : ", ", parts.channels[c].name);
+    worst = std::max(worst, share);
+  }
+  if (count == 0) return;
+  if (count > kNamed) names += format(" and {} more", count - kNamed);
+  const double enough = parts.plan.request->error * worst / (1.0 - render::AccuracyTolerance::kLeastShare);
+  log.warn(format(
+      "the accuracy asked for is finer than the atmosphere is computed to: over a grey surface the air's own "
+      "numerical error is up to {} in {}; pixels may miss it there however many rays are traced. {} "
+      "can be reached, or judge other channels",
+      in_units(*parts.plan.request, parts.plan.request->error * worst), names,
+      in_units(*parts.plan.request, enough)));
+}
+
+}  // namespace ifov::session

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/run_control.h"
+#include "render/air_half_width.h"
+#include "session/session.h"
+
+namespace ifov::session {
+
+/// One line: how far the channels may be off because of how the air is computed.
+std::string air_error_note(std::span<const render::AirHalfWidth> air);
+
+/// Says which judged channels the air leaves too little of what is asked for, and what may be asked for
+/// instead.
+void warn_of_air_errors(const Session::Parts& parts, LogSink& log);
+
+}  // namespace ifov::session

@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+#include "radiometry/channel.h"
+#include "render/air_budget.h"
+
+namespace ifov::render {
+namespace {
+
+/// Two channels; the first is judged to 2 %.
+class AirBudget : public testing::Test {
+ protected:
+  static constexpr double kWhite = 100.0;
+  AccuracyTolerance tolerance(double error) const {
+    AccuracyRequest request;
+    request.error = error;
+    request.floor = 0.0;
+    request.channels = {0};
+    return AccuracyTolerance(request, brightness_, {kWhite, kWhite}, 1, air_);
+  }
+  sampling::TileResult tile(float mean, float half_width) const {
+    sampling::TileResult result;
+    result.reset({0, 0, 1, 1}, 2);
+    result.mean = {mean, mean};
+    result.half_width = {half_width, half_width};
+    result.converged = {1};
+    return result;
+  }
+  static radiometry::SpectralNodes nodes() {
+    const std::array channels{radiometry::Channel::top_hat("a", 0.5, 0.6),
+                              radiometry::Channel::top_hat("b", 0.6, 0.7)};
+    return radiometry::SpectralNodes::build(channels, radiometry::Spectrum::constant(1000.0), {});
+  }
+  ChannelBrightness brightness_{nodes()};
+  // 0.1 of the path, 0.5 % of surfaces, 1 % of skylight; path 10, white under the sky 20.
+  AirHalfWidth one_{0.1, 0.005, 0.01, 10.0, 20.0, 30.0};
+  std::vector<AirHalfWidth> air_{one_, one_};
+};
+
+TEST_F(AirBudget, IsThePathAndWhatSurfacesSend) {
+  EXPECT_DOUBLE_EQ(one_.of(5.0), 0.1);
+  EXPECT_DOUBLE_EQ(one_.of(20.0), 0.1 + 0.05 + 0.1);
+  EXPECT_DOUBLE_EQ(one_.of(110.0), 0.1 + 0.5 + 0.2);  // no surface reflects more of the sky than a white one
+}
+
+TEST_F(AirBudget, LeavesTheRestToTheSampler) {
+  const AccuracyTolerance limits = tolerance(0.02);
+  std::vector<double> mean{60.0, 60.0}, limit(2);
+  limits.asked(mean, limit);
+  EXPECT_DOUBLE_EQ(limit[0], 1.2);
+  EXPECT_TRUE(std::isinf(limit[1]));
+  limits.limits(mean, limit);
+  EXPECT_DOUBLE_EQ(limit[0], 1.2 - one_.of(60.0));
+  EXPECT_TRUE(std::isinf(limit[1]));
+  // Where the air takes more than half, the sampler stops at half: no rays make up for the air.
+  tolerance(0.005).limits(mean, limit);
+  EXPECT_DOUBLE_EQ(limit[0], 0.15);
+}
+
+TEST_F(AirBudget, WidensIntervalsByTheWholeOfIt) {
+  const AccuracyTolerance limits = tolerance(0.02);
+  sampling::TileResult result = tile(60.0f, 0.6f);
+  widen(air_, &limits, result);
+  EXPECT_FLOAT_EQ(result.half_width[0], 0.6f + static_cast<float>(one_.of(60.0)));
+  EXPECT_FLOAT_EQ(result.half_width[1], result.half_width[0]);
+  EXPECT_FLOAT_EQ(result.worst_ratio[0], result.half_width[0] / 1.2f);
+  EXPECT_EQ(result.converged[0], 1);
+}
+
+// A mean that is off by the whole error of the air, always to the same side, stays in the interval; with the
+// air added as if it were one more independent error it would not.
+TEST_F(AirBudget, HoldsABiasThatNothingAveragesOut) {
+  const double bias = one_.of(60.0), statistical = 0.6;
+  sampling::TileResult result = tile(60.0f, static_cast<float>(statistical));
+  widen(air_, nullptr, result);
+  const double worst_luck = bias + statistical * 0.999;
+  EXPECT_GE(result.half_width[0], worst_luck);
+  EXPECT_LT(std::hypot(bias, statistical), worst_luck);
+}
+
+TEST_F(AirBudget, SaysWhereTheAirIsTooCoarse) {
+  const AccuracyTolerance limits = tolerance(0.005);
+  sampling::TileResult result = tile(60.0f, 0.14f);
+  widen(air_, &limits, result);
+  EXPECT_GT(result.worst_ratio[0], 1.0f);
+  EXPECT_EQ(result.converged[0], 0);
+  EXPECT_NEAR(limits.air_share(0, 60.0), one_.of(60.0) / 0.3, 1e-12);
+}
+
+TEST_F(AirBudget, WithoutErrorsNothingChanges) {
+  sampling::TileResult result = tile(60.0f, 0.6f);
+  widen({}, nullptr, result);
+  EXPECT_FLOAT_EQ(result.half_width[0], 0.6f);
+  sampling::TileResult single;
+  single.reset({0, 0, 1, 1}, 2, false);
+  widen(air_, nullptr, single);
+  EXPECT_TRUE(single.half_width.empty());
+}
+
+}  // namespace
+}  // namespace ifov::render

@@ -1,0 +1,104 @@
+// The atmosphere's own error is part of the intervals of an image, has a product of its own, and is told
+// beforehand.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "core/format.h"
+#include "core/run_control.h"
+#include "io/document/document.h"
+#include "session/session.h"
+
+namespace ifov::session {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Words final : public LogSink {
+ public:
+  void info(const std::string&) override {}
+  void warn(const std::string& message) override { text += message + "\n"; }
+  std::string text;
+};
+
+class AirErrorOfImages : public testing::Test {
+ protected:
+  AirErrorOfImages() : folder_(fs::temp_directory_path() / format("ifov_air_error_{}", getpid())) {
+    fs::create_directories(folder_);
+  }
+  ~AirErrorOfImages() override { fs::remove_all(folder_); }
+
+  io::Document document(const std::string& error, bool air = true) const {
+    return io::parse_document(
+        format(R"({{"ifov": 1, "scene": {{"materials": {{"soil": {{"reflectance": 0.2}}}},
+                   "objects": [{{"plane": {{}}, "material": "soil"}}]}},
+                   "light": {{"sun": {{"point": {{"zenith": "40 deg", "azimuth": "130 deg"}}}}}}, {}
+                   "sensor": {{"camera": {{"orthographic": {{"gsd": "1 m", "pixels": [4, 4]}}}},
+                     "channels": [{{"name": "blue", "gaussian": {{"center": "0.48 um", "fwhm": "20 nm"}}}},
+                                  {{"name": "nir", "gaussian": {{"center": "0.86 um", "fwhm": "20 nm"}}}}]}},
+                   "sampling": {{"accuracy": {{"error": "{}"}}}}}})",
+               air ? R"("atmosphere": {"profile": "US standard 1976"},)" : "", error),
+        (folder_ / "scene.json").string());
+  }
+  std::vector<float> cube(const std::string& name) const {
+    std::ifstream file(folder_ / "out" / ("image_" + name + ".img"), std::ios::binary);
+    std::vector<float> values(32, -1.0f);
+    file.read(reinterpret_cast<char*>(values.data()), 128);
+    return values;
+  }
+  RunSummary render(const io::Document& document, Words& words) const {
+    RunOptions options;
+    options.output_folder = folder_ / "out";
+    return Session::load(document, &words).render(options);
+  }
+  fs::path folder_;
+};
+
+TEST_F(AirErrorOfImages, IsInTheHalfWidthAndByItself) {
+  Words words;
+  const RunSummary summary = render(document("3 %"), words);
+  EXPECT_EQ(words.text, "");
+  EXPECT_EQ(summary.totals.pixels_converged, 16) << summary.accuracy_statement;
+  const std::vector<float> mean = cube("radiance"), half = cube("half_width"), air = cube("air_half_width"),
+                           standard = cube("standard_error");
+  for (std::size_t i = 0; i < half.size(); ++i) {
+    EXPECT_GT(air[i], 2e-4f * mean[i]);
+    EXPECT_LT(air[i], 1e-2f * mean[i]);
+    EXPECT_GE(half[i], air[i] + standard[i]);
+    EXPECT_LE(half[i], 0.03f * mean[i] * 1.0001f);
+  }
+  std::ifstream run(folder_ / "out" / "image_run.json");
+  const std::string text{std::istreambuf_iterator<char>(run), {}};
+  EXPECT_NE(text.find("air_half_width"), std::string::npos);
+}
+
+TEST_F(AirErrorOfImages, FinerThanTheAirIsToldBeforehandAndEnds) {
+  Words words;
+  const RunSummary summary = render(document("0.01 W m-2 sr-1 um-1"), words);
+  EXPECT_NE(words.text.find(
+                "the accuracy asked for is finer than the atmosphere is computed to: over a grey surface the "
+                "air's own numerical error is up to 0."),
+            std::string::npos)
+      << words.text;
+  EXPECT_NE(words.text.find(" W m-2 sr-1 um-1 in 'blue', 'nir'; pixels may miss it there however many rays are traced. "),
+            std::string::npos)
+      << words.text;
+  EXPECT_NE(words.text.find(" W m-2 sr-1 um-1 can be reached, or judge other channels"), std::string::npos)
+      << words.text;
+  EXPECT_EQ(summary.totals.pixels_converged, 0) << summary.accuracy_statement;
+  EXPECT_GT(summary.totals.worst_error_ratio, 1.0);
+}
+
+TEST_F(AirErrorOfImages, WithoutAModelledAtmosphereThereIsNone) {
+  Words words;
+  render(document("3 %", false), words);
+  EXPECT_FALSE(fs::exists(folder_ / "out" / "image_air_half_width.img"));
+}
+
+}  // namespace
+}  // namespace ifov::session

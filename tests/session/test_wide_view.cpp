@@ -1,0 +1,107 @@
+// Every pixel has the air of its own line of sight, and of the height that it ends at.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "core/format.h"
+#include "io/document/document.h"
+#include "session/parts.h"
+
+namespace ifov::session {
+namespace {
+
+namespace fs = std::filesystem;
+
+class WideView : public testing::Test {
+ protected:
+  WideView() : folder_(fs::temp_directory_path() / format("ifov_wide_{}", getpid())) {
+    fs::create_directories(folder_);
+  }
+  ~WideView() override { fs::remove_all(folder_); }
+
+  /// Black ground of 300 K: what is seen is the path, and its transmittance in the thermal channel.
+  io::Document document(const std::string& camera, const std::string& more = "") const {
+    return io::parse_document(
+        format(
+            R"({{"ifov": 1, "scene": {{"materials": {{"soot": {{"reflectance": 0.0, "temperature": "300 K"}}}},
+                   "objects": [{{"plane": {{}}, "material": "soot"}}{}]}},
+                   "light": {{"sun": {{"point": {{"zenith": "35 deg", "azimuth": "130 deg"}}}}}},
+                   "atmosphere": {{"profile": "mid-latitude summer"}},
+                   "sensor": {{"camera": {{{}}},
+                     "channels": [{{"name": "blue", "gaussian": {{"center": "0.45 um", "fwhm": "10 nm"}}}},
+                                  {{"name": "thermal", "gaussian": {{"center": "10.5 um", "fwhm": "500 nm"}}}}]}},
+                   "sampling": {{"grid": {{"elements": [1, 1]}}}}}})",
+            more, camera),
+        (folder_ / "scene.json").string());
+  }
+  /// By pixel and channel.
+  std::vector<float> image(const io::Document& document, int pixels) const {
+    RunOptions options;
+    options.output_folder = folder_ / "out";
+    Session::load(document, nullptr).render(options);
+    std::ifstream file(options.output_folder / "image_radiance.img", std::ios::binary);
+    std::vector<float> lines(2 * static_cast<std::size_t>(pixels) * pixels), values(lines.size());
+    file.read(reinterpret_cast<char*>(lines.data()), static_cast<std::streamsize>(4 * lines.size()));
+    for (int y = 0; y < pixels; ++y)
+      for (int c = 0; c < 2; ++c)
+        for (int x = 0; x < pixels; ++x)
+          values[2 * static_cast<std::size_t>(y * pixels + x) + c] =
+              lines[static_cast<std::size_t>((y * 2 + c) * pixels + x)];
+    return values;
+  }
+  fs::path folder_;
+};
+
+constexpr const char* kWide = R"("frame": {"focal_length": "10 mm", "pitch": "1 mm", "pixels": [11, 11],
+    "position": ["0 m", "0 m", "4 km"], "look_at": ["0 m", "0 m", "0 m"]})";
+
+// A narrow camera at the same place that looks where a pixel of the wide one does.
+TEST_F(WideView, APixelIsWhatACameraOfItsOwnSees) {
+  const std::vector<float> wide = image(document(kWide), 11);
+  const std::size_t middle = 5 * 11 + 5;
+  for (const auto& [x, y] : {std::pair{5, 5}, {0, 0}, {10, 2}, {3, 10}}) {
+    const double east = 400.0 * (x - 5), north = 400.0 * (5 - y);
+    const std::string narrow = format(
+        R"("frame": {{"focal_length": "10 m", "pitch": "1 mm", "pixels": [1, 1], "position": ["0 m", "0 m", "4 km"],
+           "look_at": ["{:.1f} m", "{:.1f} m", "0 m"]}})",
+        east, north);
+    const std::vector<float> own = image(document(narrow), 1);
+    const std::size_t pixel = static_cast<std::size_t>(y * 11 + x);
+    EXPECT_NEAR(wide[2 * pixel] / own[0], 1.0, 2e-3) << x << " " << y;
+    EXPECT_NEAR(wide[2 * pixel + 1] / own[1], 1.0, 5e-4) << x << " " << y;
+    // The planted fault: the line of sight of the middle.
+    if (x != 5) {
+      EXPECT_GT(std::abs(wide[2 * middle] / own[0] - 1.0), 0.02) << x << " " << y;
+    }
+  }
+}
+
+TEST_F(WideView, HighGroundHasLessAirBeforeIt) {
+  const char* mesa =
+      R"(, {"box": {"low": ["-50 m", "-50 m", "0 m"], "high": ["50 m", "50 m", "1500 m"]}, "material": "soot"})";
+  const char* above = R"("orthographic": {"gsd": "100 m", "pixels": [3, 3]})";
+  const std::vector<float> flat = image(document(above), 3), high = image(document(above, mesa), 3);
+  constexpr std::size_t kMiddle = 4, kCorner = 0;
+  EXPECT_NEAR(high[2 * kCorner] / flat[2 * kCorner], 1.0, 1e-6);
+  EXPECT_LT(high[2 * kMiddle], 0.85f * flat[2 * kMiddle]);
+  EXPECT_GT(high[2 * kMiddle], 0.4f * flat[2 * kMiddle]);
+  // Of 300 K seen through less air that is colder.
+  EXPECT_GT(high[2 * kMiddle + 1], 1.01f * flat[2 * kMiddle + 1]);
+}
+
+TEST_F(WideView, FlatGroundFromStraightAboveKeepsOneRow) {
+  const Session flat =
+      Session::load(document(R"("orthographic": {"gsd": "1 m", "pixels": [3, 3]})"), nullptr);
+  EXPECT_EQ(flat.parts().spectral_scene->view_table(), nullptr);
+  EXPECT_FALSE(flat.parts().spectral_scene->light_by_height());
+  const Session wide = Session::load(document(kWide), nullptr);
+  EXPECT_NE(wide.parts().spectral_scene->view_table(), nullptr);
+}
+
+}  // namespace
+}  // namespace ifov::session
