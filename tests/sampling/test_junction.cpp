@@ -38,7 +38,8 @@ TEST(Junction, SectorsExchangeWhatTheMotionOfTheirMeetingPointSweeps) {
     return sum;
   };
   const Point2 at{0.5, 0.4};
-  const double by_x = weighted_area({1.5, 0.4}) - weighted_area(at), by_y = weighted_area({0.5, 1.4}) - weighted_area(at);
+  const double by_x = weighted_area({1.5, 0.4}) - weighted_area(at),
+               by_y = weighted_area({0.5, 1.4}) - weighted_area(at);
   double squares = 0.0;
   for (int border = 0; border < 3; ++border) {
     const double step = radiance[border] - radiance[(border + 2) % 3];
@@ -68,10 +69,12 @@ struct SectorScene {
   double truth() const {
     double sum = 0.0;
     for (int i = 1; i < 3; ++i) {
-      const double from = direction[i], to = i == 2 ? direction[0] + 2.0 * std::numbers::pi : direction[i + 1];
+      const double from = direction[i],
+                   to = i == 2 ? direction[0] + 2.0 * std::numbers::pi : direction[i + 1];
       sampling::Polygon wedge;
       wedge.add(at);
-      for (const double a : {from, 0.5 * (from + to), to}) wedge.add({at.x + 9.0 * std::cos(a), at.y + 9.0 * std::sin(a)});
+      for (const double a : {from, 0.5 * (from + to), to})
+        wedge.add({at.x + 9.0 * std::cos(a), at.y + 9.0 * std::sin(a)});
       sum += i * polygon_in_rectangle(wedge, 1.0, 1.0, 2.0, 2.0);
     }
     return sum;
@@ -100,7 +103,8 @@ TEST(Junction, IsFoundByFewRays) {
     const Trials t = sectors(error, 200);
     EXPECT_LE(t.mean_samples(), most);
     EXPECT_GE(t.coverage(), 0.94);
-    const auto wide = std::count_if(t.half_width.begin(), t.half_width.end(), [&](double h) { return h > 1.00001 * error; });
+    const auto wide = std::count_if(t.half_width.begin(), t.half_width.end(),
+                                    [&](double h) { return h > 1.00001 * error; });
     EXPECT_LE(wide, 2);
     // Intervals that claim a third of theirs would not hold.
     int held = 0;

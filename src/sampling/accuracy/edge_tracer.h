@@ -41,8 +41,8 @@ class EdgeTracer {
   /// Marks the leaf at a point to be split where the model contradicts what was seen there; false where it
   /// agrees or cannot be refined further. The next settle() does the work.
   bool contradict(FocalPoint point, std::uint32_t label);
-  /// Whether what was seen at a point contradicts the model, where its curves may be off by the width to which they
-  /// are known and `slack_px` more.
+  /// Whether what was seen at a point contradicts the model, where its curves may be off by the width to
+  /// which they are known and `slack_px` more.
   bool disagrees(FocalPoint point, std::uint32_t label, double slack_px) const;
 
   /// Labels of further points, for seeds and probes.
@@ -55,7 +55,8 @@ class EdgeTracer {
   static constexpr std::uint32_t kNoLabel = ~std::uint32_t{0};
   std::uint32_t model_label(FocalPoint point) const { return label_in(cells_[leaf_at(point)], point); }
 
-  /// Label rays after which a pixel is clutter, one per pixel; at most AccuracyOptions::tracing_budget at first.
+  /// Label rays after which a pixel is clutter, one per pixel; at most AccuracyOptions::tracing_budget at
+  /// first.
   std::vector<std::uint32_t>& budget() { return budget_; }
 
   /// Leaves this pixel as it is: no further rays.

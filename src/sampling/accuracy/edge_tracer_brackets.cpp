@@ -11,7 +11,8 @@ namespace {
 constexpr double kThinShare = 0.5;
 /// First width of a bracket, in units of what the tolerance allows to a crossing of one side of its cell.
 constexpr double kFirstWidth = 0.3;
-/// A narrow feature is worth its rays where a misplaced bracket would cost this share of the allowed standard error.
+/// A narrow feature is worth its rays where a misplaced bracket would cost this share of the allowed standard
+/// error.
 constexpr double kThinWorth = 0.5;
 
 }  // namespace

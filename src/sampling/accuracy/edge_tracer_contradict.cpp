@@ -43,8 +43,8 @@ bool EdgeTracer::foreign(const Cell& cell, std::uint32_t label) const {
 
 /// Whether a contradiction is one that the intervals already allow for: beside a border, no farther than it
 /// is uncertain, or in a cell too small to matter.
-bool EdgeTracer::within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model,
-                                  std::uint32_t seen, double slack_px) const {
+bool EdgeTracer::within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model, std::uint32_t seen,
+                                  double slack_px) const {
   const double side = lattice_.side_px(cell.level);
   const double error = side * side * contrast_(cell.pixel, model, seen) / std::sqrt(12.0);
   if (error < kNegligible * std::sqrt(allowed_variance_[cell.pixel])) return true;
@@ -52,14 +52,14 @@ bool EdgeTracer::within_tolerance(const Cell& cell, FocalPoint point, std::uint3
   if (cell.kind != CellKind::chord) return false;
   const Curve& curve = curves_[cell.chord];
   if (seen != curve.inner && seen != curve.outer) return false;
-  const double width =
-      std::max({brackets_[curve.bracket[0]].width(), brackets_[curve.bracket[1]].width(),
-                2.0 * curve.middle_width, curve.leg_width}) +
-      slack_px;
+  const double width = std::max({brackets_[curve.bracket[0]].width(), brackets_[curve.bracket[1]].width(),
+                                 2.0 * curve.middle_width, curve.leg_width}) +
+                       slack_px;
   const Polygon region = inner_region(cell);
   const int first = curve.side[1] - curve.side[0] + 1;  // from the end of the curve back to its start
   for (int i = first; i < region.count; ++i) {
-    if (distance_to_segment({point.x_px, point.y_px}, region.vertex[i], region.vertex[(i + 1) % region.count]) <= width)
+    if (distance_to_segment({point.x_px, point.y_px}, region.vertex[i],
+                            region.vertex[(i + 1) % region.count]) <= width)
       return true;
   }
   return false;

@@ -155,8 +155,8 @@ bool EdgeTracer::narrow_corner(const Cell& cell) const {
   return false;
 }
 
-/// Width of the narrowest feature that a corner of the cell lies in, by the crossings on both sides along a lattice
-/// line; infinite where none is narrower than two cells.
+/// Width of the narrowest feature that a corner of the cell lies in, by the crossings on both sides along a
+/// lattice line; infinite where none is narrower than two cells.
 double EdgeTracer::feature_width(const Cell& cell) const {
   const std::int32_t side = Lattice::side(cell.level);
   double narrowest = INFINITY;

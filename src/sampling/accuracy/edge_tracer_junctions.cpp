@@ -8,7 +8,8 @@ namespace ifov::sampling {
 
 namespace {
 
-/// The rays that confirm a junction are this far from its borders at least and at most, as shares of the cell's side.
+/// The rays that confirm a junction are this far from its borders at least and at most, as shares of the
+/// cell's side.
 constexpr double kNearest = 1e-4, kFarthest = 0.2;
 /// Standard deviation of a junction about the middle of its crossings, in sides of the cell.
 constexpr double kAboutMiddle = 0.15;
@@ -69,19 +70,20 @@ void EdgeTracer::predict(JunctionCheck& check) {
     const double reach = length(d);
     if (!continued[i] || reach <= 2.0 * blur) continue;
     const double t = length(middle - check.crossing[i]) / reach;
-    lines[known++] = {check.crossing[i], (1.0 / reach) * d, blur * blur / 12.0 * (1.0 + 2.0 * t + 2.0 * t * t) + 1e-18};
+    lines[known++] = {check.crossing[i], (1.0 / reach) * d,
+                      blur * blur / 12.0 * (1.0 + 2.0 * t + 2.0 * t * t) + 1e-18};
   }
   const double about = kAboutMiddle * side;
-  check.at = junction.located ? junction.at : into_cell(cell, meeting_point(middle, about * about, lines, known));
+  check.at =
+      junction.located ? junction.at : into_cell(cell, meeting_point(middle, about * about, lines, known));
   check.tolerance = std::clamp(junction.wanted, kNearest * side, kFarthest * side);
   for (int i = 0; i < 3; ++i) {
     const Point2 leg = check.at - check.crossing[i], before = check.crossing[i] - beyond[i];
     const double reach = length(leg), sides = length(before) * (reach + length(before));
     const bool gentle = continued[i] && 0.25 * std::abs(cross(before, leg)) < kGentleLeg * sides;
     const double tolerance = leg_tolerance(junction, i, leg);
-    check.leg_tolerance[i] = (gentle && kUnverifiedLeg * reach <= junction.wanted) || tolerance > reach / 3.0
-                                 ? 0.0
-                                 : tolerance;
+    check.leg_tolerance[i] =
+        (gentle && kUnverifiedLeg * reach <= junction.wanted) || tolerance > reach / 3.0 ? 0.0 : tolerance;
   }
   check.aim();
   for (Point2& p : check.seen_in) p = into_cell(cell, p);
@@ -151,7 +153,8 @@ void EdgeTracer::weigh_answers(JunctionCheck& check, const std::vector<std::uint
       for (int j = 0; j < 3; ++j) offer(check.seen_in[j], seen[j]);
       const std::int32_t side = Lattice::side(cell.level);
       for (int j = 0; j < 4; ++j)
-        offer({lattice_.x_px(cell.x + kCornerX[j] * side), lattice_.y_px(cell.y + kCornerY[j] * side)}, cell.corner[j]);
+        offer({lattice_.x_px(cell.x + kCornerX[j] * side), lattice_.y_px(cell.y + kCornerY[j] * side)},
+              cell.corner[j]);
     }
     for (int j = 0; j < 3; ++j)
       if (std::find(check.sector, check.sector + 3, seen[j]) == check.sector + 3) return refuse(check);
@@ -215,8 +218,9 @@ void EdgeTracer::accept(JunctionCheck& check) {
   junction.at = check.at;
   junction.width = check.width;
   for (int i = 0; i < 3; ++i)
-    junction.leg_width[i] =
-        check.leg_tolerance[i] > 0.0 ? check.leg_tolerance[i] : kUnverifiedLeg * length(check.at - check.crossing[i]);
+    junction.leg_width[i] = check.leg_tolerance[i] > 0.0
+                                ? check.leg_tolerance[i]
+                                : kUnverifiedLeg * length(check.at - check.crossing[i]);
   junction.located = true;
   stir(cells_[check.cell].pixel);
 }
@@ -245,6 +249,5 @@ double EdgeTracer::border_variance(const Cell& cell, int border) const {
   const double moved = kJunctionClaim * junction.width;
   return (0.5 * swept * swept + lens * lens + exchanged_by_motion(crossing, border) * moved * moved) / 12.0;
 }
-
 
 }  // namespace ifov::sampling

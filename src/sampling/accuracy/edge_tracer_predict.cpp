@@ -12,10 +12,11 @@ namespace {
 constexpr double kUnverifiedWidth = 0.25;
 /// The same where both neighbours predict it: this and so many times the sagitta that they predict.
 constexpr double kAgreedWidth = 0.06, kBendWidth = 2.0;
-/// A curve in a narrow feature, or one whose neighbours are too near to tell its direction, may stay unverified where a
-/// corner in it would cost less than this share of the allowed standard error,
+/// A curve in a narrow feature, or one whose neighbours are too near to tell its direction, may stay
+/// unverified where a corner in it would cost less than this share of the allowed standard error,
 constexpr double kTrustedAnyway = 0.16;
-/// and the feature is so wide, in spacings of the lattice, that vertices show where it goes on, or matters little.
+/// and the feature is so wide, in spacings of the lattice, that vertices show where it goes on, or matters
+/// little.
 constexpr double kSeenWidth = 0.5;
 /// Only borders that go on, and gently so, may stay unverified: sagitta over chord, by either neighbour.
 constexpr double kGentleBend = 0.1;
@@ -95,7 +96,8 @@ void EdgeTracer::predict(CurveCheck& check) {
   const double hidden = kRefusedShare * check.chord * check.chord * contrast;
   const double bend = std::max(std::abs(curvature[0]), std::abs(curvature[1])) * check.chord / 8.0;
   const double unverified_width =
-      check.chord * (neighbours == 2 ? std::min(kUnverifiedWidth, kAgreedWidth + kBendWidth * bend) : kUnverifiedWidth);
+      check.chord *
+      (neighbours == 2 ? std::min(kUnverifiedWidth, kAgreedWidth + kBendWidth * bend) : kUnverifiedWidth);
   const double feature = feature_width(cell), spacing = lattice_.side_px(0);
   const bool cannot_hide = feature > kSeenWidth * spacing || feature * spacing * contrast < allowed;
   const bool trusted = (feature == INFINITY && neighbours > 0) ||

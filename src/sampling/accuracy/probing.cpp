@@ -30,7 +30,8 @@ std::vector<std::uint8_t> Prober::look(const std::vector<FocalPoint>& points, Pu
 }
 
 void Prober::follow_seeds(std::span<const FocalPoint> seeds, std::span<const std::uint32_t> objects) {
-  const std::vector<std::uint32_t> met = objects.empty() ? std::vector<std::uint32_t>{} : ledger_.objects_met();
+  const std::vector<std::uint32_t> met =
+      objects.empty() ? std::vector<std::uint32_t>{} : ledger_.objects_met();
   const PixelRect& domain = tracer_.lattice().domain();
   std::vector<FocalPoint> points;
   for (std::size_t i = 0; i < seeds.size(); ++i) {

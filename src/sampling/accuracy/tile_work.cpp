@@ -18,7 +18,8 @@ constexpr double kGeometryShareWithPaths = 0.15;
 constexpr double kLeastImportance = 0.02;
 /// Source pixels that weigh less than this are not probed.
 constexpr double kLeastProbed = 0.4;
-/// A footprint's outermost pixels, where they weigh less than this, need no others around them to be traced well enough.
+/// A footprint's outermost pixels, where they weigh less than this, need no others around them to be traced
+/// well enough.
 constexpr double kNegligibleRim = 1e-3;
 
 /// Pixels around those that the footprints reach.
