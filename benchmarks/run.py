@@ -12,7 +12,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
-from drivers import atmosphere, honesty, instances, micro, mitsuba, rami, speed, studies  # noqa: E402
+from drivers import atmosphere, honesty, instances, micro, mitsuba, rami, refine, speed, studies  # noqa: E402
 from drivers.figures import Context, show  # noqa: E402
 
 GROUPS = {
@@ -21,6 +21,7 @@ GROUPS = {
     "speed": speed.run,
     "studies": studies.run,
     "atmosphere": atmosphere.run,
+    "refine": refine.run,
     "rami": rami.run,
     "honesty": honesty.run,
     "mitsuba": mitsuba.run,

@@ -21,6 +21,7 @@ struct RenderArguments {
   std::string document, output, log, tiles, time_limit;
   int threads = 0;
   bool quiet = false, no_cache = false, resume = false, restart = false, no_state = false, dry_run = false;
+  bool keep = false, refine = false, anyway = false;
 };
 
 void print_forecast(const session::Forecast& forecast) {
@@ -75,6 +76,9 @@ ExitCode render(const RenderArguments& arguments) {
     options.progress = &console;
     options.log = &console;
     request.keep_tiles = !arguments.no_state;
+    request.keep_finished = arguments.keep;
+    request.refine = arguments.refine;
+    request.anyway = arguments.anyway;
     request.start = arguments.resume ? RunStart::resume : arguments.restart ? RunStart::restart : RunStart::fresh;
     if (cancel.cancelled()) throw Cancelled();
     if (arguments.dry_run) {
@@ -119,17 +123,29 @@ Command add_render_command(CLI::App& app) {
                                          "same, byte for byte. Where there is none, begin");
   CLI::Option* restart = parser->add_flag("--restart", arguments->restart,
                                           "Throw away what an unfinished run left in the output folder, and begin");
+  CLI::Option* keep = parser->add_flag("--keep", arguments->keep,
+                                       "Keep, beside the products, what --refine can go on from");
+  CLI::Option* refine = parser->add_flag("--refine", arguments->refine,
+                                         "Take the kept run in the output folder to the tighter accuracy that the document "
+                                         "asks for now; pays only for the difference");
   parser->add_flag("--no-state", arguments->no_state, "Do not keep finished tiles: a run that is stopped cannot go on")
       ->excludes(resume)
-      ->excludes(restart);
+      ->excludes(restart)
+      ->excludes(keep)
+      ->excludes(refine);
   resume->excludes(restart);
   parser->add_option("--time-limit", arguments->time_limit,
                      "Be done within this time (90s, 10min, 1.5h), products and all; pixels that were not reached hold "
                      "no value, and --resume goes on with them");
+  parser->add_flag("--anyway", arguments->anyway,
+                   "Begin also where memory or disk will not do, by what is known before the first ray");
   parser->add_flag("--dry-run", arguments->dry_run,
                    "Foretell rays, time, memory and disk from a few pieces of the image, and render nothing");
-  parser->add_option("--tiles", arguments->tiles,
-                     "Render one share of the tiles, such as 17/64, for 'ifov merge'; makes no products");
+  parser
+      ->add_option("--tiles", arguments->tiles,
+                   "Render one share of the tiles, such as 17/64, for 'ifov merge'; makes no products")
+      ->excludes(keep)
+      ->excludes(refine);
   parser->add_option("--log", arguments->log, "Write what happens to this file");
   parser->add_flag("--no-cache", arguments->no_cache,
                    "Read all files of the scene, and keep nothing of them beside the document");

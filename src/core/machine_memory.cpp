@@ -24,6 +24,8 @@ std::uint64_t kilobytes_in(const char* file, const std::string& name) {
 
 std::uint64_t peak_memory_bytes() { return kilobytes_in("/proc/self/status", "VmHWM:"); }
 
+std::uint64_t resident_memory_bytes() { return kilobytes_in("/proc/self/status", "VmRSS:"); }
+
 std::uint64_t memory_within_reach_bytes() {
   std::uint64_t most = kilobytes_in("/proc/meminfo", "MemAvailable:");
   if (most == 0) most = std::numeric_limits<std::uint64_t>::max() / 2;

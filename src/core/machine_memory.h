@@ -8,6 +8,9 @@ namespace ifov {
 /// say.
 std::uint64_t peak_memory_bytes();
 
+/// The memory that this process holds now (its resident set); 0 where the system does not say.
+std::uint64_t resident_memory_bytes();
+
 /// What this process may hold: what the machine has available beside what the process holds already, and no
 /// more than its limits (RLIMIT_AS, the control group's memory.max) allow.
 std::uint64_t memory_within_reach_bytes();

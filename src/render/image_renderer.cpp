@@ -76,11 +76,15 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     problem.seeds = tile_seeds.points;
     problem.seed_objects = tile_seeds.objects;
     problem.cancel = control.cancel;
+    problem.keep_memory = job.keep_memory;
+    sampling::TileResult before;
+    if (job.earlier != nullptr && job.earlier->read(index, before)) problem.before = &before;
 
     SceneField field(job.scene, job.camera, job.transport, job.label_detail);
     sampling::TileResult result;
     job.sampler.sample(problem, field, result);
     result.rays = field.counts();
+    result.rays += before.rays;
     field.blends().settle(result);
     widen(job.air, job.tolerance, result);
     sink.write(result);

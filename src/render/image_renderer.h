@@ -26,6 +26,8 @@ struct RenderJob {
   bool seed_objects = true;        ///< send a ray at each compact object smaller than a pixel
   std::vector<int> drivers{};      ///< channels that steer the sampler
   std::span<const AirHalfWidth> air{};  ///< by channel; empty: the air has no error that is known
+  bool keep_memory = false;        ///< tiles carry what a run at a tighter tolerance can go on from
+  EarlierTiles* earlier = nullptr; ///< tiles of a run at a looser tolerance, to go on from
 };
 
 /// How the work is done; the result does not depend on it.

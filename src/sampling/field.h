@@ -31,6 +31,12 @@ struct RayCounts {
   std::uint64_t shadow = 0;   ///< rays to the Sun, for labels and for radiance
   std::uint64_t bounce = 0;   ///< rays leaving surfaces
   std::uint64_t total() const { return primary + shadow + bounce; }
+  RayCounts& operator+=(const RayCounts& other) {
+    primary += other.primary;
+    shadow += other.shadow;
+    bounce += other.bounce;
+    return *this;
+  }
 };
 
 /// The picture on the focal plane as a sampler sees it: two batch queries, answered in order, whose answer to a

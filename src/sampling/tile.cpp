@@ -21,6 +21,7 @@ void TileResult::reset(PixelRect tile_pixels, int column_count, bool with_errors
   abundances.clear();
   halo_samples = seed_samples = probe_samples = 0;
   rays = {};
+  memory.clear();
 }
 
 }  // namespace ifov::sampling

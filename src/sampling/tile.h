@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,6 +20,8 @@ struct PixelRect {
   int count() const { return width() * height(); }
 };
 
+struct TileResult;
+
 /// All that a sampler may know about the tile it works on. Results depend on this alone.
 struct TileProblem {
   PixelRect tile;                         ///< the pixels whose results are wanted
@@ -32,6 +35,9 @@ struct TileProblem {
   std::span<const std::uint32_t> seed_objects;  ///< the object of each seed (Field::object_of), where any ray that
                                           ///< meets it finds all of it, or kNoObject; empty: of none
   const CancelToken* cancel = nullptr;    ///< throws ifov::Cancelled when set
+  bool keep_memory = false;               ///< fill TileResult::memory
+  const TileResult* before = nullptr;     ///< what an earlier run of the same problem left, with its memory, at a
+                                          ///< tolerance that is looser by a third at least
 };
 
 /// Share of a pixel's response that falls on one material, with the half-width of its interval.
@@ -61,7 +67,8 @@ struct TileResult {
   std::vector<Abundance> abundances;      ///< sorted by (pixel, material)
   std::uint64_t halo_samples = 0;         ///< points queried outside the tile's own pixels
   std::uint64_t seed_samples = 0, probe_samples = 0;  ///< of all points, by purpose
-  RayCounts rays;
+  RayCounts rays;                         ///< as Field::counts(): of this run alone; the other counts include `before`
+  std::vector<std::byte> memory;          ///< what a run at a tighter tolerance need not find out again; opaque
 
   void reset(PixelRect tile_pixels, int column_count, bool with_errors = true);
   bool has_errors() const { return !half_width.empty(); }
@@ -74,6 +81,8 @@ class PixelSampler {
   virtual void sample(const TileProblem& problem, Field& field, TileResult& result) const = 0;
   /// Pixels beyond the tile that the sampler looks at, besides the footprint's own half width.
   virtual int halo_px() const = 0;
+  /// Whether it can go on from an earlier run of the tile to a tighter tolerance (TileProblem::before).
+  virtual bool can_refine() const { return false; }
 };
 
 }  // namespace ifov::sampling

@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "core/machine_memory.h"
-#include "io/files/free_space.h"
 #include "io/run_state/run_state.h"
 #include "session/parts.h"
+#include "session/needs.h"
 #include "session/plan_assembly.h"
 
 namespace ifov::session {
@@ -109,21 +109,6 @@ Mean mean_cost(const std::vector<Probe>& probes, const Cost& cost) {
   return {mean, std::sqrt(squares) / std::max(sum, 1e-300)};
 }
 
-/// Beside what is in memory when the probes are done: the strips that wait to be written, and tiles on their
-/// way.
-std::uint64_t buffer_bytes(const io::RunPlan& plan) {
-  constexpr std::uint64_t kMostOfACube = std::uint64_t{192} << 20, kMostTiles = std::uint64_t{64} << 20,
-                          kOpenStrips = 2;
-  const auto of_cube = [&](std::uint64_t bands) {
-    const std::uint64_t strip = 4 * bands * static_cast<std::uint64_t>(plan.image.width_px) *
-                                static_cast<std::uint64_t>(std::min(plan.tile_px, plan.image.height_px));
-    return std::min(kMostOfACube + strip, kOpenStrips * strip);
-  };
-  const std::uint64_t channels = plan.image.channels.size(), materials = plan.image.materials.size();
-  return (plan.knows_errors ? 3 : 1) * of_cube(channels) + 2 * of_cube(3) + 2 * of_cube(materials) +
-         std::min(kMostTiles, io::state_bytes(plan));
-}
-
 }  // namespace
 
 Forecast forecast_run(const Session& session, const RunRequest& request) {
@@ -183,14 +168,7 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
   forecast.product_bytes = plan.share.is_whole() ? io::product_bytes(plan) : 0;
   forecast.disk_bytes = forecast.product_bytes + (request.keep_tiles ? io::state_bytes(plan) : 0);
   forecast.memory_bytes = peak_memory_bytes() + (plan.share.is_whole() ? buffer_bytes(plan) : 0);
-  const auto gb = [](std::uint64_t bytes) { return format("{:.3g} GB", static_cast<double>(bytes) / 1e9); };
-  if (const std::uint64_t free = io::free_bytes(folder); forecast.disk_bytes > free)
-    forecast.shortages.push_back(format("{}: the run takes {} of disk, {} are free", folder.string(),
-                                        gb(forecast.disk_bytes), gb(free)));
-  if (const std::uint64_t free = memory_within_reach_bytes(); forecast.memory_bytes > free)
-    forecast.shortages.push_back(
-        format("the run takes {} of memory, {} are there; fewer threads or smaller tiles take less",
-               gb(forecast.memory_bytes), gb(free)));
+  forecast.shortages = shortages(folder, forecast.disk_bytes, forecast.memory_bytes);
   return forecast;
 }
 

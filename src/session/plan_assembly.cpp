@@ -9,6 +9,20 @@
 #include "session/statements.h"
 
 namespace ifov::session {
+namespace {
+
+const char* name_of(render::ErrorUnit unit) {
+  switch (unit) {
+    case render::ErrorUnit::kelvin: return "K";
+    case render::ErrorUnit::radiance: return "radiance";
+    case render::ErrorUnit::percent: return "%";
+    case render::ErrorUnit::reflectance: return "reflectance";
+    case render::ErrorUnit::noise: break;
+  }
+  return "noise";
+}
+
+}  // namespace
 
 io::RunPlan assemble_plan(const Session::Parts& parts) {
   const io::Document& document = parts.document;
@@ -20,6 +34,10 @@ io::RunPlan assemble_plan(const Session::Parts& parts) {
   plan.identity.sampler = parts.plan.method;
   plan.identity.accuracy_asked = parts.plan.accuracy_asked;
   if (parts.tolerance) plan.identity.confidence = parts.tolerance->confidence();
+  if (parts.plan.request) {
+    plan.error = parts.plan.request->error;
+    plan.error_unit = name_of(parts.plan.request->unit);
+  }
   plan.build = build_id();
   plan.instruction_set = instruction_set();
   plan.files = io::stamp_scene_files(io::named_files(document),

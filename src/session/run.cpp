@@ -6,9 +6,12 @@
 
 #include "core/error.h"
 #include "io/products/part_file.h"
+#include "io/run_state/kept_run.h"
 #include "io/run_state/run_state.h"
+#include "session/needs.h"
 #include "session/parts.h"
 #include "session/plan_assembly.h"
+#include "session/refinement.h"
 #include "session/run_products.h"
 #include "session/time_limit.h"
 
@@ -69,9 +72,14 @@ class Run {
       : parts_(session.parts()),
         options_(request.options),
         deadline_(request.deadline),
+        anyway_(request.anyway),
         folder_(request.folder(session)),
         plan_(assemble_plan(parts_)) {
     plan_.share = request.share;
+    if (request.keep_finished) require_refinable(parts_);
+    plan_.keeps_memory = request.keep_finished;
+    if (request.refine) plan_refinement(folder_, parts_, plan_);
+    if (request.start == RunStart::resume) resume_refinement(folder_, plan_);
     if (!request.keep_tiles) return;
     state_.emplace(folder_, plan_, request.start, options_.log);
     plan_ = state_->plan();
@@ -125,10 +133,22 @@ class Run {
     return left;
   }
 
+  /// What is known before the first ray; space that earlier tiles take is taken already.
+  void require_room(std::size_t tiles_left) const {
+    std::uint64_t disk = (products_ ? io::product_bytes(plan_) : 0) + (state_ ? io::state_bytes(plan_) : 0);
+    disk = disk * tiles_left / tiles_.done.size();
+    const std::vector<std::string> lines =
+        shortages(folder_, disk, least_memory_bytes(plan_, options_.threads));
+    if (lines.empty()) return;
+    std::string message;
+    for (const std::string& line : lines) message += line + "\n";
+    throw EnvironmentError(message + "Nothing was begun. --anyway begins all the same; --dry-run says more.");
+  }
+
   void trace() {
     const std::vector<int> left = tiles_left();
     if (left.empty()) return;
-    if (state_) io::require_space(folder_, io::state_bytes(plan_) * left.size() / tiles_.done.size());
+    if (!anyway_) require_room(left.size());
     std::optional<TimeLimit::Clock::time_point> end = deadline_;
     if (end && products_)
       *end -= std::chrono::duration_cast<TimeLimit::Clock::duration>(std::chrono::duration<double>(
@@ -141,12 +161,24 @@ class Run {
     control.cancel = limit.token();
     control.progress = &progress;
     control.tile_order = left;
+    render::RenderJob job = parts_.job();
+    job.keep_memory = plan_.keeps_memory;
+    std::optional<io::KeptTiles> earlier;
+    if (plan_.base != 0) job.earlier = &open_kept(earlier);
     try {
-      render::render_image(parts_.job(), control, sink);
+      render::render_image(job, control, sink);
     } catch (const Cancelled&) {
       if (!limit.reached()) throw;
     }
     totals_ = progress.last();
+  }
+
+  io::KeptTiles& open_kept(std::optional<io::KeptTiles>& tiles) const {
+    const io::RunPlan kept = io::read_kept_plan(folder_);
+    if (kept.key() != plan_.base)
+      throw InputError(
+          format("{}: the run that is refined is not there any more. Render anew (--restart).", folder_.string()));
+    return tiles.emplace(folder_, kept, options_.log);
   }
 
   RunResult finish() {
@@ -164,13 +196,19 @@ class Run {
     }
     result.tiles_done = tiles_.count();
     result.tiles_left = left;
-    if (left == 0 && products_ && state_) state_->remove();
+    if (left == 0 && products_ && state_) {
+      if (plan_.keeps_memory)
+        state_->keep();
+      else
+        state_->remove();
+    }
     return result;
   }
 
   const Session::Parts& parts_;
   const RunOptions& options_;
   std::optional<TimeLimit::Clock::time_point> deadline_;
+  bool anyway_;
   std::filesystem::path folder_;
   io::RunPlan plan_;
   std::optional<io::RunState> state_;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "io/run_state/kept_run.h"
 #include "io/run_state/run_state.h"
 
 namespace ifov::session {
@@ -59,7 +60,9 @@ std::string describe_run(const std::filesystem::path& folder) {
   std::error_code ignored;
   if (std::filesystem::exists(io::plan_file(folder), ignored)) return describe_unfinished(folder);
   if (std::filesystem::exists(folder / "image_run.json", ignored))
-    return format("{}: complete; 'ifov info {}' describes it\n", folder.string(), folder.string());
+    return format("{}: complete{}; 'ifov info {}' describes it\n", folder.string(),
+                  std::filesystem::exists(io::kept_folder(folder), ignored) ? ", kept for --refine" : "",
+                  folder.string());
   throw InputError(
       format("'{}' holds no run: neither an unfinished one (run.part) nor a complete one (image_run.json)",
              folder.string()));

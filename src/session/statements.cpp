@@ -1,6 +1,7 @@
 #include "session/statements.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "session/air_statements.h"
 #include "session/weather_assembly.h"
@@ -69,22 +70,37 @@ std::vector<std::string> notes(const Session::Parts& parts) {
   return lines;
 }
 
+namespace {
+
+/// The leading bits of a float from 0 to 1 order it as the float does.
+constexpr int kDropped = 12;
+std::size_t step_of(float fraction) { return std::bit_cast<std::uint32_t>(std::clamp(fraction, 0.0f, 1.0f)) >> kDropped; }
+double fraction_of(std::size_t step) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(step) << kDropped);
+}
+
+}  // namespace
+
+DetectionTally::DetectionTally(render::TileSink& next) : next_(next), pixels_(step_of(1.0f) + 1, 0) {}
+
 void DetectionTally::write(const sampling::TileResult& tile) {
   {
     const std::scoped_lock lock(mutex_);
-    missable_.insert(missable_.end(), tile.missable_fraction.begin(), tile.missable_fraction.end());
+    for (const float fraction : tile.missable_fraction) ++pixels_[step_of(fraction)];
+    count_ += tile.missable_fraction.size();
   }
   next_.write(tile);
 }
 
 std::string DetectionTally::statement() const {
-  if (missable_.empty()) return {};
-  std::vector<float> sorted = missable_;
-  std::sort(sorted.begin(), sorted.end());
+  if (count_ == 0) return {};
+  std::size_t middle = 0, last = pixels_.size() - 1;
+  for (std::uint64_t below = pixels_[0]; below <= count_ / 2; below += pixels_[middle]) ++middle;
+  while (pixels_[last] == 0) --last;
   return format(
       "A compact feature that covers {:.2g} % of a pixel or more was found with a probability of at least 95 % in half "
       "of the pixels; in the least sampled pixel that holds from {:.2g} % on.",
-      100.0 * sorted[sorted.size() / 2], 100.0 * sorted.back());
+      100.0 * fraction_of(middle), 100.0 * fraction_of(last));
 }
 
 }  // namespace ifov::session

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -23,7 +24,7 @@ std::vector<std::string> notes(const Session::Parts& parts);
 /// Passes tiles on and keeps what is needed to say what could have been missed.
 class DetectionTally final : public render::TileSink {
  public:
-  explicit DetectionTally(render::TileSink& next) : next_(next) {}
+  explicit DetectionTally(render::TileSink& next);
   void begin(const render::ImageInfo& info) override { next_.begin(info); }
   void write(const sampling::TileResult& tile) override;
   std::string statement() const;
@@ -31,7 +32,8 @@ class DetectionTally final : public render::TileSink {
  private:
   render::TileSink& next_;
   std::mutex mutex_;
-  std::vector<float> missable_;
+  std::vector<std::uint64_t> pixels_;  ///< by missable fraction, in steps of 1/2048 of its size
+  std::uint64_t count_ = 0;
 };
 
 }  // namespace ifov::session

@@ -18,7 +18,8 @@ namespace {
 constexpr int kBadStride = 256;
 constexpr int kPadding = 16;
 
-constexpr std::size_t kMostSpares = 4;
+/// Two strips of a wide image, so that a new one need not drive out one that is nearly whole.
+constexpr std::size_t kRoomForTwo = std::size_t{512} << 20;
 
 constexpr std::size_t kHugePage = std::size_t{2} << 20;
 
@@ -89,6 +90,7 @@ BilCube::Strips::iterator BilCube::enter(sampling::PixelRect tile) {
 /// The strips that are to be written now.
 BilCube::Strips BilCube::leave(Strips::iterator strip, sampling::PixelRect tile) {
   const std::lock_guard lock(mutex_);
+  const std::size_t strip_bytes = strip->bytes;
   --strip->writers;
   strip->pixels += tile.count();
   strip->extents.emplace_back(tile.x0, tile.x1);
@@ -99,7 +101,7 @@ BilCube::Strips BilCube::leave(Strips::iterator strip, sampling::PixelRect tile)
   };
   if (strip->writers == 0 && strip->pixels == static_cast<std::int64_t>(width_) * tile.height()) take(strip);
   // Too many open strips: the fullest that nobody is at work in goes, whole or not.
-  while (buffered_bytes_ > buffer_limit_bytes_) {
+  while (buffered_bytes_ > buffer_limit(strip_bytes)) {
     auto fullest = strips_.end();
     for (auto s = strips_.begin(); s != strips_.end(); ++s)
       if (s->writers == 0 && (fullest == strips_.end() || s->pixels > fullest->pixels)) fullest = s;
@@ -107,6 +109,11 @@ BilCube::Strips BilCube::leave(Strips::iterator strip, sampling::PixelRect tile)
     take(fullest);
   }
   return ready;
+}
+
+/// One strip at least: pieces of a tile's width go out in thousands of small writes.
+std::size_t BilCube::buffer_limit(std::size_t strip_bytes) const {
+  return std::max({buffer_limit_bytes_, std::min(2 * strip_bytes, kRoomForTwo), strip_bytes});
 }
 
 BilCube::Buffer BilCube::new_buffer(std::size_t bytes) {
@@ -147,7 +154,8 @@ void BilCube::write_strip(Strip& strip) {
   const std::lock_guard lock(mutex_);
   if (spare_bytes_ != strip.bytes) spares_.clear();
   spare_bytes_ = strip.bytes;
-  if (spares_.size() < kMostSpares) spares_.push_back(std::move(strip.buffer));
+  if (buffered_bytes_ + (spares_.size() + 1) * spare_bytes_ <= buffer_limit(spare_bytes_))
+    spares_.push_back(std::move(strip.buffer));
 }
 
 void BilCube::write_segments(const Strip& strip, int x0, int x1) {

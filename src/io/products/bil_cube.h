@@ -16,8 +16,8 @@ namespace ifov::io {
 
 /// A band-interleaved-by-line cube of 4-byte values, filled tile by tile in any order, from any thread. Tiles
 /// side by side are gathered in memory into whole lines, which go out in one piece: a line of one band of one
-/// tile is only some dozen bytes. What waits is bounded; beyond it incomplete strips are written segment by
-/// segment.
+/// tile is only some dozen bytes. What waits is bounded (`buffer_limit_bytes`, or two strips up to 512 MiB, or
+/// one strip); beyond it incomplete strips are written segment by segment.
 class BilCube {
  public:
   enum class Values { real, integer };  ///< float or 32-bit unsigned
@@ -69,6 +69,7 @@ class BilCube {
   void write_strip(Strip& strip);
   void write_segments(const Strip& strip, int x0, int x1);
   Buffer new_buffer(std::size_t bytes);
+  std::size_t buffer_limit(std::size_t strip_bytes) const;
 
   int width_, height_, bands_;
   int stride_;  // of a row in memory

@@ -75,6 +75,7 @@ std::uint64_t RunPlan::key() const {
              image.width_px, image.height_px, tile_px, image.channels.size(), image.materials.size());
   for (const FileStamp& file : files)
     all += format("{} {} {} {}\n", file.path, file.bytes, file.hash[0], file.hash[1]);
+  all += format("{} {}\n", keeps_memory, base);
   all += identity.document_text;
   return XXH3_64bits(all.data(), all.size());
 }
@@ -95,6 +96,12 @@ std::vector<std::string> differences(const RunPlan& was, const RunPlan& is) {
                            is.identity.version));
   if (was.instruction_set != is.instruction_set)
     lines.push_back(format("the instruction set was {} and is {}", was.instruction_set, is.instruction_set));
+  if (was.base != is.base)
+    lines.push_back(was.base == 0 ? "the run was to begin from nothing and is to refine another"
+                    : is.base == 0 ? "the run was to refine another (--refine) and is to begin from nothing"
+                                   : "the run that is refined was another");
+  else if (was.keeps_memory != is.keeps_memory)
+    lines.push_back(was.keeps_memory ? "the run was to be kept (--keep)" : "the run was not to be kept and is (--keep)");
   const auto& a = was.image;
   const auto& b = is.image;
   if (lines.empty() && (a.width_px != b.width_px || a.height_px != b.height_px || was.tile_px != is.tile_px ||

@@ -10,7 +10,7 @@
 namespace ifov::io {
 namespace {
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 
 Json::Value count(std::uint64_t value) { return Json::Value(static_cast<Json::UInt64>(value)); }
 
@@ -105,6 +105,12 @@ Json::Value state_value(const RunPlan& plan) {
   v["accuracy"]["confidence"] = identity.confidence;
   v["accuracy"]["judged"] = plan.judged;
   v["accuracy"]["knows_errors"] = plan.knows_errors;
+  v["accuracy"]["error"] = plan.error;
+  v["accuracy"]["unit"] = plan.error_unit;
+  v["refining"]["keeps_memory"] = plan.keeps_memory;
+  v["refining"]["base"] = hex(plan.base);
+  v["refining"]["from"] = Json::arrayValue;
+  for (const std::string& accuracy : plan.refined_from) v["refining"]["from"].append(accuracy);
   v["tile_px"] = plan.tile_px;
   v["share"]["number"] = plan.share.number;
   v["share"]["count"] = plan.share.count;
@@ -141,6 +147,11 @@ RunPlan plan_of(const Json::Value& v) {
   plan.instruction_set = v["instruction_set"].asString();
   plan.judged = v["accuracy"]["judged"].asBool();
   plan.knows_errors = v["accuracy"]["knows_errors"].asBool();
+  plan.error = v["accuracy"]["error"].asDouble();
+  plan.error_unit = v["accuracy"]["unit"].asString();
+  plan.keeps_memory = v["refining"]["keeps_memory"].asBool();
+  plan.base = from_hex(v["refining"]["base"].asString());
+  for (const Json::Value& accuracy : v["refining"]["from"]) plan.refined_from.push_back(accuracy.asString());
   plan.tile_px = v["tile_px"].asInt();
   plan.share = {v["share"]["number"].asInt(), v["share"]["count"].asInt()};
   plan.image = image_of(v["image"]);

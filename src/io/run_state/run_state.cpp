@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "io/products/part_file.h"
+#include "io/run_state/kept_run.h"
 #include "io/run_state/tile_packs.h"
 
 namespace ifov::io {
@@ -166,9 +167,22 @@ void RunState::close() {
   if (store_) store_->close();
 }
 
+void RunState::keep() {
+  store_.reset();
+  const std::filesystem::path kept = kept_folder(path_.parent_path());
+  std::error_code error;
+  std::filesystem::remove_all(kept, error);
+  if (!error) std::filesystem::rename(path_, kept, error);
+  if (error)
+    throw EnvironmentError(format("{}: the finished tiles cannot be kept here: {}", kept.string(), error.message()));
+  std::filesystem::remove(kept / "lock", error);
+  lock_.reset();
+}
+
 void RunState::remove() {
   store_.reset();
   std::error_code ignored;
+  std::filesystem::remove_all(kept_folder(path_.parent_path()), ignored);
   std::filesystem::remove_all(path_ / "tiles", ignored);
   std::filesystem::remove(plan_file(path_.parent_path()), ignored);
   lock_.reset();

@@ -40,8 +40,10 @@ class RunState {
   void put(std::uint32_t index, const sampling::TileResult& tile);
   /// Returns when all tiles are on disk; no put() follows.
   void close();
-  /// Takes the folder away.
+  /// Takes the folder away, and what an earlier run has kept.
   void remove();
+  /// Leaves the tiles in kept_folder(), to be refined, in place of those of an earlier run.
+  void keep();
 
   /// As of the first start: the name of the document, for one, is the one given then.
   const RunPlan& plan() const { return plan_; }

@@ -10,7 +10,7 @@ namespace ifov::io {
 namespace {
 
 constexpr char kMagic[9] = "IFOVTILE";
-constexpr std::uint32_t kByteOrder = 0x01020304, kFormat = 1;
+constexpr std::uint32_t kByteOrder = 0x01020304, kFormat = 2;
 
 std::uint64_t hash_of_header(const TileHeader& header) {
   return XXH3_64bits(&header, offsetof(TileHeader, header_hash));
@@ -30,13 +30,14 @@ void for_each_array(Tile& tile, const Visit& visit) {
   visit(tile.missable_fraction);
   visit(tile.abundances);
   visit(tile.converged);
+  visit(tile.memory);
 }
 
 std::uint64_t payload_bytes_of(const TileHeader& header) {
   const auto pixels = static_cast<std::uint64_t>(header.rect().count());
   const std::uint64_t cells = pixels * static_cast<std::uint64_t>(header.columns);
   return 4 * cells * (header.has_errors != 0 ? 4 : 1) + pixels * (5 * 4 + 1) +
-         sizeof(sampling::Abundance) * std::uint64_t{header.abundances};
+         sizeof(sampling::Abundance) * std::uint64_t{header.abundances} + header.memory_bytes;
 }
 
 }  // namespace
@@ -64,6 +65,7 @@ std::vector<std::byte> encode_tile(const sampling::TileResult& tile, const TileS
       static_cast<std::uint32_t>(std::count(tile.converged.begin(), tile.converged.end(), std::uint8_t{1}));
   for (const float ratio : tile.worst_ratio) header.worst_ratio = std::max(header.worst_ratio, ratio);
   header.run = stamp.run;
+  header.memory_bytes = tile.memory.size();
 
   std::size_t bytes = sizeof header;
   for_each_array(tile, [&](const auto& array) { bytes += sizeof(array[0]) * array.size(); });
@@ -103,6 +105,7 @@ bool decode_tile(const TileHeader& header, std::span<const std::byte> payload, s
     return false;
   tile.reset(header.rect(), header.columns, header.has_errors != 0);
   tile.abundances.resize(header.abundances);
+  tile.memory.resize(header.memory_bytes);
   const std::byte* from = payload.data();
   for_each_array(tile, [&](auto& array) {
     const std::size_t size = sizeof(array[0]) * array.size();

@@ -28,12 +28,13 @@ struct TileHeader {
   std::uint32_t converged;  ///< pixels
   float worst_ratio;
   std::uint64_t run;  ///< which run the tile belongs to, RunPlan::key()
+  std::uint64_t memory_bytes;  ///< of what the sampler keeps for a tighter accuracy
   std::uint64_t payload_hash, header_hash;
 
   std::uint64_t record_bytes() const { return sizeof(TileHeader) + payload_bytes; }
   sampling::PixelRect rect() const { return {x0, y0, x1, y1}; }
 };
-static_assert(sizeof(TileHeader) == 152);
+static_assert(sizeof(TileHeader) == 160);
 
 /// What a tile's header says besides the tile.
 struct TileStamp {

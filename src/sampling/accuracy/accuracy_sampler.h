@@ -23,6 +23,9 @@ class AccuracySampler final : public PixelSampler {
   /// One pixel, so that the pixels beside a tile's rim are traced as they are in the neighbouring tile.
   int halo_px() const override { return 1; }
 
+  /// Rays that are drawn from the footprint leave nothing to go on from.
+  bool can_refine() const override { return options_.footprint_by_model; }
+
   const AccuracyOptions& options() const { return options_; }
 
  private:

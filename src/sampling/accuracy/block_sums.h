@@ -67,6 +67,16 @@ class BlockSums {
     return fourth > 0.0 ? std::min(blocks_, 3.0 * square * square / fourth) : blocks_;
   }
 
+  /// Writes the first `columns` of the sums to an archive, or reads them from it.
+  template <class Sums, class Archive>
+  static void pass(Sums& self, Archive& archive, std::size_t columns) {
+    archive(self.count_);
+    archive(self.blocks_);
+    if (self.count_ == 0.0) return;
+    if constexpr (Archive::kReads) self.sums_.assign(4 * self.stride_, 0.0);
+    for (std::size_t k = 0; k < 4; ++k) archive.array(&self.sums_[k * self.stride_], columns);
+  }
+
  private:
   std::size_t stride_;
   double count_ = 0.0, blocks_ = 0.0;

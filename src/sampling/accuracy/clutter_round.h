@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -44,6 +45,24 @@ class ClutterRound {
   void weigh(const PixelFootprint& footprint, Point2 centre, std::vector<double>& weights) const;
   /// Of values that weigh so; of values that weigh alike where none lies under the footprint.
   Moment moment(int column, std::span<const double> weights) const;
+
+  /// Writes what is known of the values, of each row the first `columns`, to an archive, or reads it from there into a
+  /// round of the same side.
+  template <class Round, class Archive>
+  static void pass(Round& self, Archive& archive, std::size_t columns) {
+    BlockSums::pass(self.sums_, archive, columns);
+    std::uint64_t materials = self.materials_.size();
+    archive(materials);
+    if constexpr (Archive::kReads) self.materials_.resize(std::min<std::uint64_t>(materials, self.count()));
+    for (auto& [material, hits] : self.materials_) {
+      archive(material);
+      archive(hits);
+    }
+    if (!self.keep_) return;
+    archive.list(self.points_);
+    if constexpr (Archive::kReads) self.values_.assign(self.points_.size() * self.stride_, 0.0f);
+    for (std::size_t k = 0; k < self.points_.size(); ++k) archive.array(&self.values_[k * self.stride_], columns);
+  }
 
   /// Values on each material.
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& materials() const { return materials_; }

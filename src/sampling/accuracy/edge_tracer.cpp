@@ -76,7 +76,7 @@ void EdgeTracer::value_new_labels() {
   std::vector<std::uint32_t> labels;
   const std::size_t stride = static_cast<std::size_t>(ledger_.field().stride());
   std::vector<float> values(requests.size() * stride);
-  ledger_.values(requests, labels, values);
+  ledger_.first_values(requests, labels, values);
   for (std::size_t i = 0; i < wanted.size(); ++i) table_.add(wanted[i], &values[i * stride]);
   first_seen_point_.resize(table_.size(), requests.back().point);
 }

@@ -42,7 +42,7 @@ void draw_from_footprint(const TileProblem& problem, Field& field, const Accurac
   result.reset(problem.tile, field.columns());
   const Lattice lattice(source_domain(problem, 0), 1);
   LabelTable table(field.columns());
-  RayLedger ledger(field, problem, lattice, table, faults);
+  RayLedger ledger(field, problem, lattice, table, faults, nullptr);
   const Stopping stopping(problem.tolerance->confidence());
   const std::size_t pixels = static_cast<std::size_t>(problem.tile.count());
 

@@ -10,6 +10,7 @@
 #include "sampling/accuracy/leaf_integrator.h"
 #include "sampling/accuracy/spread.h"
 #include "sampling/accuracy/stopping.h"
+#include "sampling/accuracy/tile_memory.h"
 
 namespace ifov::sampling {
 
@@ -91,6 +92,17 @@ class Radiance {
 
   std::vector<Pixel>& pixels() { return pixels_; }
   void add_pixel(int source, const LeafIntegrator& integrator);
+  /// Keeps what a later run may go on from; `predicted` values were expected of it as clutter.
+  void remember(const Pixel& pixel, double predicted, TileMemory& memory) const;
+  /// Takes up the values that an earlier run left of the pixel, where they still fit what is traced. False where some
+  /// do not: these are left out.
+  bool recall(std::size_t pixel, const TileMemory& memory);
+  /// Values that an earlier run has spent on a source pixel as clutter, and how many had been expected; 0 where it was
+  /// not.
+  struct ClutterBefore {
+    double values = 0.0, predicted = 0.0;
+  };
+  static ClutterBefore clutter_before(const TileMemory& memory, int source);
   /// Before any value is planned: follows what tracing has changed. False where pixels must be added anew.
   bool refresh(const LeafIntegrator& integrator);
 

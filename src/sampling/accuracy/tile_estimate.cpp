@@ -129,11 +129,13 @@ void TileWork::estimate() {
     std::vector<int> outputs;
     for (std::size_t o = 0; o < touched.size(); ++o)
       if (touched[o]) outputs.push_back(static_cast<int>(o));
+    for (std::size_t p = 0; p < radiance_->pixels().size(); ++p) recall_values(p);
     steering_.assign(problem_.drivers.begin(), problem_.drivers.end());
     do {
       while (plan_round(integrator, outputs)) radiance_->trace();
     } while (steer_by_more(integrator, outputs));
     finish(integrator, outputs);
+    if (problem_.keep_memory) remember_values();
   }
 }
 
@@ -147,7 +149,7 @@ bool TileWork::steer_by_more(const LeafIntegrator& integrator, const std::vector
   std::vector<double> limit(n);
   std::vector<int> more;
   for (int o : outputs) {
-    if (outputs_[o].look >= Stopping::kLooks) continue;
+    if (outputs_[o].look >= outputs_[o].last_look) continue;
     problem_.tolerance->limits(sums[o].mean, limit);
     double worst = 1.0 + 1e-6;
     int column = -1;
@@ -231,7 +233,10 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
   bool cluttered_start = false;
   for (std::size_t p = 0; p < radiance_->pixels().size(); ++p) {
     const Radiance::Pixel& pixel = radiance_->pixels()[p];
-    if (options_.clutter_switch && doubtful(pixel)) radiance_->turn_to_clutter(p);
+    if (options_.clutter_switch && doubtful(pixel)) {
+      radiance_->turn_to_clutter(p);
+      recall_values(p);
+    }
     if (pixel.cluttered && pixel.rounds.empty() && !pixel.model.outputs.empty()) {
       radiance_->plan_clutter(p, first_clutter(pixel));
       for (int o : pixel.model.outputs) outputs_[o].look = std::max(outputs_[o].look, kClutterLook);
@@ -282,7 +287,7 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
       double wanted = 0.0;
       for (std::size_t o = 0; o < model.outputs.size(); ++o) {
         const Output& output = outputs_[model.outputs[o]];
-        if (output.satisfied || output.look >= Stopping::kLooks) continue;
+        if (output.satisfied || output.look >= output.last_look) continue;
         const Sums& sum = sums[model.outputs[o]];
         for (std::size_t d = 0; d < n; ++d) {
           double weighted_deviation = 0.0;

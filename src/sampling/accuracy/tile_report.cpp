@@ -121,14 +121,15 @@ void TileWork::report() {
   float known_fraction = 1.0f;
   for (int p = 0; p < d.count(); ++p) {
     const int x = d.x0 + p % d.width(), y = d.y0 + p / d.width();
+    const std::uint32_t labels = ledger_.traced_labels(p), values = ledger_.traced_values(p);
     if (x < t.x0 || x >= t.x1 || y < t.y0 || y >= t.y1) {
-      result_.halo_samples += ledger_.spent(p);
+      result_.halo_samples += labels + values;
       continue;
     }
     const std::size_t o = static_cast<std::size_t>((y - t.y0) * t.width() + x - t.x0);
-    result_.label_rays[o] = ledger_.label_rays(p);
-    result_.radiance_evaluations[o] = ledger_.value_rays(p);
-    result_.samples[o] = ledger_.spent(p);
+    result_.label_rays[o] = labels;
+    result_.radiance_evaluations[o] = values;
+    result_.samples[o] = labels + values;
     const int looks = prober_.clean_rounds(p);
     const auto& clutter = clutter_rounds_[p];
     if (looks != known_looks || clutter.size() > 0) {
@@ -144,6 +145,8 @@ void TileWork::report() {
   result_.seed_samples = ledger_.seed_rays();
   result_.probe_samples = ledger_.probe_rays();
   result_.rays = ledger_.field().counts();
+  if (problem_.before != nullptr) add_counts_before();
+  if (problem_.keep_memory) keep_memory();
 }
 
 }  // namespace ifov::sampling

@@ -14,6 +14,9 @@ namespace {
 
 /// Share of the allowed variance that borders may take where paths vary as well.
 constexpr double kGeometryShareWithPaths = 0.15;
+/// The first run of a tile that is kept traces borders, and tells clutter, for an error this much smaller: rays that look
+/// beside a border are of no use where it is known better, nor are values of clutter in a pixel that is traced.
+constexpr double kForesight = 2.0;
 /// Source pixels that weigh less than this in every output are traced as if they weighed so much.
 constexpr double kLeastImportance = 0.02;
 /// Source pixels that weigh less than this are not probed.
@@ -45,6 +48,12 @@ double footprint_energy(const PixelFootprint& footprint) {
   return sum * 4.0 * h * h / (kSteps * kSteps);
 }
 
+std::optional<TileMemory> memory_of(const TileProblem& problem, int columns) {
+  if (problem.before != nullptr) return TileMemory(static_cast<std::size_t>(columns), problem.before->memory);
+  if (problem.keep_memory) return TileMemory(static_cast<std::size_t>(columns));
+  return std::nullopt;
+}
+
 }  // namespace
 
 TileWork::TileWork(const TileProblem& problem, Field& field, const AccuracyOptions& options,
@@ -56,7 +65,8 @@ TileWork::TileWork(const TileProblem& problem, Field& field, const AccuracyOptio
       stopping_(problem.tolerance->confidence()),
       lattice_(source_domain(problem, halo_of(*problem.footprint)), options.lattice),
       table_(columns_),
-      ledger_(field, problem, lattice_, table_, faults),
+      memory_(memory_of(problem, columns_)),
+      ledger_(field, problem, lattice_, table_, faults, memory_ ? &*memory_ : nullptr),
       contrast_(table_, problem.drivers, lattice_.domain().count()),
       tracer_(lattice_, ledger_, table_, contrast_, options, faults, problem.seed),
       prober_(tracer_, ledger_, options, problem.seed),
@@ -68,6 +78,11 @@ TileWork::TileWork(const TileProblem& problem, Field& field, const AccuracyOptio
       faults_(faults) {
   std::iota(all_columns_.begin(), all_columns_.end(), 0);
   result_.reset(problem.tile, columns_);
+  if (memory_)
+    for (std::size_t o = 0; o < memory_->looks_before().size() && o < outputs_.size(); ++o) {
+      outputs_[o].look = memory_->looks_before()[o];
+      outputs_[o].last_look += outputs_[o].look;
+    }
 }
 
 int TileWork::nearest_output(int source) const {
@@ -120,7 +135,7 @@ void TileWork::trace_lattice() {
         requests.push_back({{column.x_px, y_px}, extend(column.key, image_y, 0x766572), 0});
     }
     const std::size_t v = static_cast<std::size_t>(first) * row;
-    ledger_.values(requests, labels,
+    ledger_.first_values(requests, labels,
                    std::span<float>(lattice_values_.values).subspan(v * stride, requests.size() * stride));
     std::copy(labels.begin(), labels.end(), lattice_values_.labels.begin() + static_cast<std::ptrdiff_t>(v));
   }
@@ -195,6 +210,7 @@ void TileWork::set_limits() {
         for (std::size_t c = 0; c < columns; ++c)
           source_mean[p * columns + c] += w * lattice_values_.values[v * lattice_values_.stride + c];
       }
+  const double foresight = problem_.keep_memory && problem_.before == nullptr ? kForesight : 1.0;
   std::vector<double> mean(columns), limit(columns), allowed(outputs_.size() * problem_.drivers.size());
   for (int o = 0; o < problem_.tile.count(); ++o) {
     std::fill(mean.begin(), mean.end(), 0.0);
@@ -207,7 +223,7 @@ void TileWork::set_limits() {
       }
     problem_.tolerance->limits(mean, limit);
     for (std::size_t n = 0; n < problem_.drivers.size(); ++n)
-      allowed[o * problem_.drivers.size() + n] = limit[problem_.drivers[n]] / stopping_.normal();
+      allowed[o * problem_.drivers.size() + n] = limit[problem_.drivers[n]] / (stopping_.normal() * foresight);
   }
   for (int p = 0; p < d.count(); ++p)
     std::copy_n(&allowed[nearest_output(p) * problem_.drivers.size()], problem_.drivers.size(),
@@ -255,7 +271,7 @@ void TileWork::switch_clutter() {
     if (crossings == 0.0) continue;
     const double contrast = std::sqrt(squares / crossings), border_px = crossings / crossings_per_length(k);
     const double strata = stratified_cost(contrast, border_px);
-    if (kTracingCostPerCrossing * crossings > std::max(strata, kFewestStratified))
+    if (kTracingCostPerCrossing * crossings > std::max(clutter_to_come(p, strata), kFewestStratified))
       tracer_.abandon(static_cast<std::uint32_t>(p));
     predicted_[p] = static_cast<float>(strata);
     const double patience = kPatience * stratified_cost(contrast, std::max(border_px, kLeastBorder_px));

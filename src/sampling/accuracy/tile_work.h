@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "sampling/accuracy/edge_tracer.h"
@@ -10,6 +11,7 @@
 #include "sampling/accuracy/radiance.h"
 #include "sampling/accuracy/spread.h"
 #include "sampling/accuracy/stopping.h"
+#include "sampling/accuracy/tile_memory.h"
 #include "sampling/tile.h"
 
 namespace ifov::sampling {
@@ -36,7 +38,8 @@ class TileWork {
     void clear(std::size_t columns);
   };
   struct Output {
-    int look = 0;
+    int look = 0;       ///< those of an earlier run included
+    int last_look = Stopping::kLooks;
     bool satisfied = false;
     SmallVector<double, 2> limit;        ///< per steering column, as of the last look
     SmallVector<double, 2> path_budget;  ///< per steering column: variance that paths may leave
@@ -54,6 +57,11 @@ class TileWork {
   static std::uint32_t net_size(const Radiance::Stratum& stratum, double wanted, double room);
   double half_width(const Sums& sum, std::size_t column, int look) const;
   void finish(const LeafIntegrator& integrator, const std::vector<int>& outputs);
+  void recall_values(std::size_t pixel);
+  void remember_values();
+  double clutter_to_come(int source, double predicted) const;
+  void add_counts_before();
+  void keep_memory();
   double first_clutter(const Radiance::Pixel& pixel) const;
   double next_clutter(const Radiance::Pixel& pixel, double wanted) const;
   int nearest_output(int source) const;
@@ -66,6 +74,7 @@ class TileWork {
   Stopping stopping_;
   Lattice lattice_;
   LabelTable table_;
+  std::optional<TileMemory> memory_;  // of the run before, where there is one; for the next, where it is to be kept
   RayLedger ledger_;
   Contrast contrast_;
   EdgeTracer tracer_;

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/run_control.h"
+#include "io/run_state/run_plan.h"
+#include "render/tile_sink.h"
+
+namespace ifov::io {
+
+/// Where a finished run keeps its tiles, to be refined: the folder `run.kept` of its output folder.
+std::filesystem::path kept_folder(const std::filesystem::path& folder);
+
+/// The plan of the kept run. Throws EnvironmentError where it cannot be read.
+RunPlan read_kept_plan(const std::filesystem::path& folder);
+
+/// The tiles of a kept run, read one by one.
+class KeptTiles final : public render::EarlierTiles {
+ public:
+  /// Looks at the headers of all tiles. `log` may be null.
+  KeptTiles(const std::filesystem::path& folder, const RunPlan& plan, LogSink* log);
+
+  /// False where the tile is damaged, which the log is told.
+  bool read(std::size_t index, sampling::TileResult& tile) override;
+
+ private:
+  struct Place {
+    std::size_t pack = 0;
+    std::uint64_t offset = 0, bytes = 0;  // none: 0 bytes
+  };
+  std::uint64_t run_;
+  int columns_;
+  std::vector<sampling::PixelRect> grid_;
+  std::vector<std::filesystem::path> packs_;
+  std::vector<Place> places_;
+  LogSink* log_;
+};
+
+/// Whether two documents say the same but for the error that is asked for; comments and blanks do not count.
+bool differ_in_error_alone(const std::string& one, const std::string& other);
+
+}  // namespace ifov::io

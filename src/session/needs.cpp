@@ -1,0 +1,48 @@
+#include "session/needs.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "core/format.h"
+#include "core/machine_memory.h"
+#include "io/files/free_space.h"
+#include "io/run_state/run_state.h"
+
+namespace ifov::session {
+
+std::uint64_t buffer_bytes(const io::RunPlan& plan) {
+  constexpr std::uint64_t kMostTiles = std::uint64_t{64} << 20, kMostOpen = std::uint64_t{512} << 20, kOpenStrips = 2;
+  const auto of_cube = [&](std::uint64_t bands) {
+    const std::uint64_t strip = 4 * bands * static_cast<std::uint64_t>(plan.image.width_px) *
+                                static_cast<std::uint64_t>(std::min(plan.tile_px, plan.image.height_px));
+    return std::max(strip, std::min(kMostOpen, kOpenStrips * strip));
+  };
+  const std::uint64_t channels = plan.image.channels.size(), materials = plan.image.materials.size();
+  return (plan.knows_errors ? 3 : 1) * of_cube(channels) + 2 * of_cube(3) + 2 * of_cube(materials) +
+         std::min(kMostTiles, io::state_bytes(plan));
+}
+
+std::uint64_t least_memory_bytes(const io::RunPlan& plan, int threads) {
+  constexpr std::uint64_t kLatticeValues = 9;  // of a pixel, for samplers that follow an accuracy
+  const std::uint64_t workers = threads > 0 ? static_cast<std::uint64_t>(threads)
+                                            : std::max(1u, std::thread::hardware_concurrency());
+  const auto side = static_cast<std::uint64_t>(std::min(plan.tile_px, std::max(plan.image.width_px, plan.image.height_px)));
+  const std::uint64_t values = (plan.knows_errors ? 4 : 1) + (plan.judged ? kLatticeValues : 0);
+  return resident_memory_bytes() + (plan.share.is_whole() ? buffer_bytes(plan) : 0) +
+         workers * side * side * plan.image.channels.size() * values * sizeof(float);
+}
+
+std::vector<std::string> shortages(const std::filesystem::path& folder, std::uint64_t disk_bytes,
+                                   std::uint64_t memory_bytes) {
+  const auto gb = [](std::uint64_t bytes) { return format("{:.3g} GB", static_cast<double>(bytes) / 1e9); };
+  std::vector<std::string> lines;
+  if (const std::uint64_t free = io::free_bytes(folder); disk_bytes > free)
+    lines.push_back(
+        format("{}: the run takes {} of disk, {} are free", folder.string(), gb(disk_bytes), gb(free)));
+  if (const std::uint64_t free = memory_within_reach_bytes(); memory_bytes > free)
+    lines.push_back(format("the run takes {} of memory, {} are there; fewer threads or smaller tiles take less",
+                           gb(memory_bytes), gb(free)));
+  return lines;
+}
+
+}  // namespace ifov::session

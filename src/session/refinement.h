@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/run_start.h"
+#include "io/run_state/run_plan.h"
+#include "session/parts.h"
+
+namespace ifov::session {
+
+/// Makes the plan that of a run which takes the kept run in the folder to the plan's tighter accuracy. Throws
+/// InputError where there is none, where it differs in anything but the error asked for, and where that is
+/// not tighter by a quarter at least; then looks of both runs would be at nearly the same values, and their
+/// intervals could not count both.
+void plan_refinement(const std::filesystem::path& folder, const Session::Parts& parts, io::RunPlan& plan);
+
+/// An unfinished run that is resumed keeps its tiles, and refines another, if it was begun so.
+void resume_refinement(const std::filesystem::path& folder, io::RunPlan& plan);
+
+/// InputError where the document's sampling leaves nothing that --refine could go on from.
+void require_refinable(const Session::Parts& parts);
+
+}  // namespace ifov::session
