@@ -65,8 +65,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     const std::size_t index = control.tile_order.empty()
                                   ? static_cast<std::size_t>(position)
                                   : static_cast<std::size_t>(control.tile_order[static_cast<std::size_t>(position)]);
-    const std::vector<sampling::FocalPoint> tile_seeds =
-        seeds ? seeds->near(tiles[index], margin_px) : std::vector<sampling::FocalPoint>{};
+    const ObjectSeeds::Near tile_seeds = seeds ? seeds->near(tiles[index], margin_px) : ObjectSeeds::Near{};
     sampling::TileProblem problem;
     problem.tile = tiles[index];
     problem.image = {0, 0, width, height};
@@ -74,7 +73,8 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     problem.footprint = &job.footprint;
     problem.tolerance = job.tolerance;
     problem.drivers = drivers;
-    problem.seeds = tile_seeds;
+    problem.seeds = tile_seeds.points;
+    problem.seed_objects = tile_seeds.objects;
     problem.cancel = control.cancel;
     problem.keep_memory = job.keep_memory;
     sampling::TileResult before;
