@@ -4,6 +4,7 @@
 #   make demo     the same, render examples/demo.json, say where its pictures and report are
 #   make test     build and run every test
 #   make bench    build and run the benchmarks (BENCH="speed honesty": only these; BENCH_FLAGS=--long: the long versions)
+#   make sanitize build and run the C++ tests under sanitizers (SANITIZE=thread: for data races)
 #   make clean    remove what was built
 
 BUILD := build
@@ -34,7 +35,11 @@ bench: configure
 	@$(TOOLS) --target all benchmarks
 	@python3 benchmarks/run.py $(BUILD) $(BENCH_FLAGS) $(BENCH)
 
+SANITIZE := address
+sanitize: packages
+	@sh tools/sanitize.sh $(SANITIZE) $(TESTS)
+
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all packages configure program demo test bench clean
+.PHONY: all packages configure program demo test bench sanitize clean

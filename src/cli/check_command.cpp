@@ -17,6 +17,7 @@ struct CheckArguments {
 };
 
 std::string description_of(const std::string& file, bool no_cache, Console& console) {
+  console.begin("atmosphere");
   std::string text = session::Session::load(io::read_document(file), &console,
                                              {.scene_cache = !no_cache, .progress = &console})
                          .description();

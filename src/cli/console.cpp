@@ -54,14 +54,25 @@ void Console::report(const Progress& progress) {
   const Clock::time_point now = Clock::now();
   const bool last = progress.pixels_done >= progress.pixels_total;
   if (log_.is_open() && (last || now - last_logged_ >= kLogEvery)) {
-    log("progress", progress_line(progress, kLogWidth));
+    log("progress", what_ + progress_line(progress, kLogWidth));
     last_logged_ = now;
   }
   if (quiet_ || !on_terminal_ || (bar_shown_ && !last && now - last_drawn_ < kDrawEvery)) return;
-  std::fprintf(stderr, "\r\x1b[K%s", progress_line(progress, terminal_width()).c_str());
+  std::fprintf(stderr, "\r\x1b[K%s", line_of(progress).c_str());
   std::fflush(stderr);
   bar_shown_ = true;
   last_drawn_ = now;
+}
+
+std::string Console::line_of(const Progress& progress) const {
+  const int width = terminal_width(), left = width - static_cast<int>(what_.size());
+  return left > 0 ? what_ + progress_line(progress, left) : progress_line(progress, width);
+}
+
+void Console::begin(const std::string& what) {
+  const std::lock_guard lock(mutex_);
+  erase_bar();
+  what_ = what.empty() ? what : what + "  ";
 }
 
 void Console::finish() {

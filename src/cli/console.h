@@ -21,6 +21,8 @@ class Console final : public LogSink, public ProgressSink {
   void warn(const std::string& message) override;
   void report(const Progress& progress) override;
 
+  /// What is being worked on from now, in front of its progress; empty for the run itself.
+  void begin(const std::string& what);
   /// Takes the bar away, before other output.
   void finish();
 
@@ -28,10 +30,12 @@ class Console final : public LogSink, public ProgressSink {
   using Clock = std::chrono::steady_clock;
 
   void log(const char* level, const std::string& message);
+  std::string line_of(const Progress& progress) const;
   void erase_bar();
 
   std::mutex mutex_;
   std::ofstream log_;
+  std::string what_;
   bool quiet_ = false, on_terminal_ = false, bar_shown_ = false;
   Clock::time_point start_, last_drawn_, last_logged_;
 };

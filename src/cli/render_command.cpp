@@ -80,12 +80,14 @@ ExitCode render(const RenderArguments& arguments) {
   Console console(arguments.quiet, arguments.log);
   try {
     const io::Document document = io::read_document(arguments.document);
+    console.begin("atmosphere");  // the one thing that takes long enough to tell
     const session::LoadOptions load{.scene_cache = !arguments.no_cache,
                                     .threads = arguments.threads,
                                     .cancel = &cancel,
                                     .progress = &console};
     const session::Session session =
         team ? team->load(document, &console, load) : session::Session::load(document, &console, load);
+    console.begin("");
     session::RunRequest request;
     session::RunOptions& options = request.options;
     request.team = team ? &*team : nullptr;

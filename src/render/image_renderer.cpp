@@ -81,8 +81,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   Tally tally(pixels, control.progress);
   const auto render_tile = [&](std::size_t index) {
     if (control.cancel != nullptr && control.cancel->cancelled()) throw Cancelled();
-    const std::vector<sampling::FocalPoint> tile_seeds =
-        seeds ? seeds->near(tiles[index], margin_px) : std::vector<sampling::FocalPoint>{};
+    const ObjectSeeds::Near tile_seeds = seeds ? seeds->near(tiles[index], margin_px) : ObjectSeeds::Near{};
     sampling::TileProblem problem;
     problem.tile = tiles[index];
     problem.image = {0, 0, width, height};
@@ -90,7 +89,8 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     problem.footprint = &job.footprint;
     problem.tolerance = job.tolerance;
     problem.drivers = drivers;
-    problem.seeds = tile_seeds;
+    problem.seeds = tile_seeds.points;
+    problem.seed_objects = tile_seeds.objects;
     problem.cancel = control.cancel;
     problem.keep_memory = job.keep_memory;
     sampling::TileResult before;

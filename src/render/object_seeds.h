@@ -15,12 +15,20 @@ class ObjectSeeds {
  public:
   ObjectSeeds(const geometry::World& world, const sensor::Camera& camera, double margin_px);
 
+  struct Near {
+    std::vector<sampling::FocalPoint> points;
+    std::vector<std::uint32_t> objects;  ///< of each point; Field::kNoObject where it is long and thin
+  };
   /// Points within `margin_px` of a tile, in order of pixel and object.
-  std::vector<sampling::FocalPoint> near(sampling::PixelRect tile, double margin_px) const;
+  Near near(sampling::PixelRect tile, double margin_px) const;
   std::size_t count() const { return points_.size(); }
 
  private:
-  std::vector<sampling::FocalPoint> points_;  // sorted by row, then object
+  struct Seed {
+    sampling::FocalPoint point;
+    std::uint32_t object;
+  };
+  std::vector<Seed> points_;                  // sorted by row, then object
   std::vector<std::size_t> first_of_row_;     // rows from lowest_row_
   int lowest_row_ = 0;
 };

@@ -33,6 +33,13 @@ class SceneField final : public sampling::Field {
   /// By number in scene::TruthMaterials. Rays that met nothing stand on the material of the surroundings, the last
   /// of the scene; coverings that mix stand on none: BlendColumns::kNoMaterial.
   std::uint32_t material_of(sampling::Label label) const override;
+  /// The instance, where labels hold its whole number.
+  std::uint32_t object_of(sampling::Label label) const override {
+    const bool sky = SurfaceLabel::material_of(label) == SurfaceLabel::kSky;
+    return sky || scene_.scene().world->object_count() > SurfaceLabel::kMaximumInstances
+               ? kNoObject
+               : SurfaceLabel::instance_of(label);
+  }
   const BlendColumns& blends() const { return blends_; }
   sampling::RayCounts counts() const override { return counts_; }
 

@@ -36,7 +36,9 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Sensor
       light_(kLightRows, nodes_.node_count()),
       has_view_path_(true) {
   emit_surfaces();
-  const std::vector<double> ground = couple(air, air.sky_irradiance());
+  radiometry::SpectrumBlock emitted(1, node_count());
+  emit(scene.surroundings, emitted.row(0));
+  const std::vector<double> ground = couple(air, air.sky_irradiance(), emitted.values(0));
   const math::Vec3 towards_sun = scene.sun ? scene.sun->direction : math::Vec3{1.0, 0.0, 0.0};
   dome_.emplace(air, towards_sun, ground);
   if (!air.sights().single()) view_table_.emplace(air, towards_sun, ground);
@@ -57,19 +59,22 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Import
     sky_of_scene();
     for (std::size_t n = 0; n < node_count(); ++n) sky[n] = std::numbers::pi * light_.row(kSky)[n];
   }
-  couple(air, sky);
+  couple(air, sky, std::vector<float>(node_count(), 0.0f));
   light_surroundings();
 }
 
 template <class Air>
-std::vector<double> SpectralScene::couple(const Air& air, std::span<const double> sky_irradiance) {
+std::vector<double> SpectralScene::couple(const Air& air, std::span<const double> sky_irradiance,
+                                          std::span<const float> emitted) {
   const float* albedo = materials_.reflectance(scene_.surroundings.material);
   const double sine = scene_.sun ? std::max(0.0, scene_.sun->direction.z) : 0.0;
   std::vector<double> ground(node_count());
   for (std::size_t n = 0; n < node_count(); ++n) {
     const double direct = air.sun_irradiance()[n] * sine;
-    const double all = (direct + sky_irradiance[n]) / (1.0 - albedo[n] * air.spherical_albedo()[n]);
-    ground[n] = albedo[n] * all / std::numbers::pi;
+    const double back = air.spherical_albedo()[n];
+    const double all =
+        (direct + sky_irradiance[n] + std::numbers::pi * back * emitted[n]) / (1.0 - albedo[n] * back);
+    ground[n] = emitted[n] + albedo[n] * all / std::numbers::pi;
     light_.row(kSunIrradiance)[n] = static_cast<float>(air.sun_irradiance()[n]);
     light_.row(kSky)[n] = static_cast<float>((all - direct) / std::numbers::pi);
     light_.row(kViewTransmittance)[n] = static_cast<float>(air.view_transmittance()[n]);

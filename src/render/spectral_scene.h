@@ -73,9 +73,10 @@ class SpectralScene {
   void light_heights(const atmosphere::SensorAtmosphere& air);
   const float* between_heights(const radiometry::SpectrumBlock& rows, double height_m, float* scratch) const;
   void sky_of_scene();
-  /// Rows of Sun, sky and view path over ground as the scene's surroundings; returns that ground's reflected radiance.
+  /// Rows of Sun, sky and view path over ground as the scene's surroundings; returns that ground's radiance.
+  /// `emitted`: by that ground, where the air's own light does not hold what it scatters of it already.
   template <class Air>
-  std::vector<double> couple(const Air& air, std::span<const double> sky_irradiance);
+  std::vector<double> couple(const Air& air, std::span<const double> sky_irradiance, std::span<const float> emitted);
 
   enum LightRow { kSunIrradiance, kSky, kSurroundings, kViewTransmittance, kViewRadiance, kLightRows };
   const scene::Scene& scene_;

@@ -29,6 +29,8 @@ struct SurfaceLabel {
            static_cast<std::uint64_t>(sun);
   }
 
+  static constexpr std::uint32_t kMaximumInstances = 1u << 25;
+  static constexpr std::uint32_t instance_of(sampling::Label label) { return static_cast<std::uint32_t>(label >> 39); }
   static constexpr std::uint32_t material_of(sampling::Label label) {
     return static_cast<std::uint32_t>(label >> 3) & 0x7fffu;
   }

@@ -63,6 +63,10 @@ class Field {
   /// Index of the material a label stands on, for abundances.
   virtual std::uint32_t material_of(Label label) const = 0;
 
+  /// Number of the object that a label belongs to, as TileProblem::seed_objects counts them.
+  static constexpr std::uint32_t kNoObject = ~std::uint32_t{0};
+  virtual std::uint32_t object_of(Label) const { return kNoObject; }
+
   virtual RayCounts counts() const = 0;
 };
 

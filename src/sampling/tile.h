@@ -32,6 +32,8 @@ struct TileProblem {
   const Tolerance* tolerance = nullptr;   ///< null for samplers that follow no accuracy
   std::span<const int> drivers;           ///< columns that steer decisions (at most some dozens); all are reported
   std::span<const FocalPoint> seeds;      ///< projected centres of compact objects smaller than a pixel, tile and halo
+  std::span<const std::uint32_t> seed_objects;  ///< the object of each seed (Field::object_of), where any ray that
+                                          ///< meets it finds all of it, or kNoObject; empty: of none
   const CancelToken* cancel = nullptr;    ///< throws ifov::Cancelled when set
   bool keep_memory = false;               ///< fill TileResult::memory
   const TileResult* before = nullptr;     ///< what an earlier run of the same problem left, with its memory, at a

@@ -16,8 +16,8 @@ namespace {
 constexpr int kWidth_px = 64, kRim_px = 3, kFine = 32;
 constexpr double kSigma_px = 0.6, kCellsPerPx = 330.0 / (17.0 * 17.0), kDenseCellsPerPx = 12.0;
 constexpr const char* kPsf = "{\"gaussian\": {\"sigma\": \"0.6 px\"}}";
-/// A coarse lattice without probes: in clutter, edges are met everywhere.
-constexpr const char* kCoarse = ", \"lattice\": 2, \"probes\": 0";
+/// No probes: in clutter, edges are met everywhere.
+constexpr const char* kUnprobed = ", \"probes\": 0";
 
 ClutterResult judge(const std::string& what, const ImageStore& image, const std::vector<double>& truth,
                     double render_s) {
@@ -122,7 +122,6 @@ ClutterStudy run_clutter(const std::filesystem::path& folder, const StudyOptions
   const ClutterScene scene(kWidth_px, kCellsPerPx, options.seed);
   const Bench blurred(scene, kPsf, scene.blurred_truth(kSigma_px, kFine), folder, options);
   sampling::AccuracyOptions drawn;
-  drawn.lattice = 2;
   drawn.probes_per_side = 0;
   drawn.footprint_by_model = false;
   const sampling::AccuracySampler drawn_sampler(drawn);
@@ -130,7 +129,7 @@ ClutterStudy run_clutter(const std::filesystem::path& folder, const StudyOptions
     const std::string asked = radiance_of_error(error);
     study.psf_model.push_back(
         blurred.run(format("accuracy {} °C", error),
-                    accuracy_sampling(asked, std::string(kCoarse) + ", \"clutter\": false")));
+                    accuracy_sampling(asked, std::string(kUnprobed) + ", \"clutter\": false")));
     study.psf_drawn.push_back(blurred.run(format("accuracy {} °C, rays drawn from the PSF", error),
                                           accuracy_sampling(asked), &drawn_sampler));
   }

@@ -37,6 +37,16 @@ def rows(text):
     return found
 
 
+class Progress(unittest.TestCase):
+    def test_says_what_it_is_of(self):
+        with Folder(yard=YARD % AIR) as folder:
+            done = run("render", "yard.json", "--log", "run.log", cwd=folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            lines = [line for line in (folder / "run.log").read_text().splitlines() if " progress: " in line]
+            self.assertRegex(lines[0], r" progress: atmosphere  \[")
+            self.assertNotIn("atmosphere", lines[-1])
+
+
 class Table(unittest.TestCase):
     def test_a_row_for_each_channel(self):
         with Folder(yard=YARD % AIR) as folder:

@@ -18,6 +18,8 @@ from program import PROGRAM, Folder, run
 
 KILLER = pathlib.Path(os.environ.get("IFOV_BUILD", pathlib.Path(PROGRAM).parent)) / "tests" / "libkill_at_call.so"
 
+JUMPING_CLOCK = KILLER.with_name("libjumping_clock.so")
+
 # A long version is run with IFOV_KILLS=100.
 KILLS = int(os.environ.get("IFOV_KILLS", "20"))
 
@@ -154,6 +156,34 @@ class Runs(unittest.TestCase):
                 # How many packs there are depends on time: a run may end before its call comes.
                 self.assertIn(process.returncode, (0, -signal.SIGKILL), errors)
                 self.expect_resumed(folder)
+
+    def test_a_clock_that_jumps_confuses_neither_time_limit_nor_lock_nor_resume(self):
+        if not JUMPING_CLOCK.exists():
+            self.skipTest(f"{JUMPING_CLOCK} is not built")
+        jumping = {"LD_PRELOAD": str(JUMPING_CLOCK)}
+        with Folder(scene=SCENE) as folder:
+            process = start(folder, "--time-limit", "10min", **jumping)
+            errors = process.communicate()[1]
+            self.assertEqual(process.returncode, 0, errors)
+            self.expect_whole(folder / "scene.out")
+            record = json.loads((folder / "scene.out/image_run.json").read_text())
+            self.assertTrue(0.0 < record["cost"]["elapsed_s"] < 600.0, record["cost"])
+        with Folder(scene=SCENE) as folder:
+            process = start(folder, **jumping)
+            wait_for_tiles(folder / "scene.out")
+            process.kill()
+            process.communicate()
+            process = start(folder, "--resume", **jumping)
+            errors = process.communicate()[1]
+            self.assertEqual(process.returncode, 0, errors)
+            self.expect_whole(folder / "scene.out")
+        with Folder(scene=ENDLESS) as folder:
+            begin = time.monotonic()
+            process = start(folder, "--time-limit", "4s", **jumping)
+            process.communicate()
+            self.assertEqual(process.returncode, 4)
+            self.assertLess(time.monotonic() - begin, 30.0)
+            self.assertRegex(run("status", "scene.out", cwd=folder).stdout, r"so far +\d+ rays, \d+\.\d s")
 
     def test_a_word_on_the_lock_of_a_dead_process(self):
         with Folder(scene=SCENE) as folder:

@@ -27,7 +27,7 @@ void ChannelChecks::solve(const ColumnSolver& finer, std::size_t solution, KeptS
   const std::vector<double> asked = solution_question(finer.options(), geometry_, levels, optics);
   std::vector<double> answer(4);
   if (kept == nullptr || !kept->find(asked, answer)) {
-    const ColumnSolution solved = finer.solve(levels, optics, *geometry_.sun_zenith_rad);
+    const ColumnSolution solved = finer.solve(levels, optics, geometry_.any_sun_zenith_rad());
     const Propagation up{std::cos(geometry_.view_zenith_rad), geometry_.view_azimuth_rad - std::numbers::pi};
     answer = {solved.sunlit().path(up, geometry_.sensor_altitude_km).radiance().i,
               solved.sunlit().fluxes().at(levels.altitude_km.front()).diffuse_down,

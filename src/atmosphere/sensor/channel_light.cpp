@@ -12,18 +12,21 @@
 namespace ifov::atmosphere {
 namespace {
 
-void add_sunlight(const AtmosphereColumn& column, const LayerOptics& optics, const SensorGeometry& geometry,
-                  const ColumnSolver& solver, double irradiance, ChannelLight& light) {
+/// Light of the Sun, if there is any, and of the ground.
+void add_scattered(bool sunlit, const AtmosphereColumn& column, const LayerOptics& optics,
+                   const SensorGeometry& geometry, const ColumnSolver& solver, double irradiance,
+                   ChannelLight& light) {
   const double ground_km = column.levels().altitude_km.front(), mu = std::cos(geometry.view_zenith_rad);
-  const ColumnSolution solution = solver.solve(column.levels(), optics, *geometry.sun_zenith_rad);
+  const ColumnSolution solution = solver.solve(column.levels(), optics, geometry.any_sun_zenith_rad());
+  light.diffuse_transmittance = solution.diffuse_transmittance(mu, geometry.sensor_altitude_km).i;
+  light.spherical_albedo = solution.spherical_albedo();
+  if (!sunlit) return;
   light.sun = irradiance * solution.sun_transmittance(ground_km);
   light.path +=
       irradiance * solution.sunlit()
                        .path({mu, geometry.view_azimuth_rad - std::numbers::pi}, geometry.sensor_altitude_km)
                        .radiance()
                        .i;
-  light.diffuse_transmittance = solution.diffuse_transmittance(mu, geometry.sensor_altitude_km).i;
-  light.spherical_albedo = solution.spherical_albedo();
   light.sky_irradiance += irradiance * solution.sunlit().fluxes().at(ground_km).diffuse_down;
 }
 
@@ -77,8 +80,9 @@ std::vector<ChannelLight> solve_all_terms(const AtmosphereColumn& column, const 
                                                 optics.aerosol_scattering[i] + optics.aerosol_absorption[i]);
     }
     here.view = std::exp(-depth / std::cos(geometry.view_zenith_rad));
-    if (geometry.sun_zenith_rad && here.wavelength_um <= kLastSolar_um)
-      add_sunlight(column, optics, geometry, solver, part.irradiance, here);
+    const bool sunlit = geometry.sun_zenith_rad && here.wavelength_um <= kLastSolar_um;
+    if (sunlit || here.wavelength_um >= kFirstThermal_um)
+      add_scattered(sunlit, column, optics, geometry, solver, part.irradiance, here);
     if (here.wavelength_um >= kFirstThermal_um) add_emission(column, optics, geometry, here);
   });
   return light;

@@ -22,6 +22,8 @@ struct SensorGeometry {
   std::vector<SightLine> sights = {};
   std::vector<double> heights_km = {};
 
+  /// The Sun for a solution of which only what comes from the ground is wanted.
+  double any_sun_zenith_rad() const { return sun_zenith_rad.value_or(0.7); }
   /// The same without these.
   SensorGeometry alone() const {
     SensorGeometry geometry = *this;

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "atmosphere/column/light_limits.h"
+
 namespace ifov::atmosphere {
 namespace {
 
@@ -42,7 +44,7 @@ Place place(const std::vector<double>& nodes, double x) {
 
 std::vector<double> solution_question(const ScatteringOptions& options, const SensorGeometry& geometry,
                                       const Levels& levels, const LayerOptics& optics) {
-  std::vector<double> all{*geometry.sun_zenith_rad,
+  std::vector<double> all{geometry.any_sun_zenith_rad(),
                           geometry.view_zenith_rad,
                           geometry.view_azimuth_rad,
                           geometry.sensor_altitude_km,
@@ -65,7 +67,12 @@ std::vector<double> solution_question(const ScatteringOptions& options, const Se
 ChannelScattering::ChannelScattering(const AtmosphereColumn& column, const ChannelPoints& points,
                                      const SensorGeometry& geometry, const SkyDirections& directions,
                                      const ScatteringOptions& options)
-    : column_(column), points_(points), geometry_(geometry), directions_(directions), options_(options) {
+    : column_(column),
+      points_(points),
+      geometry_(geometry),
+      directions_(directions),
+      options_(options),
+      sunlit_(geometry.sun_zenith_rad && points.points.front().wavelength_um <= kLastSolar_um) {
   options_.most_sublayers = 1;  // light scattered once is exact in whole layers
   choose_nodes();
   for (std::size_t w = 0; w < log_wavelength_.size(); ++w)
@@ -247,7 +254,7 @@ void ChannelScattering::solve_sights(const ColumnSolution& solved, Node& node) c
 
 void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
   const double ground_km = column_.levels().altitude_km.front(), sensor_km = geometry_.sensor_altitude_km;
-  const ColumnSolution solved = solver.solve(column_.levels(), node.optics, *geometry_.sun_zenith_rad);
+  const ColumnSolution solved = solver.solve(column_.levels(), node.optics, geometry_.any_sun_zenith_rad());
   const PathLight path = solved.sunlit().path(towards_sensor(), sensor_km);
   const double sky_irradiance = solved.sunlit().fluxes().at(ground_km).diffuse_down;
   const double albedo = solved.spherical_albedo();
@@ -265,6 +272,12 @@ void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
   for (std::size_t z = 0; z < zeniths; ++z) {
     const double down = -std::cos(directions_.zenith_rad[z]);
     node.groundlit.push_back(std::max(0.0, solved.groundlit().sky({down, 0.0}, ground_km).radiance().i));
+    if (!sunlit_) {
+      node.sky.resize(node.sky.size() + azimuths, 0.0);
+      for (std::size_t a = 0; a < azimuths; ++a)
+        groundlit_sum += weights[z * azimuths + a] * node.groundlit.back();
+      continue;
+    }
     const SlantSource ring = solved.sunlit().along(down);
     for (std::size_t a = 0; a < azimuths; ++a) {
       node.sky.push_back(std::max(0.0, ring.sky(directions_.azimuth_rad[a], ground_km).radiance().i));
@@ -293,8 +306,9 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
   const double ground_km = column_.levels().altitude_km.front();
   for (std::size_t p = 0; p < count; ++p) {
     const ChannelPoints::Point& point = points_.points[p];
-    const ScatteringColumn column(column_.levels(), point.layers(), *geometry_.sun_zenith_rad, options_);
+    const ScatteringColumn column(column_.levels(), point.layers(), geometry_.any_sun_zenith_rad(), options_);
     const auto once = [&](const Propagation& up, double length_km) {
+      if (!sunlit_) return 0.0;
       return points_.irradiance[p] * single_scattering(column, options_.aerosol_polarization, up,
                                                        geometry_.sensor_altitude_km, length_km)
                                          .single.i;
@@ -329,7 +343,8 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
       return std::exp(sum);
     };
     result.path[p] = once(towards_sensor(), kEndless_km) * path_ratio([](const Node& n) { return n.path; });
-    result.sky_irradiance[p] = points_.sun[p] * ratio([](const Node& n) { return n.sky_irradiance; });
+    result.sky_irradiance[p] =
+        sunlit_ ? points_.sun[p] * ratio([](const Node& n) { return n.sky_irradiance; }) : 0.0;
     result.diffuse_transmittance[p] =
         points_.view[p] * ratio([](const Node& n) { return n.diffuse_transmittance; });
     result.spherical_albedo[p] = ratio([](const Node& n) { return n.spherical_albedo; });
@@ -344,7 +359,8 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
     }
     for (std::size_t h = 0; h < heights; ++h)
       result.sky_at_height[h][p] =
-          points_.sun_at_height[h][p] * ratio([h](const Node& n) { return n.sky_at_height[h]; });
+          sunlit_ ? points_.sun_at_height[h][p] * ratio([h](const Node& n) { return n.sky_at_height[h]; })
+                  : 0.0;
   }
   return result;
 }

@@ -14,10 +14,10 @@ namespace ifov::atmosphere {
 std::vector<double> solution_question(const ScatteringOptions& options, const SensorGeometry& geometry,
                                       const Levels& levels, const LayerOptics& optics);
 
-/// Sunlight that the air scatters, at all points of a channel, from a few full solutions: at one to four
-/// wavelengths across the channel, and up to six depths of gas. Light scattered once on the way to the sensor
-/// is exact at every point, and so are the direct beams; what is interpolated between the solutions are the
-/// ratios of everything else to them, which are smooth in wavelength and depth.
+/// Sunlight and light of the ground that the air scatters, at all points of a channel, from a few full
+/// solutions: at one to four wavelengths across the channel, and up to six depths of gas. Light scattered
+/// once on the way to the sensor is exact at every point, and so are the direct beams; what is interpolated
+/// between the solutions are the ratios of everything else to them, which are smooth in wavelength and depth.
 class ChannelScattering {
  public:
   /// Decides what is to be solved. Keeps references to the first four.
@@ -26,6 +26,8 @@ class ChannelScattering {
                     const ScatteringOptions& options);
 
   std::size_t solutions() const { return nodes_.size(); }
+  /// Whether there is sunlight; else only light of the ground is told.
+  bool sunlit() const { return sunlit_; }
   /// Solves one of them, or takes it from what is kept (may be null); different ones may be solved at the
   /// same time.
   void solve(const ColumnSolver& solver, std::size_t solution, KeptSolutions* kept = nullptr);
@@ -81,6 +83,7 @@ class ChannelScattering {
   const SensorGeometry& geometry_;
   const SkyDirections& directions_;
   ScatteringOptions options_;
+  bool sunlit_;
   std::vector<double> log_wavelength_, depth_;  // of the nodes, rising
   std::vector<Node> nodes_;                     // [wavelength][depth]
 };

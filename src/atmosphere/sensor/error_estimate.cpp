@@ -97,10 +97,15 @@ class Estimate {
     if (!given.checks) return;
     const ChannelChecks::Errors errors = given.checks->against(given.scattered);
     const ChannelPoints& points = given.points;
-    const double sine = std::cos(*question_.geometry.sun_zenith_rad);
-    std::vector<double> reflectance;
+    const double sine =
+        question_.geometry.sun_zenith_rad ? std::cos(*question_.geometry.sun_zenith_rad) : 0.0;
+    std::vector<double> reflectance, glow;
     for (const ChannelPoints::Point& point : points.points)
       reflectance.push_back(question_.ground.at(point.wavelength_um));
+    for (const ChannelPoints::Point& point : points.points)
+      glow.push_back(point.wavelength_um < kFirstThermal_um
+                         ? 0.0
+                         : radiometry::planck_w_m2_sr_um(point.wavelength_um, kGrey_k));
     const double ground = mean(points.share, reflectance);
     const double albedo = mean(points.share, given.scattered.spherical_albedo);
     const double scattered = mean(points.share, given.scattered.sky_irradiance);
@@ -110,7 +115,8 @@ class Estimate {
     const double groundlit = mean(points.share, given.scattered.diffuse_transmittance);
     errors_[channel].scattering = {
         errors.path * mean(points.share, given.scattered.path) +
-            errors.diffuse_transmittance * groundlit * ground * all * (1.0 + back) / std::numbers::pi,
+            errors.diffuse_transmittance * groundlit *
+                (ground * all * (1.0 + back) / std::numbers::pi + (1.0 - ground) * mean(points.share, glow)),
         errors.spherical_albedo * back, sky > 0.0 ? errors.sky_irradiance * scattered / sky : 0.0};
   }
 
@@ -149,7 +155,7 @@ class Estimate {
       for (std::size_t d = 0; d < radiance.size(); ++d)
         radiance[d] += mean(given.points.share, emitted.sky[d / azimuths]);
     }
-    if (given.scattering) {
+    if (given.scattering && given.scattering->sunlit()) {
       const ChannelPoints& points = given.points;
       std::size_t middle = 0;
       const auto light = [&](std::size_t p) { return points.share[p] * given.scattered.sky_irradiance[p]; };

@@ -53,7 +53,11 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
   };
   std::vector<Task> tasks;
   for (ChannelLights& lights : channels) {
-    if (!geometry_.sun_zenith_rad || lights.points.points.front().wavelength_um > kLastSolar_um) continue;
+    const ChannelPoints::Point &shortest = lights.points.points.front(),
+                               &longest = lights.points.points.back();
+    if (!(geometry_.sun_zenith_rad && shortest.wavelength_um <= kLastSolar_um) &&
+        longest.wavelength_um < kFirstThermal_um)
+      continue;
     lights.scattering.emplace(column, lights.points, geometry_, directions_, inputs.scattering);
     for (std::size_t k = 0; k < lights.scattering->solutions(); ++k) tasks.push_back({&lights, k, false});
     if (!finer) continue;

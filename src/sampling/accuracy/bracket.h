@@ -19,6 +19,7 @@ struct Bracket {
   Point2 start;               ///< the same, image px
   bool vertical = false;
   std::uint8_t level = 0;
+  std::uint32_t pixel = 0;   ///< of a cell beside it
   bool third_label = false;  ///< a label other than those of the two ends was met
   std::uint32_t first = 0, last = 0;
   double length_px = 0.0;

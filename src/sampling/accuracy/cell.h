@@ -12,6 +12,7 @@ enum class CellKind : std::uint8_t {
   uniform,    ///< four equal corners
   tentative,  ///< two labels and two crossings: a chord that has not been verified
   chord,      ///< a verified chord, with its curve
+  junction,   ///< three labels and three crossings: borders that meet at one point
   complex,    ///< more than a chord, small enough to be counted by its corners
   split,      ///< four children
 };
@@ -21,7 +22,7 @@ enum class CellKind : std::uint8_t {
 struct Cell {
   std::int32_t x = 0, y = 0;     ///< top left corner, fine units
   std::uint32_t children = 0;    ///< first of four, row by row
-  std::uint32_t chord = 0;       ///< index of its Curve, where it has one
+  std::uint32_t chord = 0;       ///< index of its Curve or Junction, where it has one
   std::uint32_t pixel = 0;       ///< index in the domain
   std::uint32_t corner[4] = {};  ///< labels
   std::uint8_t level = 0;

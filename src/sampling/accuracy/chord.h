@@ -15,6 +15,13 @@ inline double length(Point2 a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 inline double dot(Point2 a, Point2 b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
 
+inline double distance_to_segment(Point2 p, Point2 a, Point2 b) {
+  const Point2 to = p - a, d = b - a;
+  const double square = dot(d, d);
+  const double t = square > 0.0 ? std::clamp(dot(to, d) / square, 0.0, 1.0) : 0.0;
+  return length(to - t * d);
+}
+
 /// Sagitta above which an arc is not taken on trust, as a share of its chord.
 constexpr double kLargestSagitta = 0.22;
 

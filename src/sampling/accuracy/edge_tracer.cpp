@@ -33,10 +33,12 @@ void EdgeTracer::settle() {
     grow();
     sharpen();
     if (!new_cells_.empty()) continue;
-    if (tentative_.empty()) return;
+    if (tentative_.empty() && open_junctions_.empty()) return;
+    verify_junctions();
     verify();
   }
   grow();
+  verify_junctions();
   verify();
 }
 

@@ -11,6 +11,7 @@
 #include "sampling/accuracy/contrast.h"
 #include "sampling/accuracy/curve_check.h"
 #include "sampling/accuracy/flat_map.h"
+#include "sampling/accuracy/junction.h"
 #include "sampling/accuracy/lattice.h"
 #include "sampling/accuracy/options.h"
 #include "sampling/accuracy/ray_ledger.h"
@@ -40,8 +41,8 @@ class EdgeTracer {
   /// Marks the leaf at a point to be split where the model contradicts what was seen there; false where it
   /// agrees or cannot be refined further. The next settle() does the work.
   bool contradict(FocalPoint point, std::uint32_t label);
-  /// Whether what was seen at a point contradicts the model, where its curves may be off by the width to which they
-  /// are known and `slack_px` more.
+  /// Whether what was seen at a point contradicts the model, where its curves may be off by the width to
+  /// which they are known and `slack_px` more.
   bool disagrees(FocalPoint point, std::uint32_t label, double slack_px) const;
 
   /// Labels of further points, for seeds and probes.
@@ -54,7 +55,8 @@ class EdgeTracer {
   static constexpr std::uint32_t kNoLabel = ~std::uint32_t{0};
   std::uint32_t model_label(FocalPoint point) const { return label_in(cells_[leaf_at(point)], point); }
 
-  /// Label rays after which a pixel is clutter, one per pixel; at most AccuracyOptions::tracing_budget at first.
+  /// Label rays after which a pixel is clutter, one per pixel; at most AccuracyOptions::tracing_budget at
+  /// first.
   std::vector<std::uint32_t>& budget() { return budget_; }
 
   /// Leaves this pixel as it is: no further rays.
@@ -80,6 +82,7 @@ class EdgeTracer {
   const Lattice& lattice() const { return lattice_; }
   const std::vector<Cell>& cells() const { return cells_; }
   const Curve& curve_of(const Cell& cell) const { return curves_[cell.chord]; }
+  const Junction& junction_of(const Cell& cell) const { return junctions_[cell.chord]; }
   const Contrast& contrast() const { return contrast_; }
 
   /// The region of `inner` in a cell with a curve, as a polygon in image coordinates.
@@ -88,6 +91,11 @@ class EdgeTracer {
   /// Variance of the area of `inner` in px^4, from crossings, middle and legs; Curve::loose_area comes on
   /// top.
   double area_variance(const Cell& cell) const;
+
+  /// Sector i of a cell with a junction, likewise.
+  Polygon sector_region(const Cell& cell, int sector) const;
+  /// Variance of the area that the sectors on either side of a junction's border i may have exchanged, px^4.
+  double border_variance(const Cell& cell, int border) const;
 
  private:
   /// A position beside a side whose middle differs from its two ends: cells there must be smaller than
@@ -114,6 +122,7 @@ class EdgeTracer {
   void list_edge_cell(std::uint32_t cell);
   std::uint32_t vertex(std::int32_t x, std::int32_t y);
   std::uint32_t known_vertex(std::int32_t x, std::int32_t y) const;
+  std::uint32_t label_if_known(std::int32_t x, std::int32_t y) const;
   void trace_vertices();
   void notice_hanging_nodes();
   void split_beside_hanging_nodes();
@@ -123,6 +132,8 @@ class EdgeTracer {
   void classify(std::uint32_t cell, std::vector<std::uint32_t>& awaiting);
   void settle_complex(std::uint32_t cell);
   bool narrow_corner(const Cell& cell) const;
+  double feature_width(const Cell& cell) const;
+  void end_in(std::uint32_t bracket, std::uint32_t cell);
 
   // Crossings (edge_tracer_brackets.cpp)
   std::uint32_t bracket_on(const Cell& cell, int side);
@@ -138,6 +149,7 @@ class EdgeTracer {
   bool foreign(const Cell& cell, std::uint32_t label) const;
   bool within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model, std::uint32_t seen,
                         double slack_px) const;
+  bool beside_legs(const Cell& cell, FocalPoint point, std::uint32_t seen, double slack_px) const;
 
   // Verification (edge_tracer_predict.cpp, edge_tracer_verify.cpp)
   void verify();
@@ -146,7 +158,20 @@ class EdgeTracer {
   void refuse(CurveCheck& check);
   void accept(CurveCheck& check);
   bool may_leave_pixel(const CurveCheck& check, std::uint32_t pixel) const;
-  bool neighbour_end(const Curve& curve, int end, Point2& point) const;
+  bool neighbour_end(std::uint32_t bracket, std::uint32_t cell, Point2& point) const;
+
+  // Junctions (edge_tracer_junctions.cpp)
+  void make_junction(std::uint32_t cell, const int crossed[3]);
+  void crossings(const Junction& junction, Point2 crossing[3]) const;
+  Point2 into_cell(const Cell& cell, Point2 p) const;
+  void verify_junctions();
+  double leg_tolerance(const Junction& junction, int border, Point2 leg) const;
+  bool too_vague(const Junction& junction) const;
+  void predict(JunctionCheck& check);
+  void weigh_answers(JunctionCheck& check, const std::vector<std::uint32_t>& answers);
+  void check_legs(JunctionCheck& check);
+  void refuse(JunctionCheck& check);
+  void accept(JunctionCheck& check);
 
   // The model (edge_tracer_model.cpp)
   std::uint32_t label_in(const Cell& cell, FocalPoint point) const;
@@ -173,6 +198,7 @@ class EdgeTracer {
   void sharpen();
   void sharpen_pixel(std::uint32_t pixel);
   void collect_terms(std::uint32_t pixel);
+  void collect_junction_terms(std::uint32_t cell);
   double split_largest_loose(std::uint32_t pixel);
   void want_halvings(double target);
   void halve_brackets();
@@ -193,13 +219,14 @@ class EdgeTracer {
 
   std::vector<Cell> cells_;
   std::vector<Curve> curves_;
+  std::vector<Junction> junctions_;
   std::vector<Bracket> brackets_;
   FlatMap bracket_index_, vertex_index_;      // beyond the lattice's own
   std::vector<std::uint32_t> root_brackets_;  // by root_edge
   std::vector<std::uint32_t> root_vertices_;  // labels, (columns + 1) x (rows + 1)
   std::vector<std::uint32_t> fine_vertices_;  // labels of the others, in order of discovery
   std::vector<FocalPoint> pending_points_;    // fine vertices not traced yet
-  std::vector<std::uint32_t> new_cells_, tentative_, split_cells_;
+  std::vector<std::uint32_t> new_cells_, tentative_, open_junctions_, split_cells_;
   std::vector<HangingNode> hanging_;
   std::vector<double> allowed_variance_;
   std::vector<std::uint32_t> budget_;
@@ -218,6 +245,7 @@ class EdgeTracer {
   // Kept for their memory.
   std::vector<std::uint32_t> seen_, active_, level_, awaiting_;
   std::vector<CurveCheck> checks_;
+  std::vector<JunctionCheck> junction_checks_;
   std::vector<CrossingTerm> crossings_;
   std::vector<MiddleTerm> middles_;
   std::vector<LooseTerm> loose_;

@@ -10,7 +10,10 @@ namespace {
 /// Brackets are refined to this share of the distance to the vertex inside a narrow feature.
 constexpr double kThinShare = 0.5;
 /// First width of a bracket, in units of what the tolerance allows to a crossing of one side of its cell.
-constexpr double kFirstWidth = 1.6;
+constexpr double kFirstWidth = 0.3;
+/// A narrow feature is worth its rays where a misplaced bracket would cost this share of the allowed standard
+/// error.
+constexpr double kThinWorth = 0.5;
 
 }  // namespace
 
@@ -35,6 +38,7 @@ std::uint32_t EdgeTracer::bracket_on(const Cell& cell, int side_index) {
   b.start = {lattice_.x_px(x), lattice_.y_px(y)};
   b.vertical = vertical;
   b.level = cell.level;
+  b.pixel = cell.pixel;
   b.length_px = lattice_.side_px(cell.level);
   b.first = known_vertex(x, y);
   b.last = vertical ? known_vertex(x, y + side) : known_vertex(x + side, y);
@@ -42,7 +46,7 @@ std::uint32_t EdgeTracer::bracket_on(const Cell& cell, int side_index) {
   const double contrast = contrast_(cell.pixel, b.first, b.last);
   const double tolerable =
       kFirstWidth * std::sqrt(allowed_variance_[cell.pixel]) / (contrast * b.length_px + 1e-300);
-  b.lay_grid(std::max(options_.initial_bracket_px, std::min(tolerable, b.length_px / 4.0)), key,
+  b.lay_grid(std::max(options_.initial_bracket_px, std::min(tolerable, b.length_px)), key,
              !faults_.undithered_brackets);
 
   // A crossing located on a longer edge that this one is part of need not be searched again.
@@ -80,6 +84,8 @@ void EdgeTracer::locate() {
   // side.
   const auto thin = [&](const Bracket& b) {
     if (!b.wants_thin_refinement(options_.thinnest_px / 8.0, kThinShare)) return false;
+    const double error = b.width() * b.length_px * contrast_(b.pixel, b.first, b.last);
+    if (error < kThinWorth * std::sqrt(allowed_variance_[b.pixel])) return false;
     const std::int32_t step =
         b.centre() < 0.5 * b.length_px ? -Lattice::side(b.level) : Lattice::side(b.level);
     const std::int32_t x = b.vertical ? b.x : b.x + step, y = b.vertical ? b.y + step : b.y;

@@ -43,26 +43,36 @@ bool EdgeTracer::foreign(const Cell& cell, std::uint32_t label) const {
 
 /// Whether a contradiction is one that the intervals already allow for: beside a border, no farther than it
 /// is uncertain, or in a cell too small to matter.
-bool EdgeTracer::within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model,
-                                  std::uint32_t seen, double slack_px) const {
+bool EdgeTracer::within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model, std::uint32_t seen,
+                                  double slack_px) const {
   const double side = lattice_.side_px(cell.level);
   const double error = side * side * contrast_(cell.pixel, model, seen) / std::sqrt(12.0);
   if (error < kNegligible * std::sqrt(allowed_variance_[cell.pixel])) return true;
+  if (cell.kind == CellKind::junction) return beside_legs(cell, point, seen, slack_px);
   if (cell.kind != CellKind::chord) return false;
   const Curve& curve = curves_[cell.chord];
   if (seen != curve.inner && seen != curve.outer) return false;
-  const double width =
-      std::max({brackets_[curve.bracket[0]].width(), brackets_[curve.bracket[1]].width(),
-                2.0 * curve.middle_width, curve.leg_width}) +
-      slack_px;
+  const double width = std::max({brackets_[curve.bracket[0]].width(), brackets_[curve.bracket[1]].width(),
+                                 2.0 * curve.middle_width, curve.leg_width}) +
+                       slack_px;
   const Polygon region = inner_region(cell);
   const int first = curve.side[1] - curve.side[0] + 1;  // from the end of the curve back to its start
   for (int i = first; i < region.count; ++i) {
-    const Point2 p = region.vertex[i], d = region.vertex[(i + 1) % region.count] - p;
-    const Point2 to{point.x_px - p.x, point.y_px - p.y};
-    const double square = d.x * d.x + d.y * d.y;
-    const double t = square > 0.0 ? std::clamp((to.x * d.x + to.y * d.y) / square, 0.0, 1.0) : 0.0;
-    if (length(to - t * d) <= width) return true;
+    if (distance_to_segment({point.x_px, point.y_px}, region.vertex[i],
+                            region.vertex[(i + 1) % region.count]) <= width)
+      return true;
+  }
+  return false;
+}
+
+bool EdgeTracer::beside_legs(const Cell& cell, FocalPoint point, std::uint32_t seen, double slack_px) const {
+  const Junction& junction = junctions_[cell.chord];
+  if (std::find(junction.sector, junction.sector + 3, seen) == junction.sector + 3) return false;
+  const Point2 p{point.x_px, point.y_px};
+  for (int i = 0; i < 3; ++i) {
+    const double blur = brackets_[junction.bracket[i]].width();
+    const double width = std::max({blur, 2.0 * junction.width, 2.0 * junction.leg_width[i]}) + slack_px;
+    if (distance_to_segment(p, end_point(junction.bracket[i]), junction.at) <= width) return true;
   }
   return false;
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -31,6 +32,18 @@ void EdgeTracer::grow() {
     std::iota(active_.begin(), active_.end(), static_cast<std::uint32_t>(first_bracket));
     locate();
     for (std::uint32_t index : awaiting) {
+      if (cells_[index].kind == CellKind::junction) {
+        const Junction& junction = junctions_[cells_[index].chord];
+        if (std::any_of(junction.bracket, junction.bracket + 3,
+                        [&](std::uint32_t b) { return brackets_[b].third_label; })) {
+          suspect_[cells_[index].pixel] = 1;
+          settle_complex(index);
+        } else {
+          stir(cells_[index].pixel);
+          open_junctions_.push_back(index);
+        }
+        continue;
+      }
       const Curve& curve = curves_[cells_[index].chord];
       if (brackets_[curve.bracket[0]].third_label || brackets_[curve.bracket[1]].third_label) {
         suspect_[cells_[index].pixel] = 1;
@@ -72,6 +85,11 @@ void EdgeTracer::classify(std::uint32_t index, std::vector<std::uint32_t>& await
   const double area = lattice_.side_px(cell.level) * lattice_.side_px(cell.level);
   const double error = kUniformSpread * area * contrast_.among(cell.pixel, cell.corner);
   const bool negligible = error < 0.1 * kLooseCell * std::sqrt(allowed_variance_[cell.pixel]);
+  if (!two_labels && crossings == 3 && error > kLooseCell * std::sqrt(allowed_variance_[cell.pixel])) {
+    make_junction(index, crossed);
+    awaiting.push_back(index);
+    return;
+  }
   if (!two_labels || crossings != 2 || (negligible && !narrow_corner(cell))) {
     // Two things that look alike, met side by side: another may lie between them and show at no corner.
     if ((two_labels && crossings == 4) || (negligible && cell.level == 0)) suspect_[cell.pixel] = 1;
@@ -85,13 +103,18 @@ void EdgeTracer::classify(std::uint32_t index, std::vector<std::uint32_t>& await
   curve.outer = cell.corner[crossed[0]];
   for (int t = 0; t < 2; ++t) {
     curve.bracket[t] = bracket_on(cell, crossed[t]);
-    std::uint32_t* cells = brackets_[curve.bracket[t]].cells;
-    const bool first_is_dead = cells[0] == 0 || cells_[cells[0] - 1].kind == CellKind::split;
-    cells[first_is_dead ? 0 : 1] = index + 1;
+    end_in(curve.bracket[t], index);
   }
   cells_[index].chord = static_cast<std::uint32_t>(curves_.size());
   curves_.push_back(curve);
   awaiting.push_back(index);
+}
+
+/// Notes that a border which crosses this bracket goes on in the cell.
+void EdgeTracer::end_in(std::uint32_t bracket, std::uint32_t index) {
+  std::uint32_t* cells = brackets_[bracket].cells;
+  const bool first_is_dead = cells[0] == 0 || cells_[cells[0] - 1].kind == CellKind::split;
+  cells[first_is_dead ? 0 : 1] = index + 1;
 }
 
 void EdgeTracer::settle_complex(std::uint32_t index) {
@@ -107,6 +130,15 @@ void EdgeTracer::settle_complex(std::uint32_t index) {
     split(index);
 }
 
+/// The label of a vertex, where it is known.
+std::uint32_t EdgeTracer::label_if_known(std::int32_t x, std::int32_t y) const {
+  constexpr std::int32_t kRoot = Lattice::side(0);
+  if (x < 0 || y < 0 || x > lattice_.width() || y > lattice_.height()) return kNoLabel;
+  const bool root = x % kRoot == 0 && y % kRoot == 0;
+  if (!root && vertex_index_.find(Lattice::vertex_key(x, y)) == FlatMap::kAbsent) return kNoLabel;
+  return known_vertex(x, y);
+}
+
 /// Whether some corner of the cell lies in a feature no wider than two cells: the next vertices of the same
 /// spacing, on both sides along a lattice line, are known and unlike it.
 bool EdgeTracer::narrow_corner(const Cell& cell) const {
@@ -114,16 +146,42 @@ bool EdgeTracer::narrow_corner(const Cell& cell) const {
   for (int i = 0; i < 4; ++i) {
     const std::int32_t x = cell.x + kCornerX[i] * side, y = cell.y + kCornerY[i] * side;
     const auto unlike = [&](std::int32_t nx, std::int32_t ny) {
-      if (nx < 0 || ny < 0 || nx > lattice_.width() || ny > lattice_.height()) return false;
-      constexpr std::int32_t kRoot = Lattice::side(0);
-      const bool root = nx % kRoot == 0 && ny % kRoot == 0;
-      if (!root && vertex_index_.find(Lattice::vertex_key(nx, ny)) == FlatMap::kAbsent) return false;
-      return known_vertex(nx, ny) != cell.corner[i];
+      const std::uint32_t label = label_if_known(nx, ny);
+      return label != kNoLabel && label != cell.corner[i];
     };
     if ((unlike(x - side, y) && unlike(x + side, y)) || (unlike(x, y - side) && unlike(x, y + side)))
       return true;
   }
   return false;
+}
+
+/// Width of the narrowest feature that a corner of the cell lies in, by the crossings on both sides along a
+/// lattice line; infinite where none is narrower than two cells.
+double EdgeTracer::feature_width(const Cell& cell) const {
+  const std::int32_t side = Lattice::side(cell.level);
+  double narrowest = INFINITY;
+  for (int i = 0; i < 4; ++i) {
+    const std::int32_t x = cell.x + kCornerX[i] * side, y = cell.y + kCornerY[i] * side;
+    for (const bool vertical : {false, true}) {
+      double width = 0.0;
+      for (const int way : {-1, 1}) {
+        const std::int32_t step = way * side;
+        const std::uint32_t label = label_if_known(vertical ? x : x + step, vertical ? y + step : y);
+        if (label == kNoLabel || label == cell.corner[i]) {
+          width = INFINITY;
+          break;
+        }
+        const std::int32_t back = way < 0 ? step : 0;
+        const std::uint32_t bracket =
+            known_bracket(vertical ? x : x + back, vertical ? y + back : y, vertical, cell.level);
+        if (bracket == FlatMap::kAbsent) continue;
+        const Bracket& b = brackets_[bracket];
+        width += way < 0 ? b.length_px - b.centre() : b.centre();
+      }
+      narrowest = std::min(narrowest, width);
+    }
+  }
+  return narrowest;
 }
 
 }  // namespace ifov::sampling

@@ -14,11 +14,15 @@ CurveEnds EdgeTracer::ends(const Curve& curve) const {
   return {end_point(curve.bracket[0]), end_point(curve.bracket[1])};
 }
 
-bool EdgeTracer::neighbour_end(const Curve& curve, int end, Point2& point) const {
-  const std::uint32_t shared = curve.bracket[end];
+/// Where the border that leaves a cell through a bracket ends in the cell beyond.
+bool EdgeTracer::neighbour_end(std::uint32_t shared, std::uint32_t from, Point2& point) const {
   for (std::uint32_t entry : brackets_[shared].cells) {
-    if (entry == 0 || entry - 1 == curve.cell) continue;
+    if (entry == 0 || entry - 1 == from) continue;
     const Cell& cell = cells_[entry - 1];
+    if (cell.kind == CellKind::junction && junctions_[cell.chord].located) {
+      point = junctions_[cell.chord].at;
+      return true;
+    }
     if (cell.kind != CellKind::tentative && cell.kind != CellKind::chord) continue;
     const Curve& next = curves_[cell.chord];
     point = end_point(next.bracket[next.bracket[0] == shared ? 1 : 0]);
@@ -98,6 +102,12 @@ double EdgeTracer::area_variance(const Cell& cell) const {
 std::uint32_t EdgeTracer::label_in(const Cell& cell, FocalPoint point) const {
   if (cell.kind == CellKind::uniform) return cell.corner[0];
   if (cell.kind == CellKind::complex || cell.kind == CellKind::fresh) return kNoLabel;
+  if (cell.kind == CellKind::junction) {
+    const Junction& junction = junctions_[cell.chord];
+    int sector = 0;
+    while (sector < 2 && !sector_region(cell, sector).contains({point.x_px, point.y_px})) ++sector;
+    return junction.sector[sector];
+  }
   const Curve& curve = curves_[cell.chord];
   return inner_region(cell).contains({point.x_px, point.y_px}) ? curve.inner : curve.outer;
 }

@@ -10,7 +10,15 @@ namespace {
 /// Width of the error of a middle that was predicted but not verified, as a share of the chord. Where the
 /// tolerance can bear it, no ray is spent.
 constexpr double kUnverifiedWidth = 0.25;
-/// Only borders that go on gently on both sides may stay unverified: sagitta over chord, by either neighbour.
+/// The same where both neighbours predict it: this and so many times the sagitta that they predict.
+constexpr double kAgreedWidth = 0.06, kBendWidth = 2.0;
+/// A curve in a narrow feature, or one whose neighbours are too near to tell its direction, may stay
+/// unverified where a corner in it would cost less than this share of the allowed standard error,
+constexpr double kTrustedAnyway = 0.16;
+/// and the feature is so wide, in spacings of the lattice, that vertices show where it goes on, or matters
+/// little.
+constexpr double kSeenWidth = 0.5;
+/// Only borders that go on, and gently so, may stay unverified: sagitta over chord, by either neighbour.
 constexpr double kGentleBend = 0.1;
 
 /// Curvature of a border from that found towards its two ends: their mean where they tell of one smooth
@@ -49,8 +57,10 @@ void EdgeTracer::predict(CurveCheck& check) {
   double curvature[2] = {0.0, 0.0}, weights[2] = {0.0, 0.0};
   Point2 beyond[2];
   int neighbours = 0;
+  bool continued = false;
   for (int end = 0; end < 2; ++end) {
-    if (!neighbour_end(curve, end, beyond[end])) continue;
+    if (!neighbour_end(curve.bracket[end], curve.cell, beyond[end])) continue;
+    continued = true;
     const double reach = length(beyond[end] - (end == 0 ? a : b));
     if (reach <= 3.0 * brackets_[curve.bracket[end]].width()) continue;
     curvature[end] = end == 0 ? menger_curvature(beyond[0], a, b) : menger_curvature(a, b, beyond[1]);
@@ -81,10 +91,18 @@ void EdgeTracer::predict(CurveCheck& check) {
                        std::abs(dot(check.apex - check.centre, check.normal)) > 2.0 * check.tolerance;
     }
   }
-  const double unverified_width = kUnverifiedWidth * check.chord;
+  const double contrast = contrast_(cell.pixel, curve.inner, curve.outer);
+  const double allowed = std::sqrt(allowed_variance_[cell.pixel]);
+  const double hidden = kRefusedShare * check.chord * check.chord * contrast;
   const double bend = std::max(std::abs(curvature[0]), std::abs(curvature[1])) * check.chord / 8.0;
-  if (unverified_width <= curve.wanted_middle && neighbours > 0 && bend < kGentleBend &&
-      !narrow_corner(cell)) {
+  const double unverified_width =
+      check.chord *
+      (neighbours == 2 ? std::min(kUnverifiedWidth, kAgreedWidth + kBendWidth * bend) : kUnverifiedWidth);
+  const double feature = feature_width(cell), spacing = lattice_.side_px(0);
+  const bool cannot_hide = feature > kSeenWidth * spacing || feature * spacing * contrast < allowed;
+  const bool trusted = (feature == INFINITY && neighbours > 0) ||
+                       (continued && cannot_hide && hidden < kTrustedAnyway * allowed);
+  if (unverified_width <= curve.wanted_middle && trusted && bend < kGentleBend) {
     check.predicted = std::clamp(check.predicted, check.least, check.most);
     check.low = check.predicted - 0.5 * unverified_width;
     check.high = check.predicted + 0.5 * unverified_width;
@@ -96,9 +114,7 @@ void EdgeTracer::predict(CurveCheck& check) {
     return;
   }
   if (std::abs(check.predicted) > check.most) {
-    const double contrast = contrast_(cell.pixel, curve.inner, curve.outer);
-    const double worth = kLooseCurve * std::sqrt(allowed_variance_[cell.pixel]);
-    if (cell.level < kMaxLevel && kRefusedShare * check.chord * check.chord * contrast > worth) {
+    if (cell.level < kMaxLevel && hidden > kLooseCurve * allowed) {
       check.stage = CurveCheck::Stage::done;
       split(check.cell);
       return;

@@ -76,6 +76,10 @@ void EdgeTracer::collect_terms(std::uint32_t pixel) {
       loose_.push_back({index, error * error / 12.0, has_two_labels(cell)});
       continue;
     }
+    if (cell.kind == CellKind::junction) {
+      collect_junction_terms(index);
+      continue;
+    }
     const Curve& curve = curves_[cell.chord];
     const CurveEnds e = ends(curve);
     const Point2 d = e.b - e.a;
@@ -86,6 +90,25 @@ void EdgeTracer::collect_terms(std::uint32_t pixel) {
     middles_.push_back({pixel, index, 4.0 / 9.0 * (d.x * d.x + d.y * d.y) * square / 12.0});
     if (curve.loose_area > 0.0) loose_.push_back({index, curve.loose_area * curve.loose_area * square, true});
   }
+}
+
+void EdgeTracer::collect_junction_terms(std::uint32_t index) {
+  const Cell& cell = cells_[index];
+  const Junction& junction = junctions_[cell.chord];
+  Point2 crossing[3];
+  crossings(junction, crossing);
+  const Point2 at = junction.located ? junction.at : (1.0 / 3.0) * (crossing[0] + crossing[1] + crossing[2]);
+  double gain = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    const double contrast = contrast_(cell.pixel, junction.sector[(i + 2) % 3], junction.sector[i]);
+    const double square = contrast * contrast;
+    const Point2 leg = at - crossing[i];
+    const double swept = brackets_[junction.bracket[i]].vertical ? leg.x : leg.y;
+    crossings_.push_back({junction.bracket[i], 0.5 * swept * swept * square / 12.0});
+    const double moved = kJunctionClaim * kJunctionClaim * exchanged_by_motion(crossing, i);
+    gain += (4.0 / 9.0 * dot(leg, leg) + moved) * square / 12.0;
+  }
+  middles_.push_back({cell.pixel, index, gain});
 }
 
 /// What no model follows: the largest are split until the rest fits. Errors of two-label cells add up (a
@@ -177,6 +200,12 @@ void EdgeTracer::share_middles(std::size_t first, std::size_t last) {
   for (; first < last; ++first) {
     const MiddleTerm& term = middles_[first];
     Cell& cell = cells_[term.cell];
+    if (cell.kind == CellKind::junction) {
+      Junction& junction = junctions_[cell.chord];
+      junction.wanted = term.gain > 0.0 ? std::sqrt(share / term.gain) : INFINITY;
+      if (too_vague(junction)) open_junctions_.push_back(term.cell);
+      continue;
+    }
     if (cell.kind != CellKind::tentative && cell.kind != CellKind::chord) continue;
     Curve& curve = curves_[cell.chord];
     const double blur = 0.5 * (brackets_[curve.bracket[0]].width() + brackets_[curve.bracket[1]].width());

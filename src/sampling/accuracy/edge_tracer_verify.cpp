@@ -129,7 +129,7 @@ void EdgeTracer::accept(CurveCheck& check) {
   curve.normal = check.normal;
   curve.low = check.low;
   curve.high = check.high;
-  curve.middle_width = (check.confirmed ? 0.5 : 1.0) * (check.high - check.low);
+  curve.middle_width = (check.confirmed ? check.smooth ? 0.4 : 0.5 : 1.0) * (check.high - check.low);
   curve.leg_width = check.corner ? 2.0 * std::max(check.tolerance, check.blur) : 0.0;
   cell.kind = CellKind::chord;
   stir(cell.pixel);

@@ -161,6 +161,12 @@ void LeafIntegrator::pixel(int source, PixelModel& model) const {
     } else if (cell.kind == CellKind::complex) {
       loose_cell(model, cell);
       for (std::uint32_t l : cell.corner) region(l);
+    } else if (cell.kind == CellKind::junction) {
+      const Junction& junction = tracer_.junction_of(cell);
+      for (int s = 0; s < 3; ++s) {
+        region(junction.sector[s]);
+        pair(junction.sector[(s + 2) % 3], junction.sector[s]);
+      }
     } else {
       const Curve& curve = tracer_.curve_of(cell);
       region(curve.inner);
@@ -198,6 +204,32 @@ void LeafIntegrator::pixel(int source, PixelModel& model) const {
         for (std::uint32_t l : cell.corner) model.weight[o * regions + model.region_of(l)] += 0.25 * w;
       }
       for (std::uint32_t l : cell.corner) model.area[model.region_of(l)] += 0.25 * cell_area;
+      continue;
+    }
+    if (cell.kind == CellKind::junction) {
+      const Junction& junction = tracer_.junction_of(cell);
+      std::size_t r[3], b[3];
+      Polygon polygon[3];
+      double area[3], variance[3];
+      for (int s = 0; s < 3; ++s) {
+        r[s] = model.region_of(junction.sector[s]);
+        b[s] = pair(junction.sector[(s + 2) % 3], junction.sector[s]);
+        polygon[s] = tracer_.sector_region(cell, s);
+        area[s] = std::abs(polygon[s].signed_area());
+        variance[s] = tracer_.border_variance(cell, s);
+        model.area[r[s]] += area[s];
+      }
+      for (std::size_t o = 0; o < outputs; ++o) {
+        const Point2 c = centre(model.outputs[o]);
+        const double density = unit_box_ ? 1.0 : footprint_.density(junction.at.x - c.x, junction.at.y - c.y);
+        double inside[3], sum = 0.0;
+        for (int s = 0; s < 3; ++s) sum += inside[s] = unit_box_ ? area[s] : over_polygon(polygon[s], c);
+        const double scale = sum > 0.0 ? cell_weight(o) / sum : 0.0;
+        for (int s = 0; s < 3; ++s) {
+          model.weight[o * regions + r[s]] += scale * inside[s];
+          model.border_variance[o * pairs + b[s]] += variance[s] * density * density;
+        }
+      }
       continue;
     }
     const Curve& curve = tracer_.curve_of(cell);

@@ -1,5 +1,6 @@
 #include "sampling/accuracy/probing.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace ifov::sampling {
@@ -28,12 +29,18 @@ std::vector<std::uint8_t> Prober::look(const std::vector<FocalPoint>& points, Pu
   return contradicted;
 }
 
-void Prober::follow_seeds(std::span<const FocalPoint> seeds) {
+void Prober::follow_seeds(std::span<const FocalPoint> seeds, std::span<const std::uint32_t> objects) {
+  const std::vector<std::uint32_t> met =
+      objects.empty() ? std::vector<std::uint32_t>{} : ledger_.objects_met();
   const PixelRect& domain = tracer_.lattice().domain();
   std::vector<FocalPoint> points;
-  for (const FocalPoint& p : seeds)
-    if (p.x_px >= domain.x0 && p.x_px < domain.x1 && p.y_px >= domain.y0 && p.y_px < domain.y1)
-      points.push_back(p);
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    const FocalPoint p = seeds[i];
+    if (p.x_px < domain.x0 || p.x_px >= domain.x1 || p.y_px < domain.y0 || p.y_px >= domain.y1) continue;
+    const bool known = !objects.empty() && objects[i] != Field::kNoObject &&
+                       std::binary_search(met.begin(), met.end(), objects[i]);
+    if (!known) points.push_back(p);
+  }
   if (points.empty()) return;
   // A known object that shows up where it was expected is no sign of unknown ones beside it.
   const std::vector<std::uint8_t> suspects = tracer_.suspects();

@@ -18,7 +18,8 @@ class Prober {
     clean_rounds_.assign(static_cast<std::size_t>(tracer.lattice().domain().count()), 0);
   }
 
-  void follow_seeds(std::span<const FocalPoint> seeds);
+  /// Looks at the seeds whose objects no ray has met yet.
+  void follow_seeds(std::span<const FocalPoint> seeds, std::span<const std::uint32_t> objects);
   /// `worth`: the pixels of the domain where a find would matter.
   void probe_until_clean(const std::vector<std::uint8_t>& worth);
 

@@ -116,6 +116,14 @@ class RayLedger {
     }
   }
 
+  /// Numbers of the objects that rays have met so far, in order.
+  std::vector<std::uint32_t> objects_met() const {
+    std::vector<std::uint32_t> met(table_.size());
+    for (std::uint32_t l = 0; l < met.size(); ++l) met[l] = field_.object_of(table_.label(l));
+    std::sort(met.begin(), met.end());
+    return met;
+  }
+
   static constexpr std::size_t kBatch = 4096;  ///< points asked at a time
 
   Field& field() { return field_; }

@@ -17,9 +17,20 @@ constexpr double kGeometryShareWithPaths = 0.15;
 /// The first run of a tile that is kept traces borders, and tells clutter, for an error this much smaller: rays that look
 /// beside a border are of no use where it is known better, nor are values of clutter in a pixel that is traced.
 constexpr double kForesight = 2.0;
-/// Source pixels that weigh less than this in every output are traced as if they weighed so much, and those
-/// below twice of it are not probed.
-constexpr double kLeastImportance = 0.2;
+/// Source pixels that weigh less than this in every output are traced as if they weighed so much.
+constexpr double kLeastImportance = 0.02;
+/// Source pixels that weigh less than this are not probed.
+constexpr double kLeastProbed = 0.4;
+/// A footprint's outermost pixels, where they weigh less than this, need no others around them to be traced
+/// well enough.
+constexpr double kNegligibleRim = 1e-3;
+
+/// Pixels around those that the footprints reach.
+int halo_of(const PixelFootprint& footprint) {
+  const double rim = std::ceil(footprint.half_width_px() - 0.5 - 1e-12);
+  const double weight = footprint.integral(rim - 0.5, -0.5, rim + 0.5, 0.5);
+  return weight < kNegligibleRim * footprint.integral(-0.5, -0.5, 0.5, 0.5) ? 0 : 1;
+}
 
 /// Integral of the square of the footprint: the variance of a pixel made of many equally uncertain source
 /// pixels.
@@ -52,7 +63,7 @@ TileWork::TileWork(const TileProblem& problem, Field& field, const AccuracyOptio
       result_(result),
       columns_(field.columns()),
       stopping_(problem.tolerance->confidence()),
-      lattice_(source_domain(problem, 1), options.lattice),
+      lattice_(source_domain(problem, halo_of(*problem.footprint)), options.lattice),
       table_(columns_),
       memory_(memory_of(problem, columns_)),
       ledger_(field, problem, lattice_, table_, faults, memory_ ? &*memory_ : nullptr),
@@ -271,10 +282,10 @@ void TileWork::switch_clutter() {
 
 void TileWork::trace_borders() {
   tracer_.settle();
-  if (options_.seeds) prober_.follow_seeds(problem_.seeds);
+  if (options_.seeds) prober_.follow_seeds(problem_.seeds, problem_.seed_objects);
   std::vector<std::uint8_t> worth(static_cast<std::size_t>(lattice_.domain().count()));
   for (std::size_t p = 0; p < worth.size(); ++p)
-    worth[p] = relative_weight(static_cast<int>(p)) > 2.0 * kLeastImportance;
+    worth[p] = relative_weight(static_cast<int>(p)) > kLeastProbed;
   prober_.probe_until_clean(worth);
   tighten_borders();
 }

@@ -153,6 +153,9 @@ std::vector<RfmipColumn> rfmip_fluxes(const std::filesystem::path& folder, std::
     result.longwave_reference = inputs.longwave[site * kLevels + ground];
     const double zenith_rad = inputs.zenith_deg[site] * kPi / 180.0;
     if (zenith_rad > 85.0 * kPi / 180.0) return;
+    for (std::size_t l = 0; l < kLayers; ++l)
+      result.water_in_beam_g_cm2 += 0.1 * 0.622 * water_share * inputs.water[site * kLayers + l] *
+                                    std::abs(pressure[l + 1] - pressure[l]) / 9.80665 / std::cos(zenith_rad);
     result.shortwave = shortwave_down(column, zenith_rad, inputs.albedo[site], inputs.irradiance[site]);
     result.shortwave_reference = inputs.shortwave[site * kLevels + ground];
   });
