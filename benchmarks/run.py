@@ -12,7 +12,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
-from drivers import atmosphere, honesty, instances, micro, mitsuba, rami, refine, speed, studies  # noqa: E402
+from drivers import atmosphere, cluster, honesty, instances, micro, mitsuba, rami, refine, speed, studies  # noqa: E402
 from drivers.figures import Context, show  # noqa: E402
 
 GROUPS = {
@@ -24,6 +24,7 @@ GROUPS = {
     "refine": refine.run,
     "rami": rami.run,
     "honesty": honesty.run,
+    "cluster": cluster.run,
     "mitsuba": mitsuba.run,
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/ranks.h"
 #include "cli/run_commands.h"
 #include "core/error.h"
 #include "core/format.h"
@@ -48,7 +49,8 @@ int command_line_outcome(const CLI::App& app, const CLI::ParseError& error, int 
 
 int run(int argc, char** argv) {
   CLI::App app("Synthetic remote-sensing images with a stated accuracy.", "ifov");
-  app.set_version_flag("--version", "ifov " + version());
+  const std::string mpi = cluster::mpi_library();
+  app.set_version_flag("--version", format("ifov {}\n{}", version(), mpi.empty() ? "built without MPI" : mpi));
   app.footer(kFooter);
   app.require_subcommand(1);
   const std::vector<Command> commands{add_render_command(app), add_check_command(app),
@@ -69,7 +71,9 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace ifov::cli
 
-int main(int argc, char** argv) {
+namespace {
+
+int run_and_say(int argc, char** argv) {
   using namespace ifov;
   using cli::ExitCode;
   try {
@@ -88,4 +92,12 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     return cli::fail(ExitCode::bug, format("ifov: this is a bug, please report it: {}", error.what()));
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int code = run_and_say(argc, argv);
+  ifov::cli::leave_ranks();
+  return code;
 }

@@ -7,12 +7,15 @@
 #include "cli/duration.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
+#include "cli/ranks.h"
 #include "cli/run_summary.h"
 #include "core/error.h"
 #include "core/format.h"
 #include "io/document/document.h"
 #include "session/forecast.h"
+#include "session/helper.h"
 #include "session/run.h"
+#include "session/team.h"
 
 namespace ifov::cli {
 namespace {
@@ -48,21 +51,46 @@ render::TileShare read_share(const std::string& text) {
   return share;
 }
 
+void refuse_what_ranks_cannot(const RenderArguments& arguments) {
+  if (arguments.no_state)
+    throw InputError("--no-state: several ranks put their tiles together in the run's folder; leave it out, or start one");
+  if (arguments.dry_run) throw InputError("--dry-run: one rank foretells the cost; start it without mpirun");
+}
+
 ExitCode render(const RenderArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   CancelToken& cancel = cancel_on_interrupt();
+  cluster::World* const world = join_ranks();
+  if (world != nullptr && !world->leads()) {
+    session::help_run(*world, {.document = arguments.document,
+                               .threads = arguments.threads,
+                               .scene_cache = !arguments.no_cache,
+                               .cancel = &cancel});
+    return ExitCode::ok;
+  }
+  std::optional<session::Team> team;
+  std::optional<StopNotice> notice;
+  if (world != nullptr) {
+    refuse_what_ranks_cannot(arguments);
+    team.emplace(*world);
+    notice.emplace(cancel,
+                   "ifov: stopped (Ctrl-C, or a rank ended: mpirun says which); unfinished products carry the ending "
+                   ".part, and --resume goes on with what is finished");
+  }
   Console console(arguments.quiet, arguments.log);
   try {
     const io::Document document = io::read_document(arguments.document);
     console.begin("atmosphere");  // the one thing that takes long enough to tell
-    const session::Session session = session::Session::load(document, &console,
-                                                             {.scene_cache = !arguments.no_cache,
-                                                              .threads = arguments.threads,
-                                                              .cancel = &cancel,
-                                                              .progress = &console});
+    const session::LoadOptions load{.scene_cache = !arguments.no_cache,
+                                    .threads = arguments.threads,
+                                    .cancel = &cancel,
+                                    .progress = &console};
+    const session::Session session =
+        team ? team->load(document, &console, load) : session::Session::load(document, &console, load);
     console.begin("");
     session::RunRequest request;
     session::RunOptions& options = request.options;
+    request.team = team ? &*team : nullptr;
     options.threads = arguments.threads;
     options.output_folder = arguments.output;
     if (!arguments.time_limit.empty())
@@ -96,8 +124,10 @@ ExitCode render(const RenderArguments& arguments) {
   } catch (const Cancelled& stop) {
     console.finish();
     console.info(format("ended: {}", stop.what()));
-    std::fprintf(stderr, "ifov: %s; unfinished products carry the ending .part%s\n", stop.what(),
-                 arguments.no_state ? "" : ", and --resume goes on with what is finished");
+    notice.reset();
+    if (!team || !cancel.cancelled())
+      std::fprintf(stderr, "ifov: %s; unfinished products carry the ending .part%s\n", stop.what(),
+                   arguments.no_state ? "" : ", and --resume goes on with what is finished");
     return ExitCode::stopped;
   } catch (const std::exception& error) {
     console.finish();

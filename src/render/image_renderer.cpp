@@ -1,7 +1,9 @@
 #include "render/image_renderer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <functional>
 #include <mutex>
 #include <optional>
 
@@ -41,6 +43,24 @@ class Tally {
   Progress total_;
 };
 
+/// Each thread takes tiles until there are no more; what one of them throws ends them all.
+void render_from(TileSource& source, int threads, const std::function<void(std::size_t)>& render_tile) {
+  const int workers = threads > 0 ? threads : usual_threads();
+  std::atomic<bool> failed{false};
+  parallel_for(workers, threads, [&](std::int64_t) {
+    try {
+      while (!failed)
+        if (const std::optional<int> tile = source.next())
+          render_tile(static_cast<std::size_t>(*tile));
+        else
+          return;
+    } catch (...) {
+      failed = true;
+      throw;
+    }
+  });
+}
+
 }  // namespace
 
 Progress render_image(const RenderJob& job, const RenderControl& control, TileSink& sink) {
@@ -59,12 +79,8 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     for (std::size_t c = 0; c < job.scene.nodes().channel_count(); ++c) drivers.push_back(static_cast<int>(c));
 
   Tally tally(pixels, control.progress);
-  const std::size_t count = control.tile_order.empty() ? tiles.size() : control.tile_order.size();
-  parallel_for(static_cast<std::int64_t>(count), control.threads, [&](std::int64_t position) {
+  const auto render_tile = [&](std::size_t index) {
     if (control.cancel != nullptr && control.cancel->cancelled()) throw Cancelled();
-    const std::size_t index = control.tile_order.empty()
-                                  ? static_cast<std::size_t>(position)
-                                  : static_cast<std::size_t>(control.tile_order[static_cast<std::size_t>(position)]);
     const ObjectSeeds::Near tile_seeds = seeds ? seeds->near(tiles[index], margin_px) : ObjectSeeds::Near{};
     sampling::TileProblem problem;
     problem.tile = tiles[index];
@@ -89,6 +105,15 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     widen(job.air, job.tolerance, result);
     sink.write(result);
     tally.add(result);
+  };
+  if (control.source != nullptr) {
+    render_from(*control.source, control.threads, render_tile);
+    return tally.total();
+  }
+  const std::size_t count = control.tile_order.empty() ? tiles.size() : control.tile_order.size();
+  parallel_for(static_cast<std::int64_t>(count), control.threads, [&](std::int64_t position) {
+    const auto place = static_cast<std::size_t>(position);
+    render_tile(control.tile_order.empty() ? place : static_cast<std::size_t>(control.tile_order[place]));
   });
   return tally.total();
 }

@@ -8,6 +8,7 @@
 #include "render/air_budget.h"
 #include "render/scene_field.h"
 #include "render/tile_sink.h"
+#include "render/tile_source.h"
 #include "sampling/tile.h"
 
 namespace ifov::render {
@@ -37,6 +38,7 @@ struct RenderControl {
   ProgressSink* progress = nullptr;
   std::span<const int> tile_order;  ///< positions in the tile grid, of all tiles or of those that are wanted; empty:
                                     ///< all, row by row
+  TileSource* source = nullptr;     ///< where given, tiles come from it and not in an order
 };
 
 /// Renders tile by tile into the sink. A tile's result depends on the job and the tile alone. Throws Cancelled.

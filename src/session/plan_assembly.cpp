@@ -24,7 +24,7 @@ const char* name_of(render::ErrorUnit unit) {
 
 }  // namespace
 
-io::RunPlan assemble_plan(const Session::Parts& parts) {
+io::RunPlan assemble_plan(const Session::Parts& parts, bool with_files) {
   const io::Document& document = parts.document;
   io::RunPlan plan;
   plan.identity.version = version();
@@ -40,8 +40,9 @@ io::RunPlan assemble_plan(const Session::Parts& parts) {
   }
   plan.build = build_id();
   plan.instruction_set = instruction_set();
-  plan.files = io::stamp_scene_files(io::named_files(document),
-                                     std::filesystem::path(document.file_name).parent_path());
+  if (with_files)
+    plan.files = io::stamp_scene_files(io::named_files(document),
+                                       std::filesystem::path(document.file_name).parent_path());
   plan.image = parts.info;
   plan.tile_px = document.sampling.tile_px;
   plan.judged = parts.tolerance != nullptr;

@@ -5,8 +5,8 @@
 
 namespace ifov::session {
 
-/// What the tiles and the products of a document's run depend on. Looks at every file of the scene. Throws
-/// EnvironmentError where one cannot be read.
-io::RunPlan assemble_plan(const Session::Parts& parts);
+/// What the tiles and the products of a document's run depend on. Looks at every file of the scene, where it is to be
+/// `with_files`. Throws EnvironmentError where one cannot be read.
+io::RunPlan assemble_plan(const Session::Parts& parts, bool with_files = true);
 
 }  // namespace ifov::session

@@ -13,6 +13,7 @@
 #include "session/plan_assembly.h"
 #include "session/refinement.h"
 #include "session/run_products.h"
+#include "session/team.h"
 #include "session/time_limit.h"
 
 namespace ifov::session {
@@ -45,24 +46,47 @@ class KeepingSink final : public render::TileSink {
   std::vector<bool>& done_;
 };
 
-/// Hands the progress on, counted from the first start of the run, and keeps the last of it for runs that end
-/// early.
+void add_work(Progress& sum, const Progress& work) {
+  sum.pixels_done += work.pixels_done;
+  sum.pixels_converged += work.pixels_converged;
+  sum.rays += work.rays;
+  sum.worst_error_ratio = std::max(sum.worst_error_ratio, work.worst_error_ratio);
+}
+
+/// Hands the progress on, counted from the first start of the run, with what other ranks do now; and keeps the last of
+/// it without them for runs that end early.
 class LastProgress final : public ProgressSink {
  public:
-  LastProgress(const Progress& before, ProgressSink* next) : before_(before), last_(before), next_(next) {}
+  LastProgress(const Progress& before, ProgressSink* next, const cluster::TileServer* team)
+      : before_(before), last_(before), next_(next), team_(team), begin_(std::chrono::steady_clock::now()) {}
   void report(const Progress& progress) override {
-    last_.pixels_done = before_.pixels_done + progress.pixels_done;
-    last_.pixels_converged = before_.pixels_converged + progress.pixels_converged;
-    last_.rays = before_.rays + progress.rays;
-    last_.worst_error_ratio = std::max(before_.worst_error_ratio, progress.worst_error_ratio);
-    last_.elapsed_s = before_.elapsed_s + progress.elapsed_s;
-    if (next_ != nullptr) next_->report(last_);
+    const std::scoped_lock lock(mutex_);
+    last_ = before_;
+    add_work(last_, progress);
+    look();
+  }
+  /// Where nothing new is known of this process.
+  void report_others() {
+    const std::scoped_lock lock(mutex_);
+    look();
   }
   const Progress& last() const { return last_; }
 
  private:
+  void look() {
+    last_.elapsed_s =
+        before_.elapsed_s + std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    if (next_ == nullptr) return;
+    Progress all = last_;
+    if (team_ != nullptr) add_work(all, team_->others());
+    next_->report(all);
+  }
+
+  std::mutex mutex_;
   Progress before_, last_;
   ProgressSink* next_;
+  const cluster::TileServer* team_;
+  std::chrono::steady_clock::time_point begin_;
 };
 
 /// One start of a run.
@@ -74,12 +98,15 @@ class Run {
         deadline_(request.deadline),
         anyway_(request.anyway),
         folder_(request.folder(session)),
+        team_(request.team),
         plan_(assemble_plan(parts_)) {
     plan_.share = request.share;
     if (request.keep_finished) require_refinable(parts_);
     plan_.keeps_memory = request.keep_finished;
     if (request.refine) plan_refinement(folder_, parts_, plan_);
     if (request.start == RunStart::resume) resume_refinement(folder_, plan_);
+    if (team_ != nullptr && (plan_.keeps_memory || plan_.base != 0))
+      throw InputError("--keep and --refine are for one process: start it without mpirun");
     if (!request.keep_tiles) return;
     state_.emplace(folder_, plan_, request.start, options_.log);
     plan_ = state_->plan();
@@ -153,14 +180,17 @@ class Run {
     if (end && products_)
       *end -= std::chrono::duration_cast<TimeLimit::Clock::duration>(std::chrono::duration<double>(
           kAssembly_s + static_cast<double>(io::product_bytes(plan_)) / kAssembly_bytes_per_s));
-    const TimeLimit limit(end, options_.cancel);
-    LastProgress progress(totals_, options_.progress);
+    const std::unique_ptr<cluster::TileServer> server = team_ != nullptr ? begin_team(left, end) : nullptr;
+    const TimeLimit limit(end, server ? server->token() : options_.cancel);
+    LastProgress progress(totals_, options_.progress, server.get());
     KeepingSink sink(plan_, products_ ? &*products_ : nullptr, state_ ? &*state_ : nullptr, tiles_.done);
     render::RenderControl control;
-    control.threads = options_.threads;
+    control.threads = team_ != nullptr ? team_->threads(options_.threads) : options_.threads;
     control.cancel = limit.token();
     control.progress = &progress;
     control.tile_order = left;
+    control.source = server.get();
+    bool stopped = false;
     render::RenderJob job = parts_.job();
     job.keep_memory = plan_.keeps_memory;
     std::optional<io::KeptTiles> earlier;
@@ -168,9 +198,37 @@ class Run {
     try {
       render::render_image(job, control, sink);
     } catch (const Cancelled&) {
-      if (!limit.reached()) throw;
+      stopped = !limit.reached();
+      if (stopped && !server) throw;
     }
+    std::map<int, cluster::Farewell> farewells;
+    if (server) farewells = server->finish([&] { progress.report_others(); });
+    if (stopped) throw Cancelled();
     totals_ = progress.last();
+    for (const auto& [rank, farewell] : farewells) take_from(rank, farewell.packs);
+    if (const std::size_t missing = tiles_left().size(); server && missing > 0 && !limit.reached())
+      throw EnvironmentError(format("{} tiles of other ranks cannot be read back", missing));
+  }
+
+  std::unique_ptr<cluster::TileServer> begin_team(const std::vector<int>& left,
+                                                  const std::optional<TimeLimit::Clock::time_point>& end) {
+    TeamRun run{plan_, folder_, state_->store_start(), std::nullopt};
+    if (end) run.seconds_left = std::chrono::duration<double>(*end - TimeLimit::Clock::now()).count();
+    return team_->begin(run, left, options_.cancel);
+  }
+
+  /// What another rank has written.
+  void take_from(int rank, int packs) {
+    const io::TilesDone tiles = state_->read_rank(rank, packs, [&](const sampling::TileResult& tile) {
+      if (products_) products_->write(tile);
+    });
+    for (std::size_t k = 0; k < tiles.done.size(); ++k) tiles_.done[k] = tiles_.done[k] || tiles.done[k];
+    Progress work;
+    work.pixels_done = tiles.pixels;
+    work.pixels_converged = tiles.converged;
+    work.rays = tiles.rays;
+    work.worst_error_ratio = tiles.worst_ratio;
+    add_work(totals_, work);
   }
 
   io::KeptTiles& open_kept(std::optional<io::KeptTiles>& tiles) const {
@@ -210,6 +268,7 @@ class Run {
   std::optional<TimeLimit::Clock::time_point> deadline_;
   bool anyway_;
   std::filesystem::path folder_;
+  Team* team_;
   io::RunPlan plan_;
   std::optional<io::RunState> state_;
   std::optional<RunProducts> products_;  ///< none for a share of the tiles

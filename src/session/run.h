@@ -10,6 +10,8 @@
 
 namespace ifov::session {
 
+class Team;
+
 /// A run keeps each finished tile in its output folder until its products are whole; see docs/guide/runs.md.
 struct RunRequest {
   RunOptions options;
@@ -22,6 +24,8 @@ struct RunRequest {
   std::optional<std::chrono::steady_clock::time_point>
       deadline;  ///< when all must be done; pixels that are not by then
                  ///< hold no value in the products
+
+  Team* team = nullptr;  ///< of ranks that share the tiles; needs keep_tiles
 
   /// Of the options, else as the document says.
   std::filesystem::path folder(const Session& session) const;

@@ -187,14 +187,11 @@ std::string to_json(const RunPlan& plan) {
   return text_of(root, "  ") + "\n";
 }
 
-RunPlan read_plan(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw EnvironmentError(format("{}: cannot be read", file.string()));
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+RunPlan plan_in(const std::string& text, const std::string& name) {
   const EnvironmentError damaged(
       format("{}: it is damaged; what it belongs to cannot be known, so its tiles cannot be "
              "used: start anew with --restart",
-             file.string()));
+             name));
   try {
     Json::CharReaderBuilder builder;
     Json::CharReaderBuilder::strictMode(&builder.settings_);
@@ -207,7 +204,7 @@ RunPlan read_plan(const std::filesystem::path& file) {
       throw EnvironmentError(
           format("{}: it is of format {}, this program reads format {}: go on with the program that "
                  "wrote it, or start anew with --restart",
-                 file.string(), root["format"].asInt(), kFormat));
+                 name, root["format"].asInt(), kFormat));
     if (!root["sha256"].isString() || root["sha256"].asString() != checksum_of(root["state"])) throw damaged;
     const RunPlan plan = plan_of(root["state"]);
     if (!is_sound(plan)) throw damaged;
@@ -217,6 +214,12 @@ RunPlan read_plan(const std::filesystem::path& file) {
   } catch (const std::logic_error&) {  // a hash that is no number
     throw damaged;
   }
+}
+
+RunPlan read_plan(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw EnvironmentError(format("{}: cannot be read", file.string()));
+  return plan_in({std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()}, file.string());
 }
 
 }  // namespace ifov::io

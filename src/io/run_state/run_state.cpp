@@ -146,19 +146,33 @@ RunState::RunState(const std::filesystem::path& folder, const RunPlan& plan, Run
   remove_leftovers(tiles);
 }
 
-TilesDone RunState::read(const std::function<void(const sampling::TileResult&)>& take) {
+TilesDone RunState::read_packs(const std::vector<std::filesystem::path>& packs,
+                               const std::function<void(const sampling::TileResult&)>& take) {
   const std::vector<sampling::PixelRect> grid = plan_.grid();
   const TileDemands demands{plan_.key(), static_cast<int>(plan_.image.channels.size()), grid};
   Survey survey(grid.size());
-  for (const auto& pack : packs_in(path_ / "tiles"))
+  for (const auto& pack : packs)
     read_pack(
         pack, demands,
         [&](const TileHeader& header, const sampling::TileResult& tile) {
           if (survey.add(header)) take(tile);
         },
         log_, true);
-  store_ = std::make_unique<TileStore>(path_ / "tiles", plan_.key());
   return survey.result();
+}
+
+TilesDone RunState::read(const std::function<void(const sampling::TileResult&)>& take) {
+  const TilesDone tiles = read_packs(packs_in(path_ / "tiles"), take);
+  store_ = std::make_unique<TileStore>(path_ / "tiles", plan_.key());
+  return tiles;
+}
+
+TilesDone RunState::read_rank(int rank, int packs, const std::function<void(const sampling::TileResult&)>& take) {
+  // By their names: on network file systems a list of the folder may be out of date.
+  std::vector<std::filesystem::path> files;
+  for (int k = 0; k < packs; ++k)
+    files.push_back(path_ / "tiles" / pack_name(store_start(), rank, store_start().first_pack + k));
+  return read_packs(files, take);
 }
 
 void RunState::put(std::uint32_t index, const sampling::TileResult& tile) { store_->put(index, tile); }

@@ -36,6 +36,11 @@ class RunState {
   /// and removed. Comes before the first put().
   TilesDone read(const std::function<void(const sampling::TileResult&)>& take);
 
+  /// Where several processes work on the run: what the others' stores are made with, after read().
+  const StoreStart& store_start() const { return store_->start(); }
+  /// The same as read() of the packs that another rank has written since.
+  TilesDone read_rank(int rank, int packs, const std::function<void(const sampling::TileResult&)>& take);
+
   /// From any thread.
   void put(std::uint32_t index, const sampling::TileResult& tile);
   /// Returns when all tiles are on disk; no put() follows.
@@ -55,6 +60,9 @@ class RunState {
   std::filesystem::path path_;
   std::unique_ptr<RunLock> lock_;
   std::unique_ptr<TileStore> store_;
+
+  TilesDone read_packs(const std::vector<std::filesystem::path>& packs,
+                       const std::function<void(const sampling::TileResult&)>& take);
 };
 
 /// The folder of a run's state, and the plan in it.

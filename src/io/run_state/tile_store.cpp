@@ -22,14 +22,25 @@ std::uint64_t start_mark() {
   return static_cast<std::uint64_t>(now) * 1000003u + static_cast<std::uint64_t>(getpid());
 }
 
-int number_of(const std::filesystem::path& pack) { return std::atoi(pack.stem().c_str()); }
+int first_free_number(const std::filesystem::path& folder) {
+  int number = 0;
+  for (const auto& pack : packs_in(folder)) number = std::max(number, std::atoi(pack.filename().c_str()) + 1);
+  return number;
+}
 
 }  // namespace
 
+std::string pack_name(const StoreStart& start, int rank, int number) {
+  return rank == 0 ? format("{:06d}{}", number, kPackEnding)
+                   : format("{:06d}.{:x}.{}{}", number, start.mark, rank, kPackEnding);
+}
+
 TileStore::TileStore(std::filesystem::path folder, std::uint64_t run)
-    : folder_(std::move(folder)), run_(run), start_(start_mark()), began_(std::chrono::steady_clock::now()) {
+    : TileStore(folder, run, {start_mark(), first_free_number(folder)}, 0) {}
+
+TileStore::TileStore(std::filesystem::path folder, std::uint64_t run, const StoreStart& start, int rank)
+    : folder_(std::move(folder)), run_(run), start_(start), rank_(rank), began_(std::chrono::steady_clock::now()) {
   require_space(folder_, 0);
-  for (const auto& pack : packs_in(folder_)) next_pack_ = std::max(next_pack_, number_of(pack) + 1);
   writer_ = std::thread([this] { work(); });
 }
 
@@ -46,7 +57,7 @@ double TileStore::elapsed_s() const {
 }
 
 void TileStore::put(std::uint32_t index, const sampling::TileResult& tile) {
-  Record record = encode_tile(tile, {index, start_, run_, elapsed_s()});
+  Record record = encode_tile(tile, {index, start_.mark, run_, elapsed_s()});
   std::unique_lock lock(mutex_);
   room_.wait(lock, [&] { return waiting_bytes_ < kMostWaitingBytes || failure_; });
   if (failure_) std::rethrow_exception(failure_);
@@ -91,7 +102,7 @@ void TileStore::work() {
 }
 
 void TileStore::write_pack(const std::vector<Record>& records) {
-  PartFile file(folder_ / format("{:06d}{}", next_pack_, kPackEnding));
+  PartFile file(folder_ / pack_name(start_, rank_, start_.first_pack + packs_));
   std::uint64_t offset = 0;
   try {
     for (const Record& record : records) {
@@ -103,7 +114,7 @@ void TileStore::write_pack(const std::vector<Record>& records) {
     file.discard();
     throw;
   }
-  ++next_pack_;
+  ++packs_;
 }
 
 }  // namespace ifov::io

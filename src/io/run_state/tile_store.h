@@ -16,6 +16,17 @@ namespace ifov::io {
 
 inline constexpr const char* kPackEnding = ".tiles";
 
+/// One start of a run, which may be at work in several processes: its mark, which tells the starts of a run apart, and
+/// the number of the first pack that it writes.
+struct StoreStart {
+  std::uint64_t mark = 0;
+  int first_pack = 0;
+};
+
+/// "000012.tiles" of the run's first process; those of other ranks are named after the start and the rank too:
+/// "000012.18a9.3.tiles".
+std::string pack_name(const StoreStart& start, int rank, int number);
+
 /// Keeps finished tiles in files, each written beside its name and renamed when whole. Tiles that are
 /// finished within a short time share a file, a pack, so that cheap tiles do not drown in files: at first a
 /// thousandth of a second, later a twentieth of what the run has taken, at most a second. A thread of its own
@@ -24,6 +35,8 @@ class TileStore {
  public:
   /// `run` is RunPlan::key(). Makes the folder.
   TileStore(std::filesystem::path folder, std::uint64_t run);
+  /// The store of another rank of the same start.
+  TileStore(std::filesystem::path folder, std::uint64_t run, const StoreStart& start, int rank);
   /// Writes what waits; errors are lost, call close() to see them.
   ~TileStore();
   TileStore(const TileStore&) = delete;
@@ -35,6 +48,10 @@ class TileStore {
   /// Returns when all is on disk. No put() may be under way or follow.
   void close();
 
+  const StoreStart& start() const { return start_; }
+  /// How many have been written; after close().
+  int packs() const { return packs_; }
+
  private:
   using Record = std::vector<std::byte>;
   double elapsed_s() const;
@@ -42,9 +59,10 @@ class TileStore {
   void write_pack(const std::vector<Record>& records);
 
   std::filesystem::path folder_;
-  std::uint64_t run_, start_;
+  std::uint64_t run_;
+  StoreStart start_;
+  int rank_ = 0, packs_ = 0;
   std::chrono::steady_clock::time_point began_;
-  int next_pack_ = 0;
   std::mutex mutex_;
   std::condition_variable wake_, room_;
   std::vector<Record> waiting_;

@@ -1,0 +1,41 @@
+#include "cli/ranks.h"
+
+#include <chrono>
+#include <cstdio>
+
+namespace ifov::cli {
+namespace {
+
+std::unique_ptr<cluster::World>& world() {
+  static std::unique_ptr<cluster::World> joined;
+  return joined;
+}
+
+}  // namespace
+
+cluster::World* join_ranks() {
+  if (!world()) world() = cluster::World::join();
+  return world().get();
+}
+
+StopNotice::StopNotice(const CancelToken& token, std::string message)
+    : thread_([this, &token, words = std::move(message)] { watch(token, words); }) {}
+
+StopNotice::~StopNotice() {
+  {
+    const std::lock_guard lock(mutex_);
+    leaving_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+}
+
+void StopNotice::watch(const CancelToken& token, const std::string& message) {
+  std::unique_lock lock(mutex_);
+  while (!leaving_ && !token.cancelled()) wake_.wait_for(lock, std::chrono::milliseconds(20));
+  if (token.cancelled()) std::fprintf(stderr, "%s\n", message.c_str());
+}
+
+void leave_ranks() { world().reset(); }
+
+}  // namespace ifov::cli

@@ -1,0 +1,52 @@
+#include "cluster/fault.h"
+
+#include <new>
+#include <system_error>
+
+#include "core/error.h"
+#include "core/run_control.h"
+
+namespace ifov::cluster {
+
+Fault current_fault() {
+  using Kind = Fault::Kind;
+  try {
+    throw;
+  } catch (const Cancelled& error) {
+    return {Kind::stopped, error.what()};
+  } catch (const InputError& error) {
+    return {Kind::input, error.what()};
+  } catch (const EnvironmentError& error) {
+    return {Kind::environment, error.what()};
+  } catch (const std::system_error& error) {
+    return {Kind::environment, error.what()};
+  } catch (const std::bad_alloc&) {
+    return {Kind::environment, "memory ran out"};
+  } catch (const std::exception& error) {
+    return {Kind::bug, error.what()};
+  }
+}
+
+void raise(const Fault& fault, const std::string& rank) {
+  const std::string text = format("{}: {}", rank, fault.text);
+  switch (fault.kind) {
+    case Fault::Kind::stopped: throw Cancelled();
+    case Fault::Kind::input: throw InputError(text);
+    case Fault::Kind::environment: throw EnvironmentError(text);
+    default: throw std::runtime_error(text);
+  }
+}
+
+void put(Parcel& parcel, const Fault& fault) {
+  parcel.put(fault.kind);
+  parcel.put(fault.text);
+}
+
+Fault take_fault(Parcel& parcel) {
+  Fault fault;
+  fault.kind = parcel.take<Fault::Kind>();
+  fault.text = parcel.take<std::string>();
+  return fault;
+}
+
+}  // namespace ifov::cluster

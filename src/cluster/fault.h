@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "cluster/parcel.h"
+
+namespace ifov::cluster {
+
+/// Why a rank cannot go on, so that the first one can say it.
+struct Fault {
+  enum class Kind : int { none, stopped, input, environment, bug };
+  Kind kind = Kind::none;
+  std::string text;
+
+  explicit operator bool() const { return kind != Kind::none; }
+};
+
+/// The exception that is being handled.
+Fault current_fault();
+
+/// Throws InputError, EnvironmentError, Cancelled or std::runtime_error; `rank` is named in it ("rank 3 on
+/// node7").
+[[noreturn]] void raise(const Fault& fault, const std::string& rank);
+
+void put(Parcel& parcel, const Fault& fault);
+Fault take_fault(Parcel& parcel);
+
+}  // namespace ifov::cluster

@@ -1,0 +1,125 @@
+#include "cluster/tile_client.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace ifov::cluster {
+namespace {
+
+constexpr auto kShortest = std::chrono::microseconds(50), kLongest = std::chrono::microseconds(1000);
+constexpr auto kReportEvery = std::chrono::milliseconds(500);
+constexpr int kReportOnly = -1;
+
+}  // namespace
+
+TileClient::TileClient(World& world, int threads, const CancelToken* user)
+    : world_(world), threads_(threads), user_(user), told_(Clock::now()), thread_([this] { work(); }) {}
+
+TileClient::~TileClient() {
+  {
+    const std::lock_guard lock(mutex_);
+    leaving_ = true;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+std::optional<int> TileClient::next() {
+  std::unique_lock lock(mutex_);
+  const auto was = begun_.find(std::this_thread::get_id());
+  if (was != begun_.end()) {
+    const std::chrono::duration<double> took = Clock::now() - was->second.when;
+    finished_.push_back({was->second.tile, took.count()});
+    begun_.erase(was);
+  }
+  if (tiles_.empty() && !no_more_) {
+    ++idle_;
+    wake_.notify_all();
+    wake_.wait(lock, [&] { return !tiles_.empty() || no_more_; });
+    --idle_;
+  }
+  if (tiles_.empty()) return std::nullopt;
+  const int tile = tiles_.front();
+  tiles_.pop_front();
+  begun_[std::this_thread::get_id()] = {tile, Clock::now()};
+  if (tiles_.size() <= low_water_) wake_.notify_all();
+  return tile;
+}
+
+void TileClient::report(const Progress& progress) {
+  const std::lock_guard lock(mutex_);
+  progress_ = progress;
+}
+
+bool TileClient::was_stopped() const {
+  const std::lock_guard lock(mutex_);
+  return stopped_;
+}
+
+void TileClient::farewell(const Fault& fault, int packs) {
+  const std::lock_guard lock(mutex_);
+  Parcel parcel;
+  put(parcel, fault);
+  parcel.put(packs);
+  parcel.put(progress_);
+  world_.send(0, Tag::farewell, parcel);
+}
+
+bool TileClient::wants_more() const {
+  return !asked_ && !no_more_ && tiles_.size() <= low_water_ && (idle_ > 0 || !only_when_idle_);
+}
+
+void TileClient::work() {
+  std::unique_lock lock(mutex_);
+  auto nap = kShortest;
+  while (!leaving_) {
+    bool any = false;
+    while (std::optional<Message> message = world_.poll()) {
+      take(std::move(*message));
+      any = true;
+    }
+    if (user_ != nullptr && user_->cancelled()) {
+      token_.cancel();
+      no_more_ = any = true;
+    }
+    if (any) wake_.notify_all();
+    if (wants_more()) {
+      ask(idle_);
+      asked_ = any = true;
+    } else if (!no_more_ && Clock::now() - told_ > kReportEvery) {
+      ask(kReportOnly);
+    }
+    nap = any ? kShortest : std::min(2 * nap, kLongest);
+    wake_.wait_for(lock, nap, [&] { return leaving_ || wants_more(); });
+  }
+}
+
+void TileClient::take(Message message) {
+  switch (message.tag) {
+    case Tag::tiles: {
+      const auto tiles = message.parcel.take<std::vector<int>>();
+      tiles_.insert(tiles_.end(), tiles.begin(), tiles.end());
+      low_water_ = tiles.size() / 2;
+      only_when_idle_ = tiles.empty();
+      asked_ = false;
+      break;
+    }
+    case Tag::no_more: no_more_ = true; break;
+    default:  // stop, or the end of the run
+      no_more_ = stopped_ = true;
+      token_.cancel();
+  }
+}
+
+void TileClient::ask(int idle) {
+  Parcel parcel;
+  parcel.put(idle);
+  parcel.put(threads_);
+  parcel.put(progress_);
+  parcel.put(finished_);
+  finished_.clear();
+  told_ = Clock::now();
+  world_.send(0, Tag::ask, parcel);
+}
+
+}  // namespace ifov::cluster
