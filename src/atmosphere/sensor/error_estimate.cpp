@@ -59,16 +59,23 @@ class Estimate {
  public:
   Estimate(const ErrorQuestion& question, std::span<const std::vector<ChannelBin>> bins,
            std::span<const ChannelLights> channels)
-      : question_(question),
-        bins_(bins),
-        channels_(channels),
-        optics_(question.finer.column(), bins, question.threads),
-        errors_(channels.size()) {}
+      : question_(question), bins_(bins), channels_(channels), errors_(channels.size()) {}
 
   std::vector<AirErrors> made() {
+    std::vector<std::vector<double>> asked(channels_.size());
+    std::vector<std::size_t> unknown;
+    for (std::size_t c = 0; c < channels_.size(); ++c)
+      if (asked[c] = question_of(c); !known(asked[c], errors_[c].absorption)) unknown.push_back(c);
+    if (!unknown.empty()) {
+      const BinOptics optics(question_.finer.column(), bins_, question_.threads);
+      parallel_for(static_cast<std::int64_t>(unknown.size()), question_.threads, [&](std::int64_t k) {
+        const std::size_t channel = unknown[static_cast<std::size_t>(k)];
+        absorption(channel, optics);
+        keep(asked[channel], errors_[channel].absorption);
+      });
+    }
     parallel_for(static_cast<std::int64_t>(channels_.size()), question_.threads, [&](std::int64_t k) {
       const std::size_t channel = static_cast<std::size_t>(k);
-      absorption(channel);
       scattering(channel);
     });
     skies();
@@ -76,10 +83,40 @@ class Estimate {
   }
 
  private:
-  void absorption(std::size_t channel) {
+  /// All that the error of absorption depends on: the column as it was solved at the channel's points, and
+  /// what they gave.
+  std::vector<double> question_of(std::size_t channel) const {
+    const ChannelLights& given = channels_[channel];
+    std::vector<double> asked =
+        solution_question(question_.scattering, question_.geometry, question_.column.levels(),
+                          given.points.points.front().layers());
+    const double mean_path = given.scattering ? mean(given.points.share, given.scattered.path) : 0.0;
+    asked.insert(asked.end(), {question_.geometry.sun_zenith_rad.value_or(-1.0), mean_path});
+    for (const ChannelPoints::Point& point : given.points.points) asked.push_back(point.wavelength_um);
+    for (const std::vector<double>* list : {&given.points.share, &given.points.irradiance, &given.points.sun,
+                                            &given.points.view, &given.points.gas_depth})
+      asked.insert(asked.end(), list->begin(), list->end());
+    if (given.emitted) {
+      asked.insert(asked.end(), given.emitted->path.begin(), given.emitted->path.end());
+      asked.insert(asked.end(), given.emitted->sky_irradiance.begin(), given.emitted->sky_irradiance.end());
+    }
+    return asked;
+  }
+  bool known(const std::vector<double>& asked, AirError& error) const {
+    double answer[3];
+    if (question_.kept == nullptr || !question_.kept->find(asked, answer)) return false;
+    error = {answer[0], answer[1], answer[2]};
+    return true;
+  }
+  void keep(const std::vector<double>& asked, const AirError& error) const {
+    const double answer[3] = {error.path, error.surface, error.sky};
+    if (question_.kept != nullptr) question_.kept->keep(asked, answer);
+  }
+
+  void absorption(std::size_t channel, const BinOptics& optics) {
     const ChannelLights& given = channels_[channel];
     const AtmosphereColumn& column = question_.finer.column();
-    const ChannelPoints points(column, bins_[channel], optics_, question_.geometry);
+    const ChannelPoints points(column, bins_[channel], optics, question_.geometry);
     std::optional<ChannelEmission> emitted;
     if (given.emitted) emitted.emplace(column, points, question_.geometry, SkyDirections{});
     const ExactLight right(column, points, emitted ? &*emitted : nullptr, question_.geometry,
@@ -180,7 +217,6 @@ class Estimate {
   const ErrorQuestion& question_;
   std::span<const std::vector<ChannelBin>> bins_;
   std::span<const ChannelLights> channels_;
-  BinOptics optics_;
   std::vector<AirErrors> errors_;
 };
 

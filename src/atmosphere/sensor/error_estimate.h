@@ -7,6 +7,7 @@
 #include "atmosphere/sensor/channel_bins.h"
 #include "atmosphere/sensor/channel_lights.h"
 #include "atmosphere/sensor/finer_air.h"
+#include "atmosphere/sensor/kept_solutions.h"
 
 namespace ifov::atmosphere {
 
@@ -18,6 +19,7 @@ struct ErrorQuestion {
   const ScatteringOptions& scattering;
   const radiometry::Spectrum& ground;  ///< reflectance of the ground around the scene
   int threads = 0;
+  KeptSolutions* kept = nullptr;  ///< estimates from before, if any
 };
 
 /// Errors of solved channels by where they come from, all but that of the nodes

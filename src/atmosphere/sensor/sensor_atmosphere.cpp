@@ -106,7 +106,8 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
   if (!finer) return;
   const SensorGeometry alone = geometry_.alone();
   errors_ = estimate_errors(
-      {column, *finer, alone, directions_, inputs.scattering, inputs.ground, inputs.threads}, bins, channels);
+      {column, *finer, alone, directions_, inputs.scattering, inputs.ground, inputs.threads, inputs.kept},
+      bins, channels);
   for (std::size_t c = 0; c < errors_.size(); ++c) {
     errors_[c].nodes.surface = nodes_.worst_error(c);
     errors_[c].sights = sight_error(c, channels[c], inputs.ground);
