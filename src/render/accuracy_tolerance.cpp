@@ -11,6 +11,8 @@ namespace {
 /// Share of a pixel's radiance below which no error is resolved: paths and products are in single precision,
 /// whose rounding errors are 1e-7 and, over a path, some 1e-6.
 constexpr double kResolution = 1e-5;
+/// Share of a pixel's radiance that a white surface must make for reflectance to mean anything.
+constexpr double kSeen = 0.01;
 
 }  // namespace
 
@@ -70,7 +72,8 @@ void AccuracyTolerance::asked(std::span<const double> mean, std::span<double> li
         limit[c] = request_.error;
         break;
       case ErrorUnit::reflectance:
-        limit[c] = request_.error * white_[c];
+        limit[c] = white_[c] < kSeen * radiance ? std::numeric_limits<double>::infinity()
+                                                : request_.error * white_[c];
         break;
       case ErrorUnit::noise:
         limit[c] = request_.error * request_.noise_w_m2_sr_um[c];

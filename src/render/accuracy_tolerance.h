@@ -28,9 +28,9 @@ struct AccuracyRequest {
 /// under the scene's Sun and sky plus a black body's of 288.15 K, so that it means something in every
 /// channel. Percent: max(error * |L|, floor * W). Kelvin: error * dL/dT at the pixel's own brightness
 /// temperature, taken no colder than that of floor * W. Reflectance: error * the white Lambertian's reflected
-/// radiance. Noise: error * the channel's noise. So dark channels and pixels finish. None is below 1e-5 of
-/// |L|, which single precision can bear: in a channel where the air is opaque a reflectance is worth less
-/// than the rounding of the air's own radiance.
+/// radiance; where that is less than a hundredth of |L| the air hides the surface, and the channel is not judged.
+/// Noise: error * the channel's noise. So dark channels and pixels finish. None is below 1e-5 of |L|, which single
+/// precision can bear.
 class AccuracyTolerance final : public sampling::Tolerance {
  public:
   /// `white_reflected` is the radiance of a level white Lambertian lit by Sun and sky, by channel;
