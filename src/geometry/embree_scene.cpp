@@ -22,8 +22,6 @@ void check(RTCDevice device) {
   if (error != RTC_ERROR_NONE) throw EnvironmentError(format("the ray tracer reports error {}", int(error)));
 }
 
-RayPacket& packet_of(RTCIntersectContext* context) { return *reinterpret_cast<RayPacket*>(context); }
-
 /// Embree's rays carry their lane number as their id. The ray's far end moves to the hit and a window beyond
 /// it, so that whatever might be nearer in double is proposed too.
 void propose_triangle(const RTCFilterFunctionNArguments* a) {
@@ -104,6 +102,12 @@ void occlude_analytic(const RTCOccludedFunctionNArguments* a) {
   }
 }
 
+/// Lane `k` against a block of a height field, between the ray's ends.
+HeightField::Hit meet(const RayPacket& packet, std::size_t k, const PlacedField& placed, unsigned block) {
+  return placed.field->meet(block, placed.field_from_centred(packet.start(k)),
+                            placed.field_from_centred(packet.direction(k)), packet.low[k], packet.high[k]);
+}
+
 void intersect_field(const RTCIntersectFunctionNArguments* a) {
   RayPacket& packet = packet_of(a->context);
   const auto& placed = *static_cast<const PlacedField*>(a->geometryUserPtr);
@@ -111,9 +115,7 @@ void intersect_field(const RTCIntersectFunctionNArguments* a) {
   for (unsigned i = 0; i < a->N; ++i) {
     if (a->valid[i] == 0) continue;
     const std::size_t k = RTCRayN_id(rays, a->N, i);
-    const HeightField::Hit hit =
-        placed.field->meet(a->primID, placed.field_from_centred(packet.start(k)),
-                           placed.field_from_centred(packet.direction(k)), packet.low[k], packet.high[k]);
+    const HeightField::Hit hit = meet(packet, k, placed, a->primID);
     if (hit.t < packet.high[k] &&
         packet.take(k, hit.t, hit.t, {Candidate::field, RTC_INVALID_GEOMETRY_ID, hit.triangle, 0, &placed}))
       RTCRayN_tfar(rays, a->N, i) =
@@ -127,47 +129,32 @@ void occlude_field(const RTCOccludedFunctionNArguments* a) {
   for (unsigned i = 0; i < a->N; ++i) {
     if (a->valid[i] == 0) continue;
     const std::size_t k = RTCRayN_id(a->ray, a->N, i);
-    const HeightField::Hit hit =
-        placed.field->meet(a->primID, placed.field_from_centred(packet.start(k)),
-                           placed.field_from_centred(packet.direction(k)), packet.low[k], packet.high[k]);
-    if (hit.t < packet.high[k]) RTCRayN_tfar(a->ray, a->N, i) = -kFloatInfinity;
+    if (meet(packet, k, placed, a->primID).t < packet.high[k]) RTCRayN_tfar(a->ray, a->N, i) = -kFloatInfinity;
   }
 }
 
 void bound_field(const RTCBoundsFunctionArguments* a) {
   const auto& placed = *static_cast<const PlacedField*>(a->geometryUserPtr);
   const World::Bounds own = placed.field->block_bounds(a->primID);
-  if (!(own.low_m.z <= own.high_m.z)) {
-    *a->bounds_o = {kFloatInfinity,  kFloatInfinity,  kFloatInfinity,  0.0f,
-                    -kFloatInfinity, -kFloatInfinity, -kFloatInfinity, 0.0f};
-    return;
-  }
-  const World::Bounds b = image_of(own, placed.centred_from_field);
-  const auto down = [&](double v) {
-    return std::nextafter(static_cast<float>(v - placed.padding_m), -kFloatInfinity);
-  };
-  const auto up = [&](double v) {
-    return std::nextafter(static_cast<float>(v + placed.padding_m), kFloatInfinity);
-  };
-  *a->bounds_o = {down(b.low_m.x), down(b.low_m.y), down(b.low_m.z), 0.0f,
-                  up(b.high_m.x),  up(b.high_m.y),  up(b.high_m.z),  0.0f};
+  *a->bounds_o = padded(own.low_m.z <= own.high_m.z ? image_of(own, placed.centred_from_field) : own, placed.padding_m);
 }
 
 void bound_analytic(const RTCBoundsFunctionArguments* a) {
   const auto& set = *static_cast<const AnalyticSet*>(a->geometryUserPtr);
   const UnitPrimitive& shape = set.shapes[a->primID];
-  const World::Bounds b = unit_bounds(shape.kind, shape.unit_from_object.inverse());
-  const auto down = [&](double v) {
-    return std::nextafter(static_cast<float>(v - set.padding_m), -kFloatInfinity);
-  };
-  const auto up = [&](double v) {
-    return std::nextafter(static_cast<float>(v + set.padding_m), kFloatInfinity);
-  };
-  *a->bounds_o = {down(b.low_m.x), down(b.low_m.y), down(b.low_m.z), 0.0f,
-                  up(b.high_m.x),  up(b.high_m.y),  up(b.high_m.z),  0.0f};
+  *a->bounds_o = padded(unit_bounds(shape.kind, shape.unit_from_object.inverse()), set.padding_m);
 }
 
 }  // namespace
+
+RTCBounds padded(const World::Bounds& box, double padding_m) {
+  if (!(box.low_m.z <= box.high_m.z))
+    return {kFloatInfinity, kFloatInfinity, kFloatInfinity, 0.0f, -kFloatInfinity, -kFloatInfinity, -kFloatInfinity, 0.0f};
+  const auto down = [&](double v) { return std::nextafter(static_cast<float>(v - padding_m), -kFloatInfinity); };
+  const auto up = [&](double v) { return std::nextafter(static_cast<float>(v + padding_m), kFloatInfinity); };
+  return {down(box.low_m.x), down(box.low_m.y), down(box.low_m.z), 0.0f,
+          up(box.high_m.x),  up(box.high_m.y),  up(box.high_m.z),  0.0f};
+}
 
 void attach(RTCDevice device, RTCScene scene, RTCGeometry geometry, unsigned number) {
   rtcCommitGeometry(geometry);

@@ -32,6 +32,9 @@ EmbreeDevice make_device(int threads, std::atomic<std::int64_t>& bytes);
 EmbreeScene make_scene(RTCDevice device, bool robust);
 void commit(RTCDevice device, RTCScene scene);
 
+/// A box in Embree's floats, widened by `padding_m` against their rounding; empty where low is above high.
+RTCBounds padded(const World::Bounds& box, double padding_m);
+
 /// Commits a geometry and hands it over to the scene.
 void attach(RTCDevice device, RTCScene scene, RTCGeometry geometry, unsigned number);
 

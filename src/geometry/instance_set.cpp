@@ -14,20 +14,10 @@ using math::Vec3;
 
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
-RayPacket& packet_of(RTCIntersectContext* context) { return *reinterpret_cast<RayPacket*>(context); }
-
 void bound_instance(const RTCBoundsFunctionArguments* a) {
   const auto& set = *static_cast<const InstanceSet*>(a->geometryUserPtr);
-  const World::Bounds b =
-      image_of(set.targets[(*set.pieces)[a->primID].of].bounds, (*set.set_from_scene)[a->primID].inverse());
-  const auto down = [&](double v) {
-    return std::nextafter(static_cast<float>(v - set.padding_m), -kFloatInfinity);
-  };
-  const auto up = [&](double v) {
-    return std::nextafter(static_cast<float>(v + set.padding_m), kFloatInfinity);
-  };
-  *a->bounds_o = {down(b.low_m.x), down(b.low_m.y), down(b.low_m.z), 0.0f,
-                  up(b.high_m.x),  up(b.high_m.y),  up(b.high_m.z),  0.0f};
+  const World::Bounds& own = set.targets[(*set.pieces)[a->primID].of].bounds;
+  *a->bounds_o = padded(image_of(own, (*set.set_from_scene)[a->primID].inverse()), set.padding_m);
 }
 
 /// The rays of Embree's packet in the frame of an instance, eight at most.

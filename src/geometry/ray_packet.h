@@ -122,4 +122,7 @@ struct RayPacket {
   }
 };
 
+/// The packet that a traversal of Embree's belongs to.
+inline RayPacket& packet_of(RTCIntersectContext* context) { return *reinterpret_cast<RayPacket*>(context); }
+
 }  // namespace ifov::geometry
