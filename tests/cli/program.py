@@ -1,5 +1,6 @@
 """Runs the built program; found where IFOV_PROGRAM says, else in build/."""
 
+import json
 import os
 import pathlib
 import subprocess
@@ -57,3 +58,29 @@ class Folder:
 
     def __exit__(self, *_):
         self._folder.cleanup()
+
+
+def products(folder):
+    """Every product's bytes; of the run record all but the time it took."""
+    content = {}
+    for file in sorted(pathlib.Path(folder).iterdir()):
+        content[file.name] = file.read_bytes() if file.is_file() else None
+    record = json.loads(content["image_run.json"])
+    record["cost"].pop("elapsed_s")
+    record["cost"].pop("threads")
+    content["image_run.json"] = record
+    return content
+
+
+class WholeProducts:
+    """For test cases with a finished run's products in `reference`, and the Folder that they came from in `_folder`."""
+
+    @classmethod
+    def tearDownClass(cls):
+        cls._folder.__exit__()
+
+    def expect_whole(self, folder):
+        found = products(folder)
+        self.assertEqual(sorted(found), sorted(self.reference))
+        for name, content in self.reference.items():
+            self.assertEqual(found[name], content, f"{folder}/{name}")

@@ -13,8 +13,8 @@ import subprocess
 import time
 import unittest
 
-from program import PROGRAM, Folder, run
-from test_runs import ENDLESS, KILLS, SCENE, products, wait_for_tiles
+from program import PROGRAM, Folder, WholeProducts, products, run
+from test_runs import ENDLESS, KILLS, SCENE, wait_for_tiles
 
 # Minutes of work in tiles of a tenth of a second.
 LONG = ENDLESS.replace('"0.01 %"', '"1 %"')
@@ -75,23 +75,13 @@ def wait_for(condition, seconds=30):
 
 @unittest.skipUnless(MPIRUN, "mpirun is not installed (Debian: openmpi-bin)")
 @unittest.skipUnless(HAS_MPI, "ifov was built without MPI")
-class Ranks(unittest.TestCase):
+class Ranks(WholeProducts, unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls._folder = Folder(scene=SCENE)
         done = run("render", "scene.json", "-j", 2, "--no-state", cwd=cls._folder.path)
         assert done.returncode == 0, done.stderr
         cls.reference = products(cls._folder.path / "scene.out")
-
-    @classmethod
-    def tearDownClass(cls):
-        cls._folder.__exit__()
-
-    def expect_whole(self, folder):
-        found = products(folder)
-        self.assertEqual(sorted(found), sorted(self.reference))
-        for name, content in self.reference.items():
-            self.assertEqual(found[name], content, f"{folder}/{name}")
 
     def expect_resumed(self, folder, ranks):
         done = mpirun(ranks, "render", "scene.json", "--resume", cwd=folder) if ranks > 1 else run(

@@ -11,8 +11,8 @@ import subprocess
 import time
 import unittest
 
-from program import PROGRAM, Folder, run
-from test_runs import products, wait_for_tiles
+from program import PROGRAM, Folder, products, run
+from test_runs import wait_for_tiles
 
 # Low crowns of leaves and trunks over rough ground, in the visible and the thermal infrared: traced borders, textures of
 # light, clutter.

@@ -14,7 +14,7 @@ import tempfile
 import time
 import unittest
 
-from program import PROGRAM, Folder, run
+from program import PROGRAM, Folder, WholeProducts, products, run
 
 KILLER = pathlib.Path(os.environ.get("IFOV_BUILD", pathlib.Path(PROGRAM).parent)) / "tests" / "libkill_at_call.so"
 
@@ -57,18 +57,6 @@ ENDLESS = (
 )
 
 
-def products(folder):
-    """Every product's bytes; of the run record all but the time it took."""
-    content = {}
-    for file in sorted(pathlib.Path(folder).iterdir()):
-        content[file.name] = file.read_bytes() if file.is_file() else None
-    record = json.loads(content["image_run.json"])
-    record["cost"].pop("elapsed_s")
-    record["cost"].pop("threads")
-    content["image_run.json"] = record
-    return content
-
-
 def start(folder, *arguments, **environment):
     return subprocess.Popen(
         [PROGRAM, "render", "scene.json", "-j", "2", *arguments], cwd=folder, env={**os.environ, **environment},
@@ -85,7 +73,7 @@ def wait_for_tiles(folder, seconds=30):
         time.sleep(0.01)
 
 
-class Runs(unittest.TestCase):
+class Runs(WholeProducts, unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls._folder = Folder(scene=SCENE)
@@ -95,16 +83,6 @@ class Runs(unittest.TestCase):
         cls.seconds = time.monotonic() - begin
         assert done.returncode == 0, done.stderr
         cls.reference = products(cls.reference_folder / "scene.out")
-
-    @classmethod
-    def tearDownClass(cls):
-        cls._folder.__exit__()
-
-    def expect_whole(self, folder):
-        found = products(folder)
-        self.assertEqual(sorted(found), sorted(self.reference))
-        for name, content in self.reference.items():
-            self.assertEqual(found[name], content, f"{folder}/{name}")
 
     def expect_resumed(self, folder, *words):
         done = run("render", "scene.json", "-j", 2, "--resume", cwd=folder)
