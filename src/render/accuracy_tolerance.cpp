@@ -11,13 +11,14 @@ namespace {
 /// Share of a pixel's radiance below which no error is resolved: paths and products are in single precision,
 /// whose rounding errors are 1e-7 and, over a path, some 1e-6.
 constexpr double kResolution = 1e-5;
-/// Share of a pixel's radiance that a white surface must make for reflectance to mean anything.
+/// What a white surface must send through the air, over what the air sends itself, for reflectance to mean anything.
 constexpr double kSeen = 0.01;
 
 }  // namespace
 
 AccuracyTolerance::AccuracyTolerance(AccuracyRequest request, const ChannelBrightness& brightness,
                                      std::vector<double> white_reflected_w_m2_sr_um, std::int64_t pixel_count,
+                                     const std::vector<double>& path_radiance_w_m2_sr_um,
                                      std::vector<AirHalfWidth> air)
     : request_(std::move(request)),
       brightness_(brightness),
@@ -26,6 +27,8 @@ AccuracyTolerance::AccuracyTolerance(AccuracyRequest request, const ChannelBrigh
   const std::size_t channels = white_.size();
   judged_.assign(channels, request_.channels.empty() ? 1 : 0);
   for (int c : request_.channels) judged_[static_cast<std::size_t>(c)] = 1;
+  if (request_.unit == ErrorUnit::reflectance && !path_radiance_w_m2_sr_um.empty())
+    leave_hidden_channels(path_radiance_w_m2_sr_um);
   floor_.resize(channels);
   constexpr double kReference_k = 288.15;
   for (std::size_t c = 0; c < channels; ++c)
@@ -38,6 +41,13 @@ AccuracyTolerance::AccuracyTolerance(AccuracyRequest request, const ChannelBrigh
         static_cast<double>(std::count(judged_.begin(), judged_.end(), 1)) * static_cast<double>(pixel_count);
     confidence_ = std::pow(request_.confidence, 1.0 / statements);  // Sidak 1967
   }
+}
+
+void AccuracyTolerance::leave_hidden_channels(const std::vector<double>& path_radiance) {
+  std::vector<char> seen = judged_;
+  for (std::size_t c = 0; c < seen.size(); ++c)
+    if (white_[c] < kSeen * path_radiance[c]) seen[c] = 0;
+  if (std::find(seen.begin(), seen.end(), 1) != seen.end()) judged_ = std::move(seen);
 }
 
 void AccuracyTolerance::limits(std::span<const double> mean, std::span<double> limit) const {
@@ -72,8 +82,7 @@ void AccuracyTolerance::asked(std::span<const double> mean, std::span<double> li
         limit[c] = request_.error;
         break;
       case ErrorUnit::reflectance:
-        limit[c] = white_[c] < kSeen * radiance ? std::numeric_limits<double>::infinity()
-                                                : request_.error * white_[c];
+        limit[c] = request_.error * white_[c];
         break;
       case ErrorUnit::noise:
         limit[c] = request_.error * request_.noise_w_m2_sr_um[c];

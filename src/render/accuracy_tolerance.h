@@ -28,16 +28,16 @@ struct AccuracyRequest {
 /// under the scene's Sun and sky plus a black body's of 288.15 K, so that it means something in every
 /// channel. Percent: max(error * |L|, floor * W). Kelvin: error * dL/dT at the pixel's own brightness
 /// temperature, taken no colder than that of floor * W. Reflectance: error * the white Lambertian's reflected
-/// radiance; where that is less than a hundredth of |L| the air hides the surface, and the channel is not judged.
-/// Noise: error * the channel's noise. So dark channels and pixels finish. None is below 1e-5 of |L|, which single
+/// radiance; channels in which that is less than a hundredth of the path's are not judged, because the air hides
+/// the surface (unless all are such). Noise: error * the channel's noise. So dark channels and pixels finish. None is below 1e-5 of |L|, which single
 /// precision can bear.
 class AccuracyTolerance final : public sampling::Tolerance {
  public:
-  /// `white_reflected` is the radiance of a level white Lambertian lit by Sun and sky, by channel;
-  /// `pixel_count` counts for simultaneous confidence only.
+  /// By channel: `white_reflected`, the radiance of a level white Lambertian lit by Sun and sky, and
+  /// `path_radiance`, what the path to the sensor adds (empty: nothing). `pixel_count` counts for simultaneous confidence only.
   AccuracyTolerance(AccuracyRequest request, const ChannelBrightness& brightness,
                     std::vector<double> white_reflected_w_m2_sr_um, std::int64_t pixel_count,
-                    std::vector<AirHalfWidth> air = {});
+                    const std::vector<double>& path_radiance_w_m2_sr_um = {}, std::vector<AirHalfWidth> air = {});
 
   /// What is left for paths and edges: what is asked for less what the air may be wrong by, but never less than
   /// kLeastShare of it, because no number of rays makes up for the air.
@@ -58,6 +58,8 @@ class AccuracyTolerance final : public sampling::Tolerance {
   std::vector<double> white_;
   std::vector<AirHalfWidth> air_;  // by channel; empty: none
   std::vector<double> floor_;
+  void leave_hidden_channels(const std::vector<double>& path_radiance);
+
   std::vector<char> judged_;
   double confidence_ = 0.95;
 };

@@ -11,14 +11,13 @@ std::vector<AirHalfWidth> air_half_widths(const SpectralScene& scene,
   std::vector<AirHalfWidth> all;
   constexpr double kGrey = 0.2, kGrey_k = 288.15;
   const radiometry::SpectralNodes& nodes = scene.nodes();
-  const std::vector<double> white = scene.white_reflected();
+  const std::vector<double> white = scene.white_reflected(), path = scene.path_radiance();
   std::vector<double> planck(nodes.node_count());
   nodes.planck(kGrey_k, planck);
   for (std::size_t c = 0; c < atmosphere.errors().size(); ++c) {
     const atmosphere::AirError error = atmosphere.errors()[c].total();
-    AirHalfWidth& air = all.emplace_back(AirHalfWidth{error.path, error.surface, error.sky});
+    AirHalfWidth& air = all.emplace_back(AirHalfWidth{error.path, error.surface, error.sky, path[c]});
     for (std::size_t n = nodes.first_node(c); n < nodes.first_node(c + 1); ++n) {
-      air.path_radiance += nodes.node_weight(n) * scene.view_radiance()[n];
       air.grey_radiance += nodes.node_weight(n) * (1.0 - kGrey) * planck[n] * scene.view_transmittance()[n];
       air.white_in_sky += nodes.node_weight(n) * scene.sky_radiance()[n] * scene.view_transmittance()[n];
     }

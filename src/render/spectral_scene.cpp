@@ -195,4 +195,13 @@ std::vector<double> SpectralScene::white_reflected() const {
   return white;
 }
 
+std::vector<double> SpectralScene::path_radiance() const {
+  std::vector<double> path(nodes_.channel_count(), 0.0);
+  if (!has_view_path_) return path;
+  for (std::size_t c = 0; c < path.size(); ++c)
+    for (std::size_t n = nodes_.first_node(c); n < nodes_.first_node(c + 1); ++n)
+      path[c] += nodes_.node_weight(n) * view_radiance()[n];
+  return path;
+}
+
 }  // namespace ifov::render

@@ -64,6 +64,8 @@ class SpectralScene {
 
   /// By channel: radiance of a level white Lambertian under Sun and sky, through the view path's transmittance.
   std::vector<double> white_reflected() const;
+  /// What the path to the sensor adds, by channel, W m-2 sr-1 um-1.
+  std::vector<double> path_radiance() const;
 
  private:
   const float* emission(const scene::Constituent& constituent, float* scratch) const;

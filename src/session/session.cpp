@@ -140,7 +140,7 @@ std::unique_ptr<render::AccuracyTolerance> Session::Parts::tolerance_of(const Sa
   return std::make_unique<render::AccuracyTolerance>(*sampling.request, *brightness, spectral_scene->white_reflected(),
                                                      static_cast<std::int64_t>(camera->width_px()) *
                                                          camera->height_px(),
-                                                     air);
+                                                     spectral_scene->path_radiance(), air);
 }
 
 Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}

@@ -69,12 +69,18 @@ TEST(AccuracyTolerance, ReflectanceIsNotJudgedWhereTheAirHidesTheSurface) {
   AccuracyRequest request;
   request.unit = ErrorUnit::reflectance;
   request.error = 0.02;
-  double limit[1];
-  const double air[] = {0.0066}, ground[] = {8.0};
-  AccuracyTolerance(request, brightness, {1e-9}, 1).limits(air, limit);
+  double limit[2];
+  const double glint[] = {1e4, 1e4};  // the brightest pixel hides nothing
+  const AccuracyTolerance tolerance(request, brightness, {1e-9, 40.0}, 1, {0.0066, 3.0});
+  tolerance.limits(glint, limit);
   EXPECT_TRUE(std::isinf(limit[0]));
-  AccuracyTolerance(request, brightness, {40.0}, 1).limits(ground, limit);
-  EXPECT_DOUBLE_EQ(limit[0], 0.02 * 40.0);
+  EXPECT_DOUBLE_EQ(limit[1], 0.02 * 40.0);
+  EXPECT_FALSE(tolerance.judged(0));
+  // Where nothing else is left, what was asked for is judged as far as it goes.
+  const AccuracyTolerance alone(request, brightness, {1e-9}, 1, {0.0066});
+  const double air[] = {0.0066};
+  alone.limits(air, limit);
+  EXPECT_DOUBLE_EQ(limit[0], 1e-5 * air[0]);
 }
 
 TEST(AccuracyTolerance, SimultaneousConfidenceIsTighterPerStatement) {

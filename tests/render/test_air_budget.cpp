@@ -18,7 +18,7 @@ class AirBudget : public testing::Test {
     request.error = error;
     request.floor = 0.0;
     request.channels = {0};
-    return AccuracyTolerance(request, brightness_, {kWhite, kWhite}, 1, air_);
+    return AccuracyTolerance(request, brightness_, {kWhite, kWhite}, 1, {}, air_);
   }
   sampling::TileResult tile(float mean, float half_width) const {
     sampling::TileResult result;

@@ -95,7 +95,7 @@ Kind<AccuracySampling> accuracy_kind() {
           "allowed half-width of each pixel's interval: brightness temperature, share of the pixel's value, "
           "radiance, apparent reflectance, or share of the noise that channels declare; never finer than "
           "1e-5 of the value, the precision of the products; reflectance is not judged in channels where a white "
-          "surface makes less than 1 % of it")
+          "surface sends less than 1 % of what the air does")
       .with_default("confidence", &AccuracySampling::confidence, fraction({0.5, 1.0, false, true, {}}),
                     "0.95", "probability with which the interval holds the true value")
       .optional("channel", &AccuracySampling::channel, name_of("a channel"), "that is judged; without it all")
