@@ -51,6 +51,9 @@ def main():
         except subprocess.CalledProcessError as error:
             failed.append(f"{name}: {error}\n{(error.stderr or '')[-2000:]}")
             continue
+        except (RuntimeError, OSError, LookupError, ArithmeticError) as error:  # the other groups go on
+            failed.append(f"{name}: {type(error).__name__}: {error}")
+            continue
         for figure, row in found.items():
             show(figure, row)
             figures[figure] = row

@@ -122,6 +122,7 @@ void ask_for_tiles(cluster::World& world) {
   cluster::Parcel farewell;
   put(farewell, {cluster::Fault::Kind::none, {}});
   farewell.put(0);
+  farewell.put(std::vector<std::string>());
   farewell.put(Progress{});
   world.send(0, cluster::Tag::farewell, farewell);
   world.wait_for_end();

@@ -14,6 +14,7 @@ RANKS = [1, 2, 8, 32, 128, 512, 1000]
 TILES = [8, 16, 32, 64]
 COPIES = 16  # the scene is this many times beside and above itself in the simulation: 4096 x 4096 pixels
 LEAST_2, LEAST_1000 = 0.95, 0.9
+BOTH_CORES = 0.98  # two runs that share nothing keep this much of their speed where both cores are ours
 
 
 def write_scene(file, error_percent):
@@ -65,15 +66,19 @@ def two_ranks(context, folder):
             raise RuntimeError("a run beside another one failed")
         beside.append(time.monotonic() - begin)
     efficiency = median([a / (2 * b) for a, b in zip(one, two)])
+    machine = median([a / b for a, b in zip(one, beside)])
+    alone = (at_least(efficiency, LEAST_2, "of one rank, start to products") if machine >= BOTH_CORES
+             else figure(round(efficiency, 3), "of one rank, start to products", f"not judged: the machine gives {machine:.2f}"))
     same = all((folder / "one" / f"image_{name}.img").read_bytes() == (folder / "two" / f"image_{name}.img").read_bytes()
                for name in ("radiance", "half_width", "samples"))
     return {
-        "cluster.efficiency_2_ranks": at_least(efficiency, LEAST_2, "of one rank, start to products"),
+        "cluster.efficiency_2_ranks": alone,
+        "cluster.efficiency_2_ranks_over_machine": at_least(
+            median([a / (2 * b) for a, b in zip(beside, two)]), LEAST_2, "of two runs side by side"),
         "cluster.same_bytes": at_least(int(same), 1, "1: as of one rank"),
         "cluster.one_rank": figure(round(median(one), 1), "s"),
         "cluster.two_ranks": figure(round(median(two), 1), "s"),
-        "cluster.two_runs_side_by_side": figure(
-            round(median([a / b for a, b in zip(one, beside)]), 3), "of their speed alone"),
+        "cluster.two_runs_side_by_side": figure(round(machine, 3), "of their speed alone"),
         "cluster.load": figure(round(os.getloadavg()[1], 1), "load average, 5 min (2: ours alone)"),
     }
 
@@ -108,10 +113,10 @@ def run(context):
     ordered = sorted(by_tile)
     return figures | {
         "cluster.dearest_tile": figure(round(ordered[-1] / ordered[len(ordered) // 2], 1), "times the median tile"),
-        "cluster.ask_tcp": at_most(1e3 * tcp["round_trip_s"], 2.0, "ms, mean"),
-        "cluster.ask_tcp_99": figure(round(1e3 * tcp["round_trip_99_s"], 3), "ms, 99th percentile"),
-        "cluster.ask_shared_memory": figure(round(1e3 * shared["round_trip_s"], 3), "ms, mean"),
-        "cluster.service": figure(round(1e6 * tcp["service_s"], 1), "us of the first rank per ask"),
+        "cluster.ask_tcp": at_most(1e3 * tcp["round_trip_s"], 2.0, "ms, mean, measured now"),
+        "cluster.ask_tcp_99": figure(round(1e3 * tcp["round_trip_99_s"], 3), "ms, 99th percentile, now"),
+        "cluster.ask_shared_memory": figure(round(1e3 * shared["round_trip_s"], 3), "ms, mean, measured now"),
+        "cluster.service": figure(round(1e6 * tcp["service_s"], 1), "us per ask, now"),
         "cluster.simulated_1000_ranks": at_least(many[best], LEAST_1000, "efficiency"),
         "cluster.simulated_tile": figure(best, "pixels wide"),
     } | {

@@ -9,6 +9,7 @@
 #include "cli/run_commands.h"
 #include "core/error.h"
 #include "core/format.h"
+#include "core/machine_memory.h"
 #include "core/names.h"
 #include "core/version.h"
 
@@ -88,7 +89,7 @@ int run_and_say(int argc, char** argv) {
   } catch (const std::system_error& error) {
     return cli::fail(ExitCode::environment, format("ifov: {}", error.what()));
   } catch (const std::bad_alloc&) {
-    return cli::fail(ExitCode::environment, "ifov: memory ran out");
+    return cli::fail(ExitCode::environment, format("ifov: {}", memory_ran_out()));
   } catch (const std::exception& error) {
     return cli::fail(ExitCode::bug, format("ifov: this is a bug, please report it: {}", error.what()));
   }

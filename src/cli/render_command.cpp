@@ -27,16 +27,23 @@ struct RenderArguments {
   bool keep = false, refine = false, anyway = false;
 };
 
-void print_forecast(const session::Forecast& forecast) {
+void print_forecast(const session::Forecast& forecast, double loading_s) {
   const auto size = [](std::uint64_t bytes) { return format("{}B", short_count(static_cast<double>(bytes))); };
-  std::string text = format("rays       {}\n", short_count(forecast.rays));
-  text += format("time       {}, give or take {:.0f} %\n",
-                 forecast.elapsed_s < 60.0 ? format("{:.2f} s", forecast.elapsed_s) : short_duration(forecast.elapsed_s),
-                 200.0 * forecast.uncertainty);
+  const auto time = [](double seconds) {
+    return seconds < 60.0 ? format("{:.2f} s", seconds) : short_duration(seconds);
+  };
+  std::string text;
+  if (forecast.probes > 0) {
+    text += format("rays       {}\n", short_count(forecast.rays));
+    text += format("time       {}, give or take {:.0f} %; {} of processor time\n", time(forecast.elapsed_s),
+                   200.0 * forecast.uncertainty, time(forecast.processor_s));
+    text += format("loading    {} before that, as just now\n", time(loading_s));
+  }
   text += format("memory     {}\n", size(forecast.memory_bytes));
   text += format("disk       {} while it works, {} of products\n", size(forecast.disk_bytes), size(forecast.product_bytes));
-  text += format("probed     {} pieces, {:.2g} % of the image, in {:.1f} s\n", forecast.probes,
-                 100.0 * forecast.probed_share, forecast.probing_s);
+  text += forecast.probes > 0 ? format("probed     {} pieces, {:.3g} % of the image, in {:.1f} s\n", forecast.probes,
+                                       100.0 * forecast.probed_share, forecast.probing_s)
+                              : "probed     nothing: there is too little memory\n";
   for (const std::string& shortage : forecast.shortages) text += format("it will not do: {}\n", shortage);
   std::fputs(text.c_str(), stdout);
 }
@@ -54,7 +61,6 @@ render::TileShare read_share(const std::string& text) {
 void refuse_what_ranks_cannot(const RenderArguments& arguments) {
   if (arguments.no_state)
     throw InputError("--no-state: several ranks put their tiles together in the run's folder; leave it out, or start one");
-  if (arguments.dry_run) throw InputError("--dry-run: one rank foretells the cost; start it without mpirun");
 }
 
 ExitCode render(const RenderArguments& arguments) {
@@ -112,9 +118,10 @@ ExitCode render(const RenderArguments& arguments) {
     request.start = arguments.resume ? RunStart::resume : arguments.restart ? RunStart::restart : RunStart::fresh;
     if (cancel.cancelled()) throw Cancelled();
     if (arguments.dry_run) {
+      const std::chrono::duration<double> loading = std::chrono::steady_clock::now() - begin;
       const session::Forecast forecast = session::forecast_run(session, request);
       console.finish();
-      print_forecast(forecast);
+      print_forecast(forecast, loading.count());
       return forecast.shortages.empty() ? ExitCode::ok : ExitCode::environment;
     }
     const session::RunResult result = session::render_run(session, request);

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "core/machine_memory.h"
 #include "core/run_control.h"
 
 namespace ifov::cluster {
@@ -21,7 +22,7 @@ Fault current_fault() {
   } catch (const std::system_error& error) {
     return {Kind::environment, error.what()};
   } catch (const std::bad_alloc&) {
-    return {Kind::environment, "memory ran out"};
+    return {Kind::environment, memory_ran_out()};
   } catch (const std::exception& error) {
     return {Kind::bug, error.what()};
   }

@@ -56,11 +56,12 @@ bool TileClient::was_stopped() const {
   return stopped_;
 }
 
-void TileClient::farewell(const Fault& fault, int packs) {
+void TileClient::farewell(const Fault& fault, int packs, const std::vector<std::string>& warnings) {
   const std::lock_guard lock(mutex_);
   Parcel parcel;
   put(parcel, fault);
   parcel.put(packs);
+  parcel.put(warnings);
   parcel.put(progress_);
   world_.send(0, Tag::farewell, parcel);
 }

@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -36,7 +37,7 @@ class TileClient final : public render::TileSource, public ProgressSink {
   bool was_stopped() const;
 
   /// Tells the first rank that this one is done.
-  void farewell(const Fault& fault, int packs);
+  void farewell(const Fault& fault, int packs, const std::vector<std::string>& warnings);
 
  private:
   using Clock = std::chrono::steady_clock;

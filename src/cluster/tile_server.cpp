@@ -98,6 +98,7 @@ void TileServer::answer(Message message) {
     Farewell farewell;
     farewell.fault = take_fault(parcel);
     farewell.packs = parcel.take<int>();
+    farewell.warnings = parcel.take<std::vector<std::string>>();
     progress_[message.rank] = parcel.take<Progress>();
     farewells_[message.rank] = farewell;
     if (farewell.fault) {

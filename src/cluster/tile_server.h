@@ -4,7 +4,9 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "cluster/fault.h"
 #include "cluster/tile_schedule.h"
@@ -18,6 +20,7 @@ namespace ifov::cluster {
 struct Farewell {
   Fault fault;
   int packs = 0;  ///< files of tiles that it has written
+  std::vector<std::string> warnings;
 };
 
 /// The counter of tiles, on the first rank: a thread of its own answers the others while the rest of the rank traces

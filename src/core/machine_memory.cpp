@@ -5,7 +5,11 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <string>
+
+#include "core/byte_count.h"
+#include "core/format.h"
 
 namespace ifov {
 namespace {
@@ -20,6 +24,13 @@ std::uint64_t kilobytes_in(const char* file, const std::string& name) {
   return 0;
 }
 
+/// The most that this process may map (`ulimit -v`).
+std::optional<std::uint64_t> mapped_limit_bytes() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return std::nullopt;
+  return limit.rlim_cur;
+}
+
 }  // namespace
 
 std::uint64_t peak_memory_bytes() { return kilobytes_in("/proc/self/status", "VmHWM:"); }
@@ -29,13 +40,22 @@ std::uint64_t resident_memory_bytes() { return kilobytes_in("/proc/self/status",
 std::uint64_t memory_within_reach_bytes() {
   std::uint64_t most = kilobytes_in("/proc/meminfo", "MemAvailable:");
   if (most == 0) most = std::numeric_limits<std::uint64_t>::max() / 2;
-  most += kilobytes_in("/proc/self/status", "VmRSS:");
-  rlimit limit{};
-  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-    most = std::min<std::uint64_t>(most, limit.rlim_cur);
+  if (const std::optional<std::uint64_t> limit = mapped_limit_bytes()) {
+    const std::uint64_t mapped = kilobytes_in("/proc/self/status", "VmSize:");
+    most = std::min(most, *limit - std::min(*limit, mapped));
+  }
+  most += resident_memory_bytes();
   std::uint64_t group = 0;
   if (std::ifstream("/sys/fs/cgroup/memory.max") >> group) most = std::min(most, group);
   return most;
+}
+
+std::string memory_ran_out() {
+  const std::string held = format("memory ran out: {} were held at most", byte_count(peak_memory_bytes()));
+  if (const std::optional<std::uint64_t> limit = mapped_limit_bytes())
+    return format("{}, and no more than {} may be mapped (ulimit -v); fewer threads or smaller tiles take less", held,
+                  byte_count(*limit));
+  return format("{}; fewer threads or smaller tiles take less", held);
 }
 
 }  // namespace ifov

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace ifov {
 
@@ -12,7 +13,11 @@ std::uint64_t peak_memory_bytes();
 std::uint64_t resident_memory_bytes();
 
 /// What this process may hold: what the machine has available beside what the process holds already, and no
-/// more than its limits (RLIMIT_AS, the control group's memory.max) allow.
+/// more than its limits (RLIMIT_AS, which counts what is mapped and not held too; the control group's memory.max) allow.
 std::uint64_t memory_within_reach_bytes();
+
+/// What to say where memory ran out: "memory ran out: 388.1 MB were held at most, and no more than 419.4 MB may be
+/// mapped (ulimit -v); ...".
+std::string memory_ran_out();
 
 }  // namespace ifov

@@ -8,6 +8,7 @@
 #include "io/run_state/run_state.h"
 #include "session/parts.h"
 #include "session/plan_assembly.h"
+#include "session/refinement.h"
 #include "session/team.h"
 #include "session/time_limit.h"
 
@@ -35,6 +36,9 @@ class StoringSink final : public render::TileSink {
 /// Tiles of other programs, documents or machines would not fit; and those that the first rank cannot see are lost.
 void require_same(const TeamRun& run, io::RunPlan own, bool knows_files) {
   if (!knows_files) own.files = run.plan.files;
+  // These are not of the document; the first rank alone knows the run's folder.
+  own.keeps_memory = run.plan.keeps_memory;
+  own.base = run.plan.base;
   std::string message;
   for (const std::string& line : io::differences(run.plan, own)) message += format("\n  {}", line);
   if (!message.empty())
@@ -47,6 +51,24 @@ void require_same(const TeamRun& run, io::RunPlan own, bool knows_files) {
                "a file system that all machines share, and all ranks must start in the same folder",
                file.string()));
 }
+
+/// Warnings go to the first rank in the end.
+class Warnings final : public LogSink {
+ public:
+  explicit Warnings(std::string rank) : rank_(std::move(rank)) {}
+  void info(const std::string&) override {}
+  void warn(const std::string& message) override {
+    const std::scoped_lock lock(mutex_);
+    all_.push_back(format("{}: {}", rank_, message));
+  }
+  /// When nobody warns any more.
+  const std::vector<std::string>& all() const { return all_; }
+
+ private:
+  std::string rank_;
+  std::mutex mutex_;
+  std::vector<std::string> all_;
+};
 
 class Helper {
  public:
@@ -76,14 +98,15 @@ class Helper {
   void render() {
     if (!wait_for(Tag::begin)) return;
     cluster::TileClient tiles(world_, threads_, options_.cancel);
+    Warnings warnings(world_.name(world_.rank()));
     int packs = 0;
     Fault fault;
     try {
-      packs = render(team_run_in(parcel_), tiles);
+      packs = render(team_run_in(parcel_), tiles, warnings);
     } catch (...) {
       fault = cluster::current_fault();
     }
-    tiles.farewell(tiles.was_stopped() ? Fault{} : fault, packs);
+    tiles.farewell(tiles.was_stopped() ? Fault{} : fault, packs, warnings.all());
   }
 
  private:
@@ -100,7 +123,7 @@ class Helper {
   bool reads_files() const { return world_.is_first_on_node(world_.rank()); }
 
   /// How many packs it has written.
-  int render(const TeamRun& run, cluster::TileClient& tiles) {
+  int render(const TeamRun& run, cluster::TileClient& tiles, LogSink& log) {
     require_same(run, plan_, reads_files());
     std::optional<TimeLimit::Clock::time_point> end;
     if (run.seconds_left)
@@ -114,8 +137,12 @@ class Helper {
     control.cancel = limit.token();
     control.progress = &tiles;
     control.source = &tiles;
+    render::RenderJob job = session_->parts().job();
+    job.keep_memory = run.plan.keeps_memory;
+    const std::unique_ptr<io::KeptTiles> earlier = open_kept(run.folder, run.plan, &log);
+    job.earlier = earlier.get();
     try {
-      render::render_image(session_->parts().job(), control, sink);
+      render::render_image(job, control, sink);
     } catch (const Cancelled&) {
       if (!limit.reached()) throw;
     }

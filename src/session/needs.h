@@ -17,7 +17,8 @@ std::uint64_t buffer_bytes(const io::RunPlan& plan);
 /// tiles take beyond that shows in a probe (forecast_run()).
 std::uint64_t least_memory_bytes(const io::RunPlan& plan, int threads);
 
-/// What a run will find too little of, "out: the run takes 3.1 TB of disk, 0.2 TB are free"; none: it will do.
+/// What a run will find too little of, "out: the run takes 3.1 TB of disk, 0.2 TB are free"; none: it will do. What an
+/// earlier start has left in the folder counts as free, because this run writes it anew or goes on with it.
 std::vector<std::string> shortages(const std::filesystem::path& folder, std::uint64_t disk_bytes,
                                    std::uint64_t memory_bytes);
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 
 #include "core/run_start.h"
+#include "io/run_state/kept_run.h"
 #include "io/run_state/run_plan.h"
 #include "session/parts.h"
 
@@ -16,6 +18,10 @@ void plan_refinement(const std::filesystem::path& folder, const Session::Parts& 
 
 /// An unfinished run that is resumed keeps its tiles, and refines another, if it was begun so.
 void resume_refinement(const std::filesystem::path& folder, io::RunPlan& plan);
+
+/// The tiles that the plan's run goes on from; null where it begins from nothing. `log` (may be null) is told of damage.
+/// Throws InputError where they are not there any more.
+std::unique_ptr<io::KeptTiles> open_kept(const std::filesystem::path& folder, const io::RunPlan& plan, LogSink* log);
 
 /// InputError where the document's sampling leaves nothing that --refine could go on from.
 void require_refinable(const Session::Parts& parts);

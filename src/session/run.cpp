@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/machine_memory.h"
 #include "io/products/part_file.h"
-#include "io/run_state/kept_run.h"
 #include "io/run_state/run_state.h"
 #include "session/needs.h"
 #include "session/parts.h"
@@ -96,7 +96,6 @@ class Run {
       : parts_(session.parts()),
         options_(request.options),
         deadline_(request.deadline),
-        anyway_(request.anyway),
         folder_(request.folder(session)),
         team_(request.team),
         plan_(assemble_plan(parts_)) {
@@ -105,8 +104,7 @@ class Run {
     plan_.keeps_memory = request.keep_finished;
     if (request.refine) plan_refinement(folder_, parts_, plan_);
     if (request.start == RunStart::resume) resume_refinement(folder_, plan_);
-    if (team_ != nullptr && (plan_.keeps_memory || plan_.base != 0))
-      throw InputError("--keep and --refine are for one process: start it without mpirun");
+    if (!request.anyway) require_room(request);
     if (!request.keep_tiles) return;
     state_.emplace(folder_, plan_, request.start, options_.log);
     plan_ = state_->plan();
@@ -122,13 +120,13 @@ class Run {
     } catch (const EnvironmentError& error) {
       throw EnvironmentError(kept(error.what()));
     } catch (const std::bad_alloc&) {
-      throw EnvironmentError(kept("memory ran out"));
+      throw EnvironmentError(kept(memory_ran_out()));
     }
   }
 
  private:
   std::string kept(const std::string& what) const {
-    if (!state_) return what;
+    if (!state_ || (tiles_.count() == 0 && team_ == nullptr)) return what;
     return format("{}\nFinished tiles are kept in {}: put this right and go on with --resume.", what,
                   state_->path().string());
   }
@@ -160,12 +158,12 @@ class Run {
     return left;
   }
 
-  /// What is known before the first ray; space that earlier tiles take is taken already.
-  void require_room(std::size_t tiles_left) const {
-    std::uint64_t disk = (products_ ? io::product_bytes(plan_) : 0) + (state_ ? io::state_bytes(plan_) : 0);
-    disk = disk * tiles_left / tiles_.done.size();
-    const std::vector<std::string> lines =
-        shortages(folder_, disk, least_memory_bytes(plan_, options_.threads));
+  /// What is known before the first ray.
+  void require_room(const RunRequest& request) const {
+    const int threads = team_ != nullptr ? team_->threads(options_.threads) : options_.threads;
+    const std::uint64_t disk =
+        (plan_.share.is_whole() ? io::product_bytes(plan_) : 0) + (request.keep_tiles ? io::state_bytes(plan_) : 0);
+    const std::vector<std::string> lines = shortages(folder_, disk, least_memory_bytes(plan_, threads));
     if (lines.empty()) return;
     std::string message;
     for (const std::string& line : lines) message += line + "\n";
@@ -175,7 +173,6 @@ class Run {
   void trace() {
     const std::vector<int> left = tiles_left();
     if (left.empty()) return;
-    if (!anyway_) require_room(left.size());
     std::optional<TimeLimit::Clock::time_point> end = deadline_;
     if (end && products_)
       *end -= std::chrono::duration_cast<TimeLimit::Clock::duration>(std::chrono::duration<double>(
@@ -193,8 +190,8 @@ class Run {
     bool stopped = false;
     render::RenderJob job = parts_.job();
     job.keep_memory = plan_.keeps_memory;
-    std::optional<io::KeptTiles> earlier;
-    if (plan_.base != 0) job.earlier = &open_kept(earlier);
+    const std::unique_ptr<io::KeptTiles> earlier = open_kept(folder_, plan_, options_.log);
+    job.earlier = earlier.get();
     try {
       render::render_image(job, control, sink);
     } catch (const Cancelled&) {
@@ -205,7 +202,11 @@ class Run {
     if (server) farewells = server->finish([&] { progress.report_others(); });
     if (stopped) throw Cancelled();
     totals_ = progress.last();
-    for (const auto& [rank, farewell] : farewells) take_from(rank, farewell.packs);
+    for (const auto& [rank, farewell] : farewells) {
+      if (options_.log != nullptr)
+        for (const std::string& word : farewell.warnings) options_.log->warn(word);
+      take_from(rank, farewell.packs);
+    }
     if (const std::size_t missing = tiles_left().size(); server && missing > 0 && !limit.reached())
       throw EnvironmentError(format("{} tiles of other ranks cannot be read back", missing));
   }
@@ -229,14 +230,6 @@ class Run {
     work.rays = tiles.rays;
     work.worst_error_ratio = tiles.worst_ratio;
     add_work(totals_, work);
-  }
-
-  io::KeptTiles& open_kept(std::optional<io::KeptTiles>& tiles) const {
-    const io::RunPlan kept = io::read_kept_plan(folder_);
-    if (kept.key() != plan_.base)
-      throw InputError(
-          format("{}: the run that is refined is not there any more. Render anew (--restart).", folder_.string()));
-    return tiles.emplace(folder_, kept, options_.log);
   }
 
   RunResult finish() {
@@ -266,7 +259,6 @@ class Run {
   const Session::Parts& parts_;
   const RunOptions& options_;
   std::optional<TimeLimit::Clock::time_point> deadline_;
-  bool anyway_;
   std::filesystem::path folder_;
   Team* team_;
   io::RunPlan plan_;

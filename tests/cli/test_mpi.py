@@ -212,13 +212,58 @@ class Ranks(WholeProducts, unittest.TestCase):
             self.assertIn("--resume goes on with what is finished", said[1])
             self.assertRegex(run("status", "scene.out", cwd=folder).stdout, r"done +[1-9]\d* of 2300 tiles")
 
+    def test_a_run_that_is_kept_and_refined_has_the_same_bytes_whoever_does_it(self):
+        """Kept by some ranks and refined by others; the tiles in run.kept lie in other files then."""
+
+        def whole(folder):
+            content = products(folder)
+            return content | {"run.kept": sorted(os.listdir(folder / "run.kept"))}
+
+        first = SCENE.replace("[60, 55]", "[30, 25]")
+        with Folder(scene=first) as folder:
+            launchers = {"alone": lambda *words: run("render", "scene.json", *words, cwd=folder),
+                         "ranks": lambda *words: mpirun(3, "render", "scene.json", *words, cwd=folder)}
+            for name, launch in launchers.items():
+                done = launch("--keep", "-o", name)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertEqual(whole(folder / "ranks"), whole(folder / "alone"))
+            shutil.copytree(folder / "alone", folder / "alone by ranks")
+            shutil.copytree(folder / "ranks", folder / "ranks alone")
+            (folder / "scene.json").write_text(first.replace('"2 %"', '"0.7 %"'))
+            for where, name in (("alone", "alone"), ("ranks", "ranks"), ("alone by ranks", "ranks"), ("ranks alone", "alone")):
+                done = launchers[name]("--refine", "-o", where)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertEqual(whole(folder / where), whole(folder / "alone"), where)
+
+    def test_a_damaged_kept_tile_is_told_by_the_rank_that_met_it(self):
+        first = SCENE.replace("[60, 55]", "[30, 25]")
+        with Folder(scene=first) as folder:
+            self.assertEqual(run("render", "scene.json", "--keep", cwd=folder).returncode, 0)
+            for pack in (folder / "scene.out/run.kept/tiles").iterdir():
+                content = bytearray(pack.read_bytes())
+                content[-1] ^= 1  # of its last tile
+                pack.write_bytes(content)
+            (folder / "scene.json").write_text(first.replace('"2 %"', '"0.7 %"'))
+            done = mpirun(3, "render", "scene.json", "--refine", cwd=folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertRegex(done.stderr, r"warning: (rank [12] on \S+: )?tile \d+ of the kept run is damaged or missing: it is "
+                                          r"rendered from the beginning")
+
+    def test_a_dry_run_divides_the_time_among_all_ranks(self):
+        with Folder(scene=SCENE) as folder:
+            done = mpirun(3, "render", "scene.json", "--dry-run", "-j", "1", cwd=folder)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            found = re.search(r"^time +([\d.]+) s, give or take \d+ %; ([\d.]+) s of processor time$", done.stdout, re.MULTILINE)
+            elapsed, processor = map(float, found.groups())
+            self.assertLess(elapsed, 0.3 + 0.6 * processor)
+            self.assertEqual(os.listdir(folder), ["scene.json"])
+
     def test_errors_are_said_once(self):
         with Folder(scene=SCENE, wrong=SCENE.replace('"radius"', '"radios"')) as folder:
             for arguments, code, words in (
                 (("wrong.json",), 1, "radios"),
                 (("nothing.json",), 2, "nothing.json"),
                 (("scene.json", "--no-state"), 1, "--no-state: several ranks put their tiles together in the run's folder"),
-                (("scene.json", "--dry-run"), 1, "--dry-run: one rank foretells the cost; start it without mpirun"),
             ):
                 with self.subTest(arguments=arguments):
                     done = mpirun(3, "render", *arguments, cwd=folder)

@@ -7,6 +7,7 @@ import pathlib
 import random
 import re
 import resource
+import shutil
 import signal
 import socket
 import subprocess
@@ -62,6 +63,23 @@ def start(folder, *arguments, **environment):
         [PROGRAM, "render", "scene.json", "-j", "2", *arguments], cwd=folder, env={**os.environ, **environment},
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
     )
+
+
+def run_within(megabytes, *arguments, cwd):
+    """The finished run of a process that may map no more than this (`ulimit -v`)."""
+    limit = megabytes << 20
+    return subprocess.run(
+        [PROGRAM, "render", *arguments], cwd=cwd, capture_output=True, text=True, timeout=120,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)),
+    )
+
+
+# What is said where memory runs out: in the run, in the library that traces rays, or before there is anything.
+MEMORY_WORDS = (
+    r"^ifov: (memory ran out: [\d.]+ MB were held at most, and no more than [\d.]+ MB may be mapped \(ulimit -v\); fewer threads "
+    r"or smaller tiles take less|the run takes [\d.]+ MB of memory, [\d.]+ \wB are there; .*|the ray tracer cannot start: there is "
+    r"too little memory, or no thread can be made|.*Resource temporarily unavailable)(\n|$)"
+)
 
 
 def wait_for_tiles(folder, seconds=30):
@@ -355,20 +373,57 @@ class Runs(WholeProducts, unittest.TestCase):
                 self.assertEqual((done.returncode, done.stdout), (1, ""), arguments)
                 self.assertIn(words, done.stderr)
 
+    def test_a_run_that_will_not_fit_on_disk_says_so_before_it_begins(self):
+        giant = SCENE.replace("[60, 55]", "[30000, 30000]").replace('"tile": 12', '"tile": 256')
+        with Folder(scene=giant) as folder:
+            free = shutil.disk_usage(folder).free
+            if free > 200e9:
+                self.skipTest("the disk has room for it")
+            done = run("render", "scene.json", cwd=folder)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            found = re.fullmatch(r"ifov: scene\.out: the run takes ([\d.]+) GB of disk, ([\d.]+) (\wB) are free\n"
+                                 r"Nothing was begun\. --anyway begins all the same; --dry-run says more\.\n", done.stderr)
+            self.assertTrue(found, done.stderr)
+            # Two channels and three materials: radiance and the errors, pictures of counts and fractions, and the tiles.
+            self.assertTrue(100 < float(found[1]) < 200, done.stderr)
+            self.assertAlmostEqual(float(found[2]) * {"kB": 1e3, "MB": 1e6, "GB": 1e9}[found[3]], free, delta=2e9)
+            self.assertEqual(os.listdir(folder), ["scene.json"])
+            if free < 60e9:  # what --anyway meets then is the disk itself
+                done = run("render", "scene.json", "--anyway", cwd=folder)
+                self.assertEqual((done.returncode, done.stdout), (2, ""))
+                self.assertRegex(done.stderr, r"^ifov: scene\.out: the disk is full: the products take 72\.0 GB, [\d.]+ \wB free\n$")
+
+    def test_a_run_that_will_not_fit_in_memory_says_so_before_it_begins(self):
+        wide = SCENE.replace("[60, 55]", "[2048, 2048]").replace('"tile": 12', '"tile": 2048').replace(', "geotiff", "png"', "")
+        words = (r"the run takes ([\d.]+) MB of memory, ([\d.]+) MB are there; fewer threads or smaller tiles take less\n")
+        with Folder(scene=wide) as folder:
+            done = run_within(900, "scene.json", cwd=folder)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            found = re.fullmatch("ifov: " + words + r"Nothing was begun\. --anyway begins all the same; --dry-run says more\.\n",
+                                 done.stderr)
+            self.assertTrue(found, done.stderr)
+            self.assertLess(float(found[2]), 900 * 1.048576)
+            self.assertGreater(float(found[1]), float(found[2]))
+            done = run_within(900, "scene.json", "--dry-run", cwd=folder)
+            self.assertEqual((done.returncode, done.stderr), (2, ""))
+            self.assertRegex(done.stdout, "^memory .*\ndisk .*\nprobed     nothing: there is too little memory\nit will not do: "
+                             + words + "$")
+            self.assertEqual(os.listdir(folder), ["scene.json"])
+            done = run_within(900, "scene.json", "--anyway", cwd=folder)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertRegex(done.stderr, r"^ifov: memory ran out: [\d.]+ MB were held at most, and no more than 943\.7 MB may be mapped "
+                                          r"\(ulimit -v\); fewer threads or smaller tiles take less\n$")
+
     def test_memory_that_runs_out_is_said_and_nothing_is_lost(self):
         words = 0
         for megabytes in (150, 300, 450, 600, 1200):
             with Folder(scene=SCENE) as folder:
-                limit = megabytes << 20
-                done = subprocess.run(
-                    [PROGRAM, "render", "scene.json", "-j", "2"], cwd=folder, capture_output=True, text=True, timeout=120,
-                    preexec_fn=lambda limit=limit: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)),
-                )
+                done = run_within(megabytes, "scene.json", "-j", "2", cwd=folder)
                 if done.returncode in (0, 127):  # enough, or not even enough to load the program
                     continue
                 words += 1
                 self.assertEqual(done.returncode, 2, f"{megabytes} MB: {done.stderr}")
-                self.assertRegex(done.stderr, "memory|Cannot allocate|Resource temporarily unavailable|map segment")
+                self.assertRegex(done.stderr, MEMORY_WORDS)
                 self.expect_resumed(folder)
         self.assertGreater(words, 0)
 
@@ -430,9 +485,29 @@ def _small_from_the_start(self):
     self.remount("size=100k")
     done = run("render", "scene.json", cwd=self.disk)
     self.assertEqual((done.returncode, done.stdout), (2, ""))
+    self.assertRegex(done.stderr, r"^ifov: scene\.out: the run takes \d+\.\d kB of disk, \d+\.\d kB are free\n"
+                                  r"Nothing was begun\. --anyway begins all the same; --dry-run says more\.\n$")
+    self.assertEqual(os.listdir(self.disk), ["scene.json"])
+    done = run("render", "scene.json", "--anyway", cwd=self.disk)
+    self.assertEqual((done.returncode, done.stdout), (2, ""))
     self.assertRegex(done.stderr, r"^ifov: scene\.out: the disk is full: .* \d+\.\d kB, \d+\.\d kB free")
     self.assertEqual([f for f in os.listdir(self.disk / "scene.out") if not f.endswith(".part")], [])
     self.remount("size=64m")
+    self.expect_resumed(self.disk)
+
+
+def _room_for_the_products_alone(self):
+    """The tiles do not fit beside them: --anyway goes as far as it can, and what is finished is kept."""
+    self.remount("size=400k")
+    done = run("render", "scene.json", cwd=self.disk)
+    self.assertRegex(done.stderr, r"^ifov: scene\.out: the run takes \d+\.\d kB of disk, \d+\.\d kB are free\nNothing was begun\.")
+    done = run("render", "scene.json", "--anyway", cwd=self.disk)
+    self.assertEqual((done.returncode, done.stdout), (2, ""))
+    self.assertRegex(done.stderr, r"^ifov: scene\.out/.*: (the disk is full: .* wanted, .* free|cannot )[^\n]*\n"
+                                  r"Finished tiles are kept in scene\.out/run\.part: put this right and go on with --resume\.\n$")
+    self.assertIn("unfinished run", run("status", "scene.out", cwd=self.disk).stdout)
+    # What the run has taken already is not asked for again.
+    self.remount("size=700k")
     self.expect_resumed(self.disk)
 
 
@@ -440,7 +515,7 @@ def _dry_run_on_a_small_disk(self):
     self.remount("size=100k")
     done = run("render", "scene.json", "--dry-run", cwd=self.disk)
     self.assertEqual(done.returncode, 2, done.stderr)
-    self.assertRegex(done.stdout, r"\nit will not do: scene\.out: the run takes 0\.\d+ GB of disk, [\d.e-]+ GB are free\n$")
+    self.assertRegex(done.stdout, r"\nit will not do: scene\.out: the run takes \d+\.\d kB of disk, \d+\.\d kB are free\n$")
     self.assertEqual(os.listdir(self.disk), ["scene.json"])
 
 
@@ -459,6 +534,7 @@ def _read_only(self):
 
 SmallDisk.test_a_disk_that_fills_up = _full_disk
 SmallDisk.test_a_disk_that_is_too_small_from_the_start = _small_from_the_start
+SmallDisk.test_anyway_begins_where_the_tiles_will_not_fit = _room_for_the_products_alone
 SmallDisk.test_a_dry_run_says_that_the_disk_is_too_small = _dry_run_on_a_small_disk
 SmallDisk.test_a_folder_that_became_read_only = _read_only
 

@@ -12,18 +12,11 @@
 #include <system_error>
 #include <vector>
 
+#include "core/byte_count.h"
 #include "core/error.h"
 
 namespace ifov::io {
 namespace {
-
-std::string in_words(std::uint64_t bytes) {
-  if (bytes < 10000) return format("{} bytes", bytes);
-  const double b = static_cast<double>(bytes);
-  if (b < 1e7) return format("{:.1f} kB", b / 1e3);
-  if (b < 1e10) return format("{:.1f} MB", b / 1e6);
-  return format("{:.1f} GB", b / 1e9);
-}
 
 std::uint64_t free_bytes(const std::filesystem::path& folder) {
   struct statvfs info {};
@@ -36,11 +29,11 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
 }
 
 [[noreturn]] void fail_write(const std::filesystem::path& path, std::uint64_t wanted, int error) {
-  const std::string free = in_words(free_bytes(folder_of(path)));
+  const std::string free = byte_count(free_bytes(folder_of(path)));
   if (error == ENOSPC || error == EDQUOT || error == EFBIG)
     throw EnvironmentError(format("{}: the disk is full: {} wanted, {} free ({})", path.string(),
-                                  in_words(wanted), free, std::strerror(error)));
-  throw EnvironmentError(format("{}: cannot write {}: {} ({} free)", path.string(), in_words(wanted),
+                                  byte_count(wanted), free, std::strerror(error)));
+  throw EnvironmentError(format("{}: cannot write {}: {} ({} free)", path.string(), byte_count(wanted),
                                 std::strerror(error), free));
 }
 
@@ -159,7 +152,7 @@ void require_space(const std::filesystem::path& folder, std::uint64_t bytes) {
   const std::uint64_t free = free_bytes(target);
   if (bytes > free)
     throw EnvironmentError(format("{}: the disk is full: the products take {}, {} free", target.string(),
-                                  in_words(bytes), in_words(free)));
+                                  byte_count(bytes), byte_count(free)));
 }
 
 void sync_folder(const std::filesystem::path& folder) {

@@ -1,5 +1,7 @@
 #include "io/run_state/run_state.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <map>
 
@@ -99,11 +101,30 @@ TilesDone survey_tiles(const std::filesystem::path& folder, const RunPlan& plan,
 }
 
 std::uint64_t product_bytes(const RunPlan& plan) {
-  const std::uint64_t spectral =
-      plan.image.channels.size() * ((plan.knows_errors ? 3 : 1) + (plan.geotiff ? 1 : 0));
+  const bool has_air = std::any_of(plan.image.channels.begin(), plan.image.channels.end(),
+                                   [](const render::ChannelInfo& channel) { return channel.air.has_value(); });
+  const std::uint64_t spectral = plan.image.channels.size() *
+                                 ((plan.knows_errors ? 3 + (has_air ? 1 : 0) : 1) + (plan.geotiff ? 1 : 0));
   const std::uint64_t others = 3 + 3 + 2 * plan.image.materials.size();  // samples, quality, abundances
   return 4 * (spectral + others) * static_cast<std::uint64_t>(plan.image.width_px) *
          static_cast<std::uint64_t>(plan.image.height_px);
+}
+
+std::uint64_t leftover_bytes(const std::filesystem::path& folder) {
+  constexpr std::uint64_t kBlock = 512;  // of st_blocks, whatever the file system's own
+  std::uint64_t bytes = 0;
+  const auto add = [&](const std::filesystem::path& place, const std::string& ending) {
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error)) {
+      struct stat info {};
+      if (entry->path().extension() == ending && stat(entry->path().c_str(), &info) == 0 && S_ISREG(info.st_mode))
+        bytes += kBlock * static_cast<std::uint64_t>(info.st_blocks);
+    }
+  };
+  add(folder, ".part");
+  add(state_folder(folder) / "tiles", ".part");
+  add(state_folder(folder) / "tiles", kPackEnding);
+  return bytes;
 }
 
 std::uint64_t state_bytes(const RunPlan& plan) {

@@ -78,6 +78,9 @@ TilesDone survey_tiles(const std::filesystem::path& folder, const RunPlan& plan,
 /// About what a run's products take on disk; the picture and the report, which are small, are left out.
 std::uint64_t product_bytes(const RunPlan& plan);
 
+/// What an unfinished run has taken of the disk in its output folder: kept tiles, and products not yet published.
+std::uint64_t leftover_bytes(const std::filesystem::path& folder);
+
 /// Bytes that the state of a run takes, about: how many materials share a pixel is not known before.
 std::uint64_t state_bytes(const RunPlan& plan);
 
