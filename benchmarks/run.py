@@ -12,7 +12,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
-from drivers import atmosphere, cluster, honesty, instances, micro, mitsuba, rami, refine, speed, studies  # noqa: E402
+from drivers import atmosphere, cluster, honesty, instances, micro, mitsuba, rami, refine, runs, speed, studies  # noqa: E402
 from drivers.figures import Context, show  # noqa: E402
 
 GROUPS = {
@@ -22,6 +22,7 @@ GROUPS = {
     "studies": studies.run,
     "atmosphere": atmosphere.run,
     "refine": refine.run,
+    "runs": runs.run,
     "rami": rami.run,
     "honesty": honesty.run,
     "cluster": cluster.run,

@@ -4,6 +4,7 @@ tiles and messages take here and now. The scene's cost is very uneven: a thicket
 import json
 import os
 import random
+import resource
 import shutil
 import subprocess
 import time
@@ -45,20 +46,30 @@ def mpirun(*words):
     return [shutil.which("mpirun"), "--allow-run-as-root", "--oversubscribe", *map(str, words)]
 
 
+def processor_s():
+    """Of all programs that have ended, and of those that they started."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
 def seconds(command, folder):
-    begin = time.monotonic()
+    """(wall time, processor time)"""
+    begin, processor = time.monotonic(), processor_s()
     subprocess.run(list(map(str, command)), cwd=folder, check=True, stdout=subprocess.DEVNULL)
-    return time.monotonic() - begin
+    return time.monotonic() - begin, processor_s() - processor
 
 
 def two_ranks(context, folder):
     """One rank, two ranks, and two runs side by side, which share nothing but the machine; in turn."""
     program = context.program("ifov")
-    one, two, beside = [], [], []
+    one, two, beside, processor = [], [], [], []
     render = [program, "render", "scene.json", "--restart", "--threads", 1]
     for _ in range(5 if context.long else 3):
-        one.append(seconds([*render, "-o", "one"], folder))
-        two.append(seconds(mpirun("-n", 2, *render, "-o", "two"), folder))
+        wall, of_one = seconds([*render, "-o", "one"], folder)
+        one.append(wall)
+        wall, of_two = seconds(mpirun("-n", 2, *render, "-o", "two"), folder)
+        two.append(wall)
+        processor.append(of_one / of_two)
         begin = time.monotonic()
         pair = [subprocess.Popen(list(map(str, [*render, "-o", name])), cwd=folder, stdout=subprocess.DEVNULL)
                 for name in ("left", "right")]
@@ -75,6 +86,7 @@ def two_ranks(context, folder):
         "cluster.efficiency_2_ranks": alone,
         "cluster.efficiency_2_ranks_over_machine": at_least(
             median([a / (2 * b) for a, b in zip(beside, two)]), LEAST_2, "of two runs side by side"),
+        "cluster.processor_time_2_ranks": at_least(median(processor), LEAST_2, "of it one rank takes"),
         "cluster.same_bytes": at_least(int(same), 1, "1: as of one rank"),
         "cluster.one_rank": figure(round(median(one), 1), "s"),
         "cluster.two_ranks": figure(round(median(two), 1), "s"),
