@@ -5,7 +5,9 @@
 #include <numbers>
 
 #include "atmosphere/column_maker.h"
+#include "atmosphere/linear_source.h"
 #include "atmosphere/scattering/scattering_matrix.h"
+#include "atmosphere/scattering/sky_ring.h"
 
 using namespace ifov::atmosphere;
 using namespace ifov::atmosphere::test;
@@ -42,6 +44,42 @@ TEST(ScatteringSky, TheSkyAddsUpToItsFlux) {
     const double expected = solution.sunlit().fluxes().at(0.0).diffuse_down;
     EXPECT_NEAR(flux / expected, 1.0, 3e-3) << asymmetry;
     EXPECT_LT(without_aureole / expected, 0.97);
+  }
+}
+
+TEST(ScatteringSky, ARingIsItsDirections) {
+  Air air;
+  air.aerosol = 0.3;
+  air.asymmetry = 0.7;
+  const Column column = air.column();
+  constexpr double kAzimuths[] = {0.0, 0.3, 1.2, kPi};
+  for (const bool polarized : {true, false}) {
+    ScatteringOptions options;
+    options.polarized = polarized;
+    const ColumnSolution solution = ColumnSolver(options).solve(column.levels, column.optics, 1.0);
+    for (const ScatteredField* field : {&solution.sunlit(), &solution.groundlit()})
+      for (const double mu : {-1.0, -0.6, -0.01, 0.0})
+        for (const double observer_km : {0.0, 0.7}) {
+          const std::vector<double> ring = sky_ring(*field, mu, kAzimuths, observer_km);
+          for (std::size_t a = 0; a < ring.size(); ++a)
+            EXPECT_NEAR(ring[a] / field->sky({mu, kAzimuths[a]}, observer_km).radiance().i, 1.0, 1e-11)
+                << mu << " " << kAzimuths[a];
+        }
+  }
+}
+
+TEST(ScatteringSky, TransferKeepsItsDigitsInThinAir) {
+  for (const double depth : {1e-12, 1e-6, 0.01, 0.0624999, 0.0625001, 0.3, 3.0, 40.0}) {
+    const long double d = depth, loss = -std::expm1(-d);
+    const PathLoss found = PathLoss::over(depth);
+    EXPECT_NEAR(found.loss / static_cast<double>(loss), 1.0, 1e-14) << depth;
+    EXPECT_NEAR(found.mean / static_cast<double>(loss / d), 1.0, 1e-14) << depth;
+    // The sum of (-d)^k / (k + 1)! from k = 1 on, as it stands.
+    long double rest = 0.0L, term = 1.0L;
+    for (int k = 1; k < 30; ++k) rest -= term *= -d / (k + 1);
+    if (depth < 1.0) {
+      EXPECT_NEAR(found.rest / static_cast<double>(rest), 1.0, 1e-13) << depth;
+    }
   }
 }
 

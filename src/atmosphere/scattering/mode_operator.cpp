@@ -12,9 +12,17 @@ void add_scaled(std::size_t count, double factor, const double* __restrict from,
 }
 
 double ModeMoments::peak() const {
-  double largest = 0.0;
-  for (double value : values) largest = std::max(largest, std::abs(value));
-  return largest;
+  // Several at once: the compiler may not reorder a single maximum.
+  constexpr std::size_t kLanes = 16;
+  double largest[kLanes] = {};
+  const auto take = [](double& best, double value) {
+    best = std::abs(value) > best ? std::abs(value) : best;
+  };
+  const std::size_t whole = values.size() / kLanes * kLanes;
+  for (std::size_t i = 0; i < whole; i += kLanes)
+    for (std::size_t k = 0; k < kLanes; ++k) take(largest[k], values[i + k]);
+  for (std::size_t i = whole; i < values.size(); ++i) take(largest[0], values[i]);
+  return *std::max_element(largest, largest + kLanes);
 }
 
 NodeSteps::NodeSteps(const ScatteringColumn& column, const GaussNodes& nodes) {

@@ -28,6 +28,14 @@ void check(const Levels& levels, const LayerOptics& optics, double sun_zenith_ra
   }
 }
 
+/// sum += factor (a - b) from `first` on.
+void add_difference(double factor, const std::vector<double>& a, const std::vector<double>& b,
+                    std::size_t first, std::vector<double>& sum) {
+  const double* __restrict left = a.data(), * __restrict right = b.data();
+  double* __restrict to = sum.data();
+  for (std::size_t k = first; k < sum.size(); ++k) to[k] += factor * (left[k] - right[k]);
+}
+
 }  // namespace
 
 ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& optics, double sun_zenith_rad,
@@ -62,22 +70,37 @@ ScatteringColumn::ScatteringColumn(const Levels& levels, const LayerOptics& opti
   }
   altitude_km.push_back(levels.altitude_km[0]);
 
-  // Length of the sunbeam that arrives at an altitude, from a level above.
-  const auto beam_km = [&](double end_km, double level_km) {
-    return options.spherical_earth ? length_to_shell_km(end_km, sun_mu, level_km)
-                                   : (level_km - end_km) / sun_mu;
-  };
-  for (std::size_t level = 0; level < altitude_km.size(); ++level) {
-    double sum = 0.0, true_sum = 0.0;
-    const double end = altitude_km[level];
-    for (std::size_t i = 0; i < n && levels.altitude_km[n - i] > end; ++i) {
-      const double length = beam_km(end, levels.altitude_km[n - i]) -
-                            beam_km(end, std::max(end, levels.altitude_km[n - 1 - i]));
-      sum += scaled[i] * length;
-      true_sum += whole[i] * length;
-    }
-    beam_depth.push_back(sum);
-    true_beam_depth.push_back(true_sum);
+  // Layer by layer, for all boundaries below its top at once: the length of the sunbeam that arrives there
+  // from the layer's top, less that from its bottom.
+  const std::size_t boundaries = altitude_km.size();
+  beam_depth.assign(boundaries, 0.0);
+  true_beam_depth.assign(boundaries, 0.0);
+  std::vector<double> from_top(boundaries), from_bottom(boundaries);
+  beam_lengths(altitude_km.front(), from_top, 0);
+  for (std::size_t i = 0, first = 1; i < n; ++i) {
+    const double bottom_km = levels.altitude_km[n - 1 - i];
+    beam_lengths(bottom_km, from_bottom, first);
+    add_difference(scaled[i], from_top, from_bottom, first, beam_depth);
+    add_difference(whole[i], from_top, from_bottom, first, true_beam_depth);
+    std::swap(from_top, from_bottom);
+    while (first < boundaries && altitude_km[first] >= bottom_km) ++first;
+  }
+}
+
+/// Lengths of the sunbeams that arrive at the boundaries from `first` on, from a level above: what
+/// length_to_shell_km says, without a branch, for many at once. 0 at boundaries above the level.
+void ScatteringColumn::beam_lengths(double level_km, std::vector<double>& lengths, std::size_t first) const {
+  const double* __restrict from = altitude_km.data();
+  double* __restrict to = lengths.data();
+  if (!spherical) {
+    for (std::size_t k = first; k < lengths.size(); ++k)
+      to[k] = (std::max(from[k], level_km) - from[k]) / sun_mu;
+    return;
+  }
+  for (std::size_t k = first; k < lengths.size(); ++k) {
+    const double level = std::max(from[k], level_km), start = kEarthRadius_km + from[k];
+    const double along = start * sun_mu, squares = (level - from[k]) * (start + kEarthRadius_km + level);
+    to[k] = squares / (std::sqrt(squares + along * along) + along);
   }
 }
 

@@ -41,6 +41,9 @@ class ScatteringColumn {
   std::vector<double> depth;            ///< [sublayers] vertical
   std::vector<double> true_depth;       ///< [sublayers] vertical
   std::vector<std::size_t> mixture_of;  ///< [sublayers]
+
+ private:
+  void beam_lengths(double level_km, std::vector<double>& lengths, std::size_t first) const;
 };
 
 }  // namespace ifov::atmosphere

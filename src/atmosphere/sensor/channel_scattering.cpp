@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "atmosphere/column/light_limits.h"
+#include "atmosphere/scattering/sky_ring.h"
 
 namespace ifov::atmosphere {
 namespace {
@@ -271,16 +272,17 @@ void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
   double sky_sum = 0.0, groundlit_sum = 0.0;
   for (std::size_t z = 0; z < zeniths; ++z) {
     const double down = -std::cos(directions_.zenith_rad[z]);
-    node.groundlit.push_back(std::max(0.0, solved.groundlit().sky({down, 0.0}, ground_km).radiance().i));
+    constexpr double kAnyAzimuth[] = {0.0};
+    node.groundlit.push_back(std::max(0.0, sky_ring(solved.groundlit(), down, kAnyAzimuth, ground_km)[0]));
     if (!sunlit_) {
       node.sky.resize(node.sky.size() + azimuths, 0.0);
       for (std::size_t a = 0; a < azimuths; ++a)
         groundlit_sum += weights[z * azimuths + a] * node.groundlit.back();
       continue;
     }
-    const SlantSource ring = solved.sunlit().along(down);
+    const std::vector<double> ring = sky_ring(solved.sunlit(), down, directions_.azimuth_rad, ground_km);
     for (std::size_t a = 0; a < azimuths; ++a) {
-      node.sky.push_back(std::max(0.0, ring.sky(directions_.azimuth_rad[a], ground_km).radiance().i));
+      node.sky.push_back(std::max(0.0, ring[a]));
       sky_sum += weights[z * azimuths + a] * node.sky.back();
       groundlit_sum += weights[z * azimuths + a] * node.groundlit.back();
     }
@@ -293,8 +295,8 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
   const std::size_t count = points_.size(), sights = geometry_.sights.size(),
                     heights = geometry_.heights_km.size();
   AtPoints result;
-  for (auto* row :
-       {&result.path, &result.sky_irradiance, &result.diffuse_transmittance, &result.spherical_albedo})
+  for (auto* row : {&result.once, &result.path, &result.sky_irradiance, &result.diffuse_transmittance,
+                    &result.spherical_albedo})
     row->resize(count);
   result.sight_path.assign(sights, std::vector<double>(count));
   result.sight_diffuse.assign(sights, std::vector<double>(count));
@@ -342,7 +344,8 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
       for (const Part& part : parts) sum += part.scaled * of(*part.node);
       return std::exp(sum);
     };
-    result.path[p] = once(towards_sensor(), kEndless_km) * path_ratio([](const Node& n) { return n.path; });
+    result.once[p] = once(towards_sensor(), kEndless_km);
+    result.path[p] = result.once[p] * path_ratio([](const Node& n) { return n.path; });
     result.sky_irradiance[p] =
         sunlit_ ? points_.sun[p] * ratio([](const Node& n) { return n.sky_irradiance; }) : 0.0;
     result.diffuse_transmittance[p] =

@@ -42,6 +42,7 @@ class ChannelScattering {
 
   /// By point, once everything is solved. Radiances and irradiances are of the Sun's light at the point.
   struct AtPoints {
+    std::vector<double> once;  ///< of the path: light scattered once
     std::vector<double> path, sky_irradiance, diffuse_transmittance, spherical_albedo;
     /// [sight][point] and [height][point].
     std::vector<std::vector<double>> sight_path, sight_diffuse, sky_at_height;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "atmosphere/column/light_limits.h"
+#include "atmosphere/scattering/sky_ring.h"
 #include "atmosphere/sensor/sky_table_error.h"
 #include "atmosphere/thermal/thermal_column.h"
 #include "core/parallel.h"
@@ -26,31 +27,40 @@ double part_of(double difference, double whole) {
   return whole > 0.0 ? std::min(1.0, std::abs(difference) / whole) : 0.0;
 }
 
+/// Sunlight scattered once into the line of sight, by point.
+std::vector<double> scattered_once(const AtmosphereColumn& column, const ChannelPoints& points,
+                                   const SensorGeometry& geometry, ScatteringOptions options) {
+  std::vector<double> once(points.size(), 0.0);
+  options.most_sublayers = 1;
+  const Propagation up{std::cos(geometry.view_zenith_rad), geometry.view_azimuth_rad - std::numbers::pi};
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (!geometry.sun_zenith_rad || points.points[p].wavelength_um > kLastSolar_um) continue;
+    const ScatteringColumn layers(column.levels(), points.points[p].layers(), *geometry.sun_zenith_rad,
+                                  options);
+    once[p] =
+        points.irradiance[p] *
+        single_scattering(layers, options.aerosol_polarization, up, geometry.sensor_altitude_km).single.i;
+  }
+  return once;
+}
+
 /// What is known at every point without a solution: means over the channel.
 struct ExactLight {
   double surface = 0.0;   ///< of the grey surface, in the direct beam and its own light and the air's
   double once = 0.0;      ///< sunlight scattered once into the path
   double emission = 0.0;  ///< of the path
-  ExactLight(const AtmosphereColumn& column, const ChannelPoints& points, const ChannelEmission* emitted,
-             const SensorGeometry& geometry, ScatteringOptions options) {
-    options.most_sublayers = 1;
+  ExactLight(const ChannelPoints& points, const ChannelEmission* emitted, const SensorGeometry& geometry,
+             const std::vector<double>& scattered_once)
+      : once(mean(points.share, scattered_once)) {
     const double sine = geometry.sun_zenith_rad ? std::cos(*geometry.sun_zenith_rad) : 0.0;
-    const Propagation up{std::cos(geometry.view_zenith_rad), geometry.view_azimuth_rad - std::numbers::pi};
     for (std::size_t p = 0; p < points.size(); ++p) {
-      const double wavelength_um = points.points[p].wavelength_um;
       double light = kGrey * sine * points.sun[p] / std::numbers::pi;
       if (emitted != nullptr) {
         light += kGrey * emitted->sky_irradiance[p] / std::numbers::pi +
-                 (1.0 - kGrey) * radiometry::planck_w_m2_sr_um(wavelength_um, kGrey_k);
+                 (1.0 - kGrey) * radiometry::planck_w_m2_sr_um(points.points[p].wavelength_um, kGrey_k);
         emission += points.share[p] * emitted->path[p];
       }
       surface += points.share[p] * points.view[p] * light;
-      if (!geometry.sun_zenith_rad || wavelength_um > kLastSolar_um) continue;
-      const ScatteringColumn layers(column.levels(), points.points[p].layers(), *geometry.sun_zenith_rad,
-                                    options);
-      once +=
-          points.share[p] * points.irradiance[p] *
-          single_scattering(layers, options.aerosol_polarization, up, geometry.sensor_altitude_km).single.i;
     }
   }
 };
@@ -119,10 +129,12 @@ class Estimate {
     const ChannelPoints points(column, bins_[channel], optics, question_.geometry);
     std::optional<ChannelEmission> emitted;
     if (given.emitted) emitted.emplace(column, points, question_.geometry, SkyDirections{});
-    const ExactLight right(column, points, emitted ? &*emitted : nullptr, question_.geometry,
-                           question_.scattering);
-    const ExactLight ours(question_.column, given.points, given.emitted ? &*given.emitted : nullptr,
-                          question_.geometry, question_.scattering);
+    const SensorGeometry& geometry = question_.geometry;
+    const std::vector<double> none(given.points.size(), 0.0);
+    const ExactLight right(points, emitted ? &*emitted : nullptr, geometry,
+                           scattered_once(column, points, geometry, question_.scattering));
+    const ExactLight ours(given.points, given.emitted ? &*given.emitted : nullptr, geometry,
+                          given.scattering ? given.scattered.once : none);
     const double scattered = given.scattering ? mean(given.points.share, given.scattered.path) : 0.0;
     errors_[channel].absorption = {
         part_of(ours.once - right.once, right.once) * scattered + std::abs(ours.emission - right.emission),
@@ -204,10 +216,10 @@ class Estimate {
                                         .solve(question_.column.levels(), points.points[middle].layers(),
                                                *question_.geometry.sun_zenith_rad);
       for (std::size_t z = 0; z < finer.zenith_rad.size(); ++z) {
-        const SlantSource ring = solved.sunlit().along(-std::cos(finer.zenith_rad[z]));
+        const std::vector<double> ring =
+            sky_ring(solved.sunlit(), -std::cos(finer.zenith_rad[z]), finer.azimuth_rad, ground_km);
         for (std::size_t a = 0; a < azimuths; ++a)
-          radiance[z * azimuths + a] += points.irradiance[middle] *
-                                        std::max(0.0, ring.sky(finer.azimuth_rad[a], ground_km).radiance().i);
+          radiance[z * azimuths + a] += points.irradiance[middle] * std::max(0.0, ring[a]);
       }
     }
     return inclined_error(question_.directions, radiance, beam,

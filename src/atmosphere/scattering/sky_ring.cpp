@@ -1,0 +1,98 @@
+#include "atmosphere/scattering/sky_ring.h"
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "atmosphere/linear_source.h"
+#include "atmosphere/scattering/beam_integral.h"
+#include "atmosphere/scattering/scattering_matrix.h"
+#include "atmosphere/scattering/spherical_functions.h"
+
+namespace ifov::atmosphere {
+namespace {
+
+/// The walk from the observer into space, and what does not depend on the azimuth along it.
+class Walk {
+ public:
+  /// What of the source at the top and the bottom of each sublayer arrives.
+  std::vector<double> top, bottom;
+  /// Sunlight on the way, times what molecules and aerosol of one asymmetry scatter of it.
+  double rayleigh = 0.0;
+  struct Aerosol {
+    double asymmetry, light;
+  };
+  std::vector<Aerosol> aerosol;
+
+  explicit Walk(const ScatteringColumn& column)
+      : top(column.sublayers(), 0.0), bottom(column.sublayers(), 0.0), column_(column) {}
+
+  bool operator()(const PathPiece& piece) {
+    const LinearSource step = LinearSource::over(piece.depth);
+    bottom[piece.sublayer] =
+        transmission_ * (step.near * piece.near_position + step.far * piece.far_position);
+    top[piece.sublayer] = transmission_ * (step.near + step.far) - bottom[piece.sublayer];
+    transmission_ *= step.transmission;
+
+    const double beam_top = column_.beam_depth[piece.sublayer];
+    const double beam = column_.beam_depth[piece.sublayer + 1] - beam_top;
+    const double light = beam_integral(piece.depth, depth_ + beam_top + beam * piece.near_position,
+                                       depth_ + beam_top + beam * piece.far_position);
+    depth_ += piece.depth;
+    const ScatteringColumn::Mixture& mixture = column_.mixtures[column_.mixture_of[piece.sublayer]];
+    rayleigh += light * mixture.rayleigh;
+    if (aerosol.empty() || aerosol.back().asymmetry != mixture.asymmetry)
+      aerosol.push_back({mixture.asymmetry, 0.0});
+    aerosol.back().light += light * mixture.aerosol;
+    return true;
+  }
+
+ private:
+  const ScatteringColumn& column_;
+  double transmission_ = 1.0, depth_ = 0.0;
+};
+
+/// Light of one azimuthal mode: its source summed along the walk.
+double mode_light(const ModeMoments& moments, const ColumnPhase& phase, const Walk& walk, double mu) {
+  const SphericalFunctions f = spherical_functions(moments.mode, moments.terms, mu);
+  const std::size_t n = phase.sublayers;
+  std::vector<double> sum(n, 0.0);
+  const auto arriving = [&](const double* at, std::size_t s) {
+    return walk.top[s] * at[s] + walk.bottom[s] * at[s + 1];
+  };
+  for (int l = moments.mode; l < moments.terms; ++l) {
+    const double p = f.p[l - moments.mode];
+    const double *beta = phase.at(phase.beta, l), *i = moments.at(l, 0);
+    for (std::size_t s = 0; s < n; ++s) sum[s] += p * beta[s] * arriving(i, s);
+    if (moments.components == 1) continue;
+    const double *gamma = phase.at(phase.gamma, l), *q = moments.at(l, 1);
+    for (std::size_t s = 0; s < n; ++s) sum[s] += p * gamma[s] * arriving(q, s);
+  }
+  return std::accumulate(sum.begin(), sum.end(), 0.0);
+}
+
+}  // namespace
+
+std::vector<double> sky_ring(const ScatteredField& field, double mu, std::span<const double> azimuth_rad,
+                             double observer_km) {
+  const SolvedColumn& solved = field.solved();
+  Walk walk(solved.column);
+  walk_sky(solved.column, observer_km, mu, walk);
+  std::vector<double> radiance(azimuth_rad.size(), 0.0);
+  if (field.sunlit())
+    for (std::size_t a = 0; a < azimuth_rad.size(); ++a) {
+      const double cosine = scattering_cosine({-solved.column.sun_mu, 0.0}, {mu, azimuth_rad[a]});
+      double light = walk.rayleigh * rayleigh_matrix(cosine, solved.column.depolarization).a1;
+      for (const Walk::Aerosol& part : walk.aerosol)
+        light += part.light * aerosol_matrix(cosine, part.asymmetry, 0.0).a1;
+      radiance[a] = 0.25 / std::numbers::pi * light;
+    }
+  for (const ModeMoments& moments : field.modes()) {
+    const double light = mode_light(moments, solved.phase, walk, mu);
+    for (std::size_t a = 0; a < azimuth_rad.size(); ++a)
+      radiance[a] += light * std::cos(moments.mode * azimuth_rad[a]);
+  }
+  return radiance;
+}
+
+}  // namespace ifov::atmosphere
