@@ -17,6 +17,10 @@ class OutputSums {
     double *mean, *geometry;
     Satterthwaite* path;
     double* deviation;  ///< sum of weight * standard deviation of one value, for Neyman's allocation
+
+    bool paths_vary(std::size_t columns) const {
+      return std::any_of(path, path + columns, [](const Satterthwaite& p) { return p.variance() > 0.0; });
+    }
   };
 
   explicit OutputSums(std::size_t outputs) : outputs_(outputs) {}

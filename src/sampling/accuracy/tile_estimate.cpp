@@ -73,6 +73,7 @@ bool TileWork::steer_by_more(const LeafIntegrator& integrator, const std::vector
   for (int o : outputs) {
     if (outputs_[o].look >= outputs_[o].last_look) continue;
     const OutputSums::Row sum = sums_[o];
+    if (!sum.paths_vary(n)) continue;
     problem_.tolerance->limits(sums_.means(o), limit);
     double worst = 1.0 + 1e-6;
     int column = -1;
@@ -160,13 +161,13 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
     Output& output = outputs_[o];
     if (output.satisfied) continue;
     const OutputSums::Row sum = sums_[o];
+    output.satisfied = true;
+    if (!sum.paths_vary(n)) continue;  // no value would make it better
     for (std::size_t d = 0; d < n; ++d) mean[steering_[d]] = sum.mean[d];
     problem_.tolerance->limits(mean, limit);
     output.path_budget.assign(n, 0.0);
-    output.limit.assign(n, INFINITY);
-    output.satisfied = true;
     for (std::size_t d = 0; d < n; ++d) {
-      const double limit_d = output.limit[d] = limit[steering_[d]];
+      const double limit_d = limit[steering_[d]];
       const double from_borders = stopping_.normal() * stopping_.normal() * sum.geometry[d];
       const bool wide = half_width(sum, d, output.look) > limit_d && sum.path[d].variance() > 0.0;
       if (wide) output.satisfied = false;
