@@ -37,7 +37,7 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
   const std::size_t n = columns.size();
   std::vector<StratumMoments> moments;
   std::vector<ClutterRound::Moment> clutter;
-  std::vector<double> weighted(n);
+  WeighedMoments weighed;
   for (const Radiance::PlainPixel& pixel : radiance_->plain_pixels())
     for (std::size_t c = 0; c < n; ++c)
       sums[pixel.output].mean[c] += pixel.weight * table_.mean(pixel.label)[columns[c]];
@@ -53,8 +53,8 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
         for (std::size_t c = 0; c < n; ++c) {
           sum.mean[c] += w * clutter[c].mean;
           const double missed = radiance_->unseen(pixel, 0, columns[c]);
-          sum.path[c].add(w * w * clutter[c].variance, clutter[c].freedom);
-          sum.path[c].add(w * w * missed, INFINITY);
+          sum.add_path(c, w * w * clutter[c].variance, clutter[c].freedom);
+          sum.add_path(c, w * w * missed, INFINITY);
           sum.deviation[c] += w * std::sqrt((clutter[c].variance + missed) * count);
         }
       }
@@ -68,17 +68,23 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
       for (std::size_t r = 0; r < regions; ++r) {
         const double w = model.weight[o * regions + r];
         if (w == 0.0) continue;
-        weighted = moments[r].mean;
-        double share = moments[r].share;
+        weighed.mean = moments[r].mean;
+        weighed.share = moments[r].share;
+        weighed.freedom = 0.0;
         if (moments[r].sampled && !integrator.unit_box())
-          share = radiance_->weigh(pixel, r, integrator.footprint(), integrator.centre(model.outputs[o]), columns,
-                                   weighted);
+          radiance_->weigh(pixel, r, integrator.footprint(), integrator.centre(model.outputs[o]), columns,
+                            moments[r], weighed);
         for (std::size_t c = 0; c < n; ++c) {
-          sum.mean[c] += w * weighted[c];
-          sum.path[c].add(w * w * moments[r].variance[c] * share, moments[r].freedom);
+          sum.mean[c] += w * weighed.mean[c];
+          const double variance = w * w * moments[r].variance[c] * weighed.share;
+          sum.path[c].add(variance, moments[r].freedom);
+          if (weighed.freedom > 0.0)
+            sum.replicated[c].add(w * w * weighed.variance[c], weighed.freedom);
+          else
+            sum.replicated[c].add(variance, moments[r].freedom);
           const double count = static_cast<double>(pixel.strata[r].count());
           const double missed = radiance_->unseen(pixel, r, columns[c]);
-          sum.path[c].add(w * w * missed, INFINITY);
+          sum.add_path(c, w * w * missed, INFINITY);
           sum.deviation[c] += w * std::sqrt(moments[r].variance[c] + missed * std::max(1.0, count));
         }
       }
@@ -155,7 +161,7 @@ bool TileWork::steer_by_more(const LeafIntegrator& integrator, const std::vector
     int column = -1;
     for (std::size_t c = 0; c < n; ++c) {
       const double ratio = half_width(sums[o], c, outputs_[o].look) / limit[c];
-      if (ratio > worst && sums[o].path[c].variance() > 0.0) worst = ratio, column = static_cast<int>(c);
+      if (ratio > worst && sums[o].paths(c).variance() > 0.0) worst = ratio, column = static_cast<int>(c);
     }
     if (column < 0) continue;
     if (std::find(steering_.begin(), steering_.end(), column) != steering_.end()) continue;
@@ -167,8 +173,8 @@ bool TileWork::steer_by_more(const LeafIntegrator& integrator, const std::vector
 }
 
 double TileWork::half_width(const Sums& sum, std::size_t column, int look) const {
-  const double path = sum.path[column].variance();
-  const double t = path > 0.0 ? stopping_.student(look, sum.path[column].degrees_of_freedom()) : 0.0;
+  const double path = sum.paths(column).variance();
+  const double t = path > 0.0 ? stopping_.student(look, sum.paths(column).degrees_of_freedom()) : 0.0;
   return std::sqrt(stopping_.normal() * stopping_.normal() * sum.geometry[column] + t * t * path);
 }
 
@@ -176,7 +182,23 @@ void TileWork::Sums::clear(std::size_t columns) {
   mean.assign(columns, 0.0);
   geometry.assign(columns, 0.0);
   path.assign(columns, {});
+  replicated.assign(columns, {});
   deviation.assign(columns, 0.0);
+}
+
+void TileWork::Sums::add_path(std::size_t column, double variance, double freedom) {
+  path[column].add(variance, freedom);
+  replicated[column].add(variance, freedom);
+}
+
+/// Both are too large rather than too small: the one does not know what sequences gain, the other what grids do. Few
+/// degrees of freedom widen an interval about as a variance larger by 4 / nu would.
+const Satterthwaite& TileWork::Sums::paths(std::size_t column) const {
+  constexpr double kFewest = 4.0, kWidening = 4.0;
+  const double freedom = replicated[column].degrees_of_freedom();
+  return freedom >= kFewest && replicated[column].variance() * (1.0 + kWidening / freedom) < path[column].variance()
+             ? replicated[column]
+             : path[column];
 }
 
 /// Nets grow by doubling, at most fourfold between looks: their error falls faster than that of independent
@@ -259,14 +281,14 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
     for (std::size_t d = 0; d < n; ++d) {
       const double limit_d = output.limit[d] = limit[steering_[d]];
       const double from_borders = stopping_.normal() * stopping_.normal() * sums[o].geometry[d];
-      const bool wide = half_width(sums[o], d, output.look) > limit_d && sums[o].path[d].variance() > 0.0;
+      const bool wide = half_width(sums[o], d, output.look) > limit_d && sums[o].paths(d).variance() > 0.0;
       if (wide) output.satisfied = false;
       const double planned_t = stopping_.student(std::max(output.look + 1, 2),
-                                                 std::max(sums[o].path[d].degrees_of_freedom(), 20.0));
+                                                 std::max(sums[o].paths(d).degrees_of_freedom(), 20.0));
       output.path_budget[d] =
           std::max(limit_d * limit_d - from_borders, 0.2 * limit_d * limit_d) / (planned_t * planned_t);
       // Few degrees of freedom may keep an interval wide whose variance is small: more values still.
-      if (wide) output.path_budget[d] = std::min(output.path_budget[d], 0.7 * sums[o].path[d].variance());
+      if (wide) output.path_budget[d] = std::min(output.path_budget[d], 0.7 * sums[o].paths(d).variance());
     }
   }
 
@@ -299,7 +321,9 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
                 model.weight[o * strata + s] *
                 std::sqrt(moments.variance[d] + radiance_->unseen(pixel, s, steering_[d]) * std::max(1.0, count));
           }
-          wanted = std::max(wanted, weighted_deviation * sum.deviation[d] / output.path_budget[d]);
+          const double drawn_apart = sum.path[d].variance();
+          const double gained = drawn_apart > 0.0 ? sum.paths(d).variance() / drawn_apart : 1.0;
+          wanted = std::max(wanted, gained * weighted_deviation * sum.deviation[d] / output.path_budget[d]);
         }
       }
       if (pixel.cluttered) {

@@ -18,7 +18,7 @@ void TileWork::finish(const LeafIntegrator& integrator, const std::vector<int>& 
     double worst = 0.0;
     for (std::size_t c = 0; c < n; ++c) {
       const std::size_t i = static_cast<std::size_t>(o) * n + c;
-      const double path = sum.path[c].variance(), half = half_width(sum, c, outputs_[o].look);
+      const double path = sum.paths(c).variance(), half = half_width(sum, c, outputs_[o].look);
       result_.mean[i] = static_cast<float>(sum.mean[c]);
       result_.variance_geometry[i] = static_cast<float>(sum.geometry[c]);
       result_.variance_path[i] = static_cast<float>(path);

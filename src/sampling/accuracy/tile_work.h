@@ -32,10 +32,14 @@ class TileWork {
   /// One output pixel: sums over source pixels, per asked column.
   struct Sums {
     SmallVector<double, 2> mean, geometry;
-    SmallVector<Satterthwaite, 2> path;
+    SmallVector<Satterthwaite, 2> path;        ///< as if all paths were drawn apart
+    SmallVector<Satterthwaite, 2> replicated;  ///< as replicates of paths differ; where there are none, as `path`
     SmallVector<double, 2>
         deviation;  ///< sum of weight * standard deviation of one value, for Neyman's allocation
     void clear(std::size_t columns);
+    void add_path(std::size_t column, double variance, double freedom);
+    /// The variance of paths to rely on.
+    const Satterthwaite& paths(std::size_t column) const;
   };
   struct Output {
     int look = 0;       ///< those of an earlier run included
