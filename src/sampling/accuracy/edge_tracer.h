@@ -85,12 +85,14 @@ class EdgeTracer {
   const Junction& junction_of(const Cell& cell) const { return junctions_[cell.chord]; }
   const Contrast& contrast() const { return contrast_; }
 
+  CurveShape shape_of(const Cell& cell) const;
+
   /// The region of `inner` in a cell with a curve, as a polygon in image coordinates.
-  Polygon inner_region(const Cell& cell) const;
+  Polygon inner_region(const Cell& cell, const CurveShape& shape) const;
 
   /// Variance of the area of `inner` in px^4, from crossings, middle and legs; Curve::loose_area comes on
   /// top.
-  double area_variance(const Cell& cell) const;
+  double area_variance(const Cell& cell, const CurveShape& shape) const;
 
   /// Sector i of a cell with a junction, likewise.
   Polygon sector_region(const Cell& cell, int sector) const;
@@ -120,8 +122,16 @@ class EdgeTracer {
   std::uint32_t find_leaf(std::int32_t x, std::int32_t y) const;
   std::uint32_t leaf_at(FocalPoint point) const;
   void list_edge_cell(std::uint32_t cell);
-  std::uint32_t vertex(std::int32_t x, std::int32_t y);
-  std::uint32_t known_vertex(std::int32_t x, std::int32_t y) const;
+  void vertex(std::int32_t x, std::int32_t y);
+  /// Whether a position is one of the lattice's own vertices, whose labels stand in an array.
+  static bool on_lattice(std::int32_t x, std::int32_t y) { return ((x | y) & (Lattice::side(0) - 1)) == 0; }
+  std::size_t root_vertex(std::int32_t x, std::int32_t y) const {
+    return static_cast<std::size_t>((y >> kMaxLevel) * (lattice_.columns() + 1) + (x >> kMaxLevel));
+  }
+  std::uint32_t known_vertex(std::int32_t x, std::int32_t y) const {
+    return on_lattice(x, y) ? root_vertices_[root_vertex(x, y)]
+                            : fine_vertices_[vertex_index_.find(Lattice::vertex_key(x, y))];
+  }
   std::uint32_t label_if_known(std::int32_t x, std::int32_t y) const;
   void trace_vertices();
   void notice_hanging_nodes();
@@ -139,8 +149,7 @@ class EdgeTracer {
   std::uint32_t bracket_on(const Cell& cell, int side);
   std::uint32_t known_bracket(std::int32_t x, std::int32_t y, bool vertical, int level) const;
   std::size_t root_edge(std::int32_t x, std::int32_t y, bool vertical) const {
-    const std::int32_t row = lattice_.columns() + 1;
-    return 2 * static_cast<std::size_t>((y >> kMaxLevel) * row + (x >> kMaxLevel)) + vertical;
+    return 2 * root_vertex(x, y) + vertical;
   }
   void locate();
   void look_into_brackets();
@@ -175,10 +184,12 @@ class EdgeTracer {
 
   // The model (edge_tracer_model.cpp)
   std::uint32_t label_in(const Cell& cell, FocalPoint point) const;
-  CurveEnds ends(const Curve& curve) const;
-  Point2 end_point(std::uint32_t bracket) const;
-  double sagitta(const Curve& curve, const CurveEnds& e) const;
-  void sweep(const Cell& cell, const CurveEnds& e, double swept[2]) const;
+  CurveEnds ends(const Curve& curve) const { return {end_point(curve.bracket[0]), end_point(curve.bracket[1])}; }
+  Point2 end_point(std::uint32_t bracket) const {
+    const Bracket& b = brackets_[bracket];
+    return b.at(b.centre());
+  }
+  void sweep(const Cell& cell, const CurveShape& shape, double swept[2]) const;
 
   // Precision (edge_tracer_sharpen.cpp)
   struct CrossingTerm {

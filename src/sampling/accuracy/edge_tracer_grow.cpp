@@ -132,11 +132,10 @@ void EdgeTracer::settle_complex(std::uint32_t index) {
 
 /// The label of a vertex, where it is known.
 std::uint32_t EdgeTracer::label_if_known(std::int32_t x, std::int32_t y) const {
-  constexpr std::int32_t kRoot = Lattice::side(0);
   if (x < 0 || y < 0 || x > lattice_.width() || y > lattice_.height()) return kNoLabel;
-  const bool root = x % kRoot == 0 && y % kRoot == 0;
-  if (!root && vertex_index_.find(Lattice::vertex_key(x, y)) == FlatMap::kAbsent) return kNoLabel;
-  return known_vertex(x, y);
+  if (on_lattice(x, y)) return root_vertices_[root_vertex(x, y)];
+  const std::uint32_t fine = vertex_index_.find(Lattice::vertex_key(x, y));
+  return fine == FlatMap::kAbsent ? kNoLabel : fine_vertices_[fine];
 }
 
 /// Whether some corner of the cell lies in a feature no wider than two cells: the next vertices of the same
@@ -163,21 +162,17 @@ double EdgeTracer::feature_width(const Cell& cell) const {
   for (int i = 0; i < 4; ++i) {
     const std::int32_t x = cell.x + kCornerX[i] * side, y = cell.y + kCornerY[i] * side;
     for (const bool vertical : {false, true}) {
-      double width = 0.0;
-      for (const int way : {-1, 1}) {
-        const std::int32_t step = way * side;
+      const auto unlike = [&](std::int32_t step) {
         const std::uint32_t label = label_if_known(vertical ? x : x + step, vertical ? y + step : y);
-        if (label == kNoLabel || label == cell.corner[i]) {
-          width = INFINITY;
-          break;
-        }
-        const std::int32_t back = way < 0 ? step : 0;
-        const std::uint32_t bracket =
-            known_bracket(vertical ? x : x + back, vertical ? y + back : y, vertical, cell.level);
-        if (bracket == FlatMap::kAbsent) continue;
-        const Bracket& b = brackets_[bracket];
-        width += way < 0 ? b.length_px - b.centre() : b.centre();
-      }
+        return label != kNoLabel && label != cell.corner[i];
+      };
+      if (!unlike(-side) || !unlike(side)) continue;
+      const std::uint32_t before =
+          known_bracket(vertical ? x : x - side, vertical ? y - side : y, vertical, cell.level);
+      const std::uint32_t after = known_bracket(x, y, vertical, cell.level);
+      double width = 0.0;
+      if (before != FlatMap::kAbsent) width += brackets_[before].length_px - brackets_[before].centre();
+      if (after != FlatMap::kAbsent) width += brackets_[after].centre();
       narrowest = std::min(narrowest, width);
     }
   }

@@ -81,11 +81,11 @@ void EdgeTracer::collect_terms(std::uint32_t pixel) {
       continue;
     }
     const Curve& curve = curves_[cell.chord];
-    const CurveEnds e = ends(curve);
-    const Point2 d = e.b - e.a;
+    const CurveShape shape = shape_of(cell);
+    const Point2 d = shape.b - shape.a;
     const double contrast = contrast_(pixel, curve.inner, curve.outer), square = contrast * contrast;
     double swept[2];
-    sweep(cell, e, swept);
+    sweep(cell, shape, swept);
     for (int t = 0; t < 2; ++t) add_crossing(curve.bracket[t], 0.5 * swept[t] * swept[t] * square / 12.0);
     middles_.push_back({pixel, index, 4.0 / 9.0 * (d.x * d.x + d.y * d.y) * square / 12.0});
     if (curve.loose_area > 0.0) loose_.push_back({index, curve.loose_area * curve.loose_area * square, true});

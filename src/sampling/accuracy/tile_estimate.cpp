@@ -66,7 +66,7 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
     for (std::size_t o = 0; o < model.outputs.size(); ++o) {
       Sums& sum = sums[model.outputs[o]];
       for (std::size_t r = 0; r < regions; ++r) {
-        const double w = model.weight[o * regions + r];
+        const double w = model.weight_of(r, o);
         if (w == 0.0) continue;
         weighed.mean = moments[r].mean;
         weighed.share = moments[r].share;
@@ -91,14 +91,14 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
       for (std::size_t b = 0; b < model.borders.size(); ++b) {
         const std::size_t in = model.region_of(model.borders[b].inner),
                           out = model.region_of(model.borders[b].outer);
-        const double variance = model.border_variance[o * model.borders.size() + b];
+        const double variance = model.border_variance_of(b, o);
         for (std::size_t c = 0; c < n; ++c) {
           const double step = moments[in].mean[c] - moments[out].mean[c];
           sum.geometry[c] += variance * (step * step + moments[in].variance[c] + moments[out].variance[c]);
         }
       }
       for (std::size_t l = 0; l < model.loose.size(); ++l) {
-        const double w = model.loose_weight[o * model.loose.size() + l];
+        const double w = model.loose_weight_of(l, o);
         for (std::size_t c = 0; c < n; ++c) {
           double low = INFINITY, high = -INFINITY, within = 0.0;
           for (std::uint32_t corner : model.loose[l].corner) {
@@ -120,13 +120,13 @@ void TileWork::estimate() {
   // are in memory at a time. A wider footprint ties them together.
   const int sources = lattice_.domain().count();
   const int group =
-      integrator.unit_box() ? std::max<int>(64, static_cast<int>(81920 / lattice_values_.stride)) : sources;
+      integrator.unit_box() ? std::max<int>(64, 81920 / ledger_.field().stride()) : sources;
   for (int first = 0; first < sources; first += group) {
     const bool ready = group >= sources && radiance_ != nullptr;  // by tighten_borders, of all pixels
     if (!ready) {
       radiance_ = std::make_unique<Radiance>(tracer_, ledger_, table_, *spread_, lattice_values_, faults_,
                                              problem_.seed, !integrator.unit_box());
-      for (int p = first; p < std::min(sources, first + group); ++p) radiance_->add_pixel(p, integrator);
+      radiance_->add_pixels(first, std::min(sources, first + group), integrator);
     }
     std::vector<std::uint8_t> touched(outputs_.size(), 0);
     for (const Radiance::PlainPixel& pixel : radiance_->plain_pixels()) touched[pixel.output] = 1;
@@ -237,7 +237,7 @@ bool TileWork::doubtful(const Radiance::Pixel& pixel) const {
     if (stratum.strays == 0.0) continue;
     double weight = 0.0;
     for (std::size_t o = 0; o < model.outputs.size(); ++o)
-      weight = std::max(weight, model.weight[o * model.labels.size() + s]);
+      weight = std::max(weight, model.weight_of(s, o));
     const double share = weight / std::max(static_cast<double>(stratum.count()), stratum.strays);
     for (std::size_t d = 0; d < problem_.drivers.size(); ++d) {
       const int c = problem_.drivers[d];
@@ -318,7 +318,7 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
           } else {
             const double count = static_cast<double>(pixel.strata[s].count());
             weighted_deviation =
-                model.weight[o * strata + s] *
+                model.weight_of(s, o) *
                 std::sqrt(moments.variance[d] + radiance_->unseen(pixel, s, steering_[d]) * std::max(1.0, count));
           }
           const double drawn_apart = sum.path[d].variance();

@@ -72,17 +72,16 @@ void TileWork::finish(const LeafIntegrator& integrator, const std::vector<int>& 
         continue;
       }
       for (std::size_t r = 0; r < model.labels.size(); ++r)
-        if (model.weight[o * model.labels.size() + r] > 0.0)
-          share_of(output, model.labels[r]).fraction += model.weight[o * model.labels.size() + r];
+        if (model.weight_of(r, o) > 0.0) share_of(output, model.labels[r]).fraction += model.weight_of(r, o);
       for (std::size_t b = 0; b < model.borders.size(); ++b) {
         const PixelModel::Border& border = model.borders[b];
         if (&share_of(output, border.inner) == &share_of(output, border.outer)) continue;
-        const double variance = model.border_variance[o * model.borders.size() + b];
+        const double variance = model.border_variance_of(b, o);
         share_of(output, border.inner).variance += variance;
         share_of(output, border.outer).variance += variance;
       }
       for (std::size_t l = 0; l < model.loose.size(); ++l) {
-        const double w = model.loose_weight[o * model.loose.size() + l];
+        const double w = model.loose_weight_of(l, o);
         for (std::uint32_t corner : model.loose[l].corner)
           share_of(output, corner).variance += 0.25 * w * w / 12.0;
       }

@@ -49,7 +49,9 @@ class TileWork {
     SmallVector<double, 2> path_budget;  ///< per steering column: variance that paths may leave
   };
 
+  void ask_vertices();
   void merge_twins();
+  void take_means();
   void set_limits();
   double geometry_share(int source) const;
   double relative_weight(int source) const;
@@ -70,6 +72,12 @@ class TileWork {
   double next_clutter(const Radiance::Pixel& pixel, double wanted) const;
   int nearest_output(int source) const;
   int source_of(int output) const;
+  /// The vertex in the corner of a source pixel; rows of them are lattice_.columns() + 1 apart.
+  std::size_t first_vertex(int source) const {
+    const int width = lattice_.domain().width(), k = lattice_.cells_per_pixel(), row = lattice_.columns() + 1;
+    return static_cast<std::size_t>(source / width * k) * static_cast<std::size_t>(row) +
+           static_cast<std::size_t>(source % width * k);
+  }
 
   const TileProblem& problem_;
   const AccuracyOptions& options_;
