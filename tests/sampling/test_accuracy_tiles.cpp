@@ -139,18 +139,6 @@ TEST(AccuracyTiles, StopsWhenCancelled) {
   EXPECT_THROW(sampling::AccuracySampler().sample(problem, field, result), Cancelled);
 }
 
-sampling::PixelFootprint gaussian(double sigma_px, double half_width_px) {
-  const int n = 64;
-  std::vector<double> h;
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const double x = (2.0 * (i + 0.5) / n - 1.0) * half_width_px,
-                   y = (2.0 * (j + 0.5) / n - 1.0) * half_width_px;
-      h.push_back(std::exp(-0.5 * (x * x + y * y) / (sigma_px * sigma_px)));
-    }
-  return sampling::PixelFootprint::tabulated(half_width_px, n, h);
-}
-
 /// RMS error (K) and rays per source pixel under a Gaussian PSF of 0.6 px over clutter.
 std::pair<double, double> psf_error(std::uint64_t seed, double limit_k, bool by_model, int* covered,
                                     int* count) {

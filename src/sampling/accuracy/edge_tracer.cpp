@@ -50,7 +50,10 @@ void EdgeTracer::give_up_clutter() {
   for (std::size_t p = 0; p < rays.size(); ++p) any |= rays[p] > budget_[p];  // many at a time
   if (!any) return;
   for (std::size_t p = 0; p < rays.size(); ++p)
-    if (rays[p] > budget_[p]) abandon(static_cast<std::uint32_t>(p));
+    if (rays[p] > budget_[p]) {
+      abandon(static_cast<std::uint32_t>(p));
+      budget_[p] = ~std::uint32_t{0};  // once is enough
+    }
 }
 
 void EdgeTracer::ask(std::vector<std::uint32_t>& labels, Purpose purpose) {

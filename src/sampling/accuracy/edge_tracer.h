@@ -194,7 +194,7 @@ class EdgeTracer {
   // Precision (edge_tracer_sharpen.cpp)
   struct CrossingTerm {
     std::uint32_t bracket;
-    double variance;  ///< at first per px^2 of the bracket's width
+    double variance;  ///< at first per px^2 of the bracket's width, of both cells that share it
     std::uint8_t halvings = 0;
   };
   struct MiddleTerm {
@@ -210,6 +210,7 @@ class EdgeTracer {
   void sharpen_pixel(std::uint32_t pixel);
   void collect_terms(std::uint32_t pixel);
   void collect_junction_terms(std::uint32_t cell);
+  void add_crossing(std::uint32_t bracket, double gain);
   double split_largest_loose(std::uint32_t pixel);
   void want_halvings(double target);
   void halve_brackets();
@@ -258,6 +259,7 @@ class EdgeTracer {
   std::vector<CurveCheck> checks_;
   std::vector<JunctionCheck> junction_checks_;
   std::vector<CrossingTerm> crossings_;
+  std::vector<std::uint32_t> crossing_of_;  // by bracket: its place in crossings_, if that is of the bracket
   std::vector<MiddleTerm> middles_;
   std::vector<LooseTerm> loose_;
 };

@@ -60,8 +60,15 @@ void EdgeTracer::grow() {
 void EdgeTracer::classify(std::uint32_t index, std::vector<std::uint32_t>& awaiting) {
   Cell& cell = cells_[index];
   const std::int32_t side = Lattice::side(cell.level);
-  for (int i = 0; i < 4; ++i)
-    cell.corner[i] = known_vertex(cell.x + kCornerX[i] * side, cell.y + kCornerY[i] * side);
+  if (cell.level == 0) {
+    const std::uint32_t* above = &root_vertices_[root_vertex(cell.x, cell.y)];
+    const std::uint32_t* below = above + lattice_.columns() + 1;
+    const std::uint32_t corner[4] = {above[0], above[1], below[1], below[0]};
+    std::copy_n(corner, 4, cell.corner);
+  } else {
+    for (int i = 0; i < 4; ++i)
+      cell.corner[i] = known_vertex(cell.x + kCornerX[i] * side, cell.y + kCornerY[i] * side);
+  }
   int crossed[4], crossings = 0;
   bool two_labels = true;
   std::uint32_t other = cell.corner[0];
@@ -96,7 +103,8 @@ void EdgeTracer::classify(std::uint32_t index, std::vector<std::uint32_t>& await
     settle_complex(index);
     return;
   }
-  Curve curve;
+  cell.chord = static_cast<std::uint32_t>(curves_.size());
+  Curve& curve = curves_.emplace_back();
   curve.cell = index;
   for (int t = 0; t < 2; ++t) curve.side[t] = static_cast<std::uint8_t>(crossed[t]);
   curve.inner = cell.corner[(crossed[0] + 1) % 4];
@@ -105,8 +113,6 @@ void EdgeTracer::classify(std::uint32_t index, std::vector<std::uint32_t>& await
     curve.bracket[t] = bracket_on(cell, crossed[t]);
     end_in(curve.bracket[t], index);
   }
-  cells_[index].chord = static_cast<std::uint32_t>(curves_.size());
-  curves_.push_back(curve);
   awaiting.push_back(index);
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -40,7 +39,9 @@ struct PixelModel {
   }
 
   std::uint32_t region_of(std::uint32_t label) const {
-    return static_cast<std::uint32_t>(std::find(labels.begin(), labels.end(), label) - labels.begin());
+    std::uint32_t r = 0;
+    while (r < labels.size() && labels[r] != label) ++r;
+    return r;
   }
 
   /// Leaves nothing but the outputs.

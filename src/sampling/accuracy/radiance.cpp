@@ -109,7 +109,7 @@ void Radiance::plan(std::size_t p, std::size_t s, double count) {
   side = std::clamp(side + side % 2, 2, kFinestGrid);
   const std::uint64_t key = hash(seed_, kStratumKey, px, py, table_.label(stratum.label), stratum.round++);
   std::uint64_t sequences[kRoundReplicates];
-  for (std::uint32_t r = 0; r < kRoundReplicates; ++r) sequences[r] = hash(key, kPathsKey, r);
+  for (std::uint32_t r = 0; r < kRoundReplicates; ++r) sequences[r] = hash(key, kPathsKey, faults_.one_sequence ? 0 : r);
   const std::size_t first = requests_.size();
   for (int j = 0; j < side; j += 2)
     for (int i = 0; i < side; i += 2) {

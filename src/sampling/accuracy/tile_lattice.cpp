@@ -235,6 +235,7 @@ double TileWork::geometry_share(int source) const {
     for (int i = 0; i <= k; ++i) {
       if (labels[i] == known) continue;
       known = labels[i];
+      if (spread_->constant(known)) continue;
       for (std::size_t d = 0; d < problem_.drivers.size(); ++d)
         if (spread_->total(known, problem_.drivers[d]) > 0.01 * allowed[d] * allowed[d])
           return kGeometryShareWithPaths;

@@ -6,19 +6,17 @@
 
 namespace ifov::sampling {
 
+/// Of the sums over all columns.
 void TileWork::finish(const LeafIntegrator& integrator, const std::vector<int>& outputs) {
   const std::size_t n = static_cast<std::size_t>(columns_);
-  std::vector<Sums>& sums = sums_;
-  for (int o : outputs) sums[o].clear(n);
-  gather(integrator, all_columns_, sums);
   std::vector<double> limit(n);
   for (int o : outputs) {
-    const Sums& sum = sums[o];
-    problem_.tolerance->limits(sum.mean, limit);
+    const OutputSums::Row sum = sums_[o];
+    problem_.tolerance->limits(sums_.means(o), limit);
     double worst = 0.0;
     for (std::size_t c = 0; c < n; ++c) {
       const std::size_t i = static_cast<std::size_t>(o) * n + c;
-      const double path = sum.paths(c).variance(), half = half_width(sum, c, outputs_[o].look);
+      const double path = sum.path[c].variance(), half = half_width(sum, c, outputs_[o].look);
       result_.mean[i] = static_cast<float>(sum.mean[c]);
       result_.variance_geometry[i] = static_cast<float>(sum.geometry[c]);
       result_.variance_path[i] = static_cast<float>(path);

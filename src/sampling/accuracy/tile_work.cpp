@@ -96,6 +96,8 @@ void TileWork::trace_borders() {
 /// where the pixel's own strata say so.
 void TileWork::tighten_borders() {
   const std::size_t n = problem_.drivers.size();
+  std::vector<int> every_output(outputs_.size());
+  std::iota(every_output.begin(), every_output.end(), 0);
   for (int pass = 0; pass < 4; ++pass) {
     const LeafIntegrator integrator(tracer_, *problem_.footprint, problem_.tile);
     if (radiance_ == nullptr || !radiance_->refresh(integrator)) {
@@ -104,9 +106,7 @@ void TileWork::tighten_borders() {
       radiance_->add_pixels(0, lattice_.domain().count(), integrator);
     }
     tracer_.forget_changes();
-    std::vector<Sums>& sums = sums_;
-    for (Sums& s : sums) s.clear(n);
-    gather(integrator, problem_.drivers, sums);
+    gather(integrator, problem_.drivers, every_output);
     bool any = false;
     std::vector<double> factor(tracer_.allowed_variance().size(), 1.0);
     for (const Radiance::Pixel& pixel : radiance_->pixels())
@@ -114,7 +114,7 @@ void TileWork::tighten_borders() {
         const auto allowed = contrast_.allowed(source_of(output));
         double worst = 0.0;
         for (std::size_t d = 0; d < n; ++d)
-          worst = std::max(worst, sums[output].geometry[d] / (allowed[d] * allowed[d]));
+          worst = std::max(worst, sums_[output].geometry[d] / (allowed[d] * allowed[d]));
         const double share = geometry_share(source_of(output));
         if (worst > 1.02 * share) factor[pixel.source] = std::max(factor[pixel.source], 1.1 * worst / share);
       }
