@@ -90,7 +90,7 @@ TEST(Chord, CurvatureOfThreePointsPredictsTheSagitta) {
   const double r = 0.4;
   const auto on = [&](double angle) { return Point2{r * std::cos(angle), r * std::sin(angle)}; };
   const Point2 p = on(0.1), q = on(0.9), m = on(1.35), e = on(1.8);
-  const double curvature = menger_curvature(p, q, e), c = length(e - q);
+  const double curvature = menger_curvature(p, q, e, length(q - p), length(e - q)), c = length(e - q);
   EXPECT_NEAR(std::abs(curvature), 1.0 / r, 1e-12);
   const Point2 d = e - q, normal{-d.y / c, d.x / c},
                top = 0.5 * (q + e) + sagitta_of_curvature(curvature, c) * normal;

@@ -195,6 +195,23 @@ TEST(AccuracyTiles, DrawingRaysFromThePsfCostsMore) {
   EXPECT_GT(rays, 3.0 * 45.0);
 }
 
+// Each pixel in clutter counts in many outputs, in each of them a little: it takes no more values than that little asks.
+TEST(AccuracyTiles, CluttersValuesServeAllPixelsThatAPsfReaches) {
+  const int size = 12;
+  const Clutter clutter(5, size, 60 * size * size);
+  const auto rays = [&](const sampling::PixelFootprint& footprint) {
+    ShapeField field = clutter.field();
+    Rendering render = square_tile(3, 3, size - 3, size - 3, size);
+    render.footprint = footprint;
+    render.half_width = 0.6 * kRadiancePerKelvin;
+    const sampling::TileResult r = render(field);
+    EXPECT_GT(std::count(r.converged.begin(), r.converged.end(), 1), 0.9 * static_cast<double>(r.converged.size()));
+    return static_cast<double>(field.counts().primary);
+  };
+  const double box = rays(sampling::PixelFootprint::box(1.0)) / 36.0, wide = rays(gaussian(0.6, 2.0)) / 100.0;
+  EXPECT_LT(wide, 0.6 * box);
+}
+
 // A gradient under a box narrower than the pixel: only the box's own part counts.
 TEST(AccuracyTiles, FillFactorWeighsTheSensitivePartAlone) {
   ShapeField field([](double x, double) { return static_cast<sampling::Label>(x > 1.6); },

@@ -63,7 +63,8 @@ void EdgeTracer::predict(CurveCheck& check) {
     continued = true;
     const double reach = length(beyond[end] - (end == 0 ? a : b));
     if (reach <= 3.0 * brackets_[curve.bracket[end]].width()) continue;
-    curvature[end] = end == 0 ? menger_curvature(beyond[0], a, b) : menger_curvature(a, b, beyond[1]);
+    curvature[end] = end == 0 ? menger_curvature(beyond[0], a, b, reach, check.chord)
+                              : menger_curvature(a, b, beyond[1], check.chord, reach);
     weights[end] = std::min(reach, check.chord);
     ++neighbours;
   }

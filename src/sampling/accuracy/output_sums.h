@@ -34,6 +34,10 @@ class OutputSums {
       path[column] = replicated[column];
       gain[column] = path[column].variance() / apart;
     }
+
+    bool paths_vary(std::size_t columns) const {
+      return std::any_of(path, path + columns, [](const Satterthwaite& p) { return p.variance() > 0.0; });
+    }
   };
 
   explicit OutputSums(std::size_t outputs) : outputs_(outputs) {}

@@ -9,19 +9,22 @@ namespace ifov::sampling {
 /// Of the sums over all columns.
 void TileWork::finish(const LeafIntegrator& integrator, const std::vector<int>& outputs) {
   const std::size_t n = static_cast<std::size_t>(columns_);
-  std::vector<double> limit(n);
+  std::vector<double> limit(n), half(n);
   for (int o : outputs) {
     const OutputSums::Row sum = sums_[o];
-    problem_.tolerance->limits(sums_.means(o), limit);
-    double worst = 0.0;
+    double worst = 0.0, widest = 0.0;
     for (std::size_t c = 0; c < n; ++c) {
       const std::size_t i = static_cast<std::size_t>(o) * n + c;
-      const double path = sum.path[c].variance(), half = half_width(sum, c, outputs_[o].look);
+      half[c] = half_width(sum, c, outputs_[o].look);
+      widest = std::max(widest, half[c]);
       result_.mean[i] = static_cast<float>(sum.mean[c]);
       result_.variance_geometry[i] = static_cast<float>(sum.geometry[c]);
-      result_.variance_path[i] = static_cast<float>(path);
-      result_.half_width[i] = static_cast<float>(half);
-      worst = std::max(worst, half / limit[c]);
+      result_.variance_path[i] = static_cast<float>(sum.path[c].variance());
+      result_.half_width[i] = static_cast<float>(half[c]);
+    }
+    if (widest > 0.0) {
+      problem_.tolerance->limits(sums_.means(o), limit);
+      for (std::size_t c = 0; c < n; ++c) worst = std::max(worst, half[c] / limit[c]);
     }
     result_.worst_ratio[o] = static_cast<float>(worst);
     result_.converged[o] = worst <= 1.0 + 1e-6;

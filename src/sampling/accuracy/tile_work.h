@@ -34,7 +34,6 @@ class TileWork {
     int look = 0;       ///< those of an earlier run included
     int last_look = Stopping::kLooks;
     bool satisfied = false;
-    SmallVector<double, 2> limit;        ///< per steering column, as of the last look
     SmallVector<double, 2> path_budget;  ///< per steering column: variance that paths may leave
   };
 
