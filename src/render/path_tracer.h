@@ -61,6 +61,8 @@ class PathTracer {
   };
   struct Sides;
   static constexpr std::uint32_t kNone = 0xffffffffu;
+  /// Paths advance in groups small enough that their rows stay in the second-level cache.
+  static constexpr std::size_t kGroup = 256;
 
   void trace_segment(sampling::RayCounts& counts, int depth);
   void advance(int depth, radiometry::SpectrumBlock& radiance, sampling::RayCounts& counts);

@@ -38,6 +38,10 @@ SceneField::SceneField(const SpectralScene& scene, const sensor::Camera& camera,
       truth_(scene::truth_materials(scene.scene())),
       blends_(scene.scene(), truth_, static_cast<int>(scene.nodes().channel_count())) {
   if (scene.scene().sun) disc_points_ = fixed_disc_points(*scene.scene().sun);
+  const std::vector<materials::Material>& materials = scene.scene().materials;
+  for (std::uint32_t m = 0; m < materials.size(); ++m)
+    sunlight_.push_back({scene.brightest(m) > 0.0 && !materials::scattering(materials[m].scattering).is_delta(),
+                         scene.materials().maximum_transmittance(m) > 0.0f});
 }
 
 void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) {
@@ -58,11 +62,9 @@ std::uint32_t SceneField::material_of(sampling::Label label) const {
 bool SceneField::shows_sunlight(const scene::ResolvedSurface& surface, bool& transmits) const {
   bool shows = false;
   for (const scene::Constituent& c : surface) {
-    if (scene_.brightest(c.material) <= 0.0 ||
-        materials::scattering(scene_.scene().materials[c.material].scattering).is_delta())
-      continue;
-    shows = true;
-    transmits = transmits || scene_.materials().maximum_transmittance(c.material) > 0.0f;
+    const Sunlight& sunlight = sunlight_[c.material];
+    shows = shows || sunlight.shows;
+    transmits = transmits || (sunlight.shows && sunlight.passes);
   }
   return shows;
 }

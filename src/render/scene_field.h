@@ -57,6 +57,10 @@ class SceneField final : public sampling::Field {
   PathTracer tracer_;
   scene::TruthMaterials truth_;
   BlendColumns blends_;
+  struct Sunlight {
+    bool shows, passes;  ///< whether it is seen where it falls on a material, and from behind
+  };
+  std::vector<Sunlight> sunlight_;       // by material
   std::vector<math::Vec3> disc_points_;  // directions to the fixed points of the Sun's disc
   sampling::RayCounts counts_;
   std::vector<sampling::FocalPoint> points_;

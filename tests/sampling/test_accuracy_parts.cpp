@@ -90,7 +90,7 @@ TEST(Chord, CurvatureOfThreePointsPredictsTheSagitta) {
   const double r = 0.4;
   const auto on = [&](double angle) { return Point2{r * std::cos(angle), r * std::sin(angle)}; };
   const Point2 p = on(0.1), q = on(0.9), m = on(1.35), e = on(1.8);
-  const double curvature = menger_curvature(p, q, e), c = length(e - q);
+  const double curvature = menger_curvature(p, q, e, length(q - p), length(e - q)), c = length(e - q);
   EXPECT_NEAR(std::abs(curvature), 1.0 / r, 1e-12);
   const Point2 d = e - q, normal{-d.y / c, d.x / c},
                top = 0.5 * (q + e) + sagitta_of_curvature(curvature, c) * normal;
@@ -162,21 +162,39 @@ TEST(FlatMap, FindsWhatWasPutIn) {
   EXPECT_EQ(map.size(), 5000u);
 }
 
+TEST(LabelTable, SameValuesTogetherMeanWhatTheyMeanOneByOne) {
+  LabelTable table(1);
+  const std::uint32_t one = table.index(7), other = table.index(8);
+  const std::vector<float> value{0.3f};
+  for (int k = 0; k < 9; ++k) table.add(one, value.data());
+  table.add_same(other, value.data(), 4);
+  table.add_same(other, value.data(), 0);
+  table.add_same(other, value.data(), 5);
+  EXPECT_EQ(table.count(one), table.count(other));
+  EXPECT_EQ(*table.mean(one), *table.mean(other));
+}
+
 TEST(LabelSpread, IsZeroOnlyWhereAllValuesAgree) {
   const Lattice lattice({0, 0, 2, 2}, 2);
   LabelTable table(1);
-  std::vector<std::uint32_t> labels(25);
-  std::vector<float> values(25 * 16, 0.0f);
+  LatticeValues at;
+  at.columns = 1;
+  at.labels.resize(25);
   for (std::size_t v = 0; v < 25; ++v) {
-    labels[v] = table.index(v % 5 < 3 ? 10 : 20);
-    values[v * 16] = v % 5 < 3 ? 1.0f : 2.0f;
-    table.add(labels[v], &values[v * 16]);
+    at.labels[v] = table.index(v % 5 < 3 ? 10 : 20);
+    at.values.push_back(v % 5 < 3 ? 1.0f : 2.0f);
+    table.add(at.labels[v], at.value(v));
   }
-  const LabelSpread equal(lattice, table, 1, labels, values, 16);
-  EXPECT_EQ(equal.local(0, 0), 0.0);
-  EXPECT_EQ(equal.total(1, 0), 0.0);
-  values[0] = 1.5f;  // one value of one label disagrees: no label is certain any more
-  const LabelSpread unequal(lattice, table, 1, labels, values, 16);
+  for (const bool known : {false, true}) {  // that the values agree
+    at.constant.assign(2, known);
+    const LabelSpread equal(lattice, table, at);
+    EXPECT_EQ(equal.local(0, 0), 0.0);
+    EXPECT_EQ(equal.total(1, 0), 0.0);
+    EXPECT_EQ(equal.blocks(0), 8.0);
+  }
+  at.values[0] = 1.5f;  // one value of one label disagrees: no label is certain any more
+  at.constant[0] = 0;
+  const LabelSpread unequal(lattice, table, at);
   EXPECT_GT(unequal.local(0, 0), 0.0);
   EXPECT_GT(unequal.local(1, 0), 0.0);
   EXPECT_GT(unequal.local(99, 0), 0.0);  // a label found later
@@ -186,14 +204,15 @@ TEST(LabelSpread, IsZeroOnlyWhereAllValuesAgree) {
 TEST(LabelSpread, LocalIsBlindToAPlane) {
   const Lattice lattice({0, 0, 3, 3}, 2);
   LabelTable table(1);
-  std::vector<std::uint32_t> labels(49);
-  std::vector<float> values(49 * 16, 0.0f);
+  LatticeValues at;
+  at.columns = 1;
+  at.constant.assign(1, 0);
   for (std::size_t v = 0; v < 49; ++v) {
-    labels[v] = table.index(1);
-    values[v * 16] = static_cast<float>(0.5 * static_cast<double>(v % 7) + 0.25 * static_cast<double>(v / 7));
-    table.add(0, &values[v * 16]);
+    at.labels.push_back(table.index(1));
+    at.values.push_back(static_cast<float>(0.5 * static_cast<double>(v % 7) + 0.25 * static_cast<double>(v / 7)));
+    table.add(0, at.value(v));
   }
-  const LabelSpread spread(lattice, table, 1, labels, values, 16);
+  const LabelSpread spread(lattice, table, at);
   EXPECT_NEAR(spread.local(0, 0), 0.0, 1e-12);
   EXPECT_GT(spread.total(0, 0), 0.5);
 }

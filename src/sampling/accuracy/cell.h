@@ -64,4 +64,10 @@ struct Curve {
   double wanted_middle = 0.0;    ///< half-distance of the two verifying rays, set by the tolerance
 };
 
+/// Where a curve runs: its ends, the sagitta of its arc over their chord (0 for straight legs).
+struct CurveShape {
+  Point2 a, b;
+  double chord = 0.0, sagitta = 0.0;
+};
+
 }  // namespace ifov::sampling

@@ -25,9 +25,10 @@ inline double distance_to_segment(Point2 p, Point2 a, Point2 b) {
 /// Sagitta above which an arc is not taken on trust, as a share of its chord.
 constexpr double kLargestSagitta = 0.22;
 
-/// Signed curvature of the circle through three points (positive: turning from x to y): 4 area / (a b c).
-inline double menger_curvature(Point2 p, Point2 q, Point2 r) {
-  const double sides = length(q - p) * length(r - q) * length(r - p);
+/// Signed curvature of the circle through three points (positive: turning from x to y): 4 area / (a b c). Two of the
+/// sides are known.
+inline double menger_curvature(Point2 p, Point2 q, Point2 r, double pq, double qr) {
+  const double sides = pq * qr * length(r - p);
   return sides > 0.0 ? 2.0 * cross(q - p, r - q) / sides : 0.0;
 }
 

@@ -46,8 +46,14 @@ void EdgeTracer::settle() {
 void EdgeTracer::give_up_clutter() {
   if (!options_.clutter_switch) return;
   const std::span<const std::uint32_t> rays = ledger_.label_rays();
+  bool any = false;
+  for (std::size_t p = 0; p < rays.size(); ++p) any |= rays[p] > budget_[p];  // many at a time
+  if (!any) return;
   for (std::size_t p = 0; p < rays.size(); ++p)
-    if (rays[p] > budget_[p]) abandon(static_cast<std::uint32_t>(p));
+    if (rays[p] > budget_[p]) {
+      abandon(static_cast<std::uint32_t>(p));
+      budget_[p] = ~std::uint32_t{0};  // once is enough
+    }
 }
 
 void EdgeTracer::ask(std::vector<std::uint32_t>& labels, Purpose purpose) {

@@ -85,12 +85,14 @@ class EdgeTracer {
   const Junction& junction_of(const Cell& cell) const { return junctions_[cell.chord]; }
   const Contrast& contrast() const { return contrast_; }
 
+  CurveShape shape_of(const Cell& cell) const;
+
   /// The region of `inner` in a cell with a curve, as a polygon in image coordinates.
-  Polygon inner_region(const Cell& cell) const;
+  Polygon inner_region(const Cell& cell, const CurveShape& shape) const;
 
   /// Variance of the area of `inner` in px^4, from crossings, middle and legs; Curve::loose_area comes on
   /// top.
-  double area_variance(const Cell& cell) const;
+  double area_variance(const Cell& cell, const CurveShape& shape) const;
 
   /// Sector i of a cell with a junction, likewise.
   Polygon sector_region(const Cell& cell, int sector) const;
@@ -120,8 +122,16 @@ class EdgeTracer {
   std::uint32_t find_leaf(std::int32_t x, std::int32_t y) const;
   std::uint32_t leaf_at(FocalPoint point) const;
   void list_edge_cell(std::uint32_t cell);
-  std::uint32_t vertex(std::int32_t x, std::int32_t y);
-  std::uint32_t known_vertex(std::int32_t x, std::int32_t y) const;
+  void vertex(std::int32_t x, std::int32_t y);
+  /// Whether a position is one of the lattice's own vertices, whose labels stand in an array.
+  static bool on_lattice(std::int32_t x, std::int32_t y) { return ((x | y) & (Lattice::side(0) - 1)) == 0; }
+  std::size_t root_vertex(std::int32_t x, std::int32_t y) const {
+    return static_cast<std::size_t>((y >> kMaxLevel) * (lattice_.columns() + 1) + (x >> kMaxLevel));
+  }
+  std::uint32_t known_vertex(std::int32_t x, std::int32_t y) const {
+    return on_lattice(x, y) ? root_vertices_[root_vertex(x, y)]
+                            : fine_vertices_[vertex_index_.find(Lattice::vertex_key(x, y))];
+  }
   std::uint32_t label_if_known(std::int32_t x, std::int32_t y) const;
   void trace_vertices();
   void notice_hanging_nodes();
@@ -139,8 +149,7 @@ class EdgeTracer {
   std::uint32_t bracket_on(const Cell& cell, int side);
   std::uint32_t known_bracket(std::int32_t x, std::int32_t y, bool vertical, int level) const;
   std::size_t root_edge(std::int32_t x, std::int32_t y, bool vertical) const {
-    const std::int32_t row = lattice_.columns() + 1;
-    return 2 * static_cast<std::size_t>((y >> kMaxLevel) * row + (x >> kMaxLevel)) + vertical;
+    return 2 * root_vertex(x, y) + vertical;
   }
   void locate();
   void look_into_brackets();
@@ -175,15 +184,17 @@ class EdgeTracer {
 
   // The model (edge_tracer_model.cpp)
   std::uint32_t label_in(const Cell& cell, FocalPoint point) const;
-  CurveEnds ends(const Curve& curve) const;
-  Point2 end_point(std::uint32_t bracket) const;
-  double sagitta(const Curve& curve, const CurveEnds& e) const;
-  void sweep(const Cell& cell, const CurveEnds& e, double swept[2]) const;
+  CurveEnds ends(const Curve& curve) const { return {end_point(curve.bracket[0]), end_point(curve.bracket[1])}; }
+  Point2 end_point(std::uint32_t bracket) const {
+    const Bracket& b = brackets_[bracket];
+    return b.at(b.centre());
+  }
+  void sweep(const Cell& cell, const CurveShape& shape, double swept[2]) const;
 
   // Precision (edge_tracer_sharpen.cpp)
   struct CrossingTerm {
     std::uint32_t bracket;
-    double variance;  ///< at first per px^2 of the bracket's width
+    double variance;  ///< at first per px^2 of the bracket's width, of both cells that share it
     std::uint8_t halvings = 0;
   };
   struct MiddleTerm {
@@ -199,6 +210,7 @@ class EdgeTracer {
   void sharpen_pixel(std::uint32_t pixel);
   void collect_terms(std::uint32_t pixel);
   void collect_junction_terms(std::uint32_t cell);
+  void add_crossing(std::uint32_t bracket, double gain);
   double split_largest_loose(std::uint32_t pixel);
   void want_halvings(double target);
   void halve_brackets();
@@ -247,6 +259,7 @@ class EdgeTracer {
   std::vector<CurveCheck> checks_;
   std::vector<JunctionCheck> junction_checks_;
   std::vector<CrossingTerm> crossings_;
+  std::vector<std::uint32_t> crossing_of_;  // by bracket: its place in crossings_, if that is of the bracket
   std::vector<MiddleTerm> middles_;
   std::vector<LooseTerm> loose_;
 };

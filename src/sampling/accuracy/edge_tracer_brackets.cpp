@@ -40,8 +40,9 @@ std::uint32_t EdgeTracer::bracket_on(const Cell& cell, int side_index) {
   b.level = cell.level;
   b.pixel = cell.pixel;
   b.length_px = lattice_.side_px(cell.level);
-  b.first = known_vertex(x, y);
-  b.last = vertical ? known_vertex(x, y + side) : known_vertex(x + side, y);
+  // Sides 2 and 3 start at the corner where going round ends.
+  b.first = cell.corner[side_index < 2 ? side_index : (side_index + 1) % 4];
+  b.last = cell.corner[side_index < 2 ? side_index + 1 : side_index];
   const std::uint64_t key = hash(seed_, lattice_.image_x(x), lattice_.image_y(y), vertical, cell.level);
   const double contrast = contrast_(cell.pixel, b.first, b.last);
   const double tolerable =

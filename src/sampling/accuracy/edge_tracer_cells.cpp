@@ -35,6 +35,11 @@ void EdgeTracer::plant(std::span<const std::uint32_t> vertex_labels) {
       }
     }
   }
+  // Most of these cells get one curve, and share its two crossings with their neighbours.
+  const std::size_t crossed = new_cells_.size() + new_cells_.size() / 8;
+  curves_.reserve(crossed);
+  brackets_.reserve(crossed);
+  edge_cells_.reserve(crossed);
 }
 
 std::uint32_t EdgeTracer::push_cell(std::int32_t x, std::int32_t y, int level) {
@@ -78,23 +83,13 @@ void EdgeTracer::list_edge_cell(std::uint32_t cell) {
   list.last = entry;
 }
 
-std::uint32_t EdgeTracer::vertex(std::int32_t x, std::int32_t y) {
-  constexpr std::int32_t kRoot = Lattice::side(0);
-  if (x % kRoot == 0 && y % kRoot == 0) return known_vertex(x, y);
+/// Makes sure that the label of a position will be known once vertices have been traced.
+void EdgeTracer::vertex(std::int32_t x, std::int32_t y) {
+  if (on_lattice(x, y)) return;
   const std::uint32_t fresh = static_cast<std::uint32_t>(fine_vertices_.size());
-  const std::uint32_t index = vertex_index_.find_or_insert(Lattice::vertex_key(x, y), fresh);
-  if (index == fresh) {
-    fine_vertices_.push_back(kNoLabel);
-    pending_points_.push_back(lattice_.point(x, y));
-  }
-  return fine_vertices_[index];
-}
-
-std::uint32_t EdgeTracer::known_vertex(std::int32_t x, std::int32_t y) const {
-  constexpr std::int32_t kRoot = Lattice::side(0);
-  if (x % kRoot == 0 && y % kRoot == 0)
-    return root_vertices_[static_cast<std::size_t>(y / kRoot) * (lattice_.columns() + 1) + x / kRoot];
-  return fine_vertices_[vertex_index_.find(Lattice::vertex_key(x, y))];
+  if (vertex_index_.find_or_insert(Lattice::vertex_key(x, y), fresh) != fresh) return;
+  fine_vertices_.push_back(kNoLabel);
+  pending_points_.push_back(lattice_.point(x, y));
 }
 
 void EdgeTracer::trace_vertices() {

@@ -55,7 +55,7 @@ bool EdgeTracer::within_tolerance(const Cell& cell, FocalPoint point, std::uint3
   const double width = std::max({brackets_[curve.bracket[0]].width(), brackets_[curve.bracket[1]].width(),
                                  2.0 * curve.middle_width, curve.leg_width}) +
                        slack_px;
-  const Polygon region = inner_region(cell);
+  const Polygon region = inner_region(cell, shape_of(cell));
   const int first = curve.side[1] - curve.side[0] + 1;  // from the end of the curve back to its start
   for (int i = first; i < region.count; ++i) {
     if (distance_to_segment({point.x_px, point.y_px}, region.vertex[i],

@@ -60,8 +60,15 @@ void EdgeTracer::grow() {
 void EdgeTracer::classify(std::uint32_t index, std::vector<std::uint32_t>& awaiting) {
   Cell& cell = cells_[index];
   const std::int32_t side = Lattice::side(cell.level);
-  for (int i = 0; i < 4; ++i)
-    cell.corner[i] = known_vertex(cell.x + kCornerX[i] * side, cell.y + kCornerY[i] * side);
+  if (cell.level == 0) {
+    const std::uint32_t* above = &root_vertices_[root_vertex(cell.x, cell.y)];
+    const std::uint32_t* below = above + lattice_.columns() + 1;
+    const std::uint32_t corner[4] = {above[0], above[1], below[1], below[0]};
+    std::copy_n(corner, 4, cell.corner);
+  } else {
+    for (int i = 0; i < 4; ++i)
+      cell.corner[i] = known_vertex(cell.x + kCornerX[i] * side, cell.y + kCornerY[i] * side);
+  }
   int crossed[4], crossings = 0;
   bool two_labels = true;
   std::uint32_t other = cell.corner[0];
@@ -96,7 +103,8 @@ void EdgeTracer::classify(std::uint32_t index, std::vector<std::uint32_t>& await
     settle_complex(index);
     return;
   }
-  Curve curve;
+  cell.chord = static_cast<std::uint32_t>(curves_.size());
+  Curve& curve = curves_.emplace_back();
   curve.cell = index;
   for (int t = 0; t < 2; ++t) curve.side[t] = static_cast<std::uint8_t>(crossed[t]);
   curve.inner = cell.corner[(crossed[0] + 1) % 4];
@@ -105,8 +113,6 @@ void EdgeTracer::classify(std::uint32_t index, std::vector<std::uint32_t>& await
     curve.bracket[t] = bracket_on(cell, crossed[t]);
     end_in(curve.bracket[t], index);
   }
-  cells_[index].chord = static_cast<std::uint32_t>(curves_.size());
-  curves_.push_back(curve);
   awaiting.push_back(index);
 }
 
@@ -132,11 +138,10 @@ void EdgeTracer::settle_complex(std::uint32_t index) {
 
 /// The label of a vertex, where it is known.
 std::uint32_t EdgeTracer::label_if_known(std::int32_t x, std::int32_t y) const {
-  constexpr std::int32_t kRoot = Lattice::side(0);
   if (x < 0 || y < 0 || x > lattice_.width() || y > lattice_.height()) return kNoLabel;
-  const bool root = x % kRoot == 0 && y % kRoot == 0;
-  if (!root && vertex_index_.find(Lattice::vertex_key(x, y)) == FlatMap::kAbsent) return kNoLabel;
-  return known_vertex(x, y);
+  if (on_lattice(x, y)) return root_vertices_[root_vertex(x, y)];
+  const std::uint32_t fine = vertex_index_.find(Lattice::vertex_key(x, y));
+  return fine == FlatMap::kAbsent ? kNoLabel : fine_vertices_[fine];
 }
 
 /// Whether some corner of the cell lies in a feature no wider than two cells: the next vertices of the same
@@ -163,21 +168,17 @@ double EdgeTracer::feature_width(const Cell& cell) const {
   for (int i = 0; i < 4; ++i) {
     const std::int32_t x = cell.x + kCornerX[i] * side, y = cell.y + kCornerY[i] * side;
     for (const bool vertical : {false, true}) {
-      double width = 0.0;
-      for (const int way : {-1, 1}) {
-        const std::int32_t step = way * side;
+      const auto unlike = [&](std::int32_t step) {
         const std::uint32_t label = label_if_known(vertical ? x : x + step, vertical ? y + step : y);
-        if (label == kNoLabel || label == cell.corner[i]) {
-          width = INFINITY;
-          break;
-        }
-        const std::int32_t back = way < 0 ? step : 0;
-        const std::uint32_t bracket =
-            known_bracket(vertical ? x : x + back, vertical ? y + back : y, vertical, cell.level);
-        if (bracket == FlatMap::kAbsent) continue;
-        const Bracket& b = brackets_[bracket];
-        width += way < 0 ? b.length_px - b.centre() : b.centre();
-      }
+        return label != kNoLabel && label != cell.corner[i];
+      };
+      if (!unlike(-side) || !unlike(side)) continue;
+      const std::uint32_t before =
+          known_bracket(vertical ? x : x - side, vertical ? y - side : y, vertical, cell.level);
+      const std::uint32_t after = known_bracket(x, y, vertical, cell.level);
+      double width = 0.0;
+      if (before != FlatMap::kAbsent) width += brackets_[before].length_px - brackets_[before].centre();
+      if (after != FlatMap::kAbsent) width += brackets_[after].centre();
       narrowest = std::min(narrowest, width);
     }
   }

@@ -5,15 +5,6 @@
 
 namespace ifov::sampling {
 
-Point2 EdgeTracer::end_point(std::uint32_t bracket) const {
-  const Bracket& b = brackets_[bracket];
-  return b.at(b.centre());
-}
-
-CurveEnds EdgeTracer::ends(const Curve& curve) const {
-  return {end_point(curve.bracket[0]), end_point(curve.bracket[1])};
-}
-
 /// Where the border that leaves a cell through a bracket ends in the cell beyond.
 bool EdgeTracer::neighbour_end(std::uint32_t shared, std::uint32_t from, Point2& point) const {
   for (std::uint32_t entry : brackets_[shared].cells) {
@@ -31,30 +22,32 @@ bool EdgeTracer::neighbour_end(std::uint32_t shared, std::uint32_t from, Point2&
   return false;
 }
 
-double EdgeTracer::sagitta(const Curve& curve, const CurveEnds& e) const {
-  const Point2 d = e.b - e.a;
-  const double chord = length(d);
-  if (chord == 0.0) return 0.0;
+CurveShape EdgeTracer::shape_of(const Cell& cell) const {
+  const Curve& curve = curves_[cell.chord];
+  CurveShape shape{end_point(curve.bracket[0]), end_point(curve.bracket[1])};
+  const Point2 d = shape.b - shape.a;
+  shape.chord = length(d);
+  if (cell.kind != CellKind::chord || curve.corner || shape.chord == 0.0) return shape;
   const Point2 middle = curve.origin + (0.5 * (curve.low + curve.high)) * curve.normal;
-  const Point2 from_chord = middle - 0.5 * (e.a + e.b);
-  const double s = (-d.y * from_chord.x + d.x * from_chord.y) / chord;
-  return std::clamp(s, -0.5 * chord, 0.5 * chord);
+  const Point2 from_chord = middle - 0.5 * (shape.a + shape.b);
+  const double s = (-d.y * from_chord.x + d.x * from_chord.y) / shape.chord;
+  shape.sagitta = std::clamp(s, -0.5 * shape.chord, 0.5 * shape.chord);
+  return shape;
 }
 
-Polygon EdgeTracer::inner_region(const Cell& cell) const {
+Polygon EdgeTracer::inner_region(const Cell& cell, const CurveShape& shape) const {
   const Curve& curve = curves_[cell.chord];
-  const CurveEnds e = ends(curve);
   const double x0 = lattice_.x_px(cell.x), y0 = lattice_.y_px(cell.y), side = lattice_.side_px(cell.level);
   Polygon region;
-  region.add(e.a);
+  region.add(shape.a);
   for (int corner = curve.side[0] + 1; corner <= curve.side[1]; ++corner)
     region.add({x0 + kCornerX[corner] * side, y0 + kCornerY[corner] * side});
-  region.add(e.b);
+  region.add(shape.b);
   if (cell.kind == CellKind::chord && curve.corner) {
     region.add(curve.origin + (0.5 * (curve.low + curve.high)) * curve.normal);
   } else if (cell.kind == CellKind::chord) {
     Point2 knots[3];
-    arc_knots(e.a, e.b, sagitta(curve, e), knots);
+    arc_knots(shape.a, shape.b, shape.sagitta, knots);
     for (int i = 2; i >= 0; --i) region.add(knots[i]);
   }
   return region;
@@ -63,13 +56,12 @@ Polygon EdgeTracer::inner_region(const Cell& cell) const {
 /// Length swept per unit of motion of each end along its side: an arc whose middle was predicted from its
 /// ends moves with them as a whole, at right angles to itself. Half of the area is this cell's and the cell
 /// beyond errs the same way, hence the factor 1/2 of its variance instead of 1/4.
-void EdgeTracer::sweep(const Cell& cell, const CurveEnds& e, double swept[2]) const {
+void EdgeTracer::sweep(const Cell& cell, const CurveShape& shape, double swept[2]) const {
   const Curve& curve = curves_[cell.chord];
-  const Point2 d = e.b - e.a;
-  const double c = length(d);
+  const Point2 d = shape.b - shape.a;
   double sine = 0.0, cosine = 1.0, stretch = 1.0;
-  if (cell.kind == CellKind::chord && !curve.corner && c > 0.0) {
-    const double t = 2.0 * sagitta(curve, e) / c;  // tangent of a quarter of the arc's angle
+  if (cell.kind == CellKind::chord && !curve.corner && shape.chord > 0.0) {
+    const double t = 2.0 * shape.sagitta / shape.chord;  // tangent of a quarter of the arc's angle
     cosine = (1.0 - t * t) / (1.0 + t * t);
     sine = 2.0 * t / (1.0 + t * t);
     stretch = atan_over_argument(t) * (1.0 + t * t);  // half of the arc's angle over its sine
@@ -81,21 +73,20 @@ void EdgeTracer::sweep(const Cell& cell, const CurveEnds& e, double swept[2]) co
   }
 }
 
-double EdgeTracer::area_variance(const Cell& cell) const {
+double EdgeTracer::area_variance(const Cell& cell, const CurveShape& shape) const {
   const Curve& curve = curves_[cell.chord];
-  const CurveEnds e = ends(curve);
-  const Point2 d = e.b - e.a;
+  const Point2 d = shape.b - shape.a;
   double variance = 0.0, swept[2];
-  sweep(cell, e, swept);
+  sweep(cell, shape, swept);
   for (int t = 0; t < 2; ++t) {
     const double width = brackets_[curve.bracket[t]].width();
     variance += 0.5 * swept[t] * swept[t] * width * width / 12.0;
   }
   // The area under an arc is 2/3 chord * height, under a corner 1/2.
   const double lens =
-      (curve.corner ? 0.5 * std::abs(cross(d, curve.normal)) : 2.0 / 3.0 * length(d)) * curve.middle_width;
+      (curve.corner ? 0.5 * std::abs(cross(d, curve.normal)) : 2.0 / 3.0 * shape.chord) * curve.middle_width;
   // A leg that bends by its band's width in the middle moves half of leg * width.
-  const double leg = 0.25 * length(d) * curve.leg_width;
+  const double leg = 0.25 * shape.chord * curve.leg_width;
   return variance + lens * lens / 12.0 + 2.0 * leg * leg / 12.0;
 }
 
@@ -109,7 +100,7 @@ std::uint32_t EdgeTracer::label_in(const Cell& cell, FocalPoint point) const {
     return junction.sector[sector];
   }
   const Curve& curve = curves_[cell.chord];
-  return inner_region(cell).contains({point.x_px, point.y_px}) ? curve.inner : curve.outer;
+  return inner_region(cell, shape_of(cell)).contains({point.x_px, point.y_px}) ? curve.inner : curve.outer;
 }
 
 }  // namespace ifov::sampling

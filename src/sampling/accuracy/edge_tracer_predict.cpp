@@ -63,7 +63,8 @@ void EdgeTracer::predict(CurveCheck& check) {
     continued = true;
     const double reach = length(beyond[end] - (end == 0 ? a : b));
     if (reach <= 3.0 * brackets_[curve.bracket[end]].width()) continue;
-    curvature[end] = end == 0 ? menger_curvature(beyond[0], a, b) : menger_curvature(a, b, beyond[1]);
+    curvature[end] = end == 0 ? menger_curvature(beyond[0], a, b, reach, check.chord)
+                              : menger_curvature(a, b, beyond[1], check.chord, reach);
     weights[end] = std::min(reach, check.chord);
     ++neighbours;
   }
@@ -98,11 +99,13 @@ void EdgeTracer::predict(CurveCheck& check) {
   const double unverified_width =
       check.chord *
       (neighbours == 2 ? std::min(kUnverifiedWidth, kAgreedWidth + kBendWidth * bend) : kUnverifiedWidth);
-  const double feature = feature_width(cell), spacing = lattice_.side_px(0);
-  const bool cannot_hide = feature > kSeenWidth * spacing || feature * spacing * contrast < allowed;
-  const bool trusted = (feature == INFINITY && neighbours > 0) ||
-                       (continued && cannot_hide && hidden < kTrustedAnyway * allowed);
-  if (unverified_width <= curve.wanted_middle && trusted && bend < kGentleBend) {
+  const auto trusted = [&] {
+    const double feature = feature_width(cell), spacing = lattice_.side_px(0);
+    const bool cannot_hide = feature > kSeenWidth * spacing || feature * spacing * contrast < allowed;
+    return (feature == INFINITY && neighbours > 0) ||
+           (continued && cannot_hide && hidden < kTrustedAnyway * allowed);
+  };
+  if (unverified_width <= curve.wanted_middle && bend < kGentleBend && trusted()) {
     check.predicted = std::clamp(check.predicted, check.least, check.most);
     check.low = check.predicted - 0.5 * unverified_width;
     check.high = check.predicted + 0.5 * unverified_width;

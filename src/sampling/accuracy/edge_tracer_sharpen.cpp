@@ -54,9 +54,7 @@ void EdgeTracer::sharpen_pixel(std::uint32_t pixel) {
 void EdgeTracer::collect_terms(std::uint32_t pixel) {
   crossings_.clear();
   loose_.clear();
-  const auto add_crossing = [&](std::uint32_t bracket, double gain) {
-    crossings_.push_back({bracket, gain});
-  };
+  crossing_of_.resize(brackets_.size());
   EdgeCellList& list = edge_lists_[pixel];
   std::uint32_t* link = &list.first;
   list.last = kNone;
@@ -81,14 +79,24 @@ void EdgeTracer::collect_terms(std::uint32_t pixel) {
       continue;
     }
     const Curve& curve = curves_[cell.chord];
-    const CurveEnds e = ends(curve);
-    const Point2 d = e.b - e.a;
+    const CurveShape shape = shape_of(cell);
+    const Point2 d = shape.b - shape.a;
     const double contrast = contrast_(pixel, curve.inner, curve.outer), square = contrast * contrast;
     double swept[2];
-    sweep(cell, e, swept);
+    sweep(cell, shape, swept);
     for (int t = 0; t < 2; ++t) add_crossing(curve.bracket[t], 0.5 * swept[t] * swept[t] * square / 12.0);
     middles_.push_back({pixel, index, 4.0 / 9.0 * (d.x * d.x + d.y * d.y) * square / 12.0});
     if (curve.loose_area > 0.0) loose_.push_back({index, curve.loose_area * curve.loose_area * square, true});
+  }
+}
+
+void EdgeTracer::add_crossing(std::uint32_t bracket, double gain) {
+  std::uint32_t& place = crossing_of_[bracket];
+  if (place < crossings_.size() && crossings_[place].bracket == bracket) {
+    crossings_[place].variance += gain;
+  } else {
+    place = static_cast<std::uint32_t>(crossings_.size());
+    crossings_.push_back({bracket, gain});
   }
 }
 
@@ -104,7 +112,7 @@ void EdgeTracer::collect_junction_terms(std::uint32_t index) {
     const double square = contrast * contrast;
     const Point2 leg = at - crossing[i];
     const double swept = brackets_[junction.bracket[i]].vertical ? leg.x : leg.y;
-    crossings_.push_back({junction.bracket[i], 0.5 * swept * swept * square / 12.0});
+    add_crossing(junction.bracket[i], 0.5 * swept * swept * square / 12.0);
     const double moved = kJunctionClaim * kJunctionClaim * exchanged_by_motion(crossing, i);
     gain += (4.0 / 9.0 * dot(leg, leg) + moved) * square / 12.0;
   }
@@ -137,16 +145,12 @@ void EdgeTracer::want_halvings(double target) {
   std::sort(crossings_.begin(), crossings_.end(),
             [](const CrossingTerm& a, const CrossingTerm& b) { return a.bracket < b.bracket; });
   double total = 0.0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < crossings_.size(); ++count) {
-    const std::uint32_t bracket = crossings_[i].bracket;
-    double gain = 0.0;
-    for (; i < crossings_.size() && crossings_[i].bracket == bracket; ++i) gain += crossings_[i].variance;
-    const double width = brackets_[bracket].width(), variance = gain * width * width;
-    total += variance;
-    crossings_[count] = {bracket, variance, 0};
+  std::size_t count = crossings_.size();
+  for (CrossingTerm& term : crossings_) {
+    const double width = brackets_[term.bracket].width();
+    term.variance = term.variance * width * width;
+    total += term.variance;
   }
-  crossings_.resize(count);
   if (total <= target) return;
   while (total > target && count > 0) {
     std::size_t most = 0;

@@ -17,6 +17,7 @@ constexpr double kBulge = 0.02;
 
 void EdgeTracer::verify() {
   checks_.clear();
+  checks_.reserve(tentative_.size());
   for (std::uint32_t cell : tentative_) {
     if (cells_[cell].kind != CellKind::tentative || abandoned_[cells_[cell].pixel]) continue;
     CurveCheck& check = checks_.emplace_back();

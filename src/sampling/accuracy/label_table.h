@@ -15,15 +15,8 @@ class LabelTable {
   explicit LabelTable(int columns) : columns_(static_cast<std::size_t>(columns)) {}
 
   std::uint32_t index(Label label) {
-    if (!labels_.empty() && labels_[last_] == label) return stands_for_[last_];
-    last_ = indices_.find_or_insert(label, static_cast<std::uint32_t>(labels_.size()));
-    if (last_ == labels_.size()) {
-      labels_.push_back(label);
-      stands_for_.push_back(last_);
-      counts_.push_back(0);
-      means_.resize(means_.size() + columns_, 0.0);
-    }
-    return stands_for_[last_];
+    const std::uint32_t known = indices_.find(label);
+    return known != FlatMap::kAbsent ? stands_for_[known] : insert(label);
   }
 
   /// From now on `index` answers `as` for what was numbered `from`.
@@ -39,17 +32,24 @@ class LabelTable {
     double* mean = &means_[index * columns_];
     for (std::size_t c = 0; c < columns_; ++c) mean[c] += share * (value[c] - mean[c]);
   }
+  /// The same for more values of a label all of whose values are the same.
+  void add_same(std::uint32_t index, const float* value, std::uint32_t times) {
+    if (times == 0) return;
+    if (counts_[index] == 0) add(index, value), --times;
+    counts_[index] += times;
+  }
   std::uint32_t count(std::uint32_t index) const { return counts_[index]; }
   const double* mean(std::uint32_t index) const { return &means_[index * columns_]; }
 
  private:
+  std::uint32_t insert(Label label);
+
   std::size_t columns_;
   FlatMap indices_;
   std::vector<Label> labels_;
   std::vector<std::uint32_t> stands_for_;
   std::vector<std::uint32_t> counts_;
   std::vector<double> means_;
-  std::uint32_t last_ = 0;
 };
 
 }  // namespace ifov::sampling

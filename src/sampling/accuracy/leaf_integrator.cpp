@@ -5,11 +5,6 @@
 
 namespace ifov::sampling {
 
-std::uint32_t PixelModel::region_of(std::uint32_t label) const {
-  const auto found = std::find(labels.begin(), labels.end(), label);
-  return static_cast<std::uint32_t>(found - labels.begin());
-}
-
 LeafIntegrator::LeafIntegrator(const EdgeTracer& tracer, const PixelFootprint& footprint, PixelRect tile)
     : tracer_(tracer),
       footprint_(footprint),
@@ -101,161 +96,115 @@ double LeafIntegrator::over_polygon(const Polygon& polygon, Point2 c) const {
   return std::abs(sum) / 6.0;
 }
 
-namespace {
-
-/// What no model follows between the same two labels (a strip too thin for the cells, say) is the same all
-/// along, so that such errors add up: one entry. Where three labels meet, each cell errs for itself.
-std::size_t loose_pair(PixelModel& model, std::uint32_t a, std::uint32_t b) {
-  if (a > b) std::swap(a, b);
-  for (std::size_t i = 0; i < model.loose.size(); ++i) {
-    const PixelModel::Loose& entry = model.loose[i];
-    if (entry.two_labels && entry.corner[0] == a && entry.corner[3] == b) return i;
-  }
-  model.loose.push_back({{a, a, b, b}, true, 0, 0});
-  return model.loose.size() - 1;
+/// Integral of an output's footprint over a cell.
+double LeafIntegrator::cell_weight(const Cell& cell, const PixelModel& model, std::size_t output) const {
+  const Lattice& lattice = tracer_.lattice();
+  const double side = lattice.side_px(cell.level);
+  if (unit_box_) return side * side;
+  const double x0 = lattice.x_px(cell.x), y0 = lattice.y_px(cell.y);
+  const Point2 c = centre(model.outputs[output]);
+  return footprint_.integral(x0 - c.x, y0 - c.y, x0 + side - c.x, y0 + side - c.y);
 }
-
-std::size_t loose_cell(PixelModel& model, const Cell& cell) {
-  const auto [low, high] = std::minmax_element(cell.corner, cell.corner + 4);
-  if (has_two_labels(cell)) return loose_pair(model, *low, *high);
-  for (std::size_t i = 0; i < model.loose.size(); ++i) {
-    const PixelModel::Loose& entry = model.loose[i];
-    if (!entry.two_labels && entry.x == cell.x && entry.y == cell.y) return i;
-  }
-  PixelModel::Loose entry{{}, false, cell.x, cell.y};
-  std::copy_n(cell.corner, 4, entry.corner);
-  model.loose.push_back(entry);
-  return model.loose.size() - 1;
-}
-
-}  // namespace
 
 void LeafIntegrator::pixel(int source, PixelModel& model) const {
   outputs_of(source, model.outputs);
-  const std::size_t outputs = model.outputs.size();
-  model.labels.clear();
-  model.area.clear();
-  model.borders.clear();
-  model.loose.clear();
+  model.forget_parts();
   leaves_of(source);
-  const auto begin = leaves_.begin(), end = leaves_.end();
-  const auto region = [&](std::uint32_t label) {
-    const std::uint32_t r = model.region_of(label);
-    if (r == model.labels.size()) {
-      model.labels.push_back(label);
-      model.area.push_back(0.0);
-    }
-    return r;
-  };
-  const auto pair = [&](std::uint32_t a, std::uint32_t b) {
-    if (a > b) std::swap(a, b);
-    for (std::size_t i = 0; i < model.borders.size(); ++i)
-      if (model.borders[i].inner == a && model.borders[i].outer == b) return i;
-    model.borders.push_back({a, b});
-    return model.borders.size() - 1;
-  };
-  for (auto leaf = begin; leaf != end; ++leaf) {
-    const Cell& cell = tracer_.cells()[*leaf];
-    if (cell.kind == CellKind::uniform) {
-      region(cell.corner[0]);
-    } else if (cell.kind == CellKind::complex) {
-      loose_cell(model, cell);
-      for (std::uint32_t l : cell.corner) region(l);
-    } else if (cell.kind == CellKind::junction) {
-      const Junction& junction = tracer_.junction_of(cell);
-      for (int s = 0; s < 3; ++s) {
-        region(junction.sector[s]);
-        pair(junction.sector[(s + 2) % 3], junction.sector[s]);
-      }
-    } else {
-      const Curve& curve = tracer_.curve_of(cell);
-      region(curve.inner);
-      region(curve.outer);
-      pair(curve.inner, curve.outer);
-      if (curve.loose_area > 0.0) loose_pair(model, curve.inner, curve.outer);
+  for (const std::uint32_t leaf : leaves_) {
+    const Cell& cell = tracer_.cells()[leaf];
+    if (cell.kind == CellKind::uniform)
+      add_uniform(cell, model);
+    else if (cell.kind == CellKind::complex)
+      add_complex(cell, model);
+    else if (cell.kind == CellKind::junction)
+      add_junction(cell, model);
+    else
+      add_curve(cell, model);
+  }
+}
+
+void LeafIntegrator::add_uniform(const Cell& cell, PixelModel& model) const {
+  const std::size_t region = model.add_region(cell.corner[0]), outputs = model.outputs.size();
+  const double side = tracer_.lattice().side_px(cell.level);
+  model.area[region] += side * side;
+  for (std::size_t o = 0; o < outputs; ++o) model.weight[region * outputs + o] += cell_weight(cell, model, o);
+}
+
+void LeafIntegrator::add_complex(const Cell& cell, PixelModel& model) const {
+  const auto [low, high] = std::minmax_element(cell.corner, cell.corner + 4);
+  std::size_t entry = 0;
+  if (has_two_labels(cell)) {
+    entry = model.add_loose_pair(*low, *high);
+  } else {
+    PixelModel::Loose alone{{}, false};
+    std::copy_n(cell.corner, 4, alone.corner);
+    entry = model.add_loose(alone);
+  }
+  std::size_t region[4];
+  for (int i = 0; i < 4; ++i) region[i] = model.add_region(cell.corner[i]);
+  const std::size_t outputs = model.outputs.size();
+  for (std::size_t o = 0; o < outputs; ++o) {
+    const double w = cell_weight(cell, model, o);
+    model.loose_weight[entry * outputs + o] += w;
+    for (const std::size_t r : region) model.weight[r * outputs + o] += 0.25 * w;
+  }
+  const double side = tracer_.lattice().side_px(cell.level);
+  for (const std::size_t r : region) model.area[r] += 0.25 * (side * side);
+}
+
+void LeafIntegrator::add_junction(const Cell& cell, PixelModel& model) const {
+  const Junction& junction = tracer_.junction_of(cell);
+  std::size_t region[3], border[3];
+  Polygon polygon[3];
+  double area[3], variance[3];
+  for (int s = 0; s < 3; ++s) {
+    region[s] = model.add_region(junction.sector[s]);
+    border[s] = model.add_border(junction.sector[(s + 2) % 3], junction.sector[s]);
+    polygon[s] = tracer_.sector_region(cell, s);
+    area[s] = std::abs(polygon[s].signed_area());
+    variance[s] = tracer_.border_variance(cell, s);
+    model.area[region[s]] += area[s];
+  }
+  const std::size_t outputs = model.outputs.size();
+  for (std::size_t o = 0; o < outputs; ++o) {
+    const Point2 c = centre(model.outputs[o]);
+    const double density = unit_box_ ? 1.0 : footprint_.density(junction.at.x - c.x, junction.at.y - c.y);
+    double inside[3], sum = 0.0;
+    for (int s = 0; s < 3; ++s) sum += inside[s] = unit_box_ ? area[s] : over_polygon(polygon[s], c);
+    const double scale = sum > 0.0 ? cell_weight(cell, model, o) / sum : 0.0;
+    for (int s = 0; s < 3; ++s) {
+      model.weight[region[s] * outputs + o] += scale * inside[s];
+      model.border_variance[border[s] * outputs + o] += variance[s] * density * density;
     }
   }
-  const std::size_t regions = model.labels.size(), pairs = model.borders.size(), loose = model.loose.size();
-  model.weight.assign(outputs * regions, 0.0);
-  model.border_variance.assign(outputs * pairs, 0.0);
-  model.loose_weight.assign(outputs * loose, 0.0);
+}
 
-  const Lattice& lattice = tracer_.lattice();
-  for (auto leaf = begin; leaf != end; ++leaf) {
-    const Cell& cell = tracer_.cells()[*leaf];
-    const double x0 = lattice.x_px(cell.x), y0 = lattice.y_px(cell.y), side = lattice.side_px(cell.level);
-    const double cell_area = side * side;
-    const auto cell_weight = [&](std::size_t o) {
-      if (unit_box_) return cell_area;
+void LeafIntegrator::add_curve(const Cell& cell, PixelModel& model) const {
+  const Curve& curve = tracer_.curve_of(cell);
+  const std::size_t in = model.add_region(curve.inner), out = model.add_region(curve.outer);
+  const std::size_t border = model.add_border(curve.inner, curve.outer), outputs = model.outputs.size();
+  const CurveShape shape = tracer_.shape_of(cell);
+  const Polygon polygon = tracer_.inner_region(cell, shape);
+  const double side = tracer_.lattice().side_px(cell.level), whole = side * side;
+  const double area = std::clamp(std::abs(polygon.signed_area()), 0.0, whole);
+  const double variance = tracer_.area_variance(cell, shape);
+  const Point2 middle = 0.5 * (polygon.vertex[0] + polygon.vertex[curve.side[1] - curve.side[0] + 1]);
+  model.area[in] += area;
+  model.area[out] += whole - area;
+  for (std::size_t o = 0; o < outputs; ++o) {
+    const double weight = cell_weight(cell, model, o);
+    double inner = area, density = 1.0;
+    if (!unit_box_) {
       const Point2 c = centre(model.outputs[o]);
-      return footprint_.integral(x0 - c.x, y0 - c.y, x0 + side - c.x, y0 + side - c.y);
-    };
-    if (cell.kind == CellKind::uniform) {
-      const std::uint32_t r = model.region_of(cell.corner[0]);
-      model.area[r] += cell_area;
-      for (std::size_t o = 0; o < outputs; ++o) model.weight[o * regions + r] += cell_weight(o);
-      continue;
+      inner = std::min(over_polygon(polygon, c), weight);
+      density = footprint_.density(middle.x - c.x, middle.y - c.y);
     }
-    if (cell.kind == CellKind::complex) {
-      const std::size_t entry = loose_cell(model, cell);
-      for (std::size_t o = 0; o < outputs; ++o) {
-        const double w = cell_weight(o);
-        model.loose_weight[o * loose + entry] += w;
-        for (std::uint32_t l : cell.corner) model.weight[o * regions + model.region_of(l)] += 0.25 * w;
-      }
-      for (std::uint32_t l : cell.corner) model.area[model.region_of(l)] += 0.25 * cell_area;
-      continue;
-    }
-    if (cell.kind == CellKind::junction) {
-      const Junction& junction = tracer_.junction_of(cell);
-      std::size_t r[3], b[3];
-      Polygon polygon[3];
-      double area[3], variance[3];
-      for (int s = 0; s < 3; ++s) {
-        r[s] = model.region_of(junction.sector[s]);
-        b[s] = pair(junction.sector[(s + 2) % 3], junction.sector[s]);
-        polygon[s] = tracer_.sector_region(cell, s);
-        area[s] = std::abs(polygon[s].signed_area());
-        variance[s] = tracer_.border_variance(cell, s);
-        model.area[r[s]] += area[s];
-      }
-      for (std::size_t o = 0; o < outputs; ++o) {
-        const Point2 c = centre(model.outputs[o]);
-        const double density = unit_box_ ? 1.0 : footprint_.density(junction.at.x - c.x, junction.at.y - c.y);
-        double inside[3], sum = 0.0;
-        for (int s = 0; s < 3; ++s) sum += inside[s] = unit_box_ ? area[s] : over_polygon(polygon[s], c);
-        const double scale = sum > 0.0 ? cell_weight(o) / sum : 0.0;
-        for (int s = 0; s < 3; ++s) {
-          model.weight[o * regions + r[s]] += scale * inside[s];
-          model.border_variance[o * pairs + b[s]] += variance[s] * density * density;
-        }
-      }
-      continue;
-    }
-    const Curve& curve = tracer_.curve_of(cell);
-    const std::uint32_t in = model.region_of(curve.inner), out = model.region_of(curve.outer);
-    const std::size_t b = pair(curve.inner, curve.outer);
-    const Polygon polygon = tracer_.inner_region(cell);
-    const double area = std::clamp(std::abs(polygon.signed_area()), 0.0, cell_area);
-    const double variance = tracer_.area_variance(cell);
-    const Point2 middle = 0.5 * (polygon.vertex[0] + polygon.vertex[curve.side[1] - curve.side[0] + 1]);
-    model.area[in] += area;
-    model.area[out] += cell_area - area;
-    for (std::size_t o = 0; o < outputs; ++o) {
-      const double whole = cell_weight(o);
-      double inner = area, density = 1.0;
-      if (!unit_box_) {
-        const Point2 c = centre(model.outputs[o]);
-        inner = std::min(over_polygon(polygon, c), whole);
-        density = footprint_.density(middle.x - c.x, middle.y - c.y);
-      }
-      model.weight[o * regions + in] += inner;
-      model.weight[o * regions + out] += whole - inner;
-      model.border_variance[o * pairs + b] += variance * density * density;
-      if (curve.loose_area > 0.0)
-        model.loose_weight[o * loose + loose_pair(model, curve.inner, curve.outer)] +=
-            std::sqrt(12.0) * curve.loose_area * density;
-    }
+    model.weight[in * outputs + o] += inner;
+    model.weight[out * outputs + o] += weight - inner;
+    model.border_variance[border * outputs + o] += variance * density * density;
+    if (curve.loose_area > 0.0)
+      model.loose_weight[model.add_loose_pair(curve.inner, curve.outer) * outputs + o] +=
+          std::sqrt(12.0) * curve.loose_area * density;
   }
 }
 

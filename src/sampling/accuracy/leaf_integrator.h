@@ -4,35 +4,11 @@
 #include <vector>
 
 #include "sampling/accuracy/edge_tracer.h"
-#include "sampling/accuracy/small_vector.h"
+#include "sampling/accuracy/pixel_model.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/tile.h"
 
 namespace ifov::sampling {
-
-/// What tracing says about one source pixel (a pixel of the focal plane), and how much each part weighs in
-/// the output pixels whose footprints reach it. Weights of one output follow each other.
-struct PixelModel {
-  struct Border {
-    std::uint32_t inner, outer;
-  };
-  struct Loose {
-    std::uint32_t corner[4];
-    bool two_labels;
-    std::int32_t x, y;  // of the cell, where it stands alone
-  };
-  SmallVector<int, 1> outputs;           ///< row-major indices in the tile
-  SmallVector<std::uint32_t, 2> labels;  ///< one region per label
-  SmallVector<double, 2> area;           ///< of each region, px^2
-  SmallVector<double, 2> weight;         ///< [output][region]: integral of the footprint over the region
-  SmallVector<Border, 1> borders;        ///< pairs of labels that share traced borders
-  /// [output][pair]: variance of the weight that lies on the wrong side
-  SmallVector<double, 1> border_variance;
-  SmallVector<Loose, 1> loose;  ///< cells counted by their corners, those of the same two labels together
-  SmallVector<double, 1> loose_weight;  ///< [output][cell]
-
-  std::uint32_t region_of(std::uint32_t label) const;
-};
 
 /// Integrates the leaves of the traced model against the footprint. No rays.
 class LeafIntegrator {
@@ -58,6 +34,11 @@ class LeafIntegrator {
  private:
   void outputs_of(int source, SmallVector<int, 1>& outputs) const;
   void leaves_of(int source) const;
+  double cell_weight(const Cell& cell, const PixelModel& model, std::size_t output) const;
+  void add_uniform(const Cell& cell, PixelModel& model) const;
+  void add_complex(const Cell& cell, PixelModel& model) const;
+  void add_junction(const Cell& cell, PixelModel& model) const;
+  void add_curve(const Cell& cell, PixelModel& model) const;
   double over_polygon(const Polygon& polygon, Point2 centre) const;
 
   const EdgeTracer& tracer_;

@@ -53,20 +53,23 @@ void Prober::probe_until_clean(const std::vector<std::uint8_t>& worth) {
   const PixelRect& domain = lattice.domain();
   const int width = domain.width(), height = domain.height(), side = options_.probes_per_side;
   if (side <= 0) return;
-  std::vector<std::uint8_t> cause(static_cast<std::size_t>(domain.count()));
+  std::vector<std::uint8_t> cause(static_cast<std::size_t>(domain.count())), flagged(cause.size());
   for (std::size_t p = 0; p < cause.size(); ++p) cause[p] = tracer_.suspect(static_cast<std::uint32_t>(p));
 
   for (int round = 0; round < options_.max_probe_rounds; ++round) {
     std::vector<int> probed;
     std::vector<FocalPoint> points;
+    std::fill(flagged.begin(), flagged.end(), std::uint8_t{0});
+    for (auto p = std::find(cause.begin(), cause.end(), std::uint8_t{1}); p != cause.end();
+         p = std::find(p + 1, cause.end(), std::uint8_t{1})) {
+      const int x = static_cast<int>(p - cause.begin()) % width, y = static_cast<int>(p - cause.begin()) / width;
+      for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j)
+        for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i) flagged[j * width + i] = 1;
+    }
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
-        bool flagged = false;
-        for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1) && !flagged; ++j)
-          for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i)
-            flagged |= cause[j * width + i] != 0;
         const int pixel = y * width + x;
-        if (!flagged || !worth[pixel] || tracer_.abandoned(static_cast<std::uint32_t>(pixel))) continue;
+        if (!flagged[pixel] || !worth[pixel] || tracer_.abandoned(static_cast<std::uint32_t>(pixel))) continue;
         probed.push_back(pixel);
         for (int j = 0; j < side; ++j)
           for (int i = 0; i < side; ++i) {

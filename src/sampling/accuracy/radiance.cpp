@@ -29,18 +29,24 @@ Radiance::Radiance(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable
       lattice_(lattice_values),
       faults_(faults),
       seed_(seed),
-      stride_(lattice_values.stride),
+      stride_(static_cast<std::size_t>(ledger.field().stride())),
       keep_values_(keep_values) {}
 
-void Radiance::add_pixel(int source, const LeafIntegrator& integrator) {
-  PlainPixel plain{source, 0, 0, 0.0};
-  if (!tracer_.abandoned(static_cast<std::uint32_t>(source)) &&
-      integrator.plain(source, plain.output, plain.label, plain.weight) && spread_.constant(plain.label)) {
-    plain_pixels_.push_back(plain);
-    return;
+void Radiance::add_pixels(int first, int last, const LeafIntegrator& integrator) {
+  std::vector<int> others;
+  for (int source = first; source < last; ++source) {
+    PlainPixel plain{source, 0, 0, 0.0};
+    if (!tracer_.abandoned(static_cast<std::uint32_t>(source)) &&
+        integrator.plain(source, plain.output, plain.label, plain.weight) && spread_.constant(plain.label))
+      plain_pixels_.push_back(plain);
+    else
+      others.push_back(source);
   }
-  pixels_.emplace_back().source = source;
-  fill(pixels_.back(), integrator);
+  pixels_.reserve(pixels_.size() + others.size());
+  for (const int source : others) {
+    pixels_.emplace_back().source = source;
+    fill(pixels_.back(), integrator);
+  }
 }
 
 bool Radiance::refresh(const LeafIntegrator& integrator) {
@@ -82,9 +88,9 @@ void Radiance::find_deviation(const Pixel& pixel, Stratum& stratum) const {
       if (!any_label && lattice_.labels[v] != stratum.label) continue;
       count += 1.0;
       for (std::size_t c = 0; c < columns; ++c) {
-        const double difference = lattice_.values[v * stride_ + c] - mean[c];
+        const double difference = lattice_.value(v)[c] - mean[c];
         mean[c] += difference / count;
-        squares[c] += difference * (lattice_.values[v * stride_ + c] - mean[c]);
+        squares[c] += difference * (lattice_.value(v)[c] - mean[c]);
       }
     }
   stratum.deviation.resize(columns);

@@ -7,19 +7,13 @@
 #include "sampling/accuracy/block_sums.h"
 #include "sampling/accuracy/clutter_round.h"
 #include "sampling/accuracy/edge_tracer.h"
+#include "sampling/accuracy/lattice_values.h"
 #include "sampling/accuracy/leaf_integrator.h"
 #include "sampling/accuracy/spread.h"
 #include "sampling/accuracy/stopping.h"
 #include "sampling/accuracy/tile_memory.h"
 
 namespace ifov::sampling {
-
-/// Values at the lattice's vertices, shared by the pixels around them.
-struct LatticeValues {
-  std::vector<std::uint32_t> labels;  ///< row by row, columns + 1 per row
-  std::vector<float> values;          ///< rows of `stride` floats
-  std::size_t stride = 0;
-};
 
 /// Mean of one stratum (a label within a source pixel) and the variance of one of its values.
 struct StratumMoments {
@@ -91,7 +85,8 @@ class Radiance {
   double unseen(const Pixel& pixel, std::size_t stratum, int column) const;
 
   std::vector<Pixel>& pixels() { return pixels_; }
-  void add_pixel(int source, const LeafIntegrator& integrator);
+  /// Source pixels [first, last).
+  void add_pixels(int first, int last, const LeafIntegrator& integrator);
   /// Keeps what a later run may go on from; `predicted` values were expected of it as clutter.
   void remember(const Pixel& pixel, double predicted, TileMemory& memory) const;
   /// Takes up the values that an earlier run left of the pixel, where they still fit what is traced. False where some

@@ -134,7 +134,7 @@ void Radiance::moments(const Pixel& pixel, std::size_t s, std::span<const int> c
       weight += w;
       count += 1.0;
       for (std::size_t c = 0; c < n; ++c) {
-        const double value = lattice_.values[v * stride_ + columns[c]], old = out.mean[c];
+        const double value = lattice_.value(v)[columns[c]], old = out.mean[c];
         out.mean[c] += w / weight * (value - old);
         squares[c] += w * (value - old) * (value - out.mean[c]);
       }

@@ -15,8 +15,8 @@ class SmallVector {
  public:
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
-  T* data() { return far_.empty() ? near_ : far_.data(); }
-  const T* data() const { return far_.empty() ? near_ : far_.data(); }
+  T* data() { return size_ <= Inline ? near_ : far_.data(); }
+  const T* data() const { return size_ <= Inline ? near_ : far_.data(); }
   T* begin() { return data(); }
   T* end() { return data() + size_; }
   const T* begin() const { return data(); }
@@ -41,7 +41,7 @@ class SmallVector {
     if (size_ < Inline) {
       near_[size_] = value;
     } else {
-      if (far_.empty()) far_.assign(near_, near_ + size_);
+      if (size_ == Inline) far_.assign(near_, near_ + size_);
       far_.push_back(value);
     }
     ++size_;

@@ -27,50 +27,54 @@ void pool(std::vector<double>& squares, const std::vector<double>& freedom, std:
 
 }  // namespace
 
-LabelSpread::LabelSpread(const Lattice& lattice, const LabelTable& table, int columns,
-                         std::span<const std::uint32_t> labels, std::span<const float> values,
-                         std::size_t stride)
-    : columns_(static_cast<std::size_t>(columns)),
+LabelSpread::LabelSpread(const Lattice& lattice, const LabelTable& table, const LatticeValues& at)
+    : columns_(at.columns),
       labels_(table.size()),
       local_((labels_ + 1) * columns_, 0.0),
       total_((labels_ + 1) * columns_, 0.0),
       rare_((labels_ + 1) * columns_, 0.0) {
-  std::vector<double> local_freedom(labels_, 0.0), total_freedom(labels_, -1.0);
-  const std::size_t row_length = static_cast<std::size_t>(lattice.columns()) + 1;
-  for (std::size_t v = 0; v < labels.size(); ++v) {
-    const std::uint32_t l = labels[v];
+  std::vector<double> local_freedom(labels_, 0.0), total_freedom(labels_);
+  const std::size_t row_length = static_cast<std::size_t>(lattice.columns()) + 1, vertices = at.labels.size();
+  for (std::uint32_t l = 0; l < labels_; ++l) total_freedom[l] = table.count(l) - 1.0;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const std::uint32_t l = at.labels[v];
+    if (at.constant[l]) continue;
     const double* mean = table.mean(l);
+    const float* value = at.value(v);
     for (std::size_t c = 0; c < columns_; ++c) {
-      const double d = values[v * stride + c] - mean[c];
+      const double d = value[c] - mean[c];
       total_[l * columns_ + c] += d * d;
     }
-    total_freedom[l] += 1.0;
   }
   double known = 0.0;
   for (double& f : total_freedom) known += f = std::max(f, 0.0);
   if (known == 0.0) {
     // No label was seen twice: what labels differ by bounds what a label's own values may.
-    for (std::size_t v = 1; v < labels.size(); ++v)
+    for (std::size_t v = 1; v < vertices; ++v)
       for (std::size_t c = 0; c < columns_; ++c) {
-        const double d = static_cast<double>(values[v * stride + c]) - values[(v - 1) * stride + c];
-        total_[labels[v] * columns_ + c] += 0.5 * d * d;
+        const double d = static_cast<double>(at.value(v)[c]) - at.value(v - 1)[c];
+        total_[at.labels[v] * columns_ + c] += 0.5 * d * d;
       }
-    for (std::size_t v = 1; v < labels.size(); ++v) total_freedom[labels[v]] += 1.0;
+    for (std::size_t v = 1; v < vertices; ++v) total_freedom[at.labels[v]] += 1.0;
   }
-  for (int j = 0; j < lattice.rows(); ++j)
+  for (int j = 0; j < lattice.rows(); ++j) {
+    const std::size_t first = static_cast<std::size_t>(j) * row_length;
+    const std::uint32_t *above = &at.labels[first], *below = above + row_length;
     for (int i = 0; i < lattice.columns(); ++i) {
-      const std::size_t v = j * row_length + i, w = v + row_length;
-      const std::uint32_t l = labels[v];
-      if (labels[v + 1] != l || labels[w] != l || labels[w + 1] != l) continue;
-      const float *a = &values[v * stride], *b = a + stride, *d = &values[w * stride], *e = d + stride;
+      const std::uint32_t l = above[i];
+      if (above[i + 1] != l || below[i] != l || below[i + 1] != l) continue;
+      local_freedom[l] += 1.0;
+      if (at.constant[l]) continue;
+      const std::size_t v = first + static_cast<std::size_t>(i);
+      const float *a = at.value(v), *b = a + columns_, *d = at.value(v + row_length), *e = d + columns_;
       for (std::size_t c = 0; c < columns_; ++c) {
         const double twist = (static_cast<double>(a[c]) - b[c]) - (static_cast<double>(d[c]) - e[c]);
         const double square = 0.25 * twist * twist;
         local_[l * columns_ + c] += square;
         rare_[l * columns_ + c] += square * square;
       }
-      local_freedom[l] += 1.0;
     }
+  }
   blocks_ = local_freedom;
   double any = 0.0;
   for (double f : local_freedom) any += f;

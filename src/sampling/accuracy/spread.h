@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "sampling/accuracy/label_table.h"
 #include "sampling/accuracy/lattice.h"
+#include "sampling/accuracy/lattice_values.h"
 
 namespace ifov::sampling {
 
@@ -14,9 +14,8 @@ namespace ifov::sampling {
 /// variance is zero unless every value of every label agrees with its neighbours.
 class LabelSpread {
  public:
-  /// `labels` and `values` (rows of `stride` floats) of the lattice's vertices, row by row.
-  LabelSpread(const Lattice& lattice, const LabelTable& table, int columns,
-              std::span<const std::uint32_t> labels, std::span<const float> values, std::size_t stride);
+  /// `table` knows the means over the lattice and nothing else yet.
+  LabelSpread(const Lattice& lattice, const LabelTable& table, const LatticeValues& at);
 
   /// Variance of a value about the plane through its neighbours: noise and fine texture. Labels found later
   /// than the lattice have that of all labels.

@@ -31,96 +31,19 @@ constexpr int kClutterLook = 2;
 
 }  // namespace
 
-/// Moments per column of one stratum are weighed into every output that its source pixel reaches.
-void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> columns,
-                      std::vector<Sums>& sums) const {
-  const std::size_t n = columns.size();
-  std::vector<StratumMoments> moments;
-  std::vector<ClutterRound::Moment> clutter;
-  std::vector<double> weighted(n);
-  for (const Radiance::PlainPixel& pixel : radiance_->plain_pixels())
-    for (std::size_t c = 0; c < n; ++c)
-      sums[pixel.output].mean[c] += pixel.weight * table_.mean(pixel.label)[columns[c]];
-  for (const Radiance::Pixel& pixel : radiance_->pixels()) {
-    const PixelModel& model = pixel.model;
-    if (model.outputs.empty()) continue;
-    if (pixel.cluttered) {
-      for (int output : model.outputs) {
-        Sums& sum = sums[output];
-        radiance_->clutter(pixel, integrator.unit_box() ? nullptr : &integrator.footprint(),
-                           integrator.centre(output), columns, clutter);
-        const double w = integrator.whole_weight(pixel.source, output), count = pixel.clutter_count();
-        for (std::size_t c = 0; c < n; ++c) {
-          sum.mean[c] += w * clutter[c].mean;
-          const double missed = radiance_->unseen(pixel, 0, columns[c]);
-          sum.path[c].add(w * w * clutter[c].variance, clutter[c].freedom);
-          sum.path[c].add(w * w * missed, INFINITY);
-          sum.deviation[c] += w * std::sqrt((clutter[c].variance + missed) * count);
-        }
-      }
-      continue;
-    }
-    const std::size_t regions = model.labels.size();
-    moments.resize(std::max(moments.size(), regions));
-    for (std::size_t r = 0; r < regions; ++r) radiance_->moments(pixel, r, columns, moments[r]);
-    for (std::size_t o = 0; o < model.outputs.size(); ++o) {
-      Sums& sum = sums[model.outputs[o]];
-      for (std::size_t r = 0; r < regions; ++r) {
-        const double w = model.weight[o * regions + r];
-        if (w == 0.0) continue;
-        weighted = moments[r].mean;
-        double share = moments[r].share;
-        if (moments[r].sampled && !integrator.unit_box())
-          share = radiance_->weigh(pixel, r, integrator.footprint(), integrator.centre(model.outputs[o]), columns,
-                                   weighted);
-        for (std::size_t c = 0; c < n; ++c) {
-          sum.mean[c] += w * weighted[c];
-          sum.path[c].add(w * w * moments[r].variance[c] * share, moments[r].freedom);
-          const double count = static_cast<double>(pixel.strata[r].count());
-          const double missed = radiance_->unseen(pixel, r, columns[c]);
-          sum.path[c].add(w * w * missed, INFINITY);
-          sum.deviation[c] += w * std::sqrt(moments[r].variance[c] + missed * std::max(1.0, count));
-        }
-      }
-      for (std::size_t b = 0; b < model.borders.size(); ++b) {
-        const std::size_t in = model.region_of(model.borders[b].inner),
-                          out = model.region_of(model.borders[b].outer);
-        const double variance = model.border_variance[o * model.borders.size() + b];
-        for (std::size_t c = 0; c < n; ++c) {
-          const double step = moments[in].mean[c] - moments[out].mean[c];
-          sum.geometry[c] += variance * (step * step + moments[in].variance[c] + moments[out].variance[c]);
-        }
-      }
-      for (std::size_t l = 0; l < model.loose.size(); ++l) {
-        const double w = model.loose_weight[o * model.loose.size() + l];
-        for (std::size_t c = 0; c < n; ++c) {
-          double low = INFINITY, high = -INFINITY, within = 0.0;
-          for (std::uint32_t corner : model.loose[l].corner) {
-            const StratumMoments& m = moments[model.region_of(corner)];
-            low = std::min(low, m.mean[c]);
-            high = std::max(high, m.mean[c]);
-            within = std::max(within, m.variance[c]);
-          }
-          sum.geometry[c] += w * w * ((high - low) * (high - low) / 12.0 + within);
-        }
-      }
-    }
-  }
-}
-
 void TileWork::estimate() {
   const LeafIntegrator integrator(tracer_, *problem_.footprint, problem_.tile);
   // Pixels of a box footprint are independent of each other: they are finished in groups, so that few values
   // are in memory at a time. A wider footprint ties them together.
   const int sources = lattice_.domain().count();
   const int group =
-      integrator.unit_box() ? std::max<int>(64, static_cast<int>(81920 / lattice_values_.stride)) : sources;
+      integrator.unit_box() ? std::max<int>(64, 81920 / ledger_.field().stride()) : sources;
   for (int first = 0; first < sources; first += group) {
     const bool ready = group >= sources && radiance_ != nullptr;  // by tighten_borders, of all pixels
     if (!ready) {
       radiance_ = std::make_unique<Radiance>(tracer_, ledger_, table_, *spread_, lattice_values_, faults_,
                                              problem_.seed, !integrator.unit_box());
-      for (int p = first; p < std::min(sources, first + group); ++p) radiance_->add_pixel(p, integrator);
+      radiance_->add_pixels(first, std::min(sources, first + group), integrator);
     }
     std::vector<std::uint8_t> touched(outputs_.size(), 0);
     for (const Radiance::PlainPixel& pixel : radiance_->plain_pixels()) touched[pixel.output] = 1;
@@ -139,23 +62,24 @@ void TileWork::estimate() {
   }
 }
 
-/// Drivers stand for all columns. Where they are satisfied and another column is not, it steers as well.
+/// Drivers stand for all columns. Where they are satisfied and another column is not, it steers as well. Leaves the sums
+/// of all columns behind.
 bool TileWork::steer_by_more(const LeafIntegrator& integrator, const std::vector<int>& outputs) {
   const std::size_t n = static_cast<std::size_t>(columns_);
+  if (steering_ != all_columns_) gather(integrator, all_columns_, outputs);  // else plan_round just did
   if (steering_.size() == n) return false;
-  std::vector<Sums>& sums = sums_;
-  for (int o : outputs) sums[o].clear(n);
-  gather(integrator, all_columns_, sums);
   std::vector<double> limit(n);
   std::vector<int> more;
   for (int o : outputs) {
     if (outputs_[o].look >= outputs_[o].last_look) continue;
-    problem_.tolerance->limits(sums[o].mean, limit);
+    const OutputSums::Row sum = sums_[o];
+    if (!sum.paths_vary(n)) continue;
+    problem_.tolerance->limits(sums_.means(o), limit);
     double worst = 1.0 + 1e-6;
     int column = -1;
     for (std::size_t c = 0; c < n; ++c) {
-      const double ratio = half_width(sums[o], c, outputs_[o].look) / limit[c];
-      if (ratio > worst && sums[o].path[c].variance() > 0.0) worst = ratio, column = static_cast<int>(c);
+      const double ratio = half_width(sum, c, outputs_[o].look) / limit[c];
+      if (ratio > worst && sum.path[c].variance() > 0.0) worst = ratio, column = static_cast<int>(c);
     }
     if (column < 0) continue;
     if (std::find(steering_.begin(), steering_.end(), column) != steering_.end()) continue;
@@ -164,19 +88,6 @@ bool TileWork::steer_by_more(const LeafIntegrator& integrator, const std::vector
   }
   steering_.insert(steering_.end(), more.begin(), more.end());
   return !more.empty();
-}
-
-double TileWork::half_width(const Sums& sum, std::size_t column, int look) const {
-  const double path = sum.path[column].variance();
-  const double t = path > 0.0 ? stopping_.student(look, sum.path[column].degrees_of_freedom()) : 0.0;
-  return std::sqrt(stopping_.normal() * stopping_.normal() * sum.geometry[column] + t * t * path);
-}
-
-void TileWork::Sums::clear(std::size_t columns) {
-  mean.assign(columns, 0.0);
-  geometry.assign(columns, 0.0);
-  path.assign(columns, {});
-  deviation.assign(columns, 0.0);
 }
 
 /// Nets grow by doubling, at most fourfold between looks: their error falls faster than that of independent
@@ -215,7 +126,7 @@ bool TileWork::doubtful(const Radiance::Pixel& pixel) const {
     if (stratum.strays == 0.0) continue;
     double weight = 0.0;
     for (std::size_t o = 0; o < model.outputs.size(); ++o)
-      weight = std::max(weight, model.weight[o * model.labels.size() + s]);
+      weight = std::max(weight, model.weight_of(s, o));
     const double share = weight / std::max(static_cast<double>(stratum.count()), stratum.strays);
     for (std::size_t d = 0; d < problem_.drivers.size(); ++d) {
       const int c = problem_.drivers[d];
@@ -229,7 +140,6 @@ bool TileWork::doubtful(const Radiance::Pixel& pixel) const {
 /// Looks at the intervals so far and plans values where they are too wide; false when nothing is left to do.
 bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<int>& outputs) {
   const std::size_t n = steering_.size();
-  std::vector<Sums>& sums = sums_;
   bool cluttered_start = false;
   for (std::size_t p = 0; p < radiance_->pixels().size(); ++p) {
     const Radiance::Pixel& pixel = radiance_->pixels()[p];
@@ -244,29 +154,29 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
     }
   }
   if (cluttered_start) return true;
-  for (int o : outputs) sums[o].clear(n);
-  gather(integrator, steering_, sums);
+  gather(integrator, steering_, outputs);
 
   std::vector<double> mean(static_cast<std::size_t>(columns_)), limit(mean.size());
   for (int o : outputs) {
     Output& output = outputs_[o];
     if (output.satisfied) continue;
-    for (std::size_t d = 0; d < n; ++d) mean[steering_[d]] = sums[o].mean[d];
+    const OutputSums::Row sum = sums_[o];
+    output.satisfied = true;
+    if (!sum.paths_vary(n)) continue;  // no value would make it better
+    for (std::size_t d = 0; d < n; ++d) mean[steering_[d]] = sum.mean[d];
     problem_.tolerance->limits(mean, limit);
     output.path_budget.assign(n, 0.0);
-    output.limit.assign(n, INFINITY);
-    output.satisfied = true;
     for (std::size_t d = 0; d < n; ++d) {
-      const double limit_d = output.limit[d] = limit[steering_[d]];
-      const double from_borders = stopping_.normal() * stopping_.normal() * sums[o].geometry[d];
-      const bool wide = half_width(sums[o], d, output.look) > limit_d && sums[o].path[d].variance() > 0.0;
+      const double limit_d = limit[steering_[d]];
+      const double from_borders = stopping_.normal() * stopping_.normal() * sum.geometry[d];
+      const bool wide = half_width(sum, d, output.look) > limit_d && sum.path[d].variance() > 0.0;
       if (wide) output.satisfied = false;
       const double planned_t = stopping_.student(std::max(output.look + 1, 2),
-                                                 std::max(sums[o].path[d].degrees_of_freedom(), 20.0));
+                                                 std::max(sum.path[d].degrees_of_freedom(), 20.0));
       output.path_budget[d] =
           std::max(limit_d * limit_d - from_borders, 0.2 * limit_d * limit_d) / (planned_t * planned_t);
       // Few degrees of freedom may keep an interval wide whose variance is small: more values still.
-      if (wide) output.path_budget[d] = std::min(output.path_budget[d], 0.7 * sums[o].path[d].variance());
+      if (wide) output.path_budget[d] = std::min(output.path_budget[d], 0.7 * sum.path[d].variance());
     }
   }
 
@@ -288,7 +198,7 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
       for (std::size_t o = 0; o < model.outputs.size(); ++o) {
         const Output& output = outputs_[model.outputs[o]];
         if (output.satisfied || output.look >= output.last_look) continue;
-        const Sums& sum = sums[model.outputs[o]];
+        const OutputSums::Row sum = sums_[model.outputs[o]];
         for (std::size_t d = 0; d < n; ++d) {
           double weighted_deviation = 0.0;
           if (pixel.cluttered) {
@@ -296,7 +206,7 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
           } else {
             const double count = static_cast<double>(pixel.strata[s].count());
             weighted_deviation =
-                model.weight[o * strata + s] *
+                model.weight_of(s, o) *
                 std::sqrt(moments.variance[d] + radiance_->unseen(pixel, s, steering_[d]) * std::max(1.0, count));
           }
           wanted = std::max(wanted, weighted_deviation * sum.deviation[d] / output.path_budget[d]);

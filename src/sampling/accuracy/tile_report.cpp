@@ -6,24 +6,25 @@
 
 namespace ifov::sampling {
 
+/// Of the sums over all columns.
 void TileWork::finish(const LeafIntegrator& integrator, const std::vector<int>& outputs) {
   const std::size_t n = static_cast<std::size_t>(columns_);
-  std::vector<Sums>& sums = sums_;
-  for (int o : outputs) sums[o].clear(n);
-  gather(integrator, all_columns_, sums);
-  std::vector<double> limit(n);
+  std::vector<double> limit(n), half(n);
   for (int o : outputs) {
-    const Sums& sum = sums[o];
-    problem_.tolerance->limits(sum.mean, limit);
-    double worst = 0.0;
+    const OutputSums::Row sum = sums_[o];
+    double worst = 0.0, widest = 0.0;
     for (std::size_t c = 0; c < n; ++c) {
       const std::size_t i = static_cast<std::size_t>(o) * n + c;
-      const double path = sum.path[c].variance(), half = half_width(sum, c, outputs_[o].look);
+      half[c] = half_width(sum, c, outputs_[o].look);
+      widest = std::max(widest, half[c]);
       result_.mean[i] = static_cast<float>(sum.mean[c]);
       result_.variance_geometry[i] = static_cast<float>(sum.geometry[c]);
-      result_.variance_path[i] = static_cast<float>(path);
-      result_.half_width[i] = static_cast<float>(half);
-      worst = std::max(worst, half / limit[c]);
+      result_.variance_path[i] = static_cast<float>(sum.path[c].variance());
+      result_.half_width[i] = static_cast<float>(half[c]);
+    }
+    if (widest > 0.0) {
+      problem_.tolerance->limits(sums_.means(o), limit);
+      for (std::size_t c = 0; c < n; ++c) worst = std::max(worst, half[c] / limit[c]);
     }
     result_.worst_ratio[o] = static_cast<float>(worst);
     result_.converged[o] = worst <= 1.0 + 1e-6;
@@ -72,17 +73,16 @@ void TileWork::finish(const LeafIntegrator& integrator, const std::vector<int>& 
         continue;
       }
       for (std::size_t r = 0; r < model.labels.size(); ++r)
-        if (model.weight[o * model.labels.size() + r] > 0.0)
-          share_of(output, model.labels[r]).fraction += model.weight[o * model.labels.size() + r];
+        if (model.weight_of(r, o) > 0.0) share_of(output, model.labels[r]).fraction += model.weight_of(r, o);
       for (std::size_t b = 0; b < model.borders.size(); ++b) {
         const PixelModel::Border& border = model.borders[b];
         if (&share_of(output, border.inner) == &share_of(output, border.outer)) continue;
-        const double variance = model.border_variance[o * model.borders.size() + b];
+        const double variance = model.border_variance_of(b, o);
         share_of(output, border.inner).variance += variance;
         share_of(output, border.outer).variance += variance;
       }
       for (std::size_t l = 0; l < model.loose.size(); ++l) {
-        const double w = model.loose_weight[o * model.loose.size() + l];
+        const double w = model.loose_weight_of(l, o);
         for (std::uint32_t corner : model.loose[l].corner)
           share_of(output, corner).variance += 0.25 * w * w / 12.0;
       }

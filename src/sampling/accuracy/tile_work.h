@@ -7,6 +7,7 @@
 
 #include "sampling/accuracy/edge_tracer.h"
 #include "sampling/accuracy/leaf_integrator.h"
+#include "sampling/accuracy/output_sums.h"
 #include "sampling/accuracy/probing.h"
 #include "sampling/accuracy/radiance.h"
 #include "sampling/accuracy/spread.h"
@@ -29,33 +30,26 @@ class TileWork {
   void report();          ///< counts, materials, the detection statement
 
  private:
-  /// One output pixel: sums over source pixels, per asked column.
-  struct Sums {
-    SmallVector<double, 2> mean, geometry;
-    SmallVector<Satterthwaite, 2> path;
-    SmallVector<double, 2>
-        deviation;  ///< sum of weight * standard deviation of one value, for Neyman's allocation
-    void clear(std::size_t columns);
-  };
   struct Output {
     int look = 0;       ///< those of an earlier run included
     int last_look = Stopping::kLooks;
     bool satisfied = false;
-    SmallVector<double, 2> limit;        ///< per steering column, as of the last look
     SmallVector<double, 2> path_budget;  ///< per steering column: variance that paths may leave
   };
 
+  void ask_vertices();
   void merge_twins();
+  void take_means();
   void set_limits();
   double geometry_share(int source) const;
   double relative_weight(int source) const;
   void tighten_borders();
-  void gather(const LeafIntegrator& integrator, std::span<const int> columns, std::vector<Sums>& sums) const;
+  void gather(const LeafIntegrator& integrator, std::span<const int> columns, std::span<const int> outputs);
   bool doubtful(const Radiance::Pixel& pixel) const;
   bool plan_round(const LeafIntegrator& integrator, const std::vector<int>& outputs);
   bool steer_by_more(const LeafIntegrator& integrator, const std::vector<int>& outputs);
   static std::uint32_t net_size(const Radiance::Stratum& stratum, double wanted, double room);
-  double half_width(const Sums& sum, std::size_t column, int look) const;
+  double half_width(const OutputSums::Row& sum, std::size_t column, int look) const;
   void finish(const LeafIntegrator& integrator, const std::vector<int>& outputs);
   void recall_values(std::size_t pixel);
   void remember_values();
@@ -66,6 +60,12 @@ class TileWork {
   double next_clutter(const Radiance::Pixel& pixel, double wanted) const;
   int nearest_output(int source) const;
   int source_of(int output) const;
+  /// The vertex in the corner of a source pixel; rows of them are lattice_.columns() + 1 apart.
+  std::size_t first_vertex(int source) const {
+    const int width = lattice_.domain().width(), k = lattice_.cells_per_pixel(), row = lattice_.columns() + 1;
+    return static_cast<std::size_t>(source / width * k) * static_cast<std::size_t>(row) +
+           static_cast<std::size_t>(source % width * k);
+  }
 
   const TileProblem& problem_;
   const AccuracyOptions& options_;
@@ -85,7 +85,7 @@ class TileWork {
   std::vector<int> all_columns_;
   std::vector<int> steering_;  // columns whose intervals decide how many values are drawn
   std::vector<Output> outputs_;
-  std::vector<Sums> sums_;                // by output, kept between rounds for its memory
+  OutputSums sums_;                       // of the last gather()
   std::vector<float> predicted_;          // per source pixel: values that clutter would take by the lattice
   std::vector<SmallVector<std::uint32_t, 2>> clutter_rounds_;  // per source pixel: sizes of rounds; none where traced
   AccuracyFaults faults_;

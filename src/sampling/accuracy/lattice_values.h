@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace ifov::sampling {
+
+/// Labels and values at the lattice's vertices, row by row (Lattice::columns() + 1 in a row), shared by the
+/// pixels around them.
+struct LatticeValues {
+  static constexpr std::uint32_t kMixed = ~std::uint32_t{0};
+
+  std::size_t columns = 0;
+  std::vector<std::uint32_t> labels;
+  std::vector<float> values;           ///< [vertex][column]
+  std::vector<std::uint8_t> constant;  ///< by label: whether its values are the same to the last bit
+  std::vector<std::uint32_t> only;     ///< by pixel: the label of all its vertices, or kMixed
+
+  const float* value(std::size_t vertex) const { return &values[vertex * columns]; }
+
+  /// Whether all vertices of a pixel have the same label and value.
+  bool flat(int pixel) const { return only[pixel] != kMixed && constant[only[pixel]] != 0; }
+};
+
+}  // namespace ifov::sampling

@@ -1,0 +1,94 @@
+// Strata become pixels: what is known of every source pixel is weighed into the outputs that it reaches.
+#include <algorithm>
+#include <cmath>
+
+#include "sampling/accuracy/tile_work.h"
+
+namespace ifov::sampling {
+
+/// Moments per column of every stratum, weighed into the outputs that its source pixel reaches.
+void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> columns,
+                      std::span<const int> outputs) {
+  const std::size_t n = columns.size();
+  sums_.clear(outputs, n);
+  std::vector<StratumMoments> moments;
+  std::vector<ClutterRound::Moment> clutter;
+  std::vector<double> weighted(n);
+  for (const Radiance::PlainPixel& pixel : radiance_->plain_pixels()) {
+    const OutputSums::Row sum = sums_[pixel.output];
+    for (std::size_t c = 0; c < n; ++c) sum.mean[c] += pixel.weight * table_.mean(pixel.label)[columns[c]];
+  }
+  for (const Radiance::Pixel& pixel : radiance_->pixels()) {
+    const PixelModel& model = pixel.model;
+    if (model.outputs.empty()) continue;
+    if (pixel.cluttered) {
+      for (int output : model.outputs) {
+        const OutputSums::Row sum = sums_[output];
+        radiance_->clutter(pixel, integrator.unit_box() ? nullptr : &integrator.footprint(),
+                           integrator.centre(output), columns, clutter);
+        const double w = integrator.whole_weight(pixel.source, output), count = pixel.clutter_count();
+        for (std::size_t c = 0; c < n; ++c) {
+          sum.mean[c] += w * clutter[c].mean;
+          const double missed = radiance_->unseen(pixel, 0, columns[c]);
+          sum.path[c].add(w * w * clutter[c].variance, clutter[c].freedom);
+          sum.path[c].add(w * w * missed, INFINITY);
+          sum.deviation[c] += w * std::sqrt((clutter[c].variance + missed) * count);
+        }
+      }
+      continue;
+    }
+    const std::size_t regions = model.labels.size();
+    moments.resize(std::max(moments.size(), regions));
+    for (std::size_t r = 0; r < regions; ++r) radiance_->moments(pixel, r, columns, moments[r]);
+    for (std::size_t o = 0; o < model.outputs.size(); ++o) {
+      const OutputSums::Row sum = sums_[model.outputs[o]];
+      for (std::size_t r = 0; r < regions; ++r) {
+        const double w = model.weight_of(r, o);
+        if (w == 0.0) continue;
+        weighted = moments[r].mean;
+        double share = moments[r].share;
+        if (moments[r].sampled && !integrator.unit_box())
+          share = radiance_->weigh(pixel, r, integrator.footprint(), integrator.centre(model.outputs[o]),
+                                   columns, weighted);
+        for (std::size_t c = 0; c < n; ++c) {
+          sum.mean[c] += w * weighted[c];
+          sum.path[c].add(w * w * moments[r].variance[c] * share, moments[r].freedom);
+          const double count = static_cast<double>(pixel.strata[r].count());
+          const double missed = radiance_->unseen(pixel, r, columns[c]);
+          sum.path[c].add(w * w * missed, INFINITY);
+          sum.deviation[c] += w * std::sqrt(moments[r].variance[c] + missed * std::max(1.0, count));
+        }
+      }
+      for (std::size_t b = 0; b < model.borders.size(); ++b) {
+        const std::size_t in = model.region_of(model.borders[b].inner),
+                          out = model.region_of(model.borders[b].outer);
+        const double variance = model.border_variance_of(b, o);
+        for (std::size_t c = 0; c < n; ++c) {
+          const double step = moments[in].mean[c] - moments[out].mean[c];
+          sum.geometry[c] += variance * (step * step + moments[in].variance[c] + moments[out].variance[c]);
+        }
+      }
+      for (std::size_t l = 0; l < model.loose.size(); ++l) {
+        const double w = model.loose_weight_of(l, o);
+        for (std::size_t c = 0; c < n; ++c) {
+          double low = INFINITY, high = -INFINITY, within = 0.0;
+          for (std::uint32_t corner : model.loose[l].corner) {
+            const StratumMoments& m = moments[model.region_of(corner)];
+            low = std::min(low, m.mean[c]);
+            high = std::max(high, m.mean[c]);
+            within = std::max(within, m.variance[c]);
+          }
+          sum.geometry[c] += w * w * ((high - low) * (high - low) / 12.0 + within);
+        }
+      }
+    }
+  }
+}
+
+double TileWork::half_width(const OutputSums::Row& sum, std::size_t column, int look) const {
+  const double path = sum.path[column].variance();
+  const double t = path > 0.0 ? stopping_.student(look, sum.path[column].degrees_of_freedom()) : 0.0;
+  return std::sqrt(stopping_.normal() * stopping_.normal() * sum.geometry[column] + t * t * path);
+}
+
+}  // namespace ifov::sampling
