@@ -128,6 +128,35 @@ TEST(Modtran6, TwoWayTransmittanceOfPasadena) {
   }
 }
 
+// The bands that pairs of oxygen molecules make, in MODTRAN5's column of uniformly mixed gases on that path:
+// two of the three in the visible, and those at 1.06 and 1.27 um. LOWTRAN7 has none of them.
+TEST(Modtran5, OxygenPairs) {
+  const auto file = test::truth_file("atmosphere/modtran_tape7_pyradi/horizon5kmtropical_first12cols.txt");
+  if (!file)
+    GTEST_SKIP()
+        << "reference data not found: atmosphere/modtran_tape7_pyradi/horizon5kmtropical_first12cols.txt";
+  ProfileDescription description;
+  description.model = "tropical";
+  const GasAmounts path = horizontal_amounts(build_profile(description).profile, 0.0, 5.0);
+  for (const auto& [first, last] :
+       {std::pair{20600.0, 21300.0}, {17000.0, 17700.0}, {9200.0, 9700.0}, {7500.0, 8300.0}}) {
+    test::Measured ours, without;
+    for (const std::vector<double>& row : test::numeric_rows(*file, 12)) {
+      if (row[0] < first || row[0] > last) continue;
+      double lines = 1.0;
+      for (const Gas gas : {Gas::co2, Gas::co, Gas::ch4, Gas::n2o, Gas::o2})
+        lines *= line_transmittance(gas, row[0], path, GasModel::standard);
+      const double pairs = continuum_depths(row[0], path, GasModel::standard).oxygen_pairs;
+      ours.add(row[0], lines * std::exp(-pairs), row[3]);
+      without.add(row[0], lines, row[3]);
+    }
+    const std::string name = format("pairs_{}_{}", first, last);
+    ours.record(name);
+    EXPECT_LT(std::abs(ours.mean()), 0.0025) << name;
+    EXPECT_GT(without.mean(), 0.003) << name;
+  }
+}
+
 // 5 km at sea level in the tropical model: where the windows are, and what is in them.
 TEST(Modtran5, HorizontalWindows) {
   const auto file = test::truth_file("atmosphere/modtran_tape7_pyradi/horizon5kmtropical_first12cols.txt");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "atmosphere/gas/oxygen_pairs.h"
 #include "atmosphere/tables/table_text.h"
 
 namespace ifov::data {
@@ -98,6 +99,7 @@ double far_wing_share(double wavenumber_cm1, GasModel model) {
 ContinuumDepths continuum_depths(double wavenumber_cm1, const GasAmounts& amounts, GasModel model) {
   return {water_depth(wavenumber_cm1, amounts, model),
           tables().nitrogen.at(0, wavenumber_cm1) * amounts.nitrogen, oxygen_depth(wavenumber_cm1, amounts),
+          model == GasModel::lowtran7 ? 0.0 : oxygen_pair_depth(wavenumber_cm1) * amounts.oxygen_pairs,
           ozone_depth(wavenumber_cm1, amounts)};
 }
 

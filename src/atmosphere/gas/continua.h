@@ -5,17 +5,20 @@
 namespace ifov::atmosphere {
 
 enum class GasModel {
-  standard,  ///< the far-wing term of the water continuum fades out from 1250 to 1900 cm-1
+  /// The far-wing term of the water continuum fades out from 1250 to 1900 cm-1; pairs of oxygen molecules
+  /// absorb.
+  standard,
   lowtran7,  ///< as the program of 1992 computes, for comparison
 };
 
 /// Optical depths of the continuous absorption of a path.
 struct ContinuumDepths {
   double water = 0.0;
-  double nitrogen = 0.0;  ///< 2080 to 2740 cm-1
-  double oxygen = 0.0;    ///< 1395 to 1760 cm-1
-  double ozone = 0.0;     ///< Chappuis, Huggins and Hartley, above 13000 cm-1
-  double total() const { return water + nitrogen + oxygen + ozone; }
+  double nitrogen = 0.0;      ///< 2080 to 2740 cm-1
+  double oxygen = 0.0;        ///< 1395 to 1760 cm-1
+  double oxygen_pairs = 0.0;  ///< not in LOWTRAN7
+  double ozone = 0.0;         ///< Chappuis, Huggins and Hartley, above 13000 cm-1
+  double total() const { return water + nitrogen + oxygen + oxygen_pairs + ozone; }
 };
 
 /// At a wavenumber, cm-1; the formulas of LOWTRAN7 (Kneizys et al. 1988) with the water continuum of Clough

@@ -18,7 +18,7 @@ constexpr double kEarthRadiusKm = 6371.23;
 /// Densities at the profile's levels, each amount per km.
 struct Densities {
   std::vector<std::vector<double>> band;
-  std::vector<double> water_self, water_foreign, nitrogen, oxygen, ozone;
+  std::vector<double> water_self, water_foreign, nitrogen, oxygen, oxygen_pairs, ozone;
 };
 
 Densities densities_of(const Profile& profile) {
@@ -41,6 +41,8 @@ Densities densities_of(const Profile& profile) {
     d.water_foreign.push_back(kLoschmidtPerKm * water * std::max(p * t - water, 0.0) / kContinuumDensity);
     d.nitrogen.push_back(0.781 * p * p * t * std::sqrt(t));
     d.oxygen.push_back(per_ppmv * profile.of(Gas::o2)[i] * p);
+    const double oxygen_amagat = 1e-5 * per_ppmv * profile.of(Gas::o2)[i];
+    d.oxygen_pairs.push_back(oxygen_amagat * oxygen_amagat);
     d.ozone.push_back(per_ppmv * profile.of(Gas::o3)[i]);
   }
   return d;
@@ -69,6 +71,7 @@ GasAmounts integrated(const Profile& profile, const Densities& d, double first, 
   amounts.oxygen = plain(d.oxygen);
   amounts.oxygen_temperature = weighted(d.oxygen, above_220);
   amounts.oxygen_temperature_2 = weighted(d.oxygen, above_220_squared);
+  amounts.oxygen_pairs = plain(d.oxygen_pairs);
   amounts.ozone = plain(d.ozone);
   amounts.ozone_temperature = weighted(d.ozone, celsius);
   amounts.ozone_temperature_2 = weighted(d.ozone, celsius_squared);
@@ -87,6 +90,7 @@ void GasAmounts::add(const GasAmounts& other, double factor) {
   oxygen += factor * other.oxygen;
   oxygen_temperature += factor * other.oxygen_temperature;
   oxygen_temperature_2 += factor * other.oxygen_temperature_2;
+  oxygen_pairs += factor * other.oxygen_pairs;
   ozone += factor * other.ozone;
   ozone_temperature += factor * other.ozone_temperature;
   ozone_temperature_2 += factor * other.ozone_temperature_2;

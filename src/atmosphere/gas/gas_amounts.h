@@ -18,6 +18,7 @@ struct GasAmounts {
   double oxygen = 0.0;                ///< atm-cm times P/P0
   double oxygen_temperature = 0.0;    ///< the same times T - 220 K
   double oxygen_temperature_2 = 0.0;  ///< the same times (T - 220 K)^2
+  double oxygen_pairs = 0.0;          ///< km times the square of oxygen's density in amagat
   double ozone = 0.0;                 ///< atm-cm
   double ozone_temperature = 0.0;     ///< the same times T - 273.15 K
   double ozone_temperature_2 = 0.0;   ///< the same times (T - 273.15 K)^2

@@ -78,6 +78,8 @@ class ChannelScattering {
   LayerOptics optics_at(double log_wavelength, double depth) const;
   void solve_sights(const ColumnSolution& solved, Node& node) const;
   Propagation towards_sensor() const;
+  /// Depth as the ratio of all light to light scattered once varies with it.
+  static double scaled_depth(double gas_depth);
 
   const AtmosphereColumn& column_;
   const ChannelPoints& points_;

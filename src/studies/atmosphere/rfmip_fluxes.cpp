@@ -116,7 +116,7 @@ double shortwave_down(const AtmosphereColumn& column, double zenith_rad, double 
   options.spherical_earth = false;  // as the reference has it
   const ColumnSolver solver(options);
   const radiometry::Spectrum& spectrum = radiometry::solar_irradiance_1au();
-  constexpr double kStep_cm1 = 50.0, kLast_cm1 = 49000.0;
+  constexpr double kStep_cm1 = 25.0, kLast_cm1 = 49000.0;  // at half the step the flux moves by 0.03 %
   const double ground_km = column.levels().altitude_km.front();
   double sum = 0.0, all = 0.0;
   for (double nu = 1000.0; nu < kLast_cm1; nu += kStep_cm1) {

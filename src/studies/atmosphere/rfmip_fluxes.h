@@ -14,7 +14,7 @@ struct RfmipColumn {
   double weight = 0.0;  ///< of the column in the global mean
   double longwave = 0.0, longwave_reference = 0.0;
   double shortwave = 0.0, shortwave_reference = 0.0;  ///< 0 where the Sun is down
-  double water_in_beam_g_cm2 = 0.0;  ///< water vapour that sunlight crosses, in flat layers
+  double water_in_beam_g_cm2 = 0.0;                   ///< water vapour that sunlight crosses, in flat layers
 };
 
 /// `folder` holds rfmip_inputs.nc, rld.nc and rsd.nc; sites count from 0 to 99. `water_share` other than 1: a

@@ -65,6 +65,10 @@ void add_flux(const AtmosphereOptions& options, AtmosphereSection& section) {
   section.plots.push_back({"reptran_flux", plot, "Means over 60 cm-1."});
 }
 
+/// Columns of transmittance as both programs print them.
+enum Column { kLines = 2, kMixedGases = 3, kWaterContinuum = 7 };
+double product(const std::vector<double>& row) { return row[2] * row[3] * row[4] * row[5] * row[6] * row[7]; }
+
 void add_windows(const AtmosphereOptions& options, AtmosphereSection& section) {
   const std::string name = "atmosphere/modtran_tape7_pyradi/horizon5kmtropical_first12cols.txt";
   const auto file = options.reference.file(name);
@@ -88,13 +92,39 @@ void add_windows(const AtmosphereOptions& options, AtmosphereSection& section) {
     Differences window;
     for (const auto& row : rows)
       if (row[0] >= first && row[0] <= last)
-        window.add(gas_transmittance(row[0], path, GasModel::standard),
-                   row[2] * row[3] * row[4] * row[5] * row[6] * row[7]);
+        window.add(gas_transmittance(row[0], path, GasModel::standard), product(row));
     section.figures.between(format("modtran5_{:g}_{:g}", first, last), window.mean(), -0.03, 0.03, "",
                             format("MODTRAN5, 5 km at the ground, tropical: mean of our transmittance less "
                                    "theirs, {:g} to {:g} cm-1",
                                    first, last));
   }
+}
+
+/// Whose the differences are: what LOWTRAN7 itself printed for that path, by kind of gas, less MODTRAN5.
+void add_lowtran7_windows(const AtmosphereOptions& options, AtmosphereSection& section) {
+  const std::string theirs = "atmosphere/modtran_tape7_pyradi/horizon5kmtropical_first12cols.txt",
+                    own = "atmosphere/lowtran7/G_TROP_rural23_horizontal5km_trans.tape7.txt";
+  const auto modtran = options.reference.file(theirs), lowtran = options.reference.file(own);
+  if (!modtran || !lowtran)
+    return section.not_measured("lowtran7_windows", "LOWTRAN7's own output for that path", own);
+  const auto mean_of = [](const std::vector<std::vector<double>>& rows, double first, double last,
+                          Column column) {
+    double sum = 0.0, count = 0.0;
+    for (const auto& row : rows)
+      if (row[0] >= first && row[0] <= last) sum += row[column], ++count;
+    return sum / count;
+  };
+  const auto modtran_rows = number_rows(*modtran, 12), lowtran_rows = number_rows(*lowtran, 12);
+  for (const auto& [first, last] :
+       std::vector<std::pair<double, double>>{{2450, 2900}, {4000, 4900}, {10300, 11500}, {11500, 13000}})
+    for (const auto& [column, what] : {std::pair{kLines, "lines of water"},
+                                       {kMixedGases, "carbon dioxide, methane, nitrous oxide, oxygen"},
+                                       {kWaterContinuum, "continuum of water"}})
+      section.figures.report(
+          format("lowtran7_less_modtran5_{:g}_{:g}_{}", first, last, static_cast<int>(column)),
+          mean_of(lowtran_rows, first, last, column) - mean_of(modtran_rows, first, last, column), "",
+          format("LOWTRAN7's own output for that path less MODTRAN5's, {:g} to {:g} cm-1: {}", first, last,
+                 what));
 }
 
 }  // namespace
@@ -104,12 +134,16 @@ AtmosphereSection thermal_codes_section(const AtmosphereOptions& options) {
   section.title = "Thermal light, against other programs";
   section.text =
       "The sky's flux against REPTRAN, and windows of a long moist path (9.5 g cm-2 of water) against "
-      "MODTRAN5, gases "
-      "alone. From 2450 to 2900 cm-1 the lines of water, methane and nitrous oxide as known in 1986 absorb "
-      "too much on "
-      "such a path.";
+      "MODTRAN5, gases alone. From 2450 to 2900 cm-1 it is the band model itself that absorbs too much on "
+      "such a "
+      "path: LOWTRAN7's own output has the same lines of water and the same methane and nitrous oxide too "
+      "opaque, "
+      "and its continuum on top, which is changed here. Around 0.94 and 0.82 um (10300 to 13000 cm-1) its "
+      "lines of "
+      "water are too weak.";
   add_flux(options, section);
   add_windows(options, section);
+  add_lowtran7_windows(options, section);
   return section;
 }
 

@@ -1,0 +1,147 @@
+// The part of ChannelScattering that goes from solutions to points.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "atmosphere/scattering/single_scattering.h"
+#include "atmosphere/sensor/channel_scattering.h"
+
+namespace ifov::atmosphere {
+namespace {
+
+/// What of sunlight paths scatter towards the sensor, and how gas dims it, where points are chosen to be
+/// checked: rough is enough. A point on a solution counts a little, for there may be none between.
+constexpr double kPathShare = 0.1, kPathDepth = 0.3, kLeastWeakness = 0.01;
+constexpr std::size_t kMostChecks = 2;
+
+struct Place {
+  std::size_t low = 0;
+  double high_share = 0.0;
+};
+Place place(const std::vector<double>& nodes, double x) {
+  if (nodes.size() == 1) return {};
+  const auto above = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, x);
+  const std::size_t low = static_cast<std::size_t>(above - nodes.begin()) - 1;
+  return {low, (x - nodes[low]) / (nodes[low + 1] - nodes[low])};
+}
+
+}  // namespace
+
+std::vector<ChannelScattering::WeakPoint> ChannelScattering::weak_points() const {
+  struct Gap {
+    double light = 0.0, weakness = 0.0, worst = -1.0;
+    std::size_t point = 0;
+  };
+  std::map<std::pair<std::size_t, std::size_t>, Gap> gaps;
+  std::vector<double> scaled_depths;
+  for (const double depth : depth_) scaled_depths.push_back(scaled_depth(depth));
+  const auto bulge = [](double share) { return share >= 1.0 ? 1.0 : std::abs(4.0 * share * (1.0 - share)); };
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    const double gas = points_.gas_depth[p];
+    const Place wavelength = place(log_wavelength_, std::log(points_.points[p].wavelength_um));
+    const Place depth = place(scaled_depths, scaled_depth(gas));
+    const double light =
+        points_.share[p] *
+        (points_.sun[p] * points_.view[p] + kPathShare * points_.irradiance[p] * std::exp(-kPathDepth * gas));
+    const double weakness =
+        light * std::max({kLeastWeakness, bulge(wavelength.high_share), bulge(depth.high_share)});
+    Gap& gap = gaps[{wavelength.low, depth.low}];
+    gap.light += light;
+    gap.weakness += weakness;
+    if (weakness > gap.worst) {
+      gap.worst = weakness;
+      gap.point = p;
+    }
+  }
+  std::vector<Gap> chosen;
+  for (const auto& entry : gaps) chosen.push_back(entry.second);
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [](const Gap& a, const Gap& b) { return a.weakness > b.weakness; });
+  if (chosen.size() > kMostChecks) chosen.resize(kMostChecks);
+  double all = 0.0;
+  for (const Gap& gap : chosen) all += gap.light;
+  std::vector<WeakPoint> points;
+  for (const Gap& gap : chosen)
+    points.push_back({gap.point, all > 0.0 ? gap.light / all : 1.0 / static_cast<double>(chosen.size())});
+  return points;
+}
+
+ChannelScattering::AtPoints ChannelScattering::at_points() const {
+  const std::size_t count = points_.size(), sights = geometry_.sights.size(),
+                    heights = geometry_.heights_km.size();
+  AtPoints result;
+  for (auto* row : {&result.once, &result.path, &result.sky_irradiance, &result.diffuse_transmittance,
+                    &result.spherical_albedo})
+    row->resize(count);
+  result.sight_path.assign(sights, std::vector<double>(count));
+  result.sight_diffuse.assign(sights, std::vector<double>(count));
+  result.sky_at_height.assign(heights, std::vector<double>(count));
+  result.share.assign(nodes_.size(), std::vector<double>(count, 0.0));
+  std::vector<double> scaled_depths;
+  for (const double depth : depth_) scaled_depths.push_back(scaled_depth(depth));
+  const std::size_t columns = depth_.size();
+  const double ground_km = column_.levels().altitude_km.front();
+  for (std::size_t p = 0; p < count; ++p) {
+    const ChannelPoints::Point& point = points_.points[p];
+    const ScatteringColumn column(column_.levels(), point.layers(), geometry_.any_sun_zenith_rad(), options_);
+    const auto once = [&](const Propagation& up, double length_km) {
+      if (!sunlit_) return 0.0;
+      return points_.irradiance[p] * single_scattering(column, options_.aerosol_polarization, up,
+                                                       geometry_.sensor_altitude_km, length_km)
+                                         .single.i;
+    };
+    const Place at_wavelength = place(log_wavelength_, std::log(point.wavelength_um));
+    const double depth = std::clamp(points_.gas_depth[p], depth_.front(), depth_.back());
+    const Place at_depth = place(depth_, depth), at_scaled = place(scaled_depths, scaled_depth(depth));
+    struct Part {
+      const Node* node;
+      double plain, scaled;
+    };
+    std::vector<Part> parts;
+    for (std::size_t w = at_wavelength.low; w <= std::min(at_wavelength.low + 1, log_wavelength_.size() - 1);
+         ++w)
+      for (std::size_t d = 0; d < columns; ++d) {
+        const double across =
+            w == at_wavelength.low ? 1.0 - at_wavelength.high_share : at_wavelength.high_share;
+        const auto share = [&](const Place& here) {
+          return d == here.low ? 1.0 - here.high_share : d == here.low + 1 ? here.high_share : 0.0;
+        };
+        parts.push_back({&nodes_[w * columns + d], across * share(at_depth), across * share(at_scaled)});
+        result.share[w * columns + d][p] = parts.back().plain;
+      }
+    const auto ratio = [&](const auto& of) {
+      double sum = 0.0;
+      for (const Part& part : parts) sum += part.plain * of(*part.node);
+      return std::exp(sum);
+    };
+    const auto path_ratio = [&](const auto& of) {
+      double sum = 0.0;
+      for (const Part& part : parts) sum += part.scaled * of(*part.node);
+      return std::exp(sum);
+    };
+    result.once[p] = once(towards_sensor(), kEndless_km);
+    result.path[p] = result.once[p] * path_ratio([](const Node& n) { return n.path; });
+    result.sky_irradiance[p] =
+        sunlit_ ? points_.sun[p] * ratio([](const Node& n) { return n.sky_irradiance; }) : 0.0;
+    result.diffuse_transmittance[p] =
+        points_.view[p] * ratio([](const Node& n) { return n.diffuse_transmittance; });
+    result.spherical_albedo[p] = ratio([](const Node& n) { return n.spherical_albedo; });
+    for (std::size_t s = 0; s < sights; ++s) {
+      const SightLine& line = geometry_.sights[s];
+      const double mu = std::cos(line.zenith_rad);
+      result.sight_path[s][p] = once({mu, line.azimuth_rad - std::numbers::pi},
+                                     sight_length_km(geometry_, ground_km, line.height_km, mu)) *
+                                path_ratio([s](const Node& n) { return n.sight_path[s]; });
+      result.sight_diffuse[s][p] =
+          points_.sight_view[s][p] * ratio([s](const Node& n) { return n.sight_diffuse[s]; });
+    }
+    for (std::size_t h = 0; h < heights; ++h)
+      result.sky_at_height[h][p] =
+          sunlit_ ? points_.sun_at_height[h][p] * ratio([h](const Node& n) { return n.sky_at_height[h]; })
+                  : 0.0;
+  }
+  return result;
+}
+
+}  // namespace ifov::atmosphere
