@@ -141,6 +141,19 @@ inline Rendering three_by_three(std::uint64_t seed) {
   return r;
 }
 
+/// A Gaussian PSF, cut off.
+inline sampling::PixelFootprint gaussian(double sigma_px, double half_width_px) {
+  const int n = 64;
+  std::vector<double> h;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const double x = (2.0 * (i + 0.5) / n - 1.0) * half_width_px,
+                   y = (2.0 * (j + 0.5) / n - 1.0) * half_width_px;
+      h.push_back(std::exp(-0.5 * (x * x + y * y) / (sigma_px * sigma_px)));
+    }
+  return sampling::PixelFootprint::tabulated(half_width_px, n, h);
+}
+
 inline ShapeField two_surfaces(ShapeField::LabelAt hot) {
   return ShapeField(std::move(hot), [](sampling::Label l, double, double, int) {
     return static_cast<float>(l != 0 ? kHot : kCold);

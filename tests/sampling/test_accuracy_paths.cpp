@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "accuracy_scenes.h"
+#include "sampling/sequence.h"
 
 // Radiance that varies within labels: noise of paths, texture, gradients, and labels that do not tell all.
 
@@ -56,6 +58,67 @@ TEST(AccuracyPaths, IntervalsHoldUnderPathNoise) {
   double mean_half_width = 0.0;
   for (double h : t.half_width) mean_half_width += h / static_cast<double>(t.half_width.size());
   EXPECT_LE(mean_half_width, 3.0 * t.rms());
+}
+
+/// One surface under a sky: a value depends smoothly on where its path goes, and on nothing else.
+class SkyField final : public sampling::Field {
+ public:
+  int columns() const override { return 1; }
+  void labels(std::span<const sampling::FocalPoint>, std::span<sampling::Label> labels) override {
+    std::fill(labels.begin(), labels.end(), sampling::Label{1});
+    counts_.primary += labels.size();
+  }
+  void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
+              std::span<float> values) override {
+    for (std::size_t k = 0; k < requests.size(); ++k) {
+      const sampling::Point2 u = sampling::sequence_point(requests[k].sequence, requests[k].index, 2);
+      labels[k] = 1;
+      values[k * static_cast<std::size_t>(stride())] =
+          static_cast<float>(kSky + std::cos(2.0 * std::numbers::pi * u.x) * u.y);
+    }
+    counts_.primary += requests.size();
+  }
+  std::uint32_t material_of(sampling::Label) const override { return 0; }
+  sampling::RayCounts counts() const override { return counts_; }
+
+  static constexpr double kSky = 10.0;
+
+ private:
+  sampling::RayCounts counts_;
+};
+
+/// The centre pixel of 9 x 9 under a PSF of 0.6 px.
+Trials skies(int trials, sampling::AccuracyFaults faults = {}) {
+  Trials t;
+  for (int i = 0; i < trials; ++i) {
+    Rendering render = three_by_three(static_cast<std::uint64_t>(300 + i));
+    render.tile = {3, 3, 6, 6};
+    render.image = {0, 0, 9, 9};
+    render.footprint = gaussian(0.6, 2.0);
+    render.half_width = 0.02;
+    render.faults = faults;
+    SkyField field;
+    t.add(render(field), SkyField::kSky, field);
+  }
+  return t;
+}
+
+// Paths of a round are stratified among themselves. Drawn apart they would need (2.3 * 0.41 / 0.02)^2 values that count
+// under the footprint, 2200.
+TEST(AccuracyPaths, SequencesOfPathsSaveSamplesUnderAPsf) {
+  const Trials t = skies(150);
+  EXPECT_GE(t.coverage(), 0.93);
+  double mean_half_width = 0.0;
+  for (double h : t.half_width) mean_half_width += h / static_cast<double>(t.half_width.size());
+  EXPECT_LE(mean_half_width, 3.0 * t.rms());
+  const double pixels = 49.0, seen = 4.0 * std::numbers::pi * 0.6 * 0.6;
+  EXPECT_LT(t.mean_samples() * seen / pixels, 1100.0);
+}
+
+TEST(AccuracyPaths, ReplicatesOfOneSequenceMustNotTellTheirError) {
+  sampling::AccuracyFaults fault;
+  fault.one_sequence = true;
+  EXPECT_LT(skies(60, fault).coverage(), 0.9);
 }
 
 // A label of a single value that claims to be exact: paths of two very different radiances within one label.

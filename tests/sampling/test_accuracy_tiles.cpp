@@ -139,18 +139,6 @@ TEST(AccuracyTiles, StopsWhenCancelled) {
   EXPECT_THROW(sampling::AccuracySampler().sample(problem, field, result), Cancelled);
 }
 
-sampling::PixelFootprint gaussian(double sigma_px, double half_width_px) {
-  const int n = 64;
-  std::vector<double> h;
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const double x = (2.0 * (i + 0.5) / n - 1.0) * half_width_px,
-                   y = (2.0 * (j + 0.5) / n - 1.0) * half_width_px;
-      h.push_back(std::exp(-0.5 * (x * x + y * y) / (sigma_px * sigma_px)));
-    }
-  return sampling::PixelFootprint::tabulated(half_width_px, n, h);
-}
-
 /// RMS error (K) and rays per source pixel under a Gaussian PSF of 0.6 px over clutter.
 std::pair<double, double> psf_error(std::uint64_t seed, double limit_k, bool by_model, int* covered,
                                     int* count) {
@@ -205,6 +193,23 @@ TEST(AccuracyTiles, DrawingRaysFromThePsfCostsMore) {
   EXPECT_LE(rms, 0.15);
   EXPECT_GE(covered, 0.9 * count);
   EXPECT_GT(rays, 3.0 * 45.0);
+}
+
+// Each pixel in clutter counts in many outputs, in each of them a little: it takes no more values than that little asks.
+TEST(AccuracyTiles, CluttersValuesServeAllPixelsThatAPsfReaches) {
+  const int size = 12;
+  const Clutter clutter(5, size, 60 * size * size);
+  const auto rays = [&](const sampling::PixelFootprint& footprint) {
+    ShapeField field = clutter.field();
+    Rendering render = square_tile(3, 3, size - 3, size - 3, size);
+    render.footprint = footprint;
+    render.half_width = 0.6 * kRadiancePerKelvin;
+    const sampling::TileResult r = render(field);
+    EXPECT_GT(std::count(r.converged.begin(), r.converged.end(), 1), 0.9 * static_cast<double>(r.converged.size()));
+    return static_cast<double>(field.counts().primary);
+  };
+  const double box = rays(sampling::PixelFootprint::box(1.0)) / 36.0, wide = rays(gaussian(0.6, 2.0)) / 100.0;
+  EXPECT_LT(wide, 0.6 * box);
 }
 
 // A gradient under a box narrower than the pixel: only the box's own part counts.

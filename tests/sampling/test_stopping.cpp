@@ -84,12 +84,36 @@ TEST(Stopping, EarlyLooksAndFewDegreesOfFreedomAskForMore) {
   EXPECT_GT(stopping.student(2, 200.0), stopping.normal());
 }
 
-TEST(Stopping, SatterthwaiteOfEqualPartsAddsTheirFreedom) {
+TEST(Stopping, OneEstimateKeepsItsFreedom) {
   Satterthwaite sum;
   sum.add(2.0, 5.0);
-  sum.add(2.0, 5.0);
-  EXPECT_DOUBLE_EQ(sum.variance(), 4.0);
-  EXPECT_DOUBLE_EQ(sum.degrees_of_freedom(), 10.0);
+  EXPECT_DOUBLE_EQ(sum.variance(), 2.0);
+  EXPECT_DOUBLE_EQ(sum.degrees_of_freedom(), 5.0);
+}
+
+// Sixteen estimates of one variance with three degrees of freedom each have 48 between them. The plain formula, in which
+// their noise counts as real differences, would say 30.
+TEST(Stopping, SatterthwaiteOfEqualPartsAddsTheirFreedom) {
+  Normal normal(7);
+  constexpr int kTrials = 2000, kParts = 16, kFreedom = 3;
+  double told = 0.0, plainly = 0.0;
+  for (int t = 0; t < kTrials; ++t) {
+    Satterthwaite sum;
+    double squares = 0.0;
+    for (int part = 0; part < kParts; ++part) {
+      double variance = 0.0;
+      for (int k = 0; k < kFreedom; ++k) {
+        const double x = normal();
+        variance += x * x / kFreedom;
+      }
+      sum.add(variance, kFreedom);
+      squares += variance * variance / kFreedom;
+    }
+    told += sum.degrees_of_freedom() / kTrials;
+    plainly += sum.variance() * sum.variance() / squares / kTrials;
+  }
+  EXPECT_NEAR(told, kParts * kFreedom, 0.06 * kParts * kFreedom);
+  EXPECT_LT(plainly, 0.75 * kParts * kFreedom);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 #include "sampling/field.h"
 #include "sampling/hash.h"
@@ -36,9 +37,10 @@ struct Bracket {
 
   /// Lays the grid: 2^n - 1 whole steps, about `target_px` wide; dithered by `key`, or 2^n plain ones.
   void lay_grid(double target_px, std::uint64_t key, bool dither) {
-    const double bits = std::round(std::log2(length_px / target_px + 1.0));
-    const int n = std::clamp(static_cast<int>(bits), 1, 20);
-    grid_count = 1 << n;
+    int bits = 0;
+    const double mantissa = std::frexp(length_px / target_px + 1.0, &bits);
+    if (mantissa < std::numbers::sqrt2 / 2.0) --bits;  // the nearest power of two
+    grid_count = 1 << std::clamp(bits, 1, 20);
     phase = dither ? static_cast<double>(mix(key) >> 11) * 0x1p-53 : 1.0;
     step = length_px / (dither ? grid_count - 1 : grid_count);
     grid_low = 0;

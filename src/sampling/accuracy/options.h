@@ -26,6 +26,7 @@ struct AccuracyFaults {
   Label label_mask = ~Label{0};  ///< bits of a label that the sampler sees (without the Sun's state, say)
   bool zero_variance_single_samples = false;  ///< a stratum of one sample claims to be exact
   bool undithered_brackets = false;  ///< brackets by plain bisection, whose errors agree on aligned scenes
+  bool one_sequence = false;  ///< the replicates of a round share their paths' sequence, and so their errors
 };
 
 }  // namespace ifov::sampling

@@ -15,8 +15,25 @@ class OutputSums {
   /// Those of one output, one element per column.
   struct Row {
     double *mean, *geometry;
-    Satterthwaite* path;
+    Satterthwaite* path;        ///< as if all paths were drawn apart
+    Satterthwaite* replicated;  ///< as replicates of paths differ; where there are none, as `path`
     double* deviation;  ///< sum of weight * standard deviation of one value, for Neyman's allocation
+    double* gain;       ///< variance of paths over what it would be if all were drawn apart
+
+    void add_path(std::size_t column, double variance, double freedom) const {
+      path[column].add(variance, freedom);
+      replicated[column].add(variance, freedom);
+    }
+    /// Leaves in `path` the smaller of the two. Both are too large rather than too small: the one does not know what
+    /// sequences gain, the other what fine grids do.
+    void settle_path(std::size_t column) const {
+      // Few degrees of freedom widen an interval about as a variance larger by 4 / nu would.
+      constexpr double kFewest = 4.0, kWidening = 4.0;
+      const double freedom = replicated[column].degrees_of_freedom(), apart = path[column].variance();
+      if (freedom < kFewest || replicated[column].variance() * (1.0 + kWidening / freedom) >= apart) return;
+      path[column] = replicated[column];
+      gain[column] = path[column].variance() / apart;
+    }
 
     bool paths_vary(std::size_t columns) const {
       return std::any_of(path, path + columns, [](const Satterthwaite& p) { return p.variance() > 0.0; });
@@ -32,20 +49,24 @@ class OutputSums {
       mean_.resize(outputs_ * columns);
       geometry_.resize(outputs_ * columns);
       path_.resize(outputs_ * columns);
+      replicated_.resize(outputs_ * columns);
       deviation_.resize(outputs_ * columns);
+      gain_.resize(outputs_ * columns);
     }
     for (const int output : outputs) {
       const Row row = (*this)[output];
       for (std::size_t c = 0; c < columns; ++c) {
         row.mean[c] = row.geometry[c] = row.deviation[c] = 0.0;
-        row.path[c] = {};
+        row.path[c] = row.replicated[c] = {};
+        row.gain[c] = 1.0;
       }
     }
   }
 
   Row operator[](int output) {
     const std::size_t first = static_cast<std::size_t>(output) * columns_;
-    return {&mean_[first], &geometry_[first], &path_[first], &deviation_[first]};
+    return {&mean_[first],       &geometry_[first], &path_[first],
+            &replicated_[first], &deviation_[first], &gain_[first]};
   }
   std::span<const double> means(int output) const {
     return {&mean_[static_cast<std::size_t>(output) * columns_], columns_};
@@ -53,8 +74,8 @@ class OutputSums {
 
  private:
   std::size_t outputs_, columns_ = 0;
-  std::vector<double> mean_, geometry_, deviation_;  // [output][column]
-  std::vector<Satterthwaite> path_;
+  std::vector<double> mean_, geometry_, deviation_, gain_;  // [output][column]
+  std::vector<Satterthwaite> path_, replicated_;
 };
 
 }  // namespace ifov::sampling

@@ -15,7 +15,7 @@ constexpr int kFinestGrid = 128;
 /// the width to which the curve is known.
 constexpr double kBorderSlack_px = 0.02;
 
-constexpr std::uint64_t kStratumKey = 0x7374726174;
+constexpr std::uint64_t kStratumKey = 0x7374726174, kPathsKey = 0x7061746873;
 
 }  // namespace
 
@@ -108,18 +108,27 @@ void Radiance::plan(std::size_t p, std::size_t s, double count) {
   int side = static_cast<int>(std::ceil(std::sqrt(count / area)));
   side = std::clamp(side + side % 2, 2, kFinestGrid);
   const std::uint64_t key = hash(seed_, kStratumKey, px, py, table_.label(stratum.label), stratum.round++);
+  std::uint64_t sequences[kRoundReplicates];
+  for (std::uint32_t r = 0; r < kRoundReplicates; ++r) sequences[r] = hash(key, kPathsKey, faults_.one_sequence ? 0 : r);
   const std::size_t first = requests_.size();
   for (int j = 0; j < side; j += 2)
-    for (int i = 0; i < side; i += 2)
-      for (int quarter = 0; quarter < 4; ++quarter) {
-        const int a = i + quarter % 2, b = j + quarter / 2;
+    for (int i = 0; i < side; i += 2) {
+      const auto block = static_cast<std::uint32_t>((j / 2) * (side / 2) + i / 2);
+      // Which value of a block belongs to which sequence is drawn for four blocks, in which every sequence has every
+      // quarter once: no gradient tells the sequences apart.
+      const std::uint32_t turn =
+          static_cast<std::uint32_t>((hash(key, kPathsKey, i / 4, j / 4) ^ (i / 2 % 2 + j / 2 % 2 * 2)) % kRoundReplicates);
+      for (std::uint32_t quarter = 0; quarter < kRoundReplicates; ++quarter) {
+        const int a = i + static_cast<int>(quarter % 2), b = j + static_cast<int>(quarter / 2);
         const std::uint64_t cell = hash(key, a, b);
         const Point2 at{px + (a + unit_double(cell)) / side, py + (b + unit_double(mix(cell))) / side};
         const std::uint32_t model = tracer_.model_label({at.x, at.y});
         if (model != stratum.label && model != EdgeTracer::kNoLabel) continue;
-        requests_.push_back({{at.x, at.y}, mix(cell + 1), 0});
-        planned_.push_back({p, s, static_cast<std::uint32_t>((j / 2) * (side / 2) + i / 2), false});
+        const std::uint32_t replicate = quarter ^ turn;
+        requests_.push_back({{at.x, at.y}, sequences[replicate], block});
+        planned_.push_back({p, s, block, static_cast<std::uint8_t>(replicate), false});
       }
+    }
   if (stratum.round == 2) plan_twins(first);
 }
 
@@ -200,6 +209,7 @@ void Radiance::add_block(std::size_t first, std::size_t last, std::span<const st
     if (!keep_values_) continue;
     stratum.samples.push_back(static_cast<std::uint32_t>(x_.size()));
     x_.push_back({requests_[first + i].point.x_px, requests_[first + i].point.y_px});
+    replicates_.push_back(planned_[first + i].replicate);
     values_.insert(values_.end(), value, value + stride_);
   }
   if (count > 0) stratum.rounds.back().add_block({rows, count});

@@ -23,6 +23,14 @@ struct StratumMoments {
   bool sampled = false;                ///< false: lattice values only, which count as one random value
 };
 
+/// Of a stratum whose values weigh by a footprint, per asked column.
+struct WeighedMoments {
+  std::vector<double> mean;
+  double share = 1.0;            ///< variance of `mean` in units of StratumMoments::variance, were all paths drawn apart
+  std::vector<double> variance;  ///< of `mean`, as the replicates of the paths' sequences differ
+  double freedom = 0.0;          ///< degrees of freedom behind `variance`; 0: values are too few for it
+};
+
 /// The radiance within labels: values at stratified points, uniform inside each (pixel, label) stratum of a
 /// group of source pixels, in rounds. docs/theory/accuracy_sampler.md, section 6.
 class Radiance {
@@ -70,6 +78,8 @@ class Radiance {
 
   /// Few replicates know their variance badly: with 8, one interval in a hundred errs by four standard errors.
   static constexpr int kStratumReplicates = 24;
+  /// Sequences of paths in a jittered round. Each has one value in every block of 2 x 2 cells.
+  static constexpr std::uint32_t kRoundReplicates = 4;
   /// Points of a stratum's second round that get a second path each.
   static constexpr int kTwins = 16;
 
@@ -125,9 +135,9 @@ class Radiance {
   double with_trend(const Pixel& pixel, std::size_t stratum, std::span<const int> drivers,
                     double count) const;
 
-  /// The share of StratumMoments for values that weigh by a footprint as well, and their mean.
-  double weigh(const Pixel& pixel, std::size_t stratum, const PixelFootprint& footprint, Point2 centre,
-               std::span<const int> columns, std::vector<double>& mean) const;
+  /// Moments of sampled values that weigh by a footprint as well; leaves the mean as it is where they weigh nothing.
+  void weigh(const Pixel& pixel, std::size_t stratum, const PixelFootprint& footprint, Point2 centre,
+             std::span<const int> columns, const StratumMoments& moments, WeighedMoments& out) const;
 
   /// Means over the rounds of a cluttered pixel, per column, with their variances. The footprint weighs values about
   /// `centre`; null: all alike.
@@ -138,6 +148,7 @@ class Radiance {
   struct Planned {
     std::size_t pixel, stratum;
     std::uint32_t block;
+    std::uint8_t replicate;
     bool twin;  ///< a second path at the point of the value before
     bool same_block(const Planned& other) const {
       return pixel == other.pixel && stratum == other.stratum && block == other.block;
@@ -177,7 +188,9 @@ class Radiance {
   std::vector<PlannedInNet> net_planned_;
   std::vector<PathRequest> net_requests_;
   std::vector<std::size_t> clutter_planned_;  // pixels
+  // Of the values kept: where they are, the sequence of their path, rows of stride_ floats.
   std::vector<Point2> x_;
+  std::vector<std::uint8_t> replicates_;
   std::vector<float> values_;
 };
 

@@ -64,6 +64,7 @@ void Radiance::remember(const Pixel& pixel, double predicted, TileMemory& memory
     write(static_cast<std::uint64_t>(stratum.samples.size()));
     for (const std::uint32_t k : stratum.samples) {
       write(x_[k]);
+      write(replicates_[k]);
       write.array(&values_[k * stride_], columns);
     }
   }
@@ -110,6 +111,7 @@ bool Radiance::recall(std::size_t p, const TileMemory& memory) {
     for (std::uint64_t k = 0; k < samples; ++k) {
       known.samples.push_back(static_cast<std::uint32_t>(x_.size()));
       read(x_.emplace_back());
+      read(replicates_.emplace_back());
       values_.resize(values_.size() + stride_, 0.0f);
       read.array(&values_[values_.size() - stride_], columns);
     }
@@ -121,6 +123,7 @@ bool Radiance::recall(std::size_t p, const TileMemory& memory) {
             kSameArea * area) {
       all = false;
       x_.resize(first);
+      replicates_.resize(first);
       values_.resize(first * stride_);
       continue;
     }

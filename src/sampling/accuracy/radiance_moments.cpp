@@ -150,26 +150,75 @@ void Radiance::moments(const Pixel& pixel, std::size_t s, std::span<const int> c
     std::fill(out.variance.begin(), out.variance.end(), 0.0);
 }
 
-double Radiance::weigh(const Pixel& pixel, std::size_t s, const PixelFootprint& footprint, Point2 centre,
-                       std::span<const int> columns, std::vector<double>& mean) const {
+void Radiance::weigh(const Pixel& pixel, std::size_t s, const PixelFootprint& footprint, Point2 centre,
+                     std::span<const int> columns, const StratumMoments& moments, WeighedMoments& out) const {
   const Stratum& stratum = pixel.strata[s];
-  double sum = 0.0, squares = 0.0;
+  const std::size_t n = columns.size();
+  out.share = 1.0;
+  out.freedom = 0.0;
+  out.variance.assign(n, 0.0);
+  struct Replicate {
+    double weight = 0.0, squares = 0.0;
+    std::size_t count = 0;
+  };
   std::vector<double> weights;
-  std::size_t k = 0;
-  for (const BlockSums& round : stratum.rounds)
-    for (const std::size_t end = k + static_cast<std::size_t>(round.count()); k < end; ++k) {
-      const Point2 at = x_[stratum.samples[k]];
-      const double w = footprint.density(at.x - centre.x, at.y - centre.y) * round.count();
+  std::vector<Replicate> replicates(stratum.rounds.size() * kRoundReplicates);
+  double total = 0.0, squares = 0.0;
+  for (std::size_t round = 0; round < stratum.rounds.size(); ++round) {
+    const double count = stratum.rounds[round].count();
+    for (const std::size_t end = weights.size() + static_cast<std::size_t>(count); weights.size() < end;) {
+      const std::size_t k = stratum.samples[weights.size()];
+      const double w = footprint.density(x_[k].x - centre.x, x_[k].y - centre.y) * count;
+      Replicate& replicate = replicates[round * kRoundReplicates + replicates_[k]];
+      replicate.weight += w;
+      replicate.squares += w * w;
+      ++replicate.count;
       weights.push_back(w);
-      sum += w;
+      total += w;
       squares += w * w;
     }
-  if (sum == 0.0) return 1.0;
-  std::fill(mean.begin(), mean.end(), 0.0);
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    for (std::size_t c = 0; c < columns.size(); ++c)
-      mean[c] += weights[i] / sum * values_[stratum.samples[i] * stride_ + columns[c]];
-  return squares / (sum * sum);
+  }
+  if (total == 0.0) return;
+  out.share = squares / (total * total);
+
+  std::vector<double> sums(replicates.size() * n, 0.0);
+  std::size_t i = 0;
+  for (std::size_t round = 0; round < stratum.rounds.size(); ++round)
+    for (const std::size_t end = i + static_cast<std::size_t>(stratum.rounds[round].count()); i < end; ++i) {
+      const std::size_t k = stratum.samples[i];
+      const float* value = &values_[k * stride_];
+      double* sum = &sums[(round * kRoundReplicates + replicates_[k]) * n];
+      for (std::size_t c = 0; c < n; ++c) sum[c] += weights[i] * value[columns[c]];
+    }
+  for (std::size_t c = 0; c < n; ++c) {
+    double sum = 0.0;
+    for (std::size_t r = 0; r < replicates.size(); ++r) sum += sums[r * n + c];
+    out.mean[c] = sum / total;
+  }
+
+  constexpr double kFreedom = kRoundReplicates - 1.0;
+  for (std::size_t round = 0; round < stratum.rounds.size(); ++round) {
+    const std::span<const Replicate> own(&replicates[round * kRoundReplicates], kRoundReplicates);
+    double weight = 0.0, own_squares = 0.0;
+    for (const Replicate& replicate : own) weight += replicate.weight, own_squares += replicate.squares;
+    // Sequences of a few values stratify nothing, and a round without all of them cannot tell.
+    constexpr std::size_t kFewest = 4;
+    if (std::any_of(own.begin(), own.end(), [](const Replicate& r) { return r.count < kFewest || r.weight == 0.0; })) {
+      for (std::size_t c = 0; c < n; ++c) out.variance[c] += moments.variance[c] * own_squares / (total * total);
+      continue;
+    }
+    out.freedom = kFreedom;
+    for (std::size_t c = 0; c < n; ++c) {
+      const double* sum = &sums[round * kRoundReplicates * n + c];
+      double all = 0.0, apart = 0.0;
+      for (std::uint32_t r = 0; r < kRoundReplicates; ++r) all += sum[r * n];
+      for (std::uint32_t r = 0; r < kRoundReplicates; ++r) {
+        const double difference = (sum[r * n] - all / weight * own[r].weight) / total;
+        apart += difference * difference;
+      }
+      out.variance[c] += kRoundReplicates / kFreedom * apart;
+    }
+  }
 }
 
 }  // namespace ifov::sampling

@@ -39,15 +39,17 @@ class Stopping {
   mutable std::vector<double> cache_;
 };
 
-/// Degrees of freedom of a sum of estimated variances (Satterthwaite 1946).
+/// Degrees of freedom of a sum of estimated variances (Satterthwaite 1946). An estimate with nu of them has a square of
+/// expectation (1 + 2 / nu) sigma^4, which would tell too few of a sum of many: it counts for nu + 2, of which two are
+/// taken back from the sum.
 class Satterthwaite {
  public:
   void add(double variance, double degrees_of_freedom) {
     sum_ += variance;
-    if (degrees_of_freedom > 0.0) weighted_ += variance * variance / degrees_of_freedom;
+    if (degrees_of_freedom > 0.0) weighted_ += variance * variance / (degrees_of_freedom + 2.0);
   }
   double variance() const { return sum_; }
-  double degrees_of_freedom() const { return weighted_ > 0.0 ? sum_ * sum_ / weighted_ : 1e9; }
+  double degrees_of_freedom() const { return weighted_ > 0.0 ? sum_ * sum_ / weighted_ - 2.0 : 1e9; }
 
  private:
   double sum_ = 0.0, weighted_ = 0.0;

@@ -183,6 +183,8 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
   bool any = false;
   std::vector<std::uint8_t> looked(outputs_.size(), 0);
   StratumMoments moments;
+  std::vector<ClutterRound::Moment> clutter;
+  std::vector<double> deviation(n);
   for (std::size_t p = 0; p < radiance_->pixels().size(); ++p) {
     const Radiance::Pixel& pixel = radiance_->pixels()[p];
     const PixelModel& model = pixel.model;
@@ -193,24 +195,25 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
     const double room = options_.max_samples_per_pixel - spent;
     const std::size_t strata = pixel.cluttered ? 1 : model.labels.size();
     for (std::size_t s = 0; s < strata; ++s) {
-      if (!pixel.cluttered) radiance_->moments(pixel, s, steering_, moments);
+      if (!pixel.cluttered)
+        radiance_->moments(pixel, s, steering_, moments);
+      else
+        radiance_->clutter(pixel, nullptr, {}, steering_, clutter);
+      const double count = pixel.cluttered ? pixel.clutter_count() : static_cast<double>(pixel.strata[s].count());
+      for (std::size_t d = 0; d < n; ++d) {
+        const double unseen = radiance_->unseen(pixel, s, steering_[d]);
+        deviation[d] = pixel.cluttered ? std::sqrt((clutter[d].variance + unseen) * count)
+                                       : std::sqrt(moments.variance[d] + unseen * std::max(1.0, count));
+      }
       double wanted = 0.0;
       for (std::size_t o = 0; o < model.outputs.size(); ++o) {
         const Output& output = outputs_[model.outputs[o]];
         if (output.satisfied || output.look >= output.last_look) continue;
         const OutputSums::Row sum = sums_[model.outputs[o]];
-        for (std::size_t d = 0; d < n; ++d) {
-          double weighted_deviation = 0.0;
-          if (pixel.cluttered) {
-            weighted_deviation = sum.deviation[d];
-          } else {
-            const double count = static_cast<double>(pixel.strata[s].count());
-            weighted_deviation =
-                model.weight_of(s, o) *
-                std::sqrt(moments.variance[d] + radiance_->unseen(pixel, s, steering_[d]) * std::max(1.0, count));
-          }
-          wanted = std::max(wanted, weighted_deviation * sum.deviation[d] / output.path_budget[d]);
-        }
+        const double weight =
+            pixel.cluttered ? integrator.whole_weight(pixel.source, model.outputs[o]) : model.weight_of(s, o);
+        for (std::size_t d = 0; d < n; ++d)
+          wanted = std::max(wanted, sum.gain[d] * weight * deviation[d] * sum.deviation[d] / output.path_budget[d]);
       }
       if (pixel.cluttered) {
         const double more = std::min(next_clutter(pixel, wanted), room);
@@ -218,7 +221,7 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
         radiance_->plan_clutter(p, more);
       } else {
         const Radiance::Stratum& stratum = pixel.strata[s];
-        const double have = static_cast<double>(stratum.count());
+        const double have = count;
         if (wanted <= std::max(1.0, have)) continue;
         const bool paths_differ = radiance_->paths_differ(stratum, steering_, moments);
         if (integrator.unit_box() &&

@@ -13,7 +13,7 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
   sums_.clear(outputs, n);
   std::vector<StratumMoments> moments;
   std::vector<ClutterRound::Moment> clutter;
-  std::vector<double> weighted(n);
+  WeighedMoments weighed;
   for (const Radiance::PlainPixel& pixel : radiance_->plain_pixels()) {
     const OutputSums::Row sum = sums_[pixel.output];
     for (std::size_t c = 0; c < n; ++c) sum.mean[c] += pixel.weight * table_.mean(pixel.label)[columns[c]];
@@ -30,8 +30,8 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
         for (std::size_t c = 0; c < n; ++c) {
           sum.mean[c] += w * clutter[c].mean;
           const double missed = radiance_->unseen(pixel, 0, columns[c]);
-          sum.path[c].add(w * w * clutter[c].variance, clutter[c].freedom);
-          sum.path[c].add(w * w * missed, INFINITY);
+          sum.add_path(c, w * w * clutter[c].variance, clutter[c].freedom);
+          sum.add_path(c, w * w * missed, INFINITY);
           sum.deviation[c] += w * std::sqrt((clutter[c].variance + missed) * count);
         }
       }
@@ -45,17 +45,23 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
       for (std::size_t r = 0; r < regions; ++r) {
         const double w = model.weight_of(r, o);
         if (w == 0.0) continue;
-        weighted = moments[r].mean;
-        double share = moments[r].share;
+        weighed.mean = moments[r].mean;
+        weighed.share = moments[r].share;
+        weighed.freedom = 0.0;
         if (moments[r].sampled && !integrator.unit_box())
-          share = radiance_->weigh(pixel, r, integrator.footprint(), integrator.centre(model.outputs[o]),
-                                   columns, weighted);
+          radiance_->weigh(pixel, r, integrator.footprint(), integrator.centre(model.outputs[o]), columns,
+                            moments[r], weighed);
         for (std::size_t c = 0; c < n; ++c) {
-          sum.mean[c] += w * weighted[c];
-          sum.path[c].add(w * w * moments[r].variance[c] * share, moments[r].freedom);
+          sum.mean[c] += w * weighed.mean[c];
+          const double apart = w * w * moments[r].variance[c] * weighed.share;
+          sum.path[c].add(apart, moments[r].freedom);
+          if (weighed.freedom > 0.0)
+            sum.replicated[c].add(w * w * weighed.variance[c], weighed.freedom);
+          else
+            sum.replicated[c].add(apart, moments[r].freedom);
           const double count = static_cast<double>(pixel.strata[r].count());
           const double missed = radiance_->unseen(pixel, r, columns[c]);
-          sum.path[c].add(w * w * missed, INFINITY);
+          sum.add_path(c, w * w * missed, INFINITY);
           sum.deviation[c] += w * std::sqrt(moments[r].variance[c] + missed * std::max(1.0, count));
         }
       }
@@ -83,6 +89,8 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
       }
     }
   }
+  for (int o : outputs)
+    for (std::size_t c = 0; c < n; ++c) sums_[o].settle_path(c);
 }
 
 double TileWork::half_width(const OutputSums::Row& sum, std::size_t column, int look) const {
