@@ -16,6 +16,7 @@ def run(context):
         "atmosphere.tables_right": at_least(int(found["right"]), 1, ""),
         "atmosphere.peak_gib": at_most(found["peak_gib"], 1.0, "GiB"),
         "atmosphere.path_over_uniform_sky": at_most(found["path_over_sky"], 1.15, "times the time"),
+        "atmosphere.path_over_uniform_sky_10_channels": at_most(found["path_over_sky_10"], 1.15, "times the time"),
         "atmosphere.path_us": figure(round(found["path_us"], 2), "us of two threads"),
         "atmosphere.columns": figure(found["columns_air"], f"columns, {found['columns_sky']} under a sky"),
     }
