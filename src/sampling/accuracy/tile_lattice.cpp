@@ -261,7 +261,9 @@ void TileWork::switch_clutter() {
         if (i < k) look(labels[i], labels[i + 1]);
         if (j < k) look(labels[i], labels[i + row]);
       }
-    const double contrast = std::sqrt(squares / crossings), border_px = crossings / crossings_per_length(k);
+    // In allowed standard errors of this pixel, which counts only in part in each output.
+    const double whole = tracer_.allowed_variance()[p] / geometry_share(p);
+    const double contrast = std::sqrt(squares / (crossings * whole)), border_px = crossings / crossings_per_length(k);
     const double strata = stratified_cost(contrast, border_px);
     if (kTracingCostPerCrossing * crossings > std::max(clutter_to_come(p, strata), kFewestStratified))
       tracer_.abandon(static_cast<std::uint32_t>(p));
