@@ -117,6 +117,7 @@ int main(int argc, char** argv) {
         HonestyCase without = which;
         without.sun_state = true;
         without.faults = {};
+        if (!rows_folder.empty()) without.rows = std::filesystem::path(rows_folder) / (name + "_without.csv");
         std::printf("    %s, then the same without it\n", name.c_str());
         const HonestyOutcome faulty = run_case(which, work), sound = run_case(without, work);
         print_details(which, faulty);

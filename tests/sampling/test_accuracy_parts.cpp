@@ -57,6 +57,22 @@ TEST(Bracket, DitherMakesTheErrorOfItsCentreUniform) {
   EXPECT_EQ(plain.centre(), again.centre());
 }
 
+// A crossing close to an end lies in the step that the end cuts short, whose centre is always beyond it.
+TEST(Bracket, ACrossingCloseToAnEndIsFoundWithLittleBiasOnceTheEndIsOut) {
+  const double at = 0.004, length = 1.0;
+  double cut = 0.0, free = 0.0, step = 0.0;
+  const int n = 2000;
+  for (int i = 0; i < n; ++i) {
+    Bracket b = bisected(at, length, 0.04, static_cast<std::uint64_t>(i), true);
+    cut += (b.centre() - at) / n;
+    while (b.cut_short()) b.take(b.next() < at ? 0 : 1);
+    free += (b.centre() - at) / n;
+    step = b.step;
+  }
+  EXPECT_GT(cut, 0.15 * step);
+  EXPECT_LT(std::abs(free), 0.1 * step);
+}
+
 TEST(Bracket, NoticesAThirdLabel) {
   Bracket b;
   b.first = 0;

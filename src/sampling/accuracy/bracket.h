@@ -67,6 +67,13 @@ struct Bracket {
     }
   }
 
+  /// Whether the edge's end cuts the bracket short. A crossing that close to it is never found between the end and
+  /// itself: the centre would err to one side, whatever the dither.
+  bool cut_short() const {
+    constexpr double kNegligible = 1.0 / 16.0;
+    return !on_grid() && (low <= 0.0 || high >= length_px) && width() > kNegligible * step;
+  }
+
   /// Whether a feature as narrow as the distance to the nearer end could hide in the bracket.
   bool wants_thin_refinement(double floor_px, double share) const {
     return width() > std::max(floor_px, share * nearer_end());

@@ -11,9 +11,9 @@ namespace {
 constexpr double kThinShare = 0.5;
 /// First width of a bracket, in units of what the tolerance allows to a crossing of one side of its cell.
 constexpr double kFirstWidth = 0.3;
-/// A narrow feature is worth its rays where a misplaced bracket would cost this share of the allowed standard
-/// error.
-constexpr double kThinWorth = 0.5;
+/// A narrow feature, and a crossing close to a vertex, are worth their rays where a misplaced bracket would cost this
+/// share of the allowed standard error.
+constexpr double kWorth = 0.5;
 
 }  // namespace
 
@@ -81,12 +81,14 @@ void EdgeTracer::look_into_brackets() {
 }
 
 void EdgeTracer::locate() {
+  const auto worth = [&](const Bracket& b, double width) {
+    const double error = width * b.length_px * contrast_(b.pixel, b.first, b.last);
+    return error >= kWorth * std::sqrt(allowed_variance_[b.pixel]);
+  };
   // A crossing near a vertex means a narrow feature only if the line is crossed again on the vertex's other
   // side.
   const auto thin = [&](const Bracket& b) {
-    if (!b.wants_thin_refinement(options_.thinnest_px / 8.0, kThinShare)) return false;
-    const double error = b.width() * b.length_px * contrast_(b.pixel, b.first, b.last);
-    if (error < kThinWorth * std::sqrt(allowed_variance_[b.pixel])) return false;
+    if (!b.wants_thin_refinement(options_.thinnest_px / 8.0, kThinShare) || !worth(b, b.width())) return false;
     const std::int32_t step =
         b.centre() < 0.5 * b.length_px ? -Lattice::side(b.level) : Lattice::side(b.level);
     const std::int32_t x = b.vertical ? b.x : b.x + step, y = b.vertical ? b.y + step : b.y;
@@ -95,7 +97,7 @@ void EdgeTracer::locate() {
   for (;;) {
     std::size_t kept = 0;
     for (std::uint32_t b : active_)
-      if (!brackets_[b].third_label && (brackets_[b].on_grid() || thin(brackets_[b]))) active_[kept++] = b;
+      if (!brackets_[b].third_label && (brackets_[b].on_grid() || (brackets_[b].cut_short() && worth(brackets_[b], brackets_[b].step)) || thin(brackets_[b]))) active_[kept++] = b;
     active_.resize(kept);
     if (active_.empty()) return;
     look_into_brackets();
