@@ -17,6 +17,8 @@ class PixelFootprint {
 
   double half_width_px() const { return half_width_; }
   bool uniform() const { return cells_ == 0; }
+  /// Uniform over the whole pixel and nothing else.
+  bool whole_pixel() const { return uniform() && half_width_px() == 0.5; }
 
   /// h(dx, dy), bilinear between cell centres; 0 outside.
   double density(double dx_px, double dy_px) const;

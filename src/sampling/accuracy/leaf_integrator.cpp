@@ -9,7 +9,7 @@ LeafIntegrator::LeafIntegrator(const EdgeTracer& tracer, const PixelFootprint& f
     : tracer_(tracer),
       footprint_(footprint),
       tile_(tile),
-      unit_box_(footprint.uniform() && footprint.half_width_px() == 0.5) {
+      unit_box_(footprint.whole_pixel()) {
   // Added up as for any other pixel, so that it makes no difference which way a pixel went.
   const double side = tracer.lattice().side_px(0);
   for (int i = 0; i < tracer.lattice().cells_per_pixel() * tracer.lattice().cells_per_pixel(); ++i)

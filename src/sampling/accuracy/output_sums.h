@@ -16,17 +16,18 @@ class OutputSums {
   struct Row {
     double *mean, *geometry;
     Satterthwaite* path;        ///< as if all paths were drawn apart
-    Satterthwaite* replicated;  ///< as replicates of paths differ; where there are none, as `path`
+    Satterthwaite* replicated;  ///< as replicates of paths differ, else as `path`; null where nothing has replicates
     double* deviation;  ///< sum of weight * standard deviation of one value, for Neyman's allocation
     double* gain;       ///< variance of paths over what it would be if all were drawn apart
 
     void add_path(std::size_t column, double variance, double freedom) const {
       path[column].add(variance, freedom);
-      replicated[column].add(variance, freedom);
+      if (replicated != nullptr) replicated[column].add(variance, freedom);
     }
     /// Leaves in `path` the smaller of the two. Both are too large rather than too small: the one does not know what
     /// sequences gain, the other what fine grids do.
     void settle_path(std::size_t column) const {
+      if (replicated == nullptr) return;
       // Few degrees of freedom widen an interval about as a variance larger by 4 / nu would.
       constexpr double kFewest = 4.0, kWidening = 4.0;
       const double freedom = replicated[column].degrees_of_freedom(), apart = path[column].variance();
@@ -40,7 +41,7 @@ class OutputSums {
     }
   };
 
-  explicit OutputSums(std::size_t outputs) : outputs_(outputs) {}
+  OutputSums(std::size_t outputs, bool replicates) : outputs_(outputs), replicates_(replicates) {}
 
   /// Zero for these outputs; what is known of others is lost where the number of columns changes.
   void clear(std::span<const int> outputs, std::size_t columns) {
@@ -49,7 +50,7 @@ class OutputSums {
       mean_.resize(outputs_ * columns);
       geometry_.resize(outputs_ * columns);
       path_.resize(outputs_ * columns);
-      replicated_.resize(outputs_ * columns);
+      if (replicates_) replicated_.resize(outputs_ * columns);
       deviation_.resize(outputs_ * columns);
       gain_.resize(outputs_ * columns);
     }
@@ -57,7 +58,8 @@ class OutputSums {
       const Row row = (*this)[output];
       for (std::size_t c = 0; c < columns; ++c) {
         row.mean[c] = row.geometry[c] = row.deviation[c] = 0.0;
-        row.path[c] = row.replicated[c] = {};
+        row.path[c] = {};
+        if (replicates_) row.replicated[c] = {};
         row.gain[c] = 1.0;
       }
     }
@@ -65,8 +67,8 @@ class OutputSums {
 
   Row operator[](int output) {
     const std::size_t first = static_cast<std::size_t>(output) * columns_;
-    return {&mean_[first],       &geometry_[first], &path_[first],
-            &replicated_[first], &deviation_[first], &gain_[first]};
+    return {&mean_[first],      &geometry_[first], &path_[first], replicates_ ? &replicated_[first] : nullptr,
+            &deviation_[first], &gain_[first]};
   }
   std::span<const double> means(int output) const {
     return {&mean_[static_cast<std::size_t>(output) * columns_], columns_};
@@ -74,6 +76,7 @@ class OutputSums {
 
  private:
   std::size_t outputs_, columns_ = 0;
+  bool replicates_;
   std::vector<double> mean_, geometry_, deviation_, gain_;  // [output][column]
   std::vector<Satterthwaite> path_, replicated_;
 };

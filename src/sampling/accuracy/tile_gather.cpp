@@ -54,11 +54,12 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
         for (std::size_t c = 0; c < n; ++c) {
           sum.mean[c] += w * weighed.mean[c];
           const double apart = w * w * moments[r].variance[c] * weighed.share;
-          sum.path[c].add(apart, moments[r].freedom);
-          if (weighed.freedom > 0.0)
+          if (weighed.freedom > 0.0) {
+            sum.path[c].add(apart, moments[r].freedom);
             sum.replicated[c].add(w * w * weighed.variance[c], weighed.freedom);
-          else
-            sum.replicated[c].add(apart, moments[r].freedom);
+          } else {
+            sum.add_path(c, apart, moments[r].freedom);
+          }
           const double count = static_cast<double>(pixel.strata[r].count());
           const double missed = radiance_->unseen(pixel, r, columns[c]);
           sum.add_path(c, w * w * missed, INFINITY);

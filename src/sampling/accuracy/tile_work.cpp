@@ -47,7 +47,7 @@ TileWork::TileWork(const TileProblem& problem, Field& field, const AccuracyOptio
       prober_(tracer_, ledger_, options, problem.seed),
       all_columns_(static_cast<std::size_t>(columns_)),
       outputs_(static_cast<std::size_t>(problem.tile.count())),
-      sums_(outputs_.size()),
+      sums_(outputs_.size(), !problem.footprint->whole_pixel()),
       predicted_(static_cast<std::size_t>(lattice_.domain().count()), 0.0f),
       clutter_rounds_(predicted_.size()),
       faults_(faults) {
