@@ -29,12 +29,13 @@ struct AccuracyRequest {
 /// channel. Percent: max(error * |L|, floor * W). Kelvin: error * dL/dT at the pixel's own brightness
 /// temperature, taken no colder than that of floor * W. Reflectance: error * the white Lambertian's reflected
 /// radiance; channels in which that is less than a hundredth of the path's are not judged, because the air hides
-/// the surface (unless all are such). Noise: error * the channel's noise. So dark channels and pixels finish. None is below 1e-5 of |L|, which single
-/// precision can bear.
+/// the surface (unless all are such). Noise: error * the channel's noise. So dark channels and pixels finish. None
+/// is below 1e-5 of |L|, which single precision can bear.
 class AccuracyTolerance final : public sampling::Tolerance {
  public:
   /// By channel: `white_reflected`, the radiance of a level white Lambertian lit by Sun and sky, and
-  /// `path_radiance`, what the path to the sensor adds (empty: nothing). `pixel_count` counts for simultaneous confidence only.
+  /// `path_radiance`, what the path to the sensor adds (empty: nothing). `pixel_count` counts for simultaneous
+  /// confidence only.
   AccuracyTolerance(AccuracyRequest request, const ChannelBrightness& brightness,
                     std::vector<double> white_reflected_w_m2_sr_um, std::int64_t pixel_count,
                     const std::vector<double>& path_radiance_w_m2_sr_um = {}, std::vector<AirHalfWidth> air = {});
@@ -53,13 +54,13 @@ class AccuracyTolerance final : public sampling::Tolerance {
   double floor_w_m2_sr_um(int channel) const { return floor_[static_cast<std::size_t>(channel)]; }
 
  private:
+  void leave_hidden_channels(const std::vector<double>& path_radiance);
+
   AccuracyRequest request_;
   const ChannelBrightness& brightness_;
   std::vector<double> white_;
   std::vector<AirHalfWidth> air_;  // by channel; empty: none
   std::vector<double> floor_;
-  void leave_hidden_channels(const std::vector<double>& path_radiance);
-
   std::vector<char> judged_;
   double confidence_ = 0.95;
 };
