@@ -8,7 +8,7 @@
 #include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/thermal/thermal_column.h"
 #include "lowtran_output.h"
-#include "radiometry/planck.h"
+#include "studies/atmosphere/lowtran7_layers.h"
 #include "support/truth_data.h"
 
 // Runs of the original program (Kneizys et al. 1988), which gives each of its layers one temperature: its
@@ -16,6 +16,8 @@
 // with sources linear in optical depth they differ by what is known to be the program's.
 namespace ifov::atmosphere {
 namespace {
+
+using studies::UniformLayers;
 
 struct LowtranRun {
   std::string file, model;
@@ -25,36 +27,6 @@ struct LowtranRun {
 
 struct Differences {
   double worst = 0.0, mean = 0.0;
-};
-
-bool program_level(double z) {
-  return (z == std::floor(z) && z <= 25.0) || z == 30 || z == 35 || z == 40 || z == 45 || z == 50 ||
-         z == 70 || z == 100;
-}
-
-/// A column of layers that have one temperature each, between the program's levels.
-struct UniformLayers {
-  std::vector<double> altitude_km, planck, depth;
-  UniformLayers(const Levels& levels, const std::vector<double>& absorption, double wavelength_um) {
-    const auto weight = [&](std::size_t i) { return levels.pressure_hPa[i] / levels.temperature_K[i]; };
-    std::size_t low = 0;
-    double sum = 0.0;
-    for (std::size_t high = 1; high < levels.altitude_km.size(); ++high) {
-      sum += absorption[high - 1];
-      if (!program_level(levels.altitude_km[high])) continue;
-      const double temperature =
-          (weight(low) * levels.temperature_K[low] + weight(high) * levels.temperature_K[high]) /
-          (weight(low) + weight(high));
-      // The source jumps: from layer to layer across a millimetre that absorbs nothing.
-      altitude_km.push_back(levels.altitude_km[low] + (low > 0 ? 1e-6 : 0.0));
-      altitude_km.push_back(levels.altitude_km[high]);
-      if (!depth.empty()) depth.push_back(0.0);
-      depth.push_back(sum);
-      planck.insert(planck.end(), 2, radiometry::planck_w_m2_sr_um(wavelength_um, temperature));
-      low = high;
-      sum = 0.0;
-    }
-  }
 };
 
 /// Relative differences of radiance from the program's, between two wavenumbers.

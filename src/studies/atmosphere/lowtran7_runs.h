@@ -7,8 +7,6 @@ namespace ifov::studies {
 
 /// A model atmosphere with the gases and the continuum of the program's time.
 atmosphere::AtmosphereDescription as_in_1986(const std::string& model);
-/// Whether the program has a level at this altitude, km.
-bool program_level(double z);
 
 /// Thermal radiances and sunlight of the program's runs, against ours.
 void add_lowtran7_radiances(const AtmosphereOptions& options, AtmosphereSection& section);

@@ -3,6 +3,7 @@
 
 #include "atmosphere/gas/gas_transmittance.h"
 #include "core/format.h"
+#include "studies/atmosphere/lowtran7_layers.h"
 #include "studies/atmosphere/lowtran7_runs.h"
 
 namespace ifov::studies {
@@ -15,11 +16,6 @@ AtmosphereDescription as_in_1986(const std::string& model) {
   description.air.co2_ppm = description.air.ch4_ppm = description.air.n2o_ppm = std::nullopt;
   description.gas_model = GasModel::lowtran7;
   return description;
-}
-
-bool program_level(double z) {
-  return (z == std::floor(z) && z <= 25.0) || z == 30 || z == 35 || z == 40 || z == 45 || z == 50 ||
-         z == 70 || z == 100;
 }
 
 namespace {
