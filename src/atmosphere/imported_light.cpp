@@ -13,8 +13,6 @@ namespace {
 using Q = PathQuantity;
 using Column = std::vector<double>;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kSameSun_rad = 1.0 * kDegree;
 constexpr double kBlack = 1e-3;  // albedo
 /// Above these wavelengths sunlight is a small part of what a warm ground sends out, and what air emits is
 /// not.
@@ -22,22 +20,14 @@ constexpr double kThermal_um = 3.0;
 
 class Solver {
  public:
-  Solver(const ImportedRuns& given, const std::optional<SunAbove>& sun) : given_(given), sun_(sun) {
-    if (given.runs.empty()) throw InputError("found no run over ground; expected one to three");
-    const auto darkest = std::min_element(given.albedo.begin(), given.albedo.end());
-    const auto brightest = std::max_element(given.albedo.begin(), given.albedo.end());
-    dark_ = static_cast<std::size_t>(darkest - given.albedo.begin());
-    bright_ = static_cast<std::size_t>(brightest - given.albedo.begin());
-    count_ = dark().wavelength_um().size();
-  }
+  Solver(const ImportedRuns& given, const std::optional<SunAbove>& sun)
+      : given_(given), told_(given, sun), sun_(sun), count_(told_.dark().wavelength_um().size()) {}
 
   ImportedLight solve() {
-    for (const ImportedPath& run : given_.runs) check_geometry(run);
-    for (const ImportedPath& light : given_.lights) check_geometry(light);
-    light_.source = dark().source();
-    const auto wavelengths = dark().wavelength_um();
+    light_.source = told_.dark().source();
+    const auto wavelengths = told_.dark().wavelength_um();
     light_.wavelength_um.assign(wavelengths.begin(), wavelengths.end());
-    light_.width_um = dark().width_um;
+    light_.width_um = told_.dark().width_um;
     if (given_.runs.size() > 1) {
       std::vector<AlbedoRun> runs;
       for (std::size_t k = 0; k < given_.runs.size(); ++k)
@@ -53,54 +43,6 @@ class Solver {
   }
 
  private:
-  const ImportedPath& dark() const { return given_.runs[dark_]; }
-  const ImportedPath& bright() const { return given_.runs[bright_]; }
-  double bright_albedo() const { return given_.albedo[bright_]; }
-
-  void check_geometry(const ImportedPath& path) const {
-    const PathGeometry& geometry = path.geometry;
-    if (geometry.zenith_rad && *geometry.zenith_rad < 0.5 * std::numbers::pi && sees_ground(path))
-      throw InputError(
-          format("{}: the path looks up ({:.1f} deg from the zenith); expected one from the sensor down to "
-                 "the ground",
-                 path.source(), *geometry.zenith_rad / kDegree));
-    if (!geometry.sun_zenith_rad || !sun_) return;
-    const double zenith_rad = std::acos(std::clamp(sun_->cos_zenith, -1.0, 1.0));
-    if (std::abs(zenith_rad - *geometry.sun_zenith_rad) > kSameSun_rad)
-      throw InputError(
-          format("{}: the Sun stands {:.1f} deg from the zenith; expected {:.1f} deg, as in the document",
-                 path.source(), *geometry.sun_zenith_rad / kDegree, zenith_rad / kDegree));
-  }
-
-  /// Of the runs, the darkest first, else of the lights at the runs' wavelengths; empty where none has it.
-  Column any(Q quantity) const {
-    if (dark().has(quantity)) return {dark().column(quantity).begin(), dark().column(quantity).end()};
-    for (const ImportedPath& run : given_.runs)
-      if (run.has(quantity)) return {run.column(quantity).begin(), run.column(quantity).end()};
-    return of_lights(quantity);
-  }
-
-  Column of_lights(Q quantity) const {
-    for (const ImportedPath& light : given_.lights) {
-      if (!light.has(quantity)) continue;
-      const radiometry::Spectrum spectrum = light.spectrum(quantity);
-      Column values;
-      for (const double um : light_.wavelength_um) values.push_back(spectrum.at(um));
-      return values;
-    }
-    return {};
-  }
-
-  [[noreturn]] void missing(std::string_view what, Q quantity, std::string_view advice) const {
-    std::string told;
-    try {
-      dark().need(quantity);
-    } catch (const InputError& error) {
-      told = error.what();
-    }
-    throw InputError(format("{}{}{}; {}", told, told.empty() ? "" : ": ", what, advice));
-  }
-
   void find_spherical_albedo() {
     Column& albedo = light_.spherical_albedo;
     if (coupling_) {
@@ -112,7 +54,7 @@ class Solver {
                    light_.source, coupling_->cut));
       return;
     }
-    albedo = any(Q::spherical_albedo);
+    albedo = told_.any(Q::spherical_albedo);
     if (!albedo.empty()) return;
     albedo.assign(count_, 0.0);
     light_.remarks.push_back(
@@ -126,9 +68,7 @@ class Solver {
   Column stated_irradiance() const {
     for (const bool of_run : {true, false}) {
       const auto take = [&](Q quantity) -> Column {
-        if (!of_run) return of_lights(quantity);
-        const auto column = dark().column(quantity);
-        return {column.begin(), column.end()};
+        return of_run ? told_.of_dark(quantity) : told_.of_lights(quantity);
       };
       Column all = take(Q::global_irradiance);
       if (all.empty()) {
@@ -137,7 +77,7 @@ class Solver {
         if (all.empty() || diffuse.empty()) continue;
         for (std::size_t i = 0; i < count_; ++i) all[i] += diffuse[i];
       }
-      const double albedo = of_run ? given_.albedo[dark_] : 0.0;
+      const double albedo = of_run ? told_.dark_albedo() : 0.0;
       for (std::size_t i = 0; i < count_; ++i) all[i] *= 1.0 - albedo * light_.spherical_albedo[i];
       return all;
     }
@@ -148,11 +88,12 @@ class Solver {
   /// where no run tells.
   Column straight() const {
     if (coupling_ && !coupling_->direct_reflected.empty()) return coupling_->direct_reflected;
-    if (coupling_ || bright_albedo() < kBlack || !bright().has(Q::ground_reflected_radiance)) return {};
+    if (coupling_ || told_.bright_albedo() < kBlack || !told_.bright().has(Q::ground_reflected_radiance))
+      return {};
     Column result;
     for (std::size_t i = 0; i < count_; ++i)
-      result.push_back(bright().column(Q::ground_reflected_radiance)[i] *
-                       (1.0 / bright_albedo() - light_.spherical_albedo[i]));
+      result.push_back(told_.bright().column(Q::ground_reflected_radiance)[i] *
+                       (1.0 / told_.bright_albedo() - light_.spherical_albedo[i]));
     return result;
   }
 
@@ -160,12 +101,13 @@ class Solver {
     Column& view = light_.view;
     Column& diffuse = light_.diffuse_transmittance;
     const Column straight = this->straight(), stated = stated_irradiance();
-    view = any(Q::ground_sensor_transmittance);
+    view = told_.any(Q::ground_sensor_transmittance);
     if (view.empty()) {
       if (!coupling_ || stated.empty())
-        missing("the light of the ground cannot be carried to the sensor", Q::ground_sensor_transmittance,
-                "give runs in radiance mode of MODTRAN, or two or three runs of different albedo that state "
-                "irradiances");
+        told_.missing(
+            "the light of the ground cannot be carried to the sensor", Q::ground_sensor_transmittance,
+            "give runs in radiance mode of MODTRAN, or two or three runs of different albedo that state "
+            "irradiances");
       for (std::size_t i = 0; i < count_; ++i)
         view.push_back(stated[i] > 0.0 ? std::min(1.0, std::numbers::pi * coupling_->reflected[i] / stated[i])
                                        : 0.0);
@@ -183,7 +125,7 @@ class Solver {
       }
       return;
     }
-    diffuse = any(Q::diffuse_ground_sensor_transmittance);
+    diffuse = told_.any(Q::diffuse_ground_sensor_transmittance);
     if (!diffuse.empty()) return;
     if (coupling_ && !stated.empty()) {
       for (std::size_t i = 0; i < count_; ++i) {
@@ -201,7 +143,7 @@ class Solver {
 
   /// Irradiance above the air on a level plane: that of the runs, else of the scene's Sun.
   Column level_above() {
-    Column above = any(Q::solar_irradiance);
+    Column above = told_.any(Q::solar_irradiance);
     if (above.empty())
       for (const double um : light_.wavelength_um) above.push_back(sun_->irradiance.at(um));
     else
@@ -221,15 +163,15 @@ class Solver {
   /// level_: irradiance of level ground by the direct beam.
   void find_beam() {
     level_.assign(count_, 0.0);
-    const bool reflected = bright_albedo() > kBlack && bright().has(Q::direct_reflected_radiance);
-    const Column two_way = any(Q::two_way_transmittance), stated = any(Q::direct_irradiance),
-                 transmittance = any(Q::direct_sun_ground_transmittance);
+    const bool reflected = told_.bright_albedo() > kBlack && told_.bright().has(Q::direct_reflected_radiance);
+    const Column two_way = told_.any(Q::two_way_transmittance), stated = told_.any(Q::direct_irradiance),
+                 transmittance = told_.any(Q::direct_sun_ground_transmittance);
     if (!sun_) {
       const auto shines = [](const auto& column) {
         return std::any_of(column.begin(), column.end(), [](double value) { return value > 0.0; });
       };
       if (shines(two_way) || shines(stated) || shines(transmittance) ||
-          (reflected && shines(bright().column(Q::direct_reflected_radiance))))
+          (reflected && shines(told_.bright().column(Q::direct_reflected_radiance))))
         throw InputError(
             format("{} holds direct sunlight, and the document has no Sun above the horizon; give "
                    "light.sun with the zenith angle of the runs",
@@ -238,8 +180,8 @@ class Solver {
       return;
     }
     if (reflected) {
-      const auto column = bright().column(Q::direct_reflected_radiance);
-      level_ = at_ground({column.begin(), column.end()}, std::numbers::pi / bright_albedo());
+      const auto column = told_.bright().column(Q::direct_reflected_radiance);
+      level_ = at_ground({column.begin(), column.end()}, std::numbers::pi / told_.bright_albedo());
       light_.own_irradiance = true;
     } else if (!two_way.empty()) {
       const Column above = level_above();
@@ -253,25 +195,26 @@ class Solver {
       const Column above = level_above();
       for (std::size_t i = 0; i < count_; ++i) level_[i] = above[i] * transmittance[i];
     } else if (light_.wavelength_um.front() < kThermal_um) {
-      missing("nothing tells the direct sunlight at the ground", Q::direct_sun_ground_transmittance,
-              "add a run over ground of albedo above 0 (direct_reflected_radiance), one in MODTRAN's "
-              "irradiance mode "
-              "(IEMSCT 3), or a column of direct_sun_ground_transmittance or direct_irradiance");
+      told_.missing("nothing tells the direct sunlight at the ground", Q::direct_sun_ground_transmittance,
+                    "add a run over ground of albedo above 0 (direct_reflected_radiance), one in MODTRAN's "
+                    "irradiance mode "
+                    "(IEMSCT 3), or a column of direct_sun_ground_transmittance or direct_irradiance");
     }
     for (const double value : level_) light_.sun.push_back(value / sun_->cos_zenith);
   }
 
   void find_sky() {
     Column all;
-    if (const Column radiance = straight(); !radiance.empty() && dark().has(Q::ground_sensor_transmittance))
+    if (const Column radiance = straight();
+        !radiance.empty() && told_.dark().has(Q::ground_sensor_transmittance))
       all = at_ground(radiance, std::numbers::pi);
     if (all.empty()) all = stated_irradiance();
-    if (const Column share = any(Q::sun_ground_transmittance); all.empty() && sun_ && !share.empty()) {
+    if (const Column share = told_.any(Q::sun_ground_transmittance); all.empty() && sun_ && !share.empty()) {
       all = level_above();
       for (std::size_t i = 0; i < count_; ++i) all[i] *= share[i];
     }
-    if (const Column diffuse = any(Q::diffuse_irradiance); all.empty() && !diffuse.empty()) {
-      const double albedo = dark().has(Q::diffuse_irradiance) ? given_.albedo[dark_] : 0.0;
+    if (const Column diffuse = told_.any(Q::diffuse_irradiance); all.empty() && !diffuse.empty()) {
+      const double albedo = told_.dark().has(Q::diffuse_irradiance) ? told_.dark_albedo() : 0.0;
       for (std::size_t i = 0; i < count_; ++i)
         all.push_back((level_[i] + diffuse[i]) * (1.0 - albedo * light_.spherical_albedo[i]));
     }
@@ -281,10 +224,11 @@ class Solver {
   /// Radiance over black ground that emits nothing.
   void find_path() {
     Column& path = light_.path;
-    const bool parts = dark().has(Q::solar_path_radiance) || dark().has(Q::thermal_path_radiance);
-    if (!parts && !dark().has(Q::total_radiance))
-      missing("nothing tells the path radiance", Q::solar_path_radiance,
-              "give a run in radiance mode, or columns of solar_path_radiance and thermal_path_radiance");
+    const bool parts = told_.dark().has(Q::solar_path_radiance) || told_.dark().has(Q::thermal_path_radiance);
+    if (!parts && !told_.dark().has(Q::total_radiance))
+      told_.missing(
+          "nothing tells the path radiance", Q::solar_path_radiance,
+          "give a run in radiance mode, or columns of solar_path_radiance and thermal_path_radiance");
     path.assign(count_, 0.0);
     const auto add = [&](const ImportedPath& run, Q quantity, double factor) {
       for (std::size_t i = 0; i < count_ && run.has(quantity); ++i)
@@ -293,19 +237,19 @@ class Solver {
     if (coupling_) {
       path = coupling_->path_radiance;
       if (parts && coupled_parts())
-        add(dark(), Q::thermal_path_radiance, 1.0);
+        add(told_.dark(), Q::thermal_path_radiance, 1.0);
       else
-        add(dark(), Q::surface_emission, -1.0);
+        add(told_.dark(), Q::surface_emission, -1.0);
     } else if (parts) {
-      add(dark(), Q::solar_path_radiance, 1.0);
+      add(told_.dark(), Q::solar_path_radiance, 1.0);
       remove_ground_from_path();
-      add(dark(), Q::thermal_path_radiance, 1.0);
+      add(told_.dark(), Q::thermal_path_radiance, 1.0);
     } else {
-      if (given_.albedo[dark_] > kBlack)
-        missing("the ground's light cannot be told from the path's", Q::solar_path_radiance,
-                "give that column, a run over black ground, or two or three runs of different albedo");
-      add(dark(), Q::total_radiance, 1.0);
-      add(dark(), Q::surface_emission, -1.0);
+      if (told_.dark_albedo() > kBlack)
+        told_.missing("the ground's light cannot be told from the path's", Q::solar_path_radiance,
+                      "give that column, a run over black ground, or two or three runs of different albedo");
+      add(told_.dark(), Q::total_radiance, 1.0);
+      add(told_.dark(), Q::surface_emission, -1.0);
     }
     for (double& value : path) value = std::max(0.0, value);
   }
@@ -319,7 +263,7 @@ class Solver {
 
   /// Of the scattered light of one run, what came from its ground.
   void remove_ground_from_path() {
-    const double albedo = given_.albedo[dark_];
+    const double albedo = told_.dark_albedo();
     if (albedo < kBlack) return;
     const Column radiance = straight();
     for (std::size_t i = 0; i < radiance.size(); ++i)
@@ -329,21 +273,15 @@ class Solver {
   }
 
   const ImportedRuns& given_;
+  const RunQuantities told_;
   const std::optional<SunAbove>& sun_;
-  std::size_t dark_ = 0, bright_ = 0, count_ = 0;
+  std::size_t count_ = 0;
   std::optional<GroundCoupling> coupling_;
   Column level_;
   ImportedLight light_;
 };
 
 }  // namespace
-
-bool sees_ground(const ImportedPath& path) {
-  constexpr Q kOfSight[] = {Q::ground_sensor_transmittance, Q::total_radiance, Q::solar_path_radiance,
-                            Q::thermal_path_radiance};
-  return std::any_of(std::begin(kOfSight), std::end(kOfSight),
-                     [&](Q quantity) { return path.has(quantity); });
-}
 
 ImportedLight imported_light(const ImportedRuns& given, const std::optional<SunAbove>& sun) {
   return Solver(given, sun).solve();

@@ -4,27 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "atmosphere/imported_path.h"
-#include "radiometry/spectrum.h"
+#include "atmosphere/imported_runs.h"
 
 namespace ifov::atmosphere {
-
-/// What another code computed for one atmosphere, one Sun and one line of sight from the ground to the
-/// sensor.
-struct ImportedRuns {
-  std::vector<ImportedPath>
-      runs;                    ///< one to three, over level Lambertian grounds that differ in albedo alone
-  std::vector<double> albedo;  ///< of these grounds
-  /// Runs that tell about the light above and at the ground alone, over black ground: the direct beam of the
-  /// Sun, irradiances, the spherical albedo. They fill in what `runs` do not say, at their wavelengths.
-  std::vector<ImportedPath> lights;
-};
-
-/// The Sun of the scene. Its irradiance stands in where the runs do not state theirs.
-struct SunAbove {
-  double cos_zenith = 1.0;          ///< at the ground, above 0
-  radiometry::Spectrum irradiance;  ///< across the beam above the air, at the date's distance, W m-2 um-1
-};
 
 /// Light over black ground, and how the ground's own light comes back: all that a renderer needs. The
 /// radiance of a uniform Lambertian plain of albedo r is
@@ -50,8 +32,5 @@ struct ImportedLight {
 /// up, or under another Sun than `sun` by more than a degree. Without `sun` the runs must hold no direct
 /// sunlight.
 ImportedLight imported_light(const ImportedRuns& given, const std::optional<SunAbove>& sun);
-
-/// Whether the path says anything about the way to a sensor (else it may be one of ImportedRuns::lights).
-bool sees_ground(const ImportedPath& path);
 
 }  // namespace ifov::atmosphere
