@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include "io/atmosphere/import_paths.h"
 #include "io/atmosphere/uvspec.h"
@@ -110,10 +112,21 @@ TEST(Uvspec, ErrorsShowThePlace) {
 
 TEST(Uvspec, OutputWithoutItsInputIsRefused) {
   const test::ScratchFile file("a.out", "400 1 2 3 4 5 6\n");
+  const std::string input = std::filesystem::path(file.path().filename()).replace_extension(".inp").string();
   EXPECT_EQ(
       test::input_error(file.path(), [](const auto& path) { import_paths(path); }),
-      "FILE: found rows of numbers without headings; expected the input file of uvspec beside the output of "
-      "uvspec");
+      "FILE: found rows of numbers without headings; expected the input file of uvspec beside them, as " +
+          input + ", or under 'uvspec_inputs'");
+}
+
+TEST(Uvspec, InputIsFoundBesideTheOutput) {
+  const test::ScratchFile file("a.out", "400 1 2 3 4 5 6\n");
+  for (const char* extension : {".inp", ".INP", ".in"}) {
+    const auto beside = std::filesystem::path(file.path()).replace_extension(extension);
+    std::ofstream(beside) << "source solar\nsza 30\n";
+    EXPECT_EQ(import_paths(file.path()).size(), 1u) << extension;
+    std::filesystem::remove(beside);
+  }
 }
 
 std::vector<atmosphere::ImportedPath> reference(const std::string& name) {

@@ -16,6 +16,17 @@ std::vector<atmosphere::ImportedPath> paths_of(std::vector<ModtranRun> runs) {
   return paths;
 }
 
+/// The input of uvspec that stands beside its output under the same name; empty without one.
+std::filesystem::path input_beside(const std::filesystem::path& output) {
+  for (const char* extension : {".inp", ".INP", ".in"}) {
+    std::filesystem::path input = output;
+    input.replace_extension(extension);
+    std::error_code unreadable;
+    if (input != output && std::filesystem::is_regular_file(input, unreadable)) return input;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<atmosphere::ImportedPath> import_paths(const std::filesystem::path& path,
@@ -42,15 +53,18 @@ std::vector<atmosphere::ImportedPath> import_paths(const std::filesystem::path& 
     case AtmosphereFormat::unknown:
       break;
   }
-  if (options.uvspec_input.empty())
+  std::filesystem::path input = options.uvspec_input;
+  if (input.empty() && format == AtmosphereFormat::uvspec) input = input_beside(path);
+  if (input.empty())
     file.fail(0, 0,
               format == AtmosphereFormat::uvspec
-                  ? "found rows of numbers without headings; expected the input file of uvspec beside the "
-                    "output of uvspec"
+                  ? ifov::format("found rows of numbers without headings; expected the input file of uvspec "
+                                 "beside them, as {}, or under 'uvspec_inputs'",
+                                 std::filesystem::path(path.filename()).replace_extension(".inp").string())
                   : "found no file that is known here; expected a MODTRAN tape7 (.tp7, .7sc), channel file "
                     "(.chn) or "
                     "table (.csv), the output of libRadtran's uvspec, or a table of paths (.csv)");
-  return parse_uvspec(file, read_uvspec_input(options.uvspec_input));
+  return parse_uvspec(file, read_uvspec_input(input));
 }
 
 }  // namespace ifov::io

@@ -10,7 +10,8 @@ namespace ifov::io {
 
 /// What cannot be told from a file of paths itself.
 struct ImportOptions {
-  std::filesystem::path uvspec_input;    ///< needed for the output of uvspec
+  /// For the output of uvspec; empty: the file beside it of the same name that ends with .inp, .INP or .in.
+  std::filesystem::path uvspec_input;
   std::optional<WavelengthUnit> unit;    ///< of the spectral column, where the file does not say or is wrong
   std::optional<double> sun_zenith_rad;  ///< for channel files, which do not say
 };

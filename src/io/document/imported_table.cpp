@@ -20,7 +20,9 @@ Kind<ImportedDocument> imported_kind() {
                 "over black "
                 "ground if nothing says otherwise")
       .optional("uvspec_inputs", &ImportedDocument::uvspec_inputs, list(file(), 1, kMostFiles),
-                "the input files of uvspec, one for each of 'files', all of which are its output then")
+                "the input files of uvspec, one for each of 'files', all of which are its output then; "
+                "without them those "
+                "of the same name beside the output (.inp, .INP, .in)")
       .check([](const ImportedDocument& imported, const DocumentNode& node) {
         if (!imported.uvspec_inputs.empty() && imported.uvspec_inputs.size() != imported.files.size())
           node.find("uvspec_inputs")
