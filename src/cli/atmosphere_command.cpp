@@ -18,7 +18,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kLowestSun_deg = 90.0, kLowestView_deg = 80.0;
 
 struct AtmosphereArguments {
-  std::string document, plot, csv, sun, view, channel;
+  std::string document, plot, csv, sky, sun, view, channel;
   std::optional<double> altitude_km;
   int threads = 0;
   bool quiet = false, wants_plot = false;
@@ -62,7 +62,7 @@ ExitCode look(const AtmosphereArguments& arguments) {
   if (!arguments.view.empty()) question.view = direction("--view", arguments.view, kLowestView_deg);
   question.sensor_altitude_km = arguments.altitude_km;
   question.sky_channel = arguments.channel;
-  question.sky = arguments.wants_plot;
+  question.sky = arguments.wants_plot || !arguments.sky.empty();
   question.spectrum = arguments.wants_plot || !arguments.csv.empty();
   question.threads = arguments.threads;
   question.cancel = &cancel_on_interrupt();
@@ -88,6 +88,14 @@ ExitCode look(const AtmosphereArguments& arguments) {
                      .c_str(),
                  stderr);
   }
+  if (!arguments.sky.empty()) {
+    write_file(arguments.sky, io::sky_csv(report));
+    if (!arguments.quiet)
+      std::fputs(format("{}  (sky of '{}' at {:.4g} um)\n", arguments.sky, report.sky_channel,
+                        report.sky->wavelength_um)
+                     .c_str(),
+                 stderr);
+  }
   return ExitCode::ok;
 }
 
@@ -104,6 +112,8 @@ Command add_atmosphere_command(CLI::App& app) {
       "Draw spectra and sky into this file (PNG); without a name FILE.atmosphere.png beside the document");
   plot->expected(0, 1)->type_name("[PNG]");
   parser->add_option("--csv", arguments->csv, "Write the spectrum as a table of paths")->type_name("OUT");
+  parser->add_option("--sky", arguments->sky, "Write the sky's radiance and polarization by direction as CSV")
+      ->type_name("OUT");
   parser
       ->add_option("--sun", arguments->sun,
                    "Where the Sun stands instead, in degrees (azimuth from north over east); 'none': night")
@@ -116,7 +126,7 @@ Command add_atmosphere_command(CLI::App& app) {
       ->type_name("KM");
   parser
       ->add_option("--channel", arguments->channel,
-                   "Whose sky is drawn (default: the one next to 0.45 um, at night 10 um)")
+                   "Whose sky is shown (default: the one next to 0.45 um, at night 10 um)")
       ->type_name("NAME");
   parser->add_option("-j,--threads", arguments->threads, "Threads; 0 takes all cores")
       ->check(CLI::Range(0, 4096))
@@ -132,11 +142,13 @@ Command add_atmosphere_command(CLI::App& app) {
       "temperature. All over black ground. Meshes and maps of the scene are not read.\n\n"
       "The figure and the table of --csv have the spectrum over the sensor's range at the 20 cm-1 that the "
       "band\n"
-      "model resolves. The sky is drawn as seen lying on the back: north up, east on the left.\n\n"
+      "model resolves. The sky is drawn as seen lying on the back: north up, east on the left;\n"
+      "+ marks where it is unpolarized, and a line below the table says where that is.\n\n"
       "Examples:\n"
       "  ifov atmosphere scene.json\n"
       "  ifov atmosphere scene.json --plot air.png --channel blue\n"
       "  ifov atmosphere scene.json --sun 70,120 --view 30,300 --altitude 3 --csv air.csv\n"
+      "  ifov atmosphere scene.json --sky sky.csv --channel blue\n"
       "  ifov atmosphere scene.json --sun none");
   return {parser, [arguments, plot] {
             arguments->wants_plot = plot->count() > 0;

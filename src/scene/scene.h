@@ -14,13 +14,14 @@
 
 namespace ifov::scene {
 
-/// The Sun over the scene. Its disc is uniform in radiance.
+/// The Sun over the scene, or the Moon where it lights the night. Its disc is uniform in radiance.
 struct Sun {
   math::Vec3 direction;             ///< unit, from the scene towards the Sun (ENU)
   double half_angle_rad = 0.0;      ///< of the disc; 0: a point, without penumbra
   radiometry::Spectrum irradiance;  ///< W m-2 um-1 on a surface that faces the Sun, outside the atmosphere, at
                                     ///< the Sun's actual distance
   radiometry::Spectrum transmittance = radiometry::Spectrum::constant(1.0);  ///< from there to the surface
+  bool is_moon = false;
 };
 
 /// The sky: the same radiance from everywhere above the horizon.

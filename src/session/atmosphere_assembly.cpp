@@ -24,6 +24,20 @@ void warn(const Session::Parts& parts, const atmosphere::AtmosphereColumn& colum
 
 }  // namespace
 
+void check_channels(const io::Document& document, std::span<const radiometry::Channel> channels) {
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const radiometry::Channel& channel = channels[c];
+    const bool line = channel.is_monochromatic();
+    const double first_um = line ? channel.centre_um : channel.response.first_um(),
+                 last_um = line ? channel.centre_um : channel.response.last_um();
+    if (first_um >= kShortest_um && last_um <= kLongest_um) continue;
+    throw io::document_error(
+        document, document.sensor.channels[c].position,
+        format("the channel '{}' reaches from {:.4g} to {:.4g} um, and the modelled atmosphere from {:g} to {:g} um",
+               channel.name, first_um, last_um, kShortest_um, kLongest_um));
+  }
+}
+
 atmosphere::AtmosphereColumn assemble_column(const io::Document& document) {
   atmosphere::AtmosphereDescription description = document.atmosphere.modelled->description;
   if (!description.air.ground_altitude_km && description.air.levels.empty())
@@ -113,6 +127,7 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(const Session:
                                                                   radiometry::NodeDemands demands,
                                                                   const AtmosphereWork& work) {
   const io::Document& document = parts.document;
+  check_channels(document, parts.channels);
   return with_position(document, document.atmosphere.position, [&] {
     const atmosphere::AtmosphereColumn column = assemble_column(document);
     atmosphere::SensorAtmosphere::Inputs inputs;

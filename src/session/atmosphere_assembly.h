@@ -17,6 +17,12 @@ namespace ifov::session {
 /// Lines of sight closer to the horizon than this are not those of a plane-parallel atmosphere.
 inline constexpr double kLowestView_rad = 80.0 * std::numbers::pi / 180.0;
 
+/// Where the tables of the modelled atmosphere begin and end.
+inline constexpr double kShortest_um = 0.2, kLongest_um = 50.0;
+
+/// Throws InputError at the first of the sensor's channels that reaches beyond these.
+void check_channels(const io::Document& document, std::span<const radiometry::Channel> channels);
+
 /// The air that a document with a modelled atmosphere describes. Throws InputError.
 atmosphere::AtmosphereColumn assemble_column(const io::Document& document);
 

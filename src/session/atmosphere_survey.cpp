@@ -22,7 +22,6 @@ constexpr double kSkyByDay_um = 0.45, kSkyByNight_um = 10.0;
 constexpr double kThermalSky_um = 4.0;
 /// A spectrum reaches this share beyond the sensor's channels.
 constexpr double kMargin = 0.04;
-constexpr double kShortest_um = 0.2, kLongest_um = 50.0;
 
 /// The document as the question wants it.
 io::Document asked(const io::Document& document, const AtmosphereQuestion& question) {
@@ -74,7 +73,7 @@ std::pair<double, double> half_width(const radiometry::Channel& channel) {
   return {wavelength[first], wavelength[last]};
 }
 
-std::vector<std::string> describe(const atmosphere::AtmosphereColumn& column, const io::Document& document,
+std::vector<std::string> describe(const atmosphere::AtmosphereColumn& column,
                                   const atmosphere::SensorGeometry& geometry, const scene::Scene& scene) {
   const atmosphere::AtmosphereDescription& said = column.description();
   const atmosphere::Profile& profile = column.profile();
@@ -98,10 +97,10 @@ std::vector<std::string> describe(const atmosphere::AtmosphereColumn& column, co
   if (geometry.sun_zenith_rad) {
     const math::Vec3 sun = scene.sun->direction;
     const double azimuth = std::atan2(sun.x, sun.y) / kDegree;
-    where = format("Sun {:.1f} deg from the zenith at azimuth {:.1f} deg.",
+    where = format("{} {:.1f} deg from the zenith at azimuth {:.1f} deg.", scene.sun->is_moon ? "Moon" : "Sun",
                    *geometry.sun_zenith_rad / kDegree, azimuth < 0.0 ? azimuth + 360.0 : azimuth);
-  } else if (document.light.sun) {
-    where = "The Sun is below the horizon.";
+  } else if (scene.sun) {
+    where = scene.sun->is_moon ? "The Moon is below the horizon." : "The Sun is below the horizon.";
   }
   const bool above = geometry.sensor_altitude_km >= atmosphere::kTopOfAtmosphereKm;
   lines.push_back(
@@ -162,15 +161,17 @@ io::AirReport survey_atmosphere(const io::Document& original, const AtmosphereQu
   const io::Document document = asked(original, question);
   return with_position(document, document.atmosphere.position, [&] {
     const Stage stage(document);
+    check_channels(document, stage.channels);
     const atmosphere::AtmosphereColumn column = assemble_column(document);
     io::AirReport report;
     report.geometry =
         sensor_geometry(document, *stage.camera, stage.scene.sun, column.levels().altitude_km.front());
     if (stage.scene.sun) {
       const math::Vec3 sun = stage.scene.sun->direction;
+      if (stage.scene.sun->is_moon) report.body = "Moon";
       report.sun_azimuth_rad = std::atan2(sun.x, sun.y);
     }
-    report.description = describe(column, document, report.geometry, stage.scene);
+    report.description = describe(column, report.geometry, stage.scene);
     const radiometry::Spectrum sunlight =
         stage.scene.sun ? stage.scene.sun->irradiance : radiometry::Spectrum();
 
@@ -187,6 +188,9 @@ io::AirReport survey_atmosphere(const io::Document& original, const AtmosphereQu
       for (const std::string& remark : column.remarks()) question.log->warn(format("atmosphere: {}", remark));
       if (!narrow.empty()) question.log->warn(narrow_channels(stage.channels, narrow));
     }
+    std::optional<std::size_t> shown;
+    if (question.sky)
+      shown = sky_channel(stage.channels, question.sky_channel, !report.geometry.sun_zenith_rad);
     std::vector<radiometry::Channel> steps;
     if (question.spectrum)
       steps = atmosphere::resolved_steps(std::max(first_um, kShortest_um), std::min(last_um, kLongest_um));
@@ -203,13 +207,14 @@ io::AirReport survey_atmosphere(const io::Document& original, const AtmosphereQu
       report.spectrum = atmosphere::survey_air(column, steps, sunlight, report.geometry, control);
       report.step_cm1 = 1e4 / steps.front().response.first_um() - 1e4 / steps.front().response.last_um();
     }
-    if (question.sky) {
-      const std::size_t c =
-          sky_channel(stage.channels, question.sky_channel, !report.geometry.sun_zenith_rad);
+    if (shown) {
+      const std::size_t c = *shown;
       report.sky_channel = stage.channels[c].name;
       report.sky = atmosphere::view_sky(column, stage.channels[c].centre_um, light[c].solar_irradiance,
                                         report.geometry.sun_zenith_rad, question.threads);
       report.sky_is_thermal = stage.channels[c].centre_um > kThermalSky_um || !report.geometry.sun_zenith_rad;
+      if (!report.sky_is_thermal)
+        report.neutral_points = atmosphere::neutral_points(*report.sky, *report.geometry.sun_zenith_rad);
     }
     return report;
   });

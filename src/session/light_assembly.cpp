@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geodesy/moon_position.h"
 #include "geodesy/sun_position.h"
 #include "radiometry/planck.h"
 #include "radiometry/solar_spectrum.h"
@@ -37,14 +38,21 @@ std::optional<radiometry::Spectrum> sunlight_at_ground(const io::Document& docum
   return std::nullopt;
 }
 
+math::Vec3 towards(const io::CelestialDirection& direction) {
+  return geodesy::direction_enu(direction.azimuth_rad, 0.5 * std::numbers::pi - direction.zenith_rad);
+}
+
+void dim_by_table(const io::Document& document, scene::Sun& sun) {
+  if (document.atmosphere.tabulated && document.atmosphere.tabulated->sun_transmittance)
+    sun.transmittance =
+        assemble_spectrum(document, *document.atmosphere.tabulated->sun_transmittance, "transmittance to the Sun");
+}
+
 scene::Sun assemble_sun(const io::Document& document, const io::SunDocument& source) {
   scene::Sun sun;
   sun.half_angle_rad = 0.5 * source.diameter_rad;
   double distance_au = 1.0;
-  if (source.direction) {
-    sun.direction =
-        geodesy::direction_enu(source.direction->azimuth_rad, 0.5 * std::numbers::pi - source.direction->zenith_rad);
-  }
+  if (source.direction) sun.direction = towards(*source.direction);
   if (document.time && document.scene.origin.geographic) {
     const io::OriginDocument& origin = document.scene.origin;
     const geodesy::SunPosition position =
@@ -64,10 +72,27 @@ scene::Sun assemble_sun(const io::Document& document, const io::SunDocument& sou
                                           ? assemble_spectrum(document, *source.irradiance, "irradiance of the Sun")
                                           : radiometry::solar_irradiance_1au();
   sun.irradiance = at_1au.scaled(1.0 / (distance_au * distance_au));
-  if (document.atmosphere.tabulated && document.atmosphere.tabulated->sun_transmittance)
-    sun.transmittance =
-        assemble_spectrum(document, *document.atmosphere.tabulated->sun_transmittance, "transmittance to the Sun");
+  dim_by_table(document, sun);
   return sun;
+}
+
+scene::Sun assemble_moon(const io::Document& document, const io::MoonDocument& source) {
+  constexpr double kMeanDistance_m = 384.4e6, kRadius_m = 1737.4e3;
+  geodesy::MoonPosition position;
+  position.distance_m = kMeanDistance_m;
+  if (document.time) {
+    const io::OriginDocument& origin = document.scene.origin;
+    const auto place = origin.geographic.value_or(io::OriginDocument::Geographic());
+    position = geodesy::moon_position(*document.time, place.latitude_rad, place.longitude_rad, origin.height_m);
+  }
+  if (source.phase_angle_rad) position.phase_angle_rad = *source.phase_angle_rad;
+  scene::Sun moon;
+  moon.is_moon = true;
+  moon.direction = source.direction ? towards(*source.direction) : position.direction_enu;
+  moon.half_angle_rad = std::asin(kRadius_m / position.distance_m);
+  moon.irradiance = radiometry::solar_irradiance_1au().scaled(geodesy::moonlight_ratio(position));
+  dim_by_table(document, moon);
+  return moon;
 }
 
 /// Sky and path of DIRSIG's atmospheres.
@@ -92,6 +117,9 @@ void assemble_light(const io::Document& document, scene::Scene& scene) {
   const io::LightDocument& light = document.light;
   if (light.sun)
     scene.sun = with_position(document, light.sun->position, [&] { return assemble_sun(document, *light.sun); });
+  const bool is_day = scene.sun && scene.sun->direction.z > 0.0;
+  if (light.moon && !is_day)
+    scene.sun = with_position(document, light.moon->position, [&] { return assemble_moon(document, *light.moon); });
 
   if (const auto* sky = std::get_if<io::SkyTemperature>(&light.sky)) scene.sky.temperature_k = sky->temperature_k;
   if (const auto* sky = std::get_if<io::SkyRadiance>(&light.sky))

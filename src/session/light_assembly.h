@@ -5,7 +5,8 @@
 
 namespace ifov::session {
 
-/// Sun, sky, surroundings and the view path of a document, into the scene (whose materials gain the surroundings').
+/// Sun or Moon, sky, surroundings and the view path of a document, into the scene (whose materials gain the
+/// surroundings').
 void assemble_light(const io::Document& document, scene::Scene& scene);
 
 }  // namespace ifov::session

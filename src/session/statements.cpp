@@ -13,7 +13,8 @@ std::string describe(const Session::Parts& parts) {
                             parts.scene.world->triangle_count(), parts.document.scene.materials.size());
   const bool sky = parts.scene.sky.radiance || parts.scene.sky.temperature_k || parts.atmosphere ||
                    (parts.imported && parts.imported->has_sky());
-  text += format("light: {}, {}\n", parts.scene.sun ? "sun" : "no sun", sky ? "sky" : "no sky");
+  const char* const body = !parts.scene.sun ? "no sun" : parts.scene.sun->is_moon ? "moon" : "sun";
+  text += format("light: {}, {}\n", body, sky ? "sky" : "no sky");
   if (parts.atmosphere)
     text += format("atmosphere: {} ('ifov atmosphere {}' shows it)\n",
                    parts.document.atmosphere.modelled->description.air.model, parts.document.file_name);

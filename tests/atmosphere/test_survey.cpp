@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "atmosphere/survey/air_light.h"
+#include "atmosphere/survey/neutral_points.h"
 #include "atmosphere/survey/sky_view.h"
 #include "radiometry/solar_spectrum.h"
 
@@ -81,6 +82,31 @@ TEST(SkyView, ClearSkyIsPolarizedAcrossTheSunsPlane) {
   for (std::size_t z = 1; z + 1 < sky.zenith_rad.size(); ++z)
     neutral += sky.at(z, 0).q * sky.at(z + 1, 0).q < 0.0 ? 1 : 0;
   EXPECT_EQ(neutral, 2);
+}
+
+// Coulson (1988): over a low Sun the points of Babinet and Arago stand some 20 degrees from the Sun and from
+// the point opposite, and close in where the air is clearer; light scattered once has none but these two
+// themselves.
+TEST(SkyView, NeutralPointsAreWhereTheTableHasThem) {
+  const double sun = 75.0 * kDegree;
+  const auto distance = [&](double wavelength_um, const char* name) {
+    for (const NeutralPoint& point : neutral_points(view_sky(column("none"), wavelength_um, 1.0, sun), sun))
+      if (point.name == name) return point.distance_rad / kDegree;
+    return 0.0;
+  };
+  const double blue = distance(0.45, "Babinet"), red = distance(0.65, "Babinet");
+  EXPECT_GT(blue, 15.0);
+  EXPECT_LT(blue, 25.0);
+  EXPECT_GT(red, 5.0);
+  EXPECT_LT(red, blue);
+  // The point opposite is 15 degrees below the horizon: in the red Arago's has not risen yet.
+  EXPECT_GT(distance(0.45, "Arago"), 15.0);
+  EXPECT_LT(distance(0.45, "Arago"), 25.0);
+  EXPECT_EQ(distance(0.65, "Arago"), 0.0);
+
+  SkyView once = view_sky(column("none"), 0.45, 1.0, sun);
+  for (Stokes& light : once.light) light.q = -light.i;
+  EXPECT_TRUE(neutral_points(once, sun).empty());
 }
 
 TEST(AirSurvey, StepsAreAsWideAsTheBandModelResolves) {

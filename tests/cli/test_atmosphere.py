@@ -1,5 +1,6 @@
 """`ifov atmosphere`: table, figure, spectrum, other geometry; and what is said where an atmosphere is wrong."""
 
+import math
 import re
 import struct
 import unittest
@@ -115,6 +116,128 @@ class Table(unittest.TestCase):
             self.assertLess(oxygen, 0.6 * beside)
 
 
+class Sky(unittest.TestCase):
+    """--sky: the sky by direction with its polarization."""
+
+    CLEAR = AIR + ', "aerosol": {"type": "none"}'
+
+    def table(self, *arguments):
+        with Folder(yard=YARD % self.CLEAR) as folder:
+            done = run("atmosphere", "yard.json", "--sky", "sky.csv", *arguments, cwd=folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            lines = [line for line in (folder / "sky.csv").read_text().splitlines() if not line.startswith("#")]
+        self.assertEqual(lines[0], "zenith_deg,azimuth_deg,radiance,q,u,polarization,polarization_angle_deg")
+        return done, [list(map(float, line.split(","))) for line in lines[1:]]
+
+    def test_light_swings_across_the_plane_of_scattering(self):
+        done, table = self.table("--sun", "60,150", "--channel", "red")
+        self.assertIn("sky.csv  (sky of 'red' at 0.65 um)", done.stderr)
+        self.assertEqual(len({(row[0], row[1]) for row in table}), len(table))
+        self.assertTrue(all(0 <= row[1] < 360 for row in table))
+        radians = math.radians
+
+        def towards(zenith, azimuth):
+            return (math.sin(zenith) * math.sin(azimuth), math.sin(zenith) * math.cos(azimuth), math.cos(zenith))
+
+        def cross(a, b):
+            return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+        def dot(a, b):
+            return sum(x * y for x, y in zip(a, b))
+
+        sun = towards(radians(60), radians(150))
+        checked = 0
+        for zenith, azimuth, radiance, q, u, degree, angle in table:
+            here = towards(radians(zenith), radians(azimuth))
+            # Near 90 degrees from the Sun light scattered once rules: it swings across the plane of Sun and sight.
+            if degree < 0.6 or not 10 <= zenith <= 80:
+                continue
+            self.assertAlmostEqual(math.hypot(q, u) / radiance, degree, delta=1e-4)
+            up = towards(radians(zenith - 90), radians(azimuth))
+            left = cross(up, here)
+            swing = [math.cos(radians(angle)) * a + math.sin(radians(angle)) * b for a, b in zip(up, left)]
+            across = cross(sun, here)
+            along = abs(dot(swing, across)) / math.sqrt(dot(across, across))
+            self.assertGreater(along, math.cos(radians(3)), f"zenith {zenith}, azimuth {azimuth}")
+            checked += 1
+        self.assertGreater(checked, 200)
+
+    def test_names_the_neutral_points(self):
+        low, _ = self.table("--sun", "75,150", "--channel", "blue")
+        # Below a Sun 15 degrees high Brewster's point is at the horizon; the others stand 10 to 25 degrees away.
+        self.assertRegex(low.stdout, r"The sky at 0\.48 um \(blue\) is unpolarized.* above the Sun \(Babinet\)")
+        for name in (r"above the Sun \(Babinet\)", r"above the point opposite \(Arago\)"):
+            degrees = int(re.search(r"(\d+) deg " + name, low.stdout).group(1))
+            self.assertTrue(10 <= degrees <= 28, low.stdout)
+        high, _ = self.table("--sun", "40,150", "--channel", "blue")
+        self.assertIn("below the Sun (Brewster)", high.stdout)
+        self.assertNotIn("Arago", high.stdout)
+
+
+class Moon(unittest.TestCase):
+    """Moonlight is sunlight, dimmed, from where the Moon stands; where the Sun shines it counts for nothing."""
+
+    MOON = '"light": {"moon": {"zenith": "30 deg", "azimuth": "150 deg", "phase_angle": "%s"}'
+    SUN = '"light": {"sun": {"disc": {"zenith": "30 deg", "azimuth": "150 deg"}}'
+
+    def rows(self, text):
+        with Folder(yard=text % AIR) as folder:
+            done = run("atmosphere", "yard.json", cwd=folder)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            return done.stdout, rows(done.stdout)
+
+    def test_full_moon_is_a_dim_sun(self):
+        said, moon = self.rows(YARD.replace(self.SUN, self.MOON % "0 deg"))
+        self.assertIn("Moon 30.0 deg from the zenith at azimuth 150.0 deg.", said)
+        self.assertRegex(said, r"channel +um +Moon +sensor")
+        _, sun = self.rows(YARD)
+        for channel in ("blue", "red"):
+            self.assertEqual(moon[channel][1], sun[channel][1])
+            for column in (3, 5, 6):  # path, direct, diffuse: all of them linear in the light above
+                self.assertAlmostEqual(sun[channel][column] / moon[channel][column] / 401800, 1, delta=0.01)
+        self.assertEqual(moon["thermal"][4], sun["thermal"][4])
+
+    def test_its_phase_dims_it(self):
+        # Allen (1976): V = -12.73 + 0.026 g + 4e-9 g^4, 2.6 magnitudes less at first quarter.
+        _, full = self.rows(YARD.replace(self.SUN, self.MOON % "0 deg"))
+        _, half = self.rows(YARD.replace(self.SUN, self.MOON % "90 deg"))
+        self.assertAlmostEqual(full["red"][5] / half["red"][5], 10 ** (0.4 * (0.026 * 90 + 4e-9 * 90**4)), delta=0.05)
+
+    def test_the_sun_outshines_it(self):
+        both = YARD.replace(self.SUN, self.SUN + "," + (self.MOON % "0 deg")[len('"light": {') :])
+        self.assertEqual(self.rows(both)[1], self.rows(YARD)[1])
+
+    def test_time_and_place_put_it_there(self):
+        # Full moon at local midnight south of Hawaii: opposite to the Sun, as far north as that stands south.
+        night = YARD.replace('"ifov": 1,', '"ifov": 1, "time": "2026-01-03T10:03:00Z",').replace(
+            '"scene": {', '"scene": {"origin": {"latitude": "20 deg", "longitude": "-151 deg"},'
+        )
+        said, moon = self.rows(night.replace(self.SUN, '"light": {"sun": {"disc": {}}, "moon": {}'))
+        zenith = float(re.search(r"Moon ([\d.]+) deg from the zenith", said).group(1))
+        self.assertLess(zenith, 15, said)
+        self.assertTrue(0.001 < moon["red"][5] < 0.01)
+        with Folder(yard=night.replace(self.SUN, '"light": {"sun": {"disc": {}}, "moon": {}') % AIR) as folder:
+            self.assertIn("light: moon, sky", run("check", "yard.json", cwd=folder).stdout)
+            self.assertEqual(run("render", "yard.json", "--quiet", cwd=folder).returncode, 0)
+
+    def test_what_is_missing_is_said(self):
+        for text, words in (
+            (self.MOON % "0 deg", None),
+            ('"light": {"moon": {}', "the Moon has no direction: give 'zenith' and 'azimuth', or"),
+            ('"light": {"moon": {"zenith": "30 deg", "azimuth": "0 deg"}', "the Moon has no phase: give 'phase_angle'"),
+        ):
+            with Folder(yard=YARD.replace(self.SUN, text) % AIR) as folder:
+                done = run("check", "yard.json", cwd=folder)
+                self.assertEqual(done.returncode, 0 if words is None else 1, done.stderr)
+                self.assertIn(words or "", done.stderr)
+        plain = '"simple": {"sky_temperature": "250 K"}'
+        with Folder(yard=YARD.replace(self.SUN, self.MOON % "0 deg") % plain) as folder:
+            self.assertIn(
+                "the atmosphere's 'simple' says what light the Sun gives, not the Moon: leave out 'moon', or name a",
+                run("check", "yard.json", cwd=folder).stderr,
+            )
+
+
 class Errors(unittest.TestCase):
     def refused(self, air, words, place, *arguments, text=YARD, command="check"):
         with Folder(yard=text % air) as folder:
@@ -172,6 +295,12 @@ class Errors(unittest.TestCase):
             '"1 km"',
         )
         self.refused(AIR + ', "ground_altitude": "7 km"', "ground at 7 km: expected below 6 km", "{")
+
+    def test_a_channel_beyond_the_tables(self):
+        far = YARD.replace('"center": "0.48 um"', '"center": "0.19 um"')
+        for command in ("check", "atmosphere"):
+            self.refused(AIR, "the channel 'blue' reaches from ", '{"name": "blue"', text=far, command=command)
+        self.refused(AIR, " um, and the modelled atmosphere from 0.2 to 50 um", None, text=far)
 
     def test_keys_of_a_profile_need_one(self):
         self.refused('"water_vapour": "2 g/cm2"', "'water_vapour' needs the key 'profile' beside it", "{")

@@ -28,6 +28,9 @@ struct Part {
   }
 };
 
+/// What is left of all light without the part; 0 where that is rounding.
+double rest(double all, double part) { return all > part * (1.0 + 1e-12) ? all - part : 0.0; }
+
 void survey_part(const Part& part, AirLight* light) {
   std::vector<std::vector<ChannelBin>> bins;
   for (const radiometry::Channel& channel : part.channels)
@@ -67,8 +70,8 @@ void survey_part(const Part& part, AirLight* light) {
   });
   for (std::size_t c = 0; c < part.channels.size(); ++c) {
     AirLight& of = light[c];
-    of.solar_path = std::max(0.0, of.solar_path - of.thermal_path);
-    of.solar_sky = std::max(0.0, of.solar_sky - of.thermal_sky);
+    of.solar_path = rest(of.solar_path, of.thermal_path);
+    of.solar_sky = rest(of.solar_sky, of.thermal_sky);
     of.sun_transmittance =
         of.solar_irradiance > 0.0 ? of.direct_irradiance / (sine * of.solar_irradiance) : 0.0;
   }

@@ -82,12 +82,13 @@ std::string air_figure(const AirReport& report) {
   std::vector<Curve> irradiance{
       {"emission of the sky", kRed, false, points(spectrum, &AirLight::thermal_sky)}};
   if (day) {
-    transmittance.insert(transmittance.begin(),
-                         {"Sun to ground", kRed, false, points(spectrum, &AirLight::sun_transmittance)});
-    path.insert(path.begin(), {"scattered sunlight", kBlue, false, points(spectrum, &AirLight::solar_path)});
+    const std::string light = report.body == "Sun" ? "sunlight" : "moonlight";
+    transmittance.insert(transmittance.begin(), {report.body + " to ground", kRed, false,
+                                                 points(spectrum, &AirLight::sun_transmittance)});
+    path.insert(path.begin(), {"scattered " + light, kBlue, false, points(spectrum, &AirLight::solar_path)});
     irradiance.insert(irradiance.begin(),
-                      {{"Sun", kGreen, false, points(spectrum, &AirLight::direct_irradiance)},
-                       {"sunlight from the sky", kBlue, false, points(spectrum, &AirLight::solar_sky)}});
+                      {{report.body, kGreen, false, points(spectrum, &AirLight::direct_irradiance)},
+                       {light + " from the sky", kBlue, false, points(spectrum, &AirLight::solar_sky)}});
   }
   // What is dark everywhere has no curve.
   for (std::vector<Curve>* curves : {&path, &irradiance})

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "atmosphere/survey/air_light.h"
+#include "atmosphere/survey/neutral_points.h"
 #include "atmosphere/survey/sky_view.h"
 
 namespace ifov::io {
@@ -19,12 +20,14 @@ struct AirReport {
   std::vector<std::string> description;  ///< air, aerosol and geometry, a line each
   atmosphere::SensorGeometry geometry;
   std::optional<double> sun_azimuth_rad;  ///< clockwise from north
+  std::string body = "Sun";               ///< what shines: Sun or Moon
   std::vector<Channel> channels;
   std::vector<atmosphere::AirLight> spectrum;  ///< from short to long wavelengths; empty if not asked for
   double step_cm1 = 0.0;                       ///< of the spectrum
   std::optional<atmosphere::SkyView> sky;
   std::string sky_channel;
   bool sky_is_thermal = false;  ///< emission outweighs sunlight: shown as brightness temperature
+  std::vector<atmosphere::NeutralPoint> neutral_points;  ///< of that sky
 };
 
 /// The table of channels, for a terminal: at most 110 columns.
@@ -32,6 +35,9 @@ std::string air_table(const AirReport& report);
 
 /// The spectrum as a table of paths (docs/formats/atmosphere_import.md), described in its comments.
 std::string air_csv(const AirReport& report);
+
+/// The sky by direction, with its polarization, described in its comments. The report has a sky.
+std::string sky_csv(const AirReport& report);
 
 /// Transmittance, path radiance and irradiance over wavelength, and the sky above, as PNG. The report has a
 /// spectrum and a sky. Throws EnvironmentError where it cannot be drawn.

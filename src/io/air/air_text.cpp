@@ -37,7 +37,7 @@ std::string air_table(const AirReport& report) {
   text += format("\n{:<{}}  {:>7}  {:^15}  {:^17}     irradiance\n", "", widest, "", "transmittance",
                  "path radiance");
   text += format("{:<{}}  {:>7}  {:>7} {:>7}  {:>8} {:>8}  {:>8} {:>8}  {:>6}  {:>5}\n", "channel", widest,
-                 "um", "Sun", "sensor", "solar", "thermal", "direct", "diffuse", "albedo", "sky K");
+                 "um", report.body, "sensor", "solar", "thermal", "direct", "diffuse", "albedo", "sky K");
   for (const AirReport::Channel& channel : report.channels) {
     const atmosphere::AirLight& of = channel.light;
     const double sky = of.solar_sky + of.thermal_sky;
@@ -50,6 +50,20 @@ std::string air_table(const AirReport& report) {
         widest, of.wavelength_um, day ? format("{:.4f}", of.sun_transmittance) : "-", of.view_transmittance,
         day ? figure(of.solar_path) : "-", figure(of.thermal_path), day ? figure(of.direct_irradiance) : "-",
         figure(sky), of.spherical_albedo > 0.0 ? format("{:.4f}", of.spherical_albedo) : "-", kelvin);
+  }
+  if (!report.neutral_points.empty()) {
+    text +=
+        format("\nThe sky at {:.4g} um ({}) is unpolarized", report.sky->wavelength_um, report.sky_channel);
+    for (std::size_t k = 0; k < report.neutral_points.size(); ++k) {
+      const atmosphere::NeutralPoint& point = report.neutral_points[k];
+      text +=
+          format("{} {:.0f} deg {} ({})", k == 0 ? "" : ",", point.distance_rad * 180.0 / std::numbers::pi,
+                 point.name == "Brewster"  ? "below the " + report.body
+                 : point.name == "Babinet" ? "above the " + report.body
+                                           : "above the point opposite",
+                 point.name);
+    }
+    text += ".\n";
   }
   return text +
          "\nOver black ground. Direct transmittances; radiances in W m-2 sr-1 um-1, irradiances of level "

@@ -101,6 +101,16 @@ void draw_marks(Canvas& canvas, const AirReport& report, CanvasPoint centre, dou
   canvas.circle(sun, 5.0, kBlackInk, 1.0);
 }
 
+void draw_neutral_points(Canvas& canvas, const AirReport& report, CanvasPoint centre, double radius) {
+  constexpr double kArm = 4.5, kWidth = 1.4;
+  const Ink white{1.0, 1.0, 1.0};
+  for (const atmosphere::NeutralPoint& point : report.neutral_points) {
+    const CanvasPoint at = on_disc(centre, radius, point.zenith_rad, sun_azimuth(report));
+    canvas.fill_rectangle(at.x - kArm, at.y - 0.5 * kWidth, 2.0 * kArm, kWidth, white);
+    canvas.fill_rectangle(at.x - 0.5 * kWidth, at.y - kArm, kWidth, 2.0 * kArm, white);
+  }
+}
+
 void draw_scale(Canvas& canvas, const ColourMap& colours, const Axis& scale, double x, double y,
                 double height) {
   constexpr double kBarWidth = 16.0;
@@ -123,6 +133,8 @@ void draw_sky(Canvas& canvas, const AirReport& report, CanvasPoint centre, doubl
   const Axis scale = scale_of(report, quantity);
   draw_disc(canvas, report, centre, radius, quantity, scale);
   draw_marks(canvas, report, centre, radius);
+  const bool marks_points = quantity == SkyQuantity::polarization && !report.neutral_points.empty();
+  if (marks_points) draw_neutral_points(canvas, report, centre, radius);
   draw_scale(canvas, colours_of(report, quantity), scale, centre.x + radius + 28.0, centre.y - 0.8 * radius,
              1.6 * radius);
   const std::string what = quantity == SkyQuantity::polarization ? "Degree of linear polarization, %"
@@ -131,8 +143,9 @@ void draw_sky(Canvas& canvas, const AirReport& report, CanvasPoint centre, doubl
                                : "Sky radiance, W m\u207b\u00b2 sr\u207b\u00b9 \u00b5m\u207b\u00b9";
   canvas.text({centre.x, centre.y + radius + 36.0}, what, 13.0, Anchor::centre);
   canvas.text({centre.x, centre.y + radius + 53.0},
-              format("{}, {:.4g} \u00b5m{}", report.sky_channel, report.sky->wavelength_um,
-                     report.geometry.sun_zenith_rad ? "; white: the Sun" : ""),
+              format("{}, {:.4g} \u00b5m{}{}", report.sky_channel, report.sky->wavelength_um,
+                     report.geometry.sun_zenith_rad ? "; white: the " + report.body : std::string(),
+                     marks_points ? "; +: neutral points" : ""),
               12.0, Anchor::centre, false, kGreyInk);
 }
 

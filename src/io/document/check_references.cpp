@@ -47,7 +47,8 @@ class ReferenceCheck {
       check(accuracy->channel);
     for (const DocumentName& channel : document_.output.quicklook_channels)
       require("channel", channel, channels_);
-    check_sun();
+    check_direction(document_.light.sun, "Sun");
+    check_moon();
     check_sky();
     check_psf();
   }
@@ -144,16 +145,33 @@ class ReferenceCheck {
     }
   }
 
-  void check_sun() const {
-    const std::optional<SunDocument>& sun = document_.light.sun;
-    if (!sun || sun->direction || (document_.time && document_.scene.origin.geographic)) return;
+  template <class Source>
+  void check_direction(const std::optional<Source>& source, const char* body) const {
+    if (!source || source->direction || (document_.time && document_.scene.origin.geographic)) return;
     throw document_error(
-        document_, sun->position,
-        format("the Sun has no direction: give 'zenith' and 'azimuth', or {}",
+        document_, source->position,
+        format("the {} has no direction: give 'zenith' and 'azimuth', or {}", body,
                document_.time ? "the scene's 'origin' with 'latitude' and 'longitude'"
                : document_.scene.origin.geographic
                    ? "the document's 'time'"
                    : "the document's 'time' and the scene's 'origin' with 'latitude' and 'longitude'"));
+  }
+
+  void check_moon() const {
+    const std::optional<MoonDocument>& moon = document_.light.moon;
+    if (!moon) return;
+    check_direction(moon, "Moon");
+    if (!moon->phase_angle_rad && !document_.time)
+      throw document_error(document_, moon->position,
+                           "the Moon has no phase: give 'phase_angle', or the document's 'time'");
+    const std::string maker =
+        document_.atmosphere.imported ? "imported" : document_.atmosphere.sky_maker();
+    if (!maker.empty() && maker != "profile")
+      throw document_error(
+          document_, moon->position,
+          format("the atmosphere's '{}' says what light the Sun gives, not the Moon: leave out 'moon', or name a "
+                 "'profile'",
+                 maker));
   }
 
   void check_sky() const {

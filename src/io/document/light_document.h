@@ -8,16 +8,26 @@
 
 namespace ifov::io {
 
+/// Where the Sun or the Moon stands.
+struct CelestialDirection {
+  double zenith_rad = 0.0;
+  double azimuth_rad = 0.0;  ///< clockwise from north (+y)
+};
+
 struct SunDocument {
-  struct Direction {
-    double zenith_rad = 0.0;
-    double azimuth_rad = 0.0;  ///< of the Sun, clockwise from north (+y)
-  };
-  std::optional<Direction> direction;  ///< absent: from the document's time and the scene's geographic
+  std::optional<CelestialDirection> direction;  ///< absent: from the document's time and the scene's geographic
                                        ///< origin, which are there then
   double diameter_rad = 0.0;           ///< angular diameter of the disc; 0 for a point
   std::optional<double> distance_au;   ///< absent: from the document's time, else 1
   std::optional<SpectrumDocument> irradiance;  ///< W m-2 um-1 at 1 au; absent: the built-in one
+  SourcePosition position;
+};
+
+/// Lights the scene where the Sun does not: it is absent, or below the horizon.
+struct MoonDocument {
+  std::optional<CelestialDirection> direction;  ///< absent: from the document's time and the scene's geographic origin,
+                                                ///< which are there then
+  std::optional<double> phase_angle_rad;        ///< absent: from the document's time, which is there then
   SourcePosition position;
 };
 
@@ -40,6 +50,7 @@ struct SurroundingsDocument {
 
 struct LightDocument {
   std::optional<SunDocument> sun;
+  std::optional<MoonDocument> moon;
   std::variant<NoSky, SkyTemperature, SkyRadiance> sky;
   SourcePosition sky_position;
   std::optional<SurroundingsDocument> surroundings;  ///< absent: black and at 0 K

@@ -4,25 +4,32 @@
 namespace ifov::io {
 namespace {
 
-Record<SunDocument> sun_record(const std::string& name, const std::string& doc) {
-  const auto direction = [](SunDocument& s) -> SunDocument::Direction& {
+/// Keys for where it stands, both or neither.
+template <class Source>
+void with_direction(Record<Source>& record, const std::string& body) {
+  const auto direction = [](Source& s) -> CelestialDirection& {
     return s.direction ? *s.direction : s.direction.emplace();
   };
-  Record<SunDocument> record(name, doc);
   record
       .optional(
-          "zenith", [direction](SunDocument& s, double v) { direction(s).zenith_rad = v; },
+          "zenith", [direction](Source& s, double v) { direction(s).zenith_rad = v; },
           quantity(kAngle, Range::between(0.0, 90.0, "deg")),
-          "zenith angle; without it the Sun stands where time and place put it")
+          "zenith angle; without it the " + body + " stands where time and place put it")
       .optional(
-          "azimuth", [direction](SunDocument& s, double v) { direction(s).azimuth_rad = v; },
-          quantity(kAngle, Range::between(-360.0, 360.0, "deg")), "of the Sun, clockwise from north")
+          "azimuth", [direction](Source& s, double v) { direction(s).azimuth_rad = v; },
+          quantity(kAngle, Range::between(-360.0, 360.0, "deg")), "of the " + body + ", clockwise from north")
+      .needs("zenith", "azimuth")
+      .needs("azimuth", "zenith");
+}
+
+Record<SunDocument> sun_record(const std::string& name, const std::string& doc) {
+  Record<SunDocument> record(name, doc);
+  with_direction(record, "Sun");
+  record
       .optional("distance", &SunDocument::distance_au, quantity(kSunDistance, Range::between(0.5, 2.0, "au")),
                 "of the Sun; without it from the document's time, else 1 au")
       .optional("spectrum", &SunDocument::irradiance, spectrum_kind(SpectrumOf::irradiance),
-                "irradiance at 1 au; without it a built-in solar spectrum")
-      .needs("zenith", "azimuth")
-      .needs("azimuth", "zenith");
+                "irradiance at 1 au; without it a built-in solar spectrum");
   return record;
 }
 
@@ -37,6 +44,18 @@ Kind<SunDocument> sun_kind() {
   record.exactly_one()
       .one("disc", store, disc.kind(), "the Sun as a disc")
       .one("point", store, point.kind(), "the Sun as a point");
+  return record.kind();
+}
+
+Kind<MoonDocument> moon_kind() {
+  Record<MoonDocument> record(
+      "moon",
+      "Moonlight, where the Sun is below the horizon or left out: the solar spectrum, dimmed by phase and "
+      "distance.");
+  with_direction(record, "Moon");
+  record.optional(
+      "phase_angle", &MoonDocument::phase_angle_rad, quantity(kAngle, Range::between(0.0, 180.0, "deg")),
+      "at the Moon, between Sun and scene: 0 is full, 90 half; without it from the document's time");
   return record.kind();
 }
 
@@ -82,14 +101,14 @@ Kind<SurroundingsDocument> surroundings_kind() {
 Kind<LightDocument> light_kind() {
   Record<LightDocument> record("light", "What shines on the scene. Warm surfaces always emit.");
   record.optional("sun", &LightDocument::sun, sun_kind(), "without it no sunlight")
+      .optional("moon", &LightDocument::moon, moon_kind(), "without it no moonlight")
       .optional(
           "sky",
           [](LightDocument& light, SkyEntry entry) {
             light.sky = std::move(entry.sky);
             light.sky_position = entry.position;
           },
-          sky_kind(),
-          "without it a black sky")
+          sky_kind(), "without it a black sky")
       .optional("surroundings", &LightDocument::surroundings, surroundings_kind(),
                 "without them black and cold");
   return record.kind();
