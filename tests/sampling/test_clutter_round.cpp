@@ -96,7 +96,7 @@ TEST(ClutterRound, BordersCountUnderAFootprintAsWell) {
   const ClutterRound round = filled(6, 12, true, picture, [](double x, double) { return x > 0.5 ? 1u : 0u; });
   ClutterRound::Weights weights;
   round.weigh(PixelFootprint::box(4.0), {2.5, 3.5}, weights);
-  EXPECT_NEAR(round.moment(0).variance, 6.0 / 6.0 / 36.0 / 36.0, 1e-12);
+  EXPECT_NEAR(round.moment(0).variance, 6.0 / 8.0 / 36.0 / 36.0, 1e-12);
   EXPECT_NEAR(round.moment(0, weights).variance, round.moment(0).variance, 1e-12);
 }
 

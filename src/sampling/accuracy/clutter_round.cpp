@@ -75,14 +75,15 @@ void ClutterRound::find_borders(std::span<const double> weights, std::vector<Bor
     }
 }
 
-/// A border crosses about as many cells as it has unlike neighbours beside it, and the value of a cell whose share p lies
-/// beyond it has the variance p (1 - p) of the step: 1/6 on the average over p.
 double ClutterRound::border_variance(int column, std::span<const Border> borders) const {
+  // A value in a cell with the share p beyond a border has the variance p (1 - p) of the step. Over straight borders
+  // anywhere, that sums up to an eighth for each pair of unlike neighbours.
+  constexpr double kPerPair = 1.0 / 8.0;
   double variance = 0.0;
   for (const Border& border : borders) {
     const double step = of_material_[border.a * stride_ + column] / materials_[border.a].second -
                         of_material_[border.b * stride_ + column] / materials_[border.b].second;
-    variance += border.weight * step * step / 6.0;
+    variance += kPerPair * border.weight * step * step;
   }
   return variance;
 }
