@@ -287,12 +287,17 @@ class Uvspec(unittest.TestCase):
             self.assertAlmostEqual(found / self.radiance(0.45), 1.0, delta=1e-4)
             error = scene.run("check", scene.document(Tables.RED, imported, 0.45, zenith_deg=40.0)).stderr
             self.assertIn("the Sun stands 52.0 deg from the zenith; expected 40.0 deg, as in the document", error)
-            for key, message in (("albedos", "give 'albedos', one for each of the 3 runs"),
-                                 ("uvspec_inputs", "expected the input file of uvspec")):
-                less = {name: value for name, value in imported.items() if name != key}
-                self.assertIn(message, scene.run("check", scene.document(Tables.RED, less)).stderr)
+            less = {name: value for name, value in imported.items() if name != "albedos"}
+            self.assertIn("give 'albedos', one for each of the 3 runs",
+                          scene.run("check", scene.document(Tables.RED, less)).stderr)
             imported["uvspec_inputs"].pop()
             self.assertIn("2 files for 3 outputs of uvspec", scene.run("check", scene.document(Tables.RED, imported)).stderr)
+            # Inputs beside their outputs need no key.
+            del imported["uvspec_inputs"]
+            self.assertEqual(scene.run("check", scene.document(Tables.RED, imported, 0.45)).returncode, 0)
+            (scene.folder / "a0.0.inp").unlink()
+            self.assertIn("expected the input file of uvspec beside them, as a0.0.inp, or under 'uvspec_inputs'",
+                          scene.run("check", scene.document(Tables.RED, imported, 0.45)).stderr)
 
 
 if __name__ == "__main__":
