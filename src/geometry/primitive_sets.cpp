@@ -20,7 +20,7 @@ void grow(std::vector<T>& values, std::size_t more) {
 }  // namespace
 
 void TriangleSet::append(const Body& body, const math::Transform& set_from_object) {
-  const TriangleMesh& mesh = body.mesh;
+  const MeshLists& mesh = body.mesh;
   const bool flipped = set_from_object.determinant() < 0.0;
   const auto first_vertex = static_cast<std::uint32_t>(vertices_m.size() / 3);
   std::vector<Point3> moved;
@@ -35,19 +35,46 @@ void TriangleSet::append(const Body& body, const math::Transform& set_from_objec
   grow(triangles, mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& i = mesh.triangles[t];
-    const Point3 a = moved[i[0]];
-    const Vec3 ab = moved[i[1]] - a, ac = moved[i[2]] - a;
-    const Vec3 area = flipped ? cross(ac, ab) : cross(ab, ac);
-    const double size = length(area);
-    const Vec3 normal = size > 0.0 ? area / size : Vec3{};
-    const Point3 middle = a + (ab + ac) / 3.0;
-    facets.push_back({normal, normal.x * middle.x + normal.y * middle.y + normal.z * middle.z});
-    tags.push_back({body.mesh_patches[t], mesh.slots.empty() ? 0u : mesh.slots[t]});
-    // What has no area in double must not gain any by the rounding of its vertices.
-    const std::uint32_t a_kept = i[0] + first_vertex;
-    triangles.push_back(size > 0.0 ? Triangle{a_kept, i[1] + first_vertex, i[2] + first_vertex}
-                                   : Triangle{a_kept, a_kept, a_kept});
+    add(mesh, t, moved[i[0]], moved[i[1]], moved[i[2]], flipped,
+        {i[0] + first_vertex, i[1] + first_vertex, i[2] + first_vertex});
   }
+}
+
+void TriangleSet::take(const MeshLists& mesh, std::span<const std::uint32_t> triangles_of_mesh,
+                       const math::Transform& set_from_object) {
+  const bool flipped = set_from_object.determinant() < 0.0;
+  numbers = triangles_of_mesh;
+  std::vector<std::uint32_t> used;
+  used.reserve(3 * numbers.size());
+  for (const std::uint32_t t : numbers) used.insert(used.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  std::vector<Point3> moved(used.size());
+  vertices_m.reserve(3 * used.size());
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    const Point3 q = moved[v] = set_from_object(mesh.vertices_m[used[v]]);
+    for (const double c : {q.x, q.y, q.z}) vertices_m.push_back(static_cast<float>(c));
+  }
+  facets.reserve(numbers.size()), tags.reserve(numbers.size()), triangles.reserve(numbers.size());
+  for (const std::uint32_t t : numbers) {
+    Triangle own;
+    for (std::size_t k = 0; k < 3; ++k)
+      own[k] = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), mesh.triangles[t][k]) - used.begin());
+    add(mesh, t, moved[own[0]], moved[own[1]], moved[own[2]], flipped, own);
+  }
+}
+
+void TriangleSet::add(const MeshLists& mesh, std::size_t triangle, Point3 a, Point3 b, Point3 c, bool flipped,
+                      const Triangle& corners) {
+  const Vec3 ab = b - a, ac = c - a;
+  const Vec3 area = flipped ? cross(ac, ab) : cross(ab, ac);
+  const double size = length(area);
+  const Vec3 normal = size > 0.0 ? area / size : Vec3{};
+  const Point3 middle = a + (ab + ac) / 3.0;
+  facets.push_back({normal, normal.x * middle.x + normal.y * middle.y + normal.z * middle.z});
+  tags.push_back({mesh.patches[triangle], mesh.slots.empty() ? 0u : mesh.slots[triangle]});
+  // What has no area in double must not gain any by the rounding of its vertices.
+  triangles.push_back(size > 0.0 ? corners : Triangle{corners[0], corners[0], corners[0]});
 }
 
 void AnalyticSet::append(const Body& body, const math::Transform& set_from_object) {

@@ -75,7 +75,7 @@ void SceneCache::say(const std::string& message) const {
 
 std::optional<std::string> SceneCache::open() {
   try {
-    file_ = std::make_unique<MappedFile>(path_);
+    file_ = std::make_shared<const MappedFile>(path_);
   } catch (const EnvironmentError& error) {
     return error.what();
   }
@@ -89,7 +89,7 @@ std::optional<std::string> SceneCache::open() {
   if (header.byte_order != kCacheByteOrder) return "it was written on a machine of another byte order";
   if (header.format != kCacheFormat) return "it is of another format";
   if (header.file_bytes != bytes.size() || header.table_offset < sizeof header || header.table_offset > bytes.size() ||
-      header.content_hash != cache_hash(bytes.subspan(sizeof header)))
+      header.content_hash != hash_of_blocks(bytes.subspan(sizeof header)))
     return "it is damaged";
   return read_table(bytes.subspan(header.table_offset), header.table_offset);
 }

@@ -28,8 +28,12 @@ class SceneCache {
   SceneCache(const SceneCache&) = delete;
   SceneCache& operator=(const SceneCache&) = delete;
 
-  /// The bytes of a record whose files are still what they were, aligned to 64; they live as long as this.
+  /// The bytes of a record whose files are still what they were, aligned to 64; they live as long as this
+  /// or its keeper.
   std::optional<std::span<const std::byte>> find(const std::string& name);
+
+  /// Keeps the bytes that are found.
+  std::shared_ptr<const void> keeper() const { return file_; }
 
   /// How a file is called in names of records: relative to the folder of the cache.
   std::string name_of(const std::string& file) const;
@@ -66,7 +70,7 @@ class SceneCache {
   std::filesystem::path path_;
   std::string program_version_;
   LogSink* log_;
-  std::unique_ptr<MappedFile> file_;
+  std::shared_ptr<const MappedFile> file_;
   std::vector<Record> records_;
   std::unique_ptr<CacheWriter> writer_;
   bool cannot_write_ = false, dirty_ = false;
