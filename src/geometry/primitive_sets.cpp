@@ -1,6 +1,7 @@
 #include "geometry/primitive_sets.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace ifov::geometry {
@@ -16,6 +17,30 @@ void grow(std::vector<T>& values, std::size_t more) {
   const std::size_t needed = values.size() + more;
   if (needed > values.capacity()) values.reserve(values.empty() ? needed : std::max(needed, 2 * values.capacity()));
 }
+
+/// Numbers vertices anew, in the order in which they are first asked for.
+class OwnNumbers {
+ public:
+  explicit OwnNumbers(std::size_t most) : table_(std::bit_ceil(most + 1)) {}
+  std::uint32_t of(std::uint32_t vertex) {
+    std::size_t at = (vertex * 0x9e3779b97f4a7c15ull >> 32) & (table_.size() - 1);
+    while (table_[at].vertex != vertex) {
+      if (table_[at].vertex == kNoIndex) {
+        table_[at] = {vertex, count_};
+        return count_++;
+      }
+      at = (at + 1) & (table_.size() - 1);
+    }
+    return table_[at].own;
+  }
+
+ private:
+  struct Entry {
+    std::uint32_t vertex = kNoIndex, own = 0;
+  };
+  std::vector<Entry> table_;
+  std::uint32_t count_ = 0;
+};
 
 }  // namespace
 
@@ -44,24 +69,22 @@ void TriangleSet::take(const MeshLists& mesh, std::span<const std::uint32_t> tri
                        const math::Transform& set_from_object) {
   const bool flipped = set_from_object.determinant() < 0.0;
   numbers = triangles_of_mesh;
-  std::vector<std::uint32_t> used;
-  used.reserve(3 * numbers.size());
-  for (const std::uint32_t t : numbers) used.insert(used.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  std::vector<Point3> moved(used.size());
-  vertices_m.reserve(3 * used.size());
-  for (std::size_t v = 0; v < used.size(); ++v) {
-    const Point3 q = moved[v] = set_from_object(mesh.vertices_m[used[v]]);
-    for (const double c : {q.x, q.y, q.z}) vertices_m.push_back(static_cast<float>(c));
-  }
+  OwnNumbers own_numbers(3 * numbers.size());
+  std::vector<Point3> moved;
+  const auto own_vertex = [&](std::uint32_t vertex) {
+    const std::uint32_t own = own_numbers.of(vertex);
+    if (own == moved.size()) moved.push_back(set_from_object(mesh.vertices_m[vertex]));
+    return own;
+  };
   facets.reserve(numbers.size()), tags.reserve(numbers.size()), triangles.reserve(numbers.size());
   for (const std::uint32_t t : numbers) {
-    Triangle own;
-    for (std::size_t k = 0; k < 3; ++k)
-      own[k] = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), mesh.triangles[t][k]) - used.begin());
+    const Triangle& i = mesh.triangles[t];
+    const Triangle own{own_vertex(i[0]), own_vertex(i[1]), own_vertex(i[2])};
     add(mesh, t, moved[own[0]], moved[own[1]], moved[own[2]], flipped, own);
   }
+  vertices_m.reserve(3 * moved.size());
+  for (const Point3& p : moved)
+    for (const double c : {p.x, p.y, p.z}) vertices_m.push_back(static_cast<float>(c));
 }
 
 void TriangleSet::add(const MeshLists& mesh, std::size_t triangle, Point3 a, Point3 b, Point3 c, bool flipped,
