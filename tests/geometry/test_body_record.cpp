@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -69,6 +70,31 @@ TEST(BodyRecord, ComesBackWhole) {
   EXPECT_EQ(back->seed_m, body.seed_m);
   EXPECT_EQ(back->seed_weight, body.seed_weight);
   EXPECT_EQ(back->seed_is_solid, body.seed_is_solid);
+}
+
+TEST(BodyRecord, KeepsChunks) {
+  const Body body = body_of(test::height_field(300, {}));
+  ASSERT_FALSE(body.mesh.chunks.empty());
+  const std::vector<std::byte> good = bytes_of(body);
+  const std::optional<Body> back = body_of_bytes(good);
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(values(back->mesh.order), values(body.mesh.order));
+  EXPECT_EQ(values(back->mesh.chunks), values(body.mesh.chunks));
+  // They are the last list: chunks that overlap, leave a gap or reach beyond the end make no sense.
+  const std::size_t chunks = good.size() - body.mesh.chunks.size_bytes();
+  for (const std::size_t at : {offsetof(MeshChunk, first), offsetof(MeshChunk, count)})
+    for (std::size_t k = 0; k < body.mesh.chunks.size(); ++k) {
+      std::vector<std::byte> damaged = good;
+      damaged[chunks + k * sizeof(MeshChunk) + at] ^= std::byte{1};
+      EXPECT_FALSE(body_of_bytes(std::move(damaged)).has_value()) << at << ' ' << k;
+    }
+  // Neither does a triangle that is not there.
+  const std::size_t order = chunks - body.mesh.order.size_bytes();
+  for (const std::size_t k : {std::size_t{0}, body.mesh.order.size() - 1}) {
+    std::vector<std::byte> damaged = good;
+    damaged[order + 4 * k + 3] = std::byte{0x10};
+    EXPECT_FALSE(body_of_bytes(std::move(damaged)).has_value()) << k;
+  }
 }
 
 TEST(BodyRecord, IsNotTrusted) {

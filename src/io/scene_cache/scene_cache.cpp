@@ -155,6 +155,13 @@ std::vector<FileStamp> SceneCache::stamps(std::span<const std::string> files) co
   return found;
 }
 
+std::vector<FileStamp> SceneCache::known_files() const {
+  std::vector<FileStamp> known = put_;
+  for (const Record& record : records_)
+    if (record.found) known.insert(known.end(), record.made_from.begin(), record.made_from.end());
+  return known;
+}
+
 CacheWriter* SceneCache::writer() {
   if (!writer_ && !cannot_write_) try {
       writer_ = std::make_unique<CacheWriter>(path_);
@@ -170,6 +177,7 @@ void SceneCache::put(const std::string& name, std::vector<FileStamp> made_from,
   if (writer() == nullptr) return;
   try {
     writer_->add(name, made_from, pieces);
+    put_.insert(put_.end(), made_from.begin(), made_from.end());
   } catch (const EnvironmentError& error) {
     writer_.reset();
     cannot_write_ = true;

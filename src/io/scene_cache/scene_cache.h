@@ -41,6 +41,9 @@ class SceneCache {
   /// The stamps of files that are about to be read.
   std::vector<FileStamp> stamps(std::span<const std::string> files) const;
 
+  /// The stamps of all files whose records were found or put.
+  std::vector<FileStamp> known_files() const;
+
   /// Keeps a record, made of pieces one behind the other. It is found by the next program.
   void put(const std::string& name, std::vector<FileStamp> made_from,
            std::span<const std::span<const std::byte>> pieces);
@@ -73,6 +76,7 @@ class SceneCache {
   std::shared_ptr<const MappedFile> file_;
   std::vector<Record> records_;
   std::unique_ptr<CacheWriter> writer_;
+  std::vector<FileStamp> put_;  ///< of the files of records that were put
   bool cannot_write_ = false, dirty_ = false;
 };
 
