@@ -166,7 +166,7 @@ TEST(ChunkedMesh, RaysMeetWhatTheyMeetInOneTree) {
 
 TEST(ChunkedMesh, SoDoRaysIntoCopies) {
   const Body body = body_of(hills());
-  const std::vector<Ray> rays = rays_about({80.0, 20.0, 5.0}, 2.0 * kCells, 31);
+  const std::vector<Ray> rays = rays_about({80.0, 20.0, 5.0}, 1.3 * kCells, 31);
   const Answers expected =
       answers_of(*many_placed(body, LargeMeshes::at_once, InstanceStorage::nodes), rays);
   EXPECT_GT(met(expected), rays.size() / 4);
