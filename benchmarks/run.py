@@ -12,12 +12,13 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
-from drivers import atmosphere, cluster, honesty, instances, micro, mitsuba, rami, refine, runs, speed, studies  # noqa: E402
+from drivers import atmosphere, cluster, honesty, instances, micro, mitsuba, rami, refine, runs, speed, start, studies  # noqa: E402
 from drivers.figures import Context, show  # noqa: E402
 
 GROUPS = {
     "micro": micro.run,
     "instances": instances.run,
+    "start": start.run,
     "speed": speed.run,
     "studies": studies.run,
     "atmosphere": atmosphere.run,

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "core/error.h"
+#include "geometry/all_pieces.h"
+#include "geometry/mesh_chunks.h"
 #include "geometry/mesh_topology.h"
 #include "geometry/polygon_triangulation.h"
 
@@ -30,6 +32,36 @@ void require_place(const char* what, Point3 p) {
 Transform scaled_about(Point3 origin_m, Vec3 factors) {
   return Transform::from_columns({factors.x, 0.0, 0.0}, {0.0, factors.y, 0.0}, {0.0, 0.0, factors.z},
                                  origin_m);
+}
+
+/// Bounds, bounding sphere and sides, once everything is in.
+void settle_bounds(Body& body) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  World::Bounds& b = body.bounds;
+  b = {{inf, inf, inf}, {-inf, -inf, -inf}};
+  const auto include = [&](Point3 low, Point3 high) {
+    b.low_m = {std::min(b.low_m.x, low.x), std::min(b.low_m.y, low.y), std::min(b.low_m.z, low.z)};
+    b.high_m = {std::max(b.high_m.x, high.x), std::max(b.high_m.y, high.y), std::max(b.high_m.z, high.z)};
+  };
+  for (const UnitPrimitive& p : body.analytic) {
+    const World::Bounds part = unit_bounds(p.kind, p.unit_from_object.inverse());
+    include(part.low_m, part.high_m);
+  }
+  for (const Triangle& t : body.mesh.triangles)
+    for (const std::uint32_t i : t) include(body.mesh.vertices_m[i], body.mesh.vertices_m[i]);
+
+  body.centre_m = b.low_m + (b.high_m - b.low_m) * 0.5;
+  if (body.analytic.size() == 1 && body.mesh.triangles.empty() && body.analytic[0].kind == UnitKind::dome)
+    body.centre_m = body.analytic[0].unit_from_object.inverse().origin_m();
+  body.radius_m = 0.0;
+  for (const UnitPrimitive& p : body.analytic)
+    body.radius_m =
+        std::max(body.radius_m, unit_reach_m(p.kind, p.unit_from_object.inverse(), body.centre_m));
+  for (const Triangle& t : body.mesh.triangles)
+    for (const std::uint32_t i : t)
+      body.radius_m = std::max(body.radius_m, length(body.mesh.vertices_m[i] - body.centre_m));
+  body.half_sides_m = oriented_extent(
+      body.analytic.empty() ? body.mesh.vertices_m : std::span<const Point3>(), body.bounds);
 }
 
 Body analytic_body(UnitKind kind, const Transform& object_from_unit, Point3 seed_in_unit, bool solid) {
@@ -86,8 +118,26 @@ Body make(const Disk& disk) {
   return analytic_body(UnitKind::disk, scaled_about(disk.centre_m, {r, r, r}), {}, false);
 }
 
-void require_indices(const char* what, const std::vector<Triangle>& corners, std::size_t count,
-                     bool optional) {
+void require_vertices(std::span<const Point3> vertices_m) {
+  const auto good = [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;  // becomes NaN
+    for (std::size_t v = begin; v < end; ++v)
+      sum += 0.0 * vertices_m[v].x + 0.0 * vertices_m[v].y + 0.0 * vertices_m[v].z;
+    return sum == 0.0;
+  };
+  if (all_pieces(vertices_m.size(), good)) return;
+  for (const Point3& p : vertices_m) require_place("a vertex of a mesh", p);
+}
+
+void require_indices(const char* what, std::span<const Triangle> corners, std::size_t count, bool optional) {
+  const std::uint32_t shift = optional ? 1 : 0;  // which makes kNoIndex 0
+  const auto good = [&](std::size_t begin, std::size_t end) {
+    std::uint32_t largest = 0;
+    for (std::size_t t = begin; t < end; ++t)
+      for (const std::uint32_t i : corners[t]) largest = std::max(largest, i + shift);
+    return begin == end || largest < count + shift;
+  };
+  if (all_pieces(corners.size(), good)) return;
   for (std::size_t t = 0; t < corners.size(); ++t)
     for (const std::uint32_t i : corners[t])
       if (i >= count && !(optional && i == kNoIndex))
@@ -95,7 +145,7 @@ void require_indices(const char* what, const std::vector<Triangle>& corners, std
 }
 
 /// Parity of the crossings of a slanted line from `p`: inside a closed mesh it is odd.
-bool inside(const TriangleMesh& mesh, Point3 p) {
+bool inside(const MeshLists& mesh, Point3 p) {
   const Vec3 d = math::normalized({0.12345678, 0.35467281, 0.92876543});
   bool odd = false;
   for (const Triangle& t : mesh.triangles) {
@@ -108,17 +158,21 @@ bool inside(const TriangleMesh& mesh, Point3 p) {
   return odd;
 }
 
-Body make(TriangleMesh mesh) {
-  check_mesh(mesh);
-  Body body;
+Body mesh_body(TriangleMesh mesh, bool one_patch) {
+  check_mesh(lists_of(mesh));
   MeshTopology topology = topology_of(mesh.vertices_m, mesh.triangles);
-  body.mesh_patches = std::move(topology.patches);
+  Body body;
   body.patch_count = topology.patch_count;
+  if (one_patch) {
+    std::fill(topology.patches.begin(), topology.patches.end(), 0u);
+    body.patch_count = 1;
+  }
   if (!topology.loose) body.surface_triangles = mesh.triangles.size();
   std::uint32_t slots = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(mesh.slot_names.size()));
   for (const std::uint32_t s : mesh.slots) slots = std::max(slots, s + 1);
   body.slot_count = slots;
-  body.mesh = std::move(mesh);
+  body.mesh = keep_mesh(std::move(mesh), std::move(topology.patches));
+  divide(body.mesh);
   settle_bounds(body);
 
   double largest = -1.0;
@@ -136,6 +190,8 @@ Body make(TriangleMesh mesh) {
   }
   return body;
 }
+
+Body make(TriangleMesh mesh) { return mesh_body(std::move(mesh), false); }
 
 Body make(const Polygon& polygon) {
   const std::vector<Point3>& v = polygon.vertices_m;
@@ -166,17 +222,14 @@ Body make(const Polygon& polygon) {
   for (const Point3& p : v)
     mesh.uvs.push_back(
         {(dot(x, p - v[0]) - x_low) / (x_high - x_low), (dot(y, p - v[0]) - y_low) / (y_high - y_low)});
-  Body body = make(std::move(mesh));
-  std::fill(body.mesh_patches.begin(), body.mesh_patches.end(), 0u);  // slivers of no area would be their own
-  body.patch_count = 1;
-  return body;
+  return mesh_body(std::move(mesh), true);  // slivers of no area would be patches of their own
 }
 
 /// Attributes of a part, indices shifted; corners of triangles without the attribute hold kNoIndex.
 template <class T, class Map>
 void append_attribute(std::vector<T>& values, std::vector<Triangle>& corners, std::size_t triangles_before,
-                      const std::vector<T>& part_values, const std::vector<Triangle>& part_corners,
-                      const std::vector<Triangle>& part_triangles, bool flipped, const Map& map) {
+                      std::span<const T> part_values, std::span<const Triangle> part_corners,
+                      std::span<const Triangle> part_triangles, bool flipped, const Map& map) {
   if (part_values.empty() && values.empty()) return;
   corners.resize(triangles_before, Triangle{kNoIndex, kNoIndex, kNoIndex});
   const auto shift = static_cast<std::uint32_t>(values.size());
@@ -195,11 +248,11 @@ void append_attribute(std::vector<T>& values, std::vector<Triangle>& corners, st
 
 }  // namespace
 
-void check_mesh(const TriangleMesh& mesh) {
+void check_mesh(const MeshLists& mesh) {
   const std::size_t n = mesh.triangles.size();
   if (n == 0) throw InputError("a mesh has no triangles");
   if (n >= kNoIndex || mesh.vertices_m.size() >= kNoIndex) throw InputError("a mesh has too many triangles");
-  for (const Point3& p : mesh.vertices_m) require_place("a vertex of a mesh", p);
+  require_vertices(mesh.vertices_m);
   require_indices("vertex", mesh.triangles, mesh.vertices_m.size(), false);
   require_indices("normal", mesh.normal_corners, mesh.normals.size(), true);
   require_indices("texture coordinate", mesh.uv_corners, mesh.uvs.size(), true);
@@ -220,72 +273,49 @@ Body body_of(Shape shape) {
   return std::visit([](auto&& s) { return make(std::forward<decltype(s)>(s)); }, std::move(shape));
 }
 
-void append_part(Body& whole, const Body& part, const Transform& whole_from_part,
-                 std::span<const std::uint32_t> slots) {
+void JoinedBody::add(const Body& part, const Transform& whole_from_part, std::span<const std::uint32_t> slots) {
   const auto slot = [&](std::uint32_t s) { return slots.empty() ? 0u : slots[s]; };
   const bool flipped = whole_from_part.determinant() < 0.0;
   const Transform part_from_whole = whole_from_part.inverse();
 
   for (const UnitPrimitive& p : part.analytic)
-    whole.analytic.push_back(
-        {p.unit_from_object * part_from_whole, p.patch + whole.patch_count, slot(p.slot), p.kind});
+    whole_.analytic.push_back(
+        {p.unit_from_object * part_from_whole, p.patch + whole_.patch_count, slot(p.slot), p.kind});
 
-  TriangleMesh& mesh = whole.mesh;
-  const std::size_t before = mesh.triangles.size();
-  if (mesh.vertices_m.size() + part.mesh.vertices_m.size() >= kNoIndex)
+  const std::size_t before = mesh_.triangles.size();
+  if (mesh_.vertices_m.size() + part.mesh.vertices_m.size() >= kNoIndex)
     throw InputError("a prototype is too large");
   const auto moved = [&](const auto& value) { return whole_from_part(value); };
-  append_attribute(mesh.normals, mesh.normal_corners, before, part.mesh.normals, part.mesh.normal_corners,
+  append_attribute(mesh_.normals, mesh_.normal_corners, before, part.mesh.normals, part.mesh.normal_corners,
                    part.mesh.triangles, flipped, moved);
-  append_attribute(mesh.uvs, mesh.uv_corners, before, part.mesh.uvs, part.mesh.uv_corners,
+  append_attribute(mesh_.uvs, mesh_.uv_corners, before, part.mesh.uvs, part.mesh.uv_corners,
                    part.mesh.triangles, flipped, [](Uv uv) { return uv; });
-  const auto shift = static_cast<std::uint32_t>(mesh.vertices_m.size());
-  for (const Point3& p : part.mesh.vertices_m) mesh.vertices_m.push_back(whole_from_part(p));
+  const auto shift = static_cast<std::uint32_t>(mesh_.vertices_m.size());
+  for (const Point3& p : part.mesh.vertices_m) mesh_.vertices_m.push_back(whole_from_part(p));
   for (std::size_t t = 0; t < part.mesh.triangles.size(); ++t) {
     Triangle c = part.mesh.triangles[t];
     for (std::uint32_t& i : c) i += shift;
     if (flipped) std::swap(c[1], c[2]);
-    mesh.triangles.push_back(c);
-    mesh.slots.push_back(slot(part.mesh.slots.empty() ? 0u : part.mesh.slots[t]));
-    whole.mesh_patches.push_back(part.mesh_patches[t] + whole.patch_count);
+    mesh_.triangles.push_back(c);
+    mesh_.slots.push_back(slot(part.mesh.slots.empty() ? 0u : part.mesh.slots[t]));
+    patches_.push_back(part.mesh.patches[t] + whole_.patch_count);
   }
 
-  whole.patch_count += part.patch_count;
-  whole.surface_triangles += part.surface_triangles;
+  whole_.patch_count += part.patch_count;
+  whole_.surface_triangles += part.surface_triangles;
   const double stretch = largest_stretch(whole_from_part);
   const double weight = part.seed_weight * stretch * stretch;
-  if (std::pair(part.seed_is_solid, weight) > std::pair(whole.seed_is_solid, whole.seed_weight)) {
-    whole.seed_is_solid = part.seed_is_solid;
-    whole.seed_weight = weight;
-    whole.seed_m = whole_from_part(part.seed_m);
+  if (std::pair(part.seed_is_solid, weight) > std::pair(whole_.seed_is_solid, whole_.seed_weight)) {
+    whole_.seed_is_solid = part.seed_is_solid;
+    whole_.seed_weight = weight;
+    whole_.seed_m = whole_from_part(part.seed_m);
   }
 }
 
-void settle_bounds(Body& body) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  World::Bounds& b = body.bounds;
-  b = {{inf, inf, inf}, {-inf, -inf, -inf}};
-  const auto include = [&](Point3 low, Point3 high) {
-    b.low_m = {std::min(b.low_m.x, low.x), std::min(b.low_m.y, low.y), std::min(b.low_m.z, low.z)};
-    b.high_m = {std::max(b.high_m.x, high.x), std::max(b.high_m.y, high.y), std::max(b.high_m.z, high.z)};
-  };
-  for (const UnitPrimitive& p : body.analytic) {
-    const World::Bounds part = unit_bounds(p.kind, p.unit_from_object.inverse());
-    include(part.low_m, part.high_m);
-  }
-  for (const Triangle& t : body.mesh.triangles)
-    for (const std::uint32_t i : t) include(body.mesh.vertices_m[i], body.mesh.vertices_m[i]);
-
-  body.centre_m = b.low_m + (b.high_m - b.low_m) * 0.5;
-  if (body.analytic.size() == 1 && body.mesh.triangles.empty() && body.analytic[0].kind == UnitKind::dome)
-    body.centre_m = body.analytic[0].unit_from_object.inverse().origin_m();
-  body.radius_m = 0.0;
-  for (const UnitPrimitive& p : body.analytic)
-    body.radius_m =
-        std::max(body.radius_m, unit_reach_m(p.kind, p.unit_from_object.inverse(), body.centre_m));
-  for (const Triangle& t : body.mesh.triangles)
-    for (const std::uint32_t i : t)
-      body.radius_m = std::max(body.radius_m, length(body.mesh.vertices_m[i] - body.centre_m));
+Body JoinedBody::take() && {
+  whole_.mesh = keep_mesh(std::move(mesh_), std::move(patches_));
+  settle_bounds(whole_);
+  return std::move(whole_);
 }
 
 }  // namespace ifov::geometry

@@ -1,15 +1,18 @@
 #include "geometry/body_record.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 #include "core/error.h"
+#include "geometry/all_pieces.h"
 
 namespace ifov::geometry {
 namespace {
 
-constexpr std::size_t kLists = 8;
+constexpr std::size_t kLists = 10;
 constexpr std::size_t kMostNames = 1 << 20;
 
 /// What a record begins with.
@@ -17,7 +20,7 @@ struct Head {
   std::uint64_t counts[kLists];
   std::uint64_t names, name_bytes, surface_triangles;
   std::uint32_t patch_count, slot_count;
-  double low_m[3], high_m[3], centre_m[3], seed_m[3];
+  double low_m[3], high_m[3], centre_m[3], seed_m[3], half_sides_m[3][3];
   double radius_m, seed_weight;
   std::uint64_t seed_is_solid;
 };
@@ -33,7 +36,9 @@ void each_list(B& body, const Visit& visit) {
   visit(body.mesh.normal_corners);
   visit(body.mesh.uv_corners);
   visit(body.mesh.slots);
-  visit(body.mesh_patches);
+  visit(body.mesh.patches);
+  visit(body.mesh.order);
+  visit(body.mesh.chunks);
 }
 
 constexpr std::byte kZeros[8] = {};
@@ -43,6 +48,26 @@ std::size_t padded(std::size_t bytes) { return (bytes + 7) / 8 * 8; }
 void store(double* to, math::Point3 p) { to[0] = p.x, to[1] = p.y, to[2] = p.z; }
 math::Point3 point(const double* from) { return {from[0], from[1], from[2]}; }
 
+bool all_below(std::span<const std::uint32_t> values, std::uint32_t limit) {
+  return all_pieces(values.size(), [&](std::size_t begin, std::size_t end) {
+    std::uint32_t largest = 0;
+    for (const std::uint32_t v : values.subspan(begin, end - begin)) largest = std::max(largest, v);
+    return begin == end || largest < limit;
+  });
+}
+
+/// Whether chunks lie one behind the other in an order of triangles, all of it.
+bool chunks_make_sense(const MeshLists& mesh) {
+  if (mesh.chunks.empty()) return mesh.order.empty();
+  std::size_t end = 0;
+  for (const MeshChunk& chunk : mesh.chunks) {
+    if (chunk.first != end || chunk.count == 0) return false;
+    end += chunk.count;
+  }
+  return end == mesh.order.size() && end == mesh.triangles.size() &&
+         all_below(mesh.order, static_cast<std::uint32_t>(mesh.triangles.size()));
+}
+
 }  // namespace
 
 BodyRecord record_of(const Body& body) {
@@ -51,7 +76,7 @@ BodyRecord record_of(const Body& body) {
   std::size_t k = 0;
   each_list(body, [&](const auto& list) {
     head.counts[k++] = list.size();
-    const auto bytes = std::as_bytes(std::span(list));
+    const auto bytes = std::as_bytes(list);
     record.lists.push_back(bytes);
     record.lists.push_back(std::span(kZeros).first(padded(bytes.size()) - bytes.size()));
   });
@@ -62,6 +87,8 @@ BodyRecord record_of(const Body& body) {
   head.patch_count = body.patch_count, head.slot_count = body.slot_count;
   store(head.low_m, body.bounds.low_m), store(head.high_m, body.bounds.high_m);
   store(head.centre_m, body.centre_m), store(head.seed_m, body.seed_m);
+  for (std::size_t side = 0; side < 3; ++side)
+    store(head.half_sides_m[side], math::Point3{} + body.half_sides_m[side]);
   head.radius_m = body.radius_m, head.seed_weight = body.seed_weight, head.seed_is_solid = body.seed_is_solid;
   record.head.assign(reinterpret_cast<const char*>(&head), sizeof head);
   record.head += names;
@@ -69,9 +96,9 @@ BodyRecord record_of(const Body& body) {
   return record;
 }
 
-std::optional<Body> body_from_record(std::span<const std::byte> bytes) {
+std::optional<Body> body_from_record(std::span<const std::byte> bytes, std::shared_ptr<const void> keeper) {
   Head head;
-  if (bytes.size() < sizeof head) return std::nullopt;
+  if (bytes.size() < sizeof head || reinterpret_cast<std::uintptr_t>(bytes.data()) % 8 != 0) return std::nullopt;
   std::memcpy(&head, bytes.data(), sizeof head);
   bytes = bytes.subspan(sizeof head);
   if (head.names > kMostNames || head.name_bytes > bytes.size() || padded(head.name_bytes) > bytes.size())
@@ -90,20 +117,21 @@ std::optional<Body> body_from_record(std::span<const std::byte> bytes) {
   bool whole = true;
   std::size_t k = 0;
   each_list(body, [&](auto& list) {
-    using T = typename std::decay_t<decltype(list)>::value_type;
+    using T = typename std::decay_t<decltype(list)>::element_type;
     const std::uint64_t count = head.counts[k++];
     if (!whole || count > bytes.size() / sizeof(T) || padded(count * sizeof(T)) > bytes.size()) {
       whole = false;
       return;
     }
-    list.resize(count);
-    if (count > 0) std::memcpy(list.data(), bytes.data(), count * sizeof(T));
+    list = {reinterpret_cast<T*>(bytes.data()), static_cast<std::size_t>(count)};
     bytes = bytes.subspan(padded(count * sizeof(T)));
   });
   if (!whole || !bytes.empty()) return std::nullopt;
   body.surface_triangles = head.surface_triangles;
   body.patch_count = head.patch_count, body.slot_count = head.slot_count;
   body.bounds = {point(head.low_m), point(head.high_m)};
+  for (std::size_t side = 0; side < 3; ++side)
+    body.half_sides_m[side] = point(head.half_sides_m[side]) - math::Point3{};
   body.centre_m = point(head.centre_m), body.seed_m = point(head.seed_m);
   body.radius_m = head.radius_m, body.seed_weight = head.seed_weight, body.seed_is_solid = head.seed_is_solid != 0;
 
@@ -112,13 +140,11 @@ std::optional<Body> body_from_record(std::span<const std::byte> bytes) {
   } catch (const InputError&) {
     return std::nullopt;
   }
-  const auto below = [](const std::vector<std::uint32_t>& values, std::uint32_t limit) {
-    return std::all_of(values.begin(), values.end(), [limit](std::uint32_t v) { return v < limit; });
-  };
-  if (body.mesh_patches.size() != body.mesh.triangles.size() || !below(body.mesh_patches, body.patch_count) ||
-      !below(body.mesh.slots, body.slot_count) || body.slot_count == 0 ||
-      body.mesh.slot_names.size() > body.slot_count)
+  if (body.mesh.patches.size() != body.mesh.triangles.size() || !all_below(body.mesh.patches, body.patch_count) ||
+      !all_below(body.mesh.slots, body.slot_count) || body.slot_count == 0 ||
+      body.mesh.slot_names.size() > body.slot_count || !chunks_make_sense(body.mesh))
     return std::nullopt;
+  body.mesh.keeper = std::move(keeper);
   return body;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,7 +19,8 @@ struct BodyRecord {
 };
 BodyRecord record_of(const Body& mesh_body);
 
-/// The body back. Nothing where the bytes make no sense: every size and every index is checked before it is used.
-std::optional<Body> body_from_record(std::span<const std::byte> bytes);
+/// The body back. Its lists lie in the bytes, which `keeper` keeps; they begin at a multiple of 8 bytes. Nothing where
+/// the bytes make no sense: every size and every index is checked before it is used.
+std::optional<Body> body_from_record(std::span<const std::byte> bytes, std::shared_ptr<const void> keeper);
 
 }  // namespace ifov::geometry

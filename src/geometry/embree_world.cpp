@@ -1,12 +1,11 @@
 // Queries of the world.
 #include "geometry/embree_world.h"
 
-#include <pmmintrin.h>
-#include <xmmintrin.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "geometry/flush_denormals.h"
 
 namespace ifov::geometry {
 namespace {
@@ -19,18 +18,6 @@ using math::Vec3;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
-/// Denormal floats count as zero while Embree runs: they cost it a factor of 2.4.
-class FlushDenormals {
- public:
-  FlushDenormals() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | _MM_FLUSH_ZERO_ON | _MM_DENORMALS_ZERO_ON); }
-  ~FlushDenormals() { _mm_setcsr(saved_); }
-  FlushDenormals(const FlushDenormals&) = delete;
-  FlushDenormals& operator=(const FlushDenormals&) = delete;
-
- private:
-  unsigned saved_;
-};
 
 /// Outward normal in the scene of one known in a frame `frame_from_scene` leads to.
 Normal3 normal_in_scene(const Transform& frame_from_scene, Normal3 n) {
@@ -48,7 +35,7 @@ std::array<double, 3> weights(Point3 a, Point3 b, Point3 c, Point3 p) {
   return {1.0 - wb - wc, wb, wc};
 }
 
-const Triangle& corners(const std::vector<Triangle>& own, const TriangleMesh& mesh, std::uint32_t triangle) {
+const Triangle& corners(std::span<const Triangle> own, const MeshLists& mesh, std::uint32_t triangle) {
   return own.empty() ? mesh.triangles[triangle] : own[triangle];
 }
 bool complete(const Triangle& t) { return t[0] != kNoIndex && t[1] != kNoIndex && t[2] != kNoIndex; }
@@ -141,6 +128,7 @@ void EmbreeWorld::intersect(std::span<const Ray> rays, std::span<SurfacePoint> h
     }
     for (std::size_t k = 0; k < count; ++k) finish(packet, k, rays[begin + k], shift[k], hits[begin + k]);
   }
+  late_failure_.rethrow_if_any();
 }
 
 void EmbreeWorld::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
@@ -165,6 +153,7 @@ void EmbreeWorld::occluded(std::span<const Ray> rays, std::span<std::uint8_t> bl
       blocked[begin + k] =
           packet.best[k].kind == Candidate::plane || (valid[k] != 0 && embree.tfar[k] < 0.0f);
   }
+  late_failure_.rethrow_if_any();
 }
 
 void EmbreeWorld::finish(const RayPacket& packet, std::size_t k, const Ray& ray, double shift,
@@ -212,29 +201,30 @@ void EmbreeWorld::finish_triangle(const Candidate& c, SurfacePoint& hit) const {
   const Normal3 n = math::as_normal(set.facets[c.prim].normal);
   const FacetTag tag = set.tags[c.prim];
   const bool copied = c.instance == RTC_INVALID_GEOMETRY_ID;
-  const Piece& piece = copied ? copies_[set.owners[c.prim]] : instances_[c.instance];
+  const std::uint32_t owner = set.owner(c.prim), number = set.number(c.prim);
+  const Piece& piece = copied ? copies_[owner] : instances_[c.instance];
   hit.geometric_normal = copied ? n : normal_in_scene(set_from_scene_[c.instance], n);
   hit.shading_normal = hit.geometric_normal;
   hit.instance = piece.object;
-  hit.primitive = c.prim + piece.first_triangle;
+  hit.primitive = number + piece.first_triangle;
   hit.patch = piece.first_patch + tag.patch;
   hit.material = materials_[piece.materials + tag.slot];
   hit.offset_m = std::max(triangle_offset_m_, analytic_offset(hit));
   if (attributes_of_.empty() || attributes_of_[piece.of] == kNoIndex) return;
   const Attributes& kept = attributes_[attributes_of_[piece.of]];
   if (copied) {
-    const Transform& map = body_from_scene_[copy_map_of_[set.owners[c.prim]]];
-    apply_attributes(kept, map, map(hit.position_m), c.prim - piece.set_triangle, hit);
+    const Transform& map = body_from_scene_[copy_map_of_[owner]];
+    apply_attributes(kept, map, map(hit.position_m), number - piece.set_triangle, hit);
   } else {
     const Transform& map = set_from_scene_[c.instance];
     const Point3 in_set = map(Point3{} + (hit.position_m - centre_m_));
-    apply_attributes(kept, map, in_set + (kept.centre_m - Point3{}), c.prim, hit);
+    apply_attributes(kept, map, in_set + (kept.centre_m - Point3{}), number, hit);
   }
 }
 
 void EmbreeWorld::apply_attributes(const Attributes& kept, const Transform& mesh_from_scene, Point3 in_mesh,
                                    std::uint32_t triangle, SurfacePoint& hit) const {
-  const TriangleMesh& mesh = kept.mesh;
+  const MeshLists& mesh = kept.mesh;
   const Triangle& v = mesh.triangles[triangle];
   const auto w = weights(mesh.vertices_m[v[0]], mesh.vertices_m[v[1]], mesh.vertices_m[v[2]], in_mesh);
   if (!mesh.uvs.empty()) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/chunked_mesh.h"
 #include "geometry/embree_scene.h"
 #include "geometry/instance_set.h"
 #include "geometry/oriented_extent.h"
@@ -39,11 +40,12 @@ class EmbreeWorld final : public World {
   struct Prototype {
     TriangleSet triangles;
     AnalyticSet analytic;
+    std::unique_ptr<ChunkedMesh> chunked;  ///< instead of `triangles`
     EmbreeScene scene;
   };
   /// A mesh kept for its texture coordinates or normals.
   struct Attributes {
-    TriangleMesh mesh;
+    MeshLists mesh;
     math::Point3 centre_m;  ///< of the body: where the frame of its set has its origin
   };
   struct PlaneObject {
@@ -65,10 +67,13 @@ class EmbreeWorld final : public World {
     bool seed = true, is_instance = false;
   };
 
+  void choose_chunked(WorldContent& content, const PrototypePlan& plan, const std::vector<bool>& instanced,
+                      LargeMeshes how);
   void note_figures(const WorldContent& content, const PrototypePlan& plan);
   void note_objects(const WorldContent& content, const std::vector<bool>& instanced);
   void find_bounds(const WorldContent& content, const PieceWalk& walk, const std::vector<bool>& instanced,
                    std::vector<double>& shrink);
+  double box_padding_m() const;
   void build_prototypes(WorldContent& content, const std::vector<bool>& instanced, const std::vector<double>& shrink);
   void place_pieces(WorldContent& content, const PieceWalk& walk, const PrototypePlan& plan,
                     const std::vector<bool>& instanced);
@@ -96,6 +101,9 @@ class EmbreeWorld final : public World {
   std::vector<std::unique_ptr<Prototype>> prototypes_;  ///< by template; null where it needs none
   TriangleSet triangles_;
   AnalyticSet analytic_;
+  LateFailure late_failure_;
+  std::vector<bool> is_chunked_;                       ///< by template
+  std::vector<std::unique_ptr<ChunkedMesh>> chunked_;  ///< in the scene itself
   InstanceSet instance_set_;
   std::vector<PlacedField> fields_;
   EmbreeScene scene_;  ///< null where everything is planes

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "geometry/embree_world.h"
 #include "geometry/growing_box.h"
+#include "geometry/mesh_chunks.h"
 
 namespace ifov::geometry {
 namespace {
@@ -20,6 +21,9 @@ constexpr std::size_t kCopiedTriangles = 4, kCopiedShapes = 2;
 /// Up to this many instances are nodes of Embree's tree.
 constexpr std::size_t kMostNodes = 1000000;
 
+/// Scenes of more stored triangles make the trees of large meshes as rays come near.
+constexpr std::uint64_t kMostTrianglesAtOnce = 1 << 21;
+
 /// Of a node that Embree's monitor does not see (370 bytes in all, 80 seen).
 constexpr std::size_t kUnseenNodeBytes = 290;
 
@@ -27,16 +31,25 @@ bool better_copied(const Body& body, std::uint64_t copies) {
   return copies == 1 || (body.mesh.triangles.size() <= kCopiedTriangles && body.analytic.size() <= kCopiedShapes);
 }
 
-bool has_attributes(const TriangleMesh& mesh) { return !mesh.normals.empty() || !mesh.uvs.empty(); }
+bool has_attributes(const MeshLists& mesh) { return !mesh.normals.empty() || !mesh.uvs.empty(); }
 
-/// Bounds of a placed body, by its vertices and shapes.
-World::Bounds close_bounds(const Body& body, const Transform& scene_from_body) {
+/// Bounds of a placed body, by its vertices and shapes; by the corners of boxes where it is `chunked`.
+World::Bounds close_bounds(const Body& body, const Transform& scene_from_body, bool chunked) {
   GrowingBox box;
-  for (const Triangle& t : body.mesh.triangles) {
-    for (const std::uint32_t i : t) {
-      const Point3 p = scene_from_body(body.mesh.vertices_m[i]);
-      box.include(p, p);
-    }
+  if (chunked) {
+    for (const MeshChunk& chunk : body.mesh.chunks)
+      for (int corner = 0; corner < 8; ++corner) {
+        const auto& [low, high] = chunk.bounds;
+        const Point3 p = scene_from_body(Point3{(corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
+                                                (corner & 4) != 0 ? high.z : low.z});
+        box.include(p, p);
+      }
+  } else {
+    for (const Triangle& t : body.mesh.triangles)
+      for (const std::uint32_t i : t) {
+        const Point3 p = scene_from_body(body.mesh.vertices_m[i]);
+        box.include(p, p);
+      }
   }
   for (const UnitPrimitive& p : body.analytic)
     box.include(unit_bounds(p.kind, scene_from_body * p.unit_from_object.inverse()));
@@ -67,6 +80,7 @@ EmbreeWorld::EmbreeWorld(WorldContent content, const BuildOptions& options)
                    !better_copied(content.templates[t].body, plan.copies[t]);
   for (const Run& run : content.runs) triangle_count_ += run.what.copies() * contents[run.what.of].triangles;
   materials_ = content.materials;
+  choose_chunked(content, plan, instanced, options.large_meshes);
   note_figures(content, plan);
   note_objects(content, instanced);
   std::vector<double> shrink(content.templates.size(), 1.0);
@@ -78,15 +92,31 @@ EmbreeWorld::EmbreeWorld(WorldContent content, const BuildOptions& options)
   note_storage(plan);
 }
 
+void EmbreeWorld::choose_chunked(WorldContent& content, const PrototypePlan& plan, const std::vector<bool>& instanced,
+                                 LargeMeshes how) {
+  is_chunked_.assign(content.templates.size(), false);
+  if (how == LargeMeshes::at_once) return;
+  std::uint64_t triangles = 0;
+  for (std::size_t t = 0; t < content.templates.size(); ++t)
+    triangles += (instanced[t] ? 1 : plan.copies[t]) * content.templates[t].body.mesh.triangles.size();
+  if (how == LargeMeshes::by_number && triangles <= kMostTrianglesAtOnce) return;
+  for (std::size_t t = 0; t < content.templates.size(); ++t) {
+    MeshLists& mesh = content.templates[t].body.mesh;
+    if (plan.copies[t] == 0 || mesh.triangles.size() <= kMostInChunk) continue;
+    if (mesh.chunks.empty()) divide(mesh);
+    is_chunked_[t] = true;
+  }
+}
+
 void EmbreeWorld::find_bounds(const WorldContent& content, const PieceWalk& walk, const std::vector<bool>& instanced,
                               std::vector<double>& shrink) {
   GrowingBox box;
   walk.visit([&](const PlacedPiece& piece) {
     const Body& body = content.templates[piece.of].body;
-    if (!instanced[piece.of]) return box.include(close_bounds(body, piece.scene_from_body));
+    if (!instanced[piece.of]) return box.include(close_bounds(body, piece.scene_from_body, is_chunked_[piece.of]));
     box.include(image_of(body.bounds, piece.scene_from_body));
     // Rays reach an instance with the rounding of the scene, seen at the instance's scale.
-    if (!body.analytic.empty())
+    if (!body.analytic.empty() || is_chunked_[piece.of])
       shrink[piece.of] = std::max(shrink[piece.of], largest_stretch(piece.scene_from_body.inverse()));
   });
   for (const Run& run : content.runs)
@@ -100,10 +130,12 @@ void EmbreeWorld::find_bounds(const WorldContent& content, const PieceWalk& walk
   // Embree's floats err by a few units of 2^-24 of the scene's size; at grazing incidence by many times that.
   window_m_ = std::ldexp(scale_m_, -17);
   triangle_offset_m_ = std::ldexp(scale_m_, -22);
-  const double padding = std::ldexp(scale_m_, -20);
+  const double padding = box_padding_m();
   padded_ = {{-half.x - padding, -half.y - padding, -half.z - padding},
              {half.x + padding, half.y + padding, half.z + padding}};
 }
+
+double EmbreeWorld::box_padding_m() const { return std::ldexp(scale_m_, -20); }
 
 void EmbreeWorld::build_prototypes(WorldContent& content, const std::vector<bool>& instanced,
                                    const std::vector<double>& shrink) {
@@ -114,14 +146,21 @@ void EmbreeWorld::build_prototypes(WorldContent& content, const std::vector<bool
     Body& body = content.templates[t].body;
     auto prototype = std::make_unique<Prototype>();
     const Transform set_from_object = Transform::translation(Point3{} - body.centre_m);
-    prototype->triangles.append(body, set_from_object);
     prototype->analytic.append(body, set_from_object);
-    prototype->analytic.padding_m = std::ldexp(scale_m_, -20) * shrink[t];
+    prototype->analytic.padding_m = box_padding_m() * shrink[t];
     // In a heap of leaves there is nothing behind a shared vertex to leak into.
-    prototype->scene = make_scene(device_.get(), 20 * body.surface_triangles > body.mesh.triangles.size());
-    storage_.stored_triangles += prototype->triangles.facets.size();
-    if (!prototype->triangles.facets.empty())
+    const bool robust = 20 * body.surface_triangles > body.mesh.triangles.size();
+    prototype->scene = make_scene(device_.get(), robust);
+    storage_.stored_triangles += body.mesh.triangles.size();
+    if (is_chunked_[t]) {
+      prototype->chunked = std::make_unique<ChunkedMesh>(
+          device_.get(), body.mesh, ChunkPlacing{set_from_object, 0, robust, box_padding_m() * shrink[t]}, late_failure_);
+      prototype->chunked->attach_to(prototype->scene.get(), 0);
+      storage_.chunks += body.mesh.chunks.size();
+    } else if (!body.mesh.triangles.empty()) {
+      prototype->triangles.append(body, set_from_object);
       attach_triangles(device_.get(), prototype->scene.get(), 0, prototype->triangles);
+    }
     if (!prototype->analytic.shapes.empty())
       attach_analytic(device_.get(), prototype->scene.get(), 1, prototype->analytic);
     commit(device_.get(), prototype->scene.get());
@@ -161,12 +200,19 @@ void EmbreeWorld::place_pieces(WorldContent& content, const PieceWalk& walk, con
     if (triangles_.facets.size() + body.mesh.triangles.size() >= kNoIndex)
       throw InputError("the scene has too many triangles");
     const auto owner = static_cast<std::uint32_t>(copies_.size());
-    piece.set_triangle = static_cast<std::uint32_t>(triangles_.facets.size());
+    piece.set_triangle = is_chunked_[placed.of] ? 0 : static_cast<std::uint32_t>(triangles_.facets.size());
     piece.first_triangle -= piece.set_triangle;
     piece.first_analytic -= static_cast<std::uint32_t>(analytic_.shapes.size());
     copies_.push_back(piece);
-    triangles_.append(body, centred_from_body);
-    triangles_.owners.resize(triangles_.facets.size(), owner);
+    if (is_chunked_[placed.of]) {
+      chunked_.push_back(std::make_unique<ChunkedMesh>(
+          device_.get(), body.mesh, ChunkPlacing{centred_from_body, owner, true, box_padding_m()}, late_failure_));
+      storage_.stored_triangles += body.mesh.triangles.size();
+      storage_.chunks += body.mesh.chunks.size();
+    } else {
+      triangles_.append(body, centred_from_body);
+      triangles_.owners.resize(triangles_.facets.size(), owner);
+    }
     analytic_.append(body, centred_from_body);
     analytic_.owners.resize(analytic_.shapes.size(), owner);
     copy_map_of_.push_back(kNoIndex);
@@ -205,20 +251,20 @@ void EmbreeWorld::place_fields(const WorldContent& content) {
     const auto& field = content.templates[run.what.of].field;
     if (!field) continue;
     const Transform centred_from_field = centred_from_scene * run.what.whole_from_list * field->object_from_field();
-    fields_.push_back({field, centred_from_field, centred_from_field.inverse(), std::ldexp(scale_m_, -20),
+    fields_.push_back({field, centred_from_field, centred_from_field.inverse(), box_padding_m(),
                        run.first_object, content.materials[run.materials]});
   }
 }
 
 void EmbreeWorld::build_scene(InstanceStorage storage) {
-  if (instances_.empty() && triangles_.facets.empty() && analytic_.shapes.empty() && fields_.empty()) return;
+  if (instances_.empty() && triangles_.facets.empty() && chunked_.empty() && analytic_.shapes.empty() && fields_.empty())
+    return;
   storage_.stored_triangles += triangles_.facets.size();
   storage_.instances = instances_.size();
   storage_.instance_table =
       storage == InstanceStorage::table ||
       (storage == InstanceStorage::by_number && instances_.size() > kMostNodes);
-  const double padding = std::ldexp(scale_m_, -20);
-  analytic_.padding_m = instance_set_.padding_m = padding;
+  analytic_.padding_m = instance_set_.padding_m = box_padding_m();
   scene_ = make_scene(device_.get(), true);
   auto next = static_cast<unsigned>(storage_.instance_table ? 0 : instances_.size());
   if (storage_.instance_table && !instances_.empty()) {
@@ -234,6 +280,7 @@ void EmbreeWorld::build_scene(InstanceStorage storage) {
   if (!analytic_.shapes.empty()) attach_analytic(device_.get(), scene_.get(), next + 1, analytic_);
   next += 2;
   for (const PlacedField& field : fields_) attach_field(device_.get(), scene_.get(), next++, field);
+  for (const auto& mesh : chunked_) mesh->attach_to(scene_.get(), next++);
   commit(device_.get(), scene_.get());
 }
 

@@ -26,10 +26,7 @@ void EmbreeWorld::note_figures(const WorldContent& content, const PrototypePlan&
       figure = {centre, one.field->middle(), 0.5 * length(b.high_m - b.low_m), b, oriented_extent({}, b), centre};
     } else if (one.body.patch_count > 0) {
       const Body& body = one.body;
-      figure = {body.centre_m, body.seed_m, body.radius_m, body.bounds, {}, body.centre_m};
-      figure.half_sides_m = oriented_extent(
-          body.analytic.empty() ? std::span<const Point3>(body.mesh.vertices_m) : std::span<const Point3>(),
-          body.bounds);
+      figure = {body.centre_m, body.seed_m, body.radius_m, body.bounds, body.half_sides_m, body.centre_m};
     } else if (!plan.flat[t]) {
       // Its parts stand apart: boxes of boxes, and the seed of the largest part.
       GrowingBox box;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/body.h"
@@ -26,13 +27,25 @@ struct FacetTag {
 struct TriangleSet {
   std::vector<Facet> facets;
   std::vector<FacetTag> tags;
-  std::vector<std::uint32_t> owners;
+  std::vector<std::uint32_t> owners;       ///< empty: all are the only owner's
+  std::uint32_t only_owner = 0;
+  std::span<const std::uint32_t> numbers;  ///< of a chunk's triangles in their body; empty: as in the set
+
+  std::uint32_t owner(std::uint32_t prim) const { return owners.empty() ? only_owner : owners[prim]; }
+  std::uint32_t number(std::uint32_t prim) const { return numbers.empty() ? prim : numbers[prim]; }
 
   // For Embree; given away when its geometry is made.
   std::vector<float> vertices_m;
   std::vector<Triangle> triangles;
 
   void append(const Body& body, const math::Transform& set_from_object);
+  /// Some triangles of a mesh, each with its number, into an empty set.
+  void take(const MeshLists& mesh, std::span<const std::uint32_t> triangles_of_mesh,
+            const math::Transform& set_from_object);
+
+ private:
+  void add(const MeshLists& mesh, std::size_t triangle, math::Point3 a, math::Point3 b, math::Point3 c, bool flipped,
+           const Triangle& corners);
 };
 
 struct AnalyticSet {

@@ -50,8 +50,7 @@ class Least {
 
 Body body_from_parts(const WorldContent& content, std::uint32_t of, std::map<std::uint32_t, Body>& inner) {
   const Template& t = content.templates[of];
-  Body whole;
-  whole.slot_count = t.slot_count;
+  JoinedBody whole(t.slot_count);
   for (const TemplatePart& part : t.parts) {
     const Template& child = content.templates[part.of];
     const Body* body = &child.body;
@@ -60,10 +59,9 @@ Body body_from_parts(const WorldContent& content, std::uint32_t of, std::map<std
       body = &inner.at(part.of);
     }
     for (std::size_t k = 0; k < part.copies(); ++k)
-      append_part(whole, *body, part.whole_from_copy(k), part.slots);
+      whole.add(*body, part.whole_from_copy(k), part.slots);
   }
-  settle_bounds(whole);
-  return whole;
+  return std::move(whole).take();
 }
 
 }  // namespace

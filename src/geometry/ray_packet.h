@@ -87,13 +87,14 @@ struct RayPacket {
     if (c.kind == Candidate::field)
       return (std::uint64_t{static_cast<const PlacedField*>(c.set)->object} << 32) | c.prim;
     const bool triangle = c.kind == Candidate::triangle;
+    const auto* triangles = triangle ? static_cast<const TriangleSet*>(c.set) : nullptr;
     const Piece* piece;
     if (c.instance != RTC_INVALID_GEOMETRY_ID)
       piece = &table.instances[c.instance];
     else
-      piece = &table.copies[triangle ? static_cast<const TriangleSet*>(c.set)->owners[c.prim]
-                                     : static_cast<const AnalyticSet*>(c.set)->owners[c.prim]];
-    const std::uint32_t number = c.prim + (triangle ? piece->first_triangle : piece->first_analytic);
+      piece = &table.copies[triangle ? triangles->owner(c.prim) : static_cast<const AnalyticSet*>(c.set)->owners[c.prim]];
+    const std::uint32_t number =
+        triangle ? triangles->number(c.prim) + piece->first_triangle : c.prim + piece->first_analytic;
     return (std::uint64_t{piece->object} << 32) | number;
   }
 

@@ -12,7 +12,7 @@ namespace ifov::geometry {
 
 /// All geometry of a scene, built once and immutable: the only door to the ray tracer. Batches are traced in
 /// packets; the answer to a ray does not depend on its neighbours in the batch. Safe to call from many
-/// threads.
+/// threads. Queries throw where memory runs out while a tree is made for them.
 class World {
  public:
   virtual ~World() = default;
@@ -54,7 +54,8 @@ class World {
     std::size_t instances = 0;            ///< bodies that stand in the scene by reference
     bool instance_table = false;          ///< kept in a table of our own, not as nodes of the ray tracer
     std::size_t prototypes_apart = 0;     ///< prototypes of prototypes that are not joined into one body
-    std::size_t bytes = 0;                ///< of tables and trees, about
+    std::size_t chunks = 0;               ///< of large meshes, whose trees are made when a ray comes near
+    std::size_t bytes = 0;                ///< of tables and trees, about; without those of chunks
   };
   virtual Storage storage() const = 0;
 

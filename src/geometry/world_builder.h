@@ -32,9 +32,14 @@ struct Part {
 /// memory, and of the time to build). The hits are the same.
 enum class InstanceStorage { by_number, nodes, table };
 
+/// When the trees of large meshes are made: with the world, or chunk by chunk as rays come near (quick to begin with).
+/// The hits are the same.
+enum class LargeMeshes { by_number, at_once, by_chunk };
+
 struct BuildOptions {
   int threads = 0;  ///< 0: all cores
   InstanceStorage instances = InstanceStorage::by_number;  ///< up to a million nodes, else a table
+  LargeMeshes large_meshes = LargeMeshes::by_number;       ///< up to 2^21 stored triangles at once, else by chunk
 };
 
 /// Collects shapes and where they stand, then builds the world. Shapes are kept once, however often they are
@@ -77,7 +82,7 @@ class WorldBuilder {
 
   /// The builder is empty afterwards. Lists of placings are not kept.
   std::unique_ptr<World> build(const BuildOptions& options = {});
-  std::unique_ptr<World> build(int threads) { return build(BuildOptions{threads, InstanceStorage::by_number}); }
+  std::unique_ptr<World> build(int threads) { return build(BuildOptions{threads, InstanceStorage::by_number, LargeMeshes::by_number}); }
 
  private:
   struct Content;

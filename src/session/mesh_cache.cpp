@@ -39,7 +39,7 @@ geometry::Body cached_mesh(io::SceneCache* cache, const MeshSource& source,
   const auto kept_words = words != nullptr ? cache->find(name_of_words) : std::nullopt;
   if (words == nullptr || kept_words)
     if (const auto bytes = cache->find(name)) {
-      if (std::optional<geometry::Body> body = geometry::body_from_record(*bytes)) {
+      if (std::optional<geometry::Body> body = geometry::body_from_record(*bytes, cache->keeper())) {
         if (words != nullptr)
           words->assign(reinterpret_cast<const char*>(kept_words->data()), kept_words->size());
         return std::move(*body);

@@ -23,7 +23,7 @@ struct MeshSource {
 };
 
 /// The body of the mesh that `read` makes of its source. `words`, where given, is what `read` puts there,
-/// also where the cache has the mesh.
+/// also where the cache has the mesh. What the cache has is used where it lies.
 geometry::Body cached_mesh(io::SceneCache* cache, const MeshSource& source,
                            const std::function<geometry::TriangleMesh()>& read, std::string* words = nullptr);
 

@@ -4,6 +4,7 @@
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "atmosphere/weather_series.h"
 #include "io/document/document.h"
+#include "io/scene_cache/file_stamp.h"
 #include "render/air_budget.h"
 #include "render/image_renderer.h"
 #include "session/map_scale.h"
@@ -17,6 +18,7 @@ struct Session::Parts {
   io::Document document;
   scene::Scene scene;
   std::vector<MapScale> map_scales;
+  std::vector<io::FileStamp> known_files;  ///< files whose bytes the scene cache vouches for
   std::optional<atmosphere::WeatherSeries> weather;
   std::vector<radiometry::Channel> channels;
   std::unique_ptr<sensor::Camera> camera;

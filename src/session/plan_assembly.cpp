@@ -42,7 +42,7 @@ io::RunPlan assemble_plan(const Session::Parts& parts, bool with_files) {
   plan.instruction_set = instruction_set();
   if (with_files)
     plan.files = io::stamp_scene_files(io::named_files(document),
-                                       std::filesystem::path(document.file_name).parent_path());
+                                       std::filesystem::path(document.file_name).parent_path(), parts.known_files);
   plan.image = parts.info;
   plan.tile_px = document.sampling.tile_px;
   plan.judged = parts.tolerance != nullptr;

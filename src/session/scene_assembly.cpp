@@ -18,6 +18,7 @@ std::string describe(const geometry::World& world) {
   if (kept.instances > 0)
     text += format("; {} instances of {} triangles{}", kept.instances, kept.stored_triangles,
                    kept.instance_table ? " in a table" : "");
+  if (kept.chunks > 0) text += format("; {} chunks of large meshes, each built when a ray comes near", kept.chunks);
   if (kept.prototypes_apart > 0)
     text += format("; {} prototypes of prototypes stand part by part", kept.prototypes_apart);
   return text;

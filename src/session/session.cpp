@@ -156,6 +156,7 @@ Session Session::load(const io::Document& document, LogSink* log, const LoadOpti
   if (options.scene_cache)
     cache.emplace(std::filesystem::path(document.file_name).replace_extension(".ifovcache"), version(), log);
   p.scene = assemble_scene(document, log, p.map_scales, cache ? &*cache : nullptr);
+  if (cache) p.known_files = cache->known_files();
   p.weather = assemble_weather(document);
   p.channels = assemble_channels(document);
   p.camera = assemble_camera(document, p.scene);

@@ -57,11 +57,18 @@ std::vector<std::string> body_record_seeds() {
   geometry::TriangleMesh mesh;
   mesh.vertices_m = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 1}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  const geometry::Body body = geometry::body_of(std::move(mesh));
-  const geometry::BodyRecord record = geometry::record_of(body);
-  std::string bytes = record.head;
-  for (const auto& list : record.lists) bytes.append(reinterpret_cast<const char*>(list.data()), list.size());
-  return {bytes};
+  geometry::Body body = geometry::body_of(std::move(mesh));
+  const auto bytes_of = [&body] {
+    const geometry::BodyRecord record = geometry::record_of(body);
+    std::string bytes = record.head;
+    for (const auto& list : record.lists) bytes.append(reinterpret_cast<const char*>(list.data()), list.size());
+    return bytes;
+  };
+  const std::string plain = bytes_of();
+  const std::vector<std::uint32_t> order{1, 0};
+  const std::vector<geometry::MeshChunk> chunks{{body.bounds, 0, 1}, {body.bounds, 1, 1}};
+  body.mesh.order = order, body.mesh.chunks = chunks;
+  return {plain, bytes_of()};
 }
 
 std::vector<std::string> scene_cache_seeds() {

@@ -74,8 +74,8 @@ void read_instance_file(const std::filesystem::path& path) {
 
 /// A record of a cache; one without sense is no error there.
 void read_body_record(const std::filesystem::path& path) {
-  const std::string bytes = io::read_file_bytes(path);
-  if (!geometry::body_from_record(std::as_bytes(std::span(bytes)))) throw InputError("no body");
+  const auto bytes = std::make_shared<const std::string>(io::read_file_bytes(path));
+  if (!geometry::body_from_record(std::as_bytes(std::span(*bytes)), bytes)) throw InputError("no body");
 }
 
 /// Damage behind the hashes, which alone would keep it out.
@@ -85,7 +85,7 @@ void read_scene_cache(const std::filesystem::path& path) {
   if (bytes.size() >= sizeof header) {
     std::memcpy(&header, bytes.data(), sizeof header);
     const auto all = std::as_bytes(std::span(bytes));
-    header.content_hash = io::cache_hash(all.subspan(sizeof header));
+    header.content_hash = io::hash_of_blocks(all.subspan(sizeof header));
     std::memcpy(bytes.data(), &header, sizeof header);
     header.header_hash = io::cache_hash(all.first(offsetof(io::CacheHeader, header_hash)));
     std::memcpy(bytes.data(), &header, sizeof header);

@@ -240,8 +240,10 @@ TEST(NestedInstances, ThePlanWeighsMemory) {
   // 50,000 leaves in a tree and 10,000 trees: one tree is joined, for 500 million leaves do not fit.
   WorldContent content;
   const auto with_triangles = [](std::size_t count) {
+    TriangleMesh mesh;
+    mesh.triangles.resize(count);
     Template t;
-    t.body.mesh.triangles.resize(count);
+    t.body.mesh = keep_mesh(std::move(mesh), {});
     t.body.patch_count = 1;
     return t;
   };

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -56,7 +58,8 @@ class CachedScene : public testing::Test {
     std::string image, words;
   };
   Run render(bool cache, const std::string& ground = R"({"mesh": {"file": "ground.obj"}, "material": {"slots":
-                                                     {"sand": "sand", "soil": "soil"}}})") const {
+                                                     {"sand": "sand", "soil": "soil"}}})",
+             int threads = 0) const {
     const io::Document document = io::parse_document(R"({"ifov": 1, "scene": {
       "materials": {"sand": {"reflectance": 0.5}, "soil": {"reflectance": 0.2}, "leaf": {"reflectance": 0.7}},
       "prototypes": {"card": [{"box": {"low": ["-0.02 m", "-0.01 m", "0 m"], "high": ["0.02 m", "0.01 m", "0.5 m"]},
@@ -73,6 +76,7 @@ class CachedScene : public testing::Test {
     Words words;
     RunOptions options;
     options.output_folder = folder_ / "out";
+    options.threads = threads;
     Session::load(document, &words, {.scene_cache = cache}).render(options);
     std::ifstream file(options.output_folder / "image_radiance.img", std::ios::binary);
     Run run{{std::istreambuf_iterator<char>(file), {}}, words.text};
@@ -146,6 +150,46 @@ TEST_F(CachedScene, IsReadAgainWhereTheCacheIsDamaged) {
   EXPECT_EQ(again.image, first.image);
   EXPECT_NE(again.words.find("is not used: it is damaged"), std::string::npos) << again.words;
   EXPECT_EQ(render(true).words.find("damaged"), std::string::npos);
+}
+
+TEST_F(CachedScene, OfManyTrianglesIsTheSameWithAnyNumberOfThreads) {
+  // More than are built at once: two triangles each for 1030 x 1030 cells.
+  constexpr std::uint32_t kCells = 1030, kNodes = kCells + 1;
+  {
+    std::ofstream file(folder_ / "large.ply", std::ios::binary);
+    file << format(
+        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float "
+        "z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
+        kNodes * kNodes, 2 * kCells * kCells);
+    const auto put = [&](const auto& values) {
+      file.write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(sizeof values));
+    };
+    for (std::uint32_t j = 0; j < kNodes; ++j)
+      for (std::uint32_t i = 0; i < kNodes; ++i)
+        put(std::array{0.008f * float(i) - 4.0f, 0.008f * float(j) - 4.0f, 0.3f * std::sin(0.03f * float(i) + 0.02f * float(j))});
+    for (std::uint32_t j = 0; j < kCells; ++j)
+      for (std::uint32_t i = 0; i < kCells; ++i) {
+        const std::uint32_t a = j * kNodes + i, d = a + kNodes + 1;
+        file.put(3), put(std::array{a, a + 1, d});
+        file.put(3), put(std::array{a, d, d - 1});
+      }
+  }
+  const char* large = R"({"mesh": {"file": "large.ply"}, "material": "soil"})";
+  const Run plain = render(false, large), first = render(true, large), second = render(true, large);
+  EXPECT_NE(plain.words.find("chunks of large meshes"), std::string::npos) << plain.words;
+  EXPECT_EQ(first.image, plain.image);
+  EXPECT_EQ(second.image, plain.image);
+  EXPECT_EQ(second.words, plain.words);
+  for (const int threads : {1, 2, 7}) EXPECT_EQ(render(true, large, threads).image, plain.image) << threads;
+  {  // a vertex of some chunk
+    std::fstream file(cache(), std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(8000003);
+    file.put('\x41');
+  }
+  const Run again = render(true, large);
+  EXPECT_EQ(again.image, plain.image);
+  EXPECT_NE(again.words.find("is not used: it is damaged"), std::string::npos) << again.words;
+  EXPECT_EQ(render(true, large).words, plain.words);
 }
 
 }  // namespace

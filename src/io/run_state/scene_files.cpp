@@ -38,8 +38,8 @@ std::vector<std::filesystem::path> companions_of(const std::filesystem::path& fi
 
 }  // namespace
 
-std::vector<FileStamp> stamp_scene_files(const std::vector<std::string>& named,
-                                         const std::filesystem::path& folder) {
+std::vector<FileStamp> stamp_scene_files(const std::vector<std::string>& named, const std::filesystem::path& folder,
+                                         std::span<const FileStamp> known) {
   std::vector<std::filesystem::path> files;
   for (const std::string& file : named) {
     files.emplace_back(file);
@@ -51,7 +51,7 @@ std::vector<FileStamp> stamp_scene_files(const std::vector<std::string>& named,
   files.erase(std::unique(files.begin(), files.end()), files.end());
   std::vector<FileStamp> stamps(files.size());
   parallel_for(static_cast<std::int64_t>(files.size()), 0, [&](std::int64_t k) {
-    stamps[static_cast<std::size_t>(k)] = stamp_of(files[static_cast<std::size_t>(k)], folder);
+    stamps[static_cast<std::size_t>(k)] = stamp_of(files[static_cast<std::size_t>(k)], folder, known);
   });
   std::sort(stamps.begin(), stamps.end(),
             [](const FileStamp& a, const FileStamp& b) { return a.path < b.path; });

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -10,6 +11,7 @@
 #include <xxhash.h>
 
 #include "core/error.h"
+#include "core/parallel.h"
 
 namespace ifov::io {
 namespace {
@@ -20,11 +22,44 @@ EnvironmentError cannot_write(const std::filesystem::path& path) {
 
 }  // namespace
 
+/// hash_of_blocks() of bytes that come one after the other.
 struct CacheWriter::Hash {
   XXH3_state_t state;
+  std::size_t in_block = 0;
+  std::vector<std::uint64_t> blocks;
+
+  Hash() { XXH3_64bits_reset(&state); }
+  void end_block() {
+    blocks.push_back(XXH3_64bits_digest(&state));
+    XXH3_64bits_reset(&state);
+    in_block = 0;
+  }
+  void add(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+      const auto piece = bytes.first(std::min(bytes.size(), kHashedBlock_bytes - in_block));
+      XXH3_64bits_update(&state, piece.data(), piece.size());
+      in_block += piece.size();
+      if (in_block == kHashedBlock_bytes) end_block();
+      bytes = bytes.subspan(piece.size());
+    }
+  }
+  std::uint64_t all() {
+    if (in_block > 0) end_block();
+    return cache_hash(std::as_bytes(std::span(blocks)));
+  }
 };
 
 std::uint64_t cache_hash(std::span<const std::byte> bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
+
+std::uint64_t hash_of_blocks(std::span<const std::byte> bytes) {
+  std::vector<std::uint64_t> blocks((bytes.size() + kHashedBlock_bytes - 1) / kHashedBlock_bytes);
+  parallel_for(static_cast<std::int64_t>(blocks.size()), 0, [&](std::int64_t k) {
+    const std::size_t begin = static_cast<std::size_t>(k) * kHashedBlock_bytes;
+    blocks[static_cast<std::size_t>(k)] =
+        cache_hash(bytes.subspan(begin, std::min(kHashedBlock_bytes, bytes.size() - begin)));
+  });
+  return cache_hash(std::as_bytes(std::span(blocks)));
+}
 
 void append_number(std::string& table, std::uint64_t value) {
   table.append(reinterpret_cast<const char*>(&value), sizeof value);
@@ -44,7 +79,6 @@ CacheWriter::CacheWriter(std::filesystem::path path)
   if (!file_) throw cannot_write(part_path_);
   const CacheHeader empty{};
   file_.write(reinterpret_cast<const char*>(&empty), sizeof empty);
-  XXH3_64bits_reset(&hash_->state);
 }
 
 CacheWriter::~CacheWriter() {
@@ -56,7 +90,7 @@ CacheWriter::~CacheWriter() {
 
 void CacheWriter::write(std::span<const std::byte> bytes) {
   if (bytes.empty()) return;
-  XXH3_64bits_update(&hash_->state, bytes.data(), bytes.size());
+  hash_->add(bytes);
   file_.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   offset_ += bytes.size();
   if (!file_) throw cannot_write(part_path_);
@@ -99,7 +133,7 @@ void CacheWriter::publish(const std::string& program_version) {
   write(std::as_bytes(std::span(head)));
   write(std::as_bytes(std::span(table_)));
   header.file_bytes = offset_;
-  header.content_hash = XXH3_64bits_digest(&hash_->state);
+  header.content_hash = hash_->all();
   header.header_hash = cache_hash(std::as_bytes(std::span(&header, 1)).first(offsetof(CacheHeader, header_hash)));
   file_.seekp(0);
   file_.write(reinterpret_cast<const char*>(&header), sizeof header);

@@ -14,7 +14,7 @@
 namespace ifov::io {
 
 /// What a cache begins with; records follow, then a table of them. The first hash is of everything behind the header,
-/// the second of the header before it.
+/// by blocks, the second of the header before it.
 struct CacheHeader {
   char magic[8];
   std::uint32_t byte_order, format;
@@ -25,11 +25,15 @@ struct CacheHeader {
 static_assert(sizeof(CacheHeader) == 64);
 
 inline constexpr char kCacheMagic[9] = "IFOVCACH";
-inline constexpr std::uint32_t kCacheByteOrder = 0x01020304, kCacheFormat = 1;
+inline constexpr std::uint32_t kCacheByteOrder = 0x01020304, kCacheFormat = 2;
 inline constexpr std::size_t kCacheAlignment = 64;
 
 /// XXH3, 64 bits.
 std::uint64_t cache_hash(std::span<const std::byte> bytes);
+
+/// The hash of the hashes of all blocks of 1 MiB (the last may be shorter), which are worked out in parallel.
+inline constexpr std::size_t kHashedBlock_bytes = 1 << 20;
+std::uint64_t hash_of_blocks(std::span<const std::byte> bytes);
 
 /// Writes a cache beside its final name, under one that no other run has, and renames it when it is whole. Throws
 /// EnvironmentError where it cannot.

@@ -48,12 +48,16 @@ std::string name_beside(const std::filesystem::path& file, const std::filesystem
   return absolute_path(file).lexically_proximate(absolute_path(folder)).string();
 }
 
-FileStamp stamp_of(const std::filesystem::path& file, const std::filesystem::path& cache_folder) {
+FileStamp stamp_of(const std::filesystem::path& file, const std::filesystem::path& cache_folder,
+                   std::span<const FileStamp> known) {
   // The time is taken before the bytes: what changes in between is noticed the next time.
   const std::optional<SizeAndTime> seen = look_at(file);
   if (!seen) throw EnvironmentError(format("cannot read '{}': {}", file.string(), std::strerror(errno)));
-  return {name_beside(file, cache_folder), seen->bytes, seen->time_ns,
-          hash_of(file)};
+  FileStamp stamp{name_beside(file, cache_folder), seen->bytes, seen->time_ns, {}};
+  for (const FileStamp& one : known)
+    if (one.path == stamp.path && one.bytes == stamp.bytes && one.time_ns == stamp.time_ns) return one;
+  stamp.hash = hash_of(file);
+  return stamp;
 }
 
 StampState check_stamp(FileStamp& stamp, const std::filesystem::path& cache_folder) {

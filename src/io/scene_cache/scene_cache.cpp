@@ -75,7 +75,7 @@ void SceneCache::say(const std::string& message) const {
 
 std::optional<std::string> SceneCache::open() {
   try {
-    file_ = std::make_unique<MappedFile>(path_);
+    file_ = std::make_shared<const MappedFile>(path_);
   } catch (const EnvironmentError& error) {
     return error.what();
   }
@@ -89,7 +89,7 @@ std::optional<std::string> SceneCache::open() {
   if (header.byte_order != kCacheByteOrder) return "it was written on a machine of another byte order";
   if (header.format != kCacheFormat) return "it is of another format";
   if (header.file_bytes != bytes.size() || header.table_offset < sizeof header || header.table_offset > bytes.size() ||
-      header.content_hash != cache_hash(bytes.subspan(sizeof header)))
+      header.content_hash != hash_of_blocks(bytes.subspan(sizeof header)))
     return "it is damaged";
   return read_table(bytes.subspan(header.table_offset), header.table_offset);
 }
@@ -155,6 +155,13 @@ std::vector<FileStamp> SceneCache::stamps(std::span<const std::string> files) co
   return found;
 }
 
+std::vector<FileStamp> SceneCache::known_files() const {
+  std::vector<FileStamp> known = put_;
+  for (const Record& record : records_)
+    if (record.found) known.insert(known.end(), record.made_from.begin(), record.made_from.end());
+  return known;
+}
+
 CacheWriter* SceneCache::writer() {
   if (!writer_ && !cannot_write_) try {
       writer_ = std::make_unique<CacheWriter>(path_);
@@ -170,6 +177,7 @@ void SceneCache::put(const std::string& name, std::vector<FileStamp> made_from,
   if (writer() == nullptr) return;
   try {
     writer_->add(name, made_from, pieces);
+    put_.insert(put_.end(), made_from.begin(), made_from.end());
   } catch (const EnvironmentError& error) {
     writer_.reset();
     cannot_write_ = true;

@@ -28,14 +28,21 @@ class SceneCache {
   SceneCache(const SceneCache&) = delete;
   SceneCache& operator=(const SceneCache&) = delete;
 
-  /// The bytes of a record whose files are still what they were, aligned to 64; they live as long as this.
+  /// The bytes of a record whose files are still what they were, aligned to 64; they live as long as this
+  /// or its keeper.
   std::optional<std::span<const std::byte>> find(const std::string& name);
+
+  /// Keeps the bytes that are found.
+  std::shared_ptr<const void> keeper() const { return file_; }
 
   /// How a file is called in names of records: relative to the folder of the cache.
   std::string name_of(const std::string& file) const;
 
   /// The stamps of files that are about to be read.
   std::vector<FileStamp> stamps(std::span<const std::string> files) const;
+
+  /// The stamps of all files whose records were found or put.
+  std::vector<FileStamp> known_files() const;
 
   /// Keeps a record, made of pieces one behind the other. It is found by the next program.
   void put(const std::string& name, std::vector<FileStamp> made_from,
@@ -66,9 +73,10 @@ class SceneCache {
   std::filesystem::path path_;
   std::string program_version_;
   LogSink* log_;
-  std::unique_ptr<MappedFile> file_;
+  std::shared_ptr<const MappedFile> file_;
   std::vector<Record> records_;
   std::unique_ptr<CacheWriter> writer_;
+  std::vector<FileStamp> put_;  ///< of the files of records that were put
   bool cannot_write_ = false, dirty_ = false;
 };
 
