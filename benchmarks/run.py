@@ -12,7 +12,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
-from drivers import atmosphere, cluster, honesty, instances, micro, mitsuba, rami, refine, runs, speed, studies  # noqa: E402
+from drivers import atmosphere, bookkeeping, cluster, honesty, instances, micro, mitsuba, rami, refine, runs, speed, studies  # noqa: E402
 from drivers.figures import Context, show  # noqa: E402
 
 GROUPS = {
@@ -23,6 +23,7 @@ GROUPS = {
     "atmosphere": atmosphere.run,
     "refine": refine.run,
     "runs": runs.run,
+    "bookkeeping": bookkeeping.run,
     "rami": rami.run,
     "honesty": honesty.run,
     "cluster": cluster.run,
