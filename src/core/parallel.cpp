@@ -12,8 +12,9 @@
 namespace ifov {
 namespace {
 
-/// That what comes before a loop is seen by its pieces, and what those do by what comes after it. The library sees to that
-/// by means that the thread sanitizer cannot see; it is told here, and learns nothing of pieces among each other.
+/// That what comes before a loop is seen by its pieces, and what those do by what comes after it. The library
+/// sees to that by means that the thread sanitizer cannot see; it is told here, and learns nothing of pieces
+/// among each other.
 class LoopOrder {
 #ifdef __SANITIZE_THREAD__
  public:
@@ -47,10 +48,13 @@ void parallel_for(std::int64_t count, int threads, const std::function<void(std:
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   LoopOrder order;
   arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, count, 1), [&](const auto& range) {
-      [[maybe_unused]] const LoopOrder::Piece piece(order);
-      for (std::int64_t i = range.begin(); i < range.end(); ++i) body(i);
-    }, tbb::simple_partitioner());
+    tbb::parallel_for(
+        tbb::blocked_range<std::int64_t>(0, count, 1),
+        [&](const auto& range) {
+          [[maybe_unused]] const LoopOrder::Piece piece(order);
+          for (std::int64_t i = range.begin(); i < range.end(); ++i) body(i);
+        },
+        tbb::simple_partitioner());
   });
 }
 
