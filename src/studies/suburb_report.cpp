@@ -31,14 +31,14 @@ std::string table_2(const SceneResults& r) {
     rows += format(
         "<tr><td>{}{}</td><td class=\"n\">{}/{:.1f}/{}</td><td class=\"n\">{}</td><td class=\"n\">{:.3f}</td><td "
         "class=\"n\">{:.3f}</td><td class=\"n\">{}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{}</td><td "
-        "class=\"n\">{:.1f}</td><td class=\"n\">{:.4f}</td><td class=\"n\">{:.3f}</td></tr>\n",
-        html_text(s.name), k == r.chosen ? " (judged)" : "", s.fewest_samples, s.samples_per_px, s.most_samples,
+        "class=\"n\">{:.1f}</td><td class=\"n\">{:.4f}</td><td class=\"n\">{:.3f}</td><td class=\"n\">{:.3f}</td></tr>\n",
+        html_text(s.name), k == r.chosen ? " (judged)" : k == r.chosen_by_largest ? " (by the largest error)" : "", s.fewest_samples, s.samples_per_px, s.most_samples,
         paper.samples, s.materials.counted, s.materials.raw, paper.materials, s.seconds / r.results[0].seconds,
-        paper.time, s.seconds, s.abundances.rms, s.worst_over_grid);
+        paper.time, s.seconds, s.abundances.rms, s.worst_over_grid, s.largest_over_grid);
   }
   return "<table><tr><th>sampling</th><th>samples per pixel, least/mean/most</th><th>paper</th><th>materials per "
          "pixel, at least 0.1 %</th><th>raw</th><th>paper</th><th>time over one ray</th><th>paper</th><th>seconds"
-         "</th><th>abundances, RMS error</th><th>radiance, RMS error over 10 x 10, worst band</th></tr>\n" +
+         "</th><th>abundances, RMS error</th><th>radiance, RMS error over 10 x 10, worst band</th><th>largest of all bands, over the largest of 10 x 10</th></tr>\n" +
          rows + "</table>\n";
 }
 

@@ -129,7 +129,20 @@ void Radiance::plan(std::size_t p, std::size_t s, double count) {
         planned_.push_back({p, s, block, static_cast<std::uint8_t>(replicate), false});
       }
     }
+  if (!keep_values_) plan_paths(stratum, hash(seed_, kStratumKey, px, py, table_.label(stratum.label), kPathsKey), first);
   if (stratum.round == 2) plan_twins(first);
+}
+
+/// Where all values weigh alike, the paths of all rounds of a stratum are one sequence: what one round has left out, the
+/// next looks at. Paths of a block are far apart in it: made unlike, they would show as variance what they take away.
+void Radiance::plan_paths(Stratum& stratum, std::uint64_t key, std::size_t first) {
+  std::uint32_t next[kRoundReplicates] = {};
+  for (std::size_t i = first; i < requests_.size(); ++i) ++next[planned_[i].replicate];
+  for (std::uint32_t& n : next) stratum.paths += std::exchange(n, stratum.paths);
+  for (std::size_t i = first; i < requests_.size(); ++i) {
+    requests_[i].sequence = key;
+    requests_[i].index = next[planned_[i].replicate]++;
+  }
 }
 
 /// Second paths at some of the points planned from `first` on, each after its point's own.

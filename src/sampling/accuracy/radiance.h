@@ -48,6 +48,7 @@ class Radiance {
   struct Stratum {
     std::uint32_t label = EdgeTracer::kNoLabel;
     std::uint32_t round = 0;
+    std::uint32_t paths = 0;             ///< of its one sequence used so far, where no footprint weighs its values
     std::vector<BlockSums> rounds;       ///< of accepted values, one per jittered grid
     std::vector<std::uint32_t> samples;  ///< indices of accepted values where those are kept, round after round
     Nets nets;
@@ -154,6 +155,7 @@ class Radiance {
       return pixel == other.pixel && stratum == other.stratum && block == other.block;
     }
   };
+  void plan_paths(Stratum& stratum, std::uint64_t key, std::size_t first);
   void plan_twins(std::size_t first);
   void add_block(std::size_t first, std::size_t last, std::span<const std::uint32_t> labels, const float* values);
 

@@ -58,8 +58,11 @@ void Radiance::trace_clutter() {
     ClutterRound& round = pixel.rounds.back();
     const int px = domain.x0 + pixel.source % domain.width(), py = domain.y0 + pixel.source / domain.width();
     const std::uint64_t key = hash(seed_, kClutterKey, px, py, pixel.rounds.size());
+    // One sequence for all rounds: what one has left out, the next looks at.
+    const auto before = static_cast<std::uint32_t>(pixel.clutter_count()) - static_cast<std::uint32_t>(round.count());
+    const ClutterRound::Paths paths{hash(seed_, kClutterKey, px, py), before};
     for (std::uint32_t b = 0; b < round.blocks(); ++b) {
-      round.request(px, py, key, b, requests);
+      round.request(px, py, key, paths, b, requests);
       rounds.push_back(&round);
       if (requests.size() == kBatch) trace_batch();
     }
@@ -73,7 +76,8 @@ void Radiance::clutter(const Pixel& pixel, const PixelFootprint* footprint, Poin
   moments.assign(columns.size(), {});
   double total = 0.0;
   for (const ClutterRound& round : pixel.rounds) total += round_weight(static_cast<double>(round.count()));
-  std::vector<double> weights, weighted(columns.size(), 0.0);
+  ClutterRound::Weights weights;
+  std::vector<double> weighted(columns.size(), 0.0);
   for (const ClutterRound& round : pixel.rounds) {
     if (footprint != nullptr) round.weigh(*footprint, centre, weights);
     const double share = round_weight(static_cast<double>(round.count())) / total;

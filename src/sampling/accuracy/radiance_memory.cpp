@@ -57,6 +57,7 @@ void Radiance::remember(const Pixel& pixel, double predicted, TileMemory& memory
     write(table_.label(stratum.label));
     write(pixel.model.area[s]);
     write(stratum.round);
+    write(stratum.paths);
     pass_rounds(write, stratum.rounds, columns, stride_);
     pass_nets(write, stratum.nets, columns, stride_);
     write(stratum.twins);
@@ -98,6 +99,7 @@ bool Radiance::recall(std::size_t p, const TileMemory& memory) {
     read(label);
     read(area);
     read(known.round);
+    read(known.paths);
     pass_rounds(read, known.rounds, columns, stride_);
     pass_nets(read, known.nets, columns, stride_);
     read(known.twins);
