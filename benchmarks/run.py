@@ -12,7 +12,9 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
-from drivers import atmosphere, cluster, honesty, instances, micro, mitsuba, rami, refine, runs, speed, start, studies  # noqa: E402
+from drivers import (  # noqa: E402
+    atmosphere, bookkeeping, cluster, honesty, instances, micro, mitsuba, rami, refine, runs, speed, start, studies,
+)
 from drivers.figures import Context, show  # noqa: E402
 
 GROUPS = {
@@ -24,6 +26,7 @@ GROUPS = {
     "atmosphere": atmosphere.run,
     "refine": refine.run,
     "runs": runs.run,
+    "bookkeeping": bookkeeping.run,
     "rami": rami.run,
     "honesty": honesty.run,
     "cluster": cluster.run,

@@ -15,7 +15,10 @@ class Context:
     long: bool
 
     def program(self, name):
-        return self.build / name
+        file = self.build / name
+        if not file.exists():
+            raise FileNotFoundError(f"{file} is not built: cmake --build {self.build} --target ifov benchmarks")
+        return file
 
 
 def figure(value, unit, must="", ok=None):

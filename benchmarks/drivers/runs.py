@@ -1,15 +1,14 @@
-"""What `--dry-run` foretells against what runs take, and what the keeping of finished tiles costs. Times are processor time of
-the programs, so that others who use the machine do not count."""
+"""What `--dry-run` foretells against what runs take. Times are processor time of the programs, so that others who use the
+machine do not count."""
 
 import json
 import os
 import re
 import subprocess
 
-from drivers.figures import ROOT, at_most, figure, median
+from drivers.figures import ROOT, at_most, figure
 
 WITHIN = 1.5  # times, either way
-MOST_BOOKKEEPING = 2.0  # percent
 PREFIXES = {"": 1.0, "k": 1e3, "M": 1e6, "G": 1e9, "T": 1e12}
 
 
@@ -62,25 +61,6 @@ def forecast(context, name, document, folder):
     return figures
 
 
-def bookkeeping(context, document, folder):
-    """Runs with and without it in turn, each first every other time; the lowest third of each counts, which others who
-    disturb the caches have disturbed least."""
-    program = context.program("ifov")
-    render = [program, "render", document, "--quiet", "--threads", 2]
-    times = {"--restart": [], "--no-state": []}
-    pairs = 24 if context.long else 12
-    for k in range(pairs):
-        for kind in sorted(times, reverse=k % 2 == 1):
-            times[kind].append(measured([*render, kind, "-o", folder])[0])
-    with_it, without = (sum(sorted(times[kind])[: pairs // 3]) for kind in ("--restart", "--no-state"))
-    ratios = [a / b for a, b in zip(times["--restart"], times["--no-state"])]
-    return {
-        "runs.bookkeeping": at_most(100.0 * (with_it / without - 1.0), MOST_BOOKKEEPING, "% of processor time"),
-        "runs.bookkeeping_median_of_pairs": figure(round(100.0 * (median(ratios) - 1.0), 2), "%"),
-        "runs.bookkeeping_run": figure(round(3.0 * without / pairs, 2), "s of processor time"),
-    }
-
-
 def run(context):
     program, folder = context.program("ifov"), context.folder / "runs"
     folder.mkdir(parents=True, exist_ok=True)
@@ -100,4 +80,4 @@ def run(context):
     figures = {}
     for name, document in documents.items():
         figures |= forecast(context, name, document, folder / "out" / name)
-    return figures | bookkeeping(context, documents["suburb_thermal"], folder / "out" / "bookkeeping")
+    return figures

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <chrono>
 
+#include "cluster/nap.h"
+
 namespace ifov::cluster {
 namespace {
 
-constexpr auto kShortest = std::chrono::microseconds(50), kLongest = std::chrono::microseconds(1000);
+/// Between two looks for messages, where a thread waits for tiles; where more are on their way; and where only the end of
+/// the run may come.
+constexpr std::chrono::milliseconds kNapIdle{1}, kNapAsked{5}, kNapAtWork{20};
 constexpr auto kReportEvery = std::chrono::milliseconds(500);
 constexpr int kReportOnly = -1;
 
@@ -72,7 +76,7 @@ bool TileClient::wants_more() const {
 
 void TileClient::work() {
   std::unique_lock lock(mutex_);
-  auto nap = kShortest;
+  Nap nap;
   while (!leaving_) {
     bool any = false;
     while (std::optional<Message> message = world_.poll()) {
@@ -90,8 +94,10 @@ void TileClient::work() {
     } else if (!no_more_ && Clock::now() - told_ > kReportEvery) {
       ask(kReportOnly);
     }
-    nap = any ? kShortest : std::min(2 * nap, kLongest);
-    wake_.wait_for(lock, nap, [&] { return leaving_ || wants_more(); });
+    if (any) nap.restart();
+    const int idle = idle_;
+    wake_.wait_for(lock, nap.next(idle > 0 ? kNapIdle : asked_ ? kNapAsked : kNapAtWork),
+                   [&] { return leaving_ || wants_more() || idle_ > idle; });
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "cluster/nap.h"
 #include "core/error.h"
 
 namespace ifov::cluster {
@@ -10,8 +11,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Between two looks for messages: short while they come.
-constexpr auto kShortest = std::chrono::microseconds(100), kLongest = std::chrono::microseconds(1000);
+/// A rank that has nothing to do waits for half of this, once for a tile that takes many times as long.
+constexpr std::chrono::milliseconds kLongestNap{5};
 /// A launcher that ends a run kills who has not left within a second.
 constexpr auto kPatience = std::chrono::milliseconds(500);
 
@@ -75,7 +76,7 @@ std::map<int, Farewell> TileServer::finish(const std::function<void()>& look) {
 }
 
 void TileServer::serve() {
-  auto nap = kShortest;
+  Nap nap;
   std::unique_lock lock(mutex_);
   while (!leaving_) {
     lock.unlock();
@@ -86,8 +87,8 @@ void TileServer::serve() {
     }
     lock.lock();
     if (user_ != nullptr && user_->cancelled()) stop_all();
-    nap = any ? kShortest : std::min(2 * nap, kLongest);
-    if (!leaving_) wake_.wait_for(lock, nap, [&] { return leaving_; });
+    if (any) nap.restart();
+    if (!leaving_) wake_.wait_for(lock, nap.next(kLongestNap), [&] { return leaving_; });
   }
 }
 

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "cluster/launch.h"
+#include "cluster/nap.h"
 #include "core/error.h"
 
 #ifdef IFOV_HAS_MPI
@@ -20,19 +21,8 @@
 namespace ifov::cluster {
 namespace {
 
-constexpr auto kShortestNap = std::chrono::microseconds(50), kLongestNap = std::chrono::microseconds(1000);
-
-/// Waits without taking a core, at first for a short while.
-class Nap {
- public:
-  void take() {
-    std::this_thread::sleep_for(length_);
-    length_ = std::min(2 * length_, kLongestNap);
-  }
-
- private:
-  std::chrono::microseconds length_ = kShortestNap;
-};
+/// Where there is nothing to do but wait.
+void take(Nap& nap) { std::this_thread::sleep_for(nap.next(std::chrono::milliseconds(1))); }
 
 std::string processor_name() {
   std::array<char, MPI_MAX_PROCESSOR_NAME> name{};
@@ -124,7 +114,7 @@ void World::send_all(const std::vector<int>& to, Tag tag, const Parcel& parcel) 
     MPI_Testall(static_cast<int>(requests.size()), requests.data(), &done, MPI_STATUSES_IGNORE);
     return done != 0;
   };
-  for (Nap nap; !are_done(); nap.take()) {
+  for (Nap nap; !are_done(); take(nap)) {
   }
 }
 
@@ -144,14 +134,14 @@ std::optional<Message> World::poll() {
 }
 
 Message World::receive(const CancelToken* cancel) {
-  for (Nap nap;; nap.take()) {
+  for (Nap nap;; take(nap)) {
     if (std::optional<Message> message = poll()) return std::move(*message);
     if (cancel != nullptr && cancel->cancelled()) throw Cancelled();
   }
 }
 
 void World::wait_for_end() {
-  for (Nap nap; !ended_; nap.take()) poll();
+  for (Nap nap; !ended_; take(nap)) poll();
 }
 
 std::string mpi_library() {

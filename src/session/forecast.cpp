@@ -18,7 +18,8 @@ namespace ifov::session {
 namespace {
 
 /// Pieces are at least this wide: on smaller ones what a tile does beyond its rim would weigh too much.
-constexpr int kLeastPiece_px = 16;
+constexpr int kLeastPiece_px = 8, kLeastPieceWithWideMargin_px = 16;
+constexpr double kWideMargin_px = 2.0;
 constexpr int kWantedPieces = 256;
 
 /// Pieces are not tiles, and no two runs take the same time: the standard error is at least this.
@@ -73,9 +74,10 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
   job.keep_memory = plan.keeps_memory;
   const std::unique_ptr<io::KeptTiles> earlier = open_kept(folder, plan, options.log);
   const int wanted = static_cast<int>(std::sqrt(area / kWantedPieces));
-  // Tiles that are refined are as large as they were.
-  job.tile_px = earlier ? plan.tile_px : std::min(plan.tile_px, std::max(wanted, kLeastPiece_px));
   const double margin_px = job.sampler.halo_px() + job.footprint.half_width_px();
+  const int least = margin_px > kWideMargin_px ? kLeastPieceWithWideMargin_px : kLeastPiece_px;
+  // Tiles that are refined are as large as they were.
+  job.tile_px = earlier ? plan.tile_px : std::min(plan.tile_px, std::max(wanted, least));
   Probing probing({.columns = pieces_across(width, job.tile_px),
                    .rows = pieces_across(height, job.tile_px),
                    .pixels = area,

@@ -7,9 +7,15 @@
 namespace ifov::session {
 namespace {
 
-/// Probing ends at this standard error, after this time, or when all pieces are probed.
-constexpr std::size_t kLeastProbes = 32, kMostProbes = 4096;
-constexpr double kWantedError = 0.06, kMostProbing_s = 60.0, kLeastProbing_s = 1.0;
+constexpr std::size_t kMostProbes = 4096;
+
+/// Probing ends at this standard error of so many probes at least; or when there are no more.
+struct Goal {
+  double error;
+  std::size_t probes;
+};
+constexpr Goal kGoal{0.06, 32}, kLateGoal{0.15, 8};
+constexpr double kLeastProbing_s = 1.0, kLate_s = 60.0, kMostProbing_s = 180.0;
 
 double seconds_of(clockid_t clock) {
   timespec time{};
@@ -88,8 +94,9 @@ bool Probing::read(std::size_t index, sampling::TileResult& tile) {
 bool Probing::is_enough() const {
   const double time_s = std::chrono::duration<double>(Clock::now() - begin_).count();
   if (time_s >= kMostProbing_s) return !probes_.empty();
-  return time_s >= kLeastProbing_s && probes_.size() >= kLeastProbes &&
-         std::max(rays().error, processor_s().error) < kWantedError;
+  const Goal& goal = time_s < kLate_s ? kGoal : kLateGoal;
+  return time_s >= kLeastProbing_s && probes_.size() >= goal.probes &&
+         std::max(rays().error, processor_s().error) < goal.error;
 }
 
 template <class Cost>

@@ -174,6 +174,17 @@ TEST(DocumentMessages, WrongTypesCountsAndWords) {
             "      |           ^");
 }
 
+TEST(DocumentMessages, ADocumentDoesNotWriteOutsideOfItsFolder) {
+  const std::string given = "\"folder\": \"products\"";
+  for (const std::string bad : {"/tmp/products", "../products", "products/../../elsewhere", ".."})
+    EXPECT_EQ(first_line_with(given, "\"folder\": \"" + bad + "\""),
+              "folder/a.json:42:24: 'output.folder' is the text \"" + bad +
+                  "\", expected the name of a folder beside the document or below it; 'ifov render --output FOLDER' "
+                  "writes anywhere");
+  for (const std::string good : {"products/red", "a..b", "."})
+    EXPECT_EQ(first_line_with(given, "\"folder\": \"" + good + "\""), "accepted") << good;
+}
+
 TEST(DocumentMessages, NamesThatAreNotDeclared) {
   EXPECT_EQ(
       message_with("{\"plane\": {}, \"material\": \"soil\"}", "{\"plane\": {}, \"material\": \"siol\"}"),

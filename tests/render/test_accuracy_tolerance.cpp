@@ -64,7 +64,9 @@ TEST(AccuracyTolerance, AsksForNothingFinerThanSinglePrecision) {
 }
 
 TEST(AccuracyTolerance, ReflectanceIsNotJudgedWhereTheAirHidesTheSurface) {
-  const auto nodes = nodes_at(1.9);
+  const std::vector<radiometry::Channel> channels = {radiometry::Channel::monochromatic("hidden", 1.9),
+                                                     radiometry::Channel::monochromatic("seen", 1.7)};
+  const auto nodes = radiometry::SpectralNodes::build(channels, radiometry::Spectrum(), {});
   const ChannelBrightness brightness(nodes);
   AccuracyRequest request;
   request.unit = ErrorUnit::reflectance;

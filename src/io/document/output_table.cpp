@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 
 #include "core/format.h"
 #include "io/document/record.h"
@@ -10,6 +11,22 @@ namespace {
 struct Quicklook {
   std::vector<DocumentName> channels;
 };
+
+/// A document from somewhere else must not choose where on this machine files appear: only who starts the program may.
+Kind<DocumentFile> folder_kind() {
+  const Kind<DocumentFile> any = file();
+  ValueDescription d = *any.description;
+  d.expected = "the name of a folder beside the document or below it; 'ifov render --output FOLDER' writes anywhere";
+  d.short_name = "folder name";
+  d.pattern = "^(?!/)(?!(.*/)?\\.\\.(/|$))[^\\u0000]+$";
+  auto description = std::make_shared<const ValueDescription>(std::move(d));
+  return {description, [description, read = any.read](const DocumentNode& node) {
+            const std::filesystem::path path = text_of(node, *description);
+            if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end())
+              node.fail_expected(description->expected);
+            return read(node);
+          }};
+}
 
 Kind<std::vector<ProductFormat>> formats_kind() {
   const auto formats = list(choice<ProductFormat>({{"envi", ProductFormat::envi},
@@ -41,7 +58,7 @@ Kind<OutputDocument> output_kind() {
   Record<OutputDocument> record("output", "What is written, and where.");
   record
       .optional(
-          "folder", [](OutputDocument& output, DocumentFile f) { output.folder = std::move(f.path); }, file(),
+          "folder", [](OutputDocument& output, DocumentFile f) { output.folder = std::move(f.path); }, folder_kind(),
           "folder of the products, relative to the document; the document's name with '.out' if not given")
       .with_default("formats", &OutputDocument::formats, formats_kind(),
                     "[\"envi\", \"geotiff\", \"png\", \"html\"]", "kinds of products; the ENVI cubes and the run record are always written")
