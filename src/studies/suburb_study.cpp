@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "core/format.h"
 #include "io/document/document.h"
@@ -22,9 +23,9 @@ constexpr int kReferenceSide = 64;     // rays along a pixel's side
 constexpr int kReferenceTile_px = 20;  // radiance of the reference is made for one tile in kReferenceShare
 constexpr int kReferenceShare = 5;
 constexpr int kSearches = 4;          // accuracy settings that are tried
-constexpr double kFirstError = 0.03;  // of reflectance
+constexpr double kFirstError = 0.034;  // of reflectance
 constexpr double kFirstErrorByLargest = 0.07;
-constexpr double kErrorPower = 1.3;   // the RMS error falls more slowly than the error asked for
+constexpr double kErrorPower = 0.6;   // the RMS error in the worst band falls faster than the error asked for
 constexpr double kPaperSamples = 52.0;
 constexpr double kRounding = 1e-6;  // relative, of radiances in single precision
 
@@ -166,18 +167,27 @@ class SuburbStudy {
   /// The largest error asked for that keeps a ratio to the grid's error at 1 or less, as near as a few trials come: the
   /// result of it.
   std::size_t search(double SceneResult::*ratio_of, double error) {
+    struct Tried {
+      double error = 0.0, ratio = 0.0;
+    };
+    std::optional<Tried> met, missed;
     for (int k = 0; k < (quick_ ? 1 : kSearches); ++k) {
       add(accuracy_way(error));
       const double ratio = out_.results.back().*ratio_of;
+      (ratio <= 1.0 ? met : missed) = {error, ratio};
       if (ratio <= 1.0 && ratio > 0.95) break;
-      error *= std::clamp(std::pow(0.97 / ratio, kErrorPower), 0.3, 3.0);
+      if (met && missed)  // between them, as a power of the error
+        error = met->error * std::pow(missed->error / met->error,
+                                      std::log(0.975 / met->ratio) / std::log(missed->ratio / met->ratio));
+      else
+        error *= std::clamp(std::pow(0.97 / ratio, kErrorPower), 0.3, 3.0);
     }
     constexpr std::size_t kFirst = 4;
     std::size_t chosen = kFirst;
     for (std::size_t k = kFirst; k < out_.results.size(); ++k) {
       const SceneResult &best = out_.results[chosen], &other = out_.results[k];
-      const bool met = other.*ratio_of <= 1.0;
-      if (best.*ratio_of > 1.0 ? other.*ratio_of < best.*ratio_of : met && other.seconds < best.seconds) chosen = k;
+      const bool meets = other.*ratio_of <= 1.0;
+      if (best.*ratio_of > 1.0 ? other.*ratio_of < best.*ratio_of : meets && other.seconds < best.seconds) chosen = k;
     }
     return chosen;
   }
