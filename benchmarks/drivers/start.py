@@ -67,5 +67,5 @@ def run(context):
         "start.rays_that_met": at_least(rays["met"] / rays["rays"], 0.5, "of the rays"),
         "start.hits_unlike_one_tree": at_most(rays["different"], 0, "hits"),
         "start.wrong_hits": at_most(rays["wrong"], 0, "hits"),
-        "start.time_of_rays_over_one_tree": at_most(rays["time_over_at_once"], 1.3, "times, half of the rays incoherent"),
+        "start.time_of_rays_over_one_tree": at_most(rays["time_over_at_once"], 1.1, "times, half of the rays incoherent"),
     }

@@ -23,6 +23,11 @@ constexpr PaperRow kPaper[] = {{"1/1/1", "1.00", "1"},
                                {"100/100/100", "1.58", "100"},
                                {"25/52/100", "1.65", "47"}};
 
+const char* role(const SceneResults& r, std::size_t k) {
+  if (k == r.chosen) return " (judged)";
+  return k == r.chosen_by_largest ? " (by the largest error)" : "";
+}
+
 std::string table_2(const SceneResults& r) {
   std::string rows;
   for (std::size_t k = 0; k < r.results.size(); ++k) {
@@ -32,13 +37,14 @@ std::string table_2(const SceneResults& r) {
         "<tr><td>{}{}</td><td class=\"n\">{}/{:.1f}/{}</td><td class=\"n\">{}</td><td class=\"n\">{:.3f}</td><td "
         "class=\"n\">{:.3f}</td><td class=\"n\">{}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{}</td><td "
         "class=\"n\">{:.1f}</td><td class=\"n\">{:.4f}</td><td class=\"n\">{:.3f}</td><td class=\"n\">{:.3f}</td></tr>\n",
-        html_text(s.name), k == r.chosen ? " (judged)" : k == r.chosen_by_largest ? " (by the largest error)" : "", s.fewest_samples, s.samples_per_px, s.most_samples,
-        paper.samples, s.materials.counted, s.materials.raw, paper.materials, s.seconds / r.results[0].seconds,
-        paper.time, s.seconds, s.abundances.rms, s.worst_over_grid, s.largest_over_grid);
+        html_text(s.name), role(r, k), s.fewest_samples, s.samples_per_px, s.most_samples, paper.samples,
+        s.materials.counted, s.materials.raw, paper.materials, s.seconds / r.results[0].seconds, paper.time, s.seconds,
+        s.abundances.rms, s.worst_over_grid, s.largest_over_grid);
   }
   return "<table><tr><th>sampling</th><th>samples per pixel, least/mean/most</th><th>paper</th><th>materials per "
          "pixel, at least 0.1 %</th><th>raw</th><th>paper</th><th>time over one ray</th><th>paper</th><th>seconds"
-         "</th><th>abundances, RMS error</th><th>radiance, RMS error over 10 x 10, worst band</th><th>largest of all bands, over the largest of 10 x 10</th></tr>\n" +
+         "</th><th>abundances, RMS error</th><th>radiance, RMS error over 10 x 10, worst band</th><th>largest of all "
+         "bands, over the largest of 10 x 10</th></tr>\n" +
          rows + "</table>\n";
 }
 

@@ -90,6 +90,33 @@ TEST(ClutterRound, PointsOnOneSideOfABorderDoNotMakeItExact) {
   EXPECT_GT(gross_errors(false), 0.04) << "blocks alone see nothing of it";
 }
 
+/// Over straight borders anywhere, the pairs of unlike neighbours add up to the variance: what one costs is 1/8 of the
+/// step's square.
+TEST(ClutterRound, UnlikeNeighboursTellTheVarianceOfStraightBorders) {
+  constexpr int kBorders = 1500;
+  for (const int side : {6, 10, 20}) {
+    double variance = 0.0, pairs = 0.0;
+    for (int k = 0; k < kBorders; ++k) {
+      const double angle = 6.283185307179586 * unit_double(hash(8, k, 0)), offset = 0.7 * (unit_double(hash(8, k, 1)) - 0.5);
+      const double x = std::cos(angle), y = std::sin(angle);
+      const auto beyond = [&](double px, double py) { return (px - 0.5) * x + (py - 0.5) * y > offset; };
+      double mean[2];
+      for (int twin = 0; twin < 2; ++twin) {
+        const ClutterRound round = filled(
+            side, hash(9, k, twin), true, [&](double px, double py, std::uint64_t) { return beyond(px, py) ? 1.0 : 0.0; },
+            [&](double px, double py) { return beyond(px, py) ? 1u : 0u; });
+        mean[twin] = round.moment(0).mean;
+        ClutterRound::Weights weights;
+        round.weigh(PixelFootprint::box(4.0), {2.5, 3.5}, weights);
+        for (const ClutterRound::Border& border : weights.borders) pairs += 0.5 * border.weight;
+      }
+      variance += 0.5 * (mean[0] - mean[1]) * (mean[0] - mean[1]);
+    }
+    EXPECT_GT(pairs / 8.0, 0.85 * variance) << side;
+    EXPECT_LT(pairs / 8.0, 1.1 * variance) << side;
+  }
+}
+
 /// As the weighted moments do where all weights are alike.
 TEST(ClutterRound, BordersCountUnderAFootprintAsWell) {
   const auto picture = [](double x, double, std::uint64_t) { return x > 0.5 ? 1.0 : 0.0; };  // between two columns
