@@ -13,7 +13,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 from drivers import (  # noqa: E402
-    atmosphere, bookkeeping, cluster, honesty, instances, micro, mitsuba, rami, refine, runs, speed, start, studies,
+    atmosphere, bookkeeping, channels, cluster, honesty, instances, micro, mitsuba, rami, refine, runs, speed, start, studies,
 )
 from drivers.figures import Context, show  # noqa: E402
 
@@ -24,6 +24,7 @@ GROUPS = {
     "speed": speed.run,
     "studies": studies.run,
     "atmosphere": atmosphere.run,
+    "channels": channels.run,
     "refine": refine.run,
     "runs": runs.run,
     "bookkeeping": bookkeeping.run,

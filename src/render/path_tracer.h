@@ -7,8 +7,9 @@
 
 #include "materials/scattering.h"
 #include "math/ray.h"
+#include "render/path_record.h"
 #include "render/spectral_scene.h"
-#include "render/surface_rows.h"
+#include "render/surface_lobe.h"
 #include "sampling/field.h"
 #include "sampling/warp.h"
 
@@ -26,53 +27,48 @@ struct TransportOptions {
   int maximum_scatterings = -1;
 };
 
-/// A spectral path tracer, breadth first: a batch of paths advances together, one bounce at a time, so that the ray
-/// tracer sees large batches, and every path carries all spectral nodes. Next-event estimation to the Sun (uniform
-/// in projected solid angle of its disc), scattering for sky and emission; the estimate is unbiased (Kajiya 1986).
+/// Finds paths, breadth first: a batch advances together, one bounce at a time, so that the ray tracer sees large
+/// batches. Next-event estimation to the Sun (uniform in projected solid angle of its disc), scattering for sky and
+/// emission; the estimate is unbiased (Kajiya 1986). No decision needs a spectrum, only the highest factors of a
+/// surface: what a path met is recorded, and PathLight makes radiance of it in all spectral nodes.
 /// An object serves one thread.
 class PathTracer {
  public:
   /// Keeps a reference to the scene, which must outlive this.
   PathTracer(const SpectralScene& scene, TransportOptions options);
 
-  /// Radiance along each ray towards its origin, at the sensor (view path included), in nodes: row k of `radiance`
-  /// (resized here). `first_hits` receives what each ray met. Adds shadow and bounce rays to `counts`.
-  void trace(std::span<const math::Ray> rays, std::span<const PathKey> keys, radiometry::SpectrumBlock& radiance,
-             std::span<geometry::SurfacePoint> first_hits, sampling::RayCounts& counts);
+  /// The paths of rays from the sensor; the record holds until the next call. `first_hits` receives what each ray met.
+  /// Adds shadow and bounce rays to `counts`.
+  const PathRecord& trace(std::span<const math::Ray> rays, std::span<const PathKey> keys,
+                          std::span<geometry::SurfacePoint> first_hits, sampling::RayCounts& counts);
 
  private:
   struct Path {
     math::Ray ray;
     PathKey key;
-    std::uint32_t row = 0;         // of the radiance block
-    std::uint32_t throughput = 0;  // row of the throughput block
-    bool sees_sun = true;          // no next-event estimation was made for this segment
+    std::uint32_t number = 0;  // in the record
+    bool sees_sun = true;      // no next-event estimation was made for this segment
   };
-  struct Scatter {                 // a path that scatters at this depth
+  struct Scatter {  // a path that scatters at this depth
     std::uint32_t path = 0;
     std::uint32_t shadow = kNone;  // index of its shadow ray
-    const float* sun_factor = nullptr;     // spectral factors of sunlight and of the continued path
-    const float* bounce_factor = nullptr;
-    float sun_weight = 0.0f;       // of sun_irradiance, before visibility
-    float bounce_weight = 0.0f;    // of the factor, in the continued path; 0 ends it
+    PathVertex vertex;             // sunlight as if nothing blocked it
     math::Ray next;
     bool next_sees_sun = false;
-    const float* emission = nullptr;  // not yet written to the path's radiance
   };
   struct Sides;
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  /// Paths advance in groups small enough that their rows stay in the second-level cache.
-  static constexpr std::size_t kGroup = 256;
 
   void trace_segment(sampling::RayCounts& counts, int depth);
-  void advance(int depth, radiometry::SpectrumBlock& radiance, sampling::RayCounts& counts);
-  void add_escaped(const Path& path, int depth, float* radiance);
-  /// Whether the path scatters: an event was added.
-  bool scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface, int depth);
-  void send_to_sun(const SurfaceRows& rows, const Sides& sides, const geometry::SurfacePoint& hit, sampling::Point2 u,
+  void advance(int depth, sampling::RayCounts& counts);
+  void escape(const Path& path);
+  PathVertex vertex_of(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe);
+  /// What becomes of a path at a surface: an event is added, of no weights where it ends there without sunlight.
+  void scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface, int depth);
+  void send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, sampling::Point2 u,
                    Scatter& event);
-  /// Direction, factor and weight of the continued path, before any roulette; false where it ends.
-  bool bounce(const SurfaceRows& rows, const Sides& sides, const geometry::SurfacePoint& hit, sampling::Point2 u,
+  /// Direction, side and weight of the continued path, before any roulette; false where it ends.
+  bool bounce(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, sampling::Point2 u,
               Scatter& event) const;
   materials::ScatterSample sample_bounce(const materials::Scattering& scattering, math::Vec3 viewer, math::Normal3 lobe,
                                          bool bent, sampling::Point2 u) const;
@@ -80,12 +76,9 @@ class PathTracer {
 
   const SpectralScene& scene_;
   TransportOptions options_;
-  std::size_t row_floats_;
   std::optional<sampling::SolarDisc> disc_;
   const SkySampler* sky_ = nullptr;  // of a sky that is not uniform
-  radiometry::SpectrumBlock throughput_;
-  radiometry::SpectrumBlock scratch_;  // of emission
-  radiometry::SpectrumBlock blends_;   // two rows for each path of a group; empty without blends
+  PathRecord record_;
   std::vector<Path> paths_, next_paths_;
   std::vector<math::Ray> rays_, shadow_rays_;
   std::vector<geometry::SurfacePoint> hits_;

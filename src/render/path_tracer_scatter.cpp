@@ -53,44 +53,57 @@ struct PathTracer::Sides {
   }
 };
 
-bool PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface,
-                         int depth) {
-  double choice = 0.0;
-  float* blend = nullptr;
-  if (surface.count > 1) {
-    if (blends_.rows() == 0) blends_.reshape(2 * kGroup, scene_.node_count());
-    blend = blends_.row(2 * path_index);
-    choice = sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth, kShapeChoice));
+PathVertex PathTracer::vertex_of(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe) {
+  PathVertex vertex;
+  if (surface.count > 1 || surface.constituents[0].mapped_temperature_k > 0.0) {
+    vertex.mixed = static_cast<std::uint32_t>(record_.mixed.size());
+    record_.mixed.push_back({surface, lobe});
+  } else {
+    vertex.emission = scene_.emission(surface, nullptr);
   }
-  const SurfaceRows rows = surface_rows(scene_, surface, choice, blend);
-  if (rows.highest_reflectance + rows.highest_transmittance <= 0.0) return false;
-
-  const geometry::SurfacePoint& hit = hits_[path_index];
-  const Sides sides(-path.ray.direction, hit, surface.shading_normal);
-  const std::uint32_t pair = 1u + 2u * static_cast<std::uint32_t>(depth);
-  Scatter event;
-  event.path = path_index;
-  if (scene_.scene().sun && !rows.scattering->is_delta())
-    send_to_sun(rows, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair), event);
-  if (depth + 1 != options_.maximum_scatterings &&
-      bounce(rows, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair + 1u),
-             event) &&
-      depth + 1 >= kCertainScatterings) {
-    const double highest =
-        event.bounce_factor == rows.reflectance ? rows.highest_reflectance : rows.highest_transmittance;
-    const double chance = std::min(1.0, highest * event.bounce_weight);
-    const bool survives =
-        sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth)) < chance;
-    event.bounce_weight = survives ? static_cast<float>(event.bounce_weight / chance) : 0.0f;
-  }
-  if (event.shadow == kNone && !(event.bounce_weight > 0.0f)) return false;
-  scatters_.push_back(event);
-  return true;
+  return vertex;
 }
 
-void PathTracer::send_to_sun(const SurfaceRows& rows, const Sides& sides, const geometry::SurfacePoint& hit,
+void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface,
+                         int depth) {
+  const double choice =
+      surface.count > 1
+          ? sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth, kShapeChoice))
+          : 0.0;
+  const SurfaceLobe lobe = surface_lobe(scene_, surface, choice);
+  const geometry::SurfacePoint& hit = hits_[path_index];
+  Scatter& event = scatters_.emplace_back();
+  event.path = path_index;
+  event.vertex = vertex_of(surface, lobe);
+  event.vertex.height_m = hit.position_m.z;
+  if (depth == options_.maximum_scatterings || lobe.highest_reflectance + lobe.highest_transmittance <= 0.0) return;
+
+  const Sides sides(-path.ray.direction, hit, surface.shading_normal);
+  const std::uint32_t pair = 1u + 2u * static_cast<std::uint32_t>(depth);
+  if (scene_.scene().sun && !lobe.scattering->is_delta())
+    send_to_sun(lobe, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair), event);
+  PathVertex& vertex = event.vertex;
+  if (depth + 1 != options_.maximum_scatterings &&
+      bounce(lobe, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair + 1u), event) &&
+      depth + 1 >= kCertainScatterings) {
+    const double highest = vertex.bounce_through ? lobe.highest_transmittance : lobe.highest_reflectance;
+    const double chance = std::min(1.0, highest * vertex.bounce_weight);
+    const bool survives =
+        sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth)) < chance;
+    vertex.bounce_weight = survives ? static_cast<float>(vertex.bounce_weight / chance) : 0.0f;
+  }
+  if (vertex.mixed != PathVertex::kNone) return;
+  const std::uint32_t material = surface.constituents[0].material;
+  const auto factor = [&](bool through) {
+    return through ? scene_.materials().transmittance(material) : scene_.materials().reflectance(material);
+  };
+  vertex.sun_factor = factor(vertex.sun_through);
+  vertex.bounce_factor = factor(vertex.bounce_through);
+}
+
+void PathTracer::send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
                              sampling::Point2 u, Scatter& event) {
-  const bool transmits = rows.transmittance != nullptr;
+  const bool transmits = lobe.highest_transmittance > 0.0;
   const math::Vec3 towards_sun = scene_.scene().sun->direction;
   const bool behind = transmits && math::dot(sides.outward, towards_sun) < 0.0;
   const math::Vec3 lit_side = behind ? -sides.shading.as_vector() : sides.shading.as_vector();
@@ -103,44 +116,44 @@ void PathTracer::send_to_sun(const SurfaceRows& rows, const Sides& sides, const 
   const math::Vec3 normal = through ? -sides.shading.as_vector() : sides.shading.as_vector();
   const math::Vec3 viewer =
       through ? normal : sides.outgoing;  // what is let through looks alike from everywhere
-  const math::Normal3 lobe = math::as_normal(normal);
-  double weight = light.weight_sr * rows.scattering->evaluate(viewer, light.direction, lobe);
+  const math::Normal3 axis = math::as_normal(normal);
+  double weight = light.weight_sr * lobe.scattering->evaluate(viewer, light.direction, axis);
   if (sides.bent) {
     const math::Vec3 image = mirrored(light.direction, sides.outward);
     const double own = math::dot(normal, light.direction), below = math::dot(normal, image);
     if (own > 0.0 && below > 0.0)
-      weight += light.weight_sr * rows.scattering->evaluate(viewer, image, lobe) * below / own;
+      weight += light.weight_sr * lobe.scattering->evaluate(viewer, image, axis) * below / own;
   }
   if (weight <= 0.0) return;
-  event.sun_weight = static_cast<float>(weight);
-  event.sun_factor = through ? rows.transmittance : rows.reflectance;
+  event.vertex.sun_weight = static_cast<float>(weight);
+  event.vertex.sun_through = through;
   event.shadow = static_cast<std::uint32_t>(shadow_rays_.size());
   shadow_rays_.push_back(
       {hit.position_m + (through ? -hit.offset_m : hit.offset_m) * sides.outward, light.direction});
 }
 
-bool PathTracer::bounce(const SurfaceRows& rows, const Sides& sides, const geometry::SurfacePoint& hit,
+bool PathTracer::bounce(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
                         sampling::Point2 u, Scatter& event) const {
   // The side is chosen so that no node's weight outgrows the sum of the two highest factors.
   double chance = 1.0;
   bool through = false;
-  if (rows.transmittance != nullptr) {
-    chance = rows.highest_reflectance / (rows.highest_reflectance + rows.highest_transmittance);
+  if (lobe.highest_transmittance > 0.0) {
+    chance = lobe.highest_reflectance / (lobe.highest_reflectance + lobe.highest_transmittance);
     through = !(u.x < chance);
     u.x = through ? (u.x - chance) / (1.0 - chance) : u.x / chance;
     if (through) chance = 1.0 - chance;
   }
   const math::Vec3 outward = through ? -sides.outward : sides.outward;
-  const math::Normal3 lobe = through ? -sides.shading : sides.shading;
-  const math::Vec3 viewer = through ? lobe.as_vector() : sides.outgoing;
-  materials::ScatterSample sample = sample_bounce(*rows.scattering, viewer, lobe, sides.bent, u);
+  const math::Normal3 axis = through ? -sides.shading : sides.shading;
+  const math::Vec3 viewer = through ? axis.as_vector() : sides.outgoing;
+  materials::ScatterSample sample = sample_bounce(*lobe.scattering, viewer, axis, sides.bent, u);
   if (sides.bent && math::dot(sample.incoming, outward) < 0.0)
     sample.incoming = mirrored(sample.incoming, outward);
   if (!(sample.weight > 0.0) || !(math::dot(sample.incoming, outward) > 0.0)) return false;
-  event.bounce_weight = static_cast<float>(sample.weight / chance);
-  event.bounce_factor = through ? rows.transmittance : rows.reflectance;
+  event.vertex.bounce_weight = static_cast<float>(sample.weight / chance);
+  event.vertex.bounce_through = through;
   event.next = {hit.position_m + hit.offset_m * outward, sample.incoming};
-  event.next_sees_sun = rows.scattering->is_delta();
+  event.next_sees_sun = lobe.scattering->is_delta();
   return true;
 }
 

@@ -11,8 +11,8 @@ namespace ifov::render {
 
 namespace {
 
-/// Values are traced in groups whose rows stay in the cache.
-constexpr std::size_t kGroup = 256;
+/// Paths found together: many, so that the ray tracer's own data stay in the cache; few enough that what they met does.
+constexpr std::size_t kGroup = 512;
 
 /// Three points near the rim of the disc, or its centre for a point Sun. They tell "all of it is seen" from "none"
 /// and "some"; where they are wrong the label is, which costs rays and nothing else.
@@ -34,7 +34,7 @@ std::vector<math::Vec3> fixed_disc_points(const scene::Sun& sun) {
 
 SceneField::SceneField(const SpectralScene& scene, const sensor::Camera& camera, TransportOptions transport,
                        LabelDetail detail)
-    : scene_(scene), camera_(camera), detail_(detail), tracer_(scene, transport),
+    : scene_(scene), camera_(camera), detail_(detail), tracer_(scene, transport), light_(scene),
       truth_(scene::truth_materials(scene.scene())),
       blends_(scene.scene(), truth_, static_cast<int>(scene.nodes().channel_count())) {
   if (scene.scene().sun) disc_points_ = fixed_disc_points(*scene.scene().sun);
@@ -93,10 +93,10 @@ void SceneField::values(std::span<const sampling::PathRequest> requests, std::sp
       keys_[k] = {requests[first + k].sequence, requests[first + k].index};
     }
     camera_.rays(points_, rays_);
-    tracer_.trace(rays_, keys_, radiance_, hits_, counts_);
+    const PathRecord& paths = tracer_.trace(rays_, keys_, hits_, counts_);
     for (std::size_t k = 0; k < count; ++k) {
       float* row = values.data() + (first + k) * row_length;
-      scene_.nodes().to_channels(radiance_.row(k), row);
+      scene_.nodes().to_channels(light_.radiance(paths, k), row);
       if (blends_.count() > 0) blends_.write_shares(hits_[k], row);
     }
     label_hits(hits_, detail, labels.subspan(first, count));

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "render/blend_columns.h"
+#include "render/path_light.h"
 #include "render/path_tracer.h"
 #include "render/surface_label.h"
 #include "sampling/field.h"
@@ -55,6 +56,7 @@ class SceneField final : public sampling::Field {
   const sensor::Camera& camera_;
   LabelDetail detail_;
   PathTracer tracer_;
+  PathLight light_;
   scene::TruthMaterials truth_;
   BlendColumns blends_;
   struct Sunlight {
@@ -69,7 +71,6 @@ class SceneField final : public sampling::Field {
   std::vector<geometry::SurfacePoint> hits_;
   std::vector<std::uint8_t> blocked_;
   std::vector<std::uint32_t> owner_;  // of each group of sun rays: index of its hit
-  radiometry::SpectrumBlock radiance_;
 };
 
 }  // namespace ifov::render

@@ -16,6 +16,7 @@
 #include "geometry/world_builder.h"
 #include "math/frame.h"
 #include "radiometry/spectral_nodes.h"
+#include "render/path_light.h"
 #include "render/path_tracer.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"
@@ -91,7 +92,7 @@ class RamiScene {
       std::vector<math::Ray> rays(kBatch);
       std::vector<render::PathKey> keys(kBatch);
       std::vector<geometry::SurfacePoint> hits(kBatch);
-      radiometry::SpectrumBlock radiance;
+      render::PathLight light(*spectral_);
       sampling::RayCounts counts;
       double sum = 0.0;
       for (std::uint32_t first = 0; first < paths; first += kBatch) {
@@ -102,9 +103,9 @@ class RamiScene {
           rays[k] = {ground + (kTop_m / towards_viewer.z) * towards_viewer, -towards_viewer};
           keys[k] = {key, first + k};
         }
-        tracer.trace(std::span(rays).first(count), std::span(keys).first(count), radiance,
-                     std::span(hits).first(count), counts);
-        for (std::uint32_t k = 0; k < count; ++k) sum += static_cast<double>(radiance.row(k)[0]);
+        const render::PathRecord& record = tracer.trace(std::span(rays).first(count), std::span(keys).first(count),
+                                                        std::span(hits).first(count), counts);
+        for (std::uint32_t k = 0; k < count; ++k) sum += static_cast<double>(light.radiance(record, k)[0]);
       }
       mean[static_cast<std::size_t>(r)] = sum / paths * std::numbers::pi / std::cos(kSunZenith_rad);
     });

@@ -6,6 +6,7 @@
 #include "core/format.h"
 #include "geometry/world_builder.h"
 #include "radiometry/spectral_nodes.h"
+#include "render/path_light.h"
 #include "render/path_tracer.h"
 #include "scene/scene.h"
 
@@ -82,13 +83,15 @@ class SmallScene {
     std::vector<render::PathKey> keys(count);
     for (std::uint32_t k = 0; k < count; ++k) keys[k] = {sequence, k};
     std::vector<geometry::SurfacePoint> hits(count);
-    radiometry::SpectrumBlock block;
     sampling::RayCounts counts;
-    tracer.trace(rays, keys, block, hits, counts);
+    render::PathLight light(*spectral_);
+    const render::PathRecord& paths = tracer.trace(rays, keys, hits, counts);
+    std::vector<double> values;
+    for (std::uint32_t k = 0; k < count; ++k) values.push_back(static_cast<double>(light.radiance(paths, k)[0]));
     double sum = 0.0, square = 0.0;
-    for (std::uint32_t k = 0; k < count; ++k) sum += block.row(k)[0];
+    for (const double value : values) sum += value;
     const double mean = sum / count;
-    for (std::uint32_t k = 0; k < count; ++k) square += (block.row(k)[0] - mean) * (block.row(k)[0] - mean);
+    for (const double value : values) square += (value - mean) * (value - mean);
     return {mean, std::sqrt(square / (count - 1.0) / count)};
   }
 

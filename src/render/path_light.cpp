@@ -1,0 +1,161 @@
+#include "render/path_light.h"
+
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "math/vec3.h"
+#include "render/row_arithmetic.h"
+
+namespace ifov::render {
+
+namespace {
+
+/// Light of a surface after the air before it, from 1 to 4 rows of the table.
+void see_through(float* __restrict light, const ViewTable::Place& at, std::size_t n) {
+  const auto *t = at.transmittance.data(), *l = at.radiance.data();
+  const float* w = at.weight.data();
+  switch (at.count) {
+    case 2:
+      for (std::size_t i = 0; i < n; ++i)
+        light[i] = light[i] * (t[0][i] * w[0] + t[1][i] * w[1]) + (l[0][i] * w[0] + l[1][i] * w[1]);
+      return;
+    case 3:
+      for (std::size_t i = 0; i < n; ++i)
+        light[i] = light[i] * (t[0][i] * w[0] + t[1][i] * w[1] + t[2][i] * w[2]) +
+                   (l[0][i] * w[0] + l[1][i] * w[1] + l[2][i] * w[2]);
+      return;
+    default:
+      for (std::size_t i = 0; i < n; ++i)
+        light[i] = light[i] * ((t[0][i] * w[0] + t[1][i] * w[1]) + (t[2][i] * w[2] + t[3][i] * w[3])) +
+                   ((l[0][i] * w[0] + l[1][i] * w[1]) + (l[2][i] * w[2] + l[3][i] * w[3]));
+  }
+}
+
+}  // namespace
+
+PathLight::PathLight(const SpectralScene& scene) : scene_(scene), n_(scene.stride()) {
+  rows_.resize(kRows, scene.node_count());
+}
+
+const float* PathLight::radiance(const PathRecord& record, std::size_t k) {
+  const PathRecord::Path& path = record.paths[k];
+  if (path.first == PathVertex::kNone) {
+    std::memset(row(kSum), 0, n_ * sizeof(float));
+  } else {
+    const PathVertex* vertex = &record.vertices[path.first];
+    add_first(record, *vertex);
+    while (vertex->next != PathVertex::kNone) {
+      vertex = &record.vertices[vertex->next];
+      add_later(record, *vertex);
+    }
+  }
+  if (path.escaped) add_escaped(path);
+  see_through_air(path);
+  return row(kSum);
+}
+
+void PathLight::add_first(const PathRecord& record, const PathVertex& vertex) {
+  float *sum = row(kSum), *throughput = row(kThroughput);
+  const float* emitted = emission(record, vertex);
+  const float* factor = nullptr;
+  if (vertex.sun_weight > 0.0f) {
+    factor = sun_factor(record, vertex);
+    const float* sun = scene_.sun_irradiance(vertex.height_m, row(kSun));
+    if (emitted != nullptr)
+      rows::sum_of_scaled_product(sum, emitted, factor, sun, vertex.sun_weight, n_);
+    else
+      rows::scaled_product(sum, factor, sun, vertex.sun_weight, n_);
+  } else if (emitted != nullptr) {
+    std::memcpy(sum, emitted, n_ * sizeof(float));
+  } else {
+    std::memset(sum, 0, n_ * sizeof(float));
+  }
+  if (vertex.bounce_weight > 0.0f)
+    rows::set_scaled(throughput, bounce_factor(record, vertex, factor), vertex.bounce_weight, n_);
+}
+
+void PathLight::add_later(const PathRecord& record, const PathVertex& vertex) {
+  float *sum = row(kSum), *throughput = row(kThroughput);
+  if (const float* emitted = emission(record, vertex)) rows::add_product(sum, throughput, emitted, n_);
+  const bool goes_on = vertex.bounce_weight > 0.0f;
+  const float* factor = nullptr;
+  if (vertex.sun_weight > 0.0f) {
+    factor = sun_factor(record, vertex);
+    const float* sun = scene_.sun_irradiance(vertex.height_m, row(kSun));
+    if (goes_on && vertex.sun_through == vertex.bounce_through) {
+      rows::add_and_scale(sum, throughput, factor, sun, vertex.sun_weight, vertex.bounce_weight, n_);
+      return;
+    }
+    rows::add_scaled_product(sum, throughput, factor, sun, vertex.sun_weight, n_);
+  }
+  if (goes_on) rows::scale(throughput, bounce_factor(record, vertex, factor), vertex.bounce_weight, n_);
+}
+
+const float* PathLight::emission(const PathRecord& record, const PathVertex& vertex) {
+  if (vertex.mixed == PathVertex::kNone) return vertex.emission;
+  static_assert(kEmissionPart == kEmission + 1);
+  return scene_.emission(record.mixed[vertex.mixed].surface, row(kEmission));
+}
+
+const float* PathLight::sun_factor(const PathRecord& record, const PathVertex& vertex) {
+  if (vertex.mixed == PathVertex::kNone) return vertex.sun_factor;
+  const PathRecord::Mixed& mixed = record.mixed[vertex.mixed];
+  return lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.sun_through, row(kSunFactor));
+}
+
+const float* PathLight::bounce_factor(const PathRecord& record, const PathVertex& vertex, const float* sun) {
+  if (vertex.mixed == PathVertex::kNone) return vertex.bounce_factor;
+  if (sun != nullptr && vertex.sun_through == vertex.bounce_through) return sun;
+  const PathRecord::Mixed& mixed = record.mixed[vertex.mixed];
+  return lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.bounce_through, row(kBounceFactor));
+}
+
+void PathLight::add_escaped(const PathRecord::Path& path) {
+  const bool direct = path.first == PathVertex::kNone;
+  const math::Vec3 direction = path.escaped_direction;
+  float *sum = row(kSum), *throughput = row(kThroughput);
+  const SkyDome* dome = scene_.sky_dome();
+  if (dome != nullptr && direction.z >= 0.0) {
+    const SkyDome::Corners sky = dome->at(direction);
+    if (direct) {
+      rows::sum_of_scaled(sum, sky.row.data(), sky.weight.data(), n_);
+    } else if (scene_.light_by_height()) {
+      const float* share = scene_.sky_share(path.escaped_from_m, row(kSkyShare));
+      float* light = row(kEmission);
+      rows::set_product(light, throughput, share, n_);
+      rows::add_product_of_scaled(sum, light, sky.row.data(), sky.weight.data(), n_);
+    } else {
+      rows::add_product_of_scaled(sum, throughput, sky.row.data(), sky.weight.data(), n_);
+    }
+  } else {
+    const float* light = direction.z < 0.0 ? scene_.surroundings_radiance() : scene_.sky_radiance();
+    if (direct)
+      std::memcpy(sum, light, n_ * sizeof(float));
+    else
+      rows::add_product(sum, throughput, light, n_);
+  }
+  const auto& disc = scene_.scene().sun;
+  if (path.escaped_sees_sun && disc && disc->half_angle_rad > 0.0 && direction.z > 0.0 &&
+      math::length(math::cross(direction, disc->direction)) < std::sin(disc->half_angle_rad) &&
+      math::dot(direction, disc->direction) > 0.0) {
+    const double sine = std::sin(disc->half_angle_rad);
+    const float per_irradiance = static_cast<float>(1.0 / (std::numbers::pi * sine * sine));
+    if (direct)
+      rows::add_scaled(sum, scene_.sun_irradiance(), per_irradiance, n_);
+    else
+      rows::add_scaled_product(sum, throughput, scene_.sun_irradiance(), per_irradiance, n_);
+  }
+}
+
+void PathLight::see_through_air(const PathRecord::Path& path) {
+  if (const ViewTable* table = scene_.view_table()) {
+    if (!path.met && path.towards_sensor.z <= 0.0) return;  // the sky itself
+    see_through(row(kSum), table->at(path.towards_sensor, path.seen_height_m), n_);
+  } else if (scene_.has_view_path()) {
+    rows::scale(row(kSum), scene_.view_transmittance(), n_);
+    rows::add_scaled(row(kSum), scene_.view_radiance(), 1.0f, n_);
+  }
+}
+
+}  // namespace ifov::render

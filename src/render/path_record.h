@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "math/vec3.h"
+#include "render/surface_lobe.h"
+#include "scene/resolved_surface.h"
+
+namespace ifov::render {
+
+/// A surface that a path met, as far as its light is concerned. Rows are in spectral nodes.
+struct PathVertex {
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+  std::uint32_t next = kNone;       ///< the next of the same path
+  std::uint32_t mixed = kNone;      ///< index into PathRecord::mixed, whose rows have to be computed
+  const float* emission = nullptr;  ///< null: nothing, or that of `mixed`
+  const float* sun_factor = nullptr;     ///< what is made of sunlight; null: of `mixed`
+  const float* bounce_factor = nullptr;  ///< what is made of the light of the path's next segment; null: of `mixed`
+  float sun_weight = 0.0f;     ///< of factor times solar irradiance; 0: none arrives
+  float bounce_weight = 0.0f;  ///< of the factor, chances included; 0: the path ends here
+  bool sun_through = false, bounce_through = false;  ///< transmitted, not reflected
+  double height_m = 0.0;
+};
+
+/// What paths did between the sensor and the light, without a spectrum: all that rays and chance decide.
+struct PathRecord {
+  struct Path {
+    std::uint32_t first = PathVertex::kNone, last = PathVertex::kNone;  ///< of its vertices
+    math::Vec3 towards_sensor;
+    double seen_height_m = 0.0;      ///< of what the first segment met
+    bool met = false;                ///< the first segment met something
+    bool escaped = false;            ///< its last segment met nothing
+    bool escaped_sees_sun = false;   ///< no sunlight was sent for where that segment starts
+    math::Vec3 escaped_direction;
+    double escaped_from_m = 0.0;     ///< height at which that segment starts
+  };
+  /// Materials side by side, or a temperature from a map.
+  struct Mixed {
+    scene::ResolvedSurface surface;
+    SurfaceLobe lobe;
+  };
+  std::vector<Path> paths;
+  std::vector<PathVertex> vertices;
+  std::vector<Mixed> mixed;
+
+  void start(std::size_t count) {
+    paths.assign(count, {});
+    vertices.clear();
+    mixed.clear();
+  }
+  void add(std::uint32_t path, const PathVertex& vertex) {
+    const auto index = static_cast<std::uint32_t>(vertices.size());
+    vertices.push_back(vertex);
+    Path& p = paths[path];
+    if (p.last == PathVertex::kNone)
+      p.first = index;
+    else
+      vertices[p.last].next = index;
+    p.last = index;
+  }
+};
+
+}  // namespace ifov::render
