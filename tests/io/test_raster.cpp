@@ -93,6 +93,14 @@ TEST(Raster, ASmallFileThatAnnouncesALargeRasterIsRefusedFirst) {
           ", band 1: IReadBlock failed at X offset 0, Y offset 13156: Unable to read block from grid file.");
 }
 
+TEST(Raster, ATextTooShortForItsNumbersIsRefusedAtOnce) {
+  EXPECT_EQ(
+      test::input_error(
+          std::filesystem::path(IFOV_SOURCE_DIR "/tests/fuzz/finds/elevation/small_file_announces_5_million_rows.asc"),
+          [](const auto& p) { read_raster(p); }),
+      "FILE: the raster is damaged: 323 bytes cannot hold 8 x 5399920 numbers");
+}
+
 TEST(Raster, CutFilesNeverCrash) {
   for (std::size_t length = 0; length < kGrid.size(); length += 3) {
     const ScratchFile file("cut.asc", kGrid.substr(0, length));

@@ -56,6 +56,18 @@ void check_blocks(GDALDatasetH dataset, const std::string& name, std::size_t val
                       GDALGetRasterXSize(dataset), GDALGetRasterYSize(dataset)));
 }
 
+/// GDAL looks for every row of a text that is cut short, which takes it minutes. A number and what parts it from the next
+/// are two bytes.
+void check_text(GDALDatasetH dataset, const std::string& name, std::size_t values) {
+  const std::string_view driver = GDALGetDriverShortName(GDALGetDatasetDriver(dataset));
+  if (driver != "AAIGrid" && driver != "GSAG") return;
+  std::error_code error;
+  const std::uintmax_t file_bytes = std::filesystem::file_size(name, error);
+  if (!error && file_bytes / 2 + 1 < values)
+    fail(name, format("the raster is damaged: {} bytes cannot hold {} x {} numbers", file_bytes,
+                      GDALGetRasterXSize(dataset), GDALGetRasterYSize(dataset)));
+}
+
 /// A small file that announces a large raster must give its last row before memory is taken for all of them.
 void check_end(GDALDatasetH dataset, const std::string& name, std::size_t values, const QuietGdal& gdal) {
   constexpr std::size_t kSmall_bytes = std::size_t{64} << 20, kMostCompressed_times = 100;
@@ -114,6 +126,7 @@ Raster read_raster(const std::filesystem::path& path, std::size_t max_values) {
     fail(name, format("a raster of {} x {} x {} numbers is larger than the {} that are read", raster.width,
                       raster.height, raster.bands, max_values));
   check_blocks(dataset.get(), name, width * height * bands);
+  check_text(dataset.get(), name, width * height * bands);
   check_end(dataset.get(), name, width * height * bands, gdal);
   raster.values.resize(width * height * bands);
   for (int band = 0; band < raster.bands; ++band) {
