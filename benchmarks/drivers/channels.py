@@ -10,7 +10,7 @@ import subprocess
 from drivers.bookkeeping import spent, window
 from drivers.figures import at_most, figure
 
-ONE = '{"name": "S", "gaussian": {"centre": "870 nm", "fwhm": "10 nm"}}'
+ONE = '{"name": "S", "gaussian": {"center": "870 nm", "fwhm": "10 nm"}}'
 SMALL, LARGE = 4, 20  # sub-elements along a side of a pixel
 
 

@@ -6,8 +6,8 @@
 namespace ifov::cluster {
 
 /// How long to sleep between two looks for messages. Each look takes some 20 us from a core on which tiles are rendered, so
-/// they must be few; and what has been asked must not wait for long. So naps are short after a message and grow from
-/// there: while messages keep coming, one waits for a quarter of the time since the last at most.
+/// they must be few; and what has been asked must not wait for long. So naps are short after a message and double from
+/// there: while messages keep coming, one waits for less than the time since the last.
 class Nap {
  public:
   using Length = std::chrono::microseconds;
@@ -16,7 +16,7 @@ class Nap {
   void restart() { next_ = kShortest; }
   Length next(Length longest) {
     const Length length = std::min(next_, longest);
-    next_ = length + length / 4;
+    next_ = 2 * length;
     return length;
   }
 
