@@ -1,6 +1,6 @@
 """A run of several ranks (MPI): efficiency of two on one machine, and of up to a thousand by simulation, fed with what
 tiles and messages take here and now. The scene's cost is very uneven: a thicket of spheres in one corner of a plain. Two
-ranks are timed on a run of a minute, because MPI takes 0.4 s to start and to end."""
+ranks are timed on a run of forty seconds, because MPI takes 0.4 s to start and to end."""
 
 import json
 import os
