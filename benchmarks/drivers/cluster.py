@@ -65,8 +65,8 @@ def two_ranks(context, folder):
     """One rank, two ranks, and two runs side by side, which share nothing but the machine; in turn."""
     program = context.program("ifov")
     one, two, beside, processor = [], [], [], []
-    write_scene(folder / "minute.json", ERROR_PERCENT_2)
-    render = [program, "render", "minute.json", "--restart", "--threads", 1]
+    write_scene(folder / "longer.json", ERROR_PERCENT_2)
+    render = [program, "render", "longer.json", "--restart", "--threads", 1]
     for _ in range(5 if context.long else 3):
         wall, of_one = seconds([*render, "-o", "one"], folder)
         one.append(wall)

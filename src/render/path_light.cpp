@@ -94,7 +94,7 @@ void PathLight::add_later(const PathRecord& record, const PathVertex& vertex) {
 
 const float* PathLight::emission(const PathRecord& record, const PathVertex& vertex) {
   if (vertex.mixed == PathVertex::kNone) return vertex.emission;
-  static_assert(kEmissionPart == kEmission + 1);
+  static_assert(kEmissionPart == kEmission + 1);  // which a blend's emission is worked out in
   return scene_.emission(record.mixed[vertex.mixed].surface, row(kEmission));
 }
 
@@ -122,9 +122,8 @@ void PathLight::add_escaped(const PathRecord::Path& path) {
       rows::sum_of_scaled(sum, sky.row.data(), sky.weight.data(), n_);
     } else if (scene_.light_by_height()) {
       const float* share = scene_.sky_share(path.escaped_from_m, row(kSkyShare));
-      float* light = row(kEmission);
-      rows::set_product(light, throughput, share, n_);
-      rows::add_product_of_scaled(sum, light, sky.row.data(), sky.weight.data(), n_);
+      rows::set_product(row(kDimmed), throughput, share, n_);
+      rows::add_product_of_scaled(sum, row(kDimmed), sky.row.data(), sky.weight.data(), n_);
     } else {
       rows::add_product_of_scaled(sum, throughput, sky.row.data(), sky.weight.data(), n_);
     }

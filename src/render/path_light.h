@@ -6,7 +6,7 @@
 
 namespace ifov::render {
 
-/// The light of recorded paths, one whole path after the other: its two rows stay in the first-level cache.
+/// The light of recorded paths, one whole path after the other: its own rows stay in the first-level cache.
 /// An object serves one thread.
 class PathLight {
  public:
@@ -17,7 +17,7 @@ class PathLight {
   const float* radiance(const PathRecord& record, std::size_t k);
 
  private:
-  enum Row { kSum, kThroughput, kEmission, kEmissionPart, kSunFactor, kBounceFactor, kSun, kSkyShare, kRows };
+  enum Row { kSum, kThroughput, kEmission, kEmissionPart, kSunFactor, kBounceFactor, kSun, kSkyShare, kDimmed, kRows };
   float* row(Row r) { return rows_.row(r); }
   void add_first(const PathRecord& record, const PathVertex& vertex);
   void add_later(const PathRecord& record, const PathVertex& vertex);
