@@ -1,4 +1,4 @@
-// Every pixel has the air of its own line of sight, and of the height that it ends at.
+// Every pixel has the air of its own line of sight, and of the height that it ends at; ground has its light.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -25,18 +25,19 @@ class WideView : public testing::Test {
   ~WideView() override { fs::remove_all(folder_); }
 
   /// Black ground of 300 K: what is seen is the path, and its transmittance in the thermal channel.
-  io::Document document(const std::string& camera, const std::string& more = "") const {
+  io::Document document(const std::string& camera, const std::string& more = "", double reflectance = 0.0,
+                        const std::string& sampling = R"({"grid": {"elements": [1, 1]}})") const {
     return io::parse_document(
         format(
-            R"({{"ifov": 1, "scene": {{"materials": {{"soot": {{"reflectance": 0.0, "temperature": "300 K"}}}},
+            R"({{"ifov": 1, "scene": {{"materials": {{"soot": {{"reflectance": {}, "temperature": "300 K"}}}},
                    "objects": [{{"plane": {{}}, "material": "soot"}}{}]}},
                    "light": {{"sun": {{"point": {{"zenith": "35 deg", "azimuth": "130 deg"}}}}}},
                    "atmosphere": {{"profile": "mid-latitude summer"}},
                    "sensor": {{"camera": {{{}}},
                      "channels": [{{"name": "blue", "gaussian": {{"center": "0.45 um", "fwhm": "10 nm"}}}},
                                   {{"name": "thermal", "gaussian": {{"center": "10.5 um", "fwhm": "500 nm"}}}}]}},
-                   "sampling": {{"grid": {{"elements": [1, 1]}}}}}})",
-            more, camera),
+                   "sampling": {}}})",
+            reflectance, more, camera, sampling),
         (folder_ / "scene.json").string());
   }
   /// By pixel and channel.
@@ -92,6 +93,19 @@ TEST_F(WideView, HighGroundHasLessAirBeforeIt) {
   EXPECT_GT(high[2 * kMiddle], 0.4f * flat[2 * kMiddle]);
   // Of 300 K seen through less air that is colder.
   EXPECT_GT(high[2 * kMiddle + 1], 1.01f * flat[2 * kMiddle + 1]);
+}
+
+// Paths draw the sky by direction; its irradiance was integrated by the solver of the air.
+TEST_F(WideView, LevelGroundReflectsTheIrradianceOfSunAndSky) {
+  const io::Document grey =
+      document(R"("orthographic": {"gsd": "1 m", "pixels": [8, 8]})", "", 0.4, R"({"grid": {"elements": [16, 16]}})");
+  double mean = 0.0;
+  const std::vector<float> seen = image(grey, 8);
+  for (std::size_t pixel = 0; pixel < 64; ++pixel) mean += static_cast<double>(seen[2 * pixel]) / 64.0;
+  const Session session = Session::load(grey, nullptr);
+  const render::SpectralScene& scene = *session.parts().spectral_scene;
+  const double expected = 0.4 * scene.white_reflected()[0] + scene.path_radiance()[0];
+  EXPECT_NEAR(mean / expected, 1.0, 1e-3);
 }
 
 TEST_F(WideView, FlatGroundFromStraightAboveKeepsOneRow) {
