@@ -13,7 +13,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 from drivers import (  # noqa: E402
-    atmosphere, bookkeeping, channels, cluster, honesty, instances, micro, mitsuba, rami, refine, runs, speed, start, studies,
+    atmosphere, bookkeeping, channels, cluster, honesty, instances, micro, mitsuba, rami, refine, runs, speed, start, stream, studies,
 )
 from drivers.figures import Context, show  # noqa: E402
 
@@ -22,6 +22,7 @@ GROUPS = {
     "instances": instances.run,
     "start": start.run,
     "speed": speed.run,
+    "stream": stream.run,
     "studies": studies.run,
     "atmosphere": atmosphere.run,
     "channels": channels.run,

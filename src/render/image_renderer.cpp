@@ -43,6 +43,24 @@ class Tally {
   Progress total_;
 };
 
+/// One after the other, so that lines of the image become whole in the order of the file.
+class TilesInOrder final : public TileSource {
+ public:
+  /// `order` may be empty: all `count` tiles.
+  TilesInOrder(std::span<const int> order, std::size_t count)
+      : order_(order), count_(order.empty() ? count : order.size()) {}
+  std::optional<int> next() override {
+    const std::size_t place = taken_++;
+    if (place >= count_) return std::nullopt;
+    return order_.empty() ? static_cast<int>(place) : order_[place];
+  }
+
+ private:
+  std::span<const int> order_;
+  std::size_t count_;
+  std::atomic<std::size_t> taken_{0};
+};
+
 /// Each thread takes tiles until there are no more; what one of them throws ends them all.
 void render_from(TileSource& source, int threads, const std::function<void(std::size_t)>& render_tile) {
   const int workers = threads > 0 ? threads : usual_threads();
@@ -106,15 +124,9 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     sink.write(result);
     tally.add(result);
   };
-  if (control.source != nullptr) {
-    render_from(*control.source, control.threads, render_tile);
-    return tally.total();
-  }
-  const std::size_t count = control.tile_order.empty() ? tiles.size() : control.tile_order.size();
-  parallel_for(static_cast<std::int64_t>(count), control.threads, [&](std::int64_t position) {
-    const auto place = static_cast<std::size_t>(position);
-    render_tile(control.tile_order.empty() ? place : static_cast<std::size_t>(control.tile_order[place]));
-  });
+  TilesInOrder in_order(control.tile_order, tiles.size());
+  TileSource& source = control.source != nullptr ? *control.source : in_order;
+  render_from(source, control.threads, render_tile);
   return tally.total();
 }
 

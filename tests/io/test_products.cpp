@@ -140,7 +140,7 @@ TEST(BilCube, BoundedMemoryHoldsWhatComesInAnyOrder) {
     const SyntheticImage image{width, 70, 5};
     const ScratchFolder folder("bounded");
     BilCube cube(folder.path() / "x.img", image.width, image.height, image.channels, BilCube::Values::real,
-                 1);
+                 {.buffer_bytes = 1});
     const auto tiles = shuffled(image.tiles(8), 3);
     std::atomic<std::size_t> next{0};
     std::vector<std::thread> workers;

@@ -1,8 +1,6 @@
 // Other programs read the products: GDAL and SPy through a Python script, and a full disk through a small
 // file system.
 #include <gtest/gtest.h>
-#include <sys/mount.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -10,12 +8,14 @@
 
 #include "core/error.h"
 #include "io/products/part_file.h"
+#include "io/small_disk.h"
 #include "io/synthetic_image.h"
 
 namespace ifov::io {
 namespace {
 
 using test::ScratchFolder;
+using test::SmallDisk;
 using test::SyntheticImage;
 
 struct Outcome {
@@ -73,22 +73,6 @@ TEST(Rasters, UnknownCoordinateSystemsAreSaidBeforeTheFirstRay) {
   ProductWriter writer(options, image.identity());
   EXPECT_THROW(writer.begin(info), InputError);
 }
-
-/// A file system of a few hundred kB; needs root.
-class SmallDisk {
- public:
-  explicit SmallDisk(const std::filesystem::path& path, const char* size) : path_(path) {
-    mounted_ = geteuid() == 0 && mount("tmpfs", path.c_str(), "tmpfs", 0, size) == 0;
-  }
-  ~SmallDisk() {
-    if (mounted_) umount2(path_.c_str(), MNT_DETACH);
-  }
-  bool mounted() const { return mounted_; }
-
- private:
-  std::filesystem::path path_;
-  bool mounted_ = false;
-};
 
 std::string error_of(const auto& action) {
   try {

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <new>
 #include <stdexcept>
+#include <system_error>
 
 #include "io/products/turned_bands.h"
 
@@ -21,6 +22,9 @@ constexpr int kPadding = 16;
 /// Two strips of a wide image, so that a new one need not drive out one that is nearly whole.
 constexpr std::size_t kRoomForTwo = std::size_t{512} << 20;
 
+/// Larger strips are not written in the background: each takes as much memory again.
+constexpr std::size_t kLargestSent = std::size_t{256} << 20;
+
 constexpr std::size_t kHugePage = std::size_t{2} << 20;
 
 std::size_t product(int a, int b = 1, int c = 1) {
@@ -32,15 +36,17 @@ std::size_t product(int a, int b = 1, int c = 1) {
 void BilCube::Free::operator()(void* memory) const { std::free(memory); }
 
 BilCube::BilCube(std::filesystem::path path, int width, int height, int bands, Values values,
-                 std::size_t buffer_limit_bytes)
+                 Limits limits)
     : width_(width),
       height_(height),
       bands_(bands),
       stride_(width % kBadStride == 0 ? width + kPadding : width),
       values_(values),
-      buffer_limit_bytes_(buffer_limit_bytes),
-      file_(std::move(path)) {
+      limits_(limits),
+      file_(std::move(path)),
+      scan_(width, bands) {
   static_assert(std::endian::native == std::endian::little, "headers say byte order = 0");
+  if (bytes() >= limits_.large_bytes) file_.bypass_page_cache();
 }
 
 std::uint64_t BilCube::bytes() const { return 4 * product(width_, height_, bands_); }
@@ -66,7 +72,20 @@ void BilCube::add(sampling::PixelRect tile, const void* values, std::size_t coun
     turn_bands(from + 4 * product(row, tile.width(), bands_), product(tile.width()), product(bands_),
                strip->buffer.get() + 4 * (product(row, stride_, bands_) + product(tile.x0)),
                product(stride_));
-  for (Strip& ready : leave(strip, tile)) write_strip(ready);
+  for (Strip& ready : leave(strip, tile)) send(std::move(ready));
+}
+
+void BilCube::send(Strip strip) {
+  if (!is_sent(strip)) return write_strip(strip);
+  strip.scanned = is_whole(strip) && scan_in_turn(strip);
+  const std::lock_guard lock(sending_mutex_);
+  if (sending_.valid()) sending_.get();
+  const auto sent = std::make_shared<Strip>(std::move(strip));
+  try {
+    sending_ = std::async(std::launch::async, [this, sent] { write_strip(*sent); });
+  } catch (const std::system_error&) {  // no further thread may be made
+    write_strip(*sent);
+  }
 }
 
 BilCube::Strips::iterator BilCube::enter(sampling::PixelRect tile) {
@@ -99,7 +118,7 @@ BilCube::Strips BilCube::leave(Strips::iterator strip, sampling::PixelRect tile)
     buffered_bytes_ -= which->bytes;
     ready.splice(ready.end(), strips_, which);
   };
-  if (strip->writers == 0 && strip->pixels == static_cast<std::int64_t>(width_) * tile.height()) take(strip);
+  if (strip->writers == 0 && is_whole(*strip)) take(strip);
   // Too many open strips: the fullest that nobody is at work in goes, whole or not.
   while (buffered_bytes_ > buffer_limit(strip_bytes)) {
     auto fullest = strips_.end();
@@ -111,9 +130,17 @@ BilCube::Strips BilCube::leave(Strips::iterator strip, sampling::PixelRect tile)
   return ready;
 }
 
+bool BilCube::is_whole(const Strip& strip) const {
+  return strip.pixels == static_cast<std::int64_t>(width_) * (strip.y1 - strip.y0);
+}
+
+bool BilCube::is_sent(const Strip& strip) const {
+  return bytes() >= limits_.large_bytes && strip.bytes <= kLargestSent;
+}
+
 /// One strip at least: pieces of a tile's width go out in thousands of small writes.
 std::size_t BilCube::buffer_limit(std::size_t strip_bytes) const {
-  return std::max({buffer_limit_bytes_, std::min(2 * strip_bytes, kRoomForTwo), strip_bytes});
+  return std::max({limits_.buffer_bytes, std::min(2 * strip_bytes, kRoomForTwo), strip_bytes});
 }
 
 BilCube::Buffer BilCube::new_buffer(std::size_t bytes) {
@@ -131,6 +158,7 @@ BilCube::Buffer BilCube::new_buffer(std::size_t bytes) {
 }
 
 void BilCube::flush() {
+  if (sending_.valid()) sending_.get();
   for (Strip& strip : strips_) write_strip(strip);
   strips_.clear();
   buffered_bytes_ = 0;
@@ -138,9 +166,13 @@ void BilCube::flush() {
 }
 
 void BilCube::write_strip(Strip& strip) {
-  if (strip.pixels == static_cast<std::int64_t>(width_) * (strip.y1 - strip.y0)) {
-    file_.write_rows_at(4 * product(strip.y0, width_, bands_), strip.buffer.get(), 4 * product(width_),
-                        4 * product(stride_), product(strip.y1 - strip.y0, bands_));
+  if (is_whole(strip)) {
+    const std::size_t rows = product(strip.y1 - strip.y0, bands_);
+    std::vector<iovec> pieces(stride_ == width_ ? 1 : rows);
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+      pieces[k] = {strip.buffer.get() + 4 * k * product(stride_), 4 * product(width_) * (rows / pieces.size())};
+    file_.write_at(4 * product(strip.y0, width_, bands_), pieces);
+    scan_written(strip);
   } else {
     std::sort(strip.extents.begin(), strip.extents.end());
     for (std::size_t first = 0; first < strip.extents.size();) {
@@ -154,7 +186,8 @@ void BilCube::write_strip(Strip& strip) {
   const std::lock_guard lock(mutex_);
   if (spare_bytes_ != strip.bytes) spares_.clear();
   spare_bytes_ = strip.bytes;
-  if (buffered_bytes_ + (spares_.size() + 1) * spare_bytes_ <= buffer_limit(spare_bytes_))
+  const std::size_t in_background = is_sent(strip) ? spare_bytes_ : 0;
+  if (buffered_bytes_ + (spares_.size() + 1) * spare_bytes_ <= buffer_limit(spare_bytes_) + in_background)
     spares_.push_back(std::move(strip.buffer));
 }
 
@@ -167,6 +200,36 @@ void BilCube::write_segments(const Strip& strip, int x0, int x1) {
           (product(strip.y0 + row, bands_) + product(band)) * product(width_) + product(x0);
       file_.write_at(4 * in_file, strip.buffer.get() + 4 * in_strip, bytes);
     }
+}
+
+/// False where earlier lines are missing.
+bool BilCube::scan_in_turn(const Strip& strip) {
+  const std::lock_guard lock(scan_mutex_);
+  if (strip.y0 != scan_.lines()) return false;
+  for (int row = 0; row < strip.y1 - strip.y0; ++row)
+    scan_.take(strip.buffer.get() + 4 * product(row, stride_, bands_), 4 * product(stride_));
+  return true;
+}
+
+void BilCube::scan_written(const Strip& strip) {
+  const bool scanned = strip.scanned || scan_in_turn(strip);
+  const std::lock_guard lock(scan_mutex_);
+  if (!scanned) unscanned_[strip.y0] = strip.y1;
+  while (!unscanned_.empty() && unscanned_.begin()->first == scan_.lines()) {
+    scan_file(unscanned_.begin()->second);
+    unscanned_.erase(unscanned_.begin());
+  }
+}
+
+void BilCube::finish_scan() { scan_file(height_); }
+
+void BilCube::scan_file(int line_end) {
+  const std::size_t bytes = 4 * product(width_, bands_);
+  const auto line = std::make_unique_for_overwrite<std::byte[]>(bytes);
+  while (scan_.lines() < line_end) {
+    file_.read_at(bytes * product(scan_.lines()), line.get(), bytes);
+    scan_.take(line.get(), 4 * product(width_));
+  }
 }
 
 RasterView BilCube::view() const {

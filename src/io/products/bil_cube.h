@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <future>
 #include <list>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "io/products/cube_scan.h"
 #include "io/products/part_file.h"
 #include "io/products/raster_view.h"
 #include "sampling/tile.h"
@@ -16,14 +19,20 @@ namespace ifov::io {
 
 /// A band-interleaved-by-line cube of 4-byte values, filled tile by tile in any order, from any thread. Tiles
 /// side by side are gathered in memory into whole lines, which go out in one piece: a line of one band of one
-/// tile is only some dozen bytes. What waits is bounded (`buffer_limit_bytes`, or two strips up to 512 MiB, or
-/// one strip); beyond it incomplete strips are written segment by segment.
+/// tile is only some dozen bytes. What waits is bounded (`Limits::buffer_bytes`, or two strips up to 512 MiB, or
+/// one strip); beyond it incomplete strips are written segment by segment. Large cubes go past the page cache,
+/// one more strip in the background; a failure there is thrown by the next write() or flush().
 class BilCube {
  public:
   enum class Values { real, integer };  ///< float or 32-bit unsigned
+  struct Limits {
+    std::size_t buffer_bytes = std::size_t{192} << 20;
+    std::uint64_t large_bytes = kManyBytes;  ///< of a large cube
+  };
 
-  BilCube(std::filesystem::path path, int width, int height, int bands, Values values = Values::real,
-          std::size_t buffer_limit_bytes = std::size_t{192} << 20);
+  BilCube(std::filesystem::path path, int width, int height, int bands, Values values, Limits limits);
+  BilCube(std::filesystem::path path, int width, int height, int bands, Values values)
+      : BilCube(std::move(path), width, height, bands, values, Limits()) {}
 
   void reserve() { file_.reserve(bytes()); }
   std::uint64_t bytes() const;
@@ -37,6 +46,11 @@ class BilCube {
 
   /// Writes all that waits; no write() may be under way.
   void flush();
+
+  /// What is told of the cube. Lines pass as they are written, or are read back where a later one came first.
+  CubeScan& scan() { return scan_; }
+  /// After flush(): lets the lines pass that have not yet.
+  void finish_scan();
 
   /// After flush(): one line of one band as floats; integer cubes are converted. Valid as long as the cube
   /// is.
@@ -57,6 +71,7 @@ class BilCube {
     int y0 = 0, y1 = 0;
     std::int64_t pixels = 0;                   // finished
     int writers = 0;                           // at work in it
+    bool scanned = false;
     std::vector<std::pair<int, int>> extents;  // [x0, x1) of finished tiles
     Buffer buffer;
     std::size_t bytes = 0;
@@ -66,21 +81,34 @@ class BilCube {
   void add(sampling::PixelRect tile, const void* values, std::size_t count);
   Strips::iterator enter(sampling::PixelRect tile);
   Strips leave(Strips::iterator strip, sampling::PixelRect tile);
+  bool is_whole(const Strip& strip) const;
+  bool is_sent(const Strip& strip) const;
+  void send(Strip strip);
   void write_strip(Strip& strip);
   void write_segments(const Strip& strip, int x0, int x1);
+  bool scan_in_turn(const Strip& strip);
+  void scan_written(const Strip& strip);
+  void scan_file(int line_end);
   Buffer new_buffer(std::size_t bytes);
   std::size_t buffer_limit(std::size_t strip_bytes) const;
 
   int width_, height_, bands_;
   int stride_;  // of a row in memory
   Values values_;
-  std::size_t buffer_limit_bytes_;
+  Limits limits_;
   PartFile file_;
   std::mutex mutex_;
   Strips strips_;
   std::size_t buffered_bytes_ = 0;
   std::vector<Buffer> spares_;  // of strips that were written: fresh pages cost more than filling them
   std::size_t spare_bytes_ = 0;
+
+  std::mutex scan_mutex_;
+  CubeScan scan_;
+  std::map<int, int> unscanned_;  // whole strips in the file, [y0, y1), before which lines are missing
+
+  std::mutex sending_mutex_;
+  std::future<void> sending_;  // the last member: it ends before what it uses does
 };
 
 }  // namespace ifov::io

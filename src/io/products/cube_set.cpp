@@ -6,7 +6,6 @@
 
 #include "core/format.h"
 #include "core/parallel.h"
-#include "io/products/image_scan.h"
 
 namespace ifov::io {
 namespace {
@@ -78,6 +77,7 @@ CubeSet::CubeSet(const std::filesystem::path& stem, Selection selection, const r
       const auto path = with_ending(stem, kind.suffix + ".img");
       auto& cube = cubes_[static_cast<std::size_t>(i)];
       cube = std::make_unique<Cube>(std::move(kind), path, info);
+      if (i == kRadiance || i == kHalfWidth) cube->raster.scan().want_figures();
       cube->raster.reserve();
     }
   } catch (...) {
@@ -177,24 +177,20 @@ void CubeSet::flush() {
 void CubeSet::complete(RunRecord& record) {
   flush();
   const auto open = cubes();
-  std::vector<std::string> sums(open.size());
-  // One job a cube, and one more for the channels' figures.
-  parallel_for(static_cast<std::int64_t>(open.size()) + 1, record.outcome.threads, [&](std::int64_t job) {
-    if (job == 0) {
-      const RasterView half_width = view(kHalfWidth);
-      record.statistics.channels = channel_statistics(view(kRadiance), half_width ? &half_width : nullptr);
-      return;
-    }
-    const auto k = static_cast<std::size_t>(job - 1);
-    open[k]->raster.file().sync();
-    sums[k] = checksum(open[k]->raster.file(), open[k]->raster.bytes());
+  parallel_for(static_cast<std::int64_t>(open.size()), record.outcome.threads, [&](std::int64_t job) {
+    BilCube& raster = open[static_cast<std::size_t>(job)]->raster;
+    raster.file().sync();
+    raster.finish_scan();
   });
-  for (std::size_t k = 0; k < open.size(); ++k) {
-    const BilCube& raster = open[k]->raster;
-    const char* parts = !open[k]->kind.spectral ? "bands" : raster.bands() == 1 ? "channel" : "channels";
+  const auto& half_width = cubes_[kHalfWidth];
+  record.statistics.channels =
+      channel_statistics(cubes_[kRadiance]->raster.scan(), half_width ? &half_width->raster.scan() : nullptr);
+  for (Cube* cube : open) {
+    BilCube& raster = cube->raster;
+    const char* parts = !cube->kind.spectral ? "bands" : raster.bands() == 1 ? "channel" : "channels";
     record.files.push_back({raster.file().final_path(),
-                            format("{}, {} {}, ENVI", open[k]->kind.what, raster.bands(), parts),
-                            raster.bytes(), sums[k]});
+                            format("{}, {} {}, ENVI", cube->kind.what, raster.bands(), parts), raster.bytes(),
+                            raster.scan().checksum()});
   }
 }
 

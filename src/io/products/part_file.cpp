@@ -2,18 +2,21 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/mman.h>
 #include <sys/statvfs.h>
-#include <sys/uio.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
+#include <memory>
+#include <new>
 #include <system_error>
-#include <vector>
 
 #include "core/byte_count.h"
 #include "core/error.h"
+#include "io/products/sha256.h"
 
 namespace ifov::io {
 namespace {
@@ -37,6 +40,43 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
                                 std::strerror(error), free));
 }
 
+constexpr std::size_t kBlock = 4096;                        // no file system asks for more
+constexpr std::size_t kChunk = std::size_t{2} << 20;        // a huge page
+constexpr std::size_t kLeastDirect = std::size_t{1} << 20;
+
+struct FreeMemory {
+  void operator()(void* memory) const { std::free(memory); }
+};
+
+std::size_t bytes_of(std::span<const iovec> pieces) {
+  std::size_t bytes = 0;
+  for (const iovec& piece : pieces) bytes += piece.iov_len;
+  return bytes;
+}
+
+/// Copies what lies in pieces, front to back.
+class PieceReader {
+ public:
+  explicit PieceReader(std::span<const iovec> pieces) : pieces_(pieces) {}
+  void read(std::byte* to, std::size_t bytes) {
+    while (bytes > 0) {
+      const iovec& piece = pieces_.front();
+      const std::size_t part = std::min(bytes, piece.iov_len - taken_);
+      std::memcpy(to, static_cast<const std::byte*>(piece.iov_base) + taken_, part);
+      to += part;
+      bytes -= part;
+      taken_ += part;
+      if (taken_ < piece.iov_len) continue;
+      pieces_ = pieces_.subspan(1);
+      taken_ = 0;
+    }
+  }
+
+ private:
+  std::span<const iovec> pieces_;
+  std::size_t taken_ = 0;  // of the first
+};
+
 }  // namespace
 
 PartFile::PartFile(std::filesystem::path final_path)
@@ -59,8 +99,13 @@ PartFile::PartFile(std::filesystem::path final_path)
   }
 }
 
-PartFile::~PartFile() {
-  if (descriptor_ >= 0) close(descriptor_);
+PartFile::~PartFile() { close_all(); }
+
+void PartFile::close_all() {
+  for (int* descriptor : {&direct_, &descriptor_}) {
+    if (*descriptor >= 0) close(*descriptor);
+    *descriptor = -1;
+  }
 }
 
 void PartFile::reserve(std::uint64_t bytes) {
@@ -84,22 +129,55 @@ void PartFile::write_at(std::uint64_t offset, const void* data, std::size_t byte
   }
 }
 
-void PartFile::write_rows_at(std::uint64_t offset, const void* data, std::size_t row_bytes,
-                             std::size_t stride_bytes, std::size_t rows) {
-  if (row_bytes == stride_bytes) return write_at(offset, data, row_bytes * rows);
+void PartFile::bypass_page_cache() {
+  if (direct_ < 0) direct_ = open(part_path_.c_str(), O_WRONLY | O_DIRECT | O_CLOEXEC);
+  bypasses_ = direct_ >= 0;
+}
+
+void PartFile::write_at(std::uint64_t offset, std::span<const iovec> pieces) {
+  if (bypasses_ && bytes_of(pieces) >= kLeastDirect) return write_directly(offset, pieces);
   constexpr std::size_t kAtOnce = 1024;  // IOV_MAX of Linux
-  std::vector<iovec> pieces(std::min(rows, kAtOnce));
-  const auto* from = static_cast<const std::byte*>(data);
-  for (std::size_t first = 0; first < rows; first += kAtOnce) {
-    const std::size_t count = std::min(rows - first, kAtOnce);
-    for (std::size_t k = 0; k < count; ++k)
-      pieces[k] = {const_cast<std::byte*>(from + (first + k) * stride_bytes), row_bytes};
-    const ssize_t written = pwritev(descriptor_, pieces.data(), static_cast<int>(count),
-                                    static_cast<off_t>(offset + first * row_bytes));
-    if (written == static_cast<ssize_t>(count * row_bytes)) continue;
-    for (std::size_t k = 0; k < count; ++k)  // interrupted or failing: row by row, which says why
-      write_at(offset + (first + k) * row_bytes, pieces[k].iov_base, row_bytes);
+  while (!pieces.empty()) {
+    const auto some = pieces.first(std::min(pieces.size(), kAtOnce));
+    const std::size_t bytes = bytes_of(some);
+    const ssize_t written =
+        pwritev(descriptor_, some.data(), static_cast<int>(some.size()), static_cast<off_t>(offset));
+    if (written != static_cast<ssize_t>(bytes)) {  // interrupted or failing: piece by piece, which says why
+      std::uint64_t at = offset;
+      for (const iovec& piece : some) {
+        write_at(at, piece.iov_base, piece.iov_len);
+        at += piece.iov_len;
+      }
+    }
+    offset += bytes;
+    pieces = pieces.subspan(some.size());
   }
+}
+
+/// Whole blocks of the file past the cache; what is left of a block at either end through it.
+void PartFile::write_directly(std::uint64_t offset, std::span<const iovec> pieces) {
+  const std::unique_ptr<std::byte, FreeMemory> chunk(static_cast<std::byte*>(std::aligned_alloc(kChunk, kChunk)));
+  if (!chunk) throw std::bad_alloc();
+  madvise(chunk.get(), kChunk, MADV_HUGEPAGE);
+  PieceReader reader(pieces);
+  for (std::size_t left = bytes_of(pieces); left > 0;) {
+    const std::size_t in_block = offset % kBlock;
+    const bool whole = in_block == 0 && left >= kBlock;
+    const std::size_t bytes = whole ? std::min(left, kChunk) / kBlock * kBlock : std::min(left, kBlock - in_block);
+    reader.read(chunk.get(), bytes);
+    if (!whole || !write_block(offset, chunk.get(), bytes)) write_at(offset, chunk.get(), bytes);
+    offset += bytes;
+    left -= bytes;
+  }
+}
+
+/// False where the file system takes no such write; it is not asked again.
+bool PartFile::write_block(std::uint64_t offset, const void* block, std::size_t bytes) {
+  if (!bypasses_) return false;
+  const ssize_t written = pwrite(direct_, block, bytes, static_cast<off_t>(offset));
+  if (written == static_cast<ssize_t>(bytes)) return true;
+  if (written < 0 && errno == EINVAL) bypasses_ = false;
+  return false;
 }
 
 void PartFile::read_at(std::uint64_t offset, void* data, std::size_t bytes) const {
@@ -124,20 +202,30 @@ void PartFile::publish() {
   if (rename(part_path_.c_str(), final_path_.c_str()) != 0)
     throw EnvironmentError(format("{}: cannot be renamed to {}: {}", part_path_.string(),
                                   final_path_.filename().string(), std::strerror(errno)));
-  close(descriptor_);
-  descriptor_ = -1;
+  close_all();
 }
 
 void PartFile::discard() {
   unlink(part_path_.c_str());
-  if (descriptor_ >= 0) close(descriptor_);
-  descriptor_ = -1;
+  close_all();
 }
 
 void write_part(PartFile& file, std::string_view content) {
   file.reserve(content.size());
   file.write_at(0, content.data(), content.size());
   file.sync();
+}
+
+std::string checksum(const PartFile& file, std::uint64_t bytes) {
+  constexpr std::uint64_t kPiece = std::uint64_t{1} << 20;
+  const auto piece = std::make_unique_for_overwrite<char[]>(kPiece);
+  Sha256 sum;
+  for (std::uint64_t offset = 0; offset < bytes; offset += kPiece) {
+    const std::size_t size = std::min(kPiece, bytes - offset);
+    file.read_at(offset, piece.get(), size);
+    sum.update(piece.get(), size);
+  }
+  return sum.digest();
 }
 
 void require_space(const std::filesystem::path& folder, std::uint64_t bytes) {

@@ -9,7 +9,6 @@
 #include "core/error.h"
 #include "io/products/cube_set.h"
 #include "io/products/geotiff.h"
-#include "io/products/image_scan.h"
 #include "io/products/map_info.h"
 #include "io/products/quicklook.h"
 #include "io/products/run_json.h"
@@ -133,7 +132,7 @@ ProductWriter::~ProductWriter() {
   if (!state_->cubes || state_->finished) return;
   try {
     state_->cubes->flush();
-  } catch (const EnvironmentError&) {
+  } catch (const std::exception&) {
     // Said already by the write that failed first; what is on disk stays.
   }
 }

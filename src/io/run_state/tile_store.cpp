@@ -103,12 +103,19 @@ void TileStore::work() {
 
 void TileStore::write_pack(const std::vector<Record>& records) {
   PartFile file(folder_ / pack_name(start_, rank_, start_.first_pack + packs_));
-  std::uint64_t offset = 0;
+  std::vector<iovec> pieces;
+  std::uint64_t bytes = 0;
+  for (const Record& record : records) {
+    pieces.push_back({const_cast<std::byte*>(record.data()), record.size()});
+    bytes += record.size();
+  }
+  written_bytes_ += bytes;
   try {
-    for (const Record& record : records) {
-      file.write_at(offset, record.data(), record.size());
-      offset += record.size();
+    if (written_bytes_ >= kManyBytes) {
+      file.bypass_page_cache();
+      file.reserve(bytes);
     }
+    file.write_at(0, pieces);
     file.publish();
   } catch (...) {
     file.discard();

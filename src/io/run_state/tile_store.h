@@ -29,8 +29,8 @@ std::string pack_name(const StoreStart& start, int rank, int number);
 
 /// Keeps finished tiles in files, each written beside its name and renamed when whole. Tiles that are
 /// finished within a short time share a file, a pack, so that cheap tiles do not drown in files: at first a
-/// thousandth of a second, later a twentieth of what the run has taken, at most a second. A thread of its own
-/// writes; errors in it (a full disk) are thrown by the next put() or close() as EnvironmentError.
+/// thousandth of a second, later a twentieth of what the run has taken, at most a second. After many they go
+/// past the page cache. A thread of its own writes; errors in it (a full disk) are thrown by the next put() or close() as EnvironmentError.
 class TileStore {
  public:
   /// `run` is RunPlan::key(). Makes the folder.
@@ -67,6 +67,7 @@ class TileStore {
   std::condition_variable wake_, room_;
   std::vector<Record> waiting_;
   std::size_t waiting_bytes_ = 0;
+  std::uint64_t written_bytes_ = 0;
   bool closing_ = false;
   std::exception_ptr failure_;
   std::thread writer_;

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/products/run_record.h"
+#include "io/products/sha256.h"
+
+namespace ifov::io {
+
+/// Figures of one band; values that are not finite are counted and left away.
+class BandFigures {
+ public:
+  /// One line. Sums are over eight fixed lanes, so that they do not depend on the instruction set.
+  void add(std::span<const float> values);
+
+  std::uint64_t finite() const { return finite_; }
+  std::uint64_t not_finite() const { return total_ - finite_; }
+  /// Not a number where no value is finite.
+  double minimum() const;
+  double maximum() const;
+  double mean() const;
+  double standard_deviation() const;
+
+ private:
+  void add_finite(std::span<const float> values);
+
+  double offset_ = 0.0, sum_ = 0.0, squares_ = 0.0;  // about the first finite value
+  float low_ = std::numeric_limits<float>::infinity(), high_ = -low_;
+  std::uint64_t finite_ = 0, total_ = 0;
+};
+
+/// What is told of a cube, found as its lines pass in the order of the file: the SHA-256 and figures of bands. It does
+/// not depend on the order in which tiles came.
+class CubeScan {
+ public:
+  CubeScan(int width, int bands) : width_(width), bands_(bands) {}
+
+  /// Before the first line: figures are wanted too, of values that are floats.
+  void want_figures() { figures_.resize(static_cast<std::size_t>(bands_)); }
+
+  /// The next line: `bands` rows of `width` 4-byte values, `stride_bytes` apart.
+  void take(const std::byte* line, std::size_t stride_bytes);
+  int lines() const { return lines_; }
+
+  /// Of all lines that were taken; call once.
+  std::string checksum() { return sum_.digest(); }
+  const std::vector<BandFigures>& figures() const { return figures_; }
+
+ private:
+  int width_, bands_, lines_ = 0;
+  Sha256 sum_;
+  std::vector<BandFigures> figures_;
+};
+
+/// `half_width` may be null: its figures are then not a number.
+std::vector<ChannelStatistics> channel_statistics(const CubeScan& radiance, const CubeScan* half_width);
+
+}  // namespace ifov::io
