@@ -62,6 +62,16 @@ World::Bounds ChunkedMesh::chunk_bounds(std::size_t chunk) const {
   return image_of(mesh_.chunks[chunk].bounds, placing_.set_from_object);
 }
 
+ChunkedMesh::Made ChunkedMesh::made() const {
+  Made result;
+  for (std::size_t k = 0; k < mesh_.chunks.size(); ++k) {
+    if (chunks_[k].scene.load(std::memory_order_acquire) == nullptr) continue;
+    ++result.chunks;
+    result.triangle_bytes += chunks_[k].tree->triangles.bytes();
+  }
+  return result;
+}
+
 RTCScene ChunkedMesh::tree(std::size_t chunk) const {
   Chunk& c = chunks_[chunk];
   if (const RTCScene made = c.scene.load(std::memory_order_acquire)) return made;

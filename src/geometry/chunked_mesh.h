@@ -56,6 +56,12 @@ class ChunkedMesh {
   World::Bounds chunk_bounds(std::size_t chunk) const;  ///< in the set's frame
   double padding_m() const { return placing_.padding_m; }
 
+  /// Chunks whose trees are there by now, and the bytes of the trees' triangles.
+  struct Made {
+    std::size_t chunks = 0, triangle_bytes = 0;
+  };
+  Made made() const;
+
   /// The tree of a chunk; null where it could not be made, which is noted as a failure.
   RTCScene tree(std::size_t chunk) const;
 

@@ -33,7 +33,7 @@ class EmbreeWorld final : public World {
   std::size_t object_count() const override { return objects_.size(); }
   PlacedObject object(std::size_t number) const override;
   std::size_t triangle_count() const override { return triangle_count_; }
-  Storage storage() const override { return storage_; }
+  Storage storage() const override;
 
  private:
   /// A body with its own Embree scene.
@@ -97,6 +97,7 @@ class EmbreeWorld final : public World {
   InstanceTable table() const;
 
   std::atomic<std::int64_t> embree_bytes_{0};  // above the device, which writes to it
+  std::int64_t built_embree_bytes_ = 0;        // before the first ray
   EmbreeDevice device_;
   std::vector<std::unique_ptr<Prototype>> prototypes_;  ///< by template; null where it needs none
   TriangleSet triangles_;

@@ -61,9 +61,6 @@ std::size_t bytes_of(const std::vector<T>& values) {
   return values.capacity() * sizeof(T);
 }
 
-std::size_t bytes_of(const TriangleSet& set) {
-  return bytes_of(set.facets) + bytes_of(set.tags) + bytes_of(set.owners);
-}
 std::size_t bytes_of(const AnalyticSet& set) { return bytes_of(set.shapes) + bytes_of(set.owners); }
 
 }  // namespace
@@ -286,13 +283,29 @@ void EmbreeWorld::build_scene(InstanceStorage storage) {
 
 void EmbreeWorld::note_storage(const PrototypePlan& plan) {
   storage_.prototypes_apart = plan.apart;
-  storage_.bytes = static_cast<std::size_t>(std::max<std::int64_t>(0, embree_bytes_)) + bytes_of(triangles_) +
+  built_embree_bytes_ = embree_bytes_;
+  storage_.bytes = static_cast<std::size_t>(std::max<std::int64_t>(0, built_embree_bytes_)) + triangles_.bytes() +
                    bytes_of(analytic_) + bytes_of(objects_) + bytes_of(transforms_) + bytes_of(set_from_scene_) +
                    bytes_of(instances_) + bytes_of(copies_) + bytes_of(materials_) + bytes_of(body_from_scene_);
   for (const PlacedField& field : fields_) storage_.bytes += field.field->bytes();
   if (!storage_.instance_table) storage_.bytes += kUnseenNodeBytes * instances_.size();
   for (const auto& prototype : prototypes_)
-    if (prototype) storage_.bytes += bytes_of(prototype->triangles) + bytes_of(prototype->analytic);
+    if (prototype) storage_.bytes += prototype->triangles.bytes() + bytes_of(prototype->analytic);
+}
+
+World::Storage EmbreeWorld::storage() const {
+  Storage now = storage_;
+  const auto add = [&](const ChunkedMesh& mesh) {
+    const ChunkedMesh::Made made = mesh.made();
+    now.chunks_made += made.chunks;
+    now.chunk_bytes += made.triangle_bytes;
+  };
+  for (const auto& mesh : chunked_) add(*mesh);
+  for (const auto& prototype : prototypes_)
+    if (prototype && prototype->chunked) add(*prototype->chunked);
+  if (now.chunks_made > 0)
+    now.chunk_bytes += static_cast<std::size_t>(std::max<std::int64_t>(0, embree_bytes_ - built_embree_bytes_));
+  return now;
 }
 
 }  // namespace ifov::geometry

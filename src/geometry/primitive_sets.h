@@ -33,6 +33,11 @@ struct TriangleSet {
 
   std::uint32_t owner(std::uint32_t prim) const { return owners.empty() ? only_owner : owners[prim]; }
   std::uint32_t number(std::uint32_t prim) const { return numbers.empty() ? prim : numbers[prim]; }
+  /// That stay when Embree has its own.
+  std::size_t bytes() const {
+    return facets.capacity() * sizeof(Facet) + tags.capacity() * sizeof(FacetTag) +
+           owners.capacity() * sizeof(std::uint32_t);
+  }
 
   // For Embree; given away when its geometry is made.
   std::vector<float> vertices_m;

@@ -55,6 +55,8 @@ class World {
     bool instance_table = false;          ///< kept in a table of our own, not as nodes of the ray tracer
     std::size_t prototypes_apart = 0;     ///< prototypes of prototypes that are not joined into one body
     std::size_t chunks = 0;               ///< of large meshes, whose trees are made when a ray comes near
+    std::size_t chunks_made = 0;          ///< those whose trees are there by now
+    std::size_t chunk_bytes = 0;          ///< of their trees, about
     std::size_t bytes = 0;                ///< of tables and trees, about; without those of chunks
   };
   virtual Storage storage() const = 0;

@@ -47,6 +47,13 @@ io::RunPlan plan_of(const Session::Parts& parts, const RunRequest& request, cons
   return plan;
 }
 
+/// Of trees that rays of the run will need and those of the probe did not.
+std::uint64_t unmade_chunk_bytes(const geometry::World::Storage& storage, const Probing& probing) {
+  if (storage.chunks_made == 0) return 0;
+  const double made = static_cast<double>(storage.chunks_made), bytes = static_cast<double>(storage.chunk_bytes);
+  return static_cast<std::uint64_t>(bytes / made * std::max(0.0, probing.chunks(storage.chunks) - made));
+}
+
 }  // namespace
 
 Forecast forecast_run(const Session& session, const RunRequest& request) {
@@ -59,6 +66,8 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
   const int own_threads = request.team != nullptr ? request.team->threads(options.threads)
                           : options.threads > 0   ? options.threads
                                                   : usual_threads();
+
+  const geometry::World& world = *parts.job().scene.scene().world;
 
   Forecast forecast;
   forecast.product_bytes = plan.share.is_whole() ? io::product_bytes(plan) : 0;
@@ -82,7 +91,7 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
                    .rows = pieces_across(height, job.tile_px),
                    .pixels = area,
                    .surroundings = surroundings(plan.tile_px, margin_px) / surroundings(job.tile_px, margin_px)},
-                  earlier.get());
+                  [&world] { return world.storage().chunks_made; }, earlier.get());
   if (earlier) job.earlier = &probing;
   render::RenderControl control;
   control.threads = own_threads;
@@ -101,7 +110,8 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
   if (request.keep_tiles)
     forecast.disk_bytes += static_cast<std::uint64_t>(share * area * probing.memory_bytes_per_pixel());
   forecast.memory_bytes = std::max(forecast.memory_bytes,
-                                   peak_memory_bytes() + (plan.share.is_whole() ? buffer_bytes(plan) : 0));
+                                   peak_memory_bytes() + unmade_chunk_bytes(world.storage(), probing) +
+                                       (plan.share.is_whole() ? buffer_bytes(plan) : 0));
   forecast.shortages = shortages(folder, forecast.disk_bytes, forecast.memory_bytes);
 
   const double tracing_s = share * area * seconds.value,

@@ -52,8 +52,9 @@ std::vector<int> spread_order(int columns, int rows) {
 
 double process_s() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID); }
 
-Probing::Probing(const Image& image, render::EarlierTiles* earlier)
+Probing::Probing(const Image& image, std::function<std::size_t()> chunks_made, render::EarlierTiles* earlier)
     : image_(image),
+      chunks_made_(std::move(chunks_made)),
       earlier_(earlier),
       order_(spread_order(image.columns, image.rows)),
       setup_s_(-process_s()) {}
@@ -80,6 +81,7 @@ void Probing::write(const sampling::TileResult& tile) {
   for (const std::uint32_t samples : tile.samples) own += samples;
   const double halo = static_cast<double>(tile.halo_samples);
   probe.halo_share = own + halo > 0.0 ? halo / (own + halo) : 0.0;
+  probe.chunks = static_cast<double>(chunks_made_());
   probes_.push_back(probe);
   pixels_ += probe.pixels;
 }
@@ -111,6 +113,14 @@ Mean Probing::mean(const Cost& cost) const {
   for (const Probe& probe : probes_) squares += std::pow(of_tile(probe) - mean * probe.pixels, 2);
   // What is probed is known: only the rest is uncertain.
   return {mean, std::sqrt(squares * std::max(0.0, 1.0 - share())) / std::max(sum, 1e-300)};
+}
+
+double Probing::chunks(std::size_t all) const {
+  if (probes_.empty()) return 0.0;
+  const double most = static_cast<double>(all), found = probes_.back().chunks,
+               earlier = probes_[(probes_.size() - 1) / 2].chunks, later = found - earlier;
+  const double limit = later < earlier ? earlier * earlier / (earlier - later) : later > 0.0 ? most : found;
+  return found + (1.0 - share()) * (std::min(most, limit) - found);
 }
 
 Mean Probing::rays() const {

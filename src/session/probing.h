@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -29,8 +30,9 @@ class Probing final : public render::TileSource, public render::TileSink, public
     /// What lies in the surroundings of a whole tile, as a share of what lies in those of a piece, per pixel.
     double surroundings = 1.0;
   };
-  /// `earlier`: of the run that is to be refined; null where there is none.
-  Probing(const Image& image, render::EarlierTiles* earlier);
+  /// `chunks_made`: how many chunks of large meshes have trees by now. `earlier`: of the run that is to be refined; null
+  /// where there is none.
+  Probing(const Image& image, std::function<std::size_t()> chunks_made, render::EarlierTiles* earlier);
 
   std::optional<int> next() override;
   void begin(const render::ImageInfo&) override {}
@@ -41,6 +43,9 @@ class Probing final : public render::TileSource, public render::TileSink, public
   Mean rays() const;
   Mean processor_s() const;
   double memory_bytes_per_pixel() const;  ///< that samplers keep for a tighter accuracy
+  /// Chunks that will have trees, of `all`: what the later half of the pieces found that the earlier had not, as if
+  /// each further half found less by the same factor.
+  double chunks(std::size_t all) const;
 
   std::size_t count() const { return probes_.size(); }
   double share() const { return pixels_ / image_.pixels; }
@@ -52,12 +57,14 @@ class Probing final : public render::TileSource, public render::TileSink, public
   struct Probe {
     double pixels = 0.0, rays = 0.0, seconds = 0.0, memory = 0.0;
     double halo_share = 0.0;  ///< of its samples
+    double chunks = 0.0;      ///< with trees when it was done
   };
   template <class Cost>
   Mean mean(const Cost& cost) const;
   bool is_enough() const;
 
   Image image_;
+  std::function<std::size_t()> chunks_made_;
   render::EarlierTiles* earlier_;
   std::vector<int> order_;
   std::size_t next_ = 0;

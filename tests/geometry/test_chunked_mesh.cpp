@@ -155,12 +155,17 @@ TEST(ChunkedMesh, RaysMeetWhatTheyMeetInOneTree) {
     EXPECT_EQ(whole->storage().chunks, 0u);
     EXPECT_EQ(parts->storage().chunks, body.mesh.chunks.size());
     EXPECT_EQ(parts->storage().stored_triangles, body.mesh.triangles.size());
+    EXPECT_EQ(parts->storage().chunks_made, 0u);
     EXPECT_EQ(whole->bounds().low_m, parts->bounds().low_m);
     EXPECT_EQ(whole->bounds().high_m, parts->bounds().high_m);
     const Answers expected = answers_of(*whole, rays);
     EXPECT_GT(met(expected), rays.size() / 2);
     EXPECT_LT(met(expected), rays.size());
     EXPECT_EQ(differences(answers_of(*parts, rays), expected), 0u);
+    const World::Storage after = parts->storage();
+    EXPECT_EQ(after.chunks_made, after.chunks);
+    EXPECT_GT(after.chunk_bytes, 60 * body.mesh.triangles.size());
+    EXPECT_LT(after.chunk_bytes, 200 * body.mesh.triangles.size());
   }
 }
 
