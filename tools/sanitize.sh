@@ -29,7 +29,7 @@ export ASAN_OPTIONS="verify_asan_link_order=0${ASAN_OPTIONS:+:$ASAN_OPTIONS}"
 export LSAN_OPTIONS="suppressions=$source/tools/leak_suppressions.txt:print_suppressions=0"
 export UBSAN_OPTIONS=print_stacktrace=1
 export TSAN_OPTIONS="suppressions=$source/tools/thread_suppressions.txt halt_on_error=1"
-export IFOV_PROGRAM="$build/ifov" IFOV_BUILD="$build"
+export IFOV_PROGRAM="$build/ifov" IFOV_BUILD="$build" IFOV_SANITIZER="$kind"
 cd "$source"
 failed=
 for what in "$@"; do

@@ -21,6 +21,8 @@ KILLER = pathlib.Path(os.environ.get("IFOV_BUILD", pathlib.Path(PROGRAM).parent)
 
 JUMPING_CLOCK = KILLER.with_name("libjumping_clock.so")
 
+LIMITS_MEMORY = unittest.skipIf("IFOV_SANITIZER" in os.environ, "a sanitizer takes terabytes of addresses")
+
 # A long version is run with IFOV_KILLS=100.
 KILLS = int(os.environ.get("IFOV_KILLS", "20"))
 
@@ -393,6 +395,7 @@ class Runs(WholeProducts, unittest.TestCase):
                 self.assertEqual((done.returncode, done.stdout), (2, ""))
                 self.assertRegex(done.stderr, r"^ifov: scene\.out: the disk is full: the products take 72\.0 GB, [\d.]+ \wB free\n$")
 
+    @LIMITS_MEMORY
     def test_a_run_that_will_not_fit_in_memory_says_so_before_it_begins(self):
         wide = SCENE.replace("[60, 55]", "[2048, 2048]").replace('"tile": 12', '"tile": 2048').replace(', "geotiff", "png"', "")
         words = (r"the run takes ([\d.]+) MB of memory, ([\d.]+) MB are there; fewer threads or smaller tiles take less\n")
@@ -414,6 +417,7 @@ class Runs(WholeProducts, unittest.TestCase):
             self.assertRegex(done.stderr, r"^ifov: memory ran out: [\d.]+ MB were held at most, and no more than 943\.7 MB may be mapped "
                                           r"\(ulimit -v\); fewer threads or smaller tiles take less\n$")
 
+    @LIMITS_MEMORY
     def test_memory_that_runs_out_is_said_and_nothing_is_lost(self):
         words = 0
         for megabytes in (150, 300, 450, 600, 1200):
