@@ -1,6 +1,7 @@
 #include "geometry/embree_scene.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 
 #include "core/error.h"
@@ -14,6 +15,10 @@ using math::Vec3;
 
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+#ifdef __SANITIZE_THREAD__
+std::atomic<int> commits{0};
+#endif
 
 void check(RTCDevice device) {
   const RTCError error = rtcGetDeviceError(device);
@@ -134,12 +139,14 @@ void occlude_field(const RTCOccludedFunctionNArguments* a) {
 }
 
 void bound_field(const RTCBoundsFunctionArguments* a) {
+  within_commit();
   const auto& placed = *static_cast<const PlacedField*>(a->geometryUserPtr);
   const World::Bounds own = placed.field->block_bounds(a->primID);
   *a->bounds_o = padded(own.low_m.z <= own.high_m.z ? image_of(own, placed.centred_from_field) : own, placed.padding_m);
 }
 
 void bound_analytic(const RTCBoundsFunctionArguments* a) {
+  within_commit();
   const auto& set = *static_cast<const AnalyticSet*>(a->geometryUserPtr);
   const UnitPrimitive& shape = set.shapes[a->primID];
   *a->bounds_o = padded(unit_bounds(shape.kind, shape.unit_from_object.inverse()), set.padding_m);
@@ -187,7 +194,16 @@ EmbreeScene make_scene(RTCDevice device, bool robust) {
   return scene;
 }
 
+void within_commit() {
+#ifdef __SANITIZE_THREAD__
+  commits.load(std::memory_order_acquire);
+#endif
+}
+
 void commit(RTCDevice device, RTCScene scene) {
+#ifdef __SANITIZE_THREAD__
+  commits.fetch_add(1, std::memory_order_acq_rel);
+#endif
   rtcCommitScene(scene);
   check(device);
 }
