@@ -7,23 +7,17 @@
 #include "core/machine_memory.h"
 #include "core/parallel.h"
 #include "io/files/free_space.h"
-#include "io/products/part_file.h"
+#include "io/products/bil_cube.h"
 #include "io/run_state/run_state.h"
 
 namespace ifov::session {
 
 std::uint64_t buffer_bytes(const io::RunPlan& plan) {
-  constexpr std::uint64_t kMostTiles = std::uint64_t{64} << 20, kMostOpen = std::uint64_t{512} << 20, kOpenStrips = 2,
-                          kMostSent = std::uint64_t{256} << 20;  // as BilCube bounds them
-  const auto of_cube = [&](std::uint64_t bands) {
-    const std::uint64_t strip = 4 * bands * static_cast<std::uint64_t>(plan.image.width_px) *
-                                static_cast<std::uint64_t>(std::min(plan.tile_px, plan.image.height_px));
-    const std::uint64_t whole = strip * static_cast<std::uint64_t>(plan.image.height_px) /
-                                static_cast<std::uint64_t>(std::min(plan.tile_px, plan.image.height_px));
-    const std::uint64_t sent = whole >= io::kManyBytes && strip <= kMostSent ? strip : 0;
-    return std::max(strip, std::min(kMostOpen, kOpenStrips * strip)) + sent;
+  constexpr std::uint64_t kMostTiles = std::uint64_t{64} << 20;
+  const auto of_cube = [&](std::size_t bands) {
+    return io::BilCube::waiting_bytes(plan.image.width_px, plan.image.height_px, static_cast<int>(bands), plan.tile_px);
   };
-  const std::uint64_t channels = plan.image.channels.size(), materials = plan.image.materials.size();
+  const std::size_t channels = plan.image.channels.size(), materials = plan.image.materials.size();
   return (plan.knows_errors ? 3 : 1) * of_cube(channels) + 2 * of_cube(3) + 2 * of_cube(materials) +
          std::min(kMostTiles, io::state_bytes(plan));
 }

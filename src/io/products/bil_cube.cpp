@@ -49,6 +49,12 @@ BilCube::BilCube(std::filesystem::path path, int width, int height, int bands, V
   if (bytes() >= limits_.large_bytes) file_.bypass_page_cache();
 }
 
+std::uint64_t BilCube::waiting_bytes(int width, int height, int bands, int tile_rows) {
+  const std::size_t strip = 4 * product(width, std::min(tile_rows, height), bands);
+  const bool sent = 4 * product(width, height, bands) >= kManyBytes && strip <= kLargestSent;
+  return std::max(strip, std::min(2 * strip, kRoomForTwo)) + (sent ? strip : 0);
+}
+
 std::uint64_t BilCube::bytes() const { return 4 * product(width_, height_, bands_); }
 
 void BilCube::write(sampling::PixelRect tile, std::span<const float> values) {
@@ -76,7 +82,7 @@ void BilCube::add(sampling::PixelRect tile, const void* values, std::size_t coun
 }
 
 void BilCube::send(Strip strip) {
-  if (!is_sent(strip)) return write_strip(strip);
+  if (!in_background(strip.bytes)) return write_strip(strip);
   strip.scanned = is_whole(strip) && scan_in_turn(strip);
   const std::lock_guard lock(sending_mutex_);
   if (sending_.valid()) sending_.get();
@@ -134,8 +140,8 @@ bool BilCube::is_whole(const Strip& strip) const {
   return strip.pixels == static_cast<std::int64_t>(width_) * (strip.y1 - strip.y0);
 }
 
-bool BilCube::is_sent(const Strip& strip) const {
-  return bytes() >= limits_.large_bytes && strip.bytes <= kLargestSent;
+bool BilCube::in_background(std::size_t strip_bytes) const {
+  return bytes() >= limits_.large_bytes && strip_bytes <= kLargestSent;
 }
 
 /// One strip at least: pieces of a tile's width go out in thousands of small writes.
@@ -186,8 +192,8 @@ void BilCube::write_strip(Strip& strip) {
   const std::lock_guard lock(mutex_);
   if (spare_bytes_ != strip.bytes) spares_.clear();
   spare_bytes_ = strip.bytes;
-  const std::size_t in_background = is_sent(strip) ? spare_bytes_ : 0;
-  if (buffered_bytes_ + (spares_.size() + 1) * spare_bytes_ <= buffer_limit(spare_bytes_) + in_background)
+  const std::size_t sent = in_background(strip.bytes) ? strip.bytes : 0;
+  if (buffered_bytes_ + (spares_.size() + 1) * spare_bytes_ <= buffer_limit(spare_bytes_) + sent)
     spares_.push_back(std::move(strip.buffer));
 }
 

@@ -34,6 +34,9 @@ class BilCube {
   BilCube(std::filesystem::path path, int width, int height, int bands, Values values)
       : BilCube(std::move(path), width, height, bands, values, Limits()) {}
 
+  /// What waits of a cube whose tiles, so high, come line by line.
+  static std::uint64_t waiting_bytes(int width, int height, int bands, int tile_rows);
+
   void reserve() { file_.reserve(bytes()); }
   std::uint64_t bytes() const;
   int width() const { return width_; }
@@ -82,7 +85,7 @@ class BilCube {
   Strips::iterator enter(sampling::PixelRect tile);
   Strips leave(Strips::iterator strip, sampling::PixelRect tile);
   bool is_whole(const Strip& strip) const;
-  bool is_sent(const Strip& strip) const;
+  bool in_background(std::size_t strip_bytes) const;
   void send(Strip strip);
   void write_strip(Strip& strip);
   void write_segments(const Strip& strip, int x0, int x1);
