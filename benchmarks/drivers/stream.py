@@ -10,6 +10,7 @@ import shutil
 import subprocess
 import time
 
+from drivers import runs as foretelling
 from drivers.figures import ROOT, at_least, at_most, figure, median, not_measured
 
 RAW_SOURCE = pathlib.Path(os.environ.get("IFOV_LIMITS", ROOT / "../shared/limits")) / "cube_io.cpp"
@@ -114,4 +115,6 @@ def run(context):
         # Without kept tiles the processor is the limit and not the disk.
         figures[f"stream.{kind}_over_raw"] = (at_least(share, 0.5, "of the raw rate") if kind == "kept"
                                               else figure(round(share, 3), "of the raw rate"))
+    figures |= foretelling.forecast(context, "stream", document, out)
+    shutil.rmtree(out)
     return figures

@@ -6,6 +6,7 @@
 
 #include "core/machine_memory.h"
 #include "core/parallel.h"
+#include "io/products/part_file.h"
 #include "io/run_state/run_state.h"
 #include "session/needs.h"
 #include "session/parts.h"
@@ -25,9 +26,9 @@ constexpr int kWantedPieces = 256;
 /// Pieces are not tiles, and no two runs take the same time: the standard error is at least this.
 constexpr double kLeastError = 0.05;
 
-/// Processor time of writing products, and for each byte of them and of tiles; and what publishing them takes. Measured on a
-/// virtual machine's disk.
-constexpr double kProducts_s = 0.05, kWriting_s_per_byte = 4e-9;
+/// Processor time of writing products, and for each byte of them, of tiles, and of what goes through the page cache; and
+/// what publishing takes. Measured on a virtual machine's disk.
+constexpr double kProducts_s = 0.05, kProduct_s_per_byte = 1.4e-9, kTile_s_per_byte = 0.7e-9, kCached_s_per_byte = 2.2e-9;
 constexpr double kPublishing_s = 0.15, kPublishing_bytes_per_s = 250e6;
 
 /// Share of a square's surroundings within `margin` in square and surroundings together.
@@ -70,8 +71,10 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
   const geometry::World& world = *parts.job().scene.scene().world;
 
   Forecast forecast;
-  forecast.product_bytes = plan.share.is_whole() ? io::product_bytes(plan) : 0;
-  forecast.disk_bytes = forecast.product_bytes + (request.keep_tiles ? io::state_bytes(plan) : 0);
+  const io::ProductBytes products = plan.share.is_whole() ? io::product_bytes(plan) : io::ProductBytes{};
+  const std::uint64_t tile_bytes = request.keep_tiles ? io::state_bytes(plan) : 0;
+  forecast.product_bytes = products.all();
+  forecast.disk_bytes = forecast.product_bytes + tile_bytes;
   forecast.memory_bytes = least_memory_bytes(plan, own_threads);
   forecast.shortages = shortages(folder, 0, forecast.memory_bytes);
   if (!forecast.shortages.empty()) {  // a probe might not end
@@ -115,14 +118,17 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
   forecast.shortages = shortages(folder, forecast.disk_bytes, forecast.memory_bytes);
 
   const double tracing_s = share * area * seconds.value,
-               writing_s = kWriting_s_per_byte * static_cast<double>(forecast.disk_bytes);
+               writing_s = kProduct_s_per_byte * static_cast<double>(products.all()) +
+                           kTile_s_per_byte * static_cast<double>(tile_bytes) +
+                           kCached_s_per_byte *
+                               static_cast<double>(products.cached + std::min(tile_bytes, io::kManyBytes));
   forecast.processor_s = probing.setup_s() + tracing_s + writing_s + kProducts_s;
   // No more threads have work than there are tiles, and the last ones to have some wait for the rest.
   const double threads = request.team != nullptr ? request.team->all_threads() : std::min(own_threads, usual_threads());
   const double tiles = std::ceil(share * pieces_across(width, plan.tile_px) * pieces_across(height, plan.tile_px));
   const double rounds = std::ceil(tiles / threads);
   forecast.elapsed_s = probing.setup_s() + (tracing_s + writing_s) * rounds / tiles + kPublishing_s +
-                       static_cast<double>(forecast.product_bytes) / kPublishing_bytes_per_s;
+                       static_cast<double>(products.cached) / kPublishing_bytes_per_s;
   return forecast;
 }
 

@@ -19,8 +19,8 @@
 namespace ifov::session {
 namespace {
 
-/// What assembly takes is set aside of a time limit: this, and the products' bytes at this rate.
-constexpr double kAssembly_s = 1.0, kAssembly_bytes_per_s = 60e6;
+/// What assembly takes is set aside of a time limit: this, and the products' bytes at these rates.
+constexpr double kAssembly_s = 1.0, kCached_bytes_per_s = 60e6, kDirect_bytes_per_s = 150e6;
 constexpr const char* kTimeLimit = "the time limit came first";
 
 /// Keeps finished tiles, hands them to the products, and notes which there are.
@@ -162,7 +162,7 @@ class Run {
   void require_room(const RunRequest& request) const {
     const int threads = team_ != nullptr ? team_->threads(options_.threads) : options_.threads;
     const std::uint64_t disk =
-        (plan_.share.is_whole() ? io::product_bytes(plan_) : 0) + (request.keep_tiles ? io::state_bytes(plan_) : 0);
+        (plan_.share.is_whole() ? io::product_bytes(plan_).all() : 0) + (request.keep_tiles ? io::state_bytes(plan_) : 0);
     const std::vector<std::string> lines = shortages(folder_, disk, least_memory_bytes(plan_, threads));
     if (lines.empty()) return;
     std::string message;
@@ -174,9 +174,12 @@ class Run {
     const std::vector<int> left = tiles_left();
     if (left.empty()) return;
     std::optional<TimeLimit::Clock::time_point> end = deadline_;
-    if (end && products_)
+    if (end && products_) {
+      const io::ProductBytes bytes = io::product_bytes(plan_);
       *end -= std::chrono::duration_cast<TimeLimit::Clock::duration>(std::chrono::duration<double>(
-          kAssembly_s + static_cast<double>(io::product_bytes(plan_)) / kAssembly_bytes_per_s));
+          kAssembly_s + static_cast<double>(bytes.cached) / kCached_bytes_per_s +
+          static_cast<double>(bytes.direct) / kDirect_bytes_per_s));
+    }
     const std::unique_ptr<cluster::TileServer> server = team_ != nullptr ? begin_team(left, end) : nullptr;
     const TimeLimit limit(end, server ? server->token() : options_.cancel);
     LastProgress progress(totals_, options_.progress, server.get());

@@ -100,14 +100,22 @@ TilesDone survey_tiles(const std::filesystem::path& folder, const RunPlan& plan,
   return survey.result();
 }
 
-std::uint64_t product_bytes(const RunPlan& plan) {
+ProductBytes product_bytes(const RunPlan& plan) {
   const bool has_air = std::any_of(plan.image.channels.begin(), plan.image.channels.end(),
                                    [](const render::ChannelInfo& channel) { return channel.air.has_value(); });
-  const std::uint64_t spectral = plan.image.channels.size() *
-                                 ((plan.knows_errors ? 3 + (has_air ? 1 : 0) : 1) + (plan.geotiff ? 1 : 0));
-  const std::uint64_t others = 3 + 3 + 2 * plan.image.materials.size();  // samples, quality, abundances
-  return 4 * (spectral + others) * static_cast<std::uint64_t>(plan.image.width_px) *
-         static_cast<std::uint64_t>(plan.image.height_px);
+  const std::uint64_t pixels =
+      static_cast<std::uint64_t>(plan.image.width_px) * static_cast<std::uint64_t>(plan.image.height_px);
+  ProductBytes bytes;
+  const auto add = [&](std::uint64_t cubes, std::uint64_t bands) {
+    const std::uint64_t cube = 4 * bands * pixels;
+    (cube >= kManyBytes ? bytes.direct : bytes.cached) += cubes * cube;
+  };
+  const std::uint64_t channels = plan.image.channels.size();
+  add(plan.knows_errors ? 3 + (has_air ? 1 : 0) : 1, channels);
+  add(2, 3);  // samples, quality
+  add(2, plan.image.materials.size());
+  if (plan.geotiff) bytes.cached += 4 * channels * pixels;
+  return bytes;
 }
 
 std::uint64_t leftover_bytes(const std::filesystem::path& folder) {

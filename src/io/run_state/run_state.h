@@ -76,7 +76,12 @@ TilesDone survey_tiles(const std::filesystem::path& folder, const RunPlan& plan,
                        LogSink* log = nullptr);
 
 /// About what a run's products take on disk; the picture and the report, which are small, are left out.
-std::uint64_t product_bytes(const RunPlan& plan);
+struct ProductBytes {
+  std::uint64_t cached = 0;  ///< that go through the page cache, and from there to the disk at the end
+  std::uint64_t direct = 0;  ///< of large cubes
+  std::uint64_t all() const { return cached + direct; }
+};
+ProductBytes product_bytes(const RunPlan& plan);
 
 /// What an unfinished run has taken of the disk in its output folder: kept tiles, and products not yet published.
 std::uint64_t leftover_bytes(const std::filesystem::path& folder);
