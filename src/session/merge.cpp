@@ -1,10 +1,12 @@
 #include "session/merge.h"
 
 #include <algorithm>
+#include <mutex>
 
 #include "core/error.h"
 #include "io/run_state/run_state.h"
 #include "session/run_products.h"
+#include "session/tile_assembly.h"
 
 namespace ifov::session {
 namespace {
@@ -66,35 +68,43 @@ RunResult merge_runs(const std::vector<std::filesystem::path>& folders, const Me
                done.size() - count, done.size(), where_tiles_are_missing(folders, plans, done)));
   };
   std::vector<bool> done(grid.size());
+  std::vector<io::TileIndex> indices;
+  Progress totals;
   for (std::size_t f = 0; f < folders.size(); ++f) {
-    const io::TilesDone tiles = io::survey_tiles(folders[f], plans[f]);
+    const io::TilesDone tiles = io::survey_tiles(folders[f], plans[f], &indices.emplace_back(plans[f]));
     for (std::size_t k = 0; k < grid.size(); ++k) done[k] = done[k] || tiles.done[k];
+    totals.elapsed_s += tiles.elapsed_s;
   }
   require_all(done);
 
-  done.assign(grid.size(), false);
   RunProducts products(plan, options.output_folder);
-  Progress totals;
-  for (std::size_t f = 0; f < folders.size(); ++f) {
-    const auto take = [&](std::uint32_t index, const sampling::TileResult& tile) {
-      if (done[index]) return;
-      done[index] = true;
-      products.write(tile);
+  std::mutex mutex;
+  std::vector<bool> read(grid.size());
+  const auto take = [&](std::size_t index, sampling::TileResult& tile) {
+    for (const io::TileIndex& tiles : indices) {
+      if (!tiles.has(index)) continue;
+      const std::string fault = tiles.read(index, tile);
+      const std::scoped_lock lock(mutex);
+      if (!fault.empty()) {
+        if (options.log != nullptr) options.log->warn(fault);
+        continue;
+      }
+      read[index] = true;
       totals.pixels_done += tile.tile.count();
       totals.pixels_converged += std::count(tile.converged.begin(), tile.converged.end(), std::uint8_t{1});
       totals.rays += static_cast<std::int64_t>(tile.rays.total());
       for (const float ratio : tile.worst_ratio)
         totals.worst_error_ratio = std::max<double>(totals.worst_error_ratio, ratio);
-    };
-    totals.elapsed_s += io::survey_tiles(folders[f], plans[f], take, options.log).elapsed_s;
-  }
-  require_all(done);  // a damaged one shows only when it is read
-  for (std::size_t k = 0; k < grid.size(); ++k)
-    if (!done[k]) products.write_missing(grid[k]);
+      return true;
+    }
+    return false;
+  };
+  TileAssembly(plan, {}, take, &products).finish(done, options.threads);
+  require_all(read);  // a damaged one shows only when it is read
   totals.pixels_total = static_cast<std::int64_t>(plan.image.width_px) * plan.image.height_px;
   RunResult result;
   result.summary = products.finish(totals, options.threads, "their tiles were not there to merge");
-  result.tiles_done = static_cast<std::size_t>(std::count(done.begin(), done.end(), true));
+  result.tiles_done = static_cast<std::size_t>(std::count(read.begin(), read.end(), true));
   result.tiles_left = grid.size() - result.tiles_done;
   return result;
 }

@@ -14,6 +14,7 @@
 #include "session/refinement.h"
 #include "session/run_products.h"
 #include "session/team.h"
+#include "session/tile_assembly.h"
 #include "session/time_limit.h"
 
 namespace ifov::session {
@@ -26,21 +27,21 @@ constexpr const char* kTimeLimit = "the time limit came first";
 /// Keeps finished tiles, hands them to the products, and notes which there are.
 class KeepingSink final : public render::TileSink {
  public:
-  KeepingSink(const io::RunPlan& plan, RunProducts* products, io::RunState* state, std::vector<bool>& done)
-      : plan_(plan), products_(products), state_(state), done_(done) {}
+  KeepingSink(const io::RunPlan& plan, TileAssembly* assembly, io::RunState* state, std::vector<bool>& done)
+      : plan_(plan), assembly_(assembly), state_(state), done_(done) {}
   void begin(const render::ImageInfo&) override {}
   void write(const sampling::TileResult& tile) override {
     const std::size_t index =
         render::tile_index(tile.tile.x0, tile.tile.y0, plan_.image.width_px, plan_.tile_px);
     if (state_ != nullptr) state_->put(static_cast<std::uint32_t>(index), tile);
-    if (products_ != nullptr) products_->write(tile);
+    if (assembly_ != nullptr) assembly_->write(index, tile);
     const std::scoped_lock lock(mutex_);
     done_[index] = true;
   }
 
  private:
   const io::RunPlan& plan_;
-  RunProducts* products_;
+  TileAssembly* assembly_;
   io::RunState* state_;
   std::mutex mutex_;
   std::vector<bool>& done_;
@@ -115,7 +116,8 @@ class Run {
     try {
       take_finished();
       trace();
-      if (state_) state_->close();
+      const int packs = state_ ? state_->close() : 0;
+      if (team_ != nullptr) state_->find(0, packs);
       return finish();
     } catch (const EnvironmentError& error) {
       throw EnvironmentError(kept(error.what()));
@@ -137,10 +139,14 @@ class Run {
     for (std::size_t k = 0; k < grid.size(); ++k)
       if (plan_.share.has(k)) totals_.pixels_total += grid[k].count();
     if (plan_.share.is_whole()) products_.emplace(plan_, folder_);
-    if (!state_) return;
-    tiles_ = state_->read([&](const sampling::TileResult& tile) {
-      if (products_) products_->write(tile);
-    });
+    if (state_) count_finished();
+    assembly_.emplace(
+        plan_, tiles_.done, [this](std::size_t index, sampling::TileResult& tile) { return state_->read_tile(index, tile); },
+        products_ ? &*products_ : nullptr);
+  }
+
+  void count_finished() {
+    tiles_ = state_->read([](const sampling::TileResult&) {});
     if (tiles_.count() > 0 && options_.log != nullptr)
       options_.log->info(format("{}: {} of {} tiles are done already", folder_.string(), tiles_.count(),
                                 tiles_.done.size()));
@@ -183,13 +189,14 @@ class Run {
     const std::unique_ptr<cluster::TileServer> server = team_ != nullptr ? begin_team(left, end) : nullptr;
     const TimeLimit limit(end, server ? server->token() : options_.cancel);
     LastProgress progress(totals_, options_.progress, server.get());
-    KeepingSink sink(plan_, products_ ? &*products_ : nullptr, state_ ? &*state_ : nullptr, tiles_.done);
+    // What other ranks trace comes out of their packs at the end, and then all comes line by line.
+    KeepingSink sink(plan_, server ? nullptr : &*assembly_, state_ ? &*state_ : nullptr, tiles_.done);
     render::RenderControl control;
     control.threads = team_ != nullptr ? team_->threads(options_.threads) : options_.threads;
     control.cancel = limit.token();
     control.progress = &progress;
     control.tile_order = left;
-    control.source = server.get();
+    control.source = server ? static_cast<render::TileSource*>(server.get()) : &*assembly_;
     bool stopped = false;
     render::RenderJob job = parts_.job();
     job.keep_memory = plan_.keeps_memory;
@@ -223,9 +230,7 @@ class Run {
 
   /// What another rank has written.
   void take_from(int rank, int packs) {
-    const io::TilesDone tiles = state_->read_rank(rank, packs, [&](const sampling::TileResult& tile) {
-      if (products_) products_->write(tile);
-    });
+    const io::TilesDone tiles = state_->find(rank, packs);
     for (std::size_t k = 0; k < tiles.done.size(); ++k) tiles_.done[k] = tiles_.done[k] || tiles.done[k];
     Progress work;
     work.pixels_done = tiles.pixels;
@@ -239,9 +244,8 @@ class Run {
     const std::size_t left = tiles_left().size();
     RunResult result;
     if (products_) {
-      const std::vector<sampling::PixelRect> grid = plan_.grid();
-      for (std::size_t k = 0; k < grid.size(); ++k)
-        if (!tiles_.done[k]) products_->write_missing(grid[k]);
+      if (const std::size_t unread = assembly_->finish(tiles_.done, options_.threads); unread > 0)
+        throw EnvironmentError(format("{} tiles cannot be read back", unread));
       result.summary = products_->finish(totals_, options_.threads, kTimeLimit);
     } else {
       result.summary.folder = folder_;
@@ -267,6 +271,7 @@ class Run {
   io::RunPlan plan_;
   std::optional<io::RunState> state_;
   std::optional<RunProducts> products_;  ///< none for a share of the tiles
+  std::optional<TileAssembly> assembly_;
   io::TilesDone tiles_;
   Progress totals_;
 };

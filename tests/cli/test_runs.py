@@ -339,6 +339,16 @@ class Runs(WholeProducts, unittest.TestCase):
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             self.expect_whole(folder / "scene.out")
 
+            pack = sorted((folder / shares[0] / "run.part" / "tiles").glob("*.tiles"))[0]
+            data = pack.read_bytes()
+            pack.write_bytes(data[:400] + bytes([data[400] ^ 1]) + data[401:])
+            done = run("merge", *shares, "--output", "damaged", cwd=folder)
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertRegex(done.stderr, r"^ifov: warning: scene\.out\.1-of-3/run\.part/tiles/" + pack.name + r": the checksum of tile "
+                                          r"\d+ is wrong\n1 of 25 tiles are missing:\n  scene\.out\.1-of-3: 1 tiles of its share 1/3 "
+                                          r"are not done\n")
+            self.assertFalse((folder / "damaged" / "image_run.json").exists())
+
     def test_shares_of_different_runs_are_refused(self):
         with Folder(scene=SCENE, other=SCENE.replace('"seed": 5', '"seed": 6')) as folder:
             run("render", "scene.json", "--tiles", "1/2", "-o", "a", cwd=folder)

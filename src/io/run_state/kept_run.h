@@ -7,6 +7,7 @@
 
 #include "core/run_control.h"
 #include "io/run_state/run_plan.h"
+#include "io/run_state/tile_index.h"
 #include "render/tile_sink.h"
 
 namespace ifov::io {
@@ -27,15 +28,7 @@ class KeptTiles final : public render::EarlierTiles {
   bool read(std::size_t index, sampling::TileResult& tile) override;
 
  private:
-  struct Place {
-    std::size_t pack = 0;
-    std::uint64_t offset = 0, bytes = 0;  // none: 0 bytes
-  };
-  std::uint64_t run_;
-  int columns_;
-  std::vector<sampling::PixelRect> grid_;
-  std::vector<std::filesystem::path> packs_;
-  std::vector<Place> places_;
+  TileIndex index_;
   LogSink* log_;
 };
 

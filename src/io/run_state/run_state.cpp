@@ -80,23 +80,11 @@ std::filesystem::path plan_file(const std::filesystem::path& folder) {
   return state_folder(folder) / "state.json";
 }
 
-TilesDone survey_tiles(const std::filesystem::path& folder, const RunPlan& plan,
-                       const std::function<void(std::uint32_t, const sampling::TileResult&)>& take,
-                       LogSink* log) {
-  const std::vector<sampling::PixelRect> grid = plan.grid();
-  const TileDemands demands{plan.key(), static_cast<int>(plan.image.channels.size()), grid};
-  Survey survey(grid.size());
-  for (const auto& pack : packs_in(state_folder(folder) / "tiles")) {
-    if (take)
-      read_pack(
-          pack, demands,
-          [&](const TileHeader& header, const sampling::TileResult& tile) {
-            if (survey.add(header)) take(header.index, tile);
-          },
-          log, false);
-    else
-      read_headers(pack, demands, [&](const TileHeader& header) { survey.add(header); });
-  }
+TilesDone survey_tiles(const std::filesystem::path& folder, const RunPlan& plan, TileIndex* index) {
+  Survey survey(plan.grid().size());
+  TileIndex own(plan);
+  for (const auto& pack : packs_in(state_folder(folder) / "tiles"))
+    (index != nullptr ? index : &own)->add(pack, [&](const TileHeader& header) { survey.add(header); });
   return survey.result();
 }
 
@@ -148,7 +136,7 @@ std::uint64_t state_bytes(const RunPlan& plan) {
 }
 
 RunState::RunState(const std::filesystem::path& folder, const RunPlan& plan, RunStart start, LogSink* log)
-    : plan_(plan), log_(log), path_(state_folder(folder)) {
+    : plan_(plan), log_(log), path_(state_folder(folder)), index_(plan) {
   require_space(path_, 0);
   lock_ = std::make_unique<RunLock>(path_ / "lock", log);
   const std::filesystem::path kept_plan = plan_file(folder), tiles = path_ / "tiles";
@@ -175,39 +163,44 @@ RunState::RunState(const std::filesystem::path& folder, const RunPlan& plan, Run
   remove_leftovers(tiles);
 }
 
-TilesDone RunState::read_packs(const std::vector<std::filesystem::path>& packs,
-                               const std::function<void(const sampling::TileResult&)>& take) {
+TilesDone RunState::read(const std::function<void(const sampling::TileResult&)>& take) {
   const std::vector<sampling::PixelRect> grid = plan_.grid();
   const TileDemands demands{plan_.key(), static_cast<int>(plan_.image.channels.size()), grid};
   Survey survey(grid.size());
-  for (const auto& pack : packs)
+  for (const auto& pack : packs_in(path_ / "tiles"))
     read_pack(
         pack, demands,
         [&](const TileHeader& header, const sampling::TileResult& tile) {
           if (survey.add(header)) take(tile);
         },
         log_, true);
+  index_ = TileIndex(plan_);  // of what is whole
+  for (const auto& pack : packs_in(path_ / "tiles")) index_.add(pack);
+  store_ = std::make_unique<TileStore>(path_ / "tiles", plan_.key());
   return survey.result();
 }
 
-TilesDone RunState::read(const std::function<void(const sampling::TileResult&)>& take) {
-  const TilesDone tiles = read_packs(packs_in(path_ / "tiles"), take);
-  store_ = std::make_unique<TileStore>(path_ / "tiles", plan_.key());
-  return tiles;
+TilesDone RunState::find(int rank, int packs) {
+  Survey survey(plan_.grid().size());
+  // By their names: on network file systems a list of the folder may be out of date.
+  for (int k = 0; k < packs; ++k)
+    index_.add(path_ / "tiles" / pack_name(store_start(), rank, store_start().first_pack + k),
+               [&](const TileHeader& header) { survey.add(header); });
+  return survey.result();
 }
 
-TilesDone RunState::read_rank(int rank, int packs, const std::function<void(const sampling::TileResult&)>& take) {
-  // By their names: on network file systems a list of the folder may be out of date.
-  std::vector<std::filesystem::path> files;
-  for (int k = 0; k < packs; ++k)
-    files.push_back(path_ / "tiles" / pack_name(store_start(), rank, store_start().first_pack + k));
-  return read_packs(files, take);
+bool RunState::read_tile(std::size_t index, sampling::TileResult& tile) const {
+  const std::string fault = index_.read(index, tile);
+  if (!fault.empty() && log_ != nullptr) log_->warn(fault);
+  return fault.empty();
 }
 
 void RunState::put(std::uint32_t index, const sampling::TileResult& tile) { store_->put(index, tile); }
 
-void RunState::close() {
-  if (store_) store_->close();
+int RunState::close() {
+  if (!store_) return 0;
+  store_->close();
+  return store_->packs();
 }
 
 void RunState::keep() {

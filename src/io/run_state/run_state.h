@@ -11,6 +11,7 @@
 #include "core/run_start.h"
 #include "io/run_state/run_lock.h"
 #include "io/run_state/run_plan.h"
+#include "io/run_state/tile_index.h"
 #include "io/run_state/tile_store.h"
 
 namespace ifov::io {
@@ -36,15 +37,19 @@ class RunState {
   /// and removed. Comes before the first put().
   TilesDone read(const std::function<void(const sampling::TileResult&)>& take);
 
+  /// A tile that read() has met or a rank's packs hold, from any thread; false where it is damaged, which the log is
+  /// told.
+  bool read_tile(std::size_t index, sampling::TileResult& tile) const;
+
   /// Where several processes work on the run: what the others' stores are made with, after read().
   const StoreStart& store_start() const { return store_->start(); }
-  /// The same as read() of the packs that another rank has written since.
-  TilesDone read_rank(int rank, int packs, const std::function<void(const sampling::TileResult&)>& take);
+  /// The packs that a rank has written since, by their headers.
+  TilesDone find(int rank, int packs);
 
   /// From any thread.
   void put(std::uint32_t index, const sampling::TileResult& tile);
-  /// Returns when all tiles are on disk; no put() follows.
-  void close();
+  /// Returns when all tiles are on disk, in how many packs of this process; no put() follows.
+  int close();
   /// Takes the folder away, and what an earlier run has kept.
   void remove();
   /// Leaves the tiles in kept_folder(), to be refined, in place of those of an earlier run.
@@ -60,20 +65,15 @@ class RunState {
   std::filesystem::path path_;
   std::unique_ptr<RunLock> lock_;
   std::unique_ptr<TileStore> store_;
-
-  TilesDone read_packs(const std::vector<std::filesystem::path>& packs,
-                       const std::function<void(const sampling::TileResult&)>& take);
+  TileIndex index_;
 };
 
 /// The folder of a run's state, and the plan in it.
 std::filesystem::path state_folder(const std::filesystem::path& folder);
 std::filesystem::path plan_file(const std::filesystem::path& folder);
 
-/// The tiles of a run that may be at work: their figures by their headers, or (`take` given) each of them.
-/// Damaged tiles are told to `log` (may be null) and stay.
-TilesDone survey_tiles(const std::filesystem::path& folder, const RunPlan& plan,
-                       const std::function<void(std::uint32_t, const sampling::TileResult&)>& take = nullptr,
-                       LogSink* log = nullptr);
+/// The tiles of a run that may be at work, by their headers; noted in `index` where it is given.
+TilesDone survey_tiles(const std::filesystem::path& folder, const RunPlan& plan, TileIndex* index = nullptr);
 
 /// About what a run's products take on disk; the picture and the report, which are small, are left out.
 struct ProductBytes {
