@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/types.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -82,6 +83,24 @@ ssize_t pwrite(int file, const void* data, size_t bytes, off_t offset) {
     end();
   }
   return call(file, data, bytes, offset);
+}
+
+ssize_t pwritev(int file, const iovec* pieces, int count, off_t offset) {
+  if (is_last()) {
+    auto* write_half = next<ssize_t(int, const void*, size_t, off_t)>("pwrite");
+    for (int k = 0; k < (count + 1) / 2; ++k) {
+      const size_t bytes = count == 1 ? pieces[k].iov_len / 2 : pieces[k].iov_len;
+      write_half(file, pieces[k].iov_base, bytes, offset);
+      offset += static_cast<off_t>(bytes);
+    }
+    end();
+  }
+  return next<ssize_t(int, const iovec*, int, off_t)>("pwritev")(file, pieces, count, offset);
+}
+
+int fallocate(int file, int mode, off_t offset, off_t size) {
+  if (is_last()) end();
+  return next<int(int, int, off_t, off_t)>("fallocate")(file, mode, offset, size);
 }
 
 }  // extern "C"

@@ -29,7 +29,8 @@ Holder read_holder(int descriptor) {
   char text[512] = {};
   const ssize_t got = pread(descriptor, text, sizeof text - 1, 0);
   Holder holder;
-  if (got > 0) std::istringstream(text) >> holder.process >> holder.host;
+  // A line without an end is that of a run which was killed as it wrote it.
+  if (got > 0 && std::strchr(text, '\n') != nullptr) std::istringstream(text) >> holder.process >> holder.host;
   return holder;
 }
 
