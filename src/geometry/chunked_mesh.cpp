@@ -12,7 +12,7 @@ namespace ifov::geometry {
 namespace {
 
 void bound_chunk(const RTCBoundsFunctionArguments* a) {
-  within_commit();
+  const WithinCommit order;
   const auto& mesh = *static_cast<const ChunkedMesh*>(a->geometryUserPtr);
   *a->bounds_o = padded(mesh.chunk_bounds(a->primID), mesh.padding_m());
 }

@@ -17,7 +17,7 @@ constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 #ifdef __SANITIZE_THREAD__
-std::atomic<int> commits{0};
+std::atomic<int> commits{0}, calls_back{0};
 #endif
 
 void check(RTCDevice device) {
@@ -139,14 +139,14 @@ void occlude_field(const RTCOccludedFunctionNArguments* a) {
 }
 
 void bound_field(const RTCBoundsFunctionArguments* a) {
-  within_commit();
+  const WithinCommit order;
   const auto& placed = *static_cast<const PlacedField*>(a->geometryUserPtr);
   const World::Bounds own = placed.field->block_bounds(a->primID);
   *a->bounds_o = padded(own.low_m.z <= own.high_m.z ? image_of(own, placed.centred_from_field) : own, placed.padding_m);
 }
 
 void bound_analytic(const RTCBoundsFunctionArguments* a) {
-  within_commit();
+  const WithinCommit order;
   const auto& set = *static_cast<const AnalyticSet*>(a->geometryUserPtr);
   const UnitPrimitive& shape = set.shapes[a->primID];
   *a->bounds_o = padded(unit_bounds(shape.kind, shape.unit_from_object.inverse()), set.padding_m);
@@ -194,17 +194,22 @@ EmbreeScene make_scene(RTCDevice device, bool robust) {
   return scene;
 }
 
-void within_commit() {
 #ifdef __SANITIZE_THREAD__
-  commits.load(std::memory_order_acquire);
+WithinCommit::WithinCommit() { commits.load(std::memory_order_acquire); }
+WithinCommit::~WithinCommit() { calls_back.fetch_add(1, std::memory_order_release); }
+#else
+WithinCommit::WithinCommit() {}
+WithinCommit::~WithinCommit() {}
 #endif
-}
 
 void commit(RTCDevice device, RTCScene scene) {
 #ifdef __SANITIZE_THREAD__
   commits.fetch_add(1, std::memory_order_acq_rel);
 #endif
   rtcCommitScene(scene);
+#ifdef __SANITIZE_THREAD__
+  calls_back.load(std::memory_order_acquire);
+#endif
   check(device);
 }
 

@@ -31,9 +31,13 @@ EmbreeDevice make_device(int threads, std::atomic<std::int64_t>& bytes);
 /// Geometry is attached, then committed; errors of Embree are EnvironmentError.
 EmbreeScene make_scene(RTCDevice device, bool robust);
 void commit(RTCDevice device, RTCScene scene);
-/// What the builder calls back while it commits begins with this: the thread sanitizer cannot see that it comes after
-/// what led to commit().
-void within_commit();
+/// What the builder calls back while it commits holds one of these: the thread sanitizer cannot see that it comes after
+/// what led to commit() and before what follows.
+class WithinCommit {
+ public:
+  WithinCommit();
+  ~WithinCommit();
+};
 
 /// A box in Embree's floats, widened by `padding_m` against their rounding; empty where low is above high.
 RTCBounds padded(const World::Bounds& box, double padding_m);

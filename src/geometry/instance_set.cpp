@@ -15,7 +15,7 @@ using math::Vec3;
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
 void bound_instance(const RTCBoundsFunctionArguments* a) {
-  within_commit();
+  const WithinCommit order;
   const auto& set = *static_cast<const InstanceSet*>(a->geometryUserPtr);
   const World::Bounds& own = set.targets[(*set.pieces)[a->primID].of].bounds;
   *a->bounds_o = padded(image_of(own, (*set.set_from_scene)[a->primID].inverse()), set.padding_m);
