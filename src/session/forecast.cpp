@@ -48,6 +48,12 @@ io::RunPlan plan_of(const Session::Parts& parts, const RunRequest& request, cons
   return plan;
 }
 
+/// What pieces took while they were at work, for tiles that are, with their margins, so many times as wide: between as much,
+/// where the dearest piece of a tile makes it, and as many times as much as pieces fit into a tile, where all are alike.
+std::uint64_t work_of_tiles(std::uint64_t piece_bytes, double width_ratio) {
+  return static_cast<std::uint64_t>(std::max(1.0, width_ratio) * static_cast<double>(piece_bytes));
+}
+
 /// Of trees that rays of the run will need and those of the probe did not.
 std::uint64_t unmade_chunk_bytes(const geometry::World::Storage& storage, const Probing& probing) {
   if (storage.chunks_made == 0) return 0;
@@ -101,6 +107,7 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
   control.cancel = options.cancel;
   control.source = &probing;
   const auto begin = std::chrono::steady_clock::now();
+  const std::uint64_t loaded_bytes = peak_memory_bytes();
   render::render_image(job, control, probing);
 
   const double share = 1.0 / plan.share.count;
@@ -113,7 +120,10 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
   if (request.keep_tiles)
     forecast.disk_bytes += static_cast<std::uint64_t>(share * area * probing.memory_bytes_per_pixel());
   forecast.memory_bytes = std::max(forecast.memory_bytes,
-                                   peak_memory_bytes() + unmade_chunk_bytes(world.storage(), probing) +
+                                   loaded_bytes +
+                                       work_of_tiles(peak_memory_bytes() - loaded_bytes,
+                                                     (plan.tile_px + 2.0 * margin_px) / (job.tile_px + 2.0 * margin_px)) +
+                                       unmade_chunk_bytes(world.storage(), probing) +
                                        (plan.share.is_whole() ? buffer_bytes(plan) : 0));
   forecast.shortages = shortages(folder, forecast.disk_bytes, forecast.memory_bytes);
 
