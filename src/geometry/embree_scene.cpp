@@ -179,6 +179,7 @@ EmbreeDevice make_device(int threads, std::atomic<std::int64_t>& bytes) {
             ? "the ray tracer cannot start: it needs a processor with AVX2"
             : "the ray tracer cannot start: there is too little memory, or no thread can be made");
   const auto count = [](void* total, ssize_t change, bool) {
+    const WithinCommit order;
     static_cast<std::atomic<std::int64_t>*>(total)->fetch_add(change, std::memory_order_relaxed);
     return true;
   };
