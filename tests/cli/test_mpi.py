@@ -6,10 +6,12 @@ import os
 import pathlib
 import random
 import re
+import select
 import shutil
 import signal
 import struct
 import subprocess
+import threading
 import time
 import unittest
 
@@ -350,17 +352,30 @@ class Opened:
                 self.descriptor, os.fsencode(file), self.IN_OPEN | self.IN_CLOSE_NOWRITE) < 0:
             raise OSError(ctypes.get_errno(), "inotify")
         self.times = 0
+        self.ended = threading.Event()
+        self.counting = threading.Thread(target=self.count)
+
+    def count(self):
+        """At once, and closings as well: like events that follow each other and were not fetched become one."""
+        while not self.ended.is_set():
+            select.select([self.descriptor], [], [], 0.05)
+            self.fetch()
+
+    def fetch(self):
+        try:
+            events = os.read(self.descriptor, 1 << 16)
+        except BlockingIOError:
+            return
+        self.times += sum(mask & self.IN_OPEN != 0 for _, mask, _, _ in struct.iter_unpack("<iIII", events))
 
     def __enter__(self):
+        self.counting.start()
         return self
 
     def __exit__(self, *_):
-        # Openings alone would be counted as one where they follow each other.
-        try:
-            events = os.read(self.descriptor, 1 << 16)
-            self.times = sum(mask & self.IN_OPEN != 0 for _, mask, _, _ in struct.iter_unpack("<iIII", events))
-        except BlockingIOError:
-            pass
+        self.ended.set()
+        self.counting.join()
+        self.fetch()
         os.close(self.descriptor)
 
 
