@@ -110,6 +110,9 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
   const std::uint64_t loaded_bytes = peak_memory_bytes();
   render::render_image(job, control, probing);
 
+  // Trees that the probe made stay; they are not the work of pieces.
+  const std::uint64_t grown_bytes = peak_memory_bytes() - loaded_bytes,
+                      trees_bytes = std::min<std::uint64_t>(grown_bytes, world.storage().chunk_bytes);
   const double share = 1.0 / plan.share.count;
   const Mean rays = probing.rays(), seconds = probing.processor_s();
   forecast.rays = share * area * rays.value;
@@ -120,8 +123,8 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
   if (request.keep_tiles)
     forecast.disk_bytes += static_cast<std::uint64_t>(share * area * probing.memory_bytes_per_pixel());
   forecast.memory_bytes = std::max(forecast.memory_bytes,
-                                   loaded_bytes +
-                                       work_of_tiles(peak_memory_bytes() - loaded_bytes,
+                                   loaded_bytes + trees_bytes +
+                                       work_of_tiles(grown_bytes - trees_bytes,
                                                      (plan.tile_px + 2.0 * margin_px) / (job.tile_px + 2.0 * margin_px)) +
                                        unmade_chunk_bytes(world.storage(), probing) +
                                        (plan.share.is_whole() ? buffer_bytes(plan) : 0));
