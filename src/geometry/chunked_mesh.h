@@ -53,6 +53,8 @@ class ChunkedMesh {
   void attach_to(RTCScene scene, unsigned geometry) const;
 
   const MeshLists& mesh() const { return mesh_; }
+  const math::Transform& set_from_object() const { return placing_.set_from_object; }
+  std::uint32_t owner() const { return placing_.owner; }
   World::Bounds chunk_bounds(std::size_t chunk) const;  ///< in the set's frame
   double padding_m() const { return placing_.padding_m; }
 

@@ -171,6 +171,7 @@ void EmbreeWorld::finish(const RayPacket& packet, std::size_t k, const Ray& ray,
     // one.
     if (!(std::abs(t - packet.near[k]) <= 64.0 * window_m_)) t = packet.near[k];
   }
+  hit.bend = Bend::none;
   hit.distance_m = shift + t;
   hit.position_m = ray.origin_m + ray.direction * hit.distance_m;
   hit.u = hit.v = 0.0;
@@ -238,6 +239,7 @@ void EmbreeWorld::apply_attributes(const Attributes& kept, const Transform& mesh
   if (!mesh.normals.empty()) {
     const Triangle& i = corners(mesh.normal_corners, mesh, triangle);
     if (!complete(i)) return;
+    hit.bend = Bend::smooth;
     const Vec3 n = mesh.normals[i[0]].as_vector() * w[0] + mesh.normals[i[1]].as_vector() * w[1] +
                    mesh.normals[i[2]].as_vector() * w[2];
     const Normal3 shading = normal_in_scene(mesh_from_scene, math::as_normal(n));
@@ -254,6 +256,7 @@ void EmbreeWorld::finish_field(const Candidate& c, SurfacePoint& hit) const {
   const Normal3 shading = normal_in_scene(map, placed.field->shading_normal(c.prim, at));
   hit.shading_normal = dot(shading, hit.geometric_normal.as_vector()) < 0.0 ? -shading : shading;
   hit.instance = placed.object;
+  hit.bend = Bend::field;
   hit.primitive = c.prim;
   hit.patch = 0;
   hit.material = placed.material;
@@ -276,6 +279,7 @@ void EmbreeWorld::finish_analytic(const RayPacket& packet, std::size_t k, Surfac
     p = shape.unit_from_object(map(p));
     n = normal_in_scene(map, normal_in_scene(shape.unit_from_object, unit_normal(shape.kind, c.face, p)));
   }
+  if (is_round(shape.kind, c.face)) hit.bend = Bend::round;
   const Uv uv = unit_uv(shape.kind, c.face, p);
   hit.u = uv.u, hit.v = uv.v;
   hit.geometric_normal = hit.shading_normal = n;

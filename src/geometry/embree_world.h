@@ -14,6 +14,7 @@
 #include "geometry/primitive_sets.h"
 #include "geometry/prototype_plan.h"
 #include "geometry/ray_packet.h"
+#include "geometry/surface_survey.h"
 #include "geometry/world.h"
 #include "geometry/world_builder.h"
 #include "geometry/world_content.h"
@@ -34,8 +35,12 @@ class EmbreeWorld final : public World {
   PlacedObject object(std::size_t number) const override;
   std::size_t triangle_count() const override { return triangle_count_; }
   Storage storage() const override;
+  void visit_surfaces(const WantedMaterials& wanted, const PieceVisitor& visitor) const override;
+  std::vector<double> surface_areas_m2(std::size_t materials) const override;
+  const SurfaceSurvey* survey() const override { return survey_.get(); }
 
  private:
+  class SurfaceWalk;
   /// A body with its own Embree scene.
   struct Prototype {
     TriangleSet triangles;
@@ -80,6 +85,10 @@ class EmbreeWorld final : public World {
   void place_fields(const WorldContent& content);
   void build_scene(InstanceStorage instances);
   void note_storage(const PrototypePlan& plan);
+  /// visit_surfaces() of what is no instance.
+  void visit_copied(const WantedMaterials& wanted, const PieceVisitor& visitor) const;
+  /// By template: area of its surfaces by slot, in the frame of its body; empty where it has no set of its own.
+  std::vector<std::vector<double>> slot_areas() const;
 
   // Queries of one packet; `count` lanes are in use. False where no lane needs Embree.
   bool load(RayPacket& packet, std::span<const math::Ray> rays, double* shift, RTCRay8& embree,
@@ -134,6 +143,7 @@ class EmbreeWorld final : public World {
   std::vector<std::uint32_t> attributes_of_;  ///< by template: into attributes_, or kNoIndex; empty: none at all
   std::size_t triangle_count_ = 0;
   Storage storage_;
+  std::unique_ptr<const SurfaceSurvey> survey_;
 };
 
 }  // namespace ifov::geometry

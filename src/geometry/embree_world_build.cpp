@@ -77,6 +77,8 @@ EmbreeWorld::EmbreeWorld(WorldContent content, const BuildOptions& options)
                    !better_copied(content.templates[t].body, plan.copies[t]);
   for (const Run& run : content.runs) triangle_count_ += run.what.copies() * contents[run.what.of].triangles;
   materials_ = content.materials;
+  if (!options.surveyed.empty())
+    survey_ = std::make_unique<const SurfaceSurvey>(survey_of(content, walk, options.surveyed));
   choose_chunked(content, plan, instanced, options.large_meshes);
   note_figures(content, plan);
   note_objects(content, instanced);

@@ -79,8 +79,7 @@ World::PlacedObject EmbreeWorld::object(std::size_t number) const {
   HalfSides sides = figure.half_sides_m;
   for (Vec3& side : sides) side = map(side);
   std::sort(sides.begin(), sides.end(), [](Vec3 a, Vec3 b) { return dot(a, a) > dot(b, b); });
-  placed.half_length_m = sides[0];
-  placed.width_m = 2.0 * length(sides[1]);
+  placed.half_sides_m = sides;
   return placed;
 }
 

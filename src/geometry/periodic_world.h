@@ -33,6 +33,13 @@ class PeriodicWorld final : public World {
   std::size_t object_count() const override { return world_->object_count(); }
   PlacedObject object(std::size_t number) const override { return world_->object(number); }
   Storage storage() const override { return world_->storage(); }
+  void visit_surfaces(const WantedMaterials& wanted, const PieceVisitor& visitor) const override {
+    world_->visit_surfaces(wanted, visitor);
+  }
+  std::vector<double> surface_areas_m2(std::size_t materials) const override {
+    return world_->surface_areas_m2(materials);
+  }
+  const SurfaceSurvey* survey() const override { return world_->survey(); }
   std::size_t triangle_count() const override { return world_->triangle_count(); }
   std::optional<Period> period() const override { return Period{cell_.width_m, cell_.height_m}; }
 

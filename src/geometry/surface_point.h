@@ -8,6 +8,14 @@ namespace ifov::geometry {
 
 inline constexpr std::uint32_t kNoMaterial = 0xffffffffu;
 
+/// How the reflecting normal changes about a surface point.
+enum class Bend : std::uint8_t {
+  none,    ///< a plane: a face, a triangle without vertex normals
+  round,   ///< a round analytic shape
+  smooth,  ///< a triangle with vertex normals, which may all be alike
+  field    ///< a height field
+};
+
 /// What a ray met, recomputed in double from the primitive. `material == kNoMaterial` means that it met
 /// nothing.
 struct SurfacePoint {
@@ -21,6 +29,7 @@ struct SurfacePoint {
   std::uint32_t material = kNoMaterial;  ///< index into the scene's materials
   std::uint32_t primitive = 0;
   bool front = true;      ///< the ray met the outer side
+  Bend bend = Bend::none;
   double offset_m = 0.0;  ///< a secondary ray starts this far along the normal, on the side it leaves to
   std::int32_t copy_column = 0, copy_row = 0;  ///< of a periodic world: periods from the object's own place
   bool hit() const { return material != kNoMaterial; }

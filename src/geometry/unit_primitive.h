@@ -40,6 +40,10 @@ math::Normal3 unit_normal(UnitKind kind, std::uint32_t face, math::Point3 p);
 Uv unit_uv(UnitKind kind, std::uint32_t face, math::Point3 p);
 
 std::uint32_t unit_face_count(UnitKind kind);
+constexpr bool is_round(UnitKind kind, std::uint32_t face) {
+  return kind == UnitKind::sphere || kind == UnitKind::dome || kind == UnitKind::tube ||
+         (kind == UnitKind::can && face == 0);
+}
 
 /// Axis-aligned bounds of the shape seen from the object, and a bound on its distance from a point.
 World::Bounds unit_bounds(UnitKind kind, const math::Transform& object_from_unit);

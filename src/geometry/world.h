@@ -1,14 +1,19 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
+#include "geometry/surface_piece.h"
 #include "geometry/surface_point.h"
 #include "math/ray.h"
 
 namespace ifov::geometry {
+
+struct SurfaceSurvey;
 
 /// All geometry of a scene, built once and immutable: the only door to the ray tracer. Batches are traced in
 /// packets; the answer to a ray does not depend on its neighbours in the batch. Safe to call from many
@@ -37,13 +42,19 @@ class World {
     double radius_m = 0.0;
     math::Point3 seed_m;  ///< a point on or in the object that a ray towards it meets (centroid of its
                           ///< largest face for open meshes, the centre for solids)
-    math::Vec3
-        half_length_m;     ///< from the centre along the longest side of the box in the object's own frame
-    double width_m = 0.0;  ///< second longest side of that box
+    std::array<math::Vec3, 3> half_sides_m;  ///< from the centre to the sides of the box in the object's own frame,
+                                             ///< longest first; 0 for planes
     bool compact = false;  ///< one connected thing, not a leaf or part of a larger object
   };
   virtual std::size_t object_count() const = 0;
   virtual PlacedObject object(std::size_t number) const = 0;
+
+  /// The pieces whose materials are wanted (one entry for each covering of the scene), in a fixed order; of a world that
+  /// repeats, those of the one world. Planes and height fields have none.
+  virtual void visit_surfaces(const WantedMaterials& wanted, const PieceVisitor& visitor) const = 0;
+  /// Area by SurfacePoint::material (`materials` of them), about, m^2: unequal scales count by their mean. A plane
+  /// counts as much as all else together and 1 m^2, a height field by its outline.
+  virtual std::vector<double> surface_areas_m2(std::size_t materials) const = 0;
 
   /// As a ray sees them, copies counted.
   virtual std::size_t triangle_count() const = 0;
@@ -60,6 +71,9 @@ class World {
     std::size_t bytes = 0;                ///< of tables and trees, about; without those of chunks
   };
   virtual Storage storage() const = 0;
+
+  /// Where the surfaces are that were to be surveyed (BuildOptions::surveyed); null: none were.
+  virtual const SurfaceSurvey* survey() const { return nullptr; }
 
   /// After how much x and y everything repeats; none: once only (see PeriodicWorld).
   struct Period {

@@ -40,6 +40,7 @@ struct BuildOptions {
   int threads = 0;  ///< 0: all cores
   InstanceStorage instances = InstanceStorage::by_number;  ///< up to a million nodes, else a table
   LargeMeshes large_meshes = LargeMeshes::by_number;       ///< up to 2^21 stored triangles at once, else by chunk
+  std::vector<bool> surveyed{};  ///< by material: whether its surfaces are listed (World::survey); empty: none
 };
 
 /// Collects shapes and where they stand, then builds the world. Shapes are kept once, however often they are
@@ -82,7 +83,7 @@ class WorldBuilder {
 
   /// The builder is empty afterwards. Lists of placings are not kept.
   std::unique_ptr<World> build(const BuildOptions& options = {});
-  std::unique_ptr<World> build(int threads) { return build(BuildOptions{threads, InstanceStorage::by_number, LargeMeshes::by_number}); }
+  std::unique_ptr<World> build(int threads) { return build(BuildOptions{.threads = threads}); }
 
  private:
   struct Content;

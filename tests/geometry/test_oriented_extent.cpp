@@ -43,9 +43,9 @@ TEST(World, ObjectsTellTheirLengthAndWidth) {
   const std::uint32_t material[] = {0};
   builder.place(box, math::Transform::rotation({0.0, 0.0, 1.0}, 1.0), material);
   const auto world = builder.build(1);
-  EXPECT_NEAR(length(world->object(0).half_length_m), 1.0, 1e-12);
-  EXPECT_NEAR(world->object(0).width_m, 0.05, 1e-12);
-  EXPECT_NEAR(world->object(0).half_length_m.x, std::cos(1.0), 1e-12);
+  EXPECT_NEAR(length(world->object(0).half_sides_m[0]), 1.0, 1e-12);
+  EXPECT_NEAR(2.0 * length(world->object(0).half_sides_m[1]), 0.05, 1e-12);
+  EXPECT_NEAR(world->object(0).half_sides_m[0].x, std::cos(1.0), 1e-12);
 }
 
 }  // namespace
