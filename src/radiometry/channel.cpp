@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "radiometry/channel_grid.h"
 #include "radiometry/gauss_legendre.h"
 #include "radiometry/planck.h"
 
@@ -39,18 +40,16 @@ template <class Function>
 double mean_of(const Channel& channel, const Function& function) {
   if (channel.is_monochromatic()) return function(channel.centre_um);
   const auto x = channel.response.wavelength_um();
-  const double widest = (x.back() - x.front()) / 128.0;
+  const std::vector<double> steps = integration_steps_um({x.begin(), x.end()});
   double sum = 0.0, total = 0.0;
-  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
-    const int parts = static_cast<int>(std::ceil((x[i + 1] - x[i]) / widest));
-    const double width = (x[i + 1] - x[i]) / parts;
-    for (int part = 0; part < parts; ++part)
-      for (const GaussPoint& gauss : kGauss4) {
-        const double wavelength = x[i] + (part + gauss.position) * width;
-        const double weight = gauss.weight * width * channel.response.at(wavelength);
-        sum += weight * function(wavelength);
-        total += weight;
-      }
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+    const double width = steps[i + 1] - steps[i];
+    for (const GaussPoint& gauss : kGauss4) {
+      const double wavelength = steps[i] + gauss.position * width;
+      const double weight = gauss.weight * width * channel.response.at(wavelength);
+      sum += weight * function(wavelength);
+      total += weight;
+    }
   }
   return sum / total;
 }

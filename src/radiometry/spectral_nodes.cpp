@@ -18,10 +18,11 @@ float flushed(double value) { return std::abs(value) < 1e-30 ? 0.0f : static_cas
 }  // namespace
 
 SpectralNodes SpectralNodes::build(std::span<const Channel> channels, const Spectrum& solar_irradiance,
-                                   std::span<const Spectrum> surfaces, const NodeDemands& demands) {
+                                   std::span<const Spectrum> surfaces, const NodeDemands& demands,
+                                   const Spectrum* sky_radiance) {
   SpectralNodes result;
   for (const Channel& channel : channels) {
-    const ChannelGrid grid(channel, solar_irradiance);
+    const ChannelGrid grid(channel, solar_irradiance, surfaces, sky_radiance);
     std::vector<std::vector<double>> sampled;
     for (const Spectrum& surface : surfaces)
       if (!surface.is_constant()) sampled.push_back(grid.sampled(surface));

@@ -26,10 +26,11 @@ namespace ifov::radiometry {
 class SpectralNodes {
  public:
   /// `solar_irradiance`: W m-2 um-1 at the top of the scene, Spectrum() without a Sun. `surfaces`:
-  /// reflectances and transmittances, 0 to 1. A spectrum that does not cover a channel, and says that this is
+  /// reflectances and transmittances, 0 to 1. `sky_radiance`: of a uniform sky, W m-2 sr-1 um-1; may be null. A spectrum that does not cover a channel, and says that this is
   /// an error, throws InputError.
   static SpectralNodes build(std::span<const Channel> channels, const Spectrum& solar_irradiance,
-                             std::span<const Spectrum> surfaces, const NodeDemands& demands = {});
+                             std::span<const Spectrum> surfaces, const NodeDemands& demands = {},
+                             const Spectrum* sky_radiance = nullptr);
 
   /// The same for channels as points of the caller's own.
   static SpectralNodes build(std::span<const ChannelGrid> channels, std::span<const Spectrum> surfaces,

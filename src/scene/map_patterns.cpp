@@ -37,7 +37,7 @@ void MixturePattern::apply(const geometry::SurfacePoint& point, ResolvedSurface&
   }
 }
 
-std::optional<Pattern::TemperatureRange> MixturePattern::temperatures() const {
+std::optional<TemperatureRange> MixturePattern::temperatures() const {
   TemperatureRange range{std::numeric_limits<double>::infinity(), 0.0};
   for (const Part& part : parts_) {
     if (!part.temperature) continue;

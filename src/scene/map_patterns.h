@@ -55,6 +55,7 @@ class ReliefPattern final : public Pattern {
  public:
   ReliefPattern(std::shared_ptr<const materials::ReliefMap> map, std::uint32_t material);
   void apply(const geometry::SurfacePoint& point, ResolvedSurface& surface) const override;
+  bool bends_normals() const override { return true; }
 
  private:
   std::shared_ptr<const materials::ReliefMap> map_;

@@ -8,6 +8,31 @@ bool Covering::mixes_materials() const {
   return std::any_of(patterns.begin(), patterns.end(), [](const auto& p) { return p->mixes_materials(); });
 }
 
+bool Covering::bends_normals() const {
+  return std::any_of(patterns.begin(), patterns.end(), [](const auto& p) { return p->bends_normals(); });
+}
+
+std::vector<bool> Scene::mirror_coverings() const {
+  const auto is_mirror = [&](std::uint32_t material) {
+    return materials[material].scattering == materials::ScatteringKind::mirror;
+  };
+  std::vector<bool> mirrors;
+  for (const Covering& covering : coverings) {
+    // Curves of a texture scatter as the material of the state does that they replace.
+    bool any = std::any_of(covering.states.begin(), covering.states.end(),
+                           [&](std::uint32_t state) { return is_mirror(states[state].material); });
+    for (const auto& pattern : covering.patterns) {
+      const std::vector<std::uint32_t> brought = pattern->mixed_materials();
+      any = any || std::any_of(brought.begin(), brought.end(), is_mirror);
+      if (pattern->mixes_materials() && brought.empty())
+        for (std::uint32_t m = 0; m < materials.size(); ++m) any = any || is_mirror(m);
+    }
+    mirrors.push_back(any);
+  }
+  if (std::find(mirrors.begin(), mirrors.end(), true) == mirrors.end()) mirrors.clear();
+  return mirrors;
+}
+
 ResolvedSurface Scene::resolve(const geometry::SurfacePoint& point) const {
   if ((point.copy_column | point.copy_row) == 0) return resolve_own(point);
   // Maps lie on the cell and repeat with it.

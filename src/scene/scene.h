@@ -43,6 +43,11 @@ struct SurfaceState {
   friend bool operator==(const SurfaceState&, const SurfaceState&) = default;
 };
 
+/// Lowest and highest of some temperatures above 0 K, kelvins.
+struct TemperatureRange {
+  double coldest_k = 0.0, hottest_k = 0.0;
+};
+
 /// What changes a covering from point to point beyond classes and temperatures: mixtures, textures, bumps. Called
 /// for every hit, from many threads; must not allocate, and depend on the point alone.
 class Pattern {
@@ -60,10 +65,10 @@ class Pattern {
   /// scene's. Each costs a column of numbers.
   virtual std::vector<std::uint32_t> mixed_materials() const { return {}; }
 
-  /// Lowest and highest temperature that `apply` sets, kelvins; none where it sets none.
-  struct TemperatureRange {
-    double coldest_k = 0.0, hottest_k = 0.0;
-  };
+  /// Whether `apply` may tilt the shading normal.
+  virtual bool bends_normals() const { return false; }
+
+  /// Lowest and highest temperature that `apply` sets; none where it sets none.
   virtual std::optional<TemperatureRange> temperatures() const { return std::nullopt; }
 };
 
@@ -78,6 +83,7 @@ struct Covering {
   friend bool operator==(const Covering&, const Covering&) = default;
 
   bool mixes_materials() const;  ///< by one of its patterns
+  bool bends_normals() const;    ///< by one of its patterns
 };
 
 /// The immutable assembly of geometry, materials and light. Answers "what is at this point" and "what lights it";
@@ -93,6 +99,16 @@ struct Scene {
   ViewPath view_path;
 
   ResolvedSurface resolve(const geometry::SurfacePoint& point) const;
+  /// By covering: whether any of its materials is a mirror. Empty where none is.
+  std::vector<bool> mirror_coverings() const;
+
+  /// All temperatures at which anything of the scene may emit: states, maps, patterns, surroundings and sky; none
+  /// where nothing does. Whoever needs to know asks here (scene_temperatures.cpp), so that nothing is forgotten.
+  std::optional<TemperatureRange> temperatures() const;
+  /// Of those the ones that differ from point to point: of maps and patterns.
+  std::optional<TemperatureRange> mapped_temperatures() const;
+  /// Whether a state emits somewhere: by its own temperature, or by that of a map or pattern on some covering.
+  bool emits(std::uint32_t state) const;
 
  private:
   ResolvedSurface resolve_own(const geometry::SurfacePoint& point) const;

@@ -28,6 +28,17 @@ double intensity(double v) {
   return a * a;
 }
 
+/// The same without its rings: their mean, 4 / (pi v^3).
+double smooth_intensity(double v) { return 4.0 / (std::numbers::pi * v * v * v); }
+
+/// Far out, by two terms of Hankel's expansion of J1 (Abramowitz and Stegun 9.2.1): right within 1e-4 from v = 25 on.
+double far_intensity(double v) {
+  const double phase = v - 0.75 * std::numbers::pi, slow = 3.0 / (8.0 * v);
+  const double wave = std::cos(phase) - slow * std::sin(phase);
+  return 8.0 / (std::numbers::pi * v * v * v) * wave * wave;
+}
+
+constexpr double kFar = 25.0;
 constexpr double kCellsPerQ = 24.0;  // the first dark ring lies at 1.22 q
 constexpr int kMostCells = 2048;
 
@@ -78,10 +89,17 @@ class AiryPsf final : public Psf {
   double energy(double x0_px, double y0_px, double x1_px, double y1_px) const override {
     return table_.within(x0_px, y0_px, x1_px, y1_px);
   }
+  double kept() const override { return kept_; }
+  bool has_wings() const override { return true; }
+  double cut_density(double dx_px, double dy_px, bool smooth) const override {
+    const double r = std::hypot(dx_px, dy_px), v = std::numbers::pi * r / q_px_;
+    if (r <= radius_px_) return 0.0;
+    const double relative = smooth ? smooth_intensity(v) : v < kFar ? intensity(v) : far_intensity(v);
+    return 0.25 * std::numbers::pi / (q_px_ * q_px_) * relative;
+  }
   std::string description() const override {
     return format(
-        "Airy pattern, first dark ring at {:.4g} px, cut at {:.4g} px, which leaves out {:.2g} % of the "
-        "energy",
+        "Airy pattern, first dark ring at {:.4g} px, traced to {:.4g} px; the {:.2g} % of the energy beyond are wings",
         1.2196698912665045 * q_px_, radius_px_, 100.0 * (1.0 - kept_));
   }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -17,6 +18,13 @@ class GaussianPsf final : public Psf {
 
   double energy(double x0_px, double y0_px, double x1_px, double y1_px) const override {
     return along(x0_px, x1_px) * along(y0_px, y1_px);
+  }
+
+  double kept() const override { return kept_ * kept_; }
+  double cut_density(double dx_px, double dy_px, bool) const override {
+    const double x = dx_px / sigma_px_, y = dy_px / sigma_px_;
+    if (std::max(std::abs(x), std::abs(y)) <= cut_sigmas_) return 0.0;
+    return std::exp(-0.5 * (x * x + y * y)) / (2.0 * std::numbers::pi * sigma_px_ * sigma_px_);
   }
 
   std::string description() const override {

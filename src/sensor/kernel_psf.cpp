@@ -20,6 +20,8 @@ class KernelPsf final : public Psf {
   double energy(double x0_px, double y0_px, double x1_px, double y1_px) const override {
     return table_.within(x0_px, y0_px, x1_px, y1_px);
   }
+  double kept() const override { return 1.0; }  // what lies beyond its rim nobody has measured
+  double cut_density(double, double, bool) const override { return 0.0; }
   std::string description() const override {
     return format("kernel of {} x {} samples of {:g} px", columns_, rows_, sample_px_);
   }

@@ -23,18 +23,28 @@ class Psf {
   /// Size of the finest structure: tables of the density take several cells over it.
   virtual double detail_px() const = 0;
 
+  /// Share of the whole energy within the cut.
+  virtual double kept() const = 0;
+
+  /// Density of what the cut leaves out, in shares of the whole energy per px^2: 0 within the cut, integral 1 - kept().
+  /// `smooth`: without rings that are too fine to matter.
+  virtual double cut_density(double dx_px, double dy_px, bool smooth) const = 0;
+
+  /// Whether that is enough to be worth rays of its own (PsfWings).
+  virtual bool has_wings() const { return false; }
+
   /// One line for people: shape, parameters, where it is cut and how much energy the cut leaves out.
   virtual std::string description() const = 0;
 };
 
-/// Gaussian exp(-r^2 / (2 sigma^2)), cut to the square |dx|, |dy| <= cut_sigmas * sigma. The default of 3.5
-/// keeps erf(3.5 / sqrt 2)^2 = 0.99907 of the energy.
-std::unique_ptr<Psf> make_gaussian_psf(double sigma_px, double cut_sigmas = 3.5);
+/// Gaussian exp(-r^2 / (2 sigma^2)), cut to the square |dx|, |dy| <= cut_sigmas * sigma. The default of 4.4
+/// leaves out 1 - erf(4.4 / sqrt 2)^2 = 2.2e-5 of the energy; a wider one makes more pixels share each ray.
+std::unique_ptr<Psf> make_gaussian_psf(double sigma_px, double cut_sigmas = 4.4);
 
 /// Diffraction at a circular aperture: h(r) = (pi / 4 q^2) [2 J1(v) / v]^2, v = pi r / q, with
 /// q = wavelength * focal length / (diameter * pitch) in pixels (Born & Wolf, Principles of Optics, 8.5.2).
-/// Cut at the radius that encircles the given share of the energy, E(v) = 1 - J0(v)^2 - J1(v)^2; 1 - E falls
-/// only as 2 / (pi v).
+/// Its footprint is cut at the radius that encircles the given share of the energy, E(v) = 1 - J0(v)^2 - J1(v)^2; 1 - E falls
+/// only as 2 / (pi v). What lies beyond is PsfWings'.
 struct AiryAperture {
   double wavelength_um = 0.0;
   double diameter_m = 0.0;

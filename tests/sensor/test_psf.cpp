@@ -78,11 +78,12 @@ TEST(GaussianPsf, PixelGetsTheKnownShareOfAPointAtItsCentre) {
 
 TEST(GaussianPsf, CutKeepsTheEnergyThatItStates) {
   const auto psf = make_gaussian_psf(0.6);
-  EXPECT_DOUBLE_EQ(psf->half_width_px(), 2.1);
-  EXPECT_DOUBLE_EQ(psf->energy(-2.1, -2.1, 2.1, 2.1), 1.0);
-  EXPECT_EQ(psf->energy(2.1, -5.0, 5.0, 5.0), 0.0);
+  EXPECT_DOUBLE_EQ(psf->half_width_px(), 2.64);
+  EXPECT_DOUBLE_EQ(psf->energy(-3.0, -3.0, 3.0, 3.0), 1.0);
+  EXPECT_EQ(psf->energy(3.0, -5.0, 5.0, 5.0), 0.0);
+  EXPECT_NEAR(psf->kept(), 1.0 - 2.1650e-5, 1e-9);  // erf(4.4 / sqrt 2)^2
   EXPECT_EQ(psf->description(),
-            "Gaussian of sigma 0.6 px, cut at 2.1 px, which leaves out 0.093 % of the energy");
+            "Gaussian of sigma 0.6 px, cut at 2.64 px, which leaves out 0.0022 % of the energy");
 }
 
 TEST(GaussianPsf, ModulationIsGaussianTimesSinc) {
@@ -115,7 +116,7 @@ TEST(AiryPsf, IsCutWhereItsEnergyIsReached) {
   EXPECT_NEAR(encircled(*psf, 1.0), 1.0, 1e-9);
   EXPECT_EQ(
       psf->description(),
-      "Airy pattern, first dark ring at 1.22 px, cut at 0.6366 px, which leaves out 38 % of the energy");
+      "Airy pattern, first dark ring at 1.22 px, traced to 0.6366 px; the 38 % of the energy beyond are wings");
 }
 
 TEST(AiryPsf, ScalesWithWavelengthAndFocalRatio) {

@@ -1,0 +1,52 @@
+// What of a scene has a temperature: the one place where they are collected.
+#include <algorithm>
+
+#include "scene/scene.h"
+
+namespace ifov::scene {
+namespace {
+
+void include(std::optional<TemperatureRange>& range, double coldest_k, double hottest_k) {
+  if (!(hottest_k > 0.0)) return;
+  if (!(coldest_k > 0.0)) coldest_k = hottest_k;
+  if (!range) range = TemperatureRange{coldest_k, hottest_k};
+  range->coldest_k = std::min(range->coldest_k, coldest_k);
+  range->hottest_k = std::max(range->hottest_k, hottest_k);
+}
+
+}  // namespace
+
+std::optional<TemperatureRange> Scene::mapped_temperatures() const {
+  std::optional<TemperatureRange> range;
+  for (const Covering& covering : coverings) {
+    for (const auto& map : covering.temperatures)
+      if (map) include(range, map->minimum_k(), map->maximum_k());
+    for (const auto& pattern : covering.patterns)
+      if (const auto of_pattern = pattern->temperatures()) include(range, of_pattern->coldest_k, of_pattern->hottest_k);
+  }
+  return range;
+}
+
+std::optional<TemperatureRange> Scene::temperatures() const {
+  std::optional<TemperatureRange> range = mapped_temperatures();
+  const auto one = [&](double temperature_k) { include(range, temperature_k, temperature_k); };
+  for (const SurfaceState& state : states) one(state.temperature_k);
+  one(surroundings.temperature_k);
+  one(sky.temperature_k.value_or(0.0));
+  return range;
+}
+
+bool Scene::emits(std::uint32_t state) const {
+  if (states[state].temperature_k > 0.0) return true;
+  const std::uint32_t material = states[state].material;
+  return std::any_of(coverings.begin(), coverings.end(), [&](const Covering& covering) {
+    for (std::size_t k = 0; k < covering.temperatures.size(); ++k)
+      if (covering.states[k] == state && covering.temperatures[k]) return true;
+    return std::any_of(covering.patterns.begin(), covering.patterns.end(), [&](const auto& pattern) {
+      const std::vector<std::uint32_t> mixed = pattern->mixed_materials();
+      return pattern->temperatures() && std::find(mixed.begin(), mixed.end(), material) != mixed.end();
+    });
+  });
+}
+
+}  // namespace ifov::scene

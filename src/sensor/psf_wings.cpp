@@ -1,0 +1,86 @@
+#include "sensor/psf_wings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sensor/energy_table.h"
+
+namespace ifov::sensor {
+namespace {
+
+constexpr double kFinest_px = 1.0 / 80.0, kCoarsest_px = 1.0 / 32.0;
+constexpr double kStepsOverDetail = 4.0;
+constexpr double kNothing = 1e-13;  // what rounding leaves of a share of 0
+constexpr int kDetectorSteps = 8;  // along a side of the sensitive square
+
+/// Energy of the density over small cells of [-half, half]^2, as sums that rectangles are taken from.
+EnergyTable near_energy(const Psf& psf, double half_px, double step_px, bool smooth, double& total) {
+  const int cells = 2 * static_cast<int>(std::ceil(half_px / step_px));
+  const double side = 2.0 * half_px / cells;
+  std::vector<double> energy(static_cast<std::size_t>(cells) * static_cast<std::size_t>(cells));
+  // Alike in both halves of each axis.
+  for (int j = 0; j < cells / 2; ++j)
+    for (int i = 0; i < cells / 2; ++i) {
+      const double e =
+          side * side * psf.cut_density((i + 0.5) * side - half_px, (j + 0.5) * side - half_px, smooth);
+      for (const int row : {j, cells - 1 - j})
+        for (const int column : {i, cells - 1 - i})
+          energy[static_cast<std::size_t>(row) * static_cast<std::size_t>(cells) + static_cast<std::size_t>(column)] = e;
+    }
+  total = 0.0;
+  for (const double e : energy) total += e;
+  if (!(total > 0.0)) energy[0] = 1.0;  // the cut lies beyond; multiplied by 0 later
+  return {cells, cells, side, energy};
+}
+
+}  // namespace
+
+PsfWings::PsfWings(const Psf& psf, double fill_factor) : kept_(psf.kept()) {
+  const double side = std::sqrt(fill_factor), half_px = 0.25 * kHalfCells + 0.5 * side;
+  const double wanted_px = psf.detail_px() / kStepsOverDetail;
+  const bool smooth = wanted_px < kFinest_px;
+  double total = 0.0;
+  const EnergyTable near =
+      near_energy(psf, half_px, smooth ? kCoarsest_px : std::min(wanted_px, kCoarsest_px), smooth, total);
+  near_.assign(static_cast<std::size_t>(kHalfCells) * kHalfCells, 0.0);
+  for (int row = 0; row < kHalfCells; ++row)
+    for (int column = 0; column < kHalfCells; ++column) {
+      const double x = 0.5 * (column - kHalfCells / 2) - 0.5, y = 0.5 * (row - kHalfCells / 2) - 0.5;
+      double sum = 0.0;
+      for (int b = 0; b < kDetectorSteps; ++b)
+        for (int a = 0; a < kDetectorSteps; ++a) {
+          const double u = ((a + 0.5) / kDetectorSteps - 0.5) * side, v = ((b + 0.5) / kDetectorSteps - 0.5) * side;
+          sum += near.within(x + u, y + v, x + u + 0.5, y + v + 0.5);
+        }
+      const double share = total * sum / (kDetectorSteps * kDetectorSteps);
+      near_[static_cast<std::size_t>(row * kHalfCells + column)] = share > kNothing ? share : 0.0;
+    }
+
+  constexpr int kSub = 4;  // points along a pixel's side
+  const bool rings_average = psf.detail_px() < 0.5;
+  std::vector<double> quarter(static_cast<std::size_t>(kReach + 1) * (kReach + 1));
+  for (int y = 0; y <= kReach; ++y)
+    for (int x = 0; x <= y; ++x) {
+      double sum = 0.0;
+      for (int b = 0; b < kSub; ++b)
+        for (int a = 0; a < kSub; ++a)
+          sum += psf.cut_density(x + (a + 0.5) / kSub - 0.5, y + (b + 0.5) / kSub - 0.5, rings_average);
+      quarter[static_cast<std::size_t>(y * (kReach + 1) + x)] = quarter[static_cast<std::size_t>(x * (kReach + 1) + y)] =
+          sum / (kSub * kSub);
+    }
+  constexpr std::size_t kStride = 2 * kReach + 1;
+  summed_.assign(kStride * kStride, 0.0);
+  for (int y = -kReach; y < kReach; ++y)
+    for (int x = -kReach; x < kReach; ++x) {
+      const std::size_t at = static_cast<std::size_t>(y + kReach) * kStride + static_cast<std::size_t>(x + kReach);
+      summed_[at + kStride + 1] = quarter[static_cast<std::size_t>(std::abs(y) * (kReach + 1) + std::abs(x))] +
+                                  summed_[at + kStride] + summed_[at + 1] - summed_[at];
+    }
+}
+
+double PsfWings::square(int x0, int y0, int side) const {
+  const int x = x0 + kReach, y = y0 + kReach;
+  return summed(x + side, y + side) - summed(x, y + side) - summed(x + side, y) + summed(x, y);
+}
+
+}  // namespace ifov::sensor

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "sensor/psf.h"
+
+namespace ifov::sensor {
+
+/// What the cut of a PSF leaves out, as shares of a pixel's whole response that fall on cells of the focal plane around
+/// it: wings that are too wide to be traced and too faint to need it. Cells are of three sizes, coarser farther out; all
+/// lie on grids that the image's corner begins, so that neighbouring pixels and tiles share them:
+///
+/// | level | cells        | of which pixels                                               |
+/// |-------|--------------|---------------------------------------------------------------|
+/// | 0     | half a pixel | blocks of 4 px, the pixel's own and two to each side          |
+/// | 1     | 4 px         | blocks of 16 px, likewise, without what level 0 covers        |
+/// | 2     | 16 px        | blocks of 64 px, likewise, without what level 1 covers        |
+///
+/// What lies farther out, 128 px and more, is `rest`.
+class PsfWings {
+ public:
+  static constexpr int kNear = 4, kMiddle = 16, kFar = 64;  ///< sides of the levels' blocks, px
+  static constexpr int kBlocks = 2;                         ///< of them to each side
+
+  PsfWings(const Psf& psf, double fill_factor);
+
+  double kept() const { return kept_; }
+  /// Share on the half-pixel cell number (2 dx + 0 or 1, 2 dy + 0 or 1), dx and dy being whole pixels from the
+  /// pixel; |dx|, |dy| < 12.
+  double half_cell(int column, int row) const {
+    return near_[static_cast<std::size_t>((row + kHalfCells / 2) * kHalfCells + column + kHalfCells / 2)];
+  }
+  /// Share on the pixels [x0, x0 + side) x [y0, y0 + side) counted from the pixel; side 4 or 16, within 192 px.
+  double square(int x0, int y0, int side) const;
+
+ private:
+  static constexpr int kHalfCells = 48;  // along a side of level 0's table
+  static constexpr int kReach = 192;     // px, of what squares are summed from
+  double summed(int x, int y) const {
+    return summed_[static_cast<std::size_t>(y) * (2 * kReach + 1) + static_cast<std::size_t>(x)];
+  }
+
+  double kept_;
+  std::vector<double> near_;    // by half cell
+  std::vector<double> summed_;  // over pixels, summed areas
+};
+
+}  // namespace ifov::sensor
