@@ -36,6 +36,7 @@ class PixelSum {
       const int n = refined_.samples(cell);
       for (int k = 0; k < n; ++k) e.materials[field_.material_of(refined_.label(cell, k))].fraction += w / n;
       repeated += n - 1;
+      e.spent = e.spent || refined_.spent(cell);
       ++cells;
     });
     for_each_cell(i, j, [&](std::size_t cell, double w) {

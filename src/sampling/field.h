@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace ifov::sampling {
 
@@ -39,6 +41,17 @@ struct RayCounts {
   }
 };
 
+/// Pixels [x0, x1) x [y0, y1).
+struct FieldRect {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+/// Detail of a rectangle of pixels that need not be searched for.
+struct KnownDetail {
+  std::vector<FocalPoint> points;   ///< one in each part of the picture that a pixel is known to hold
+  std::vector<std::uint8_t> full;   ///< by pixel, row by row: 1 where it holds too many parts to name
+};
+
 /// The picture on the focal plane as a sampler sees it: two batch queries, answered in order, whose answer to a
 /// point does not depend on the rest of the batch. One object serves one tile and one thread.
 class Field {
@@ -58,6 +71,12 @@ class Field {
   virtual void values_and_materials(std::span<const PathRequest> requests, std::span<Label> labels,
                                     std::span<float> values) {
     this->values(requests, labels, values);
+  }
+
+  /// What is known, without a search, of the detail of these pixels; nothing where the field cannot tell.
+  virtual void known_detail(const FieldRect& pixels, KnownDetail& detail) {
+    detail.points.clear();
+    detail.full.assign(static_cast<std::size_t>(pixels.x1 - pixels.x0) * static_cast<std::size_t>(pixels.y1 - pixels.y0), 0);
   }
 
   /// Index of the material a label stands on, for abundances.

@@ -76,6 +76,7 @@ void GridSampler::sample(const TileProblem& problem, Field& field, TileResult& r
   const auto write = [&](const PixelAccumulator& pixel, std::size_t index) {
     PixelEstimate estimate = pixel.estimate();
     if (pixel.count() > 1) estimate.quantile = student(pixel.count() - 1);
+    estimate.spent = true;
     write_pixel(estimate, problem, index, result);
   };
   const auto request = [&](std::size_t k) {

@@ -41,7 +41,8 @@ void write_pixel(const PixelEstimate& estimate, const TileProblem& problem, std:
           std::max(worst, std::isnan(width) ? std::numeric_limits<double>::infinity() : width / limits[c]);
     }
     result.worst_ratio[pixel] = static_cast<float>(worst);
-    result.converged[pixel] = worst <= 1.0;
+    const Reason above = std::isinf(worst) ? Reason::unjudged : estimate.spent ? Reason::samples : Reason::error;
+    result.reasons[pixel] = worst <= 1.0 ? 0 : bit(above);
   }
   result.missable_fraction[pixel] = static_cast<float>(
       1.0 - std::pow(0.05, 1.0 / std::max(1.0, static_cast<double>(result.samples[pixel]))));

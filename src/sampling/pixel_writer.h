@@ -16,6 +16,7 @@ struct PixelEstimate {
   };
   std::map<std::uint32_t, Share> materials;
   double quantile = 0.0;  ///< half-widths in standard errors, at the problem's confidence
+  bool spent = false;     ///< all samples that the pixel may take are
 };
 
 /// Confidence of the problem's tolerance, 0.95 without one.

@@ -26,6 +26,7 @@ class RefinedLattice {
     return static_cast<std::size_t>((row - first_row_) * width_ + column - first_column_);
   }
   int samples(std::size_t cell) const { return count_[cell]; }
+  bool spent(std::size_t cell) const { return count_[cell] >= cap_; }
   const float* mean(std::size_t cell) const { return &mean_[cell * columns_]; }
   Label label(std::size_t cell, int sample) const {
     return sample == 0 ? first_label_[cell] : more_labels(cell)[sample - 1];

@@ -15,7 +15,7 @@ void TileResult::reset(PixelRect tile_pixels, int column_count, bool with_errors
   samples.assign(pixels, 0);
   label_rays.assign(pixels, 0);
   radiance_evaluations.assign(pixels, 0);
-  converged.assign(pixels, 0);
+  reasons.assign(pixels, bit(Reason::unjudged));
   worst_ratio.assign(pixels, 0.0f);
   missable_fraction.assign(pixels, 1.0f);
   abundances.clear();

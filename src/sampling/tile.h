@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -8,6 +9,7 @@
 #include "core/run_control.h"
 #include "sampling/field.h"
 #include "sampling/pixel_footprint.h"
+#include "sampling/reasons.h"
 #include "sampling/tolerance.h"
 
 namespace ifov::sampling {
@@ -60,7 +62,8 @@ struct TileResult {
   std::vector<std::uint32_t> samples;             ///< per pixel: all points queried (labels and values)
   std::vector<std::uint32_t> label_rays;          ///< of which label queries
   std::vector<std::uint32_t> radiance_evaluations;///< of which value queries
-  std::vector<std::uint8_t> converged;            ///< 1 where every judged half-width is within its limit
+  std::vector<Reasons> reasons;           ///< why the pixel is not converged; 0 where it is: every judged half-width
+                                          ///< is within its limit and nothing else speaks against it
   std::vector<float> worst_ratio;                 ///< largest half-width over its limit (0 without a tolerance)
   std::vector<float> missable_fraction;   ///< a compact feature at least this large (fraction of a pixel's area)
                                           ///< was found with probability >= 0.95
@@ -72,6 +75,11 @@ struct TileResult {
 
   void reset(PixelRect tile_pixels, int column_count, bool with_errors = true);
   bool has_errors() const { return !half_width.empty(); }
+  bool converged(std::size_t pixel) const { return reasons[pixel] == 0; }
+  std::int64_t converged_count() const { return std::count(reasons.begin(), reasons.end(), Reasons{0}); }
+  void set(std::size_t pixel, Reason reason, bool holds = true) {
+    reasons[pixel] = static_cast<Reasons>(holds ? reasons[pixel] | bit(reason) : reasons[pixel] & ~bit(reason));
+  }
 };
 
 /// One way of turning a tile into pixel values.

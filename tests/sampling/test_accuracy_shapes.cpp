@@ -28,7 +28,7 @@ Trials discs(double error_k, int trials, std::uint64_t first_seed) {
 
 TEST(AccuracyShapes, DiscToATenthOfAKelvin) {
   const Trials t = discs(0.1, kTrials, 1000);
-  EXPECT_LE(t.mean_samples(), 185.0);
+  EXPECT_LE(t.mean_samples(), 200.0);  // of which 36 looks at random
   EXPECT_LE(t.quantile(0.95), 0.1 * kRadiancePerKelvin);
   EXPECT_GE(t.coverage(), 0.94);
   for (double h : t.half_width) EXPECT_LE(h, 0.1 * kRadiancePerKelvin * (1.0 + 1e-5));
@@ -77,9 +77,9 @@ Trials rods(bool seeded) {
 
 TEST(AccuracyShapes, SeededRodsAreFollowed) {
   const Trials t = rods(true);
-  EXPECT_LE(t.mean_samples(), 1300.0);
+  EXPECT_LE(t.mean_samples(), 1700.0);  // narrow things make pixels look for more of them
   EXPECT_LE(t.quantile(0.95), 0.1 * kRadiancePerKelvin);
-  EXPECT_GE(t.coverage(), 0.90);
+  EXPECT_GE(t.coverage(), 0.93);
 }
 
 TEST(AccuracyShapes, RodsWithoutSeedsAreMissedSometimes) {
@@ -104,20 +104,20 @@ Trials small_targets(bool seeded) {
 TEST(AccuracyShapes, SmallTargetWithASeedIsAlwaysFound) {
   const Trials t = small_targets(true);
   EXPECT_EQ(t.found, kTrials);
-  EXPECT_LE(t.mean_samples(), 20.0 * 9.0);
+  EXPECT_LE(t.mean_samples(), 25.0 * 9.0);
   EXPECT_GE(t.coverage(), 0.90);
 }
 
 TEST(AccuracyShapes, SmallTargetWithoutASeedIsMissed) { EXPECT_LT(small_targets(false).found, kTrials / 2); }
 
-// Where the lattice's own detection density says that a feature may be missed, it says how large.
-TEST(AccuracyShapes, DetectionStatementFollowsTheLattice) {
+// Random rays have a probability, the lattice has none.
+TEST(AccuracyShapes, DetectionStatementRestsOnRandomLooks) {
   ShapeField field = two_surfaces([](double, double) { return sampling::Label{0}; });
   const sampling::TileResult r = three_by_three(1)(field);
-  EXPECT_NEAR(r.missable_fraction[4], 0.95 / 9.0, 1e-4);
-  EXPECT_EQ(field.counts().primary, 100u);  // flat and uniform: the lattice says it all
+  EXPECT_NEAR(r.missable_fraction[4], 0.446, 0.002);  // of four jittered rays, as in test_detection
+  EXPECT_EQ(field.counts().primary, 136u);  // the lattice, and four looks in each of the nine pixels
   for (float h : r.half_width) EXPECT_EQ(h, 0.0f);
-  for (auto c : r.converged) EXPECT_EQ(c, 1);
+  for (auto reasons : r.reasons) EXPECT_EQ(reasons, 0);
 }
 
 // An exactly centred disc: every crossing sees the lattice alike, so that undithered brackets err alike and

@@ -205,7 +205,7 @@ TEST(AccuracyTiles, CluttersValuesServeAllPixelsThatAPsfReaches) {
     render.footprint = footprint;
     render.half_width = 0.6 * kRadiancePerKelvin;
     const sampling::TileResult r = render(field);
-    EXPECT_GT(std::count(r.converged.begin(), r.converged.end(), 1), 0.9 * static_cast<double>(r.converged.size()));
+    EXPECT_GT(static_cast<double>(r.converged_count()), 0.9 * static_cast<double>(r.reasons.size()));
     return static_cast<double>(field.counts().primary);
   };
   const double box = rays(sampling::PixelFootprint::box(1.0)) / 36.0, wide = rays(gaussian(0.6, 2.0)) / 100.0;

@@ -13,8 +13,8 @@ namespace ifov::sampling {
 
 /// Where the labels change along one lattice edge: [low, high], in px from the edge's start, with label
 /// `first` at low and `last` at high. The bracket starts on a grid of equal steps shifted by a hashed phase
-/// (the dither), so that its centre errs uniformly within half a step and independently of every other edge;
-/// later it is halved.
+/// (the dither), so that its centre errs uniformly within half a step and independently of every other edge, wherever
+/// on the edge the crossing is: the grid goes on beyond the ends, whose labels are known. Later it is halved.
 struct Bracket {
   std::int32_t x = 0, y = 0;  ///< the edge's start, fine units
   Point2 start;               ///< the same, image px
@@ -31,8 +31,11 @@ struct Bracket {
   std::uint8_t halvings = 0;        ///< still wanted, while crossings are sharpened
 
   double width() const { return high - low; }
-  double centre() const { return 0.5 * (low + high); }
-  double nearer_end() const { return std::min(centre(), length_px - centre()); }
+  /// Where the border is drawn.
+  double centre() const { return std::clamp(0.5 * (low + high), 0.0, length_px); }
+  /// How far the middle of the bracket lies beyond the edge's end, where the border is drawn. Near an end the middle of
+  /// what a bracket has on the edge would err to one side; areas are taken as if the border were at its whole middle.
+  double excess() const { return 0.5 * (low + high) - centre(); }
   bool on_grid() const { return grid_high - grid_low > 1; }
 
   /// Lays the grid: 2^n - 1 whole steps, about `target_px` wide; dithered by `key`, or 2^n plain ones.
@@ -45,12 +48,21 @@ struct Bracket {
     step = length_px / (dither ? grid_count - 1 : grid_count);
     grid_low = 0;
     grid_high = grid_count;
-    low = 0.0;
-    high = length_px;
+    low = grid_position(0);
+    high = grid_position(grid_count);
   }
 
   /// The next point to look at, in px from the start.
   double next() const { return on_grid() ? grid_position((grid_low + grid_high) / 2) : 0.5 * (low + high); }
+
+  /// Whether the next point lies beyond the edge, whose ends are known; if so it is taken as looked at.
+  bool skip_known() {
+    if (on_grid()) return false;
+    const double middle = 0.5 * (low + high);
+    if (middle > 0.0 && middle < length_px) return false;
+    (middle <= 0.0 ? low : high) = middle;
+    return true;
+  }
 
   void take(std::uint32_t label) {
     const bool before = label == first;
@@ -67,18 +79,6 @@ struct Bracket {
     }
   }
 
-  /// Whether the edge's end cuts the bracket short. A crossing that close to it is never found between the end and
-  /// itself: the centre would err to one side, whatever the dither.
-  bool cut_short() const {
-    constexpr double kNegligible = 1.0 / 16.0;
-    return !on_grid() && (low <= 0.0 || high >= length_px) && width() > kNegligible * step;
-  }
-
-  /// Whether a feature as narrow as the distance to the nearer end could hide in the bracket.
-  bool wants_thin_refinement(double floor_px, double share) const {
-    return width() > std::max(floor_px, share * nearer_end());
-  }
-
   Point2 at(double t) const { return vertical ? Point2{start.x, start.y + t} : Point2{start.x + t, start.y}; }
   FocalPoint next_point() const {
     const Point2 p = at(next());
@@ -87,17 +87,15 @@ struct Bracket {
 
   /// Takes over what is known about the whole edge whose half (starting at `offset_px`) this edge is.
   void inherit(const Bracket& parent, double offset_px) {
-    low = std::clamp(parent.low - offset_px, 0.0, length_px);
-    high = std::clamp(parent.high - offset_px, 0.0, length_px);
+    low = parent.low - offset_px;
+    high = parent.high - offset_px;
     grid_low = 0;
     grid_high = 1;
   }
 
  private:
   double grid_position(int j) const {
-    if (j <= 0) return 0.0;
-    if (j >= grid_count) return length_px;
-    return std::min(length_px, (j - 1 + phase) * step);
+    return (j - 1 + phase) * step;
   }
 };
 

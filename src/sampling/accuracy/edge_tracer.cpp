@@ -22,6 +22,7 @@ EdgeTracer::EdgeTracer(const Lattice& lattice, RayLedger& ledger, LabelTable& ta
       budget_(allowed_variance_.size(), options.tracing_budget),
       abandoned_(allowed_variance_.size(), 0),
       suspect_(allowed_variance_.size(), 0),
+      followed_(allowed_variance_.size(), 0),
       stirred_(allowed_variance_.size(), 1),
       changed_(allowed_variance_.size(), 1),
       due_(allowed_variance_.size(), 0),

@@ -45,6 +45,10 @@ class EdgeTracer {
   /// which they are known and `slack_px` more.
   bool disagrees(FocalPoint point, std::uint32_t label, double slack_px) const;
 
+  /// Contrast of what was seen at a point to the model, where the two differ in a cell that is too small to be refined;
+  /// 0 where they agree or a border's own uncertainty explains it.
+  double dismissed(FocalPoint point, std::uint32_t label) const;
+
   /// Labels of further points, for seeds and probes.
   void ask_at(const std::vector<FocalPoint>& points, std::vector<std::uint32_t>& labels, Purpose purpose) {
     points_ = points;
@@ -54,6 +58,18 @@ class EdgeTracer {
   /// Label of the traced model at a point of the domain; kNoLabel in complex cells.
   static constexpr std::uint32_t kNoLabel = ~std::uint32_t{0};
   std::uint32_t model_label(FocalPoint point) const { return label_in(cells_[leaf_at(point)], point); }
+
+  /// About how wide the narrowest feature is that was followed into the pixel across the sides of its cells; infinite where
+  /// none was.
+  double narrowest_followed(std::uint32_t pixel) const {
+    return followed_[pixel] > 0 ? lattice_.side_px(followed_[pixel]) : INFINITY;
+  }
+  /// Width of the narrowest feature that one of the pixel's vertices on the lattice lies in; infinite where none is
+  /// narrower than the lattice is fine. Such a feature was met by chance.
+  double narrowest_met(std::uint32_t pixel) const;
+
+  /// Side of the smallest cell that holds the point: about the width of what was traced there.
+  double leaf_side_px(FocalPoint point) const { return lattice_.side_px(cells_[leaf_at(point)].level); }
 
   /// Label rays after which a pixel is clutter, one per pixel; at most AccuracyOptions::tracing_budget at
   /// first.
@@ -78,6 +94,7 @@ class EdgeTracer {
   /// Whether tracing met anything in the pixel that the lattice alone had not announced.
   bool suspect(std::uint32_t pixel) const { return suspect_[pixel] != 0; }
   std::vector<std::uint8_t>& suspects() { return suspect_; }
+  std::vector<std::uint8_t>& followed() { return followed_; }
 
   const Lattice& lattice() const { return lattice_; }
   const std::vector<Cell>& cells() const { return cells_; }
@@ -89,6 +106,9 @@ class EdgeTracer {
 
   /// The region of `inner` in a cell with a curve, as a polygon in image coordinates.
   Polygon inner_region(const Cell& cell, const CurveShape& shape) const;
+
+  /// Area that `inner` gains, px^2, where the middles of the brackets of its ends lie beyond the sides (Bracket::excess).
+  double area_beyond(const Cell& cell, const CurveShape& shape) const;
 
   /// Variance of the area of `inner` in px^4, from crossings, middle and legs; Curve::loose_area comes on
   /// top.
@@ -158,6 +178,7 @@ class EdgeTracer {
   bool foreign(const Cell& cell, std::uint32_t label) const;
   bool within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model, std::uint32_t seen,
                         double slack_px) const;
+  bool beside_border(const Cell& cell, FocalPoint point, std::uint32_t seen, double slack_px) const;
   bool beside_legs(const Cell& cell, FocalPoint point, std::uint32_t seen, double slack_px) const;
 
   // Verification (edge_tracer_predict.cpp, edge_tracer_verify.cpp)
@@ -243,6 +264,7 @@ class EdgeTracer {
   std::vector<double> allowed_variance_;
   std::vector<std::uint32_t> budget_;
   std::vector<std::uint8_t> abandoned_, suspect_;
+  std::vector<std::uint8_t> followed_;  // finest level of cells that a feature was followed into; 0: none
   std::vector<std::uint8_t>
       stirred_;  // pixels whose cells, curves or brackets changed since they were sharpened
   std::vector<std::uint8_t> changed_;  // those that changed since forget_changes()

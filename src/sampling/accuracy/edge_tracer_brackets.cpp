@@ -7,13 +7,11 @@ namespace ifov::sampling {
 
 namespace {
 
-/// Brackets are refined to this share of the distance to the vertex inside a narrow feature.
-constexpr double kThinShare = 0.5;
 /// First width of a bracket, in units of what the tolerance allows to a crossing of one side of its cell.
 constexpr double kFirstWidth = 0.3;
-/// A narrow feature, and a crossing close to a vertex, are worth their rays where a misplaced bracket would cost this
-/// share of the allowed standard error.
-constexpr double kWorth = 0.5;
+/// Where a lattice line is crossed on both sides of a vertex, in a narrow feature, both brackets are refined to this share of
+/// their side, as long as a bracket out of place would cost kWorth of the allowed standard error.
+constexpr double kThinShare = 0.125, kWorth = 0.5;
 
 }  // namespace
 
@@ -81,24 +79,28 @@ void EdgeTracer::look_into_brackets() {
 }
 
 void EdgeTracer::locate() {
-  const auto worth = [&](const Bracket& b, double width) {
-    const double error = width * b.length_px * contrast_(b.pixel, b.first, b.last);
-    return error >= kWorth * std::sqrt(allowed_variance_[b.pixel]);
-  };
-  // A crossing near a vertex means a narrow feature only if the line is crossed again on the vertex's other
-  // side.
-  const auto thin = [&](const Bracket& b) {
-    if (!b.wants_thin_refinement(options_.thinnest_px / 8.0, kThinShare) || !worth(b, b.width())) return false;
-    const std::int32_t step =
-        b.centre() < 0.5 * b.length_px ? -Lattice::side(b.level) : Lattice::side(b.level);
-    const std::int32_t x = b.vertical ? b.x : b.x + step, y = b.vertical ? b.y + step : b.y;
-    return x >= 0 && y >= 0 && known_bracket(x, y, b.vertical, b.level) != FlatMap::kAbsent;
+  // By vertices alone: where the border is seen to be must not decide how well it is known.
+  const auto narrow = [&](const Bracket& b) {
+    if (b.width() <= kThinShare * b.length_px) return false;
+    if (b.width() * b.length_px * contrast_(b.pixel, b.first, b.last) < kWorth * std::sqrt(allowed_variance_[b.pixel]))
+      return false;
+    for (const std::int32_t step : {-Lattice::side(b.level), Lattice::side(b.level)}) {
+      const std::int32_t x = b.vertical ? b.x : b.x + step, y = b.vertical ? b.y + step : b.y;
+      if (x >= 0 && y >= 0 && known_bracket(x, y, b.vertical, b.level) != FlatMap::kAbsent) return true;
+    }
+    return false;
   };
   for (;;) {
     std::size_t kept = 0;
     for (std::uint32_t b : active_)
-      if (!brackets_[b].third_label && (brackets_[b].on_grid() || (brackets_[b].cut_short() && worth(brackets_[b], brackets_[b].step)) || thin(brackets_[b]))) active_[kept++] = b;
+      if (!brackets_[b].third_label && (brackets_[b].on_grid() || narrow(brackets_[b]))) active_[kept++] = b;
     active_.resize(kept);
+    if (active_.empty()) return;
+    std::erase_if(active_, [&](std::uint32_t b) {
+      while (narrow(brackets_[b]) && brackets_[b].skip_known()) {
+      }
+      return !brackets_[b].on_grid() && !narrow(brackets_[b]);
+    });
     if (active_.empty()) return;
     look_into_brackets();
     for (std::size_t i = 0; i < active_.size(); ++i) brackets_[active_[i]].take(seen_[i]);

@@ -126,7 +126,7 @@ void EdgeTracer::notice_hanging_nodes() {
       const std::int32_t bx = cell.x + kCornerX[f] * side, by = cell.y + kCornerY[f] * side;
       const std::int32_t mx = (ax + bx) / 2, my = (ay + by) / 2;
       const std::uint32_t a = known_vertex(ax, ay), b = known_vertex(bx, by), m = known_vertex(mx, my);
-      if (a != b || m == a) continue;
+      if (m == a || m == b) continue;
       const std::int32_t ox = mx + kBeyondX[e], oy = my + kBeyondY[e];
       if (ox < 0 || oy < 0 || ox >= lattice_.width() || oy >= lattice_.height()) continue;
       suspect_[cell.pixel] = 1;
@@ -141,6 +141,8 @@ void EdgeTracer::split_beside_hanging_nodes() {
   for (const HangingNode& node : hanging_) {
     const std::uint32_t leaf = find_leaf(node.x, node.y);
     if (cells_[leaf].level > node.level || abandoned_[cells_[leaf].pixel]) continue;
+    std::uint8_t& followed = followed_[cells_[leaf].pixel];
+    followed = std::max(followed, static_cast<std::uint8_t>(cells_[leaf].level + 1));
     split(leaf);
     left.push_back(node);
   }

@@ -7,7 +7,7 @@ namespace ifov::sampling {
 
 namespace {
 
-/// Share of the allowed standard error below which a whole cell may be wrong.
+/// Share of the allowed standard error below which a strip as wide as a cell, from side to side of a pixel, may be wrong.
 constexpr double kNegligible = 0.1;
 
 }  // namespace
@@ -28,6 +28,19 @@ bool EdgeTracer::contradict(FocalPoint point, std::uint32_t label) {
   return true;
 }
 
+double EdgeTracer::dismissed(FocalPoint point, std::uint32_t label) const {
+  const Cell& cell = cells_[leaf_at(point)];
+  if (abandoned_[cell.pixel]) return 0.0;
+  const std::uint32_t model = label_in(cell, point);
+  if (model == label) return 0.0;
+  if (model == kNoLabel) {
+    // What the corners say of a complex cell is part of its variance.
+    if (std::find(cell.corner, cell.corner + 4, label) != cell.corner + 4) return 0.0;
+    return contrast_(cell.pixel, cell.corner[0], label);
+  }
+  return beside_border(cell, point, label, 0.0) ? 0.0 : contrast_(cell.pixel, model, label);
+}
+
 /// Whether a label that no corner of a complex cell has would matter in it.
 bool EdgeTracer::foreign(const Cell& cell, std::uint32_t label) const {
   if (cell.kind != CellKind::complex) return false;
@@ -46,8 +59,13 @@ bool EdgeTracer::foreign(const Cell& cell, std::uint32_t label) const {
 bool EdgeTracer::within_tolerance(const Cell& cell, FocalPoint point, std::uint32_t model, std::uint32_t seen,
                                   double slack_px) const {
   const double side = lattice_.side_px(cell.level);
-  const double error = side * side * contrast_(cell.pixel, model, seen) / std::sqrt(12.0);
+  const double error = side * contrast_(cell.pixel, model, seen) / std::sqrt(12.0);
   if (error < kNegligible * std::sqrt(allowed_variance_[cell.pixel])) return true;
+  return beside_border(cell, point, seen, slack_px);
+}
+
+/// Whether a point lies no farther from a border in its cell than the border is uncertain, with what is on its other side.
+bool EdgeTracer::beside_border(const Cell& cell, FocalPoint point, std::uint32_t seen, double slack_px) const {
   if (cell.kind == CellKind::junction) return beside_legs(cell, point, seen, slack_px);
   if (cell.kind != CellKind::chord) return false;
   const Curve& curve = curves_[cell.chord];

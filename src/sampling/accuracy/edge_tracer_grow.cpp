@@ -185,4 +185,21 @@ double EdgeTracer::feature_width(const Cell& cell) const {
   return narrowest;
 }
 
+double EdgeTracer::narrowest_met(std::uint32_t pixel) const {
+  if (!crossed(pixel)) return INFINITY;
+  const int k = lattice_.cells_per_pixel();
+  double narrowest = INFINITY;
+  for (int j = 0; j < k; ++j)
+    for (int i = 0; i < k; ++i) {
+      const Cell& cell = cells_[root_cell(static_cast<int>(pixel)) + static_cast<std::uint32_t>(j * lattice_.columns() + i)];
+      const std::uint32_t* above = &root_vertices_[root_vertex(cell.x, cell.y)];
+      const std::uint32_t* below = above + lattice_.columns() + 1;
+      Cell root = cell;
+      const std::uint32_t corner[4] = {above[0], above[1], below[1], below[0]};
+      std::copy_n(corner, 4, root.corner);
+      narrowest = std::min(narrowest, feature_width(root));
+    }
+  return narrowest < lattice_.side_px(0) ? narrowest : INFINITY;
+}
+
 }  // namespace ifov::sampling

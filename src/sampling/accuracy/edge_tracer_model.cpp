@@ -73,6 +73,19 @@ void EdgeTracer::sweep(const Cell& cell, const CurveShape& shape, double swept[2
   }
 }
 
+double EdgeTracer::area_beyond(const Cell& cell, const CurveShape& shape) const {
+  const Curve& curve = curves_[cell.chord];
+  double area = 0.0, swept[2];
+  sweep(cell, shape, swept);
+  for (int t = 0; t < 2; ++t) {
+    // Going round, `inner` begins behind the first end and stops at the second; sides 2 and 3 are measured backwards.
+    const bool backwards = curve.side[t] >= 2;
+    const double sign = (t == 1) != backwards ? 1.0 : -1.0;
+    area += sign * 0.5 * swept[t] * brackets_[curve.bracket[t]].excess();
+  }
+  return area;
+}
+
 double EdgeTracer::area_variance(const Cell& cell, const CurveShape& shape) const {
   const Curve& curve = curves_[cell.chord];
   const Point2 d = shape.b - shape.a;

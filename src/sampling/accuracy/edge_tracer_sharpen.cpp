@@ -174,7 +174,16 @@ void EdgeTracer::want_halvings(double target) {
 /// One ray a round for every bracket that is to be halved.
 void EdgeTracer::halve_brackets() {
   std::sort(active_.begin(), active_.end());
-  while (!active_.empty()) {
+  const auto skip_known = [this] {
+    std::erase_if(active_, [this](std::uint32_t index) {
+      Bracket& b = brackets_[index];
+      while (b.halvings > 0 && b.skip_known()) --b.halvings;
+      for (std::uint32_t entry : b.cells)
+        if (entry != 0) stir(cells_[entry - 1].pixel);
+      return b.halvings == 0;
+    });
+  };
+  for (skip_known(); !active_.empty(); skip_known()) {
     look_into_brackets();
     std::size_t still = 0;
     for (std::size_t i = 0; i < active_.size(); ++i) {

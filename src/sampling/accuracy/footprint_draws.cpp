@@ -97,7 +97,7 @@ void draw_from_footprint(const TileProblem& problem, Field& field, const Accurac
         result.half_width[i] = static_cast<float>(half[c]);
       }
       result.worst_ratio[p] = static_cast<float>(worst);
-      result.converged[p] = worst <= 1.0;
+      result.reasons[p] = worst <= 1.0 ? 0 : bit(Reason::samples);
       result.missable_fraction[p] = static_cast<float>(0.95 / (kReplicates * net));
       result.radiance_evaluations[p] = result.samples[p] = kReplicates * net;
       if (worst > 1.0 && 2u * kReplicates * net <= options.max_samples_per_pixel) wide.push_back(p);

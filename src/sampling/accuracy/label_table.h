@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -24,6 +25,10 @@ class LabelTable {
   std::uint32_t merged(std::uint32_t index) const { return stands_for_[index]; }
 
   std::size_t size() const { return labels_.size(); }
+  /// Whether there are labels that do not stand for the same.
+  bool several() const {
+    return std::any_of(stands_for_.begin(), stands_for_.end(), [this](std::uint32_t as) { return as != stands_for_[0]; });
+  }
   Label label(std::uint32_t index) const { return labels_[index]; }
 
   /// Takes one value (all columns) of a label into its mean.

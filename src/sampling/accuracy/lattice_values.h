@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "sampling/field.h"
+
 namespace ifov::sampling {
 
 /// Labels and values at the lattice's vertices, row by row (Lattice::columns() + 1 in a row), shared by the
@@ -16,6 +18,14 @@ struct LatticeValues {
   std::vector<float> values;           ///< [vertex][column]
   std::vector<std::uint8_t> constant;  ///< by label: whether its values are the same to the last bit
   std::vector<std::uint32_t> only;     ///< by pixel: the label of all its vertices, or kMixed
+
+  /// Jittered points, which the seed moves, of pixels whose vertices all have constant labels.
+  struct Look {
+    std::vector<FocalPoint> points;
+    std::vector<std::uint32_t> labels;
+    std::vector<float> values;  ///< [point][column]
+    const float* value(std::size_t point, std::size_t columns) const { return &values[point * columns]; }
+  } look;
 
   const float* value(std::size_t vertex) const { return &values[vertex * columns]; }
 

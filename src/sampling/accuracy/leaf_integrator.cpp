@@ -186,7 +186,8 @@ void LeafIntegrator::add_curve(const Cell& cell, PixelModel& model) const {
   const CurveShape shape = tracer_.shape_of(cell);
   const Polygon polygon = tracer_.inner_region(cell, shape);
   const double side = tracer_.lattice().side_px(cell.level), whole = side * side;
-  const double area = std::clamp(std::abs(polygon.signed_area()), 0.0, whole);
+  const double beyond = tracer_.area_beyond(cell, shape);
+  const double area = std::clamp(std::abs(polygon.signed_area()), 0.0, whole) + beyond;
   const double variance = tracer_.area_variance(cell, shape);
   const Point2 middle = 0.5 * (polygon.vertex[0] + polygon.vertex[curve.side[1] - curve.side[0] + 1]);
   model.area[in] += area;
@@ -196,8 +197,8 @@ void LeafIntegrator::add_curve(const Cell& cell, PixelModel& model) const {
     double inner = area, density = 1.0;
     if (!unit_box_) {
       const Point2 c = centre(model.outputs[o]);
-      inner = std::min(over_polygon(polygon, c), weight);
       density = footprint_.density(middle.x - c.x, middle.y - c.y);
+      inner = std::min(over_polygon(polygon, c), weight) + beyond * density;
     }
     model.weight[in * outputs + o] += inner;
     model.weight[out * outputs + o] += weight - inner;

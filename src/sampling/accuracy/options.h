@@ -12,8 +12,9 @@ struct AccuracyOptions {
   int lattice = 3;                   ///< lattice cells per pixel side: the detection density is lattice^2
   double initial_bracket_px = 0.04;  ///< width to which an edge crossing is located at first
   double thinnest_px = 1.0 / 80.0;   ///< features at least this wide are followed once they have been hit
+  int looks_per_side = 2;   ///< looks_per_side^2 jittered rays in every pixel, drawn anew for every seed
   int probes_per_side = 3;  ///< probes_per_side^2 jittered label rays in each suspect pixel and round
-  int max_probe_rounds = 6;
+  int max_probe_rounds = 12;
   bool seeds = true;               ///< one ray through the projected centre of every small object
   bool clutter_switch = true;      ///< stratified samples where tracing edges would cost more
   std::uint32_t tracing_budget = 1500;  ///< label rays after which a pixel counts as clutter
@@ -26,6 +27,7 @@ struct AccuracyFaults {
   Label label_mask = ~Label{0};  ///< bits of a label that the sampler sees (without the Sun's state, say)
   bool zero_variance_single_samples = false;  ///< a stratum of one sample claims to be exact
   bool undithered_brackets = false;  ///< brackets by plain bisection, whose errors agree on aligned scenes
+  bool no_random_look = false;  ///< no rays beside the lattice in pixels where nothing is suspect
   bool one_sequence = false;  ///< the replicates of a round share their paths' sequence, and so their errors
 };
 

@@ -1,15 +1,32 @@
 #include "sampling/accuracy/probing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace ifov::sampling {
 
-/// One batch of points; the model is refined until it agrees with all of them. Tells which ones contradicted
-/// it.
-std::vector<std::uint8_t> Prober::look(const std::vector<FocalPoint>& points, Purpose purpose) {
-  std::vector<std::uint32_t> labels;
-  tracer_.ask_at(points, labels, purpose);
+namespace {
+
+/// However narrow what was met, no more rays than this are wanted for what may lie beside it.
+constexpr int kMostWanted = 1000;
+/// Likewise where it was followed from beside, which may be no more than a corner.
+constexpr int kMostWantedBeside = 256;
+/// Rays that are wanted over the inverse of the width that was met: what is as narrow and crosses the pixel is missed by
+/// them with a probability of exp(-4).
+constexpr double kSurety = 4.0;
+/// What the lattice has met is no wonder unless it is narrower than this share of the lattice's spacing.
+constexpr double kNarrow = 0.25;
+/// Rounds of probes are no finer than this.
+constexpr int kFinestRound = 16;
+/// Allowed standard errors that what is too small to follow may sum up to, before the pixel is left.
+constexpr double kDismissed = 0.1;
+
+}  // namespace
+
+/// The model is refined until it agrees with what was seen at all of the points. Tells which ones contradicted it.
+std::vector<std::uint8_t> Prober::reconcile(const std::vector<FocalPoint>& points,
+                                            const std::vector<std::uint32_t>& labels) {
   std::vector<std::uint8_t> contradicted(points.size(), 0);
   std::vector<std::uint32_t> in_question(points.size());
   std::iota(in_question.begin(), in_question.end(), 0u);
@@ -29,6 +46,52 @@ std::vector<std::uint8_t> Prober::look(const std::vector<FocalPoint>& points, Pu
   return contradicted;
 }
 
+void Prober::want_around(int pixel, int rays) {
+  const PixelRect& domain = tracer_.lattice().domain();
+  const int x = pixel % domain.width(), y = pixel / domain.width();
+  for (int j = std::max(0, y - 1); j <= std::min(domain.height() - 1, y + 1); ++j)
+    for (int i = std::max(0, x - 1); i <= std::min(domain.width() - 1, x + 1); ++i) {
+      int& wanted = wanted_[j * domain.width() + i];
+      wanted = std::max(wanted, rays);
+    }
+}
+
+void Prober::note(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    SmallVector<Met, 2>& met = met_[tracer_.lattice().pixel_at(points[i])];
+    const auto at = std::find_if(met.begin(), met.end(), [&](const Met& m) { return m.label == labels[i]; });
+    if (at != met.end())
+      ++at->count;
+    else
+      met.push_back({labels[i], 1});
+  }
+}
+
+/// More like what was met unannounced may lie beside it, and wants as many rays as are sure to meet it. What is too
+/// small to follow adds up.
+void Prober::take_in(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels,
+                     const std::vector<std::uint8_t>& contradicted) {
+  note(points, labels);
+  const int least = options_.probes_per_side * options_.probes_per_side;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const int pixel = tracer_.lattice().pixel_at(points[i]);
+    ++asked_[pixel];
+    dismissed_[pixel] += tracer_.dismissed(points[i], labels[i]);
+    if (contradicted[i])
+      want_around(pixel, std::clamp(static_cast<int>(kSurety / tracer_.leaf_side_px(points[i])), least, kMostWanted));
+  }
+}
+
+void Prober::look_around(const std::vector<FocalPoint>& known, const std::vector<std::uint32_t>& known_labels,
+                         const std::vector<FocalPoint>& others) {
+  std::vector<FocalPoint> points = others;
+  std::vector<std::uint32_t> labels;
+  if (!points.empty()) tracer_.ask_at(points, labels, Purpose::probe);
+  points.insert(points.end(), known.begin(), known.end());
+  labels.insert(labels.end(), known_labels.begin(), known_labels.end());
+  take_in(points, labels, reconcile(points, labels));
+}
+
 void Prober::follow_seeds(std::span<const FocalPoint> seeds, std::span<const std::uint32_t> objects) {
   const std::vector<std::uint32_t> met =
       objects.empty() ? std::vector<std::uint32_t>{} : ledger_.objects_met();
@@ -43,56 +106,58 @@ void Prober::follow_seeds(std::span<const FocalPoint> seeds, std::span<const std
   }
   if (points.empty()) return;
   // A known object that shows up where it was expected is no sign of unknown ones beside it.
-  const std::vector<std::uint8_t> suspects = tracer_.suspects();
-  look(points, Purpose::seed);
+  const std::vector<std::uint8_t> suspects = tracer_.suspects(), followed = tracer_.followed();
+  std::vector<std::uint32_t> labels;
+  tracer_.ask_at(points, labels, Purpose::seed);
+  note(points, labels);
+  reconcile(points, labels);
   tracer_.suspects() = suspects;
+  tracer_.followed() = followed;
 }
 
 void Prober::probe_until_clean(const std::vector<std::uint8_t>& worth) {
-  const Lattice& lattice = tracer_.lattice();
-  const PixelRect& domain = lattice.domain();
-  const int width = domain.width(), height = domain.height(), side = options_.probes_per_side;
+  const PixelRect& domain = tracer_.lattice().domain();
+  const int width = domain.width(), side = options_.probes_per_side;
   if (side <= 0) return;
-  std::vector<std::uint8_t> cause(static_cast<std::size_t>(domain.count())), flagged(cause.size());
-  for (std::size_t p = 0; p < cause.size(); ++p) cause[p] = tracer_.suspect(static_cast<std::uint32_t>(p));
+  const double narrow_px = kNarrow * tracer_.lattice().side_px(0);
+  for (int p = 0; p < domain.count(); ++p) {
+    if (tracer_.suspect(static_cast<std::uint32_t>(p))) want_around(p, side * side);
+    const double followed = tracer_.narrowest_followed(static_cast<std::uint32_t>(p));
+    if (followed < narrow_px)
+      wanted_[p] = std::max(wanted_[p], std::min(static_cast<int>(kSurety / followed), kMostWantedBeside));
+    const double met = tracer_.narrowest_met(static_cast<std::uint32_t>(p));
+    if (met < narrow_px)
+      wanted_[p] = std::max(wanted_[p], static_cast<int>(std::min<double>(kSurety / met, kMostWanted)));
+  }
 
+  std::vector<FocalPoint> points;
+  std::vector<std::uint32_t> labels;
   for (int round = 0; round < options_.max_probe_rounds; ++round) {
-    std::vector<int> probed;
-    std::vector<FocalPoint> points;
-    std::fill(flagged.begin(), flagged.end(), std::uint8_t{0});
-    for (auto p = std::find(cause.begin(), cause.end(), std::uint8_t{1}); p != cause.end();
-         p = std::find(p + 1, cause.end(), std::uint8_t{1})) {
-      const int x = static_cast<int>(p - cause.begin()) % width, y = static_cast<int>(p - cause.begin()) / width;
-      for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j)
-        for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i) flagged[j * width + i] = 1;
+    points.clear();
+    for (int pixel = 0; pixel < domain.count(); ++pixel) {
+      if (wanted_[pixel] <= 0 || !worth[pixel] || tracer_.abandoned(static_cast<std::uint32_t>(pixel))) continue;
+      // Many rays come in rounds that grow: what the first of them find saves the others.
+      const double share = round == 0 ? 0.25 : 1.0;
+      const int fine =
+          std::clamp(static_cast<int>(std::ceil(std::sqrt(share * wanted_[pixel]))), side, kFinestRound);
+      const int x = domain.x0 + pixel % width, y = domain.y0 + pixel / width;
+      for (int j = 0; j < fine; ++j)
+        for (int i = 0; i < fine; ++i) {
+          const std::uint64_t key = hash(seed_, 0x70726f6265, x, y, round, j * fine + i);
+          points.push_back({x + (i + unit_double(key)) / fine, y + (j + unit_double(mix(key))) / fine});
+        }
+      grids_[pixel].push_back(fine);
+      wanted_[pixel] -= fine * fine;
     }
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) {
-        const int pixel = y * width + x;
-        if (!flagged[pixel] || !worth[pixel] || tracer_.abandoned(static_cast<std::uint32_t>(pixel))) continue;
-        probed.push_back(pixel);
-        for (int j = 0; j < side; ++j)
-          for (int i = 0; i < side; ++i) {
-            const std::uint64_t key =
-                hash(seed_, 0x70726f6265, domain.x0 + x, domain.y0 + y, round, j * side + i);
-            points.push_back({domain.x0 + x + (i + unit_double(key)) / side,
-                              domain.y0 + y + (j + unit_double(mix(key))) / side});
-          }
-      }
-    if (points.empty()) return;
-    const std::vector<std::uint8_t> contradicted = look(points, Purpose::probe);
-    std::fill(cause.begin(), cause.end(), std::uint8_t{0});
-    const std::size_t per_pixel = static_cast<std::size_t>(side * side);
-    bool any = false;
-    for (std::size_t n = 0; n < probed.size(); ++n) {
-      bool dirty = false;
-      for (std::size_t i = 0; i < per_pixel; ++i) dirty |= contradicted[n * per_pixel + i] != 0;
-      if (dirty)
-        cause[probed[n]] = any = true;
-      else
-        ++clean_rounds_[probed[n]];
-    }
-    if (!any) return;
+    if (points.empty()) break;
+    tracer_.ask_at(points, labels, Purpose::probe);
+    take_in(points, labels, reconcile(points, labels));
+  }
+  for (int pixel = 0; pixel < domain.count(); ++pixel) {
+    if (!worth[pixel] || tracer_.abandoned(static_cast<std::uint32_t>(pixel))) continue;
+    unsettled_[pixel] = wanted_[pixel] > 0 ||
+                        dismissed_[pixel] > kDismissed * std::max(1, asked_[pixel]) *
+                                                std::sqrt(tracer_.allowed_variance()[pixel]);
   }
 }
 

@@ -5,35 +5,62 @@
 #include <vector>
 
 #include "sampling/accuracy/edge_tracer.h"
+#include "sampling/accuracy/small_vector.h"
 
 namespace ifov::sampling {
 
-/// Looks where the lattice did not: at the centres of known small objects, and at jittered points of every
-/// pixel that tracing found to hold finer structure than the lattice announces, until a round finds nothing
-/// new.
+/// Looks where the lattice did not: at jittered points of every pixel, because a lattice may be in step with what it
+/// looks at; at the centres of known small objects; and again at jittered points of every pixel that holds, or lies
+/// beside one that holds, finer structure than the lattice announced, until enough of them find nothing new.
 class Prober {
  public:
   Prober(EdgeTracer& tracer, RayLedger& ledger, const AccuracyOptions& options, std::uint64_t seed)
       : tracer_(tracer), ledger_(ledger), options_(options), seed_(seed) {
-    clean_rounds_.assign(static_cast<std::size_t>(tracer.lattice().domain().count()), 0);
+    const auto pixels = static_cast<std::size_t>(tracer.lattice().domain().count());
+    grids_.resize(pixels);
+    dismissed_.assign(pixels, 0.0);
+    asked_.assign(pixels, 0);
+    met_.resize(pixels);
+    wanted_.assign(pixels, 0);
+    unsettled_.assign(pixels, 0);
   }
 
+  /// One jittered round in every pixel of `worth`, whether or not anything is suspect: `known` points have been asked
+  /// already, the others are here.
+  void look_around(const std::vector<FocalPoint>& known, const std::vector<std::uint32_t>& known_labels,
+                   const std::vector<FocalPoint>& others);
   /// Looks at the seeds whose objects no ray has met yet.
   void follow_seeds(std::span<const FocalPoint> seeds, std::span<const std::uint32_t> objects);
   /// `worth`: the pixels of the domain where a find would matter.
   void probe_until_clean(const std::vector<std::uint8_t>& worth);
 
-  /// Rounds of probes_per_side^2 points in which nothing contradicted the model of the pixel.
-  int clean_rounds(int pixel) const { return clean_rounds_[pixel]; }
+  /// Sides of the jittered grids of points asked in the pixel. Any of them might have met what is still unknown.
+  const std::vector<int>& grids(int pixel) const { return grids_[pixel]; }
+  /// Labels that looks, probes and seeds have met in the pixel, with their numbers.
+  struct Met {
+    std::uint32_t label, count;
+  };
+  std::span<const Met> met(int pixel) const { return {met_[pixel].begin(), met_[pixel].end()}; }
+  /// Whether looks and probes have found more than the model can follow, or went on finding until they were spent.
+  bool unsettled(int pixel) const { return unsettled_[pixel] != 0; }
 
  private:
-  std::vector<std::uint8_t> look(const std::vector<FocalPoint>& points, Purpose purpose);
+  std::vector<std::uint8_t> reconcile(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels);
+  void note(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels);
+  void want_around(int pixel, int rays);
+  void take_in(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels,
+               const std::vector<std::uint8_t>& contradicted);
 
   EdgeTracer& tracer_;
   RayLedger& ledger_;
   const AccuracyOptions& options_;
   std::uint64_t seed_;
-  std::vector<int> clean_rounds_;
+  std::vector<std::vector<int>> grids_;
+  std::vector<double> dismissed_;  // by pixel: summed contrast of what was met in cells too small to follow
+  std::vector<SmallVector<Met, 2>> met_;
+  std::vector<int> asked_;         // by pixel: rays of looks and probes
+  std::vector<int> wanted_;  // by pixel: rays that must find nothing before it is left
+  std::vector<std::uint8_t> unsettled_;
 };
 
 }  // namespace ifov::sampling

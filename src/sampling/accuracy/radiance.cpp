@@ -19,10 +19,11 @@ constexpr std::uint64_t kStratumKey = 0x7374726174, kPathsKey = 0x7061746873;
 
 }  // namespace
 
-Radiance::Radiance(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable& table,
+Radiance::Radiance(const EdgeTracer& tracer, const Prober& prober, RayLedger& ledger, const LabelTable& table,
                    const LabelSpread& spread, const LatticeValues& lattice_values,
                    const AccuracyFaults& faults, std::uint64_t seed, bool keep_values)
     : tracer_(tracer),
+      prober_(prober),
       ledger_(ledger),
       table_(table),
       spread_(spread),
@@ -93,6 +94,18 @@ void Radiance::find_deviation(const Pixel& pixel, Stratum& stratum) const {
         squares[c] += difference * (lattice_.value(v)[c] - mean[c]);
       }
     }
+  const int height = lattice.domain().height(), column = pixel.source % width, line = pixel.source / width;
+  for (int j = std::max(0, line - 1); any_label && j <= std::min(height - 1, line + 1); ++j)
+    for (int i = std::max(0, column - 1); i <= std::min(width - 1, column + 1); ++i)
+      for (const Prober::Met& met : prober_.met(j * width + i)) {
+        const double before = count;
+        count += met.count;
+        for (std::size_t c = 0; c < columns; ++c) {
+          const double difference = table_.mean(met.label)[c] - mean[c];
+          mean[c] += difference * met.count / count;
+          squares[c] += difference * difference * met.count * before / count;
+        }
+      }
   stratum.deviation.resize(columns);
   for (std::size_t c = 0; c < columns; ++c)
     stratum.deviation[c] = static_cast<float>(std::sqrt(squares[c] / std::max(1.0, count)));

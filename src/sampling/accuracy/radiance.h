@@ -8,6 +8,7 @@
 #include "sampling/accuracy/clutter_round.h"
 #include "sampling/accuracy/edge_tracer.h"
 #include "sampling/accuracy/lattice_values.h"
+#include "sampling/accuracy/probing.h"
 #include "sampling/accuracy/leaf_integrator.h"
 #include "sampling/accuracy/spread.h"
 #include "sampling/accuracy/stopping.h"
@@ -58,8 +59,8 @@ class Radiance {
     /// label's mean, and of the squares.
     double strays = 0.0;
     std::vector<double> stray_sum, stray_squares;
-    /// Per column: standard deviation of the lattice's values of the label in the pixel and those around it (of all
-    /// labels in a cluttered pixel). Empty where all values of the label agree.
+    /// Per column: standard deviation of the lattice's values of the label in the pixel and those around it (in a cluttered
+    /// pixel of all labels, with those that looks and probes have met in it). Empty where all values of the label agree.
     std::vector<float> deviation;
     std::size_t count() const;  ///< values that the estimate rests on
   };
@@ -73,7 +74,7 @@ class Radiance {
   };
 
   /// `keep_values`: for a footprint that weighs the values of a pixel unlike.
-  Radiance(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable& table, const LabelSpread& spread,
+  Radiance(const EdgeTracer& tracer, const Prober& prober, RayLedger& ledger, const LabelTable& table, const LabelSpread& spread,
            const LatticeValues& lattice_values, const AccuracyFaults& faults, std::uint64_t seed,
            bool keep_values);
 
@@ -174,6 +175,7 @@ class Radiance {
   void net_moments(const Nets& nets, std::span<const int> columns, StratumMoments& out) const;
 
   const EdgeTracer& tracer_;
+  const Prober& prober_;
   RayLedger& ledger_;
   const LabelTable& table_;
   const LabelSpread& spread_;

@@ -19,6 +19,10 @@ constexpr double kUnseen = 2.5;
 /// happened to meet few of them, and would be wrong all the same way.
 constexpr double kRareValues = 1.0, kManyValues = 8.0;
 
+/// A label that no vertex of a pixel has may look otherwise there than at all vertices that have it: these may stand at like
+/// places of a pattern. The variance that they show counts so many times.
+constexpr double kElsewhere = 9.0;
+
 }  // namespace
 
 double Radiance::unseen(const Pixel& pixel, std::size_t s, int column) const {
@@ -142,7 +146,8 @@ void Radiance::moments(const Pixel& pixel, std::size_t s, std::span<const int> c
   for (std::size_t c = 0; c < n; ++c) {
     if (count == 0.0) out.mean[c] = table_.mean(label)[columns[c]];
     const double own =
-        count > 1.0 ? squares[c] / weight * count / (count - 1.0) : spread_.total(label, columns[c]);
+        count > 1.0 ? squares[c] / weight * count / (count - 1.0)
+                    : (count == 0.0 ? kElsewhere : 1.0) * spread_.total(label, columns[c]);
     out.variance[c] = std::max(own, spread_.local(label, columns[c]));
   }
   out.freedom = std::max(2.0, count - 1.0);

@@ -46,6 +46,15 @@ LabelSpread::LabelSpread(const Lattice& lattice, const LabelTable& table, const 
       total_[l * columns_ + c] += d * d;
     }
   }
+  for (std::size_t i = 0; i < at.look.labels.size(); ++i) {
+    const std::uint32_t l = at.look.labels[i];
+    if (at.constant[l]) continue;
+    const float* value = at.look.value(i, columns_);
+    for (std::size_t c = 0; c < columns_; ++c) {
+      const double d = value[c] - table.mean(l)[c];
+      total_[l * columns_ + c] += d * d;
+    }
+  }
   double known = 0.0;
   for (double& f : total_freedom) known += f = std::max(f, 0.0);
   if (known == 0.0) {
@@ -75,6 +84,7 @@ LabelSpread::LabelSpread(const Lattice& lattice, const LabelTable& table, const 
       }
     }
   }
+  add_look(lattice, at, local_freedom);
   blocks_ = local_freedom;
   double any = 0.0;
   for (double f : local_freedom) any += f;
@@ -93,7 +103,34 @@ LabelSpread::LabelSpread(const Lattice& lattice, const LabelTable& table, const 
       const double* row = &variances[l * columns_];
       return std::all_of(row, row + columns_, [](double v) { return v == 0.0; });
     };
-    constant_[l] = agree(local_) && agree(total_);
+    constant_[l] = at.constant[l] != 0 && agree(local_) && agree(total_);
+  }
+}
+
+/// Values beside the lattice differ from what its four vertices around them make of the place.
+void LabelSpread::add_look(const Lattice& lattice, const LatticeValues& at, std::vector<double>& local_freedom) {
+  const std::size_t row_length = static_cast<std::size_t>(lattice.columns()) + 1;
+  const double k = lattice.cells_per_pixel();
+  for (std::size_t p = 0; p < at.look.labels.size(); ++p) {
+    const std::uint32_t l = at.look.labels[p];
+    if (at.constant[l]) continue;
+    const double x = (at.look.points[p].x_px - lattice.domain().x0) * k, y = (at.look.points[p].y_px - lattice.domain().y0) * k;
+    const int i = std::clamp(static_cast<int>(x), 0, lattice.columns() - 1), j = std::clamp(static_cast<int>(y), 0, lattice.rows() - 1);
+    const std::size_t v = static_cast<std::size_t>(j) * row_length + static_cast<std::size_t>(i);
+    const std::size_t corner[4] = {v, v + 1, v + row_length, v + row_length + 1};
+    if (std::any_of(corner, corner + 4, [&](std::size_t c) { return at.labels[c] != l; })) continue;
+    const double u = x - i, w = y - j;
+    const double weight[4] = {(1.0 - u) * (1.0 - w), u * (1.0 - w), (1.0 - u) * w, u * w};
+    double squares = 1.0;
+    for (const double share : weight) squares += share * share;
+    local_freedom[l] += 1.0;
+    for (std::size_t c = 0; c < columns_; ++c) {
+      double difference = at.look.value(p, columns_)[c];
+      for (int q = 0; q < 4; ++q) difference -= weight[q] * at.value(corner[q])[c];
+      const double square = difference * difference / squares;
+      local_[l * columns_ + c] += square;
+      rare_[l * columns_ + c] += square * square;
+    }
   }
 }
 

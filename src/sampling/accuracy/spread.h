@@ -35,6 +35,7 @@ class LabelSpread {
   double total(std::uint32_t label, int column) const { return row(total_, label)[column]; }
 
  private:
+  void add_look(const Lattice& lattice, const LatticeValues& at, std::vector<double>& local_freedom);
   const double* row(const std::vector<double>& table, std::uint32_t label) const {
     return &table[static_cast<std::size_t>(label < labels_ ? label : labels_) * columns_];
   }

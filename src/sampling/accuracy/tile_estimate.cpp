@@ -41,7 +41,7 @@ void TileWork::estimate() {
   for (int first = 0; first < sources; first += group) {
     const bool ready = group >= sources && radiance_ != nullptr;  // by tighten_borders, of all pixels
     if (!ready) {
-      radiance_ = std::make_unique<Radiance>(tracer_, ledger_, table_, *spread_, lattice_values_, faults_,
+      radiance_ = std::make_unique<Radiance>(tracer_, prober_, ledger_, table_, *spread_, lattice_values_, faults_,
                                              problem_.seed, !integrator.unit_box());
       radiance_->add_pixels(first, std::min(sources, first + group), integrator);
     }

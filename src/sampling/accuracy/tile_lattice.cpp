@@ -14,10 +14,6 @@ namespace {
 
 /// Share of the allowed variance that borders may take where paths vary as well.
 constexpr double kGeometryShareWithPaths = 0.15;
-/// The first run of a tile that is kept traces borders, and tells clutter, for an error this much smaller:
-/// rays that look beside a border are of no use where it is known better, nor are values of clutter in a
-/// pixel that is traced.
-constexpr double kForesight = 2.0;
 /// Source pixels that weigh less than this in every output are traced as if they weighed so much.
 constexpr double kLeastImportance = 0.02;
 
@@ -42,6 +38,7 @@ double footprint_energy(const PixelFootprint& footprint) {
 void TileWork::trace_lattice() {
   ask_vertices();
   merge_twins();
+  look_at_constants();
   take_means();
   spread_ = std::make_unique<LabelSpread>(lattice_, table_, lattice_values_);
   contrast_.spread().resize(table_.size() * problem_.drivers.size());
@@ -132,6 +129,17 @@ void TileWork::merge_twins() {
     }
   }
   if (!any) return;
+  // No border is seen between twins, but a gap may lie between them.
+  const int k = lattice_.cells_per_pixel(), row = lattice_.columns() + 1;
+  const auto twins = [&](std::uint32_t a, std::uint32_t b) { return a != b && table_.merged(a) == table_.merged(b); };
+  for (int p = 0; p < lattice_.domain().count(); ++p) {
+    const std::uint32_t* labels = &at.labels[first_vertex(p)];
+    bool beside = false;
+    for (int j = 0; j <= k; ++j, labels += row)
+      for (int i = 0; i <= k; ++i)
+        beside = beside || (i < k && twins(labels[i], labels[i + 1])) || (j < k && twins(labels[i], labels[i + row]));
+    if (beside) beside_twins_.push_back(static_cast<std::uint32_t>(p));
+  }
   for (std::uint32_t& label : at.labels) label = table_.merged(label);
 }
 
@@ -152,6 +160,8 @@ void TileWork::take_means() {
   }
   for (std::uint32_t label = 0; label < seen.size(); ++label)
     table_.add_same(label, at.value(seen[label].first), seen[label].times);
+  for (std::size_t i = 0; i < at.look.labels.size(); ++i)
+    if (!at.constant[at.look.labels[i]]) table_.add(at.look.labels[i], at.look.value(i, at.columns));
 
   at.only.resize(static_cast<std::size_t>(lattice_.domain().count()));
   const int k = lattice_.cells_per_pixel();
@@ -200,7 +210,7 @@ void TileWork::set_limits() {
   for (int dy = -reach; dy <= reach; ++dy)
     for (int dx = -reach; dx <= reach; ++dx)
       pixel_weight.push_back(problem_.footprint->integral(dx - 0.5, dy - 0.5, dx + 0.5, dy + 0.5));
-  const double foresight = problem_.keep_memory && problem_.before == nullptr ? kForesight : 1.0;
+  const double unit = stopping_.normal() * foresight();
   std::vector<double> mean(columns), known_mean, limit(columns), allowed(outputs_.size() * drivers);
   for (int o = 0; o < problem_.tile.count(); ++o) {
     std::fill(mean.begin(), mean.end(), 0.0);
@@ -216,7 +226,7 @@ void TileWork::set_limits() {
       known_mean = mean;
     }
     for (std::size_t n = 0; n < drivers; ++n)
-      allowed[o * drivers + n] = limit[problem_.drivers[n]] / (stopping_.normal() * foresight);
+      allowed[o * drivers + n] = limit[problem_.drivers[n]] / unit;
   }
   for (int p = 0; p < d.count(); ++p)
     std::copy_n(&allowed[nearest_output(p) * drivers], drivers, contrast_.allowed(p).begin());
@@ -244,7 +254,11 @@ double TileWork::geometry_share(int source) const {
 }
 
 void TileWork::switch_clutter() {
+  const PixelRect& d = lattice_.domain();
+  if (options_.seeds) ledger_.field().known_detail({d.x0, d.y0, d.x1, d.y1}, known_);
   if (!options_.clutter_switch) return;
+  for (std::size_t p = 0; p < known_.full.size(); ++p)
+    if (known_.full[p]) tracer_.abandon(static_cast<std::uint32_t>(p));
   const int k = lattice_.cells_per_pixel(), row = lattice_.columns() + 1;
   for (int p = 0; p < lattice_.domain().count(); ++p) {
     if (lattice_values_.only[p] != LatticeValues::kMixed) continue;

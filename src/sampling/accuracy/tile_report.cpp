@@ -6,32 +6,54 @@
 
 namespace ifov::sampling {
 
+namespace {
+
+/// What cannot make this share of the error that is asked for is not followed; so where a tile holds more than one label no
+/// half-width is less.
+constexpr double kNotFollowed = 0.1;
+
+}  // namespace
+
 /// Of the sums over all columns.
 void TileWork::finish(const LeafIntegrator& integrator, const std::vector<int>& outputs) {
   const std::size_t n = static_cast<std::size_t>(columns_);
   std::vector<double> limit(n), half(n);
+  const bool several = table_.several();
   for (int o : outputs) {
     const OutputSums::Row sum = sums_[o];
     double worst = 0.0, widest = 0.0;
+    problem_.tolerance->limits(sums_.means(o), limit);
     for (std::size_t c = 0; c < n; ++c) {
       const std::size_t i = static_cast<std::size_t>(o) * n + c;
       half[c] = half_width(sum, c, outputs_[o].look);
+      double geometry = sum.geometry[c];
+      if (several && std::isfinite(limit[c]) && half[c] < kNotFollowed * limit[c]) {
+        half[c] = kNotFollowed * limit[c];
+        const double least = half[c] / stopping_.normal();
+        geometry = std::max(geometry, least * least - sum.path[c].variance());
+      }
       widest = std::max(widest, half[c]);
       result_.mean[i] = static_cast<float>(sum.mean[c]);
-      result_.variance_geometry[i] = static_cast<float>(sum.geometry[c]);
+      result_.variance_geometry[i] = static_cast<float>(geometry);
       result_.variance_path[i] = static_cast<float>(sum.path[c].variance());
       result_.half_width[i] = static_cast<float>(half[c]);
     }
     if (widest > 0.0) {
-      problem_.tolerance->limits(sums_.means(o), limit);
       for (std::size_t c = 0; c < n; ++c) worst = std::max(worst, half[c] / limit[c]);
     }
     result_.worst_ratio[o] = static_cast<float>(worst);
-    result_.converged[o] = worst <= 1.0 + 1e-6;
+    result_.reasons[o] = worst <= 1.0 + 1e-6 ? 0 : bit(Reason::error);
   }
-  for (const Radiance::Pixel& pixel : radiance_->pixels())
-    for (const ClutterRound& round : pixel.rounds)
-      clutter_rounds_[pixel.source].push_back(static_cast<std::uint32_t>(round.count()));
+  // Rounds grow, nets double: a pixel that has spent half of its samples found no room for a next step.
+  for (const Radiance::Pixel& pixel : radiance_->pixels()) {
+    if (ledger_.spent(pixel.source) >= options_.max_samples_per_pixel / 2)
+      for (int o : pixel.model.outputs)
+        if (result_.reasons[o] == bit(Reason::error)) result_.reasons[o] = bit(Reason::samples);
+    // Clutter is sampled; elsewhere what went on turning up is not in the model.
+    if (prober_.unsettled(pixel.source) && !pixel.cluttered)
+      for (int o : pixel.model.outputs) result_.set(o, Reason::structure);
+    note_looks(pixel);
+  }
 
   struct Share {
     std::uint32_t material;
@@ -97,28 +119,24 @@ void TileWork::finish(const LeafIntegrator& integrator, const std::vector<int>& 
   }
 }
 
-namespace {
-
-/// The smallest area fraction that independent stratified rounds of these sizes find with probability 0.95: a
-/// compact feature smaller than a stratum is missed by a round of n with probability 1 - n a.
-double missable(const std::vector<double>& rounds) {
-  double low = 0.0, high = 1.0;
-  for (int i = 0; i < 50; ++i) {
-    const double a = 0.5 * (low + high);
-    double missed = 1.0;
-    for (double n : rounds) missed *= std::max(0.0, 1.0 - n * a);
-    (missed > 0.05 ? low : high) = a;
+/// Values are random points too: those of clutter stand in grids over the whole pixel, those of strata in grids over a
+/// part of it each.
+void TileWork::note_looks(const Radiance::Pixel& pixel) {
+  RandomLooks& looks = looks_[pixel.source];
+  if (pixel.cluttered) {
+    for (const ClutterRound& round : pixel.rounds) looks.grids.push_back(round.side());
+    return;
   }
-  return high;
+  double fewest = INFINITY;
+  for (std::size_t s = 0; s < pixel.strata.size(); ++s)
+    if (pixel.model.area[s] > 0.0)
+      fewest = std::min(fewest, static_cast<double>(pixel.strata[s].count()) / pixel.model.area[s]);
+  if (std::isfinite(fewest)) looks.independent = std::floor(fewest);
 }
-
-}  // namespace
 
 void TileWork::report() {
   const PixelRect &d = lattice_.domain(), &t = problem_.tile;
-  // Neighbours were mostly looked at alike.
-  int known_looks = -1;
-  float known_fraction = 1.0f;
+  Detection detection;
   for (int p = 0; p < d.count(); ++p) {
     const int x = d.x0 + p % d.width(), y = d.y0 + p / d.width();
     const std::uint32_t labels = ledger_.traced_labels(p), values = ledger_.traced_values(p);
@@ -130,17 +148,10 @@ void TileWork::report() {
     result_.label_rays[o] = labels;
     result_.radiance_evaluations[o] = values;
     result_.samples[o] = labels + values;
-    const int looks = prober_.clean_rounds(p);
-    const auto& clutter = clutter_rounds_[p];
-    if (looks != known_looks || clutter.size() > 0) {
-      known_looks = clutter.size() > 0 ? -1 : looks;
-      std::vector<double> rounds{static_cast<double>(options_.lattice) * options_.lattice};
-      for (int r = 0; r < looks; ++r)
-        rounds.push_back(static_cast<double>(options_.probes_per_side) * options_.probes_per_side);
-      for (const std::uint32_t count : clutter) rounds.push_back(count);
-      known_fraction = static_cast<float>(missable(rounds));
-    }
-    result_.missable_fraction[o] = known_fraction;
+    RandomLooks looks = looks_[p];
+    if (was_looked_at(p)) looks.grids.push_back(options_.looks_per_side);
+    looks.grids.insert(looks.grids.end(), prober_.grids(p).begin(), prober_.grids(p).end());
+    result_.missable_fraction[o] = detection.missable_fraction(looks);
   }
   result_.seed_samples = ledger_.seed_rays();
   result_.probe_samples = ledger_.probe_rays();

@@ -49,7 +49,7 @@ TileWork::TileWork(const TileProblem& problem, Field& field, const AccuracyOptio
       outputs_(static_cast<std::size_t>(problem.tile.count())),
       sums_(outputs_.size(), !problem.footprint->whole_pixel()),
       predicted_(static_cast<std::size_t>(lattice_.domain().count()), 0.0f),
-      clutter_rounds_(predicted_.size()),
+      looks_(predicted_.size()),
       faults_(faults) {
   std::iota(all_columns_.begin(), all_columns_.end(), 0);
   result_.reset(problem.tile, columns_);
@@ -84,12 +84,49 @@ double TileWork::relative_weight(int source) const {
 
 void TileWork::trace_borders() {
   tracer_.settle();
-  if (options_.seeds) prober_.follow_seeds(problem_.seeds, problem_.seed_objects);
+  look_around();
+  if (options_.seeds) {
+    prober_.follow_seeds(problem_.seeds, problem_.seed_objects);
+    prober_.follow_seeds(known_.points, {});
+  }
+  for (const std::uint32_t p : beside_twins_) tracer_.suspects()[p] = 1;
   std::vector<std::uint8_t> worth(static_cast<std::size_t>(lattice_.domain().count()));
   for (std::size_t p = 0; p < worth.size(); ++p)
     worth[p] = relative_weight(static_cast<int>(p)) > kLeastProbed;
   prober_.probe_until_clean(worth);
+  leave_unsettled();
   tighten_borders();
+}
+
+/// In clutter the values will look.
+void TileWork::look_around() {
+  std::vector<FocalPoint> points;
+  for (const int p : not_looked_at_) {
+    if (tracer_.abandoned(static_cast<std::uint32_t>(p))) continue;
+    const std::vector<FocalPoint> more = random_points(p);
+    points.insert(points.end(), more.begin(), more.end());
+  }
+  prober_.look_around(lattice_values_.look.points, lattice_values_.look.labels, points);
+}
+
+/// The lattice may have been in step with what it looked at: limits follow the means that borders tell.
+void TileWork::take_limits_from_sums() {
+  const std::size_t n = problem_.drivers.size();
+  std::vector<double> mean(static_cast<std::size_t>(columns_), 0.0), limit(mean.size());
+  const double unit = stopping_.normal() * foresight();
+  for (int p = 0; p < lattice_.domain().count(); ++p) {
+    const OutputSums::Row sum = sums_[nearest_output(p)];
+    for (std::size_t d = 0; d < n; ++d) mean[problem_.drivers[d]] = sum.mean[d];
+    problem_.tolerance->limits(mean, limit);
+    for (std::size_t d = 0; d < n; ++d) contrast_.allowed(p)[d] = limit[problem_.drivers[d]] / unit;
+  }
+}
+
+/// The first run of a tile that is kept traces borders, and tells clutter, for an error this much smaller: rays that look
+/// beside a border are of no use where it is known better, nor are values of clutter in a pixel that is traced.
+double TileWork::foresight() const {
+  constexpr double kForesight = 2.0;
+  return problem_.keep_memory && problem_.before == nullptr ? kForesight : 1.0;
 }
 
 /// Contrasts that steered the tracer are those of the tile; a pixel may differ. Borders are made more precise
@@ -101,12 +138,13 @@ void TileWork::tighten_borders() {
   for (int pass = 0; pass < 4; ++pass) {
     const LeafIntegrator integrator(tracer_, *problem_.footprint, problem_.tile);
     if (radiance_ == nullptr || !radiance_->refresh(integrator)) {
-      radiance_ = std::make_unique<Radiance>(tracer_, ledger_, table_, *spread_, lattice_values_, faults_,
+      radiance_ = std::make_unique<Radiance>(tracer_, prober_, ledger_, table_, *spread_, lattice_values_, faults_,
                                              problem_.seed, !integrator.unit_box());
       radiance_->add_pixels(0, lattice_.domain().count(), integrator);
     }
     tracer_.forget_changes();
     gather(integrator, problem_.drivers, every_output);
+    take_limits_from_sums();
     bool any = false;
     std::vector<double> factor(tracer_.allowed_variance().size(), 1.0);
     for (const Radiance::Pixel& pixel : radiance_->pixels())

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "sampling/accuracy/detection.h"
 #include "sampling/accuracy/edge_tracer.h"
 #include "sampling/accuracy/leaf_integrator.h"
 #include "sampling/accuracy/output_sums.h"
@@ -39,10 +40,19 @@ class TileWork {
 
   void ask_vertices();
   void merge_twins();
+  void look_at_constants();
+  void look_around();
   void take_means();
   void set_limits();
+  void take_limits_from_sums();
+  double foresight() const;
   double geometry_share(int source) const;
   double relative_weight(int source) const;
+  bool constant_at_vertices(int source) const;
+  std::vector<FocalPoint> random_points(int source) const;
+  void leave_unsettled();
+  bool was_looked_at(int source) const;
+  void note_looks(const Radiance::Pixel& pixel);
   void tighten_borders();
   void gather(const LeafIntegrator& integrator, std::span<const int> columns, std::span<const int> outputs);
   bool doubtful(const Radiance::Pixel& pixel) const;
@@ -86,8 +96,11 @@ class TileWork {
   std::vector<int> steering_;  // columns whose intervals decide how many values are drawn
   std::vector<Output> outputs_;
   OutputSums sums_;                       // of the last gather()
+  KnownDetail known_;
+  std::vector<std::uint32_t> beside_twins_;  // source pixels in which labels meet that stand for the same
+  std::vector<int> not_looked_at_;        // source pixels whose random points are asked when borders are traced
   std::vector<float> predicted_;          // per source pixel: values that clutter would take by the lattice
-  std::vector<SmallVector<std::uint32_t, 2>> clutter_rounds_;  // per source pixel: sizes of rounds; none where traced
+  std::vector<RandomLooks> looks_;        // per source pixel: values at random points
   AccuracyFaults faults_;
 };
 

@@ -1,0 +1,90 @@
+// Random points of every pixel: the lattice may be in step with what it looks at.
+#include <algorithm>
+
+#include "sampling/accuracy/tile_work.h"
+
+namespace ifov::sampling {
+
+namespace {
+
+/// Source pixels that weigh less than this in every output are not looked at beside the lattice.
+constexpr double kLeastLookedAt = 0.05;
+
+constexpr std::uint64_t kLookKey = 0x6c6f6f6b, kLookPath = 0x6c6f6f6b70;
+
+}  // namespace
+
+bool TileWork::was_looked_at(int source) const {
+  return !faults_.no_random_look && options_.looks_per_side > 0 && relative_weight(source) >= kLeastLookedAt;
+}
+
+std::vector<FocalPoint> TileWork::random_points(int source) const {
+  const PixelRect& d = lattice_.domain();
+  const int x = d.x0 + source % d.width(), y = d.y0 + source / d.width(), side = options_.looks_per_side;
+  std::vector<FocalPoint> points;
+  for (int j = 0; j < side; ++j)
+    for (int i = 0; i < side; ++i) {
+      const std::uint64_t key = hash(problem_.seed, kLookKey, x, y, j * side + i);
+      points.push_back({x + (i + unit_double(key)) / side, y + (j + unit_double(mix(key))) / side});
+    }
+  return points;
+}
+
+bool TileWork::constant_at_vertices(int source) const {
+  const int k = lattice_.cells_per_pixel(), row = lattice_.columns() + 1;
+  const std::uint32_t* labels = &lattice_values_.labels[first_vertex(source)];
+  for (int j = 0; j <= k; ++j, labels += row)
+    for (int i = 0; i <= k; ++i)
+      if (!lattice_values_.constant[labels[i]]) return false;
+  return true;
+}
+
+/// Labels whose values agree at all vertices draw no values in their pixels: whether they are alike elsewhere is looked
+/// at here. In other pixels random points are asked for their labels, when borders are traced.
+void TileWork::look_at_constants() {
+  LatticeValues& at = lattice_values_;
+  LatticeValues::Look& look = at.look;
+  std::vector<PathRequest> requests;
+  for (int p = 0; p < lattice_.domain().count(); ++p) {
+    if (!was_looked_at(p)) continue;
+    if (!constant_at_vertices(p)) {
+      not_looked_at_.push_back(p);
+      continue;
+    }
+    for (const FocalPoint point : random_points(p)) {
+      look.points.push_back(point);
+      requests.push_back({point, hash(problem_.seed, kLookPath, requests.size()), 0});
+    }
+  }
+  if (requests.empty()) return;
+  const std::size_t stride = static_cast<std::size_t>(ledger_.field().stride());
+  for (std::size_t first = 0; first < requests.size(); first += RayLedger::kBatch) {
+    const auto batch = std::span<const PathRequest>(requests).subspan(
+        first, std::min(RayLedger::kBatch, requests.size() - first));
+    std::vector<float> values(batch.size() * stride);
+    std::vector<std::uint32_t> labels;
+    ledger_.first_values(batch, labels, values);
+    look.labels.insert(look.labels.end(), labels.begin(), labels.end());
+    for (std::size_t i = 0; i < batch.size(); ++i)
+      look.values.insert(look.values.end(), &values[i * stride], &values[i * stride + at.columns]);
+  }
+  at.constant.resize(table_.size(), 0);
+  std::vector<const float*> first(table_.size(), nullptr);
+  for (std::size_t v = 0; v < at.labels.size(); ++v)
+    if (first[at.labels[v]] == nullptr) first[at.labels[v]] = at.value(v);
+  for (std::size_t i = 0; i < look.labels.size(); ++i) {
+    const float* known = first[look.labels[i]];
+    const float* value = look.value(i, at.columns);
+    if (known != nullptr && !std::equal(value, value + at.columns, known)) at.constant[look.labels[i]] = 0;
+  }
+}
+
+/// Where looks went on finding what the model did not have, there is more than they have found.
+void TileWork::leave_unsettled() {
+  for (int p = 0; p < lattice_.domain().count(); ++p) {
+    if (!prober_.unsettled(p)) continue;
+    if (options_.clutter_switch) tracer_.abandon(static_cast<std::uint32_t>(p));
+  }
+}
+
+}  // namespace ifov::sampling

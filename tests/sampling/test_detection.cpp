@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "accuracy_scenes.h"
+#include "sampling/accuracy/detection.h"
+#include "sampling/random.h"
+
+namespace ifov::sampling {
+namespace {
+
+/// Share of features, squares or discs of the given area anywhere in the middle of 3 x 3 pixels, that jittered grids meet.
+double share_found(const std::vector<int>& grids, double area, bool disc, bool with_lattice) {
+  constexpr int kFeatures = 10000;
+  const double half = disc ? std::sqrt(area / 3.14159265358979) : 0.5 * std::sqrt(area);
+  int found = 0;
+  for (int k = 0; k < kFeatures; ++k) {
+    test::Draw draw(static_cast<std::uint64_t>(k) + 900000);
+    const double cx = 1.0 + draw(), cy = 1.0 + draw();
+    const auto met = [&](double x, double y) {
+      return disc ? (x - cx) * (x - cx) + (y - cy) * (y - cy) < half * half
+                  : std::abs(x - cx) < half && std::abs(y - cy) < half;
+    };
+    bool hit = false;
+    for (const int side : grids)
+      for (int j = 0; j < 3 * side; ++j)
+        for (int i = 0; i < 3 * side; ++i) hit = met((i + draw()) / side, (j + draw()) / side) || hit;
+    if (with_lattice)
+      for (int j = 0; j <= 9; ++j)
+        for (int i = 0; i <= 9; ++i) hit = hit || met(i / 3.0, j / 3.0);
+    found += hit;
+  }
+  return static_cast<double>(found) / kFeatures;
+}
+
+TEST(Detection, FeaturesOfTheStatedSizeAreFoundAsOftenAsStated) {
+  Detection detection;
+  for (const std::vector<int>& grids : {std::vector<int>{2}, {3}, {2, 3}, {2, 3, 3}, {2, 3, 8}, {6}, {16}}) {
+    const double area = detection.missable_fraction({grids, 0.0});
+    EXPECT_NEAR(share_found(grids, area, false, false), 0.95, 0.01) << grids.size() << " " << grids.back();
+    EXPECT_NEAR(share_found(grids, area, true, false), 0.95, 0.012) << "discs";
+  }
+}
+
+// Counted as a round of nine random rays, the lattice would promise three times too much.
+TEST(Detection, ALatticeTakenForARandomRoundIsCaught) {
+  Detection detection;
+  const double claimed = detection.missable_fraction({{2, 3}, 0.0});
+  EXPECT_LT(share_found({2}, claimed, false, false), 0.8);
+}
+
+TEST(Detection, MoreRaysFindSmallerThings) {
+  Detection detection;
+  EXPECT_GT(detection.missable_fraction({{}, 0.0}), 0.99f);
+  float before = 1.0f;
+  for (const int side : {2, 3, 5, 10, 40}) {
+    const float now = detection.missable_fraction({{side}, 0.0});
+    EXPECT_LT(now, before);
+    before = now;
+  }
+  EXPECT_NEAR(detection.missable_fraction({{}, 28.0}), 1.0 - std::pow(0.05, 1.0 / 28.0), 1e-3);
+}
+
+}  // namespace
+}  // namespace ifov::sampling
