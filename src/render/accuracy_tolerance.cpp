@@ -52,8 +52,13 @@ void AccuracyTolerance::leave_hidden_channels(const std::vector<double>& path_ra
 
 void AccuracyTolerance::limits(std::span<const double> mean, std::span<double> limit) const {
   asked(mean, limit);
-  for (std::size_t c = 0; c < air_.size(); ++c)
-    limit[c] = std::max(limit[c] - air_[c].of(mean[c]), kLeastShare * limit[c]);
+  for (std::size_t c = 0; c < std::min(white_.size(), limit.size()); ++c) {
+    if (std::isinf(limit[c])) continue;  // not judged
+    double other = cut_share_ * limit[c];
+    if (!air_.empty()) other += air_[c].of(mean[c]);
+    if (!nodes_.empty()) other += nodes_[c].counted(std::abs(mean[c]), limit[c]);
+    if (other > 0.0) limit[c] = std::max(limit[c] - other, kLeastShare * limit[c]);
+  }
 }
 
 double AccuracyTolerance::air_share(std::size_t channel, double radiance) const {

@@ -5,6 +5,7 @@
 
 #include "render/air_half_width.h"
 #include "render/channel_brightness.h"
+#include "render/node_half_width.h"
 #include "sampling/tolerance.h"
 
 namespace ifov::render {
@@ -40,8 +41,15 @@ class AccuracyTolerance final : public sampling::Tolerance {
                     std::vector<double> white_reflected_w_m2_sr_um, std::int64_t pixel_count,
                     const std::vector<double>& path_radiance_w_m2_sr_um = {}, std::vector<AirHalfWidth> air = {});
 
-  /// What is left for paths and edges: what is asked for less what the air may be wrong by, but never less than
-  /// kLeastShare of it, because no number of rays makes up for the air.
+  /// What nodes may be wrong by, by channel, and the share of what is asked for that is kept for what a PSF's cut leaves
+  /// out. Before the first tile.
+  void leave_room(std::vector<NodeHalfWidth> nodes, double cut_share) {
+    nodes_ = std::move(nodes);
+    cut_share_ = cut_share;
+  }
+
+  /// What is left for paths and edges: what is asked for less what the air, the nodes and a cut may be wrong by, but
+  /// never less than kLeastShare of it, because no number of rays makes up for those.
   void limits(std::span<const double> mean, std::span<double> limit) const override;
   /// What is asked for.
   void asked(std::span<const double> mean, std::span<double> limit) const;
@@ -60,6 +68,8 @@ class AccuracyTolerance final : public sampling::Tolerance {
   const ChannelBrightness& brightness_;
   std::vector<double> white_;
   std::vector<AirHalfWidth> air_;  // by channel; empty: none
+  std::vector<NodeHalfWidth> nodes_;  // likewise
+  double cut_share_ = 0.0;
   std::vector<double> floor_;
   std::vector<char> judged_;
   double confidence_ = 0.95;

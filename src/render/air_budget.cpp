@@ -40,14 +40,17 @@ void widen(std::span<const AirHalfWidth> air, const AccuracyTolerance* tolerance
     if (tolerance == nullptr) continue;
     tolerance->asked(mean, limit);
     double worst = 0.0;
+    bool no_room = false;
     for (std::size_t c = 0; c < columns; ++c) {
+      no_room = no_room || air[c].of(mean[c]) > (1.0 - AccuracyTolerance::kLeastShare) * limit[c];
       const double ratio = half_width[c] / limit[c];
       worst = std::max(worst, std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio);
     }
     tile.worst_ratio[p] = static_cast<float>(worst);
     // A little more than the limit is the rounding of the sum.
     constexpr double kRounding = 1e-5;
-    tile.converged[p] = tile.converged[p] != 0 && worst <= 1.0 + kRounding;
+    // What else kept a pixel from its limit is not the air's fault, unless the air alone would have.
+    if (worst > 1.0 + kRounding && (no_room || tile.converged(p))) tile.set(p, sampling::Reason::air);
   }
 }
 

@@ -37,7 +37,7 @@ void BlendColumns::write_shares(const geometry::SurfacePoint& hit, float* column
 }
 
 void BlendColumns::settle(sampling::TileResult& tile) const {
-  if (count() == 0) return;
+  if (tile.columns == channels_) return;
   const auto pixels = static_cast<std::uint32_t>(tile.tile.count());
   const auto columns = static_cast<std::size_t>(tile.columns), channels = static_cast<std::size_t>(channels_);
 

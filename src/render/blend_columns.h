@@ -24,7 +24,8 @@ class BlendColumns {
   /// Into the columns of one sample.
   void write_shares(const geometry::SurfacePoint& hit, float* columns) const;
 
-  /// Turns the columns of a tile into abundances, beside those of labels, and leaves the channels alone. Where a
+  /// Turns the columns of a tile into abundances, beside those of labels, and leaves the channels alone: whatever
+  /// stands behind the columns goes. Where a
   /// material stands in a pixel both by label and in a mixture, the half-widths add as independent ones do.
   void settle(sampling::TileResult& tile) const;
 

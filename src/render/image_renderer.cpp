@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "render/glints.h"
 #include "render/object_seeds.h"
 #include "render/tile_grid.h"
 
@@ -26,7 +27,7 @@ class Tally {
   void add(const sampling::TileResult& tile) {
     const std::scoped_lock lock(mutex_);
     total_.pixels_done += tile.tile.count();
-    total_.pixels_converged += std::count(tile.converged.begin(), tile.converged.end(), std::uint8_t{1});
+    total_.pixels_converged += tile.converged_count();
     total_.rays += static_cast<std::int64_t>(tile.rays.total());
     for (float ratio : tile.worst_ratio)
       total_.worst_error_ratio = std::max(total_.worst_error_ratio, static_cast<double>(ratio));
@@ -96,6 +97,12 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   if (drivers.empty())
     for (std::size_t c = 0; c < job.scene.nodes().channel_count(); ++c) drivers.push_back(static_cast<int>(c));
 
+  TransportOptions transport = job.transport;
+  transport.sought_only = true;
+  std::optional<Glints> glints;
+  if (transport.maximum_scatterings != 0 && Glints::in(job.scene))
+    glints.emplace(job.scene, job.camera, job.footprint.half_width_px(), job.seed);
+
   Tally tally(pixels, control.progress);
   const auto render_tile = [&](std::size_t index) {
     if (control.cancel != nullptr && control.cancel->cancelled()) throw Cancelled();
@@ -114,12 +121,17 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     sampling::TileResult before;
     if (job.earlier != nullptr && job.earlier->read(index, before)) problem.before = &before;
 
-    SceneField field(job.scene, job.camera, job.transport, job.label_detail);
+    SceneField field(job.scene, job.camera, transport, job.label_detail);
     sampling::TileResult result;
     job.sampler.sample(problem, field, result);
+    if (job.wings != nullptr) add_wings(*job.wings, problem, job.tolerance, field, result);
+    widen_by_cut(job.cut, job.tolerance, result);
     result.rays = field.counts();
     result.rays += before.rays;
+    field.unseen().settle(job.tolerance, result);
     field.blends().settle(result);
+    widen(job.nodes, job.tolerance, result);
+    if (glints) glints->add_to(job.footprint, job.tolerance, result);
     widen(job.air, job.tolerance, result);
     sink.write(result);
     tally.add(result);

@@ -6,9 +6,11 @@
 
 #include "core/run_control.h"
 #include "render/air_budget.h"
+#include "render/node_budget.h"
 #include "render/scene_field.h"
 #include "render/tile_sink.h"
 #include "render/tile_source.h"
+#include "render/wing_light.h"
 #include "sampling/tile.h"
 
 namespace ifov::render {
@@ -27,6 +29,9 @@ struct RenderJob {
   bool seed_objects = true;        ///< send a ray at each compact object smaller than a pixel
   std::vector<int> drivers{};      ///< channels that steer the sampler
   std::span<const AirHalfWidth> air{};  ///< by channel; empty: the air has no error that is known
+  std::span<const NodeHalfWidth> nodes{};  ///< by channel; empty: not known, or in those of the air
+  const sensor::PsfWings* wings = nullptr;  ///< of the footprint's PSF; null: it has none
+  double cut = 0.0;                ///< share of the PSF's energy that is cut off and stands in no wings
   bool keep_memory = false;        ///< tiles carry what a run at a tighter tolerance can go on from
   EarlierTiles* earlier = nullptr; ///< tiles of a run at a looser tolerance, to go on from
 };

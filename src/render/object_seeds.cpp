@@ -11,8 +11,40 @@ namespace {
 /// following trace of its edges meets the next.
 constexpr double kSpacing_px = 0.35;
 
-/// An object whose every direction is wider than this meets the detection lattice anyway.
+/// An object whose image is wider than this in every direction meets the detection lattice anyway.
 constexpr double kSeeded_px = 1.0;
+
+/// However long an object is, it has no more seeds than this.
+constexpr double kMostParts = 1e5;
+
+/// The image of an object's box: how long it is, and how wide across that direction.
+struct Outline {
+  double length_px = 0.0, width_px = 0.0;
+  std::size_t along = 0;  ///< number of the side that looks longest
+};
+
+/// A wall looks as thin from above as it is, however tall; so sides are measured as they are seen.
+Outline outline_of(const geometry::World::PlacedObject& object, const sensor::Camera& camera) {
+  Outline outline;
+  sampling::FocalPoint centre, end;
+  if (!camera.project(object.centre_m, centre)) return outline;
+  struct Side {
+    double x = 0.0, y = 0.0;
+  };
+  Side sides[3];
+  for (std::size_t s = 0; s < 3; ++s) {
+    // Half of a half side: a long one may reach behind the camera.
+    if (!camera.project(object.centre_m + 0.5 * object.half_sides_m[s], end)) continue;
+    sides[s] = {2.0 * (end.x_px - centre.x_px), 2.0 * (end.y_px - centre.y_px)};
+    const double length = 2.0 * std::hypot(sides[s].x, sides[s].y);
+    if (length > outline.length_px) outline.length_px = length, outline.along = s;
+  }
+  if (outline.length_px == 0.0) return outline;
+  const Side& longest = sides[outline.along];
+  for (const Side& side : sides)
+    outline.width_px += 4.0 * std::abs(side.x * longest.y - side.y * longest.x) / outline.length_px;
+  return outline;
+}
 
 }  // namespace
 
@@ -28,19 +60,18 @@ ObjectSeeds::ObjectSeeds(const geometry::World& world, const sensor::Camera& cam
   for (std::size_t number = 0; number < world.object_count(); ++number) {
     const geometry::World::PlacedObject object = world.object(number);
     if (!object.compact) continue;
-    const double gsd_m = camera.gsd_m(object.centre_m);
-    if (object.width_m > kSeeded_px * gsd_m) continue;
-    const double half_length_m = math::length(object.half_length_m);
-    const double spacing_m = std::max(kSpacing_px * gsd_m, object.width_m);
-    const int parts = std::max(1, static_cast<int>(std::ceil(2.0 * half_length_m / spacing_m)));
-    if (2.0 * half_length_m <= kSeeded_px * gsd_m || parts == 1) {
+    const Outline outline = outline_of(object, camera);
+    if (outline.width_px > kSeeded_px) continue;
+    const double parts =
+        std::min(std::ceil(outline.length_px / std::max(kSpacing_px, outline.width_px)), kMostParts);
+    if (outline.length_px <= kSeeded_px || parts <= 1.0) {
       add(object.seed_m, static_cast<std::uint32_t>(number));
       continue;
     }
     // What is thin may be met at one end and missed at the other.
-    const bool thin = object.width_m < kSpacing_px * gsd_m;
-    for (int k = 0; k < parts; ++k)
-      add(object.centre_m + object.half_length_m * ((2.0 * k + 1.0) / parts - 1.0),
+    const bool thin = outline.width_px < kSpacing_px;
+    for (int k = 0; k < static_cast<int>(parts); ++k)
+      add(object.centre_m + object.half_sides_m[outline.along] * ((2.0 * k + 1.0) / parts - 1.0),
           thin ? sampling::Field::kNoObject : static_cast<std::uint32_t>(number));
   }
 

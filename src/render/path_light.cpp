@@ -71,13 +71,22 @@ void PathLight::add_first(const PathRecord& record, const PathVertex& vertex) {
   } else {
     std::memset(sum, 0, n_ * sizeof(float));
   }
+  if (vertex.sought_weight > 0.0f) add_sought(record, vertex, nullptr);
+  if (vertex.mirrored != PathVertex::kNone) add_mirrored(record, vertex, nullptr);
   if (vertex.bounce_weight > 0.0f)
     rows::set_scaled(throughput, bounce_factor(record, vertex, factor), vertex.bounce_weight, n_);
 }
 
 void PathLight::add_later(const PathRecord& record, const PathVertex& vertex) {
   float *sum = row(kSum), *throughput = row(kThroughput);
-  if (const float* emitted = emission(record, vertex)) rows::add_product(sum, throughput, emitted, n_);
+  if (vertex.emission_weight == 1.0f) {
+    if (const float* emitted = emission(record, vertex)) rows::add_product(sum, throughput, emitted, n_);
+  } else if (vertex.emission_weight > 0.0f) {
+    if (const float* emitted = emission(record, vertex))
+      rows::add_scaled_product(sum, throughput, emitted, vertex.emission_weight, n_);
+  }
+  if (vertex.sought_weight > 0.0f) add_sought(record, vertex, throughput);
+  if (vertex.mirrored != PathVertex::kNone) add_mirrored(record, vertex, throughput);
   const bool goes_on = vertex.bounce_weight > 0.0f;
   const float* factor = nullptr;
   if (vertex.sun_weight > 0.0f) {
@@ -90,6 +99,23 @@ void PathLight::add_later(const PathRecord& record, const PathVertex& vertex) {
     rows::add_scaled_product(sum, throughput, factor, sun, vertex.sun_weight, n_);
   }
   if (goes_on) rows::scale(throughput, bounce_factor(record, vertex, factor), vertex.bounce_weight, n_);
+}
+
+/// `throughput` null: 1.
+void PathLight::add_sought(const PathRecord& record, const PathVertex& vertex, const float* throughput) {
+  const float* factor = vertex.sought_factor;
+  if (vertex.mixed != PathVertex::kNone) {
+    const PathRecord::Mixed& mixed = record.mixed[vertex.mixed];
+    factor = lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.sought_through, row(kSoughtFactor));
+  }
+  const float* emitted = vertex.sought_emission;
+  if (vertex.sought_mixed != PathVertex::kNone)
+    emitted = scene_.emission(record.mixed[vertex.sought_mixed].surface, row(kEmission));
+  if (emitted == nullptr) return;
+  if (throughput != nullptr)
+    rows::add_scaled_product(row(kSum), throughput, factor, emitted, vertex.sought_weight, n_);
+  else
+    rows::add_scaled_product(row(kSum), factor, emitted, vertex.sought_weight, n_);
 }
 
 const float* PathLight::emission(const PathRecord& record, const PathVertex& vertex) {
@@ -109,6 +135,28 @@ const float* PathLight::bounce_factor(const PathRecord& record, const PathVertex
   if (sun != nullptr && vertex.sun_through == vertex.bounce_through) return sun;
   const PathRecord::Mixed& mixed = record.mixed[vertex.mixed];
   return lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.bounce_through, row(kBounceFactor));
+}
+
+void PathLight::add_mirrored(const PathRecord& record, const PathVertex& vertex, const float* throughput) {
+  float* way = row(kWay);
+  const auto times = [&](const PathRecord::Mirrored::Factor& factor, bool through) {
+    const float* values = factor.row;
+    if (values == nullptr) {
+      const PathRecord::Mixed& mixed = record.mixed[factor.mixed];
+      values = lobe_factor(scene_, mixed.surface, mixed.lobe, through, row(kDimmed));
+    }
+    for (std::size_t i = 0; i < n_; ++i) way[i] *= values[i];
+  };
+  for (std::uint32_t k = vertex.mirrored; k != PathVertex::kNone; k = record.mirrored[k].next) {
+    const PathRecord::Mirrored& light = record.mirrored[k];
+    rows::set_scaled(way, scene_.sun_irradiance(light.height_m, row(kSkyShare)), light.weight, n_);
+    times(light.surface, light.through);
+    for (std::size_t m = 0; m < light.count; ++m) times(light.mirrors[m], false);
+    if (throughput != nullptr)
+      rows::add_product(row(kSum), throughput, way, n_);
+    else
+      rows::add_scaled(row(kSum), way, 1.0f, n_);
+  }
 }
 
 void PathLight::add_escaped(const PathRecord::Path& path) {

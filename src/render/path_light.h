@@ -17,7 +17,8 @@ class PathLight {
   const float* radiance(const PathRecord& record, std::size_t k);
 
  private:
-  enum Row { kSum, kThroughput, kEmission, kEmissionPart, kSunFactor, kBounceFactor, kSun, kSkyShare, kDimmed, kRows };
+  enum Row { kSum, kThroughput, kEmission, kEmissionPart, kSunFactor, kBounceFactor, kSun, kSkyShare, kDimmed,
+             kSoughtFactor, kWay, kRows };
   float* row(Row r) { return rows_.row(r); }
   void add_first(const PathRecord& record, const PathVertex& vertex);
   void add_later(const PathRecord& record, const PathVertex& vertex);
@@ -25,7 +26,10 @@ class PathLight {
   const float* sun_factor(const PathRecord& record, const PathVertex& vertex);
   /// `sun` the vertex's sun_factor() if that is known, else null.
   const float* bounce_factor(const PathRecord& record, const PathVertex& vertex, const float* sun);
+  void add_sought(const PathRecord& record, const PathVertex& vertex, const float* throughput);
   void add_escaped(const PathRecord::Path& path);
+  /// Sunlight by way of mirrors; `throughput` null: 1.
+  void add_mirrored(const PathRecord& record, const PathVertex& vertex, const float* throughput);
   void see_through_air(const PathRecord::Path& path);
 
   const SpectralScene& scene_;

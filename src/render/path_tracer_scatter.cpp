@@ -1,10 +1,11 @@
-// What a path does at a surface: light sent to the Sun, and where it goes on.
+// What a path does at a surface: light sought from the Sun, and where it goes on.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "materials/scattering.h"
 #include "math/vec3.h"
+#include "render/path_sides.h"
 #include "render/path_tracer.h"
 #include "sampling/sequence.h"
 
@@ -21,37 +22,7 @@ constexpr std::uint64_t kShapeChoice = 0x7368617065ull;
 /// Share of the directions that a level surface draws from the sky.
 constexpr double kMostSkySamples = 0.6;
 
-/// A shading normal is bent back until the viewer stands at least this far above its horizon (a cosine):
-/// nobody sees a surface from behind.
-constexpr double kLeastCosine = 1e-3;
-
-math::Vec3 mirrored(math::Vec3 direction, math::Vec3 normal) {
-  return direction - 2.0 * math::dot(direction, normal) * normal;
-}
-
 }  // namespace
-
-/// The surface as seen along a path: normals on the viewer's side.
-struct PathTracer::Sides {
-  math::Vec3 outgoing;  // towards the viewer
-  math::Vec3 outward;   // geometric normal
-  math::Normal3 shading;
-  bool bent = false;  // the two differ
-
-  Sides(math::Vec3 towards_viewer, const geometry::SurfacePoint& hit, math::Normal3 shading_normal)
-      : outgoing(towards_viewer),
-        outward((hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector()),
-        shading(hit.front ? shading_normal : -shading_normal) {
-    const math::Vec3 s = shading.as_vector();
-    bent = s.x != outward.x || s.y != outward.y || s.z != outward.z;
-    if (!bent) return;
-    const double seen = math::dot(s, outgoing);
-    if (seen < kLeastCosine) {
-      const double along = std::max(1e-9, math::dot(outward, outgoing));
-      shading = math::as_normal(math::normalized(s + (kLeastCosine - seen) / along * outward));
-    }
-  }
-};
 
 PathVertex PathTracer::vertex_of(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe) {
   PathVertex vertex;
@@ -76,13 +47,22 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
   event.path = path_index;
   event.vertex = vertex_of(surface, lobe);
   event.vertex.height_m = hit.position_m.z;
+  if (path.left.seek_chance > 0.0) event.vertex.emission_weight = unsought(path, hit);
   if (depth == options_.maximum_scatterings || lobe.highest_reflectance + lobe.highest_transmittance <= 0.0) return;
 
   const Sides sides(-path.ray.direction, hit, surface.shading_normal);
   const std::uint32_t pair = 1u + 2u * static_cast<std::uint32_t>(depth);
-  if (scene_.scene().sun && !lobe.scattering->is_delta())
-    send_to_sun(lobe, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair), event);
+  if (scene_.scene().sun && !lobe.scattering->is_delta()) {
+    const sampling::Point2 u = sampling::sequence_point(path.key.sequence, path.key.index, pair);
+    send_to_sun(lobe, sides, hit, u, event);
+    if (mirrors_ != nullptr) {
+      send_to_images(path, surface, lobe, sides, hit, depth, u);
+      send_to_unseen(path, lobe, sides, hit, depth);
+    }
+  }
   PathVertex& vertex = event.vertex;
+  if (emitters_ != nullptr && depth + 1 != options_.maximum_scatterings && !lobe.scattering->is_delta())
+    seek(lobe, sides, hit, path.key, depth, event);
   if (depth + 1 != options_.maximum_scatterings &&
       bounce(lobe, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair + 1u), event) &&
       depth + 1 >= kCertainScatterings) {
@@ -92,25 +72,36 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
         sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth)) < chance;
     vertex.bounce_weight = survives ? static_cast<float>(vertex.bounce_weight / chance) : 0.0f;
   }
+  if (mirrors_ != nullptr && vertex.bounce_weight > 0.0f) note_way(path, lobe, sides, hit, event);
   if (vertex.mixed != PathVertex::kNone) return;
   const std::uint32_t material = surface.constituents[0].material;
   const auto factor = [&](bool through) {
     return through ? scene_.materials().transmittance(material) : scene_.materials().reflectance(material);
   };
   vertex.sun_factor = factor(vertex.sun_through);
+  vertex.sought_factor = factor(vertex.sought_through);
   vertex.bounce_factor = factor(vertex.bounce_through);
 }
 
 void PathTracer::send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
                              sampling::Point2 u, Scatter& event) {
+  const SunRay light = sun_ray(lobe, sides, hit, scene_.scene().sun->direction, u);
+  if (light.weight <= 0.0) return;
+  event.vertex.sun_weight = static_cast<float>(light.weight);
+  event.vertex.sun_through = light.through;
+  event.shadow = static_cast<std::uint32_t>(shadow_rays_.size());
+  shadow_rays_.push_back(light.ray);
+}
+
+PathTracer::SunRay PathTracer::sun_ray(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
+                                       math::Vec3 towards_sun, sampling::Point2 u) const {
   const bool transmits = lobe.highest_transmittance > 0.0;
-  const math::Vec3 towards_sun = scene_.scene().sun->direction;
   const bool behind = transmits && math::dot(sides.outward, towards_sun) < 0.0;
   const math::Vec3 lit_side = behind ? -sides.shading.as_vector() : sides.shading.as_vector();
-  const sampling::LightSample light = sample_sun(lit_side, transmits && !sides.bent, u);
+  const sampling::LightSample light = sample_sun(towards_sun, lit_side, transmits && !sides.bent, u);
   const double height = math::dot(light.direction, sides.outward);
   const bool through = transmits && height < 0.0;
-  if (light.weight_sr <= 0.0 || (through ? height >= 0.0 : height <= 0.0)) return;
+  if (light.weight_sr <= 0.0 || (through ? height >= 0.0 : height <= 0.0)) return {};
 
   // Light that a bent normal would take from below the surface comes mirrored from above it.
   const math::Vec3 normal = through ? -sides.shading.as_vector() : sides.shading.as_vector();
@@ -124,12 +115,9 @@ void PathTracer::send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const 
     if (own > 0.0 && below > 0.0)
       weight += light.weight_sr * lobe.scattering->evaluate(viewer, image, axis) * below / own;
   }
-  if (weight <= 0.0) return;
-  event.vertex.sun_weight = static_cast<float>(weight);
-  event.vertex.sun_through = through;
-  event.shadow = static_cast<std::uint32_t>(shadow_rays_.size());
-  shadow_rays_.push_back(
-      {hit.position_m + (through ? -hit.offset_m : hit.offset_m) * sides.outward, light.direction});
+  return {{hit.position_m + (through ? -hit.offset_m : hit.offset_m) * sides.outward, light.direction},
+          weight,
+          through};
 }
 
 bool PathTracer::bounce(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
@@ -154,6 +142,7 @@ bool PathTracer::bounce(const SurfaceLobe& lobe, const Sides& sides, const geome
   event.vertex.bounce_through = through;
   event.next = {hit.position_m + hit.offset_m * outward, sample.incoming};
   event.next_sees_sun = lobe.scattering->is_delta();
+  if (emitters_ != nullptr) leave(lobe, sides, through, chance, event);
   return true;
 }
 
@@ -162,10 +151,7 @@ bool PathTracer::bounce(const SurfaceLobe& lobe, const Sides& sides, const geome
 /// almost alike.
 materials::ScatterSample PathTracer::sample_bounce(const materials::Scattering& scattering, math::Vec3 viewer,
                                                    math::Normal3 lobe, bool bent, sampling::Point2 u) const {
-  const double height = lobe.as_vector().z;
-  const double share = sky_ == nullptr || bent || scattering.is_delta() || height <= 0.0
-                           ? 0.0
-                           : kMostSkySamples * height * height;
+  const double share = sky_share(scattering, lobe, bent);
   if (share == 0.0) return scattering.sample(viewer, lobe, u.x, u.y);
   materials::ScatterSample sample;
   if (u.x < share)
@@ -181,14 +167,20 @@ materials::ScatterSample PathTracer::sample_bounce(const materials::Scattering& 
   return sample;
 }
 
-sampling::LightSample PathTracer::sample_sun(math::Vec3 normal, bool either_side, sampling::Point2 u) const {
+double PathTracer::sky_share(const materials::Scattering& scattering, math::Normal3 lobe, bool bent) const {
+  const double height = lobe.as_vector().z;
+  return sky_ == nullptr || bent || scattering.is_delta() || height <= 0.0 ? 0.0 : kMostSkySamples * height * height;
+}
+
+sampling::LightSample PathTracer::sample_sun(math::Vec3 towards_sun, math::Vec3 normal, bool either_side,
+                                             sampling::Point2 u) const {
   // Weights are relative to the irradiance of a surface that faces the Sun.
   const scene::Sun& sun = *scene_.scene().sun;
-  if (sun.half_angle_rad <= 0.0) return {sun.direction, std::max(0.0, math::dot(sun.direction, normal))};
-  sampling::LightSample sample = disc_->sample(sun.direction, normal, u);
+  if (sun.half_angle_rad <= 0.0) return {towards_sun, std::max(0.0, math::dot(towards_sun, normal))};
+  sampling::LightSample sample = disc_->sample(towards_sun, normal, u);
   const double sine = std::sin(sun.half_angle_rad);
   // Cut by the horizon, the disc is sampled whole: what is below lights the other side.
-  if (either_side && !disc_->uncut(sun.direction, normal))
+  if (either_side && !disc_->uncut(towards_sun, normal))
     sample.weight_sr = disc_->solid_angle_sr() * std::abs(math::dot(sample.direction, normal));
   sample.weight_sr /= std::numbers::pi * sine * sine;
   return sample;

@@ -36,7 +36,9 @@ SceneField::SceneField(const SpectralScene& scene, const sensor::Camera& camera,
                        LabelDetail detail)
     : scene_(scene), camera_(camera), detail_(detail), tracer_(scene, transport), light_(scene),
       truth_(scene::truth_materials(scene.scene())),
-      blends_(scene.scene(), truth_, static_cast<int>(scene.nodes().channel_count())) {
+      blends_(scene.scene(), truth_, static_cast<int>(scene.nodes().channel_count())),
+      map_detail_(scene.scene(), camera),
+      unseen_(scene, blends_.first_column() + blends_.count()) {
   if (scene.scene().sun) disc_points_ = fixed_disc_points(*scene.scene().sun);
   const std::vector<materials::Material>& materials = scene.scene().materials;
   for (std::uint32_t m = 0; m < materials.size(); ++m)
@@ -98,6 +100,7 @@ void SceneField::values(std::span<const sampling::PathRequest> requests, std::sp
       float* row = values.data() + (first + k) * row_length;
       scene_.nodes().to_channels(light_.radiance(paths, k), row);
       if (blends_.count() > 0) blends_.write_shares(hits_[k], row);
+      unseen_.write(paths.paths[k], row);
     }
     label_hits(hits_, detail, labels.subspan(first, count));
   }

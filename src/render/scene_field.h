@@ -3,9 +3,11 @@
 #include <vector>
 
 #include "render/blend_columns.h"
+#include "render/map_detail.h"
 #include "render/path_light.h"
 #include "render/path_tracer.h"
 #include "render/surface_label.h"
+#include "render/unseen_light.h"
 #include "sampling/field.h"
 #include "sensor/camera.h"
 
@@ -24,13 +26,17 @@ class SceneField final : public sampling::Field {
   SceneField(const SpectralScene& scene, const sensor::Camera& camera, TransportOptions transport,
              LabelDetail detail);
 
-  /// The channels, and then the shares of materials that are mixed somewhere (BlendColumns).
-  int columns() const override { return blends_.first_column() + blends_.count(); }
+  /// The channels, then the shares of materials that are mixed somewhere (BlendColumns), then light that is not sought
+  /// (UnseenLight).
+  int columns() const override { return blends_.first_column() + blends_.count() + unseen_.count(); }
   void labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) override;
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
               std::span<float> values) override;
   void values_and_materials(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
                             std::span<float> values) override;
+  void known_detail(const sampling::FieldRect& pixels, sampling::KnownDetail& detail) override {
+    map_detail_.find(pixels, detail, counts_.primary);
+  }
   /// By number in scene::TruthMaterials. Rays that met nothing stand on the material of the surroundings, the last
   /// of the scene; coverings that mix stand on none: BlendColumns::kNoMaterial.
   std::uint32_t material_of(sampling::Label label) const override;
@@ -42,6 +48,7 @@ class SceneField final : public sampling::Field {
                : SurfaceLabel::instance_of(label);
   }
   const BlendColumns& blends() const { return blends_; }
+  const UnseenLight& unseen() const { return unseen_; }
   sampling::RayCounts counts() const override { return counts_; }
 
  private:
@@ -59,6 +66,8 @@ class SceneField final : public sampling::Field {
   PathLight light_;
   scene::TruthMaterials truth_;
   BlendColumns blends_;
+  MapDetail map_detail_;
+  UnseenLight unseen_;
   struct Sunlight {
     bool shows, passes;  ///< whether it is seen where it falls on a material, and from behind
   };

@@ -4,6 +4,8 @@
 #include <limits>
 #include <numbers>
 
+#include "render/emitters.h"
+
 namespace ifov::render {
 
 SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::SpectralNodes& nodes)
@@ -19,6 +21,7 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::Spectr
   }
   sky_of_scene();
   light_surroundings();
+  find_mirrors();
 
   if (scene.view_path.transmittance || scene.view_path.radiance) {
     has_view_path_ = true;
@@ -26,6 +29,7 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::Spectr
                           light_.values(kViewTransmittance));
     if (scene.view_path.radiance) nodes.average_source(*scene.view_path.radiance, light_.values(kViewRadiance));
   }
+  emitters_ = Emitters::find(*this);
 }
 
 SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::SensorAtmosphere& air)
@@ -44,6 +48,8 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Sensor
   if (!air.sights().single()) view_table_.emplace(air, towards_sun, ground);
   light_heights(air);
   light_surroundings();
+  emitters_ = Emitters::find(*this);
+  find_mirrors();
 }
 
 SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::ImportedAtmosphere& air)
@@ -61,6 +67,8 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Import
   }
   couple(air, sky, std::vector<float>(node_count(), 0.0f));
   light_surroundings();
+  emitters_ = Emitters::find(*this);
+  find_mirrors();
 }
 
 template <class Air>
@@ -132,20 +140,17 @@ void SpectralScene::emit(const scene::SurfaceState& state, float* row) const {
   for (std::size_t n = 0; n < planck.size(); ++n) row[n] = emissivity[n] * planck[n];
 }
 
+void SpectralScene::find_mirrors() {
+  const geometry::SurfaceSurvey* survey = scene_.sun && scene_.world != nullptr ? scene_.world->survey() : nullptr;
+  if (survey != nullptr) mirrors_.emplace(scene_, *survey);
+}
+
 void SpectralScene::emit_surfaces() {
   for (std::size_t s = 0; s < scene_.states.size(); ++s) emit(scene_.states[s], emission_.row(s));
-  double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
-  const auto include = [&](double coldest_k, double hottest_k) {
-    lowest = std::min(lowest, coldest_k);
-    highest = std::max(highest, hottest_k);
-  };
-  for (const scene::Covering& covering : scene_.coverings) {
-    for (const auto& map : covering.temperatures)
-      if (map) include(map->minimum_k(), map->maximum_k());
-    for (const auto& pattern : covering.patterns)
-      if (const auto range = pattern->temperatures()) include(range->coldest_k, range->hottest_k);
-  }
-  if (highest > 0.0) planck_ = std::make_unique<radiometry::PlanckTable>(nodes_, lowest - 0.5, highest + 0.5);
+  constexpr double kBeyond_k = 0.5;  // beyond what maps hold, so that the table's ends are not met
+  if (const std::optional<scene::TemperatureRange> range = scene_.mapped_temperatures())
+    planck_ = std::make_unique<radiometry::PlanckTable>(nodes_, std::max(0.5 * range->coldest_k, range->coldest_k - kBeyond_k),
+                                                        range->hottest_k + kBeyond_k);
 }
 
 void SpectralScene::light_surroundings() {

@@ -11,10 +11,13 @@
 #include "radiometry/spectral_nodes.h"
 #include "radiometry/spectrum_block.h"
 #include "render/sky_dome.h"
+#include "render/sun_mirrors.h"
 #include "render/view_table.h"
 #include "scene/scene.h"
 
 namespace ifov::render {
+
+class Emitters;
 
 /// The scene's spectra as rows over the spectral nodes of a sensor: what a path multiplies and adds.
 class SpectralScene {
@@ -33,6 +36,8 @@ class SpectralScene {
   std::size_t stride() const { return light_.stride(); }
 
   const materials::SpectralMaterials& materials() const { return materials_; }
+  /// Null where the Sun lights no mirror.
+  const SunMirrors* sun_mirrors() const { return mirrors_ ? &*mirrors_ : nullptr; }
 
   /// What of the light that meets a material goes on in any node, at most; 0 marks a black surface, which ends paths.
   double brightest(std::uint32_t material) const {
@@ -55,6 +60,9 @@ class SpectralScene {
   /// Null where the two hold for all lines of sight and heights.
   const ViewTable* view_table() const { return view_table_ ? &*view_table_ : nullptr; }
 
+  /// Null where no surface outshines the others so much that its light has to be sought.
+  const Emitters* emitters() const { return emitters_.get(); }
+
   /// Whether sunlight and skylight change with the height of what they fall on.
   bool light_by_height() const { return !heights_m_.empty(); }
   /// As sun_irradiance at a height; written to `scratch` (stride() floats, 64-byte aligned) where it changes.
@@ -70,6 +78,7 @@ class SpectralScene {
  private:
   const float* emission(const scene::Constituent& constituent, float* scratch) const;
   void emit_surfaces();
+  void find_mirrors();
   void emit(const scene::SurfaceState& state, float* row) const;
   void light_surroundings();
   void light_heights(const atmosphere::SensorAtmosphere& air);
@@ -92,6 +101,8 @@ class SpectralScene {
   std::vector<double> heights_m_;                  // rising from 0; empty: all is as at the ground
   radiometry::SpectrumBlock sun_rows_, sky_rows_;  // by height
   bool has_view_path_ = false;
+  std::shared_ptr<const Emitters> emitters_;
+  std::optional<SunMirrors> mirrors_;
 };
 
 }  // namespace ifov::render

@@ -28,6 +28,7 @@ struct ImageInfo {
   double map_x_m = 0.0, map_y_m = 0.0, gsd_m = 0.0;
   double map_rotation_rad = 0.0;        ///< azimuth of the upward direction of the image, clockwise from north
   std::string map_projection;           ///< "Arbitrary" for a local ENU frame, else well-known text
+  double footprint_px = 1.0;            ///< sampling::response_area_px(): pixels that share what one of them sees
 };
 
 /// Takes finished tiles, in any order, from any thread; each pixel comes once.

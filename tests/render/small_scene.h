@@ -54,8 +54,24 @@ class SmallScene {
 
   void sky(double radiance) { scene_.sky.radiance = radiometry::Spectrum::constant(radiance); }
 
+  /// `wrap`: makes another world of the one that was placed.
+  template <class Wrap>
+  const render::SpectralScene& build(const Wrap& wrap) {
+    scene_.world = wrap(place());
+    return build_spectra();
+  }
   const render::SpectralScene& build() {
-    scene_.world = builder_.build(1);
+    scene_.world = place();
+    return build_spectra();
+  }
+
+ private:
+  std::unique_ptr<geometry::World> place() {
+    geometry::BuildOptions options{.threads = 1};
+    options.surveyed = scene_.mirror_coverings();
+    return builder_.build(options);
+  }
+  const render::SpectralScene& build_spectra() {
     material(0.0);  // the surroundings
     scene_.surroundings = scene_.states.back();
     std::vector<radiometry::Spectrum> surfaces;
@@ -71,6 +87,7 @@ class SmallScene {
     return *spectral_;
   }
 
+ public:
   struct Estimate {
     double mean = 0.0, standard_error = 0.0;
   };

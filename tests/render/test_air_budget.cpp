@@ -25,7 +25,7 @@ class AirBudget : public testing::Test {
     result.reset({0, 0, 1, 1}, 2);
     result.mean = {mean, mean};
     result.half_width = {half_width, half_width};
-    result.converged = {1};
+    result.reasons = {0};
     return result;
   }
   static radiometry::SpectralNodes nodes() {
@@ -66,7 +66,7 @@ TEST_F(AirBudget, WidensIntervalsByTheWholeOfIt) {
   EXPECT_FLOAT_EQ(result.half_width[0], 0.6f + static_cast<float>(one_.of(60.0)));
   EXPECT_FLOAT_EQ(result.half_width[1], result.half_width[0]);
   EXPECT_FLOAT_EQ(result.worst_ratio[0], result.half_width[0] / 1.2f);
-  EXPECT_EQ(result.converged[0], 1);
+  EXPECT_TRUE(result.converged(0));
 }
 
 // A mean that is off by the whole error of the air, always to the same side, stays in the interval; with the
@@ -85,13 +85,25 @@ TEST_F(AirBudget, SaysWhereTheAirIsTooCoarse) {
   sampling::TileResult result = tile(60.0f, 0.14f);
   widen(air_, &limits, result);
   EXPECT_GT(result.worst_ratio[0], 1.0f);
-  EXPECT_EQ(result.converged[0], 0);
+  EXPECT_EQ(result.reasons[0], sampling::bit(sampling::Reason::air));
   EXPECT_NEAR(limits.air_share(0, 60.0), one_.of(60.0) / 0.3, 1e-12);
+}
+
+TEST_F(AirBudget, IsNotBlamedForWhatTheSamplerDidNotReach) {
+  const AccuracyTolerance limits = tolerance(0.02);
+  sampling::TileResult result = tile(60.0f, 2.0f);
+  result.reasons = {sampling::bit(sampling::Reason::samples)};
+  widen(air_, &limits, result);
+  EXPECT_EQ(result.reasons[0], sampling::bit(sampling::Reason::samples));
+  // But where it would not have left room either, both are said.
+  const AccuracyTolerance strict = tolerance(0.005);
+  widen(air_, &strict, result);
+  EXPECT_EQ(result.reasons[0], sampling::bit(sampling::Reason::samples) | sampling::bit(sampling::Reason::air));
 }
 
 TEST_F(AirBudget, WithoutErrorsNothingChanges) {
   sampling::TileResult result = tile(60.0f, 0.6f);
-  widen({}, nullptr, result);
+  widen(std::span<const AirHalfWidth>(), nullptr, result);
   EXPECT_FLOAT_EQ(result.half_width[0], 0.6f);
   sampling::TileResult single;
   single.reset({0, 0, 1, 1}, 2, false);

@@ -30,7 +30,9 @@ class FixedBlend final : public scene::Pattern {
     std::copy(parts_.begin(), parts_.end(), surface.constituents.begin());
   }
   bool mixes_materials() const override { return mixes_; }
-  std::optional<TemperatureRange> temperatures() const override { return TemperatureRange{300.0, 340.0}; }
+  std::optional<scene::TemperatureRange> temperatures() const override {
+    return scene::TemperatureRange{300.0, 340.0};
+  }
 
  private:
   std::vector<scene::Constituent> parts_;

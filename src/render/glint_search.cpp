@@ -1,0 +1,212 @@
+#include "render/glint_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "sampling/random.h"
+#include "sampling/warp.h"
+
+namespace ifov::render {
+
+namespace {
+
+using geometry::UnitKind;
+using math::Point3;
+using math::Vec3;
+
+/// Directions closer together than this change evenly across a triangle.
+constexpr double kEven = 0.7;
+/// What a triangle's directions may lie beyond those of its corners, over their spread.
+constexpr double kBeyond = 1.2;
+/// Sides of triangles that points are drawn from, on the focal plane.
+constexpr double kLongest_px = 0.25;
+/// Spread of directions from which Newton's method is begun.
+constexpr double kNewton = 1e-2;
+constexpr int kDeepest = 80;
+
+constexpr std::uint64_t kGlintPoints = 0x676c696e74ull;
+
+double apart(const sampling::FocalPoint& a, const sampling::FocalPoint& b) {
+  return std::hypot(a.x_px - b.x_px, a.y_px - b.y_px);
+}
+
+}  // namespace
+
+GlintSearch::GlintSearch(const sensor::Camera& camera, Vec3 towards_sun, double half_angle_rad, double margin_px,
+                         int steps, std::uint64_t seed)
+    : camera_(camera), towards_sun_(towards_sun), half_angle_(half_angle_rad), margin_(margin_px),
+      step_(half_angle_rad > 0.0 ? half_angle_rad / steps : kNewton), seed_(seed) {
+  const sampling::TangentFrame frame(towards_sun);
+  first_ = frame.first, second_ = frame.second;
+}
+
+GlintSearch::Corner GlintSearch::corner(const Surface& surface, double u, double v) const {
+  Corner c;
+  c.u = u, c.v = v;
+  Vec3 normal;
+  surface(u, v, c.at, normal);
+  if (!camera_.project(c.at, c.image)) return c;
+  math::Ray ray;
+  camera_.rays({&c.image, 1}, {&ray, 1});
+  c.from = normalized(ray.direction - 2.0 * dot(ray.direction, normal) * normal);
+  c.seen = std::isfinite(c.from.x + c.from.y + c.from.z);
+  return c;
+}
+
+void GlintSearch::search(const geometry::SurfaceSurvey::Round& round, std::uint64_t number, const Found& found) {
+  solved_.clear();
+  const math::Transform& map = round.scene_from_unit;
+  const auto place = [&map](Point3 unit, Vec3 normal, Point3& at, Vec3& out) {
+    at = map(unit);
+    out = map(math::as_normal(normal)).as_vector();
+  };
+  if (round.kind == UnitKind::tube || round.kind == UnitKind::can) {
+    const Surface side = [&](double u, double v, Point3& at, Vec3& normal) {
+      const double turn = 2.0 * std::numbers::pi * u;
+      place({std::cos(turn), std::sin(turn), v}, {std::cos(turn), std::sin(turn), 0.0}, at, normal);
+    };
+    for (int k = 0; k < 8; ++k) divide_quad(side, k / 8.0, 0.0, (k + 1) / 8.0, 1.0, number, found);
+    return;
+  }
+  // The faces of a cube blown up to the sphere; of a dome, what is above its rim.
+  for (int face = 0; face < 6; ++face) {
+    const int axis = face % 3;
+    const double side = face < 3 ? 1.0 : -1.0;
+    const bool half = round.kind == UnitKind::dome;
+    if (half && axis == 2 && side < 0.0) continue;
+    const Surface part = [&, axis, side](double u, double v, Point3& at, Vec3& normal) {
+      // Of the side faces v runs upwards.
+      const double a = std::tan(0.25 * std::numbers::pi * u), b = std::tan(0.25 * std::numbers::pi * v);
+      const Vec3 d = normalized(axis == 0 ? Vec3{side, a, b} : axis == 1 ? Vec3{a, side, b} : Vec3{a, b, side});
+      place(Point3{} + d, d, at, normal);
+    };
+    divide_quad(part, -1.0, half && axis != 2 ? 0.0 : -1.0, 1.0, 1.0, number, found);
+  }
+}
+
+void GlintSearch::search(const geometry::SurfaceSurvey::Smooth& smooth, std::uint64_t number, const Found& found) {
+  solved_.clear();
+  const geometry::MeshLists& mesh = smooth.mesh;
+  for (const std::uint32_t t : smooth.triangles) {
+    const geometry::Triangle& v = mesh.triangles[t];
+    const geometry::Triangle& i = mesh.normal_corners.empty() ? v : mesh.normal_corners[t];
+    const Point3 a = smooth.scene_from_mesh(mesh.vertices_m[v[0]]);
+    const Vec3 ab = smooth.scene_from_mesh(mesh.vertices_m[v[1]]) - a, ac = smooth.scene_from_mesh(mesh.vertices_m[v[2]]) - a;
+    const Vec3 na = mesh.normals[i[0]].as_vector(), nb = mesh.normals[i[1]].as_vector() - na,
+               nc = mesh.normals[i[2]].as_vector() - na;
+    const Surface facet = [&](double u, double w, Point3& at, Vec3& normal) {
+      at = a + ab * u + ac * w;
+      normal = smooth.scene_from_mesh(math::as_normal(na + nb * u + nc * w)).as_vector();
+    };
+    divide(facet, {{corner(facet, 0.0, 0.0), corner(facet, 1.0, 0.0), corner(facet, 0.0, 1.0)}, 0}, number, found);
+  }
+}
+
+void GlintSearch::divide_quad(const Surface& surface, double u0, double v0, double u1, double v1, std::uint64_t number,
+                              const Found& found) {
+  const Corner a = corner(surface, u0, v0), b = corner(surface, u1, v0), c = corner(surface, u1, v1),
+               d = corner(surface, u0, v1);
+  divide(surface, {{a, b, c}, 0}, number, found);
+  divide(surface, {{a, c, d}, 0}, number, found);
+}
+
+void GlintSearch::divide(const Surface& surface, const Cell& whole, std::uint64_t number, const Found& found) {
+  cells_.assign(1, whole);
+  while (!cells_.empty()) {
+    const Cell cell = cells_.back();
+    cells_.pop_back();
+    const Corner* c = cell.corner;
+    const bool seen = c[0].seen && c[1].seen && c[2].seen;
+    int longest = 0;
+    if (seen) {
+      double spread = 0.0, side_px = 0.0, worst = -1.0;
+      for (int k = 0; k < 3; ++k) {
+        const double turn = length(c[k].from - c[(k + 1) % 3].from), px = apart(c[k].image, c[(k + 1) % 3].image);
+        spread = std::max(spread, turn), side_px = std::max(side_px, px);
+        const double needed = std::max(turn / step_, half_angle_ > 0.0 ? px / kLongest_px : 0.0);
+        if (needed > worst) worst = needed, longest = k;
+      }
+      if (spread < kEven) {
+        const Vec3 middle = (c[0].from + c[1].from + c[2].from) / 3.0;
+        if (length(middle - towards_sun_) > 1.01 * half_angle_ + kBeyond * spread) continue;
+        const double reach = margin_ + side_px;
+        bool left = true, right = true, above = true, below = true;
+        for (int k = 0; k < 3; ++k) {
+          left = left && c[k].image.x_px < -reach, right = right && c[k].image.x_px > camera_.width_px() + reach;
+          above = above && c[k].image.y_px < -reach, below = below && c[k].image.y_px > camera_.height_px() + reach;
+        }
+        if (left || right || above || below) continue;
+      }
+      if (worst <= 1.0) {
+        if (half_angle_ > 0.0)
+          draw(surface, cell, number, found);
+        else
+          solve(surface, cell, found);
+        continue;
+      }
+    } else {
+      if (!c[0].seen && !c[1].seen && !c[2].seen && cell.depth > 12) continue;
+      longest = cell.depth % 3;
+    }
+    if (cell.depth >= kDeepest) continue;
+    const Corner &p = c[longest], &q = c[(longest + 1) % 3], &r = c[(longest + 2) % 3];
+    const Corner middle = corner(surface, 0.5 * (p.u + q.u), 0.5 * (p.v + q.v));
+    cells_.push_back({{p, middle, r}, cell.depth + 1});
+    cells_.push_back({{middle, q, r}, cell.depth + 1});
+  }
+}
+
+void GlintSearch::draw(const Surface& surface, const Cell& cell, std::uint64_t number, const Found& found) {
+  const Corner* c = cell.corner;
+  const double x1 = c[1].image.x_px - c[0].image.x_px, y1 = c[1].image.y_px - c[0].image.y_px;
+  const double x2 = c[2].image.x_px - c[0].image.x_px, y2 = c[2].image.y_px - c[0].image.y_px;
+  const double area = 0.5 * std::abs(x1 * y2 - x2 * y1);
+  const std::uint64_t key = sampling::hash(seed_, number, drawn_++, kGlintPoints);
+  for (std::uint32_t k = 0; k < kReplicates; ++k) {
+    const double root = std::sqrt(sampling::unit_double(key + 2 * k)), share = sampling::unit_double(key + 2 * k + 1);
+    const double s = root * (1.0 - share), t = root * share;
+    const Corner at = corner(surface, c[0].u + s * (c[1].u - c[0].u) + t * (c[2].u - c[0].u),
+                             c[0].v + s * (c[1].v - c[0].v) + t * (c[2].v - c[0].v));
+    if (at.seen && length(cross(at.from, towards_sun_)) < std::sin(half_angle_)) found({at.at, at.image, area, k});
+  }
+}
+
+void GlintSearch::solve(const Surface& surface, const Cell& cell, const Found& found) {
+  const Corner* c = cell.corner;
+  // s and t from corner 0 towards the others.
+  const auto at = [&](double s, double t) {
+    return corner(surface, c[0].u + s * (c[1].u - c[0].u) + t * (c[2].u - c[0].u),
+                  c[0].v + s * (c[1].v - c[0].v) + t * (c[2].v - c[0].v));
+  };
+  constexpr double kStep = 1e-4, kOutside = 1e-7;
+  double s = 1.0 / 3.0, t = s;
+  for (int iteration = 0; iteration < 20; ++iteration) {
+    const Corner here = at(s, t), along_s = at(s + kStep, t), along_t = at(s, t + kStep);
+    if (!here.seen || !along_s.seen || !along_t.seen) return;
+    const double f = dot(here.from, first_), g = dot(here.from, second_);
+    const double fs = (dot(along_s.from, first_) - f) / kStep, gs = (dot(along_s.from, second_) - g) / kStep;
+    const double ft = (dot(along_t.from, first_) - f) / kStep, gt = (dot(along_t.from, second_) - g) / kStep;
+    const double turn = fs * gt - ft * gs;
+    // Where directions change along one line alone, they pass the point or they do not: it is shown nowhere.
+    if (std::abs(turn) < 1e-9 * (fs * fs + gs * gs + ft * ft + gt * gt)) return;
+    const double ds = (ft * g - gt * f) / turn, dt = (gs * f - fs * g) / turn;
+    s += ds, t += dt;
+    if (!(std::abs(s) < 10.0 && std::abs(t) < 10.0)) return;
+    if (std::hypot(ds, dt) > 1e-9) continue;
+    if (s < -kOutside || t < -kOutside || s + t > 1.0 + kOutside) return;
+    const double xs = (along_s.image.x_px - here.image.x_px) / kStep, ys = (along_s.image.y_px - here.image.y_px) / kStep;
+    const double xt = (along_t.image.x_px - here.image.x_px) / kStep, yt = (along_t.image.y_px - here.image.y_px) / kStep;
+    const double size = length(c[1].at - c[0].at) + length(c[2].at - c[0].at);
+    for (const Point3& known : solved_)
+      if (length(known - here.at) < 1e-5 * size) return;  // on the side of two triangles
+    if (dot(here.from, towards_sun_) <= 0.0) return;
+    solved_.push_back(here.at);
+    const double area = std::abs((xs * yt - xt * ys) / turn);
+    for (std::uint32_t k = 0; k < kReplicates; ++k) found({here.at, here.image, area, k});
+    return;
+  }
+}
+
+}  // namespace ifov::render

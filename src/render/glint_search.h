@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "geometry/surface_survey.h"
+#include "sampling/field.h"
+#include "sensor/camera.h"
+
+namespace ifov::render {
+
+/// A point of a curved mirror that may show the Sun to the sensor, before anything is known of what stands between.
+struct GlintPoint {
+  math::Point3 at_m;
+  sampling::FocalPoint image;
+  double area = 0.0;  ///< of the focal plane that it stands for, px2; under a point Sun px2 per steradian
+  std::uint32_t replicate = 0;  ///< of the points, 0 to GlintSearch::kReplicates - 1
+};
+
+/// Finds where on the focal plane curved mirrors show the Sun. A surface is divided into triangles of its two
+/// parameters as long as light that is reflected from the corners to the sensor comes from directions farther apart
+/// than a fraction of the Sun's disc, and as long as it may come from the disc; each triangle that is left is an area
+/// of the focal plane and gets one random point for each replicate. Under a point Sun Newton's method finds
+/// the point of the triangle that shows it, which stands for |det dp/dw| px2 sr-1: p on the focal plane, w the
+/// direction that light comes from.
+class GlintSearch {
+ public:
+  static constexpr std::uint32_t kReplicates = 8;
+
+  /// `margin_px` about the image within which glints matter; `steps` across the Sun's half-angle.
+  GlintSearch(const sensor::Camera& camera, math::Vec3 towards_sun, double half_angle_rad, double margin_px, int steps,
+              std::uint64_t seed);
+
+  /// Calls back with the points of one surface. `number` tells surfaces apart.
+  using Found = std::function<void(const GlintPoint&)>;
+  void search(const geometry::SurfaceSurvey::Round& round, std::uint64_t number, const Found& found);
+  void search(const geometry::SurfaceSurvey::Smooth& smooth, std::uint64_t number, const Found& found);
+
+ private:
+  /// A surface by two parameters.
+  using Surface = std::function<void(double u, double v, math::Point3& at, math::Vec3& normal)>;
+  struct Corner {
+    double u = 0.0, v = 0.0;
+    math::Point3 at;
+    math::Vec3 from;  ///< where light comes from that the surface reflects to the sensor
+    sampling::FocalPoint image;
+    bool seen = false;
+  };
+  struct Cell {
+    Corner corner[3];
+    int depth = 0;
+  };
+  Corner corner(const Surface& surface, double u, double v) const;
+  void divide(const Surface& surface, const Cell& whole, std::uint64_t number, const Found& found);
+  void divide_quad(const Surface& surface, double u0, double v0, double u1, double v1, std::uint64_t number,
+                   const Found& found);
+  void draw(const Surface& surface, const Cell& cell, std::uint64_t number, const Found& found);
+  void solve(const Surface& surface, const Cell& cell, const Found& found);
+
+  const sensor::Camera& camera_;
+  math::Vec3 towards_sun_, first_, second_;
+  double half_angle_, margin_, step_;
+  std::uint64_t seed_, drawn_ = 0;
+  std::vector<Cell> cells_;
+  std::vector<math::Point3> solved_;  // of this surface
+};
+
+}  // namespace ifov::render

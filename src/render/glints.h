@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/accuracy_tolerance.h"
+#include "render/glint_search.h"
+#include "render/spectral_scene.h"
+#include "sampling/tile.h"
+#include "sensor/camera.h"
+
+namespace ifov::render {
+
+/// The Sun's glints on curved mirrors that the sensor sees directly: images of the disc that are far smaller than a
+/// pixel and far brighter than anything in it, so that paths would not meet them. Where they lie follows from the
+/// surfaces' shapes (GlintSearch); what stands before the mirror and between it and the Sun is traced. Paths leave them
+/// out (TransportOptions::sought_only), and they are added to finished tiles.
+class Glints {
+ public:
+  /// Whether glints are to be found in a scene: it has curved mirrors under a Sun, once each (of a periodic scene the
+  /// copies are not searched, and its pixels are marked instead).
+  static bool in(const SpectralScene& scene);
+
+  /// Traces all of them. Keeps a reference to the scene. `margin_px`: a footprint's half width.
+  Glints(const SpectralScene& scene, const sensor::Camera& camera, double margin_px, std::uint64_t seed);
+
+  /// Into the means of a tile that has channels alone, with the error of their shares in each pixel; `tolerance` may be
+  /// null.
+  void add_to(const sampling::PixelFootprint& footprint, const sampling::Tolerance* tolerance,
+              sampling::TileResult& tile) const;
+
+  std::size_t count() const { return lights_.size(); }
+
+ private:
+  struct Light {
+    sampling::FocalPoint at;
+    float per_radiance = 0.0f;  ///< px2; times its row
+    std::uint32_t row = 0;
+    std::uint32_t replicate = 0;
+  };
+  void trace(std::vector<GlintPoint>& points);
+  std::uint32_t row_of(const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface, math::Vec3 towards_sensor);
+
+  const SpectralScene& scene_;
+  const sensor::Camera& camera_;
+  std::size_t channels_;
+  std::vector<Light> lights_;  // by row of the image
+  std::vector<float> rows_;    // [row][channel]: radiance of the Sun's disc, reflected, at the sensor
+  std::uint32_t last_material_ = ~0u, last_row_ = 0;
+};
+
+}  // namespace ifov::render

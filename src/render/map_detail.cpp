@@ -1,0 +1,186 @@
+#include "render/map_detail.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ifov::render {
+
+namespace {
+
+constexpr std::uint16_t kOutside = 0xffff;
+/// A pixel that holds more parts than this is full of detail.
+constexpr std::size_t kMostParts = 24;
+/// Cells of a map are looked at one by one while a pixel holds no more of them than this, else a raster of so many.
+constexpr double kMostCells = 4096.0;
+/// Points stay this far inside their pixel.
+constexpr double kInside_px = 1e-4;
+
+struct Place {
+  double a = 0.0, b = 0.0;  // in cells: to the right and down
+};
+
+Place place_of(const materials::MapGrid& grid, const geometry::SurfacePoint& hit) {
+  const bool by_place = grid.by == materials::MapBy::place;
+  return {((by_place ? hit.position_m.x : hit.u) - grid.west_m) / grid.cell_width_m,
+          (grid.north_m - (by_place ? hit.position_m.y : hit.v)) / grid.cell_height_m};
+}
+
+materials::MapPlace middle_of(const materials::MapGrid& grid, double a, double b) {
+  const double x = grid.west_m + a * grid.cell_width_m, y = grid.north_m - b * grid.cell_height_m;
+  return {x, y, x, y};
+}
+
+}  // namespace
+
+/// Map coordinates over a pixel, linear in the offset from its corner: what a pixel sees of one surface is nearly flat.
+struct MapDetail::Window {
+  Place at, per_x, per_y;
+  double determinant() const { return per_x.a * per_y.b - per_x.b * per_y.a; }
+  sampling::FocalPoint offset(double a, double b) const {
+    const double da = a - at.a, db = b - at.b, d = determinant();
+    return {(da * per_y.b - db * per_y.a) / d, (per_x.a * db - per_x.b * da) / d};
+  }
+};
+
+MapDetail::MapDetail(const scene::Scene& scene, const sensor::Camera& camera) : scene_(scene), camera_(camera) {
+  any_ = std::any_of(scene.coverings.begin(), scene.coverings.end(),
+                     [](const scene::Covering& c) { return c.classes != nullptr && c.states.size() > 1; });
+}
+
+void MapDetail::find(const sampling::FieldRect& pixels, sampling::KnownDetail& detail, std::uint64_t& rays) {
+  const std::size_t width = static_cast<std::size_t>(pixels.x1 - pixels.x0);
+  const std::size_t height = static_cast<std::size_t>(pixels.y1 - pixels.y0);
+  detail.points.clear();
+  detail.full.assign(width * height, 0);
+  if (!any_) return;
+  std::vector<sampling::FocalPoint> points((width + 1) * (height + 1));
+  for (std::size_t j = 0; j <= height; ++j)
+    for (std::size_t i = 0; i <= width; ++i)
+      points[j * (width + 1) + i] = {pixels.x0 + static_cast<double>(i), pixels.y0 + static_cast<double>(j)};
+  std::vector<math::Ray> corner_rays(points.size());
+  std::vector<geometry::SurfacePoint> hits(points.size());
+  camera_.rays(points, corner_rays);
+  scene_.world->intersect(corner_rays, hits);
+  rays += points.size();
+  for (std::size_t j = 0; j < height; ++j)
+    for (std::size_t i = 0; i < width; ++i) {
+      const std::size_t c = j * (width + 1) + i;
+      const std::array<geometry::SurfacePoint, 4> corners{hits[c], hits[c + 1], hits[c + width + 1],
+                                                          hits[c + width + 2]};
+      find_in_pixel(corners, j * width + i, points[c], detail);
+    }
+}
+
+void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, std::size_t pixel,
+                              sampling::FocalPoint origin, sampling::KnownDetail& detail) {
+  // The map of the surface that most corners see; three of them tell how it lies.
+  std::size_t first = 0, alike = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto same = [&](const geometry::SurfacePoint& p) {
+      return p.hit() && p.material == corners[k].material && p.instance == corners[k].instance &&
+             p.copy_column == corners[k].copy_column && p.copy_row == corners[k].copy_row;
+    };
+    const auto count = static_cast<std::size_t>(std::count_if(corners.begin(), corners.end(), same));
+    if (corners[k].hit() && count > alike) alike = count, first = k;
+  }
+  if (alike < 3) return;
+  const scene::Covering& covering = scene_.coverings[corners[first].material];
+  if (covering.classes == nullptr) return;
+  const materials::MapGrid& grid = covering.classes->grid();
+  std::array<Place, 4> at;
+  std::array<bool, 4> seen{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    seen[k] = corners[k].hit() && corners[k].material == corners[first].material &&
+              corners[k].instance == corners[first].instance;
+    if (!seen[k]) continue;
+    geometry::SurfacePoint own = corners[k];
+    if (const auto period = scene_.world->period())
+      own.position_m = own.position_m - math::Vec3{own.copy_column * period->x_m, own.copy_row * period->y_m, 0.0};
+    at[k] = place_of(grid, own);
+  }
+  const auto minus = [](Place p, Place q) { return Place{p.a - q.a, p.b - q.b}; };
+  const auto plus = [](Place p, Place q) { return Place{p.a + q.a, p.b + q.b}; };
+  Window window;
+  window.per_x = seen[0] && seen[1] ? minus(at[1], at[0]) : minus(at[3], at[2]);
+  window.per_y = seen[0] && seen[2] ? minus(at[2], at[0]) : minus(at[3], at[1]);
+  window.at = seen[0] ? at[0] : minus(minus(at[3], window.per_x), window.per_y);
+  if (!(std::abs(window.determinant()) > 0.0) || !std::isfinite(window.determinant())) return;
+
+  Place low = window.at, high = window.at;
+  for (const Place p : {plus(window.at, window.per_x), plus(window.at, window.per_y),
+                        plus(plus(window.at, window.per_x), window.per_y)}) {
+    low = {std::min(low.a, p.a), std::min(low.b, p.b)};
+    high = {std::max(high.a, p.a), std::max(high.b, p.b)};
+  }
+  low = {std::floor(low.a), std::floor(low.b)};
+  high = {std::ceil(high.a), std::ceil(high.b)};
+  const double cells = (high.a - low.a) * (high.b - low.b);
+  if (cells <= 1.0) return;
+  const double step = cells <= kMostCells ? 1.0 : std::sqrt(cells / kMostCells);
+  const auto columns = static_cast<std::size_t>(std::ceil((high.a - low.a) / step));
+  const auto rows = static_cast<std::size_t>(std::ceil((high.b - low.b) / step));
+
+  // Half a cell, in pixels: a cell whose middle is farther outside does not reach in.
+  const double d = std::abs(window.determinant());
+  const double reach_x = 0.5 * step * (std::abs(window.per_y.b) + std::abs(window.per_y.a)) / d;
+  const double reach_y = 0.5 * step * (std::abs(window.per_x.a) + std::abs(window.per_x.b)) / d;
+  classes_.assign(columns * rows, kOutside);
+  std::uint16_t any_class = kOutside;
+  bool mixed = false;
+  const auto offset_of = [&](std::size_t cell) {
+    return window.offset(low.a + (static_cast<double>(cell % columns) + 0.5) * step,
+                         low.b + (static_cast<double>(cell / columns) + 0.5) * step);
+  };
+  for (std::size_t cell = 0; cell < classes_.size(); ++cell) {
+    const sampling::FocalPoint o = offset_of(cell);
+    if (o.x_px <= -reach_x || o.x_px >= 1.0 + reach_x || o.y_px <= -reach_y || o.y_px >= 1.0 + reach_y) continue;
+    const std::uint16_t number =
+        covering.classes->at(middle_of(grid, low.a + (static_cast<double>(cell % columns) + 0.5) * step,
+                                       low.b + (static_cast<double>(cell / columns) + 0.5) * step));
+    classes_[cell] = number;
+    mixed = mixed || (any_class != kOutside && covering.states[number] != covering.states[any_class]);
+    any_class = number;
+  }
+  if (!mixed) return;
+  if (step > 1.0) {
+    detail.full[pixel] = 1;
+    return;
+  }
+
+  // Parts of one class that hang together; each is looked at once, in its middle.
+  const std::size_t points_before = detail.points.size();
+  for (std::size_t start = 0; start < classes_.size(); ++start) {
+    const std::uint16_t number = classes_[start];
+    if (number == kOutside) continue;
+    part_.clear();
+    queue_.assign(1, static_cast<std::uint32_t>(start));
+    classes_[start] = kOutside;
+    while (!queue_.empty()) {
+      const std::uint32_t cell = queue_.back();
+      queue_.pop_back();
+      part_.push_back(cell);
+      const auto visit = [&](std::size_t next) {
+        if (classes_[next] != number) return;
+        classes_[next] = kOutside;
+        queue_.push_back(static_cast<std::uint32_t>(next));
+      };
+      const std::size_t column = cell % columns, row = cell / columns;
+      if (column > 0) visit(cell - 1);
+      if (column + 1 < columns) visit(cell + 1);
+      if (row > 0) visit(cell - columns);
+      if (row + 1 < rows) visit(cell + columns);
+    }
+    if (detail.points.size() - points_before == kMostParts) {
+      detail.points.resize(points_before);
+      detail.full[pixel] = 1;
+      return;
+    }
+    std::nth_element(part_.begin(), part_.begin() + static_cast<std::ptrdiff_t>(part_.size() / 2), part_.end());
+    const sampling::FocalPoint o = offset_of(part_[part_.size() / 2]);
+    detail.points.push_back({origin.x_px + std::clamp(o.x_px, kInside_px, 1.0 - kInside_px),
+                             origin.y_px + std::clamp(o.y_px, kInside_px, 1.0 - kInside_px)});
+  }
+}
+
+}  // namespace ifov::render

@@ -1,0 +1,43 @@
+#include "render/node_budget.h"
+
+#include <cmath>
+#include <limits>
+
+namespace ifov::render {
+
+std::vector<NodeHalfWidth> node_half_widths(const SpectralScene& scene) {
+  constexpr double kDarkShare = 0.01, kWarm_k = 300.0;  // as the nodes' checks have it (NodeDemands)
+  const radiometry::SpectralNodes& nodes = scene.nodes();
+  std::vector<double> white = scene.white_reflected(), warm(nodes.channel_count());
+  nodes.planck_channels(kWarm_k, warm);
+  std::vector<NodeHalfWidth> all;
+  for (std::size_t c = 0; c < nodes.channel_count(); ++c)
+    all.push_back({nodes.worst_error(c), kDarkShare * (white[c] + warm[c])});
+  return all;
+}
+
+void widen(std::span<const NodeHalfWidth> nodes, const AccuracyTolerance* tolerance, sampling::TileResult& tile) {
+  if (nodes.empty() || !tile.has_errors()) return;
+  const std::size_t columns = static_cast<std::size_t>(tile.columns);
+  std::vector<double> mean(columns), limit(columns, 0.0);
+  for (std::size_t p = 0; p < tile.samples.size(); ++p) {
+    for (std::size_t c = 0; c < columns; ++c) mean[c] = tile.mean[p * columns + c];
+    if (tolerance != nullptr) tolerance->asked(mean, limit);
+    double worst = 0.0;
+    bool wider = false;
+    for (std::size_t c = 0; c < columns; ++c) {
+      float& half_width = tile.half_width[p * columns + c];
+      const double more = nodes[c].counted(std::abs(mean[c]), std::isinf(limit[c]) ? 0.0 : limit[c]);
+      half_width += static_cast<float>(more);
+      const double ratio = half_width / limit[c];
+      worst = std::max(worst, std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio);
+      wider = wider || more > 0.0;
+    }
+    if (tolerance == nullptr || !wider) continue;
+    tile.worst_ratio[p] = static_cast<float>(worst);
+    constexpr double kRounding = 1e-5;
+    if (worst > 1.0 + kRounding) tile.set(p, sampling::Reason::nodes);
+  }
+}
+
+}  // namespace ifov::render

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "render/accuracy_tolerance.h"
+#include "render/node_half_width.h"
+#include "render/spectral_scene.h"
+#include "sampling/tile.h"
+
+namespace ifov::render {
+
+/// By channel, of the errors that the nodes' own checks found.
+std::vector<NodeHalfWidth> node_half_widths(const SpectralScene& scene);
+
+/// Widens a tile's intervals by what the nodes may be wrong by wherever that is more than NodeHalfWidth::kNegligible of
+/// what was asked for (everywhere, where nothing was), and judges those pixels anew. `tolerance` may be null.
+void widen(std::span<const NodeHalfWidth> nodes, const AccuracyTolerance* tolerance, sampling::TileResult& tile);
+
+}  // namespace ifov::render

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <algorithm>
+
+namespace ifov::render {
+
+/// How far a channel's radiance may be off because a few spectral nodes stand for it: the same for every path, so no
+/// number of rays makes it smaller.
+struct NodeHalfWidth {
+  /// Share of what is asked for up to which it is left out of intervals.
+  static constexpr double kNegligible = 0.1;
+
+  double relative = 0.0;
+  double dark = 0.0;  ///< W m-2 sr-1 um-1: radiances below it may be off by as much as it
+
+  double of(double radiance) const { return relative * std::max(radiance, dark); }
+  /// The same, or 0 where it is negligible beside `asked`.
+  double counted(double radiance, double asked) const {
+    const double half_width = of(radiance);
+    return half_width > kNegligible * asked ? half_width : 0.0;
+  }
+};
+
+}  // namespace ifov::render

@@ -1,0 +1,233 @@
+// Sunlight by way of mirrors: sought through the Sun's images in flat ones, and how much may come by other ways.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "materials/scattering.h"
+#include "render/path_sides.h"
+#include "render/path_tracer.h"
+#include "render/unseen_light.h"
+#include "sampling/sequence.h"
+
+namespace ifov::render {
+
+namespace {
+
+/// Rays towards mirrors by way of which nothing is sought, from the first surface that scatters; others send one.
+constexpr std::uint64_t kUnseenRays = 4;
+/// What cannot bring more than this, in parts of the Sun's irradiance per steradian, is not looked for.
+constexpr double kNegligible = 1e-6;
+
+/// Rays that a surface sends to the Sun's images; where there are more images, some are picked by chance.
+constexpr std::size_t kMostImageRays = 8;
+
+// What random choices are keyed by, beside their path and depth.
+constexpr std::uint64_t kImageChoice = 0x696d616765ull, kUnseenChoice = 0x756e7365656eull;
+
+double choice(const PathKey& key, int depth, std::uint64_t purpose, std::uint64_t number) {
+  return sampling::unit_double(sampling::hash(key.sequence, key.index, static_cast<std::uint64_t>(depth) << 8 | number,
+                                              purpose));
+}
+
+bool is_mirror(const scene::Scene& scene, const scene::Constituent& part) {
+  return scene.materials[part.material].scattering == materials::ScatteringKind::mirror;
+}
+
+}  // namespace
+
+void PathTracer::send_to_images(const Path& path, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
+                                const Sides& sides, const geometry::SurfacePoint& hit, int depth, sampling::Point2 u) {
+  if (images_.reflections() == 0) return;
+  if (options_.maximum_scatterings >= 0 && depth + 1 >= options_.maximum_scatterings) return;
+  const bool transmits = lobe.highest_transmittance > 0.0;
+  const double slope = 1.01 * std::tan(scene_.scene().sun->half_angle_rad);
+  const std::span<const SunImages::Image> images = images_.images();
+  seen_images_.clear();
+  for (std::uint32_t k = 0; k < images.size(); ++k)
+    if ((transmits || math::dot(images[k].direction, sides.outward) > -slope) &&
+        may_meet(images[k].bounds, hit.position_m, images[k].direction, slope))
+      seen_images_.push_back(k);
+  const std::size_t seen = seen_images_.size(), rays = std::min(seen, kMostImageRays);
+  for (std::size_t k = 0; k < rays; ++k) {
+    std::size_t picked = k;
+    if (rays < seen) {
+      const double place = (static_cast<double>(k) + choice(path.key, depth, kImageChoice, k)) *
+                           static_cast<double>(seen) / static_cast<double>(rays);
+      picked = std::min(seen - 1, static_cast<std::size_t>(place));
+    }
+    MirrorRay way;
+    way.image = seen_images_[picked];
+    const SunRay light = sun_ray(lobe, sides, hit, images[way.image].direction, u);
+    if (light.weight <= 0.0) continue;
+    way.event = static_cast<std::uint32_t>(scatters_.size() - 1);
+    way.ray = light.ray;
+    way.light.weight = static_cast<float>(light.weight * static_cast<double>(seen) / static_cast<double>(rays));
+    way.light.through = light.through;
+    way.light.surface.mixed = scatters_.back().vertex.mixed;
+    if (way.light.surface.mixed == PathVertex::kNone) {
+      const std::uint32_t material = surface.constituents[0].material;
+      way.light.surface.row =
+          light.through ? scene_.materials().transmittance(material) : scene_.materials().reflectance(material);
+    }
+    mirror_rays_.push_back(way);
+  }
+}
+
+bool PathTracer::reflect(MirrorRay& way, const geometry::SurfacePoint& hit) {
+  const scene::ResolvedSurface surface = scene_.scene().resolve(hit);
+  const bool mirrors = std::any_of(surface.begin(), surface.end(),
+                                   [&](const auto& part) { return is_mirror(scene_.scene(), part); });
+  if (!mirrors) return false;
+  const math::Vec3 normal = surface.shading_normal.as_vector(), direction = way.ray.direction;
+  const std::uint32_t facing = mirrors_->facing_of(hit, normal);
+  if (facing == SunMirrors::kNone) return false;
+  const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
+  const math::Vec3 next = math::normalized(mirrored(direction, normal));
+  if (!(math::dot(next, outward) > 0.0)) return false;
+  way.facings[way.light.count] = static_cast<std::uint16_t>(facing);
+  PathRecord::Mirrored::Factor& factor = way.light.mirrors[way.light.count++];
+  if (surface.count == 1) {
+    factor.row = scene_.materials().reflectance(surface.constituents[0].material);
+  } else {
+    factor.mixed = static_cast<std::uint32_t>(record_.mixed.size());
+    SurfaceLobe lobe;
+    lobe.kind = materials::ScatteringKind::mirror;
+    lobe.scattering = &materials::scattering(lobe.kind);
+    record_.mixed.push_back({surface, lobe});
+  }
+  way.light.height_m = hit.position_m.z;
+  way.ray = {hit.position_m + hit.offset_m * outward, next};
+  return true;
+}
+
+void PathTracer::trace_mirror_rays(sampling::RayCounts& counts) {
+  // A ray that leaves after mirrors which make its image has reached the Sun.
+  for (int met = 0; met <= images_.reflections() && !mirror_rays_.empty(); ++met) {
+    rays_.resize(mirror_rays_.size());
+    hits_.resize(mirror_rays_.size());
+    for (std::size_t k = 0; k < mirror_rays_.size(); ++k) rays_[k] = mirror_rays_[k].ray;
+    scene_.scene().world->intersect(rays_, hits_);
+    counts.shadow += rays_.size();
+    reflected_.clear();
+    for (std::size_t k = 0; k < mirror_rays_.size(); ++k) {
+      MirrorRay& way = mirror_rays_[k];
+      const std::span<const std::uint16_t> facings(way.facings.data(), way.light.count);
+      if (!hits_[k].hit()) {
+        if (images_.image_of(facings) != way.image) continue;
+        PathVertex& vertex = scatters_[way.event].vertex;
+        way.light.next = vertex.mirrored;
+        vertex.mirrored = static_cast<std::uint32_t>(record_.mirrored.size());
+        record_.mirrored.push_back(way.light);
+      } else if (met < images_.reflections() && reflect(way, hits_[k])) {
+        reflected_.push_back(way);
+      }
+    }
+    mirror_rays_.swap(reflected_);
+  }
+}
+
+void PathTracer::note_way(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
+                          const geometry::SurfacePoint& hit, Scatter& event) {
+  const double highest = event.vertex.bounce_through ? lobe.highest_transmittance : lobe.highest_reflectance;
+  Way& way = event.next_way;
+  if (!lobe.scattering->is_delta()) {
+    way = {};
+    way.from_sensor = false;
+  } else {
+    way = path.way;
+    const std::uint32_t facing = event.vertex.bounce_through
+                                     ? SunMirrors::kNone
+                                     : mirrors_->facing_of(hit, sides.shading.as_vector());
+    way.flat = way.flat && facing != SunMirrors::kNone;
+    if (way.flat && way.reflections < way.facings.size())
+      way.facings[way.reflections] = static_cast<std::uint16_t>(facing);
+    if (way.reflections < 255) ++way.reflections;
+    if (way.from_sensor) {
+      const bool apart = options_.sought_only && way.reflections == 1 && mirrors_->glints_by_shape(hit);
+      event.next_sees_sun = way.flat || !apart;
+      way.unseen = !way.flat && !apart;
+    } else {
+      const bool sought =
+          way.flat && way.reflections <= images_.reflections() &&
+          images_.image_of({way.facings.data(), way.reflections}) != SunMirrors::kNone;
+      event.next_sees_sun = !sought && !options_.sought_only;
+      // What bends and is met first is looked for by send_to_unseen.
+      way.unseen = !sought && (way.unseen || way.flat || way.reflections > 1);
+    }
+  }
+  record_.paths[path.number].brightest *= static_cast<float>(highest) * event.vertex.bounce_weight;
+}
+
+void PathTracer::send_to_unseen(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
+                                const geometry::SurfacePoint& hit, int depth) {
+  const std::span<const geometry::SurfaceSurvey::Ball> groups = mirrors_->groups();
+  if (groups.empty()) return;
+  std::array<double, SunMirrors::kMostGroups> chance{};
+  double all = 0.0;
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    const double apart = math::length(groups[k].centre_m - hit.position_m), radius = groups[k].radius_m;
+    chance[k] = apart > radius ? radius * radius / (apart * apart) : 1.0;
+    all += chance[k];
+  }
+  if (all <= 0.0) return;
+  const std::uint64_t rays = path.way.from_sensor ? kUnseenRays : 1;
+  for (std::uint64_t k = 0; k < rays; ++k) {
+    const auto random = [&](std::uint64_t number) { return choice(path.key, depth, kUnseenChoice, 3 * k + number); };
+    double place = random(0) * all;
+    std::size_t picked = 0;
+    while (picked + 1 < groups.size() && place >= chance[picked]) place -= chance[picked++];
+    const math::Vec3 towards = groups[picked].centre_m - hit.position_m;
+    const double apart = math::length(towards), sine = groups[picked].radius_m / std::max(apart, 1e-300);
+    const bool inside = sine >= 1.0;
+    const sampling::UniformCone cone(inside ? 0.5 * std::numbers::pi : std::asin(sine));
+    const math::Vec3 direction = cone.sample(inside ? sides.outward : towards / apart, {random(1), random(2)});
+    const bool through = math::dot(direction, sides.outward) < 0.0;
+    const double highest = through ? lobe.highest_transmittance : lobe.highest_reflectance;
+    const math::Vec3 normal = through ? -sides.shading.as_vector() : sides.shading.as_vector();
+    const double cosine = math::dot(normal, direction);
+    if (highest <= 0.0 || cosine <= 0.0) continue;
+    const double weight =
+        lobe.scattering->evaluate(through ? normal : sides.outgoing, direction, math::as_normal(normal)) * cosine *
+        cone.solid_angle_sr() * all / chance[picked] * highest *
+        static_cast<double>(record_.paths[path.number].brightest) / static_cast<double>(rays);
+    if (!(weight > kNegligible)) continue;
+    const math::Vec3 outward = through ? -sides.outward : sides.outward;
+    unseen_rays_.push_back({static_cast<std::uint32_t>(scatters_.size() - 1), static_cast<float>(weight),
+                            {hit.position_m + hit.offset_m * outward, direction}});
+  }
+}
+
+void PathTracer::trace_unseen_rays(sampling::RayCounts& counts) {
+  rays_.resize(unseen_rays_.size());
+  hits_.resize(unseen_rays_.size());
+  for (std::size_t k = 0; k < unseen_rays_.size(); ++k) rays_[k] = unseen_rays_[k].ray;
+  scene_.scene().world->intersect(rays_, hits_);
+  counts.shadow += rays_.size();
+  std::size_t kept = 0;
+  rays_.clear();
+  for (std::size_t k = 0; k < unseen_rays_.size(); ++k) {
+    UnseenRay& unseen = unseen_rays_[k];
+    const geometry::SurfacePoint& hit = hits_[k];
+    if (!hit.hit()) continue;
+    const scene::ResolvedSurface surface = scene_.scene().resolve(hit);
+    double highest = 0.0;
+    for (const scene::Constituent& part : surface)
+      if (is_mirror(scene_.scene(), part)) highest += part.weight * scene_.brightest(part.material);
+    const math::Vec3 normal = surface.shading_normal.as_vector();
+    if (highest <= 0.0 || mirrors_->facing_of(hit, normal) != SunMirrors::kNone) continue;
+    const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
+    const float arrives = UnseenLight::radiance(scene_.scene(), mirrored(unseen.ray.direction, normal));
+    if (arrives <= 0.0f) continue;
+    rays_.push_back({hit.position_m + hit.offset_m * outward, scene_.scene().sun->direction});
+    unseen.weight *= static_cast<float>(highest) * arrives;
+    unseen_rays_[kept++] = unseen;
+  }
+  hidden_.resize(rays_.size());
+  if (!rays_.empty()) scene_.scene().world->occluded(rays_, hidden_);
+  counts.shadow += rays_.size();
+  for (std::size_t k = 0; k < kept; ++k)
+    if (hidden_[k] == 0)
+      record_.paths[paths_[scatters_[unseen_rays_[k].event].path].number].unseen += unseen_rays_[k].weight;
+}
+
+}  // namespace ifov::render

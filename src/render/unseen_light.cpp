@@ -1,0 +1,50 @@
+#include "render/unseen_light.h"
+
+#include <algorithm>
+
+namespace ifov::render {
+
+UnseenLight::UnseenLight(const SpectralScene& scene, int column) : column_(column) {
+  if (scene.sun_mirrors() == nullptr || !scene.sun_mirrors()->may_hide()) return;
+  count_ = 1;
+  const radiometry::SpectralNodes& nodes = scene.nodes();
+  sunlight_.assign(nodes.channel_count(), 0.0);
+  for (std::size_t c = 0; c < sunlight_.size(); ++c)
+    for (std::size_t n = nodes.first_node(c); n < nodes.first_node(c + 1); ++n)
+      sunlight_[c] += nodes.node_weight(n) * scene.sun_irradiance()[n] *
+                      (scene.has_view_path() ? scene.view_transmittance()[n] : 1.0f);
+}
+
+void UnseenLight::settle(const AccuracyTolerance* tolerance, sampling::TileResult& tile) const {
+  if (count_ == 0 || tolerance == nullptr || !tile.has_errors()) return;
+  const auto columns = static_cast<std::size_t>(tile.columns), column = static_cast<std::size_t>(column_);
+  const int width = tile.tile.width(), height = tile.tile.height();
+  const auto at = [&](int x, int y) {
+    return static_cast<double>(tile.mean[static_cast<std::size_t>(y * width + x) * columns + column]);
+  };
+  std::vector<double> mean(sunlight_.size()), limit(sunlight_.size());
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      double around = 0.0;
+      int count = 0;
+      for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j)
+        for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i) around += at(i, j), ++count;
+      const double unseen = kCaution * std::max(at(x, y), around / count);
+      if (!(unseen > 0.0)) continue;
+      const auto pixel = static_cast<std::size_t>(y * width + x);
+      for (std::size_t c = 0; c < mean.size(); ++c) mean[c] = static_cast<double>(tile.mean[pixel * columns + c]);
+      tolerance->asked(mean, limit);
+      for (std::size_t c = 0; c < mean.size(); ++c) {
+        const double more = unseen * sunlight_[c];
+        if (!(more > kNegligible * limit[c])) continue;
+        float& half_width = tile.half_width[pixel * columns + c];
+        half_width += static_cast<float>(more);
+        const auto ratio = static_cast<float>(static_cast<double>(half_width) / limit[c]);
+        tile.worst_ratio[pixel] = std::max(tile.worst_ratio[pixel], ratio);
+        constexpr float kRounding = 1e-5f;
+        if (ratio > 1.0f + kRounding) tile.set(pixel, sampling::Reason::unseen_light);
+      }
+    }
+}
+
+}  // namespace ifov::render

@@ -1,0 +1,280 @@
+#include "render/wing_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "sampling/quantiles.h"
+#include "sampling/random.h"
+#include "sampling/value_batch.h"
+
+namespace ifov::render {
+namespace {
+
+using sampling::PixelRect;
+using sensor::PsfWings;
+
+constexpr std::uint64_t kWingPaths = 0x77696e67ull, kWingPlace = 0x706c6163ull;  // purposes of random numbers
+constexpr double kRounding = 1e-5;
+
+int floor_div(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
+
+/// Blocks of the given side that a tile's pixels need, in pixels.
+PixelRect around(const PixelRect& tile, int block) {
+  const auto first = [&](int pixel) { return (floor_div(pixel, block) - PsfWings::kBlocks) * block; };
+  const auto last = [&](int pixel) { return (floor_div(pixel, block) + PsfWings::kBlocks + 1) * block; };
+  return {first(tile.x0), first(tile.y0), last(tile.x1 - 1), last(tile.y1 - 1)};
+}
+
+/// Cells of one level, each looked at by 2 x 2 paths: one in each of its quarters.
+class Cells {
+ public:
+  Cells(PixelRect pixels, int side, std::uint64_t seed, const CancelToken* cancel, sampling::Field& field)
+      : pixels_(pixels), side_(side), columns_(static_cast<std::size_t>(field.columns())) {
+    const std::size_t count = static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
+    values_.resize(4 * count * columns_);
+    materials_.resize(4 * count);
+    sampling::for_each_value(
+        field, cancel, 4 * count,
+        [&](std::size_t k) {
+          const int quarter = static_cast<int>(k % 4), x = cell_x(k / 4), y = cell_y(k / 4);
+          const std::uint64_t key = sampling::hash(seed, side_, x, y, kWingPlace, quarter);
+          const double u = 0.5 * (quarter % 2 + sampling::unit_double(key)),
+                       v = 0.5 * (quarter / 2 + sampling::unit_double(key + 1));
+          return sampling::PathRequest{{x + side_ * u, y + side_ * v},
+                                       sampling::hash(seed, side_, x, y, kWingPaths),
+                                       static_cast<std::uint32_t>(quarter)};
+        },
+        [&](std::size_t k, sampling::Label label, const float* values) {
+          std::copy_n(values, columns_, values_.begin() + static_cast<std::ptrdiff_t>(k * columns_));
+          materials_[k] = field.material_of(label);
+        });
+  }
+
+  int width() const { return pixels_.width() / side_; }
+  int height() const { return pixels_.height() / side_; }
+  int side() const { return side_; }
+  std::size_t count() const { return materials_.size() / 4; }
+  int cell_x(std::size_t cell) const { return pixels_.x0 + side_ * (static_cast<int>(cell) % width()); }
+  int cell_y(std::size_t cell) const { return pixels_.y0 + side_ * (static_cast<int>(cell) / width()); }
+  /// By the pixel at its upper left corner.
+  std::size_t cell_at(int x, int y) const {
+    return static_cast<std::size_t>((y - pixels_.y0) / side_) * static_cast<std::size_t>(width()) +
+           static_cast<std::size_t>((x - pixels_.x0) / side_);
+  }
+  const float* value(std::size_t cell, int quarter) const {
+    return values_.data() + (4 * cell + static_cast<std::size_t>(quarter)) * columns_;
+  }
+  std::uint32_t material(std::size_t cell, int quarter) const {
+    return materials_[4 * cell + static_cast<std::size_t>(quarter)];
+  }
+  /// Variance of one path about its quarter's mean, by what no plane through the four explains.
+  double variance(std::size_t cell, std::size_t column) const {
+    const double bend = static_cast<double>(value(cell, 0)[column]) - value(cell, 1)[column] - value(cell, 2)[column] +
+                        value(cell, 3)[column];
+    return 0.25 * bend * bend;
+  }
+  double mean(std::size_t cell, std::size_t column) const {
+    double sum = 0.0;
+    for (int quarter = 0; quarter < 4; ++quarter) sum += value(cell, quarter)[column];
+    return 0.25 * sum;
+  }
+
+ private:
+  PixelRect pixels_;
+  int side_;
+  std::size_t columns_;
+  std::vector<float> values_;
+  std::vector<std::uint32_t> materials_;
+};
+
+/// What reaches one pixel by way of the wings.
+struct Gathered {
+  double weight = 0.0;  // of all cells, of the whole response
+  std::vector<double> sum, variance;
+  std::map<std::uint32_t, double> materials;
+  double mixed = 0.0;  // variance of shares of materials, at most
+};
+
+class Wings {
+ public:
+  Wings(const PsfWings& wings, const sampling::TileProblem& problem, sampling::Field& field)
+      : wings_(wings),
+        near_(around(problem.tile, PsfWings::kNear), 1, problem.seed, problem.cancel, field),
+        middle_(around(problem.tile, PsfWings::kMiddle), PsfWings::kNear, problem.seed, problem.cancel, field),
+        far_(around(problem.tile, PsfWings::kFar), PsfWings::kMiddle, problem.seed, problem.cancel, field),
+        columns_(static_cast<std::size_t>(field.columns())) {
+    beyond_.resize(columns_);
+    darkest_.assign(columns_, std::numeric_limits<double>::infinity());
+    brightest_.assign(columns_, -std::numeric_limits<double>::infinity());
+    for (const Cells* cells : {&middle_, &far_})
+      for (std::size_t cell = 0; cell < cells->count(); ++cell)
+        for (std::size_t c = 0; c < columns_; ++c) {
+          const double mean = cells->mean(cell, c);
+          darkest_[c] = std::min(darkest_[c], mean);
+          brightest_[c] = std::max(brightest_[c], mean);
+          if (cells == &far_) beyond_[c] += mean / static_cast<double>(far_.count());
+        }
+  }
+
+  void gather(int x, int y, Gathered& found) const {
+    found.weight = found.mixed = 0.0;
+    found.sum.assign(columns_, 0.0);
+    found.variance.assign(columns_, 0.0);
+    found.materials.clear();
+    const PixelRect pixel{x, y, x + 1, y + 1};
+    const PixelRect near = around(pixel, PsfWings::kNear), middle = around(pixel, PsfWings::kMiddle),
+                    far = around(pixel, PsfWings::kFar);
+    for (int j = near.y0; j < near.y1; ++j)
+      for (int i = near.x0; i < near.x1; ++i) {
+        double weight[4];
+        for (int quarter = 0; quarter < 4; ++quarter)
+          weight[quarter] = wings_.half_cell(2 * (i - x) + quarter % 2, 2 * (j - y) + quarter / 2);
+        add(near_, near_.cell_at(i, j), weight, found);
+      }
+    add_squares(middle_, middle, near, x, y, found);
+    add_squares(far_, far, middle, x, y, found);
+  }
+
+  double beyond(std::size_t column) const { return beyond_[column]; }
+  double spread(std::size_t column) const {
+    return std::max(brightest_[column] - beyond_[column], beyond_[column] - darkest_[column]);
+  }
+  /// Paths in pixels of the tile, and others.
+  std::size_t paths() const { return 4 * (near_.count() + middle_.count() + far_.count()); }
+
+ private:
+  void add_squares(const Cells& cells, PixelRect in, PixelRect without, int x, int y, Gathered& found) const {
+    const int side = cells.side();
+    for (int j = in.y0; j < in.y1; j += side)
+      for (int i = in.x0; i < in.x1; i += side) {
+        if (i >= without.x0 && i < without.x1 && j >= without.y0 && j < without.y1) continue;
+        double weight[4];
+        std::fill_n(weight, 4, 0.25 * wings_.square(i - x, j - y, side));
+        add(cells, cells.cell_at(i, j), weight, found);
+      }
+  }
+
+  void add(const Cells& cells, std::size_t cell, const double (&weight)[4], Gathered& found) const {
+    const double all = weight[0] + weight[1] + weight[2] + weight[3];
+    if (!(all > 0.0)) return;
+    found.weight += all;
+    double squares = 0.0;
+    bool one_material = true;
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const double w = weight[quarter];
+      squares += w * w;
+      const float* value = cells.value(cell, quarter);
+      for (std::size_t c = 0; c < columns_; ++c) found.sum[c] += w * value[c];
+      one_material = one_material && cells.material(cell, quarter) == cells.material(cell, 0);
+    }
+    for (std::size_t c = 0; c < columns_; ++c) found.variance[c] += squares * cells.variance(cell, c);
+    if (one_material) {
+      found.materials[cells.material(cell, 0)] += all;
+    } else {
+      found.mixed += 0.25 * squares;
+      for (int quarter = 0; quarter < 4; ++quarter) found.materials[cells.material(cell, quarter)] += weight[quarter];
+    }
+  }
+
+  const PsfWings& wings_;
+  Cells near_, middle_, far_;
+  std::size_t columns_;
+  std::vector<double> beyond_, darkest_, brightest_;  // by column
+};
+
+/// Judges a pixel by what was asked for; what the cut adds to what the sampler left is at fault where that is too much.
+void judge(const AccuracyTolerance& tolerance, std::size_t p, std::vector<double>& mean, std::vector<double>& limit,
+           sampling::TileResult& tile) {
+  const std::size_t columns = static_cast<std::size_t>(tile.columns);
+  for (std::size_t c = 0; c < columns; ++c) mean[c] = tile.mean[p * columns + c];
+  tolerance.asked(mean, limit);
+  double worst = 0.0;
+  for (std::size_t c = 0; c < columns; ++c) {
+    const double ratio = tile.half_width[p * columns + c] / limit[c];
+    worst = std::max(worst, std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio);
+  }
+  tile.worst_ratio[p] = static_cast<float>(worst);
+  // Where it was too wide before, something else is at fault.
+  if (worst > 1.0 + kRounding && tile.converged(p)) tile.set(p, sampling::Reason::psf_cut);
+}
+
+/// The pixel's abundances within the cut, scaled, and what the wings show.
+void add_materials(const Gathered& found, double kept, double scale, double rest, double normal, std::uint32_t pixel,
+                   std::span<const sampling::Abundance> before, std::vector<sampling::Abundance>& after) {
+  std::map<std::uint32_t, sampling::Abundance> of_pixel;
+  const float wings = static_cast<float>(normal * std::sqrt(found.mixed) * scale + rest);
+  for (const auto& [material, share] : found.materials)
+    of_pixel[material] = {pixel, material, static_cast<float>(share * scale), wings};
+  for (const sampling::Abundance& a : before) {
+    const auto [entry, is_new] = of_pixel.try_emplace(a.material, sampling::Abundance{pixel, a.material, 0.0f, wings});
+    entry->second.fraction += static_cast<float>(kept * scale) * a.fraction;
+    entry->second.half_width =
+        std::min(1.0f, entry->second.half_width + static_cast<float>(kept * scale) * a.half_width);
+  }
+  for (const auto& entry : of_pixel) after.push_back(entry.second);
+}
+
+}  // namespace
+
+void add_wings(const PsfWings& wings, const sampling::TileProblem& problem, const AccuracyTolerance* tolerance,
+               sampling::Field& field, sampling::TileResult& tile) {
+  const Wings around_tile(wings, problem, field);
+  const std::size_t columns = static_cast<std::size_t>(tile.columns);
+  const double normal = sampling::two_sided_normal(tolerance != nullptr ? tolerance->confidence() : 0.95);
+  Gathered found;
+  std::vector<double> mean(columns), limit(columns);
+  std::vector<sampling::Abundance> abundances;
+  std::size_t next = 0;
+  for (std::size_t p = 0; p < tile.samples.size(); ++p) {
+    if (problem.cancel != nullptr && p % 64 == 0 && problem.cancel->cancelled()) throw Cancelled();
+    const int width = tile.tile.width();
+    const int x = tile.tile.x0 + static_cast<int>(p) % width, y = tile.tile.y0 + static_cast<int>(p) / width;
+    around_tile.gather(x, y, found);
+    // Numerical integration of the wings is right within 1e-4; all shares add up to 1.
+    const double rest = std::max(0.0, 1.0 - wings.kept() - found.weight);
+    const double scale = 1.0 / (wings.kept() + found.weight + rest), core = wings.kept() * scale;
+    for (std::size_t c = 0; c < columns; ++c) {
+      const std::size_t at = p * columns + c;
+      tile.mean[at] = static_cast<float>(core * tile.mean[at] + scale * (found.sum[c] + rest * around_tile.beyond(c)));
+      if (!tile.has_errors()) continue;
+      const double variance = scale * scale * found.variance[c];
+      tile.variance_geometry[at] *= static_cast<float>(core * core);
+      tile.variance_path[at] = static_cast<float>(core * core * tile.variance_path[at] + variance);
+      tile.half_width[at] = static_cast<float>(std::hypot(core * tile.half_width[at], normal * std::sqrt(variance)) +
+                                               scale * rest * around_tile.spread(c));
+    }
+    if (tile.has_errors() && tolerance != nullptr) judge(*tolerance, p, mean, limit, tile);
+    const std::size_t first = next;
+    while (next < tile.abundances.size() && tile.abundances[next].pixel == p) ++next;
+    add_materials(found, wings.kept(), scale, rest, normal, static_cast<std::uint32_t>(p),
+                  std::span(tile.abundances).subspan(first, next - first), abundances);
+    tile.samples[p] += 4;
+    tile.radiance_evaluations[p] += 4;
+  }
+  tile.abundances = std::move(abundances);
+  tile.halo_samples += around_tile.paths() - 4 * tile.samples.size();
+}
+
+void widen_by_cut(double left_out, const AccuracyTolerance* tolerance, sampling::TileResult& tile) {
+  if (!(left_out > 0.0) || !tile.has_errors()) return;
+  const std::size_t columns = static_cast<std::size_t>(tile.columns), pixels = tile.samples.size();
+  std::vector<double> darkest(columns, std::numeric_limits<double>::infinity()), brightest(columns, -darkest[0]);
+  for (std::size_t at = 0; at < pixels * columns; ++at) {
+    darkest[at % columns] = std::min<double>(darkest[at % columns], tile.mean[at]);
+    brightest[at % columns] = std::max<double>(brightest[at % columns], tile.mean[at]);
+  }
+  std::vector<double> mean(columns), limit(columns);
+  for (std::size_t p = 0; p < pixels; ++p) {
+    for (std::size_t c = 0; c < columns; ++c) {
+      const std::size_t at = p * columns + c;
+      tile.half_width[at] += static_cast<float>(
+          left_out * std::max(brightest[c] - tile.mean[at], static_cast<double>(tile.mean[at]) - darkest[c]));
+    }
+    if (tolerance != nullptr) judge(*tolerance, p, mean, limit, tile);
+  }
+}
+
+}  // namespace ifov::render

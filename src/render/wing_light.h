@@ -1,0 +1,25 @@
+#pragma once
+
+#include "render/accuracy_tolerance.h"
+#include "sampling/tile.h"
+#include "sensor/psf_wings.h"
+
+namespace ifov::render {
+
+/// Share of the accuracy asked for that samplers leave to what a PSF's cut leaves out.
+inline constexpr double kCutShare = 0.1;
+
+/// Adds to a tile what falls on its pixels by way of the PSF's wings, beside what the sampler found within the cut
+/// (which must be normalised). The wings' cells are looked at by 2 x 2 stratified paths each; their variance goes into
+/// the tile's, by what a plane through the four leaves over. What lies beyond the wings is taken to be as the mean of
+/// the farthest cells, and half-widths grow by its share times the largest difference to that of any cell; pixels are
+/// judged anew by what was asked for, and those that the wings leave too wide get Reason::psf_cut. Abundances follow.
+/// `tolerance` may be null. Throws Cancelled.
+void add_wings(const sensor::PsfWings& wings, const sampling::TileProblem& problem, const AccuracyTolerance* tolerance,
+               sampling::Field& field, sampling::TileResult& tile);
+
+/// For a cut without wings: half-widths grow by `left_out` of the energy times the largest difference to any other pixel
+/// of the tile, and pixels that are too wide for it get Reason::psf_cut.
+void widen_by_cut(double left_out, const AccuracyTolerance* tolerance, sampling::TileResult& tile);
+
+}  // namespace ifov::render

@@ -1,0 +1,109 @@
+#include "render/node_budget.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "radiometry/channel.h"
+
+namespace ifov::render {
+namespace {
+
+/// Two channels, judged to `error`, whose nodes are wrong by 1 %.
+class NodeBudget : public testing::Test {
+ protected:
+  AccuracyTolerance tolerance(double error, double cut_share = 0.0) const {
+    AccuracyRequest request;
+    request.error = error;
+    request.floor = 0.0;
+    request.channels = {0};
+    AccuracyTolerance limits(request, brightness_, {100.0, 100.0}, 1);
+    limits.leave_room(nodes_, cut_share);
+    return limits;
+  }
+  sampling::TileResult tile(float mean, float half_width) const {
+    sampling::TileResult result;
+    result.reset({0, 0, 1, 1}, 2);
+    result.mean = {mean, mean};
+    result.half_width = {half_width, half_width};
+    result.reasons = {0};
+    return result;
+  }
+  static radiometry::SpectralNodes some_nodes() {
+    const std::array channels{radiometry::Channel::top_hat("a", 0.5, 0.6), radiometry::Channel::top_hat("b", 0.6, 0.7)};
+    return radiometry::SpectralNodes::build(channels, radiometry::Spectrum::constant(1000.0), {});
+  }
+  ChannelBrightness brightness_{some_nodes()};
+  std::vector<NodeHalfWidth> nodes_{{0.01, 2.0}, {0.01, 2.0}};
+};
+
+TEST_F(NodeBudget, IsAShareOfTheRadianceOrOfADarkOne) {
+  EXPECT_DOUBLE_EQ(nodes_[0].of(60.0), 0.6);
+  EXPECT_DOUBLE_EQ(nodes_[0].of(0.5), 0.02);
+  EXPECT_DOUBLE_EQ(nodes_[0].counted(60.0, 3.0), 0.6);
+  EXPECT_DOUBLE_EQ(nodes_[0].counted(60.0, 6.0), 0.0);  // a tenth of what is asked
+}
+
+TEST_F(NodeBudget, LeavesTheRestToTheSampler) {
+  std::vector<double> mean{60.0, 60.0}, limit(2);
+  tolerance(0.02).limits(mean, limit);
+  EXPECT_DOUBLE_EQ(limit[0], 1.2 - 0.6);
+  EXPECT_TRUE(std::isinf(limit[1]));
+  tolerance(0.2).limits(mean, limit);
+  EXPECT_DOUBLE_EQ(limit[0], 12.0);
+  tolerance(0.2, 0.1).limits(mean, limit);
+  EXPECT_DOUBLE_EQ(limit[0], 0.9 * 12.0);
+  EXPECT_TRUE(std::isinf(limit[1]));
+}
+
+TEST_F(NodeBudget, WidensIntervalsAndSaysWhereNodesAreTooFew) {
+  const AccuracyTolerance enough = tolerance(0.02), fine = tolerance(0.005), coarse = tolerance(0.2);
+  sampling::TileResult result = tile(60.0f, 0.5f);
+  widen(nodes_, &enough, result);
+  EXPECT_FLOAT_EQ(result.half_width[0], 1.1f);
+  EXPECT_FLOAT_EQ(result.half_width[1], 1.1f);  // not judged, and known all the same
+  EXPECT_TRUE(result.converged(0));
+  EXPECT_FLOAT_EQ(result.worst_ratio[0], 1.1f / 1.2f);
+  result = tile(60.0f, 0.14f);
+  widen(nodes_, &fine, result);
+  EXPECT_EQ(result.reasons[0], sampling::bit(sampling::Reason::nodes));
+  result = tile(60.0f, 0.14f);
+  widen(nodes_, &coarse, result);
+  EXPECT_FLOAT_EQ(result.half_width[0], 0.14f);
+  widen(nodes_, nullptr, result);
+  EXPECT_FLOAT_EQ(result.half_width[0], 0.74f);
+}
+
+// More products of spectra than 64 nodes keep: the error is known and stated. Surfaces are combs that no few lines follow.
+TEST_F(NodeBudget, KnowsWhatTheSearchCouldNotKeep) {
+  std::vector<radiometry::Spectrum> surfaces;
+  for (int s = 0; s < 12; ++s) {
+    std::vector<double> x, y;
+    for (int k = 0; k <= 400; ++k) {
+      x.push_back(0.4 + 0.0015 * k);
+      y.push_back(((k * (2 * s + 3)) / 7 + s * k * k / 11) % 5 == 0 ? 0.9 : 0.02);
+    }
+    surfaces.emplace_back(x, y);
+  }
+  const std::array channels{radiometry::Channel::top_hat("pan", 0.4, 1.0)};
+  const auto nodes = radiometry::SpectralNodes::build(channels, radiometry::Spectrum::constant(1000.0), surfaces,
+                                                      {.reflections = 3, .hottest_k = 0.0, .most_nodes = 8});
+  EXPECT_GT(nodes.worst_error(), 0.01);
+  const scene::Scene scene = [&] {
+    scene::Scene made;
+    for (const auto& surface : surfaces) made.materials.push_back({"m", surface});
+    made.sun = scene::Sun{{0.0, 0.0, 1.0}, 0.0, radiometry::Spectrum::constant(1000.0)};
+    return made;
+  }();
+  const SpectralScene spectral(scene, nodes);
+  const std::vector<NodeHalfWidth> found = node_half_widths(spectral);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_DOUBLE_EQ(found[0].relative, nodes.worst_error());
+  EXPECT_NEAR(found[0].dark, 0.01 * 1000.0 / 3.14159265, 1e-3);
+}
+
+}  // namespace
+}  // namespace ifov::render
