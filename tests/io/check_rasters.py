@@ -59,6 +59,21 @@ def check_gdal(folder, rotation, utm):
             assert system.GetUTMZone() == 33, (name, system.ExportToWkt())
             assert "WGS" in system.GetAttrValue("DATUM"), name
         compare_values(numpy.moveaxis(data.ReadAsArray(), 0, 2), name)
+    class_file = gdal.Open(f"{folder}/demo_quality_class.img")  # a band lives as long as its file is held
+    classes = class_file.GetRasterBand(1)
+    assert classes.DataType == gdal.GDT_Byte
+    names = classes.GetRasterCategoryNames()
+    assert names[:3] == ["converged", "unjudged", "samples"] and len(names) == 11, names
+    assert classes.GetRasterColorTable().GetColorEntry(6)[:3] == (204, 46, 40)
+    bits = gdal.Open(f"{folder}/demo_reasons.img")
+    assert bits.GetRasterBand(1).DataType == gdal.GDT_UInt16
+    assert "32 unseen light" in bits.GetMetadata("ENVI")["reason_bits"], bits.GetMetadata("ENVI")
+    bits, classes = bits.ReadAsArray(), classes.ReadAsArray()
+    for y in range(HEIGHT):
+        for x in range(WIDTH):
+            wide = 0.02 * ((x * 3 + y * 5) % 60) > 1.0000001
+            assert bits[y][x] == (0 if not wide else 2 if y % 2 == 0 else 34), (x, y, bits[y][x])
+            assert names[classes[y][x]] == ("converged" if not wide else "samples" if y % 2 == 0 else "unseen light")
     counts = gdal.Open(f"{folder}/demo_samples.img")
     assert counts.GetRasterBand(1).DataType == gdal.GDT_UInt32
     near(int(counts.ReadAsArray()[0][3][5]), 9 + (5 * 7 + 3 * 13) % 200, "samples")

@@ -57,6 +57,11 @@ struct SyntheticImage {
     return 9u + static_cast<std::uint32_t>((x * 7 + y * 13) % 200);
   }
   float ratio(int x, int y) const { return 0.02f * static_cast<float>((x * 3 + y * 5) % 60); }
+  sampling::Reasons reasons(int x, int y) const {
+    if (ratio(x, y) <= 1.0f) return 0;
+    const sampling::Reasons samples = sampling::bit(sampling::Reason::samples);
+    return static_cast<sampling::Reasons>(y % 2 == 0 ? samples : samples | sampling::bit(sampling::Reason::unseen_light));
+  }
   float fraction(int x, int y) const { return static_cast<float>((x + 2 * y) % 11) / 10.0f; }
 
   render::ImageInfo info() const {
@@ -93,7 +98,7 @@ struct SyntheticImage {
         result.label_rays[p] = samples(x, y) - 4;
         result.radiance_evaluations[p] = 4;
         result.worst_ratio[p] = ratio(x, y);
-        result.converged[p] = ratio(x, y) <= 1.0f;
+        result.reasons[p] = reasons(x, y);
         result.missable_fraction[p] = 0.02f;
         result.abundances.push_back({static_cast<std::uint32_t>(p), 0, fraction(x, y), 0.01f});
         if (materials > 2)

@@ -231,11 +231,13 @@ TEST(Document, SamplingMethods) {
   EXPECT_TRUE(
       std::holds_alternative<SingleSampling>(parsed_with(method, R"({"single": {}})").sampling.method));
   const auto grid =
-      parsed_with(method, R"({"grid": {"elements": [10, 5]}, "tile": 16, "max_depth": 2})").sampling;
+      parsed_with(method, R"({"grid": {"elements": [10, 5]}, "tile": 16, "max_depth": 2, "mirror_reflections": 3})").sampling;
   EXPECT_EQ(std::get<GridSampling>(grid.method).columns, 10);
   EXPECT_EQ(std::get<GridSampling>(grid.method).rows, 5);
   EXPECT_EQ(grid.tile_px, 16);
   EXPECT_EQ(grid.max_depth, 2);
+  EXPECT_EQ(grid.mirror_reflections, 3);
+  EXPECT_EQ(whole().sampling.mirror_reflections, 2);
   const auto adaptive = std::get<AdaptiveSampling>(
       parsed_with(method, R"({"adaptive": {"sub_elements": [3, 3], "allowed_difference": "2 %"}})")
           .sampling.method);

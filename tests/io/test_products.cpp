@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "io/products/bil_cube.h"
 #include "io/products/envi_reader.h"
+#include "io/products/quality_classes.h"
 #include "io/products/sha256.h"
 #include "io/synthetic_image.h"
 
@@ -79,9 +80,13 @@ void expect_all_cubes(const SyntheticImage& image, const std::filesystem::path& 
   expect_cube(at("_samples.img"), 3, [&](int x, int y, int b) {
     return b == 2 ? 4.0f : static_cast<float>(image.samples(x, y) - (b == 1 ? 4u : 0u));
   });
-  expect_cube(at("_quality.img"), 3, [&](int x, int y, int b) {
-    return b == 0 ? (image.ratio(x, y) <= 1.0f ? 1.0f : 0.0f) : b == 1 ? image.ratio(x, y) : 0.02f;
+  expect_cube(at("_quality.img"), 4, [&](int x, int y, int b) {
+    if (b == 0) return image.ratio(x, y) <= 1.0f ? 1.0f : 0.0f;
+    return b == 1 ? image.ratio(x, y) : b == 2 ? 0.02f : 0.75f;
   });
+  expect_cube(at("_reasons.img"), 1, [&](int x, int y, int) { return static_cast<float>(image.reasons(x, y)); });
+  expect_cube(at("_quality_class.img"), 1,
+              [&](int x, int y, int) { return static_cast<float>(class_of(image.reasons(x, y))); });
   expect_cube(at("_abundance.img"), 3, [&](int x, int y, int m) {
     return m == 0 ? image.fraction(x, y) : m == 2 ? 1.0f - image.fraction(x, y) : 0.0f;
   });
@@ -223,7 +228,13 @@ TEST(ProductWriter, RunRecordHoldsFiguresAndChecksums) {
   EXPECT_EQ(root["cost"]["samples"]["total"].asUInt64(), samples);
   EXPECT_EQ(root["cost"]["rays"]["primary"].asUInt64(), samples);
   EXPECT_EQ(root["accuracy"]["pixels_converged"].asUInt64(), converged);
-  ASSERT_EQ(root["files"].size(), 10u);  // seven cubes, GeoTIFF, picture, report
+  const Json::Value& by_reason = root["accuracy"]["pixels_by_reason"];
+  EXPECT_EQ(by_reason.size(), sampling::kReasonNames.size());
+  EXPECT_EQ(by_reason["samples"].asUInt64(), root["accuracy"]["pixels"].asUInt64() - converged);
+  EXPECT_GT(by_reason["unseen light"].asUInt64(), 0u);
+  EXPECT_LT(by_reason["unseen light"].asUInt64(), by_reason["samples"].asUInt64());
+  EXPECT_EQ(by_reason["air"].asUInt64(), 0u);
+  ASSERT_EQ(root["files"].size(), 12u);  // nine cubes, GeoTIFF, picture, report
   for (const auto& file : root["files"]) {
     const std::string bytes = test::read_all(folder.path() / file["name"].asString());
     Sha256 whole;
@@ -257,8 +268,9 @@ TEST(ProductWriter, ProductsCanBeLeftAway) {
       false;
   write_image(image, options, image.tiles(16));  // and what the first run left under these names goes
   EXPECT_EQ(names_in(folder.path()),
-            (std::vector<std::string>{"demo_quality.img", "demo_quality.img.hdr", "demo_radiance.img",
-                                      "demo_radiance.img.hdr", "demo_run.json", "demo_samples.img",
+            (std::vector<std::string>{"demo_quality.img", "demo_quality.img.hdr", "demo_quality_class.img",
+                                      "demo_quality_class.img.hdr", "demo_radiance.img", "demo_radiance.img.hdr",
+                                      "demo_reasons.img", "demo_reasons.img.hdr", "demo_run.json", "demo_samples.img",
                                       "demo_samples.img.hdr"}));
 }
 
@@ -270,7 +282,7 @@ TEST(ProductWriter, StoppingLeavesPartFilesWithTheFinishedTiles) {
     writer.begin(image.info());
     writer.write(image.tile({16, 16, 32, 32}));
     EXPECT_THROW(writer.finish(image.outcome()), std::logic_error);
-    EXPECT_EQ(writer.part_files().size(), 7u);
+    EXPECT_EQ(writer.part_files().size(), 9u);
   }
   for (const auto& name : names_in(folder.path())) EXPECT_TRUE(name.ends_with(".part")) << name;
   const std::string bytes = test::read_all(folder.path() / "demo_radiance.img.part");

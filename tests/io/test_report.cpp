@@ -47,7 +47,10 @@ ReportInput views(const SyntheticImage& image) {
   input.half_width =
       view(image.channels, [&image](int x, int y, int c) { return image.half_width(x, y, c); });
   input.samples = view(3, [&image](int x, int y, int) { return static_cast<float>(image.samples(x, y)); });
-  input.quality = view(3, [&image](int x, int y, int) { return image.ratio(x, y); });
+  input.quality = view(4, [&image](int x, int y, int band) {
+    return band == 0 ? (image.ratio(x, y) <= 1.0f ? 1.0f : 0.0f) : band == 3 ? 0.75f : image.ratio(x, y);
+  });
+  input.reasons = view(1, [&image](int x, int y, int) { return static_cast<float>(image.reasons(x, y)); });
   return input;
 }
 

@@ -53,7 +53,8 @@ struct LightDocument {
   std::optional<MoonDocument> moon;
   std::variant<NoSky, SkyTemperature, SkyRadiance> sky;
   SourcePosition sky_position;
-  std::optional<SurroundingsDocument> surroundings;  ///< absent: black and at 0 K
+  std::optional<SurroundingsDocument> surroundings;  ///< absent: the mean of the ground in the picture under a
+                                                     ///< modelled or imported atmosphere, else black and at 0 K
   SourcePosition position;
 };
 

@@ -134,6 +134,9 @@ Kind<SamplingDocument> sampling_kind() {
       .one("accuracy", &SamplingDocument::method, accuracy_kind(), "as many rays as an accuracy needs")
       .with_default("tile", &SamplingDocument::tile_px, integer(1, 4096), "64",
                     "pixels along a side of the tiles that are computed at once")
+      .with_default("mirror_reflections", &SamplingDocument::mirror_reflections, integer(0, 4), "2",
+                    "flat mirrors, one after the other, by way of which sunlight is sought; where more may matter, "
+                    "pixels are marked")
       .optional(
           "max_depth", &SamplingDocument::max_depth, integer(1, 10000),
           "surfaces a path may meet, for light that is cut short on purpose; without it no light is lost");

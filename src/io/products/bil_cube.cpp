@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
+#include <cstring>
 #include <new>
 #include <stdexcept>
 #include <system_error>
@@ -25,6 +26,10 @@ constexpr std::size_t kRoomForTwo = std::size_t{512} << 20;
 /// Larger strips are not written in the background: each takes as much memory again.
 constexpr std::size_t kLargestSent = std::size_t{256} << 20;
 
+std::size_t value_bytes_of(BilCube::Values values) {
+  return values == BilCube::Values::byte ? 1 : values == BilCube::Values::bits ? 2 : 4;
+}
+
 constexpr std::size_t kHugePage = std::size_t{2} << 20;
 
 std::size_t product(int a, int b = 1, int c = 1) {
@@ -42,10 +47,12 @@ BilCube::BilCube(std::filesystem::path path, int width, int height, int bands, V
       bands_(bands),
       stride_(width % kBadStride == 0 ? width + kPadding : width),
       values_(values),
+      value_bytes_(value_bytes_of(values)),
       limits_(limits),
       file_(std::move(path)),
-      scan_(width, bands) {
+      scan_(width, bands, value_bytes_) {
   static_assert(std::endian::native == std::endian::little, "headers say byte order = 0");
+  if (value_bytes_ != 4 && bands != 1) throw std::logic_error("cubes of small values have one band");
   if (bytes() >= limits_.large_bytes) file_.bypass_page_cache();
 }
 
@@ -55,13 +62,21 @@ std::uint64_t BilCube::waiting_bytes(int width, int height, int bands, int tile_
   return std::max(strip, std::min(2 * strip, kRoomForTwo)) + (sent ? strip : 0);
 }
 
-std::uint64_t BilCube::bytes() const { return 4 * product(width_, height_, bands_); }
+std::uint64_t BilCube::bytes() const { return value_bytes_ * product(width_, height_, bands_); }
 
 void BilCube::write(sampling::PixelRect tile, std::span<const float> values) {
   add(tile, values.data(), values.size());
 }
 
 void BilCube::write(sampling::PixelRect tile, std::span<const std::uint32_t> values) {
+  add(tile, values.data(), values.size());
+}
+
+void BilCube::write(sampling::PixelRect tile, std::span<const std::uint8_t> values) {
+  add(tile, values.data(), values.size());
+}
+
+void BilCube::write(sampling::PixelRect tile, std::span<const std::uint16_t> values) {
   add(tile, values.data(), values.size());
 }
 
@@ -74,10 +89,14 @@ void BilCube::add(sampling::PixelRect tile, const void* values, std::size_t coun
 
   const auto strip = enter(tile);
   const auto* from = static_cast<const std::byte*>(values);
-  for (int row = 0; row < tile.height(); ++row)
-    turn_bands(from + 4 * product(row, tile.width(), bands_), product(tile.width()), product(bands_),
-               strip->buffer.get() + 4 * (product(row, stride_, bands_) + product(tile.x0)),
-               product(stride_));
+  for (int row = 0; row < tile.height(); ++row) {
+    const std::byte* const line = from + value_bytes_ * product(row, tile.width(), bands_);
+    std::byte* const to = strip->buffer.get() + value_bytes_ * (product(row, stride_, bands_) + product(tile.x0));
+    if (bands_ == 1)
+      std::memcpy(to, line, value_bytes_ * product(tile.width()));
+    else
+      turn_bands(line, product(tile.width()), product(bands_), to, product(stride_));
+  }
   for (Strip& ready : leave(strip, tile)) send(std::move(ready));
 }
 
@@ -102,7 +121,7 @@ BilCube::Strips::iterator BilCube::enter(sampling::PixelRect tile) {
     Strip fresh;
     fresh.y0 = tile.y0;
     fresh.y1 = tile.y1;
-    fresh.bytes = 4 * product(stride_, tile.height(), bands_);
+    fresh.bytes = value_bytes_ * product(stride_, tile.height(), bands_);
     fresh.buffer = new_buffer(fresh.bytes);
     buffered_bytes_ += fresh.bytes;
     strips_.push_front(std::move(fresh));
@@ -176,8 +195,8 @@ void BilCube::write_strip(Strip& strip) {
     const std::size_t rows = product(strip.y1 - strip.y0, bands_);
     std::vector<iovec> pieces(stride_ == width_ ? 1 : rows);
     for (std::size_t k = 0; k < pieces.size(); ++k)
-      pieces[k] = {strip.buffer.get() + 4 * k * product(stride_), 4 * product(width_) * (rows / pieces.size())};
-    file_.write_at(4 * product(strip.y0, width_, bands_), pieces);
+      pieces[k] = {strip.buffer.get() + value_bytes_ * k * product(stride_), value_bytes_ * product(width_) * (rows / pieces.size())};
+    file_.write_at(value_bytes_ * product(strip.y0, width_, bands_), pieces);
     scan_written(strip);
   } else {
     std::sort(strip.extents.begin(), strip.extents.end());
@@ -198,13 +217,13 @@ void BilCube::write_strip(Strip& strip) {
 }
 
 void BilCube::write_segments(const Strip& strip, int x0, int x1) {
-  const std::size_t bytes = 4 * product(x1 - x0);
+  const std::size_t bytes = value_bytes_ * product(x1 - x0);
   for (int row = 0; row < strip.y1 - strip.y0; ++row)
     for (int band = 0; band < bands_; ++band) {
       const std::size_t in_strip = (product(row, bands_) + product(band)) * product(stride_) + product(x0);
       const std::size_t in_file =
           (product(strip.y0 + row, bands_) + product(band)) * product(width_) + product(x0);
-      file_.write_at(4 * in_file, strip.buffer.get() + 4 * in_strip, bytes);
+      file_.write_at(value_bytes_ * in_file, strip.buffer.get() + value_bytes_ * in_strip, bytes);
     }
 }
 
@@ -213,7 +232,7 @@ bool BilCube::scan_in_turn(const Strip& strip) {
   const std::lock_guard lock(scan_mutex_);
   if (strip.y0 != scan_.lines()) return false;
   for (int row = 0; row < strip.y1 - strip.y0; ++row)
-    scan_.take(strip.buffer.get() + 4 * product(row, stride_, bands_), 4 * product(stride_));
+    scan_.take(strip.buffer.get() + value_bytes_ * product(row, stride_, bands_), value_bytes_ * product(stride_));
   return true;
 }
 
@@ -230,20 +249,28 @@ void BilCube::scan_written(const Strip& strip) {
 void BilCube::finish_scan() { scan_file(height_); }
 
 void BilCube::scan_file(int line_end) {
-  const std::size_t bytes = 4 * product(width_, bands_);
+  const std::size_t bytes = value_bytes_ * product(width_, bands_);
   const auto line = std::make_unique_for_overwrite<std::byte[]>(bytes);
   while (scan_.lines() < line_end) {
     file_.read_at(bytes * product(scan_.lines()), line.get(), bytes);
-    scan_.take(line.get(), 4 * product(width_));
+    scan_.take(line.get(), value_bytes_ * product(width_));
   }
 }
 
 RasterView BilCube::view() const {
   return {width_, height_, bands_, [this](int line, int band, std::span<float> values) {
-            const std::uint64_t offset = 4 * (product(line, bands_) + product(band)) * product(width_);
-            file_.read_at(offset, values.data(), 4 * product(width_));
-            if (values_ == Values::integer)
-              for (float& value : values) value = static_cast<float>(std::bit_cast<std::uint32_t>(value));
+            const std::uint64_t offset = value_bytes_ * (product(line, bands_) + product(band)) * product(width_);
+            const std::size_t line_bytes = value_bytes_ * product(width_);
+            if (value_bytes_ == 4) {
+              file_.read_at(offset, values.data(), line_bytes);
+              if (values_ == Values::integer)
+                for (float& value : values) value = static_cast<float>(std::bit_cast<std::uint32_t>(value));
+              return;
+            }
+            std::vector<std::uint8_t> small(line_bytes);
+            file_.read_at(offset, small.data(), line_bytes);
+            for (std::size_t x = 0; x < product(width_); ++x)
+              values[x] = value_bytes_ == 1 ? small[x] : static_cast<float>(small[2 * x] | small[2 * x + 1] << 8);
           }};
 }
 

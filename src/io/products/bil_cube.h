@@ -17,14 +17,14 @@
 
 namespace ifov::io {
 
-/// A band-interleaved-by-line cube of 4-byte values, filled tile by tile in any order, from any thread. Tiles
+/// A band-interleaved-by-line cube, filled tile by tile in any order, from any thread. Tiles
 /// side by side are gathered in memory into whole lines, which go out in one piece: a line of one band of one
 /// tile is only some dozen bytes. What waits is bounded (`Limits::buffer_bytes`, or two strips up to 512 MiB, or
 /// one strip); beyond it incomplete strips are written segment by segment. Large cubes go past the page cache,
 /// one more strip in the background; a failure there is thrown by the next write() or flush().
 class BilCube {
  public:
-  enum class Values { real, integer };  ///< float or 32-bit unsigned
+  enum class Values { real, integer, bits, byte };  ///< float; unsigned of 32, 16, 8 bits; the last two of one band
   struct Limits {
     std::size_t buffer_bytes = std::size_t{192} << 20;
     std::uint64_t large_bytes = kManyBytes;  ///< of a large cube
@@ -46,6 +46,8 @@ class BilCube {
   /// Values as [pixel * bands + band], pixels row by row.
   void write(sampling::PixelRect tile, std::span<const float> values);
   void write(sampling::PixelRect tile, std::span<const std::uint32_t> values);
+  void write(sampling::PixelRect tile, std::span<const std::uint16_t> values);
+  void write(sampling::PixelRect tile, std::span<const std::uint8_t> values);
 
   /// Writes all that waits; no write() may be under way.
   void flush();
@@ -98,6 +100,7 @@ class BilCube {
   int width_, height_, bands_;
   int stride_;  // of a row in memory
   Values values_;
+  std::size_t value_bytes_;
   Limits limits_;
   PartFile file_;
   std::mutex mutex_;

@@ -84,7 +84,7 @@ void CubeScan::take(const std::byte* line, std::size_t stride_bytes) {
   const auto width = static_cast<std::size_t>(width_);
   for (std::size_t band = 0; band < static_cast<std::size_t>(bands_); ++band) {
     const std::byte* row = line + band * stride_bytes;
-    sum_.update(row, 4 * width);
+    sum_.update(row, value_bytes_ * width);
     if (!figures_.empty()) figures_[band].add({reinterpret_cast<const float*>(row), width});
   }
   ++lines_;

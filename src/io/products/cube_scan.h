@@ -38,12 +38,13 @@ class BandFigures {
 /// not depend on the order in which tiles came.
 class CubeScan {
  public:
-  CubeScan(int width, int bands) : width_(width), bands_(bands) {}
+  CubeScan(int width, int bands, std::size_t value_bytes = 4)
+      : width_(width), bands_(bands), value_bytes_(value_bytes) {}
 
   /// Before the first line: figures are wanted too, of values that are floats.
   void want_figures() { figures_.resize(static_cast<std::size_t>(bands_)); }
 
-  /// The next line: `bands` rows of `width` 4-byte values, `stride_bytes` apart.
+  /// The next line: `bands` rows of `width` values, `stride_bytes` apart.
   void take(const std::byte* line, std::size_t stride_bytes);
   int lines() const { return lines_; }
 
@@ -53,6 +54,7 @@ class CubeScan {
 
  private:
   int width_, bands_, lines_ = 0;
+  std::size_t value_bytes_;
   Sha256 sum_;
   std::vector<BandFigures> figures_;
 };

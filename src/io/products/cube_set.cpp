@@ -6,6 +6,7 @@
 
 #include "core/format.h"
 #include "core/parallel.h"
+#include "io/products/quality_classes.h"
 
 namespace ifov::io {
 namespace {
@@ -33,8 +34,12 @@ CubeKind kind_of(int index, const render::ImageInfo& info) {
               "quality",
               "1",
               false,
-              {"converged", "largest half-width over its limit", "missable fraction"},
+              {"converged", "largest half-width over its limit", "missable fraction", "borders' share of the variance"},
               kReal};
+    case CubeSet::kReasons:
+      return {"_reasons", "why pixels are not converged, a bit for each reason", "1", false, {"reasons"}, EnviType::uint16};
+    case CubeSet::kQualityClass:
+      return {"_quality_class", "converged, or the gravest reason why not", "1", false, {"quality class"}, EnviType::byte};
     case CubeSet::kAbundance:
       return {"_abundance", "material fractions", "1", false, info.materials, kReal};
     default:
@@ -47,8 +52,34 @@ CubeKind kind_of(int index, const render::ImageInfo& info) {
   }
 }
 
+BilCube::Values values_of(EnviType type) {
+  switch (type) {
+    case EnviType::uint32:
+      return BilCube::Values::integer;
+    case EnviType::uint16:
+      return BilCube::Values::bits;
+    case EnviType::byte:
+      return BilCube::Values::byte;
+    default:
+      return BilCube::Values::real;
+  }
+}
+
 std::size_t bands_of(const CubeKind& kind, const render::ImageInfo& info) {
   return kind.spectral ? info.channels.size() : kind.band_names.size();
+}
+
+/// Largest over the channels; 1 where nothing is known.
+float border_share(const sampling::TileResult& tile, std::size_t pixel) {
+  if (!tile.has_errors()) return 1.0f;
+  const auto columns = static_cast<std::size_t>(tile.columns);
+  float share = 0.0f;
+  for (std::size_t i = pixel * columns; i < (pixel + 1) * columns; ++i) {
+    const float geometry = tile.variance_geometry[i], sum = geometry + tile.variance_path[i];
+    if (!std::isfinite(sum)) return 1.0f;
+    if (sum > 0.0f) share = std::max(share, geometry / sum);
+  }
+  return share;
 }
 
 std::filesystem::path with_ending(std::filesystem::path path, const std::string& ending) {
@@ -60,7 +91,7 @@ std::filesystem::path with_ending(std::filesystem::path path, const std::string&
 CubeSet::Cube::Cube(CubeKind cube_kind, const std::filesystem::path& path, const render::ImageInfo& info)
     : kind(std::move(cube_kind)),
       raster(path, info.width_px, info.height_px, static_cast<int>(bands_of(kind, info)),
-             kind.type == EnviType::uint32 ? BilCube::Values::integer : BilCube::Values::real) {}
+             values_of(kind.type)) {}
 
 CubeSet::CubeSet(const std::filesystem::path& stem, Selection selection, const render::ImageInfo& info,
                  std::uint64_t further_bytes)
@@ -68,7 +99,10 @@ CubeSet::CubeSet(const std::filesystem::path& stem, Selection selection, const r
   const auto pixels = static_cast<std::uint64_t>(info.width_px) * static_cast<std::uint64_t>(info.height_px);
   std::uint64_t bytes = further_bytes;
   for (int i = 0; i < kCount; ++i)
-    if (selected(static_cast<Index>(i))) bytes += 4 * pixels * bands_of(kind_of(i, info), info);
+    if (selected(static_cast<Index>(i))) {
+      const CubeKind kind = kind_of(i, info);
+      bytes += bytes_per_value(kind.type) * pixels * bands_of(kind, info);
+    }
   require_space(stem.parent_path(), bytes);
   try {
     for (int i = 0; i < kCount; ++i) {
@@ -113,7 +147,7 @@ void CubeSet::require_consistent(const sampling::TileResult& tile) const {
       tile.variance_geometry.size() != error_cells || tile.variance_path.size() != error_cells ||
       tile.half_width.size() != error_cells || tile.samples.size() != pixels ||
       tile.label_rays.size() != pixels || tile.radiance_evaluations.size() != pixels ||
-      tile.converged.size() != pixels || tile.worst_ratio.size() != pixels ||
+      tile.reasons.size() != pixels || tile.worst_ratio.size() != pixels ||
       tile.missable_fraction.size() != pixels)
     throw std::logic_error("a tile's arrays do not match its size");
 }
@@ -143,18 +177,27 @@ void CubeSet::write(const sampling::TileResult& tile) {
 
   const std::size_t pixels = tile.samples.size();
   std::vector<std::uint32_t> counts(3 * pixels);
-  std::vector<float> quality(3 * pixels);
+  std::vector<float> quality(4 * pixels);
   for (std::size_t p = 0; p < pixels; ++p) {
     counts[3 * p] = tile.samples[p];
     counts[3 * p + 1] = tile.label_rays[p];
     counts[3 * p + 2] = tile.radiance_evaluations[p];
-    quality[3 * p] = tile.converged[p] != 0 ? 1.0f : 0.0f;
-    quality[3 * p + 1] = tile.worst_ratio[p];
-    quality[3 * p + 2] = tile.missable_fraction[p];
+    quality[4 * p] = tile.converged(p) ? 1.0f : 0.0f;
+    quality[4 * p + 1] = tile.worst_ratio[p];
+    quality[4 * p + 2] = tile.missable_fraction[p];
+    quality[4 * p + 3] = border_share(tile, p);
   }
   cubes_[kSamples]->raster.write(tile.tile, std::span<const std::uint32_t>(counts));
   write_values(kQuality, tile, quality);
+  write_reasons(tile);
   if (cubes_[kAbundance]) write_fractions(tile);
+}
+
+void CubeSet::write_reasons(const sampling::TileResult& tile) {
+  std::vector<std::uint8_t> classes(tile.reasons.size());
+  std::transform(tile.reasons.begin(), tile.reasons.end(), classes.begin(), class_of);
+  cubes_[kReasons]->raster.write(tile.tile, std::span<const std::uint16_t>(tile.reasons));
+  cubes_[kQualityClass]->raster.write(tile.tile, std::span<const std::uint8_t>(classes));
 }
 
 void CubeSet::write_fractions(const sampling::TileResult& tile) {
@@ -187,7 +230,7 @@ void CubeSet::complete(RunRecord& record) {
       channel_statistics(cubes_[kRadiance]->raster.scan(), half_width ? &half_width->raster.scan() : nullptr);
   for (Cube* cube : open) {
     BilCube& raster = cube->raster;
-    const char* parts = !cube->kind.spectral ? "bands" : raster.bands() == 1 ? "channel" : "channels";
+    const char* parts = !cube->kind.spectral ? (raster.bands() == 1 ? "band" : "bands") : raster.bands() == 1 ? "channel" : "channels";
     record.files.push_back({raster.file().final_path(),
                             format("{}, {} {}, ENVI", cube->kind.what, raster.bands(), parts), raster.bytes(),
                             raster.scan().checksum()});
@@ -197,7 +240,10 @@ void CubeSet::complete(RunRecord& record) {
 void CubeSet::write_headers(const RunIdentity& identity, const std::string& statement) {
   for (Cube* cube : cubes()) {
     cube->header = std::make_unique<PartFile>(with_ending(cube->raster.file().final_path(), ".hdr"));
-    write_part(*cube->header, to_text(cube_header(cube->kind, info_, identity, statement)));
+    EnviHeader header = cube_header(cube->kind, info_, identity, statement);
+    if (cube == cubes_[kReasons].get()) add_bit_names(header);
+    if (cube == cubes_[kQualityClass].get()) add_classes(header);
+    write_part(*cube->header, to_text(header));
   }
 }
 

@@ -22,6 +22,8 @@ class CubeSet {
     kAirHalfWidth,
     kSamples,
     kQuality,
+    kReasons,
+    kQualityClass,
     kAbundance,
     kAbundanceHalfWidth,
     kCount
@@ -64,6 +66,7 @@ class CubeSet {
   std::vector<Cube*> cubes() const;
   void require_consistent(const sampling::TileResult& tile) const;
   void write_values(Index index, const sampling::TileResult& tile, const std::vector<float>& values);
+  void write_reasons(const sampling::TileResult& tile);
   void write_fractions(const sampling::TileResult& tile);
 
   std::filesystem::path stem_;

@@ -66,7 +66,9 @@ class Parser {
     result.coordinate_system = text("coordinate system string");
     result.map_info = split(text("map info"));
     result.band_names = list("band names", result.bands);
-    result.is_spectral_library = lower(text("file type")) == "envi spectral library";
+    const std::string file_type = lower(text("file type"));
+    result.is_spectral_library = file_type == "envi spectral library";
+    result.is_classification = file_type == "envi classification";
     const int channels = result.is_spectral_library ? result.samples : result.bands;
     result.wavelength = numbers("wavelength", channels);
     result.fwhm = numbers("fwhm", channels);
@@ -273,9 +275,9 @@ std::string to_text(const EnviHeader& h) {
   std::replace(description.begin(), description.end(), '}', ')');
   if (!description.empty()) out += format("description = {{\n{}}}\n", description);
   out += format(
-      "samples = {}\nlines = {}\nbands = {}\nheader offset = {}\nfile type = ENVI Standard\ndata type = {}\n"
+      "samples = {}\nlines = {}\nbands = {}\nheader offset = {}\nfile type = {}\ndata type = {}\n"
       "interleave = {}\nbyte order = {}\n",
-      h.samples, h.lines, h.bands, h.header_offset, static_cast<int>(h.data_type),
+      h.samples, h.lines, h.bands, h.header_offset, h.is_classification ? "ENVI Classification" : "ENVI Standard", static_cast<int>(h.data_type),
       kInterleave[static_cast<int>(h.interleave)], h.big_endian ? 1 : 0);
   append_list(out, "map info", h.map_info, ", ", safe);
   if (!h.coordinate_system.empty()) out += format("coordinate system string = {{{}}}\n", h.coordinate_system);

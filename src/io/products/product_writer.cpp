@@ -21,7 +21,7 @@ void add(ImageStatistics& s, const sampling::TileResult& tile) {
   if (s.pixels == 0) s.fewest_samples = tile.samples.front();
   s.pixels += static_cast<std::uint64_t>(tile.tile.count());
   for (std::size_t p = 0; p < tile.samples.size(); ++p) {
-    s.converged += tile.converged[p] != 0;
+    s.converged += tile.converged(p);
     s.samples += tile.samples[p];
     s.label_rays += tile.label_rays[p];
     s.radiance_evaluations += tile.radiance_evaluations[p];
@@ -30,6 +30,7 @@ void add(ImageStatistics& s, const sampling::TileResult& tile) {
     s.worst_ratio = std::max<double>(s.worst_ratio, tile.worst_ratio[p]);
     s.largest_missable_fraction = std::max<double>(s.largest_missable_fraction, tile.missable_fraction[p]);
   }
+  sampling::add_reasons(tile.reasons, s.reasons);
   s.halo_samples += tile.halo_samples;
   s.seed_samples += tile.seed_samples;
   s.probe_samples += tile.probe_samples;
@@ -96,6 +97,7 @@ std::vector<std::unique_ptr<PartFile>> ProductWriter::State::derive(
       input.half_width = cubes->view(CubeSet::kHalfWidth);
       input.samples = cubes->view(CubeSet::kSamples);
       input.quality = cubes->view(CubeSet::kQuality);
+      input.reasons = cubes->view(CubeSet::kReasons);
       write_part(file, make_report(record, input));
     });
   return files;

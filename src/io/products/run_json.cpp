@@ -15,6 +15,7 @@ Json::Value image(const render::ImageInfo& info) {
   v["width_px"] = info.width_px;
   v["height_px"] = info.height_px;
   v["radiance_unit"] = info.radiance_unit;
+  v["footprint_px"] = number(info.footprint_px);
   if (info.has_map) {
     v["map"]["upper_left_x_m"] = info.map_x_m;
     v["map"]["upper_left_y_m"] = info.map_y_m;
@@ -83,6 +84,9 @@ Json::Value accuracy(const RunRecord& record) {
   v["detection"] = record.outcome.detection_statement;
   v["pixels"] = count(s.pixels);
   v["pixels_converged"] = count(s.converged);
+  v["pixels_by_reason"] = Json::objectValue;
+  for (std::size_t r = 0; r < s.reasons.size(); ++r)
+    v["pixels_by_reason"][std::string(sampling::kReasonNames[r])] = count(s.reasons[r]);
   v["worst_ratio"] = number(s.worst_ratio);
   v["largest_missable_fraction"] = number(s.largest_missable_fraction);
   return v;

@@ -7,6 +7,7 @@
 
 #include "render/tile_sink.h"
 #include "sampling/field.h"
+#include "sampling/reason_words.h"
 
 namespace ifov::io {
 
@@ -41,6 +42,7 @@ struct ChannelStatistics {
 struct ImageStatistics {
   std::vector<ChannelStatistics> channels;
   std::uint64_t pixels = 0, converged = 0;
+  sampling::ReasonCounts reasons{};  ///< pixels that are not converged, by reason; one may have several
   std::uint64_t samples = 0, label_rays = 0, radiance_evaluations = 0;
   std::uint64_t halo_samples = 0, seed_samples = 0, probe_samples = 0;
   std::uint32_t fewest_samples = 0, most_samples = 0;

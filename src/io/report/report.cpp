@@ -10,7 +10,9 @@
 #include "io/products/product_headers.h"
 #include "io/report/report_data.h"
 #include "io/report/report_page.h"
+#include "io/report/report_reasons.h"
 #include "io/report/report_words.h"
+#include "sampling/region_interval.h"
 
 namespace ifov::io {
 namespace {
@@ -66,7 +68,7 @@ class Page {
     if (std::none_of(figures.begin(), figures.end(),
                      [](const ChannelStatistics& s) { return std::isfinite(s.largest_half_width); }))
       input_.half_width = {};
-    const std::size_t per_pixel = 2 * (static_cast<std::size_t>(bands_) * (input_.half_width ? 2 : 1) + 3);
+    const std::size_t per_pixel = 2 * (static_cast<std::size_t>(bands_) * (input_.half_width ? 2 : 1) + 6);
     step_ = thinning_step(record.image.width_px, record.image.height_px, per_pixel, embed_limit_bytes);
     judged_ = !record.identity.accuracy_asked.empty() && static_cast<bool>(input_.quality);
   }
@@ -79,9 +81,9 @@ class Page {
     page += format("<title>{}</title>\n<style>{}</style></head>\n<body><main>\n", escape_html(title),
                    kReportStyle);
     page +=
-        heading(title) + statements() + tiles() + viewer() + maps() + channel_table() + cost() + provenance();
+        heading(title) + statements() + tiles() + viewer() + maps() + reasons() + channel_table() + cost() + provenance();
     page += "</main>\n" + data();
-    page += format("<script>{}</script>\n</body></html>\n", kReportScript);
+    page += format("<script>{}{}{}</script>\n</body></html>\n", kReportScript, kReportQualityScript, kReportBeginScript);
     return page;
   }
 
@@ -149,8 +151,7 @@ class Page {
         "<svg class=\"bar\" id=\"image-bar\"></svg></div>";
     html += format(
         "<figure><svg id=\"spectrum\" width=\"100%\"></svg><figcaption><span id=\"pixel\"></span><br>Click "
-        "the image to "
-        "choose a pixel.{}</figcaption></figure></div>",
+        "the image to choose a pixel, drag to choose a region.{}</figcaption></figure></div>",
         input_.half_width ? format(" Bars are {:g} % intervals.", 100.0 * record_.identity.confidence) : "");
     if (step_ > 1)
       html += format(
@@ -173,6 +174,12 @@ class Page {
     if (input_.samples) map("samples", "Where the samples went");
     if (judged_) map("error", "Error reached, in units of its limit");
     return html.empty() ? html : format("<div class=\"two\">{}</div>\n<p></p>\n", html);
+  }
+
+  std::string reasons() const {
+    return judged_ && input_.reasons && record_.statistics.converged < record_.statistics.pixels
+               ? reasons_section(record_)
+               : std::string();
   }
 
   std::string channel_table() const {
@@ -261,11 +268,19 @@ class Page {
     embed("radiance", input_.radiance, bands_);
     embed("half_width", input_.half_width, bands_);
     embed("samples", input_.samples, 1);
-    embed("quality", input_.quality, 2);
+    embed("quality", input_.quality, 4);
+    embed("reasons", input_.reasons, 1);
+    add_reasons(meta);
 
     meta["step"] = step_;
     meta["unit"] = shown_unit(record_.image.radiance_unit);
     meta["judged"] = judged_;
+    const sampling::RegionRule rule = record_.identity.sampler == "accuracy"
+                                          ? sampling::RegionRule::of_accuracy(record_.image.footprint_px)
+                                          : sampling::RegionRule::all_common();
+    meta["region"]["shared"] = rule.shared;
+    meta["region"]["commonBorders"] = rule.common_borders;
+    meta["region"]["commonPaths"] = rule.common_paths;
     meta["channels"] = Json::arrayValue;
     for (int c = 0; c < bands_; ++c) {
       const auto& channel = record_.image.channels[static_cast<std::size_t>(c)];
@@ -273,6 +288,13 @@ class Page {
       v["name"] = channel.name;
       v["um"] = channel.centre_um;
       v["thermal"] = is_thermal(record_.image, c);
+      if (channel.air) {
+        v["air"]["path"] = channel.air->path;
+        v["air"]["surface"] = channel.air->surface;
+        v["air"]["sky"] = channel.air->sky;
+        v["air"]["path_radiance"] = channel.air->path_radiance;
+        v["air"]["white_in_sky"] = channel.air->white_in_sky;
+      }
       meta["channels"].append(v);
     }
     const auto chosen = picture_channels(record_.image);

@@ -12,7 +12,8 @@ namespace ifov::io {
 struct ReportInput {
   RasterView radiance, half_width;  ///< one band a channel
   RasterView samples;               ///< first band: samples per pixel
-  RasterView quality;               ///< first two bands: converged, half-width over limit
+  RasterView quality;               ///< converged, half-width over limit, missable fraction, borders' share
+  RasterView reasons;               ///< bits of sampling::Reason
 };
 
 /// One self-contained HTML page: image with band slider, spectrum with intervals, maps, histograms,

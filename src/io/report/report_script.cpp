@@ -21,7 +21,7 @@ const char* const kReportScript = R"js(
     };
     return {value, band: b => Float64Array.from({length: N}, (_, i) => value(b, i))};
   }
-  const radiance = raster("radiance"), width = raster("half_width"), samples = raster("samples"), quality = raster("quality");
+  const radiance = raster("radiance"), width = raster("half_width"), samples = raster("samples"), quality = raster("quality"), reasons = raster("reasons");
 
   const C1 = 1.191042972e8, C2 = 1.438776877e4;  // W m-2 sr-1 um4; um K
   const kelvin = (um, l) => l > 0 ? C2 / (um * Math.log1p(C1 / (um ** 5 * l))) : NaN;
@@ -103,7 +103,7 @@ const char* const kReportScript = R"js(
   }
 
   // Viewer: what is shown, of which channel, and the pixel that is looked at.
-  const state = {view: meta.rgb.length === 3 ? "colour" : "channel", band: meta.first, x: W >> 1, y: H >> 1};
+  const state = {view: meta.rgb.length === 3 ? "colour" : "channel", band: meta.first, x: W >> 1, y: H >> 1, region: null};
   const shown = b => meta.channels[b].thermal ? "brightness temperature, K" : `radiance, ${meta.unit}`;
   function layer(view, b) {
     const c = meta.channels[b];
@@ -136,6 +136,13 @@ const char* const kReportScript = R"js(
     const svg = $("mark");
     clear(svg, W, H);
     svg.setAttribute("preserveAspectRatio", "none");
+    if (state.region) {
+      const r = state.region;
+      for (const [stroke, w] of [["#000", 4], ["#fff", 1.6]])
+        add(svg, "rect", {x: r.x0, y: r.y0, width: r.x1 - r.x0, height: r.y1 - r.y0, stroke, "stroke-width": w,
+          "vector-effect": "non-scaling-stroke", fill: "none"});
+      return;
+    }
     const s = Math.max(W, H) / 60, x = state.x + 0.5, y = state.y + 0.5;
     for (const [stroke, w] of [["#000", 4], ["#fff", 1.6]])
       add(svg, "path", {d: `M${x - 2.2 * s},${y}H${x - 0.7 * s}M${x + 0.7 * s},${y}H${x + 2.2 * s}M${x},${y - 2.2 * s}V${y - 0.7 * s}M${x},${y + 0.7 * s}V${y + 2.2 * s}`,
@@ -159,11 +166,11 @@ const char* const kReportScript = R"js(
     return {px, py};
   }
   function drawSpectrum() {
-    const svg = $("spectrum"), i = state.y * W + state.x, box = {l: 58, t: 26, w: 440, h: 330};
+    const svg = $("spectrum"), at = looked(), box = {l: 58, t: 26, w: 440, h: 330};
     clear(svg, 510, 396);
     // Reflective and thermal channels together need a logarithmic axis.
     const um = meta.channels.map(c => c.um), wide = Math.max(...um) > 6 * Math.min(...um), scale = wide ? Math.log10 : v => v;
-    const points = meta.channels.map((c, b) => ({x: scale(c.um), y: radiance.value(b, i), e: width ? width.value(b, i) : NaN}))
+    const points = meta.channels.map((c, b) => ({x: scale(c.um), ...at.channel(b)}))
       .filter(p => isFinite(p.y)).sort((a, b) => a.x - b.x);
     if (!points.length) return;
     const e = p => isFinite(p.e) ? p.e : 0;
@@ -181,15 +188,13 @@ const char* const kReportScript = R"js(
       if (e(p) > 0) add(svg, "path", {d: `M${px(p.x)},${py(p.y - e(p))}V${py(p.y + e(p))}M${px(p.x) - 4},${py(p.y - e(p))}h8M${px(p.x) - 4},${py(p.y + e(p))}h8`, class: "error"});
       add(svg, "circle", {cx: px(p.x), cy: py(p.y), r: 2.6, class: "dot"});
     }
-    const here = meta.channels[state.band], l = radiance.value(state.band, i), h = width ? width.value(state.band, i) : NaN;
-    let text = `Pixel (${state.x * meta.step}, ${state.y * meta.step}): ${here.name} = ${brief(l)}${isFinite(h) ? " \u00b1 " + brief(h) : ""}`;
+    const here = meta.channels[state.band], {y: l, e: h} = at.channel(state.band);
+    let text = `${at.name}: ${here.name} = ${brief(l)}${isFinite(h) ? " \u00b1 " + brief(h) : ""}`;
     if (here.thermal) {
       const t = kelvin(here.um, l);
       text += ` = ${t.toFixed(2)} K` + (isFinite(h) ? ` \u00b1 ${brief(h / slope(here.um, t))} K` : "");
     }
-    if (samples) text += `; ${Math.round(samples.value(0, i))} samples`;
-    if (quality && meta.judged) text += quality.value(0, i) > 0.5 ? "; converged" : "; not converged";
-    $("pixel").textContent = text;
+    $("pixel").textContent = text + at.more;
   }
 
   function drawMap(id, r, band, map, label, logarithmic) {
@@ -215,28 +220,6 @@ const char* const kReportScript = R"js(
       add(svg, "text", {x: px(scale(limit)), y: box.t - 5, "text-anchor": "middle", class: "limit-text"}, "limit");
     }
   }
-
-  const locate = event => {
-    const r = $("image").getBoundingClientRect();
-    state.x = Math.min(W - 1, Math.max(0, Math.floor((event.clientX - r.left) / r.width * W)));
-    state.y = Math.min(H - 1, Math.max(0, Math.floor((event.clientY - r.top) / r.height * H)));
-    drawMark(); drawSpectrum();
-  };
-  $("image").addEventListener("click", locate);
-  $("image").addEventListener("mousemove", e => { if (e.buttons & 1) locate(e); });
-  $("band").addEventListener("input", e => { state.band = +e.target.value; drawImage(); drawSpectrum(); });
-  for (const b of document.querySelectorAll("#views button"))
-    b.addEventListener("click", () => { state.view = b.dataset.view; drawImage(); });
-
-  $("band").value = state.band;
-  drawImage();
-  drawSpectrum();
-  drawMap("map-samples", samples, 0, maps.seq, meta.histograms.samples.logarithmic ? "samples per pixel (logarithmic)" : "samples per pixel", meta.histograms.samples.logarithmic);
-  drawMap("map-error", quality, 1, maps.heat, "half-width over limit", false);
-  drawHistogram("hist-samples", meta.histograms.samples, "samples per pixel");
-  drawHistogram("hist-error", meta.histograms.error, "half-width over limit", 1);
-  document.body.dataset.ready = "yes";
-})();
 )js";
 
 }  // namespace ifov::io

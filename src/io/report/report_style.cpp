@@ -56,6 +56,9 @@ tbody tr:last-child td{border-bottom:0}
 pre{overflow:auto;background:var(--wash);border:1px solid var(--line);border-radius:6px;padding:14px;font:13px/1.45 ui-monospace,Menlo,Consolas,monospace;max-height:520px}
 details summary{cursor:pointer;font-weight:650;font-size:17px}
 details[open] summary{margin-bottom:12px}
+.swatch{display:inline-block;width:13px;height:13px;border-radius:3px;margin-right:8px;vertical-align:-1px}
+.legend td:nth-child(2),.legend th:nth-child(2){text-align:left}
+.legend td:first-child{white-space:nowrap}
 .note{border-left:3px solid var(--warn);padding:2px 0 2px 12px;margin:8px 0 0;color:var(--ink)}
 figure{margin:0}
 figcaption{color:var(--soft);font-size:13px;margin-top:6px}

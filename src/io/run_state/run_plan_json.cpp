@@ -45,6 +45,7 @@ Json::Value image_value(const render::ImageInfo& image) {
   v["width_px"] = image.width_px;
   v["height_px"] = image.height_px;
   v["radiance_unit"] = image.radiance_unit;
+  v["footprint_px"] = image.footprint_px;
   v["channels"] = Json::arrayValue;
   for (const auto& channel : image.channels) {
     Json::Value c;
@@ -72,6 +73,7 @@ render::ImageInfo image_of(const Json::Value& v) {
   image.width_px = v["width_px"].asInt();
   image.height_px = v["height_px"].asInt();
   image.radiance_unit = v["radiance_unit"].asString();
+  image.footprint_px = v["footprint_px"].asDouble();
   for (const Json::Value& c : v["channels"]) {
     image.channels.push_back({c["name"].asString(), c["centre_um"].asDouble(), c["fwhm_um"].asDouble()});
     if (!c.isMember("air")) continue;

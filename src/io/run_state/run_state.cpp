@@ -26,6 +26,7 @@ class Survey {
     result_.done[header.index] = true;
     result_.pixels += header.rect().count();
     result_.converged += header.converged;
+    for (std::size_t r = 0; r < result_.reasons.size(); ++r) result_.reasons[r] += header.reasons[r];
     result_.rays += static_cast<std::int64_t>(header.primary_rays + header.shadow_rays + header.bounce_rays);
     result_.worst_ratio = std::max<double>(result_.worst_ratio, header.worst_ratio);
     return true;
@@ -94,13 +95,16 @@ ProductBytes product_bytes(const RunPlan& plan) {
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(plan.image.width_px) * static_cast<std::uint64_t>(plan.image.height_px);
   ProductBytes bytes;
-  const auto add = [&](std::uint64_t cubes, std::uint64_t bands) {
-    const std::uint64_t cube = 4 * bands * pixels;
+  const auto add = [&](std::uint64_t cubes, std::uint64_t bands, std::uint64_t value_bytes = 4) {
+    const std::uint64_t cube = value_bytes * bands * pixels;
     (cube >= kManyBytes ? bytes.direct : bytes.cached) += cubes * cube;
   };
   const std::uint64_t channels = plan.image.channels.size();
   add(plan.knows_errors ? 3 + (has_air ? 1 : 0) : 1, channels);
-  add(2, 3);  // samples, quality
+  add(1, 3);  // samples
+  add(1, 4);  // quality
+  add(1, 1, 2);  // reasons
+  add(1, 1, 1);  // quality class
   add(2, plan.image.materials.size());
   if (plan.geotiff) bytes.cached += 4 * channels * pixels;
   return bytes;
@@ -127,7 +131,7 @@ std::uint64_t state_bytes(const RunPlan& plan) {
   constexpr std::uint64_t kMaterialsInPixel = 2;
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(plan.image.width_px) * static_cast<std::uint64_t>(plan.image.height_px);
-  const std::uint64_t per_pixel = 4 * plan.image.channels.size() * (plan.knows_errors ? 4 : 1) + 5 * 4 + 1 +
+  const std::uint64_t per_pixel = 4 * plan.image.channels.size() * (plan.knows_errors ? 4 : 1) + 5 * 4 + sizeof(sampling::Reasons) +
                                   kMaterialsInPixel * sizeof(sampling::Abundance);
   const auto across = [&](int size_px) { return static_cast<std::uint64_t>((size_px - 1) / plan.tile_px + 1); };
   const std::uint64_t tiles = across(plan.image.width_px) * across(plan.image.height_px);

@@ -20,6 +20,7 @@ namespace ifov::io {
 struct TilesDone {
   std::vector<bool> done;  ///< by tile
   std::int64_t pixels = 0, converged = 0, rays = 0;
+  sampling::ReasonCounts reasons{};  ///< pixels that are not converged
   double worst_ratio = 0.0;
   double elapsed_s = 0.0;  ///< wall time of all its starts
   std::size_t count() const;

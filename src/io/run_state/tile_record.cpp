@@ -10,7 +10,7 @@ namespace ifov::io {
 namespace {
 
 constexpr char kMagic[9] = "IFOVTILE";
-constexpr std::uint32_t kByteOrder = 0x01020304, kFormat = 2;
+constexpr std::uint32_t kByteOrder = 0x01020304, kFormat = 4;
 
 std::uint64_t hash_of_header(const TileHeader& header) {
   return XXH3_64bits(&header, offsetof(TileHeader, header_hash));
@@ -29,14 +29,14 @@ void for_each_array(Tile& tile, const Visit& visit) {
   visit(tile.worst_ratio);
   visit(tile.missable_fraction);
   visit(tile.abundances);
-  visit(tile.converged);
+  visit(tile.reasons);
   visit(tile.memory);
 }
 
 std::uint64_t payload_bytes_of(const TileHeader& header) {
   const auto pixels = static_cast<std::uint64_t>(header.rect().count());
   const std::uint64_t cells = pixels * static_cast<std::uint64_t>(header.columns);
-  return 4 * cells * (header.has_errors != 0 ? 4 : 1) + pixels * (5 * 4 + 1) +
+  return 4 * cells * (header.has_errors != 0 ? 4 : 1) + pixels * (5 * 4 + sizeof(sampling::Reasons)) +
          sizeof(sampling::Abundance) * std::uint64_t{header.abundances} + header.memory_bytes;
 }
 
@@ -61,8 +61,10 @@ std::vector<std::byte> encode_tile(const sampling::TileResult& tile, const TileS
   header.bounce_rays = tile.rays.bounce;
   header.start = stamp.start;
   header.elapsed_s = stamp.elapsed_s;
-  header.converged =
-      static_cast<std::uint32_t>(std::count(tile.converged.begin(), tile.converged.end(), std::uint8_t{1}));
+  header.converged = static_cast<std::uint32_t>(tile.converged_count());
+  sampling::ReasonCounts reasons{};
+  sampling::add_reasons(tile.reasons, reasons);
+  std::copy(reasons.begin(), reasons.end(), header.reasons);
   for (const float ratio : tile.worst_ratio) header.worst_ratio = std::max(header.worst_ratio, ratio);
   header.run = stamp.run;
   header.memory_bytes = tile.memory.size();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sampling/reason_words.h"
 #include "sampling/tile.h"
 
 namespace ifov::io {
@@ -27,6 +28,7 @@ struct TileHeader {
   double elapsed_s;         ///< since that start
   std::uint32_t converged;  ///< pixels
   float worst_ratio;
+  std::uint32_t reasons[sampling::kReasonNames.size()];  ///< pixels, by reason why they are not converged
   std::uint64_t run;  ///< which run the tile belongs to, RunPlan::key()
   std::uint64_t memory_bytes;  ///< of what the sampler keeps for a tighter accuracy
   std::uint64_t payload_hash, header_hash;
@@ -34,7 +36,7 @@ struct TileHeader {
   std::uint64_t record_bytes() const { return sizeof(TileHeader) + payload_bytes; }
   sampling::PixelRect rect() const { return {x0, y0, x1, y1}; }
 };
-static_assert(sizeof(TileHeader) == 160);
+static_assert(sizeof(TileHeader) == 200);
 
 /// What a tile's header says besides the tile.
 struct TileStamp {

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/products/image_region.h"
+#include "sampling/reason_words.h"
+#include "sampling/region_interval.h"
+
+namespace ifov::io {
+
+/// Means of a run's products over a region.
+struct RegionMeans {
+  std::uint64_t pixels = 0, converged = 0;
+  sampling::ReasonCounts reasons{};  ///< of those that are not converged
+  struct Channel {
+    std::uint64_t pixels = 0;        ///< that hold a value
+    double mean = 0.0, half_width = 0.0;  ///< not a number where nothing is known
+  };
+  std::vector<Channel> channels;
+};
+
+/// From the cubes <stem>_radiance.img and so on. Errors as of EnviReader.
+RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& region, const sampling::RegionRule& rule);
+
+}  // namespace ifov::io
