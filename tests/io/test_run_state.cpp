@@ -65,7 +65,7 @@ void expect_same(const sampling::TileResult& a, const sampling::TileResult& b) {
   EXPECT_EQ(a.samples, b.samples);
   EXPECT_EQ(a.label_rays, b.label_rays);
   EXPECT_EQ(a.radiance_evaluations, b.radiance_evaluations);
-  EXPECT_EQ(a.converged, b.converged);
+  EXPECT_EQ(a.reasons, b.reasons);
   EXPECT_EQ(a.worst_ratio, b.worst_ratio);
   EXPECT_EQ(a.missable_fraction, b.missable_fraction);
   ASSERT_EQ(a.abundances.size(), b.abundances.size());
@@ -86,6 +86,17 @@ void fill(const std::filesystem::path& folder, const RunPlan& plan, std::size_t 
   for (std::size_t k = 0; k < std::min(most, grid.size()); ++k)
     state.put(static_cast<std::uint32_t>(k), kImage.tile(grid[k]));
   state.close();
+}
+
+/// The tiles of the state in one pack: on a slow machine they were finished too far apart to share one.
+std::filesystem::path only_pack(const std::filesystem::path& state) {
+  const auto packs = packs_in(state / "tiles");
+  std::ofstream first(packs.at(0), std::ios::binary | std::ios::app);
+  for (std::size_t k = 1; k < packs.size(); ++k) {
+    first << read_all(packs[k]);
+    std::filesystem::remove(packs[k]);
+  }
+  return packs[0];
 }
 
 TEST(TileRecord, HoldsAllOfATile) {
@@ -163,11 +174,10 @@ TEST(RunState, ADamagedTileIsToldAndComputedAgain) {
   const RunPlan plan = plan_of(kImage);
   const std::size_t tiles = plan.grid().size();
   fill(folder.path(), plan);
-  const auto packs = packs_in(state_folder(folder.path()) / "tiles");
-  ASSERT_EQ(packs.size(), 1u);
-  const std::string whole = read_all(packs[0]);
+  const std::filesystem::path pack = only_pack(state_folder(folder.path()));
+  const std::string whole = read_all(pack);
   const auto resume = [&](const std::string& content, std::string& words) {
-    std::ofstream(packs[0], std::ios::binary) << content;
+    std::ofstream(pack, std::ios::binary) << content;
     Words log;
     RunState state(folder.path(), plan, RunStart::resume, &log);
     std::size_t taken = 0;
@@ -186,20 +196,20 @@ TEST(RunState, ADamagedTileIsToldAndComputedAgain) {
   flipped[sizeof(TileHeader) + 100] ^= 16;  // in the first tile's values
   EXPECT_EQ(resume(flipped, words), tiles - 1);
   EXPECT_EQ(words, format("warning: {}: the checksum of tile 0 is wrong: it is computed again\n",
-                          packs[0].string()));
-  EXPECT_EQ(resume(read_all(packs[0]), words), tiles - 1) << "the whole tiles stay in the file";
+                          pack.string()));
+  EXPECT_EQ(resume(read_all(pack), words), tiles - 1) << "the whole tiles stay in the file";
   EXPECT_EQ(words, "");
 
   EXPECT_EQ(resume(whole.substr(0, whole.size() - 1), words), tiles - 1);
   EXPECT_EQ(words, format("warning: {}: the file is cut short: tile {} is computed again\n",
-                          packs[0].string(), tiles - 1));
+                          pack.string(), tiles - 1));
   EXPECT_EQ(resume(whole.substr(0, sizeof(TileHeader) - 1), words), 0u);
   EXPECT_EQ(words, format("warning: {}: the file is cut short: its last tile is computed again\n",
-                          packs[0].string()));
-  EXPECT_FALSE(std::filesystem::exists(packs[0])) << "nothing in it is whole";
+                          pack.string()));
+  EXPECT_FALSE(std::filesystem::exists(pack)) << "nothing in it is whole";
   EXPECT_EQ(resume("", words), 0u);
   EXPECT_EQ(words,
-            format("warning: {}: the file is empty: its tiles are computed again\n", packs[0].string()));
+            format("warning: {}: the file is empty: its tiles are computed again\n", pack.string()));
   flipped = whole;
   flipped[40] ^= 1;  // a size in the first header: what follows cannot be found
   EXPECT_EQ(resume(flipped, words), 0u);
@@ -207,7 +217,7 @@ TEST(RunState, ADamagedTileIsToldAndComputedAgain) {
       words,
       format("warning: {}: a tile is not taken, its header is damaged: it and what follows it in the file "
              "is computed again\n",
-             packs[0].string()));
+             pack.string()));
 }
 
 TEST(RunState, NothingFinishedIsThrownAwayUnasked) {
