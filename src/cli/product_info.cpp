@@ -1,44 +1,19 @@
 #include "cli/product_info.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 #include "cli/progress_line.h"
+#include "cli/run_record_file.h"
 #include "core/error.h"
 #include "core/format.h"
-#include "io/document/json_adapter.h"
 #include "io/products/envi_reader.h"
+#include "sampling/reason_words.h"
 
 namespace ifov::cli {
 namespace {
 
-using Type = io::DocumentNode::Type;
-
 constexpr std::size_t kMostChannelsShown = 12;
-
-/// Looks through a run record that may lack anything.
-class Record {
- public:
-  explicit Record(const io::DocumentNode* node) : node_(node) {}
-
-  Record operator[](const char* key) const {
-    return Record(node_ != nullptr && node_->type() == Type::object ? node_->find(key) : nullptr);
-  }
-  std::string text() const { return node_ != nullptr && node_->type() == Type::text ? node_->text() : "?"; }
-  double number() const { return is_number() ? node_->number() : 0.0; }
-  bool is_number() const { return node_ != nullptr && node_->type() == Type::number; }
-  std::vector<Record> items() const {
-    std::vector<Record> all;
-    if (node_ == nullptr || node_->type() != Type::list) return all;
-    for (const io::DocumentNode& item : node_->items()) all.emplace_back(&item);
-    return all;
-  }
-
- private:
-  const io::DocumentNode* node_;
-};
 
 void add_line(std::string& text, std::string_view name, const std::string& value) {
   if (!value.empty() && value != "?") text += format("{:<10} {}\n", name, value);
@@ -70,6 +45,13 @@ std::string channel_line(const Record& channel, const std::string& unit) {
   return line;
 }
 
+std::string reason_counts(const Record& by_reason) {
+  sampling::ReasonCounts counts{};
+  for (std::size_t r = 0; r < counts.size(); ++r)
+    counts[r] = static_cast<std::uint64_t>(by_reason[std::string(sampling::kReasonNames[r])].number());
+  return sampling::describe_reasons(counts);
+}
+
 std::string accuracy_lines(const Record& accuracy) {
   std::string text;
   add_line(text, "asked", accuracy["asked"].text());
@@ -80,25 +62,14 @@ std::string accuracy_lines(const Record& accuracy) {
         format("{:.0f} of {:.0f} pixels, worst error {:.3g} x limit", accuracy["pixels_converged"].number(),
                accuracy["pixels"].number(), accuracy["worst_ratio"].number()));
   }
+  add_line(text, "reasons", reason_counts(accuracy["pixels_by_reason"]));
   add_line(text, "detection", accuracy["detection"].text());
   return text;
 }
 
 std::string describe_record(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw EnvironmentError(format("cannot read '{}'", path.string()));
-  io::JsonRules rules;
-  rules.comments = false;
-  const io::DocumentTree tree =
-      io::parse_json(std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()),
-                     path.string(), rules);
-  const Record run(tree.root.get());
-  if (run["program"]["name"].text() != "ifov") {
-    throw InputError(
-        format("{}: this is not the record of a run (it has no \"program\": {{\"name\": \"ifov\"}})",
-               path.string()),
-        {path.string(), 0, 0});
-  }
+  const RunRecordFile record(path);
+  const Record run = record.root();
   const Record image = run["image"], cost = run["cost"];
   std::string text = format("{}\n", path.string());
   add_line(text, "made by",

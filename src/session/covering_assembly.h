@@ -31,6 +31,9 @@ class CoveringAssembly {
   std::uint32_t covering(const io::MaterialBinding& binding, const std::string& slot_name,
                          const std::optional<io::TemperatureDocument>& temperature);
 
+  /// By covering made so far: whether any of its materials is a mirror; empty where none is.
+  std::vector<bool> mirrors() const { return scene_.mirror_coverings(); }
+
   /// How large the cells of the maps are that were made so far.
   const std::vector<MapScale>& map_scales() const { return textures_.map_scales(); }
 

@@ -45,7 +45,9 @@ class GeometryAssembly {
         math::Transform::translation(-document_.scene.origin.offset_m);
     for (const io::ObjectDocument& object : document_.scene.objects)
       with_position(document_, object.position, [&] { place(object, scene_from_document); });
-    return builder_.build();
+    geometry::BuildOptions options;
+    options.surveyed = coverings_.mirrors();
+    return builder_.build(options);
   }
 
  private:

@@ -80,6 +80,7 @@ RunResult merge_runs(const std::vector<std::filesystem::path>& folders, const Me
   RunProducts products(plan, options.output_folder);
   std::mutex mutex;
   std::vector<bool> read(grid.size());
+  sampling::ReasonCounts reasons{};
   const auto take = [&](std::size_t index, sampling::TileResult& tile) {
     for (const io::TileIndex& tiles : indices) {
       if (!tiles.has(index)) continue;
@@ -91,7 +92,8 @@ RunResult merge_runs(const std::vector<std::filesystem::path>& folders, const Me
       }
       read[index] = true;
       totals.pixels_done += tile.tile.count();
-      totals.pixels_converged += std::count(tile.converged.begin(), tile.converged.end(), std::uint8_t{1});
+      totals.pixels_converged += tile.converged_count();
+      sampling::add_reasons(tile.reasons, reasons);
       totals.rays += static_cast<std::int64_t>(tile.rays.total());
       for (const float ratio : tile.worst_ratio)
         totals.worst_error_ratio = std::max<double>(totals.worst_error_ratio, ratio);
@@ -99,11 +101,11 @@ RunResult merge_runs(const std::vector<std::filesystem::path>& folders, const Me
     }
     return false;
   };
-  TileAssembly(plan, {}, take, &products).finish(done, options.threads);
+  TileAssembly(plan, {}, take, &products).finish(done, options.threads, sampling::Reason::unjudged);
   require_all(read);  // a damaged one shows only when it is read
   totals.pixels_total = static_cast<std::int64_t>(plan.image.width_px) * plan.image.height_px;
   RunResult result;
-  result.summary = products.finish(totals, options.threads, "their tiles were not there to merge");
+  result.summary = products.finish(totals, reasons, options.threads, "their tiles were not there to merge");
   result.tiles_done = static_cast<std::size_t>(std::count(read.begin(), read.end(), true));
   result.tiles_left = grid.size() - result.tiles_done;
   return result;

@@ -27,8 +27,8 @@ constexpr const char* kTimeLimit = "the time limit came first";
 /// Keeps finished tiles, hands them to the products, and notes which there are.
 class KeepingSink final : public render::TileSink {
  public:
-  KeepingSink(const io::RunPlan& plan, TileAssembly* assembly, io::RunState* state, std::vector<bool>& done)
-      : plan_(plan), assembly_(assembly), state_(state), done_(done) {}
+  KeepingSink(const io::RunPlan& plan, TileAssembly* assembly, io::RunState* state, io::TilesDone& tiles)
+      : plan_(plan), assembly_(assembly), state_(state), tiles_(tiles) {}
   void begin(const render::ImageInfo&) override {}
   void write(const sampling::TileResult& tile) override {
     const std::size_t index =
@@ -36,7 +36,8 @@ class KeepingSink final : public render::TileSink {
     if (state_ != nullptr) state_->put(static_cast<std::uint32_t>(index), tile);
     if (assembly_ != nullptr) assembly_->write(index, tile);
     const std::scoped_lock lock(mutex_);
-    done_[index] = true;
+    tiles_.done[index] = true;
+    sampling::add_reasons(tile.reasons, tiles_.reasons);
   }
 
  private:
@@ -44,7 +45,7 @@ class KeepingSink final : public render::TileSink {
   TileAssembly* assembly_;
   io::RunState* state_;
   std::mutex mutex_;
-  std::vector<bool>& done_;
+  io::TilesDone& tiles_;
 };
 
 void add_work(Progress& sum, const Progress& work) {
@@ -190,7 +191,7 @@ class Run {
     const TimeLimit limit(end, server ? server->token() : options_.cancel);
     LastProgress progress(totals_, options_.progress, server.get());
     // What other ranks trace comes out of their packs at the end, and then all comes line by line.
-    KeepingSink sink(plan_, server ? nullptr : &*assembly_, state_ ? &*state_ : nullptr, tiles_.done);
+    KeepingSink sink(plan_, server ? nullptr : &*assembly_, state_ ? &*state_ : nullptr, tiles_);
     render::RenderControl control;
     control.threads = team_ != nullptr ? team_->threads(options_.threads) : options_.threads;
     control.cancel = limit.token();
@@ -232,6 +233,7 @@ class Run {
   void take_from(int rank, int packs) {
     const io::TilesDone tiles = state_->find(rank, packs);
     for (std::size_t k = 0; k < tiles.done.size(); ++k) tiles_.done[k] = tiles_.done[k] || tiles.done[k];
+    sampling::add_counts(tiles.reasons, tiles_.reasons);
     Progress work;
     work.pixels_done = tiles.pixels;
     work.pixels_converged = tiles.converged;
@@ -244,13 +246,13 @@ class Run {
     const std::size_t left = tiles_left().size();
     RunResult result;
     if (products_) {
-      if (const std::size_t unread = assembly_->finish(tiles_.done, options_.threads); unread > 0)
+      if (const std::size_t unread = assembly_->finish(tiles_.done, options_.threads, sampling::Reason::time); unread > 0)
         throw EnvironmentError(format("{} tiles cannot be read back", unread));
-      result.summary = products_->finish(totals_, options_.threads, kTimeLimit);
+      result.summary = products_->finish(totals_, tiles_.reasons, options_.threads, kTimeLimit);
     } else {
       result.summary.folder = folder_;
       result.summary.totals = totals_;
-      result.summary.accuracy_statement = accuracy_statement(plan_, totals_, kTimeLimit);
+      result.summary.accuracy_statement = accuracy_statement(plan_, totals_, tiles_.reasons, kTimeLimit);
     }
     result.tiles_done = tiles_.count();
     result.tiles_left = left;

@@ -10,22 +10,24 @@ RunProducts::RunProducts(const io::RunPlan& plan, const std::filesystem::path& f
   writer_.begin(plan.image);
 }
 
-void RunProducts::write_missing(sampling::PixelRect pixels) {
+void RunProducts::write_missing(sampling::PixelRect pixels, sampling::Reason reason) {
   constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
   sampling::TileResult tile;
   tile.reset(pixels, static_cast<int>(plan_.image.channels.size()), plan_.knows_errors);
   for (auto* values : {&tile.mean, &tile.variance_geometry, &tile.variance_path, &tile.half_width,
                        &tile.worst_ratio, &tile.missable_fraction})
     std::fill(values->begin(), values->end(), kNone);
+  std::fill(tile.reasons.begin(), tile.reasons.end(), bit(reason));
   for (std::uint32_t p = 0; p < tile.samples.size(); ++p)
     for (std::uint32_t m = 0; m < plan_.image.materials.size(); ++m)
       tile.abundances.push_back({p, m, kNone, kNone});
   writer_.write(tile);
 }
 
-RunSummary RunProducts::finish(const Progress& totals, int threads, const std::string& why_gaps) {
+RunSummary RunProducts::finish(const Progress& totals, const sampling::ReasonCounts& reasons, int threads,
+                               const std::string& why_gaps) {
   io::RunOutcome outcome;
-  outcome.accuracy_statement = accuracy_statement(plan_, totals, why_gaps);
+  outcome.accuracy_statement = accuracy_statement(plan_, totals, reasons, why_gaps);
   outcome.detection_statement = detection_.statement();
   outcome.notes = plan_.notes;
   outcome.elapsed_s = totals.elapsed_s;

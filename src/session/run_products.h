@@ -18,11 +18,12 @@ class RunProducts final : public render::TileSink {
   void begin(const render::ImageInfo&) override {}
   void write(const sampling::TileResult& tile) override { detection_.write(tile); }
 
-  /// For pixels that there is no tile of: not a number in every cube, 0 in the counts of samples.
-  void write_missing(sampling::PixelRect pixels);
+  /// For pixels that there is no tile of: not a number in every cube, 0 in the counts of samples; and the reason why.
+  void write_missing(sampling::PixelRect pixels, sampling::Reason reason);
 
-  /// After the last tile. `why_gaps` as for accuracy_statement().
-  RunSummary finish(const Progress& totals, int threads, const std::string& why_gaps);
+  /// After the last tile. `reasons` and `why_gaps` as for accuracy_statement().
+  RunSummary finish(const Progress& totals, const sampling::ReasonCounts& reasons, int threads,
+                    const std::string& why_gaps);
 
  private:
   const io::RunPlan& plan_;

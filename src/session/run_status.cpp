@@ -20,9 +20,11 @@ std::string line(const char* name, const std::string& value) { return format("{:
 std::string accuracy(const io::RunPlan& plan, const io::TilesDone& tiles) {
   if (!plan.judged) return format("none was asked for ({})", plan.identity.sampler);
   if (tiles.pixels == 0) return format("asked for {}; no pixel is done yet", plan.identity.accuracy_asked);
+  const std::string reasons = sampling::describe_reasons(tiles.reasons);
   return format(
-      "asked for {}; reached in {} of the {} pixels done; the widest interval is {:.2f} of its limit",
-      plan.identity.accuracy_asked, tiles.converged, tiles.pixels, tiles.worst_ratio);
+      "asked for {}; reached in {} of the {} pixels done{}; the widest interval is {:.2f} of its limit",
+      plan.identity.accuracy_asked, tiles.converged, tiles.pixels, reasons.empty() ? "" : format(" (not: {})", reasons),
+      tiles.worst_ratio);
 }
 
 std::string describe_unfinished(const std::filesystem::path& folder) {

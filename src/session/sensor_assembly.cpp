@@ -8,7 +8,6 @@
 #include "io/spectra/csv_spectrum.h"
 #include "sensor/frame_camera.h"
 #include "sensor/orthographic_camera.h"
-#include "sensor/psf.h"
 #include "session/with_position.h"
 
 namespace ifov::session {
@@ -113,7 +112,7 @@ std::vector<radiometry::Channel> assemble_channels(const io::Document& document)
   return channels;
 }
 
-sampling::PixelFootprint assemble_footprint(const io::Document& document) {
+std::unique_ptr<sensor::Psf> assemble_psf(const io::Document& document) {
   const io::SensorDocument& source = document.sensor;
   return with_position(document, source.psf_position, [&] {
     std::unique_ptr<sensor::Psf> psf;
@@ -128,7 +127,7 @@ sampling::PixelFootprint assemble_footprint(const io::Document& document) {
                                  raster.values.begin() + static_cast<std::ptrdiff_t>(raster.width) * raster.height);
       psf = sensor::make_kernel_psf(raster.width, raster.height, std::move(values), kernel->samples_per_pixel);
     }
-    return sensor::make_footprint(psf.get(), source.fill_factor);
+    return psf;
   });
 }
 

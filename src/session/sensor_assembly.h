@@ -8,13 +8,15 @@
 #include "render/tile_sink.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
+#include "sensor/psf.h"
 
 namespace ifov::session {
 
 /// `scene` tells where rays of a nadir camera without a height start.
 std::unique_ptr<sensor::Camera> assemble_camera(const io::Document& document, const scene::Scene& scene);
 std::vector<radiometry::Channel> assemble_channels(const io::Document& document);
-sampling::PixelFootprint assemble_footprint(const io::Document& document);
+/// Null without one: perfect optics.
+std::unique_ptr<sensor::Psf> assemble_psf(const io::Document& document);
 
 /// Names, channels and map information for products.
 render::ImageInfo image_info(const io::Document& document, const sensor::Camera& camera,

@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 
 #include "core/version.h"
+#include "render/emitters.h"
+#include "sampling/region_interval.h"
 #include "session/air_statements.h"
 #include "session/atmosphere_assembly.h"
 #include "session/atmosphere_cache.h"
 #include "session/imported_assembly.h"
+#include "session/light_warnings.h"
+#include "session/node_tolerance.h"
 #include "session/parts.h"
 #include "session/scene_assembly.h"
 #include "session/sensor_assembly.h"
 #include "session/statements.h"
+#include "session/surroundings_assembly.h"
 #include "session/weather_assembly.h"
 #include "session/with_position.h"
 
@@ -20,31 +24,16 @@ namespace ifov::session {
 
 namespace {
 
-/// Beyond this wavelength light is mostly emitted.
-constexpr double kThermal_um = 5.0;
-
-/// Where light is mostly emitted, a surface without a temperature is as dark as space.
-void warn_of_cold_surfaces(const Session::Parts& parts, LogSink& log) {
-  const bool thermal = std::any_of(parts.channels.begin(), parts.channels.end(),
-                                   [](const auto& channel) { return channel.centre_um > kThermal_um; });
-  if (!thermal) return;
-  std::string names;
-  for (std::size_t s = 0; s < parts.scene.states.size(); ++s) {
-    const std::uint32_t index = parts.scene.states[s].material;
-    const materials::Material& material = parts.scene.materials[index];
-    const bool mapped = std::any_of(parts.scene.coverings.begin(), parts.scene.coverings.end(), [&](const auto& c) {
-      for (std::size_t k = 0; k < c.temperatures.size(); ++k)
-        if (c.states[k] == s && c.temperatures[k]) return true;
-      return std::any_of(c.patterns.begin(), c.patterns.end(), [&](const auto& pattern) {
-        const std::vector<std::uint32_t> mixed = pattern->mixed_materials();
-        return pattern->temperatures() && std::find(mixed.begin(), mixed.end(), index) != mixed.end();
-      });
-    });
-    if (parts.scene.states[s].temperature_k > 0.0 || mapped || material.curve_of) continue;
-    names += (names.empty() ? "'" : ", '") + material.name + "'";
-  }
-  if (!names.empty())
-    log.warn(format("there are thermal channels, and no temperature for {}: what has none emits nothing", names));
+/// The footprint of a pixel, and what of its PSF lies beyond.
+void place_response(Session::Parts& parts) {
+  const std::unique_ptr<sensor::Psf> psf = assemble_psf(parts.document);
+  const double fill_factor = parts.document.sensor.fill_factor;
+  parts.footprint = std::make_unique<sampling::PixelFootprint>(sensor::make_footprint(psf.get(), fill_factor));
+  if (psf == nullptr) return;
+  if (psf->has_wings() && parts.plan.knows_errors)
+    parts.wings = std::make_unique<sensor::PsfWings>(*psf, fill_factor);
+  else
+    parts.psf_cut = 1.0 - psf->kept();
 }
 
 /// Channels integrate within this of a full integration.
@@ -77,29 +66,12 @@ void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options
   if (scene.view_path.transmittance) surfaces.push_back(*scene.view_path.transmittance);
 
   radiometry::NodeDemands demands;
+  demands.tolerance = node_tolerance(parts, demands.tolerance);
   if (const std::optional<int>& depth = parts.document.sampling.max_depth)
     demands.reflections = std::clamp(*depth, 1, demands.reflections);
-  double coldest_k = std::numeric_limits<double>::infinity(), hottest_k = 0.0;
-  const auto include = [&](double temperature_k) {
-    if (temperature_k <= 0.0) return;
-    coldest_k = std::min(coldest_k, temperature_k);
-    hottest_k = std::max(hottest_k, temperature_k);
-  };
-  for (const scene::SurfaceState& state : scene.states) include(state.temperature_k);
-  include(scene.surroundings.temperature_k);
-  include(scene.sky.temperature_k.value_or(0.0));
-  for (const scene::Covering& covering : scene.coverings)
-    for (const auto& map : covering.temperatures)
-      if (map) {
-        include(map->minimum_k());
-        include(map->maximum_k());
-      }
-  if (hottest_k > 0.0) {
-    demands.coldest_k = coldest_k;
-    demands.hottest_k = hottest_k;
-  } else {
-    demands.coldest_k = demands.hottest_k = 0.0;
-  }
+  const scene::TemperatureRange emitted = scene.temperatures().value_or(scene::TemperatureRange{});
+  demands.coldest_k = emitted.coldest_k;
+  demands.hottest_k = emitted.hottest_k;
   if (parts.document.atmosphere.modelled) {
     parts.atmosphere = assemble_atmosphere(
         parts, surfaces, demands, {options.threads, kept, atmosphere_progress(options), log});
@@ -115,9 +87,21 @@ void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options
   }
   const radiometry::Spectrum sun = scene.sun ? scene.sun->irradiance : radiometry::Spectrum();
   parts.own_nodes = std::make_unique<radiometry::SpectralNodes>(
-      radiometry::SpectralNodes::build(parts.channels, sun, surfaces, demands));
+      radiometry::SpectralNodes::build(parts.channels, sun, surfaces, demands,
+                                       scene.sky.radiance ? &*scene.sky.radiance : nullptr));
   parts.nodes = parts.own_nodes.get();
   parts.spectral_scene = std::make_unique<render::SpectralScene>(scene, *parts.nodes);
+}
+
+void tell_of_emitters(const render::SpectralScene& scene, LogSink& log) {
+  const render::Emitters* emitters = scene.emitters();
+  if (emitters == nullptr) return;
+  if (emitters->count() > 0)
+    log.info(format("emitters: faces that outshine the scene and whose light is sought: {}", emitters->count()));
+  if (emitters->leaves_some())
+    log.warn(format("light of some surfaces that outshine the scene is found by chance alone: it is not sought from planes "
+                    "and terrain, nor from more than {} faces",
+                    render::Emitters::kMost));
 }
 
 }  // namespace
@@ -125,8 +109,12 @@ void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options
 render::RenderJob Session::Parts::job(const SamplingPlan& sampling, const render::AccuracyTolerance* limits) const {
   render::RenderJob job{*spectral_scene, *camera, *footprint, *sampling.sampler};
   job.tolerance = limits;
+  job.wings = wings.get();
+  job.cut = psf_cut;
+  job.nodes = node_errors;
   job.air = air;
   if (document.sampling.max_depth) job.transport.maximum_scatterings = *document.sampling.max_depth;
+  job.transport.mirror_reflections = document.sampling.mirror_reflections;
   job.label_detail = sampling.request ? render::LabelDetail::sun_state : render::LabelDetail::material;
   job.seed = document.seed;
   job.tile_px = document.sampling.tile_px;
@@ -137,10 +125,11 @@ render::RenderJob Session::Parts::job(const SamplingPlan& sampling, const render
 
 std::unique_ptr<render::AccuracyTolerance> Session::Parts::tolerance_of(const SamplingPlan& sampling) const {
   if (!sampling.request) return nullptr;
-  return std::make_unique<render::AccuracyTolerance>(*sampling.request, *brightness, spectral_scene->white_reflected(),
-                                                     static_cast<std::int64_t>(camera->width_px()) *
-                                                         camera->height_px(),
-                                                     spectral_scene->path_radiance(), air);
+  auto limits = std::make_unique<render::AccuracyTolerance>(
+      *sampling.request, *brightness, spectral_scene->white_reflected(),
+      static_cast<std::int64_t>(camera->width_px()) * camera->height_px(), spectral_scene->path_radiance(), air);
+  limits->leave_room(node_errors, wings ? render::kCutShare : 0.0);
+  return limits;
 }
 
 Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -160,8 +149,10 @@ Session Session::load(const io::Document& document, LogSink* log, const LoadOpti
   p.weather = assemble_weather(document);
   p.channels = assemble_channels(document);
   p.camera = assemble_camera(document, p.scene);
-  p.footprint = std::make_unique<sampling::PixelFootprint>(assemble_footprint(document));
   p.plan = assemble_sampling(document, p.channels);
+  p.assumed_surroundings = assume_surroundings(document, *p.camera, p.scene).value_or("");
+  if (log != nullptr && !p.assumed_surroundings.empty()) log->info(p.assumed_surroundings);
+  with_position(document, document.sensor.psf_position, [&] { place_response(p); });
   std::optional<AtmosphereCache> solutions;
   if (cache && document.atmosphere.modelled) solutions.emplace(*cache);
   const auto save = [&] {
@@ -179,13 +170,16 @@ Session Session::load(const io::Document& document, LogSink* log, const LoadOpti
   if (log != nullptr && !p.atmosphere && p.nodes->worst_error() > kChannelError)
     log->warn(format("the nodes of the channels integrate some product of spectra only within {:.2g} %",
                      100.0 * p.nodes->worst_error()));
-  if (log != nullptr) warn_of_cold_surfaces(p, *log);
+  if (log != nullptr) warn_of_light_left_out(p, *log);
   p.brightness = std::make_unique<render::ChannelBrightness>(*p.nodes);
   if (p.atmosphere) p.air = render::air_half_widths(*p.spectral_scene, *p.atmosphere);
+  if (!p.atmosphere) p.node_errors = render::node_half_widths(*p.spectral_scene);
   p.tolerance = p.tolerance_of(p.plan);
   if (log != nullptr) warn_of_air_errors(p, *log);
   p.info = image_info(document, *p.camera, p.channels, p.scene);
+  p.info.footprint_px = sampling::response_area_px(*p.footprint);
   for (std::size_t c = 0; c < p.air.size(); ++c) p.info.channels[c].air = p.air[c];
+  if (log != nullptr) tell_of_emitters(*p.spectral_scene, *log);
   if (log != nullptr)
     log->info(format("sensor: {} x {} pixels, {} channels in {} spectral nodes", p.info.width_px, p.info.height_px,
                      p.channels.size(), p.nodes->node_count()));

@@ -28,7 +28,8 @@ std::string describe(const Session::Parts& parts) {
   return text;
 }
 
-std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals, const std::string& why_gaps) {
+std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals, const sampling::ReasonCounts& reasons,
+                               const std::string& why_gaps) {
   std::string text;
   if (totals.pixels_done < totals.pixels_total)
     text = format("{} of {} pixels hold no value (NaN), because {}. ", totals.pixels_total - totals.pixels_done,
@@ -43,9 +44,9 @@ std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals, 
     text += format("Reached in all {} pixels{}; the widest interval is {:.2f} of its limit.", totals.pixels_done,
                    totals.pixels_done < totals.pixels_total ? " that are done" : "", totals.worst_error_ratio);
   else
-    text += format("Reached in {} of {} pixels; {} stayed wider, at worst {:.2f} times the limit (see the quality "
-                   "product).",
-                   totals.pixels_converged, totals.pixels_done, missed, totals.worst_error_ratio);
+    text += format("Reached in {} of {} pixels; {} {} not converged: {}. The widest interval is {:.2f} of its limit.",
+                   totals.pixels_converged, totals.pixels_done, missed, missed == 1 ? "is" : "are",
+                   sampling::describe_reasons(reasons), totals.worst_error_ratio);
   return text;
 }
 
@@ -66,7 +67,9 @@ std::vector<std::string> notes(const Session::Parts& parts) {
   for (const std::string& line :
        scale_statements(parts.map_scales, ground_sample_m(*parts.camera, *parts.scene.world)))
     lines.push_back(line);
-  if (!parts.document.light.surroundings)
+  if (!parts.assumed_surroundings.empty())
+    lines.push_back(parts.assumed_surroundings);
+  else if (!parts.document.light.surroundings)
     lines.push_back("surroundings: black at 0 K (none declared) for rays that leave below the horizon");
   return lines;
 }

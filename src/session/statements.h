@@ -7,6 +7,7 @@
 
 #include "io/run_state/run_plan.h"
 #include "render/tile_sink.h"
+#include "sampling/reason_words.h"
 #include "session/parts.h"
 
 namespace ifov::session {
@@ -14,9 +15,10 @@ namespace ifov::session {
 /// What was loaded, a few lines for people.
 std::string describe(const Session::Parts& parts);
 
-/// What was asked for, what was reached, and where it was not; `why_gaps` says why pixels are not done, where some are
-/// not.
-std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals, const std::string& why_gaps);
+/// What was asked for, what was reached, and where it was not and why; `reasons` counts the pixels that are done and not
+/// converged, `why_gaps` says why pixels are not done, where some are not.
+std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals, const sampling::ReasonCounts& reasons,
+                               const std::string& why_gaps);
 
 /// Floors and assumptions that enter the result.
 std::vector<std::string> notes(const Session::Parts& parts);

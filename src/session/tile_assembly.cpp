@@ -35,7 +35,7 @@ void TileAssembly::write(std::size_t index, const sampling::TileResult& tile) {
   written_[index] = 1;
 }
 
-std::size_t TileAssembly::finish(std::vector<bool> kept, int threads) {
+std::size_t TileAssembly::finish(std::vector<bool> kept, int threads, sampling::Reason reason) {
   kept_ = std::move(kept);
   std::atomic<std::size_t> place{0}, unread{0};
   std::atomic<bool> failed{false};
@@ -45,7 +45,7 @@ std::size_t TileAssembly::finish(std::vector<bool> kept, int threads) {
       for (std::size_t index; !failed && (index = place++) < grid_.size();) {
         if (written_[index] != 0 || (kept_[index] && take(index))) continue;
         if (kept_[index]) ++unread;
-        products_->write_missing(grid_[index]);
+        products_->write_missing(grid_[index], reason);
       }
     } catch (...) {
       failed = true;

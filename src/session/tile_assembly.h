@@ -30,8 +30,8 @@ class TileAssembly final : public render::TileSource {
   void write(std::size_t index, const sampling::TileResult& tile);
 
   /// When nothing is traced any more: the kept tiles that are not in the products yet, and gaps where there is none.
-  /// `kept` as above, by now. How many could not be read.
-  std::size_t finish(std::vector<bool> kept, int threads);
+  /// `kept` as above, by now; `reason` is that of the gaps. How many could not be read.
+  std::size_t finish(std::vector<bool> kept, int threads, sampling::Reason reason);
 
  private:
   bool take(std::size_t index);

@@ -138,7 +138,7 @@ const ClutterScene::Cell& ClutterScene::nearest(double x, double y) const {
 }
 
 std::vector<double> ClutterScene::blurred_truth(double sigma, int fine) const {
-  const double cut = 3.5 * sigma, reach = cut + 0.5;
+  const double cut = 4.4 * sigma, reach = cut + 0.5;
   const int margin = static_cast<int>(std::ceil(reach)), side = (width_ + 2 * margin) * fine;
   std::vector<double> picture(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
   for (int j = 0; j < side; ++j)

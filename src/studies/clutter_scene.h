@@ -19,8 +19,8 @@ class ClutterScene {
 
   /// Radiance of each pixel, row by row, by exact areas.
   std::vector<double> pixel_truth() const;
-  /// The same through a Gaussian PSF cut at +-3.5 sigma in x and y, convolved with a pixel's square: midpoint
-  /// rule on `fine` points a pixel side. Within 3.5 sigma + half a pixel of the rim the outside counts as the
+  /// The same through a Gaussian PSF cut at +-4.4 sigma in x and y, convolved with a pixel's square: midpoint
+  /// rule on `fine` points a pixel side. Within 4.4 sigma + half a pixel of the rim the outside counts as the
   /// nearest cell.
   std::vector<double> blurred_truth(double sigma_px, int fine) const;
 

@@ -41,7 +41,7 @@ SCENE = """{
       {"sphere": {"center": ["4 m", "-3 m", "1 m"], "radius": "1.7 m"}, "material": "ball"}
     ]
   },
-  "light": {"sun": {"point": {"zenith": "40 deg", "azimuth": "120 deg"}}},
+  "light": {"sun": {"point": {"zenith": "40 deg", "azimuth": "120 deg"}}, "sky": {"none": {}}},
   "sensor": {
     "camera": {"orthographic": {"gsd": "0.25 m", "pixels": [60, 55]}},
     "channels": [
@@ -285,10 +285,16 @@ class Runs(WholeProducts, unittest.TestCase):
             self.assertEqual((done.returncode, done.stderr), (4, ""))
             self.assertRegex(done.stdout, r"\nStopped by the time limit: \d+ of 2300 tiles are done\. --resume goes on\.\n")
             out = folder / "scene.out"
-            reached = json.loads((out / "image_run.json").read_text())["accuracy"]["reached"]
+            accuracy = json.loads((out / "image_run.json").read_text())["accuracy"]
+            reached = accuracy["reached"]
             self.assertRegex(reached, r"^(\d+) of 330000 pixels hold no value \(NaN\), because the time limit came first\. "
                                       r"Asked for .*\. Reached in ")
             gaps = int(reached.split()[0])
+            self.assertEqual(accuracy["pixels_by_reason"]["time"], gaps)
+            reasons = array.array("H", (out / "image_reasons.img").read_bytes())
+            self.assertEqual(sum(bits & 4 != 0 for bits in reasons), gaps)
+            classes = (out / "image_quality_class.img").read_bytes()
+            self.assertEqual(sum(quality_class == 3 for quality_class in classes), gaps)
             self.assertIn(reached, (out / "image_radiance.img.hdr").read_text())
             for name, bands in (("radiance", 2), ("half_width", 2), ("standard_error", 2), ("abundance", 3)):
                 values = array.array("f", (out / f"image_{name}.img").read_bytes())

@@ -68,7 +68,7 @@ WHOLE = {
         "psf": {"gaussian": {"sigma": "0.5 px"}},
         "fill_factor": "90 %",
     },
-    "sampling": {"adaptive": {"sub_elements": [2, 2], "allowed_difference": "2 %", "max_samples": 16, "channel": "red"}, "tile": 16, "max_depth": 3},
+    "sampling": {"adaptive": {"sub_elements": [2, 2], "allowed_difference": "2 %", "max_samples": 16, "channel": "red"}, "tile": 16, "max_depth": 3, "mirror_reflections": 1},
     "output": {"folder": "out", "formats": ["envi"], "quicklook": {"channels": ["red"]}},
 }
 

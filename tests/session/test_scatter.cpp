@@ -52,7 +52,7 @@ class Scattered : public testing::Test {
   "tree": [{{"sphere": {{"center": ["0 m", "0 m", "0 m"], "radius": "0.5 m"}}, "material": "leaf"}}],
   "post": [{{"sphere": {{"center": ["0 m", "0 m", "0 m"], "radius": "0.1 m"}}, "material": "bark"}}]}},
  "objects": [{}]}},
- "light": {{"sky": {{"radiance": "50 W m-2 sr-1 um-1"}}}},
+ "light": {{"sky": {{"radiance": "50 W m-2 sr-1 um-1"}}, "surroundings": {{"reflectance": 0.2}}}},
  "sensor": {{"camera": {{"orthographic": {{"gsd": "1 m", "pixels": [4, 4]}}}},
   "channels": [{{"name": "red", "monochromatic": {{"at": "0.65 um"}}}}]}}}})",
                                                    objects),
