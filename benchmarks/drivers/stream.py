@@ -15,7 +15,7 @@ from drivers.figures import ROOT, at_least, at_most, figure, median, not_measure
 
 RAW_SOURCE = pathlib.Path(os.environ.get("IFOV_LIMITS", ROOT / "../shared/limits")) / "cube_io.cpp"
 SIDE, CHANNELS = 4096, 210
-PRODUCTS = 4 * SIDE * SIDE * (CHANNELS + 3 + 3 + 2 * 2)  # values, samples, quality, two materials' fractions
+PRODUCTS = 4 * SIDE * SIDE * (CHANNELS + 3 + 4 + 2 * 2) + 3 * SIDE * SIDE  # values, samples, quality, two materials' fractions; reasons
 
 DOCUMENT = {
     "ifov": 1,

@@ -1,6 +1,9 @@
 // Are the intervals honest on real 3-D scenes? Each scene's mixed pixels, many seeds, against a plain path
 // tracer.
 //   bench_honesty --output figures.json --work FOLDER [--seeds N] [--first-seed N] [--only SCENE] [--rows FOLDER]
+//   bench_honesty --rows-study N ...: rows in step with the pixels, against exact areas
+//   bench_honesty --named [SCENES] ...: scenes in which images were once wrong and sure of themselves
+//   bench_honesty --wild N ...: scenes by rule and chance, against closed forms and a tracer of its own
 // Scenes must keep their promises; runs with a planted fault must break one of them.
 
 #include <CLI/CLI.hpp>
@@ -9,16 +12,16 @@
 #include <fstream>
 
 #include "core/format.h"
+#include "honesty/figure_row.h"
+#include "honesty/named_scenes.h"
+#include "honesty/reference_check.h"
+#include "honesty/rows_report.h"
 #include "honesty/scene_run.h"
+#include "honesty/wild_report.h"
 
 namespace {
 
 using namespace ifov::benchmarks;
-
-struct Row {
-  std::string name, value, unit, must;
-  bool ok = false;
-};
 
 std::string name_of(const HonestyCase& which) { return which.scene + (which.psf ? "_psf" : ""); }
 
@@ -47,7 +50,7 @@ void print_details(const HonestyCase& which, const HonestyOutcome& outcome) {
 }
 
 /// The figure of an honest scene: the coverage farthest from 0.95 of its channels.
-Row judged(const HonestyCase& which, const HonestyOutcome& outcome) {
+FigureRow judged(const HonestyCase& which, const HonestyOutcome& outcome) {
   double worst = 0.95;
   for (const ChannelHonesty& h : outcome.honesty)
     if (std::abs(h.coverage - 0.95) >= std::abs(worst - 0.95)) worst = h.coverage;
@@ -57,7 +60,7 @@ Row judged(const HonestyCase& which, const HonestyOutcome& outcome) {
 }
 
 /// 1 where a planted fault breaks a promise and the same scene without it keeps all of them.
-Row caught(const std::string& name, const HonestyOutcome& faulty, const HonestyOutcome& sound) {
+FigureRow caught(const std::string& name, const HonestyOutcome& faulty, const HonestyOutcome& sound) {
   const std::string fault = faults_of(sound);
   const bool ok = fault.empty() && !faults_of(faulty).empty();
   return {name, ok ? "1" : "0", "caught", fault.empty() ? "1" : "1, but without the fault " + fault, ok};
@@ -75,32 +78,73 @@ std::vector<std::pair<std::string, HonestyCase>> planted_faults(int seeds, std::
           {"fault_undithered_brackets", undithered}};
 }
 
-std::string json(const std::vector<Row>& rows) {
-  std::string text;
-  for (const Row& row : rows)
-    text += ifov::format(R"({}"{}": {{"value": {}, "unit": "{}", "must": "{}", "ok": {}}})",
-                         text.empty() ? "" : ",\n ", row.name, row.value, row.unit, row.must,
-                         row.ok ? "true" : "false");
-  return "{" + text + "}\n";
+int save(const std::string& file, const std::vector<FigureRow>& rows) {
+  std::ofstream out(file);
+  out << json(rows);
+  if (!out.flush()) throw std::runtime_error("cannot write " + file);
+  return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   std::string output = "honesty.json", work = ".", only, rows_folder;
-  int seeds = 24;
+  int seeds = 24, rows_steps = 0, wild_scenes = 0, pixels = 24, threads = 0;
+  double effort = 1.0, boast = 1.0;
+  bool check = false;
+  std::vector<std::string> kinds, named;
   std::uint64_t first_seed = HonestyCase().first_seed;
   CLI::App app{"Intervals of the accuracy sampler against a plain path tracer"};
   app.add_option("--output", output, "figures");
   app.add_option("--work", work, "folder for the files that scenes name");
-  app.add_option("--seeds", seeds, "renderings of each scene")->check(CLI::Range(8, 100000));
+  app.add_option("--seeds", seeds, "renderings of each scene (--wild: 3)")->check(CLI::Range(1, 100000));
   app.add_option("--first-seed", first_seed, "seed of the first; the others follow");
   app.add_option("--only", only, "one scene (SCENE_psf: with the PSF only), or 'faults', or one fault");
   app.add_option("--rows", rows_folder, "folder for every pixel's errors and intervals, a CSV file a scene");
+  app.add_option("--rows-study", rows_steps, "nothing but rows of N pitches as maps, boxes and meshes")
+      ->check(CLI::Range(1, 100000));
+  app.add_option("--wild", wild_scenes, "nothing but N scenes by rule and chance, from number --first-seed on")
+      ->check(CLI::Range(1, 1000000));
+  CLI::Option* named_option =
+      app.add_option("--named", named, "nothing but scenes that were once wrong: these, or all")->expected(0, -1)->delimiter(',');
+  app.add_option("--kinds", kinds, "of wild scenes; the others are passed over")->delimiter(',');
+  app.add_option("--pixels", pixels, "judged in each wild scene; 0: all")->check(CLI::Range(0, 100000));
+  app.add_option("--effort", effort, "of the plain tracer, in its usual most paths")->check(CLI::Range(0.001, 1000.0));
+  app.add_option("--boast", boast, "a planted fault: half-widths and sigmas of --wild and --named are taken to be this times "
+                                   "what they are")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_flag("--check-reference", check, "nothing but the plain tracer against closed forms");
+  app.add_option("--threads", threads, "0: all cores");
   CLI11_PARSE(app, argc, argv);
   try {
+    std::filesystem::create_directories(work);
+    if (rows_steps > 0) {
+      RowsStudy study{rows_steps, first_seed, work, {}, threads};
+      if (!rows_folder.empty()) study.rows = std::filesystem::path(rows_folder) / "rows_study.csv";
+      return save(output, report_rows_study(study));
+    }
+    if (check) {
+      return save(output, check_reference(work));
+    }
+    Judging judging;
+    judging.boast = boast;
+    judging.most_paths *= effort;
+    judging.most_photons *= effort;
+    judging.rows = rows_folder;
+    if (wild_scenes > 0) {
+      if (app.count("--seeds") > 0) judging.seeds = seeds;
+      judging.pixels = pixels;
+      return save(output, report_wild_run({wild_scenes, first_seed, kinds, work, threads, judging}));
+    }
+    if (named_option->count() > 0) {
+      judging.seeds = app.count("--seeds") > 0 ? seeds : 20;
+      judging.first_seed = first_seed;
+      judging.pixels = app.count("--pixels") > 0 ? pixels : 0;
+      std::erase(named, "");
+      return save(output, report_named_scenes(named, work, judging, threads));
+    }
     write_scene_files(work);
-    std::vector<Row> rows;
+    std::vector<FigureRow> rows;
     for (const char* scene :
          {"penumbra", "leaf_crown", "wall_foot", "gable_roof", "texture", "mirror", "street_canyon"})
       for (const bool psf : {false, true}) {
@@ -125,7 +169,7 @@ int main(int argc, char** argv) {
         rows.push_back(caught(name, faulty, sound));
       }
     }
-    std::ofstream(output) << json(rows);
+    return save(output, rows);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

@@ -9,6 +9,7 @@
 
 #include "core/format.h"
 #include "core/parallel.h"
+#include "honesty/single_tile.h"
 #include "io/document/document.h"
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "scene/forest.h"
@@ -20,13 +21,6 @@ namespace {
 
 constexpr std::size_t kMixedPixels = 64;
 constexpr double kPsfSigma_px = 0.6;
-
-class OneTile final : public render::TileSink {
- public:
-  void begin(const render::ImageInfo&) override {}
-  void write(const sampling::TileResult& tile) override { result = tile; }
-  sampling::TileResult result;
-};
 
 session::Session load(const HonestyCase& which, const std::filesystem::path& work) {
   const std::string name = which.scene + ".json";
@@ -58,11 +52,7 @@ class Trial {
     job.tile_px = plan.tile_px;
     job.seed_objects = plan.seed_objects;
     job.drivers = plan.drivers;
-    render::RenderControl control;
-    control.threads = 1;
-    OneTile tile;
-    render::render_image(job, control, tile);
-    return tile.result;
+    return render_tile(job);
   }
 
   PlainMeans plain(std::span<const PixelIndex> pixels, std::span<const double> wanted, std::int64_t least,

@@ -55,7 +55,7 @@ Cost cost(const Tiles& tiles) {
     for (std::size_t p = 0; p < tile.samples.size(); ++p) {
       sum.samples += tile.samples[p];
       sum.values += tile.radiance_evaluations[p];
-      sum.converged += tile.converged[p];
+      sum.converged += tile.converged(p);
     }
   }
   return sum;

@@ -1,0 +1,251 @@
+#include "honesty/plain_tracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace ifov::benchmarks {
+
+namespace {
+
+constexpr int kCertainSurfaces = 4;   // before a path may end by chance
+constexpr double kGlintMargin = 1.5;  // a window's half-width over that of the glint
+
+}  // namespace
+
+geometry::SurfacePoint nearest(const scene::Scene& scene, const math::Ray& ray) {
+  geometry::SurfacePoint hit;
+  scene.world->intersect({&ray, 1}, {&hit, 1});
+  return hit;
+}
+
+const scene::Constituent& pick_constituent(const scene::ResolvedSurface& surface, Chance& chance) {
+  double left = chance.uniform();
+  for (const scene::Constituent& part : surface)
+    if ((left -= part.weight) < 0.0) return part;
+  return surface.constituents[surface.count - 1];
+}
+
+math::Vec3 mirror_image(math::Vec3 direction, math::Vec3 normal) {
+  return direction - 2.0 * math::dot(direction, normal) * normal;
+}
+
+namespace {
+
+/// cos_theta along the axis, the rest around it.
+math::Vec3 about(math::Vec3 axis, double cosine, double angle) {
+  const math::Vec3 other = std::abs(axis.x) < 0.6 ? math::Vec3{1.0, 0.0, 0.0} : math::Vec3{0.0, 1.0, 0.0};
+  const math::Vec3 right = math::normalized(math::cross(axis, other)), up = math::cross(right, axis);
+  const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+  return math::normalized(cosine * axis + sine * std::cos(angle) * right + sine * std::sin(angle) * up);
+}
+
+}  // namespace
+
+math::Vec3 cosine_direction(math::Vec3 axis, Chance& chance) {
+  const double cosine = std::sqrt(1.0 - chance.uniform());
+  return about(axis, cosine, 2.0 * std::numbers::pi * chance.uniform());
+}
+
+math::Vec3 cone_direction(math::Vec3 axis, double half_angle_rad, Chance& chance) {
+  const double half_sine = std::sin(0.5 * half_angle_rad);
+  const double cosine = 1.0 - 2.0 * half_sine * half_sine * chance.uniform();
+  return about(axis, cosine, 2.0 * std::numbers::pi * chance.uniform());
+}
+
+PlainTracer::PlainTracer(const scene::Scene& scene, const PlainSpectra& spectra, const sensor::Camera& camera,
+                         const PlainFootprint& footprint, PlainHints hints)
+    : scene_(scene), spectra_(spectra), camera_(camera), footprint_(footprint), hints_(std::move(hints)) {
+  for (std::uint32_t m = 0; m < scene.materials.size(); ++m)
+    if (scene.materials[m].name == "lamp") lamp_ = m;
+  if (lamp_ != geometry::kNoMaterial) {
+    lamp_radiance_.resize(spectra.columns());
+    spectra.add_emission(lamp_, scene.materials[lamp_].temperature_k.value_or(0.0), 1.0,
+                         std::vector<double>(spectra.columns(), 1.0), lamp_radiance_);
+  }
+  const auto look_at = [&](math::Point3 point, double radius_m) {
+    sampling::FocalPoint place;
+    if (camera.project(point, place)) windows_.push_back({place.x_px, place.y_px, radius_m / camera.gsd_m(point)});
+  };
+  for (const PlainHints::Ball& lamp : hints_.lamps) look_at(lamp.centre_m, lamp.radius_m);
+  if (!scene.sun || scene.sun->half_angle_rad <= 0.0) return;
+  for (const PlainHints::Ball& mirror : hints_.mirrors) {
+    math::Ray view;
+    const sampling::FocalPoint middle{0.5 * camera.width_px(), 0.5 * camera.height_px()};
+    camera.rays({&middle, 1}, {&view, 1});
+    const math::Vec3 half_way = math::normalized(scene.sun->direction - view.direction);
+    look_at(mirror.centre_m + mirror.radius_m * half_way,
+            kGlintMargin * 0.5 * mirror.radius_m * std::sin(scene.sun->half_angle_rad));
+  }
+}
+
+math::Vec3 PlainTracer::sun_direction(Chance& chance) const {
+  return scene_.sun->half_angle_rad > 0.0 ? cone_direction(scene_.sun->direction, scene_.sun->half_angle_rad, chance)
+                                          : scene_.sun->direction;
+}
+
+bool PlainTracer::blocked(math::Point3 from_m, math::Vec3 direction, double length_m) const {
+  const math::Ray ray{from_m, direction, 0.0, length_m};
+  std::uint8_t answer = 0;
+  scene_.world->occluded({&ray, 1}, {&answer, 1});
+  return answer != 0;
+}
+
+void PlainTracer::add_sun(const geometry::SurfacePoint& hit, math::Vec3 side, std::uint32_t material,
+                          std::span<const double> throughput, Chance& chance, std::span<double> sum) const {
+  const math::Vec3 direction = sun_direction(chance);
+  const double cosine = math::dot(direction, side);
+  if (direction.z <= 0.0) return;
+  const std::vector<double>& factor = cosine > 0.0 ? spectra_.reflectance(material) : spectra_.transmittance(material);
+  const math::Vec3 lit_side = cosine > 0.0 ? side : -side;
+  if (blocked(hit.position_m + hit.offset_m * lit_side, direction, std::numeric_limits<double>::infinity())) return;
+  // The cone's solid angle over the disc's projected one, in which the irradiance is counted.
+  const double alpha = scene_.sun->half_angle_rad, half_cosine = std::cos(0.5 * alpha);
+  const double weight = std::abs(cosine) / std::numbers::pi / (half_cosine * half_cosine);
+  for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += weight * throughput[c] * factor[c] * spectra_.sun()[c];
+}
+
+void PlainTracer::add_lamps(const geometry::SurfacePoint& hit, math::Vec3 side, std::uint32_t material,
+                            std::span<const double> throughput, Chance& chance, std::span<double> sum) const {
+  for (const PlainHints::Ball& lamp : hints_.lamps) {
+    const double height = 2.0 * chance.uniform() - 1.0, angle = 2.0 * std::numbers::pi * chance.uniform();
+    const double around = std::sqrt(1.0 - height * height);
+    const math::Vec3 normal{around * std::cos(angle), around * std::sin(angle), height};
+    const math::Vec3 way = lamp.centre_m + lamp.radius_m * normal - hit.position_m;
+    const double length = math::length(way);
+    const math::Vec3 direction = way / length;
+    const double at_lamp = -math::dot(direction, normal), here = math::dot(direction, side);
+    if (at_lamp <= 0.0) continue;
+    const math::Vec3 lit_side = here > 0.0 ? side : -side;
+    if (blocked(hit.position_m + hit.offset_m * lit_side, direction, length * (1.0 - 1e-5))) continue;
+    const std::vector<double>& factor = here > 0.0 ? spectra_.reflectance(material) : spectra_.transmittance(material);
+    const double weight =
+        4.0 * lamp.radius_m * lamp.radius_m * std::abs(here) * at_lamp / (length * length);  // area / pi
+    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += weight * throughput[c] * factor[c] * lamp_radiance_[c];
+  }
+}
+
+void PlainTracer::trace(math::Ray ray, double weight, Chance& chance, Light& light) const {
+  const std::size_t columns = spectra_.columns();
+  std::vector<double> throughput(columns, weight);
+  bool only_mirrors = true, mirror_before = true;  // since the camera; the surface before, or the camera itself
+  for (int surfaces = 0;; ++surfaces) {
+    const geometry::SurfacePoint hit = nearest(scene_, ray);
+    if (!hit.hit()) {
+      const bool up = ray.direction.z >= 0.0;
+      const std::vector<double>& around = up ? spectra_.sky() : spectra_.surroundings();
+      for (std::size_t c = 0; c < columns; ++c) light.sum[c] += throughput[c] * around[c];
+      if (!only_mirrors || !up || !scene_.sun || scene_.sun->half_angle_rad <= 0.0) return;
+      const double sine = std::sin(scene_.sun->half_angle_rad);
+      if (math::dot(ray.direction, scene_.sun->direction) <= 0.0 ||
+          math::length(math::cross(ray.direction, scene_.sun->direction)) >= sine)
+        return;
+      for (std::size_t c = 0; c < columns; ++c)
+        light.sum[c] += throughput[c] * spectra_.sun()[c] / (std::numbers::pi * sine * sine);
+      return;
+    }
+    const scene::ResolvedSurface surface = scene_.resolve(hit);
+    for (const scene::Constituent& part : surface)
+      if (part.material != lamp_ || mirror_before || hints_.lamps.empty())
+        spectra_.add_emission(
+            part.material,
+            part.mapped_temperature_k > 0.0 ? part.mapped_temperature_k : scene_.states[part.state].temperature_k,
+            part.weight, throughput, light.sum);
+
+    const scene::Constituent& part = pick_constituent(surface, chance);
+    const std::vector<double>&reflectance = spectra_.reflectance(part.material),
+    &transmittance = spectra_.transmittance(part.material);
+    const math::Vec3 side = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
+    const double most_reflected = *std::max_element(reflectance.begin(), reflectance.end());
+    const double most_let_through = *std::max_element(transmittance.begin(), transmittance.end());
+    if (most_reflected + most_let_through <= 0.0) return;
+
+    if (scene_.materials[part.material].scattering == materials::ScatteringKind::mirror) {
+      for (std::size_t c = 0; c < columns; ++c) throughput[c] *= reflectance[c];
+      ray = {hit.position_m + hit.offset_m * side, mirror_image(ray.direction, side)};
+      mirror_before = true;
+    } else {
+      if (scene_.sun) add_sun(hit, side, part.material, throughput, chance, light.sum);
+      add_lamps(hit, side, part.material, throughput, chance, light.sum);
+      if (only_mirrors && surfaces > 0 && scene_.sun)
+        for (std::size_t c = 0; c < columns; ++c)
+          light.above[c] += throughput[c] * (reflectance[c] + transmittance[c]) * spectra_.sun()[c] / std::numbers::pi *
+                            static_cast<double>(hints_.around_mirrors.size());
+      const double chance_back = most_reflected / (most_reflected + most_let_through);
+      const bool back = chance.uniform() < chance_back;
+      const math::Vec3 axis = back ? side : -side;
+      for (std::size_t c = 0; c < columns; ++c)
+        throughput[c] *= back ? reflectance[c] / chance_back : transmittance[c] / (1.0 - chance_back);
+      ray = {hit.position_m + hit.offset_m * axis, cosine_direction(axis, chance)};
+      only_mirrors = mirror_before = false;
+    }
+    if (surfaces < kCertainSurfaces) continue;
+    const double survival = std::min(0.95, most_reflected + most_let_through);
+    if (chance.uniform() >= survival) return;
+    for (double& factor : throughput) factor /= survival;
+  }
+}
+
+double PlainTracer::window_density(const std::vector<Window>& windows, double x_px, double y_px) const {
+  double density = 0.0;
+  for (const Window& window : windows)
+    if (std::abs(x_px - window.x_px) <= window.half_px && std::abs(y_px - window.y_px) <= window.half_px)
+      density += 0.25 / (window.half_px * window.half_px);
+  return windows.empty() ? 0.0 : density / static_cast<double>(windows.size());
+}
+
+PlainMean PlainTracer::pixel(int x, int y, int side, std::uint64_t key) const {
+  const double centre_x = x + 0.5, centre_y = y + 0.5;
+  std::vector<Window> windows;
+  for (const Window& window : windows_)
+    if (std::abs(window.x_px - centre_x) < footprint_.reach_px() + window.half_px &&
+        std::abs(window.y_px - centre_y) < footprint_.reach_px() + window.half_px)
+      windows.push_back(window);
+
+  const std::size_t channels = spectra_.channels();
+  PlainMean result{std::vector<double>(channels), std::vector<double>(channels), std::vector<double>(channels)};
+  std::vector<double> squares(channels);
+  for (int replicate = 0; replicate < kReplicates; ++replicate) {
+    Chance chance(key, static_cast<std::uint64_t>(replicate));
+    Light light{std::vector<double>(spectra_.columns()), std::vector<double>(spectra_.columns())};
+    const double each = 1.0 / (static_cast<double>(side) * side);
+    const auto look = [&](double x_px, double y_px, double weight) {
+      const sampling::FocalPoint point{x_px, y_px};
+      math::Ray ray;
+      camera_.rays({&point, 1}, {&ray, 1});
+      trace(ray, weight, chance, light);
+      ++result.paths;
+    };
+    for (int j = 0; j < side; ++j)
+      for (int i = 0; i < side; ++i) {
+        const double u = (i + chance.uniform()) / side, v = (j + chance.uniform()) / side;
+        const sampling::FocalPoint offset = footprint_.draw(u, v, chance);
+        const double px = centre_x + offset.x_px, py = centre_y + offset.y_px;
+        if (windows.empty()) {
+          look(px, py, each);
+          continue;
+        }
+        // Both ways of drawing a point weigh it by the sum of their densities.
+        const double own = footprint_.density(offset.x_px, offset.y_px);
+        look(px, py, each * own / (own + window_density(windows, px, py)));
+        const Window& window = windows[chance.index(windows.size())];
+        const double wx = window.x_px + window.half_px * (2.0 * u - 1.0);
+        const double wy = window.y_px + window.half_px * (2.0 * v - 1.0);
+        const double there = footprint_.density(wx - centre_x, wy - centre_y);
+        if (there > 0.0) look(wx, wy, each * there / (there + window_density(windows, wx, wy)));
+      }
+    const std::vector<double> value = spectra_.at_sensor(light.sum), above = spectra_.at_sensor(light.above, false);
+    for (std::size_t c = 0; c < channels; ++c) {
+      result.mean[c] += value[c] / kReplicates;
+      squares[c] += value[c] * value[c] / kReplicates;
+      result.above[c] += above[c] / kReplicates;
+    }
+  }
+  for (std::size_t c = 0; c < channels; ++c)
+    result.error[c] =
+        std::sqrt(std::max(0.0, squares[c] - result.mean[c] * result.mean[c]) / (kReplicates - 1));
+  return result;
+}
+
+}  // namespace ifov::benchmarks

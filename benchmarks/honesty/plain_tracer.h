@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "honesty/chance.h"
+#include "honesty/plain_footprint.h"
+#include "honesty/plain_spectra.h"
+#include "math/ray.h"
+#include "scene/scene.h"
+#include "sensor/camera.h"
+
+namespace ifov::benchmarks {
+
+/// What a scene's maker tells of what random paths cannot find. All in scene coordinates.
+struct PlainHints {
+  struct Ball {
+    math::Point3 centre_m;
+    double radius_m = 0.0;
+  };
+  std::vector<Ball> lamps;    ///< spheres of the material "lamp", which nothing else is made of
+  std::vector<Ball> mirrors;  ///< mirror spheres, seen from outside: their glints are looked for
+  std::vector<Ball> around_mirrors;  ///< balls that hold all mirrors: sunlight by way of them is traced from the Sun
+};
+
+/// Means over replicates, by channel.
+struct PlainMean {
+  std::vector<double> mean, error;  ///< W m-2 sr-1 um-1; standard error
+  std::vector<double> above;        ///< what may come on top: sunlight by way of mirrors that is seen in a mirror
+  double paths = 0.0;
+};
+
+/// A tracer as plain as can be, to judge the program's by. It shares geometry and material curves with it and nothing
+/// else: points of the pixel's footprint in strata of their own, its own random numbers, one path each of its own
+/// making, columns of a fine quadrature in place of spectral nodes.
+///
+/// At each surface that scatters: one point of the Sun's disc and one of each lamp (uniform over its area), then one
+/// direction about the normal; mirrors are followed. Not in it: light of the Sun that a mirror sends to a surface that
+/// scatters (SunPhotons has it). Surfaces must have neither reliefs nor vertex normals; light must be the scene's own
+/// Sun, uniform sky, surroundings and view path.
+class PlainTracer {
+ public:
+  /// Keeps references to all but the hints.
+  PlainTracer(const scene::Scene& scene, const PlainSpectra& spectra, const sensor::Camera& camera,
+              const PlainFootprint& footprint, PlainHints hints);
+
+  static constexpr int kReplicates = 32;
+  /// The mean of pixel (x, y) by 32 replicates of side x side jittered points; as many again in small windows about
+  /// lamps and glints where there are some in its footprint.
+  PlainMean pixel(int x, int y, int side, std::uint64_t key) const;
+
+ private:
+  struct Window {
+    double x_px = 0.0, y_px = 0.0, half_px = 0.0;
+  };
+  struct Light {
+    std::vector<double> sum, above;
+  };
+  void trace(math::Ray ray, double weight, Chance& chance, Light& light) const;
+  void add_sun(const geometry::SurfacePoint& hit, math::Vec3 side, std::uint32_t material,
+               std::span<const double> throughput, Chance& chance, std::span<double> sum) const;
+  void add_lamps(const geometry::SurfacePoint& hit, math::Vec3 side, std::uint32_t material,
+                 std::span<const double> throughput, Chance& chance, std::span<double> sum) const;
+  bool blocked(math::Point3 from_m, math::Vec3 direction, double length_m) const;
+  math::Vec3 sun_direction(Chance& chance) const;
+  double window_density(const std::vector<Window>& windows, double x_px, double y_px) const;
+
+  const scene::Scene& scene_;
+  const PlainSpectra& spectra_;
+  const sensor::Camera& camera_;
+  const PlainFootprint& footprint_;
+  PlainHints hints_;
+  std::vector<Window> windows_;
+  std::uint32_t lamp_ = geometry::kNoMaterial;
+  std::vector<double> lamp_radiance_;
+};
+
+/// The nearest surface along a ray.
+geometry::SurfacePoint nearest(const scene::Scene& scene, const math::Ray& ray);
+
+/// One of a surface's constituents, by chance as their shares are.
+const scene::Constituent& pick_constituent(const scene::ResolvedSurface& surface, Chance& chance);
+
+/// About a unit vector: density cosine / pi.
+math::Vec3 cosine_direction(math::Vec3 axis, Chance& chance);
+
+/// Uniform in a cone about a unit vector.
+math::Vec3 cone_direction(math::Vec3 axis, double half_angle_rad, Chance& chance);
+
+math::Vec3 mirror_image(math::Vec3 direction, math::Vec3 normal);
+
+}  // namespace ifov::benchmarks

@@ -1,0 +1,144 @@
+#include "honesty/sun_photons.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "sensor/orthographic_camera.h"
+
+namespace ifov::benchmarks {
+
+namespace {
+
+constexpr int kCertainSurfaces = 6;
+
+bool inside(const PlainHints::Ball& ball, math::Point3 point) {
+  return math::length(point - ball.centre_m) <= ball.radius_m * (1.0 + 1e-9);
+}
+
+}  // namespace
+
+SunPhotons::SunPhotons(const scene::Scene& scene, const PlainSpectra& spectra, const sensor::Camera& camera,
+                       const PlainFootprint& footprint, PlainHints hints)
+    : scene_(scene), spectra_(spectra), camera_(camera), footprint_(footprint), hints_(std::move(hints)) {
+  const auto* parallel = dynamic_cast<const sensor::OrthographicCamera*>(&camera);
+  if (parallel == nullptr || !std::isfinite(footprint.reach_px()))
+    throw std::runtime_error("photons need an orthographic camera and a bounded footprint");
+  const sampling::FocalPoint middle{0.5 * camera.width_px(), 0.5 * camera.height_px()};
+  math::Ray view;
+  camera.rays({&middle, 1}, {&view, 1});
+  towards_camera_ = -view.direction;
+  pixel_area_m2_ = parallel->settings().gsd_m * parallel->settings().gsd_m * towards_camera_.z;
+}
+
+void SunPhotons::show(const geometry::SurfacePoint& hit, math::Vec3 side, std::uint32_t material,
+                      const std::vector<double>& throughput, std::vector<double>& columns) const {
+  sampling::FocalPoint place;
+  if (!camera_.project(hit.position_m, place)) return;
+  const double reach = footprint_.reach_px();
+  const int x0 = std::max(0, static_cast<int>(std::ceil(place.x_px - 0.5 - reach)));
+  const int x1 = std::min(camera_.width_px() - 1, static_cast<int>(std::floor(place.x_px - 0.5 + reach)));
+  const int y0 = std::max(0, static_cast<int>(std::ceil(place.y_px - 0.5 - reach)));
+  const int y1 = std::min(camera_.height_px() - 1, static_cast<int>(std::floor(place.y_px - 0.5 + reach)));
+  if (x0 > x1 || y0 > y1) return;
+  const double seen = math::dot(towards_camera_, side);
+  const math::Ray back{hit.position_m + (seen > 0.0 ? hit.offset_m : -hit.offset_m) * side, towards_camera_};
+  std::uint8_t blocked = 0;
+  scene_.world->occluded({&back, 1}, {&blocked, 1});
+  if (blocked != 0) return;
+  const std::vector<double>& factor = seen > 0.0 ? spectra_.reflectance(material) : spectra_.transmittance(material);
+  for (int y = y0; y <= y1; ++y)
+    for (int x = x0; x <= x1; ++x) {
+      const double weight = footprint_.density(place.x_px - x - 0.5, place.y_px - y - 0.5) * std::abs(seen) /
+                            (std::numbers::pi * pixel_area_m2_);
+      if (weight <= 0.0) continue;
+      double* sum = &columns[(static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width_px()) +
+                              static_cast<std::size_t>(x)) *
+                             spectra_.columns()];
+      for (std::size_t c = 0; c < spectra_.columns(); ++c) sum[c] += weight * throughput[c] * factor[c];
+    }
+}
+
+void SunPhotons::follow(math::Ray ray, std::size_t ball, double power, Chance& chance,
+                        std::vector<double>& columns) const {
+  std::vector<double> throughput = spectra_.sun();
+  for (double& value : throughput) value *= power;
+  for (int surfaces = 0;; ++surfaces) {
+    const geometry::SurfacePoint hit = nearest(scene_, ray);
+    if (!hit.hit()) return;
+    const scene::Constituent part = pick_constituent(scene_.resolve(hit), chance);
+    const bool mirror = scene_.materials[part.material].scattering == materials::ScatteringKind::mirror;
+    if (surfaces == 0) {
+      // Each mirror belongs to the first ball that holds it.
+      const auto first = std::find_if(hints_.around_mirrors.begin(), hints_.around_mirrors.end(),
+                                      [&](const PlainHints::Ball& b) { return inside(b, hit.position_m); });
+      if (!mirror || first - hints_.around_mirrors.begin() != static_cast<std::ptrdiff_t>(ball)) return;
+    }
+    const std::vector<double>&reflectance = spectra_.reflectance(part.material),
+    &transmittance = spectra_.transmittance(part.material);
+    const double most_reflected = *std::max_element(reflectance.begin(), reflectance.end());
+    const double most_let_through = *std::max_element(transmittance.begin(), transmittance.end());
+    if (most_reflected + most_let_through <= 0.0) return;
+    const math::Vec3 side = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
+    if (mirror) {
+      for (std::size_t c = 0; c < throughput.size(); ++c) throughput[c] *= reflectance[c];
+      ray = {hit.position_m + hit.offset_m * side, mirror_image(ray.direction, side)};
+    } else {
+      show(hit, side, part.material, throughput, columns);
+      const double chance_back = most_reflected / (most_reflected + most_let_through);
+      const bool back = chance.uniform() < chance_back;
+      const math::Vec3 axis = back ? side : -side;
+      for (std::size_t c = 0; c < throughput.size(); ++c)
+        throughput[c] *= back ? reflectance[c] / chance_back : transmittance[c] / (1.0 - chance_back);
+      ray = {hit.position_m + hit.offset_m * axis, cosine_direction(axis, chance)};
+    }
+    if (surfaces < kCertainSurfaces) continue;
+    const double survival = std::min(0.95, most_reflected + most_let_through);
+    if (chance.uniform() >= survival) return;
+    for (double& factor : throughput) factor /= survival;
+  }
+}
+
+SunPhotons::Image SunPhotons::image(int side, std::uint64_t key) const {
+  const std::size_t pixels = static_cast<std::size_t>(camera_.width_px()) * static_cast<std::size_t>(camera_.height_px());
+  const std::size_t channels = spectra_.channels();
+  Image image{std::vector<double>(pixels * channels), std::vector<double>(pixels * channels)};
+  if (!scene_.sun) return image;
+  const scene::Sun& sun = *scene_.sun;
+  const math::Vec3 other = std::abs(sun.direction.x) < 0.6 ? math::Vec3{1.0, 0.0, 0.0} : math::Vec3{0.0, 1.0, 0.0};
+  const math::Vec3 right = math::normalized(math::cross(sun.direction, other)), up = math::cross(right, sun.direction);
+  const geometry::World::Bounds bounds = scene_.world->bounds();
+  const double away_m = 2.0 * math::length(bounds.high_m - bounds.low_m) + 1.0;
+  for (int replicate = 0; replicate < kReplicates; ++replicate) {
+    Chance chance(key, static_cast<std::uint64_t>(replicate));
+    std::vector<double> columns(pixels * spectra_.columns());
+    for (std::size_t b = 0; b < hints_.around_mirrors.size(); ++b) {
+      const PlainHints::Ball& ball = hints_.around_mirrors[b];
+      const double power = 4.0 * ball.radius_m * ball.radius_m / (static_cast<double>(side) * side);
+      for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i) {
+          const double u = 2.0 * (i + chance.uniform()) / side - 1.0, v = 2.0 * (j + chance.uniform()) / side - 1.0;
+          const math::Point3 aim = ball.centre_m + (u * ball.radius_m) * right + (v * ball.radius_m) * up;
+          const math::Vec3 from =
+              sun.half_angle_rad > 0.0 ? cone_direction(sun.direction, sun.half_angle_rad, chance) : sun.direction;
+          follow({aim + away_m * from, -from}, b, power, chance, columns);
+          ++image.photons;
+        }
+    }
+    for (std::size_t p = 0; p < pixels; ++p) {
+      const std::vector<double> value =
+          spectra_.at_sensor({&columns[p * spectra_.columns()], spectra_.columns()}, false);
+      for (std::size_t c = 0; c < channels; ++c) {
+        image.mean[p * channels + c] += value[c] / kReplicates;
+        image.error[p * channels + c] += value[c] * value[c] / kReplicates;
+      }
+    }
+  }
+  for (std::size_t k = 0; k < image.mean.size(); ++k)
+    image.error[k] = std::sqrt(std::max(0.0, image.error[k] - image.mean[k] * image.mean[k]) / (kReplicates - 1));
+  return image;
+}
+
+}  // namespace ifov::benchmarks

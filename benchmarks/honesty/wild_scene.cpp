@@ -1,0 +1,61 @@
+#include "honesty/wild_scene.h"
+
+#include <array>
+#include <fstream>
+
+#include "core/format.h"
+#include "honesty/rows_scene.h"
+#include "honesty/wild_makers.h"
+
+namespace ifov::benchmarks {
+
+namespace {
+
+using Maker = void (*)(WildDraft&);
+
+constexpr std::array<std::string_view, 19> kKinds{
+    "rows_map", "gaps",     "facade", "hot_sphere", "mixture", "walls",   "rows_boxes", "ball",    "wide",   "panels",
+    "texture",  "rows_mesh", "yard",  "lamps",      "colours", "wires",   "hemisphere", "blocks",  "airy"};
+constexpr std::array<Maker, 19> kMakers{
+    nullptr,      make_gaps, make_facade, make_hot_sphere, make_mixture, make_walls, nullptr,         make_ball,   make_wide, make_panels,
+    make_texture, nullptr,   make_yard,   make_lamps,      make_colours, make_wires, make_hemisphere, make_blocks, make_airy};
+
+WildScene rows(RowsScene::Form form, Chance& chance, const std::string& name, const std::filesystem::path& folder) {
+  RowsScene made = rows_by_chance(form, chance.magnitude(0.2, 40.0), chance);
+  if (chance.with(0.35)) made.psf_sigma_px = chance.between(0.25, 0.9);
+  return {{}, name, made.write(folder, name), made.radiance(), {}};
+}
+
+/// Which light a kind is for; the others may have either.
+WildDraft::Light light_of(std::string_view kind, Chance& chance) {
+  if (kind == "facade" || kind == "yard" || kind == "ball" || kind == "hemisphere" || kind == "colours" || kind == "airy")
+    return WildDraft::Light::solar;
+  if (kind == "hot_sphere" || kind == "lamps" || kind == "mixture" || kind == "wide") return WildDraft::Light::thermal;
+  return chance.with(0.6) ? WildDraft::Light::solar : WildDraft::Light::thermal;
+}
+
+}  // namespace
+
+std::span<const std::string_view> wild_kinds() { return kKinds; }
+
+WildScene wild_scene(std::uint64_t number, const std::filesystem::path& folder) {
+  const std::size_t kind = number % kKinds.size();
+  const std::string name = format("wild_{}_{}", number, kKinds[kind]);
+  Chance chance(number, 0x77696c64);
+  WildScene scene;
+  if (kMakers[kind] == nullptr) {
+    scene = rows(kKinds[kind] == "rows_map"     ? RowsScene::Form::map
+                 : kKinds[kind] == "rows_boxes" ? RowsScene::Form::boxes
+                                                : RowsScene::Form::mesh,
+                 chance, name, folder);
+  } else {
+    WildDraft draft(chance, light_of(kKinds[kind], chance), name, folder);
+    kMakers[kind](draft);
+    scene = {{}, name, draft.text(std::string(kKinds[kind])), {}, draft.hints};
+  }
+  scene.kind = kKinds[kind];
+  std::ofstream(folder / (name + ".json")) << scene.document;
+  return scene;
+}
+
+}  // namespace ifov::benchmarks
