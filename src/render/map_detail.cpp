@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "sampling/accuracy/polygon.h"
+
 namespace ifov::render {
 
 namespace {
@@ -13,8 +15,8 @@ constexpr std::uint16_t kOutside = 0xffff;
 constexpr std::size_t kMostParts = 24;
 /// Cells of a map are looked at one by one while a pixel holds no more of them than this, else a raster of so many.
 constexpr double kMostCells = 4096.0;
-/// Points stay this far inside their pixel.
-constexpr double kInside_px = 1e-4;
+/// Of a cell so much of which lies in the pixel the middle of that is as good as any other's.
+constexpr double kMuch = 0.5;
 
 struct Place {
   double a = 0.0, b = 0.0;  // in cells: to the right and down
@@ -40,6 +42,28 @@ struct MapDetail::Window {
   sampling::FocalPoint offset(double a, double b) const {
     const double da = a - at.a, db = b - at.b, d = determinant();
     return {(da * per_y.b - db * per_y.a) / d, (per_x.a * db - per_x.b * da) / d};
+  }
+
+  /// What the pixel sees of the cell about (a, b), which may be much longer than the pixel: its area, px^2, and its middle.
+  struct Seen {
+    double area = 0.0;
+    sampling::FocalPoint middle;
+  };
+  Seen seen(double a, double b) const {
+    sampling::Polygon cell;
+    for (const Place p : {Place{-0.5, -0.5}, Place{0.5, -0.5}, Place{0.5, 0.5}, Place{-0.5, 0.5}}) {
+      const sampling::FocalPoint corner = offset(a + p.a, b + p.b);
+      cell.add({corner.x_px, corner.y_px});
+    }
+    const sampling::Polygon inside = cell.clipped(-1, 0, 0).clipped(1, 0, 1).clipped(0, -1, 0).clipped(0, 1, 1);
+    Seen part;
+    if (inside.count < 3) return part;
+    part.area = std::abs(inside.signed_area());
+    for (int i = 0; i < inside.count; ++i) {
+      part.middle.x_px += inside.vertex[i].x / inside.count;
+      part.middle.y_px += inside.vertex[i].y / inside.count;
+    }
+    return part;
   }
 };
 
@@ -128,16 +152,15 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
   classes_.assign(columns * rows, kOutside);
   std::uint16_t any_class = kOutside;
   bool mixed = false;
-  const auto offset_of = [&](std::size_t cell) {
-    return window.offset(low.a + (static_cast<double>(cell % columns) + 0.5) * step,
-                         low.b + (static_cast<double>(cell / columns) + 0.5) * step);
+  const auto place_in_map = [&](std::size_t cell) {
+    return Place{low.a + (static_cast<double>(cell % columns) + 0.5) * step,
+                 low.b + (static_cast<double>(cell / columns) + 0.5) * step};
   };
   for (std::size_t cell = 0; cell < classes_.size(); ++cell) {
-    const sampling::FocalPoint o = offset_of(cell);
+    const Place place = place_in_map(cell);
+    const sampling::FocalPoint o = window.offset(place.a, place.b);
     if (o.x_px <= -reach_x || o.x_px >= 1.0 + reach_x || o.y_px <= -reach_y || o.y_px >= 1.0 + reach_y) continue;
-    const std::uint16_t number =
-        covering.classes->at(middle_of(grid, low.a + (static_cast<double>(cell % columns) + 0.5) * step,
-                                       low.b + (static_cast<double>(cell / columns) + 0.5) * step));
+    const std::uint16_t number = covering.classes->at(middle_of(grid, place.a, place.b));
     classes_[cell] = number;
     mixed = mixed || (any_class != kOutside && covering.states[number] != covering.states[any_class]);
     any_class = number;
@@ -171,15 +194,22 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
       if (row > 0) visit(cell - columns);
       if (row + 1 < rows) visit(cell + columns);
     }
+    // The middle one of its cells, or the one that the pixel sees most of.
+    std::nth_element(part_.begin(), part_.begin() + static_cast<std::ptrdiff_t>(part_.size() / 2), part_.end());
+    std::swap(part_.front(), part_[part_.size() / 2]);
+    Window::Seen most;
+    for (std::size_t k = 0; k < part_.size() && most.area < kMuch / d; ++k) {
+      const Place place = place_in_map(part_[k]);
+      const Window::Seen part = window.seen(place.a, place.b);
+      if (part.area > most.area) most = part;
+    }
+    if (most.area == 0.0) continue;
     if (detail.points.size() - points_before == kMostParts) {
       detail.points.resize(points_before);
       detail.full[pixel] = 1;
       return;
     }
-    std::nth_element(part_.begin(), part_.begin() + static_cast<std::ptrdiff_t>(part_.size() / 2), part_.end());
-    const sampling::FocalPoint o = offset_of(part_[part_.size() / 2]);
-    detail.points.push_back({origin.x_px + std::clamp(o.x_px, kInside_px, 1.0 - kInside_px),
-                             origin.y_px + std::clamp(o.y_px, kInside_px, 1.0 - kInside_px)});
+    detail.points.push_back({origin.x_px + most.middle.x_px, origin.y_px + most.middle.y_px});
   }
 }
 

@@ -45,6 +45,9 @@ class EdgeTracer {
   /// which they are known and `slack_px` more.
   bool disagrees(FocalPoint point, std::uint32_t label, double slack_px) const;
 
+  /// Whether a strip of one label on the other, as wide as the lattice is fine, would matter in the pixel.
+  bool matters(std::uint32_t pixel, std::uint32_t a, std::uint32_t b) const;
+
   /// Contrast of what was seen at a point to the model, where the two differ in a cell that is too small to be refined;
   /// 0 where they agree or a border's own uncertainty explains it.
   double dismissed(FocalPoint point, std::uint32_t label) const;

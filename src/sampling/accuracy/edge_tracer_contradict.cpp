@@ -28,6 +28,11 @@ bool EdgeTracer::contradict(FocalPoint point, std::uint32_t label) {
   return true;
 }
 
+bool EdgeTracer::matters(std::uint32_t pixel, std::uint32_t a, std::uint32_t b) const {
+  return a != b && lattice_.side_px(0) * contrast_(pixel, a, b) * kUniformSpread >
+                       kNegligible * std::sqrt(allowed_variance_[pixel]);
+}
+
 double EdgeTracer::dismissed(FocalPoint point, std::uint32_t label) const {
   const Cell& cell = cells_[leaf_at(point)];
   if (abandoned_[cell.pixel]) return 0.0;
@@ -49,9 +54,11 @@ bool EdgeTracer::foreign(const Cell& cell, std::uint32_t label) const {
     if (corner == label) return false;
     contrast = std::max(contrast, contrast_(cell.pixel, corner, label));
   }
-  const double side_px = lattice_.side_px(cell.level);
-  return kUniformSpread * side_px * side_px * contrast >
-         kLooseCell * std::sqrt(allowed_variance_[cell.pixel]);
+  const double side_px = lattice_.side_px(cell.level), allowed = std::sqrt(allowed_variance_[cell.pixel]);
+  // Corners that look alike claim no error for the cell: what else is met in it counts as in one of a single label.
+  if (kUniformSpread * side_px * contrast_.among(cell.pixel, cell.corner) < kNegligible * allowed)
+    return kUniformSpread * side_px * contrast > kNegligible * allowed;
+  return kUniformSpread * side_px * side_px * contrast > kLooseCell * allowed;
 }
 
 /// Whether a contradiction is one that the intervals already allow for: beside a border, no farther than it

@@ -105,14 +105,47 @@ void Prober::follow_seeds(std::span<const FocalPoint> seeds, std::span<const std
     if (!known) points.push_back(p);
   }
   if (points.empty()) return;
-  // A known object that shows up where it was expected is no sign of unknown ones beside it.
-  const std::vector<std::uint8_t> suspects = tracer_.suspects(), followed = tracer_.followed();
   std::vector<std::uint32_t> labels;
   tracer_.ask_at(points, labels, Purpose::seed);
+  take_in_expected(points, labels);
+}
+
+/// What shows up where it was sought is no sign of anything unknown beside it.
+void Prober::take_in_expected(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels) {
+  const std::vector<std::uint8_t> suspects = tracer_.suspects(), followed = tracer_.followed();
   note(points, labels);
   reconcile(points, labels);
   tracer_.suspects() = suspects;
   tracer_.followed() = followed;
+}
+
+void Prober::look_between(std::vector<Between> sides) {
+  std::vector<FocalPoint> points, found;
+  std::vector<std::uint32_t> labels, found_labels;
+  std::vector<Between> halves;
+  while (!sides.empty()) {
+    points.clear();
+    for (const Between& side : sides)
+      points.push_back({0.5 * (side.from.x_px + side.to.x_px), 0.5 * (side.from.y_px + side.to.y_px)});
+    tracer_.ask_at(points, labels, Purpose::probe);
+    halves.clear();
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      const Between& side = sides[i];
+      const auto pixel = static_cast<std::uint32_t>(tracer_.lattice().pixel_at(points[i]));
+      const Label met = ledger_.own_label(i);
+      if (met != side.first && met != side.last && tracer_.matters(pixel, side.as, labels[i])) {
+        found.push_back(points[i]);
+        found_labels.push_back(labels[i]);
+      }
+      const double half = 0.5 * (side.to.x_px - side.from.x_px + side.to.y_px - side.from.y_px);
+      if (half <= options_.thinnest_px || tracer_.abandoned(pixel)) continue;
+      // Another label leaves two places where something may lie between.
+      if (met != side.first) halves.push_back({side.from, points[i], side.first, met, side.as});
+      if (met != side.last) halves.push_back({points[i], side.to, met, side.last, side.as});
+    }
+    sides.swap(halves);
+  }
+  take_in_expected(found, found_labels);
 }
 
 void Prober::probe_until_clean(const std::vector<std::uint8_t>& worth) {

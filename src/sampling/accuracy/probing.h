@@ -29,6 +29,14 @@ class Prober {
   /// already, the others are here.
   void look_around(const std::vector<FocalPoint>& known, const std::vector<std::uint32_t>& known_labels,
                    const std::vector<FocalPoint>& others);
+  /// A side of the lattice whose ends have unlike labels that look alike, the first of them counted as `as`.
+  struct Between {
+    FocalPoint from, to;
+    Label first, last;
+    std::uint32_t as;
+  };
+  /// Halves each side until it is known where the one label goes over into the other, or what lies between them.
+  void look_between(std::vector<Between> sides);
   /// Looks at the seeds whose objects no ray has met yet.
   void follow_seeds(std::span<const FocalPoint> seeds, std::span<const std::uint32_t> objects);
   /// `worth`: the pixels of the domain where a find would matter.
@@ -48,6 +56,7 @@ class Prober {
   std::vector<std::uint8_t> reconcile(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels);
   void note(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels);
   void want_around(int pixel, int rays);
+  void take_in_expected(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels);
   void take_in(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels,
                const std::vector<std::uint8_t>& contradicted);
 

@@ -54,20 +54,23 @@ class RayLedger {
     if (purpose == Purpose::probe) probe_rays_ += points.size() - known;
   }
 
+  /// What the points of the last question met, label by label, whatever they stand for.
+  Label own_label(std::size_t point) const { return raw_[point] & mask_; }
+
   /// Rows of field.stride() floats into `values`.
   void values(std::span<const PathRequest> requests, std::vector<std::uint32_t>& out,
               std::span<float> values) {
     const std::size_t stride = static_cast<std::size_t>(field_.stride());
     out.resize(requests.size());
-    raw_.resize(requests.size());
+    raw_of_values_.resize(requests.size());
     for (std::size_t first = 0; first < requests.size(); first += kBatch) {
       look_for_cancel();
       const std::size_t n = std::min(kBatch, requests.size() - first);
-      field_.values(requests.subspan(first, n), {raw_.data() + first, n},
+      field_.values(requests.subspan(first, n), {raw_of_values_.data() + first, n},
                     values.subspan(first * stride, n * stride));
     }
     for (std::size_t i = 0; i < requests.size(); ++i) {
-      out[i] = table_.index(raw_[i] & mask_);
+      out[i] = table_.index(raw_of_values_[i] & mask_);
       ++value_rays_[lattice_.pixel_at(requests[i].point)];
     }
   }
@@ -95,9 +98,9 @@ class RayLedger {
     std::vector<float> rows(unknown.size() * stride);
     this->values(unknown, out, rows);
     for (std::size_t k = 0; k < unknown.size(); ++k) {
-      labels[places[k]] = raw_[k];
+      labels[places[k]] = raw_of_values_[k];
       std::copy_n(&rows[k * stride], stride, &values[places[k] * stride]);
-      memory_->note(TileMemory::key_of(unknown[k]), raw_[k], &rows[k * stride]);
+      memory_->note(TileMemory::key_of(unknown[k]), raw_of_values_[k], &rows[k * stride]);
     }
     out.resize(requests.size());
     for (std::size_t i = 0; i < requests.size(); ++i) out[i] = table_.index(labels[i] & mask_);
@@ -108,10 +111,10 @@ class RayLedger {
                             std::span<float> values) {
     look_for_cancel();
     out.resize(requests.size());
-    raw_.resize(requests.size());
-    field_.values_and_materials(requests, raw_, values);
+    raw_of_values_.resize(requests.size());
+    field_.values_and_materials(requests, raw_of_values_, values);
     for (std::size_t i = 0; i < requests.size(); ++i) {
-      out[i] = field_.material_of(raw_[i] & mask_);
+      out[i] = field_.material_of(raw_of_values_[i] & mask_);
       ++value_rays_[lattice_.pixel_at(requests[i].point)];
     }
   }
@@ -178,7 +181,7 @@ class RayLedger {
   LabelTable& table_;
   TileMemory* memory_;
   Label mask_;
-  std::vector<Label> raw_;
+  std::vector<Label> raw_, raw_of_values_;
   std::vector<std::uint64_t> keys_;                         // of the points asked
   std::vector<std::size_t> unknown_;                        // of them, those that the memory does not know
   std::vector<std::uint32_t> label_rays_, value_rays_;      // asked for

@@ -129,17 +129,7 @@ void TileWork::merge_twins() {
     }
   }
   if (!any) return;
-  // No border is seen between twins, but a gap may lie between them.
-  const int k = lattice_.cells_per_pixel(), row = lattice_.columns() + 1;
-  const auto twins = [&](std::uint32_t a, std::uint32_t b) { return a != b && table_.merged(a) == table_.merged(b); };
-  for (int p = 0; p < lattice_.domain().count(); ++p) {
-    const std::uint32_t* labels = &at.labels[first_vertex(p)];
-    bool beside = false;
-    for (int j = 0; j <= k; ++j, labels += row)
-      for (int i = 0; i <= k; ++i)
-        beside = beside || (i < k && twins(labels[i], labels[i + 1])) || (j < k && twins(labels[i], labels[i + row]));
-    if (beside) beside_twins_.push_back(static_cast<std::uint32_t>(p));
-  }
+  at.own = at.labels;
   for (std::uint32_t& label : at.labels) label = table_.merged(label);
 }
 

@@ -79,6 +79,29 @@ void TileWork::look_at_constants() {
   }
 }
 
+/// Where two labels meet that are alike, no border is traced, but a gap may lie between them.
+void TileWork::look_between(const std::vector<std::uint8_t>& worth) {
+  const std::vector<std::uint32_t>& own = lattice_values_.own.empty() ? lattice_values_.labels : lattice_values_.own;
+  const int columns = lattice_.columns(), rows = lattice_.rows();
+  const std::size_t row = static_cast<std::size_t>(columns) + 1;
+  std::vector<Prober::Between> sides;
+  for (int j = 0; j <= rows; ++j)
+    for (int i = 0; i <= columns; ++i)
+      for (const bool vertical : {false, true}) {
+        if (vertical ? j == rows : i == columns) continue;
+        const std::size_t a = static_cast<std::size_t>(j) * row + static_cast<std::size_t>(i), b = a + (vertical ? row : 1);
+        if (own[a] == own[b]) continue;
+        const std::int32_t x = i * Lattice::side(0), y = j * Lattice::side(0);
+        const FocalPoint from = lattice_.point(x, y);
+        const FocalPoint to = lattice_.point(x + (vertical ? 0 : Lattice::side(0)), y + (vertical ? Lattice::side(0) : 0));
+        const int pixel = lattice_.pixel_at({0.5 * (from.x_px + to.x_px), 0.5 * (from.y_px + to.y_px)});
+        if (!worth[pixel] || tracer_.abandoned(static_cast<std::uint32_t>(pixel))) continue;
+        if (!tracer_.matters(static_cast<std::uint32_t>(pixel), lattice_values_.labels[a], lattice_values_.labels[b]))
+          sides.push_back({from, to, table_.label(own[a]), table_.label(own[b]), lattice_values_.labels[a]});
+      }
+  prober_.look_between(sides);
+}
+
 /// Where looks went on finding what the model did not have, there is more than they have found.
 void TileWork::leave_unsettled() {
   for (int p = 0; p < lattice_.domain().count(); ++p) {

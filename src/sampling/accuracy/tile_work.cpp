@@ -84,15 +84,15 @@ double TileWork::relative_weight(int source) const {
 
 void TileWork::trace_borders() {
   tracer_.settle();
+  std::vector<std::uint8_t> worth(static_cast<std::size_t>(lattice_.domain().count()));
+  for (std::size_t p = 0; p < worth.size(); ++p)
+    worth[p] = relative_weight(static_cast<int>(p)) > kLeastProbed;
+  look_between(worth);
   look_around();
   if (options_.seeds) {
     prober_.follow_seeds(problem_.seeds, problem_.seed_objects);
     prober_.follow_seeds(known_.points, {});
   }
-  for (const std::uint32_t p : beside_twins_) tracer_.suspects()[p] = 1;
-  std::vector<std::uint8_t> worth(static_cast<std::size_t>(lattice_.domain().count()));
-  for (std::size_t p = 0; p < worth.size(); ++p)
-    worth[p] = relative_weight(static_cast<int>(p)) > kLeastProbed;
   prober_.probe_until_clean(worth);
   leave_unsettled();
   tighten_borders();

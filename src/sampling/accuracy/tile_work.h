@@ -42,6 +42,7 @@ class TileWork {
   void merge_twins();
   void look_at_constants();
   void look_around();
+  void look_between(const std::vector<std::uint8_t>& worth);
   void take_means();
   void set_limits();
   void take_limits_from_sums();
@@ -97,7 +98,6 @@ class TileWork {
   std::vector<Output> outputs_;
   OutputSums sums_;                       // of the last gather()
   KnownDetail known_;
-  std::vector<std::uint32_t> beside_twins_;  // source pixels in which labels meet that stand for the same
   std::vector<int> not_looked_at_;        // source pixels whose random points are asked when borders are traced
   std::vector<float> predicted_;          // per source pixel: values that clutter would take by the lattice
   std::vector<RandomLooks> looks_;        // per source pixel: values at random points
