@@ -32,7 +32,7 @@ struct CurveCheck {
   double chord = 0.0, least = 0.0, most = 0.0, tolerance = 0.0, predicted = 0.0;
   double low = 0.0, high = 0.0, blur = 0.0;
   std::uint32_t far = 0, near = 0;
-  bool smooth = false, beyond_wrong = false, has_apex = false, corner = false, confirmed = false;
+  bool smooth = false, beyond_wrong = false, has_apex = false, corner = false, confirmed = false, measured = false;
   Point2 apex;
   std::size_t first_point = 0;
 
@@ -49,7 +49,7 @@ struct CurveCheck {
     most = kCornerFar * height;
     corner = true;
     has_apex = false;
-    confirmed = false;
+    confirmed = measured = false;
     stage = Stage::middle;
   }
 

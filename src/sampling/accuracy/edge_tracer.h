@@ -208,10 +208,21 @@ class EdgeTracer {
 
   // The model (edge_tracer_model.cpp)
   std::uint32_t label_in(const Cell& cell, FocalPoint point) const;
-  CurveEnds ends(const Curve& curve) const { return {end_point(curve.bracket[0]), end_point(curve.bracket[1])}; }
+  CurveEnds drawn_ends(const Curve& curve) const {
+    return {end_point(curve.bracket[0]), end_point(curve.bracket[1])};
+  }
+  /// Where middles are predicted from.
+  CurveEnds ends(const Curve& curve) const {
+    return {middle_point(curve.bracket[0]), middle_point(curve.bracket[1])};
+  }
   Point2 end_point(std::uint32_t bracket) const {
     const Bracket& b = brackets_[bracket];
     return b.at(b.centre());
+  }
+  /// The middle of a bracket, wherever it is: what end_point draws is never beyond the side, and errs inwards beside its end.
+  Point2 middle_point(std::uint32_t bracket) const {
+    const Bracket& b = brackets_[bracket];
+    return b.at(0.5 * (b.low + b.high));
   }
   void sweep(const Cell& cell, const CurveShape& shape, double swept[2]) const;
 

@@ -16,7 +16,7 @@ bool EdgeTracer::neighbour_end(std::uint32_t shared, std::uint32_t from, Point2&
     }
     if (cell.kind != CellKind::tentative && cell.kind != CellKind::chord) continue;
     const Curve& next = curves_[cell.chord];
-    point = end_point(next.bracket[next.bracket[0] == shared ? 1 : 0]);
+    point = middle_point(next.bracket[next.bracket[0] == shared ? 1 : 0]);
     return true;
   }
   return false;
@@ -28,9 +28,13 @@ CurveShape EdgeTracer::shape_of(const Cell& cell) const {
   const Point2 d = shape.b - shape.a;
   shape.chord = length(d);
   if (cell.kind != CellKind::chord || curve.corner || shape.chord == 0.0) return shape;
-  const Point2 middle = curve.origin + (0.5 * (curve.low + curve.high)) * curve.normal;
-  const Point2 from_chord = middle - 0.5 * (shape.a + shape.b);
-  const double s = (-d.y * from_chord.x + d.x * from_chord.y) / shape.chord;
+  // From the brackets' own middles, by which it was predicted; the drawn arc is moved with its ends (area_beyond). What was
+  // predicted follows its ends, when they are known better, as far as it was confirmed.
+  const CurveEnds whole = ends(curve);
+  const double ahead = dot(0.5 * (whole.a + whole.b) - curve.origin, curve.normal);
+  const double middle = curve.measured ? 0.5 * (curve.low + curve.high)
+                                       : std::clamp(ahead + curve.bend, curve.low, curve.high);
+  const double s = (middle - ahead) * (-d.y * curve.normal.x + d.x * curve.normal.y) / shape.chord;
   shape.sagitta = std::clamp(s, -0.5 * shape.chord, 0.5 * shape.chord);
   return shape;
 }

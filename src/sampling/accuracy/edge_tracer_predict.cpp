@@ -48,9 +48,15 @@ void EdgeTracer::predict(CurveCheck& check) {
   }
   check.normal = {-d.y / check.chord, d.x / check.chord};
   const double x0 = lattice_.x_px(cell.x), y0 = lattice_.y_px(cell.y), side = lattice_.side_px(cell.level);
-  const int corner = (curve.side[0] + 1) % 4;
-  const Point2 inner_corner{x0 + kCornerX[corner] * side, y0 + kCornerY[corner] * side};
-  const bool inner_far = dot(inner_corner - a, check.normal) > 0.0;
+  // By all corners: the chord may pass through one of them, or just beyond.
+  Point2 towards_inner;
+  const double inner = curve.side[1] - curve.side[0];
+  for (int corner = 0; corner < 4; ++corner) {
+    const bool is_inner = corner > curve.side[0] && corner <= curve.side[1];
+    const Point2 at{static_cast<double>(kCornerX[corner]), static_cast<double>(kCornerY[corner])};
+    towards_inner = towards_inner + (is_inner ? 1.0 / inner : -1.0 / (4.0 - inner)) * at;
+  }
+  const bool inner_far = dot(towards_inner, check.normal) > 0.0;
   check.far = inner_far ? curve.inner : curve.outer;
   check.near = inner_far ? curve.outer : curve.inner;
 

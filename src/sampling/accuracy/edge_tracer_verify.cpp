@@ -79,6 +79,7 @@ void EdgeTracer::weigh_answers(CurveCheck& check, const std::uint32_t* seen) {
     case CurveCheck::Stage::bisect:
       (seen[0] == check.far ? check.high : check.low) = check.middle();
       if (check.high - check.low > check.tolerance) return;
+      check.measured = true;
       check.stage = CurveCheck::Stage::legs;
       if (check.middle() > 1.001 * check.most || check.middle() < 1.001 * check.least)
         refuse(check);
@@ -117,6 +118,7 @@ void EdgeTracer::refuse(CurveCheck& check) {
   }
   check.low = check.high = 0.0;
   check.corner = false;
+  check.measured = true;
   curve.loose_area = hidden;
   accept(check);
 }
@@ -130,6 +132,8 @@ void EdgeTracer::accept(CurveCheck& check) {
   curve.normal = check.normal;
   curve.low = check.low;
   curve.high = check.high;
+  curve.bend = check.middle();
+  curve.measured = check.measured;
   curve.middle_width = (check.confirmed ? check.smooth ? 0.4 : 0.5 : 1.0) * (check.high - check.low);
   curve.leg_width = check.corner ? 2.0 * std::max(check.tolerance, check.blur) : 0.0;
   cell.kind = CellKind::chord;
@@ -140,7 +144,8 @@ void EdgeTracer::accept(CurveCheck& check) {
   // only within its own pixel.
   if (!may_leave_pixel(check, cell.pixel)) return;
   Point2 knots[3];
-  arc_knots(check.ends.a, check.ends.b, check.middle(), knots);
+  const CurveEnds drawn = drawn_ends(curve);
+  arc_knots(drawn.a, drawn.b, check.middle(), knots);
   const double x0 = lattice_.x_px(cell.x), y0 = lattice_.y_px(cell.y), side = lattice_.side_px(cell.level);
   double outside = 0.0;
   for (const Point2& knot : knots)
@@ -162,7 +167,8 @@ bool EdgeTracer::may_leave_pixel(const CurveCheck& check, std::uint32_t pixel) c
   const double x0 = domain.x0 + static_cast<int>(pixel) % domain.width();
   const double y0 = domain.y0 + static_cast<int>(pixel) / domain.width();
   const Point2 reach = (1.5 * check.middle()) * check.normal;
-  for (const Point2 p : {check.ends.a + reach, check.ends.b + reach, check.ends.a, check.ends.b})
+  const CurveEnds drawn = drawn_ends(curves_[cells_[check.cell].chord]);
+  for (const Point2 p : {drawn.a + reach, drawn.b + reach, drawn.a, drawn.b})
     if (p.x <= x0 || p.x >= x0 + 1.0 || p.y <= y0 || p.y >= y0 + 1.0) return true;
   return false;
 }

@@ -80,7 +80,7 @@ double LeafIntegrator::over_polygon(const Polygon& polygon, Point2 c) const {
                                .clipped(1.0, 0.0, c.x + h)
                                .clipped(0.0, -1.0, -(c.y - h))
                                .clipped(0.0, 1.0, c.y + h);
-    return std::abs(inside.signed_area()) * 0.25 / (h * h);
+    return inside.signed_area() * 0.25 / (h * h);
   }
   // A fan of triangles, each by the rule of its three edge midpoints, exact to the second degree.
   double sum = 0.0;
@@ -93,7 +93,7 @@ double LeafIntegrator::over_polygon(const Polygon& polygon, Point2 c) const {
       h += footprint_.density(m.x - c.x, m.y - c.y);
     sum += twice_area * h;
   }
-  return std::abs(sum) / 6.0;
+  return sum / 6.0;
 }
 
 /// Integral of an output's footprint over a cell.
@@ -170,7 +170,7 @@ void LeafIntegrator::add_junction(const Cell& cell, PixelModel& model) const {
     const Point2 c = centre(model.outputs[o]);
     const double density = unit_box_ ? 1.0 : footprint_.density(junction.at.x - c.x, junction.at.y - c.y);
     double inside[3], sum = 0.0;
-    for (int s = 0; s < 3; ++s) sum += inside[s] = unit_box_ ? area[s] : over_polygon(polygon[s], c);
+    for (int s = 0; s < 3; ++s) sum += inside[s] = unit_box_ ? area[s] : std::abs(over_polygon(polygon[s], c));
     const double scale = sum > 0.0 ? cell_weight(cell, model, o) / sum : 0.0;
     for (int s = 0; s < 3; ++s) {
       model.weight[region[s] * outputs + o] += scale * inside[s];
@@ -187,7 +187,8 @@ void LeafIntegrator::add_curve(const Cell& cell, PixelModel& model) const {
   const Polygon polygon = tracer_.inner_region(cell, shape);
   const double side = tracer_.lattice().side_px(cell.level), whole = side * side;
   const double beyond = tracer_.area_beyond(cell, shape);
-  const double area = std::clamp(std::abs(polygon.signed_area()), 0.0, whole) + beyond;
+  // An arc beside a side of its cell may bulge beyond it: less than nothing, or more than the whole cell, is then its share.
+  const double area = polygon.signed_area() + beyond;
   const double variance = tracer_.area_variance(cell, shape);
   const Point2 middle = 0.5 * (polygon.vertex[0] + polygon.vertex[curve.side[1] - curve.side[0] + 1]);
   model.area[in] += area;
@@ -198,7 +199,7 @@ void LeafIntegrator::add_curve(const Cell& cell, PixelModel& model) const {
     if (!unit_box_) {
       const Point2 c = centre(model.outputs[o]);
       density = footprint_.density(middle.x - c.x, middle.y - c.y);
-      inner = std::min(over_polygon(polygon, c), weight) + beyond * density;
+      inner = over_polygon(polygon, c) + beyond * density;
     }
     model.weight[in * outputs + o] += inner;
     model.weight[out * outputs + o] += weight - inner;
