@@ -12,6 +12,9 @@ namespace {
 
 /// Source pixels that weigh less than this are not probed.
 constexpr double kLeastProbed = 0.4;
+/// Share of what borders may take from which on they are traced more precisely: they leave a little to paths that hardly
+/// vary, and a pixel that borders fill to the brim ends above its limit.
+constexpr double kTight = 0.97;
 /// A footprint's outermost pixels, where they weigh less than this, need no others around them to be traced
 /// well enough.
 constexpr double kNegligibleRim = 1e-3;
@@ -154,7 +157,7 @@ void TileWork::tighten_borders() {
         for (std::size_t d = 0; d < n; ++d)
           worst = std::max(worst, sums_[output].geometry[d] / (allowed[d] * allowed[d]));
         const double share = geometry_share(source_of(output));
-        if (worst > 1.02 * share) factor[pixel.source] = std::max(factor[pixel.source], 1.1 * worst / share);
+        if (worst > kTight * share) factor[pixel.source] = std::max(factor[pixel.source], 1.1 * worst / share);
       }
     for (std::size_t p = 0; p < factor.size(); ++p)
       if (factor[p] > 1.0 && !tracer_.abandoned(static_cast<std::uint32_t>(p)) &&
