@@ -119,7 +119,7 @@ void Prober::take_in_expected(const std::vector<FocalPoint>& points, const std::
   tracer_.followed() = followed;
 }
 
-void Prober::look_between(std::vector<Between> sides) {
+std::vector<FocalPoint> Prober::look_between(std::vector<Between> sides) {
   std::vector<FocalPoint> points, found;
   std::vector<std::uint32_t> labels, found_labels;
   std::vector<Between> halves;
@@ -146,6 +146,7 @@ void Prober::look_between(std::vector<Between> sides) {
     sides.swap(halves);
   }
   take_in_expected(found, found_labels);
+  return found;
 }
 
 void Prober::probe_until_clean(const std::vector<std::uint8_t>& worth) {

@@ -35,8 +35,9 @@ class Prober {
     Label first, last;
     std::uint32_t as;
   };
-  /// Halves each side until it is known where the one label goes over into the other, or what lies between them.
-  void look_between(std::vector<Between> sides);
+  /// Halves each side until it is known where the one label goes over into the other, or what lies between them: the points
+  /// where that was met.
+  std::vector<FocalPoint> look_between(std::vector<Between> sides);
   /// Looks at the seeds whose objects no ray has met yet.
   void follow_seeds(std::span<const FocalPoint> seeds, std::span<const std::uint32_t> objects);
   /// `worth`: the pixels of the domain where a find would matter.

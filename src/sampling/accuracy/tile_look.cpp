@@ -1,5 +1,7 @@
 // Random points of every pixel: the lattice may be in step with what it looks at.
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include "sampling/accuracy/tile_work.h"
 
@@ -10,7 +12,7 @@ namespace {
 /// Source pixels that weigh less than this in every output are not looked at beside the lattice.
 constexpr double kLeastLookedAt = 0.05;
 
-constexpr std::uint64_t kLookKey = 0x6c6f6f6b, kLookPath = 0x6c6f6f6b70;
+constexpr std::uint64_t kLookKey = 0x6c6f6f6b, kLookPath = 0x6c6f6f6b70, kBetweenKey = 0x6265747765656e;
 
 }  // namespace
 
@@ -79,12 +81,12 @@ void TileWork::look_at_constants() {
   }
 }
 
-/// Where two labels meet that are alike, no border is traced, but a gap may lie between them.
-void TileWork::look_between(const std::vector<std::uint8_t>& worth) {
+/// The sides of the lattice whose ends have unlike labels that look alike.
+std::vector<TileWork::Meeting> TileWork::meetings(const std::vector<std::uint8_t>& worth) const {
   const std::vector<std::uint32_t>& own = lattice_values_.own.empty() ? lattice_values_.labels : lattice_values_.own;
   const int columns = lattice_.columns(), rows = lattice_.rows();
   const std::size_t row = static_cast<std::size_t>(columns) + 1;
-  std::vector<Prober::Between> sides;
+  std::vector<Meeting> found;
   for (int j = 0; j <= rows; ++j)
     for (int i = 0; i <= columns; ++i)
       for (const bool vertical : {false, true}) {
@@ -96,10 +98,46 @@ void TileWork::look_between(const std::vector<std::uint8_t>& worth) {
         const FocalPoint to = lattice_.point(x + (vertical ? 0 : Lattice::side(0)), y + (vertical ? Lattice::side(0) : 0));
         const int pixel = lattice_.pixel_at({0.5 * (from.x_px + to.x_px), 0.5 * (from.y_px + to.y_px)});
         if (!worth[pixel] || tracer_.abandoned(static_cast<std::uint32_t>(pixel))) continue;
-        if (!tracer_.matters(static_cast<std::uint32_t>(pixel), lattice_values_.labels[a], lattice_values_.labels[b]))
-          sides.push_back({from, to, table_.label(own[a]), table_.label(own[b]), lattice_values_.labels[a]});
+        if (tracer_.matters(static_cast<std::uint32_t>(pixel), lattice_values_.labels[a], lattice_values_.labels[b])) continue;
+        found.push_back({pixel, std::min(own[a], own[b]), std::max(own[a], own[b]),
+                         hash(problem_.seed, kBetweenKey, lattice_.image_x(x), lattice_.image_y(y), vertical),
+                         {from, to, table_.label(own[a]), table_.label(own[b]), lattice_values_.labels[a]}});
       }
-  prober_.look_between(sides);
+  return found;
+}
+
+/// Where two labels meet that are alike, no border is traced, but a gap may lie between them. One side is looked into for
+/// each two labels that meet in a pixel, chosen by chance; where that finds something, all sides there and around.
+void TileWork::look_between(const std::vector<std::uint8_t>& worth) {
+  std::vector<Meeting> left = meetings(worth);
+  std::sort(left.begin(), left.end(), [](const Meeting& a, const Meeting& b) {
+    return std::tie(a.pixel, a.low, a.high, a.key) < std::tie(b.pixel, b.low, b.high, b.key);
+  });
+  std::vector<std::uint8_t> due(left.size());
+  for (std::size_t i = 0; i < left.size(); ++i)
+    due[i] = i == 0 || std::tie(left[i].pixel, left[i].low, left[i].high) !=
+                           std::tie(left[i - 1].pixel, left[i - 1].low, left[i - 1].high);
+  const PixelRect& d = lattice_.domain();
+  std::vector<std::uint8_t> around(worth.size(), 0);
+  for (;;) {
+    std::vector<Prober::Between> sides;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      if (due[i])
+        sides.push_back(left[i].side);
+      else
+        left[kept++] = left[i];
+    }
+    left.resize(kept);
+    if (sides.empty()) return;
+    for (const FocalPoint point : prober_.look_between(std::move(sides))) {
+      const int pixel = lattice_.pixel_at(point), x = pixel % d.width(), y = pixel / d.width();
+      for (int j = std::max(0, y - 1); j <= std::min(d.height() - 1, y + 1); ++j)
+        for (int i = std::max(0, x - 1); i <= std::min(d.width() - 1, x + 1); ++i) around[j * d.width() + i] = 1;
+    }
+    due.resize(left.size());
+    for (std::size_t i = 0; i < left.size(); ++i) due[i] = around[left[i].pixel];
+  }
 }
 
 /// Where looks went on finding what the model did not have, there is more than they have found.

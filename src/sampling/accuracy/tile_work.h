@@ -38,10 +38,19 @@ class TileWork {
     SmallVector<double, 2> path_budget;  ///< per steering column: variance that paths may leave
   };
 
+  /// A side of the lattice in a pixel, between two labels that look alike; in the order of `key` by chance.
+  struct Meeting {
+    int pixel;
+    std::uint32_t low, high;
+    std::uint64_t key;
+    Prober::Between side;
+  };
+
   void ask_vertices();
   void merge_twins();
   void look_at_constants();
   void look_around();
+  std::vector<Meeting> meetings(const std::vector<std::uint8_t>& worth) const;
   void look_between(const std::vector<std::uint8_t>& worth);
   void take_means();
   void set_limits();
