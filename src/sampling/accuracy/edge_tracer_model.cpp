@@ -28,13 +28,13 @@ CurveShape EdgeTracer::shape_of(const Cell& cell) const {
   const Point2 d = shape.b - shape.a;
   shape.chord = length(d);
   if (cell.kind != CellKind::chord || curve.corner || shape.chord == 0.0) return shape;
-  // From the brackets' own middles, by which it was predicted; the drawn arc is moved with its ends (area_beyond). What was
-  // predicted follows its ends, when they are known better, as far as it was confirmed.
-  const CurveEnds whole = ends(curve);
-  const double ahead = dot(0.5 * (whole.a + whole.b) - curve.origin, curve.normal);
-  const double middle = curve.measured ? 0.5 * (curve.low + curve.high)
-                                       : std::clamp(ahead + curve.bend, curve.low, curve.high);
-  const double s = (middle - ahead) * (-d.y * curve.normal.x + d.x * curve.normal.y) / shape.chord;
+  double s = curve.bend;
+  if (curve.measured) {
+    // The drawn arc is moved with its ends (area_beyond): what was measured is not.
+    const CurveEnds whole = ends(curve);
+    s = 0.5 * (curve.low + curve.high) - dot(0.5 * (whole.a + whole.b) - curve.origin, curve.normal);
+  }
+  s *= (-d.y * curve.normal.x + d.x * curve.normal.y) / shape.chord;
   shape.sagitta = std::clamp(s, -0.5 * shape.chord, 0.5 * shape.chord);
   return shape;
 }

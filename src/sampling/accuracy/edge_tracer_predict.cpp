@@ -38,7 +38,7 @@ double limited_mean(const double curvature[2], const double weight[2]) {
 void EdgeTracer::predict(CurveCheck& check) {
   const Cell& cell = cells_[check.cell];
   const Curve& curve = curves_[cell.chord];
-  check.ends = ends(curve);
+  check.ends = drawn_ends(curve);
   const Point2 a = check.ends.a, b = check.ends.b, d = b - a;
   check.chord = length(d);
   check.centre = 0.5 * (a + b);
@@ -61,16 +61,18 @@ void EdgeTracer::predict(CurveCheck& check) {
   check.near = inner_far ? curve.outer : curve.inner;
 
   double curvature[2] = {0.0, 0.0}, weights[2] = {0.0, 0.0};
+  const CurveEnds middles = ends(curve);
+  const double span = length(middles.b - middles.a);
   Point2 beyond[2];
   int neighbours = 0;
   bool continued = false;
   for (int end = 0; end < 2; ++end) {
     if (!neighbour_end(curve.bracket[end], curve.cell, beyond[end])) continue;
     continued = true;
-    const double reach = length(beyond[end] - (end == 0 ? a : b));
-    if (reach <= 3.0 * brackets_[curve.bracket[end]].width()) continue;
-    curvature[end] = end == 0 ? menger_curvature(beyond[0], a, b, reach, check.chord)
-                              : menger_curvature(a, b, beyond[1], check.chord, reach);
+    const double reach = length(beyond[end] - (end == 0 ? middles.a : middles.b));
+    if (span < 1e-9 || reach <= 3.0 * brackets_[curve.bracket[end]].width()) continue;
+    curvature[end] = end == 0 ? menger_curvature(beyond[0], middles.a, middles.b, reach, span)
+                              : menger_curvature(middles.a, middles.b, beyond[1], span, reach);
     weights[end] = std::min(reach, check.chord);
     ++neighbours;
   }

@@ -144,8 +144,7 @@ void EdgeTracer::accept(CurveCheck& check) {
   // only within its own pixel.
   if (!may_leave_pixel(check, cell.pixel)) return;
   Point2 knots[3];
-  const CurveEnds drawn = drawn_ends(curve);
-  arc_knots(drawn.a, drawn.b, check.middle(), knots);
+  arc_knots(check.ends.a, check.ends.b, check.middle(), knots);
   const double x0 = lattice_.x_px(cell.x), y0 = lattice_.y_px(cell.y), side = lattice_.side_px(cell.level);
   double outside = 0.0;
   for (const Point2& knot : knots)
@@ -167,8 +166,7 @@ bool EdgeTracer::may_leave_pixel(const CurveCheck& check, std::uint32_t pixel) c
   const double x0 = domain.x0 + static_cast<int>(pixel) % domain.width();
   const double y0 = domain.y0 + static_cast<int>(pixel) / domain.width();
   const Point2 reach = (1.5 * check.middle()) * check.normal;
-  const CurveEnds drawn = drawn_ends(curves_[cells_[check.cell].chord]);
-  for (const Point2 p : {drawn.a + reach, drawn.b + reach, drawn.a, drawn.b})
+  for (const Point2 p : {check.ends.a + reach, check.ends.b + reach, check.ends.a, check.ends.b})
     if (p.x <= x0 || p.x >= x0 + 1.0 || p.y <= y0 || p.y >= y0 + 1.0) return true;
   return false;
 }
