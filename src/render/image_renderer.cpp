@@ -87,7 +87,10 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   const std::vector<sampling::PixelRect> tiles = tile_grid(width, height, job.tile_px);
   const double margin_px = job.sampler.halo_px() + job.footprint.half_width_px();
   std::optional<ObjectSeeds> seeds;
-  if (job.seed_objects) seeds.emplace(*job.scene.scene().world, job.camera, margin_px);
+  if (job.seed_objects) {
+    const scene::Scene& scene = job.scene.scene();
+    seeds.emplace(*scene.world, scene.coverings.size(), job.camera, margin_px);
+  }
 
   std::int64_t pixels = 0;
   for (const int index : control.tile_order) pixels += tiles[static_cast<std::size_t>(index)].count();

@@ -17,6 +17,11 @@ constexpr double kSeeded_px = 1.0;
 /// However long an object is, it has no more seeds than this.
 constexpr double kMostParts = 1e5;
 
+/// Faces of meshes are looked through one by one, copies too, while there are no more of them than this.
+constexpr std::size_t kMostFaces = 2000000;
+/// A face narrower than this is followed by no sampler (AccuracyOptions::thinnest_px): a wall seen from above.
+constexpr double kThinnest_px = 1.0 / 80.0;
+
 /// The image of an object's box: how long it is, and how wide across that direction.
 struct Outline {
   double length_px = 0.0, width_px = 0.0;
@@ -46,16 +51,51 @@ Outline outline_of(const geometry::World::PlacedObject& object, const sensor::Ca
   return outline;
 }
 
+/// Points in the middle of a triangle's image, all along it; none where that is not long and thin.
+void points_along(const geometry::SurfacePiece& piece, const sensor::Camera& camera,
+                  std::vector<sampling::FocalPoint>& points) {
+  points.clear();
+  const math::Point3 corner_m[3] = {piece.scene_from_unit(math::Point3{0.0, 0.0, 0.0}),
+                                    piece.scene_from_unit(math::Point3{1.0, 0.0, 0.0}),
+                                    piece.scene_from_unit(math::Point3{0.0, 1.0, 0.0})};
+  sampling::FocalPoint corner[3];
+  for (int k = 0; k < 3; ++k)
+    if (!camera.project(corner_m[k], corner[k])) return;
+  double longest = 0.0;
+  int first = 0;
+  for (int k = 0; k < 3; ++k) {
+    const sampling::FocalPoint a = corner[k], b = corner[(k + 1) % 3];
+    const double length = std::hypot(b.x_px - a.x_px, b.y_px - a.y_px);
+    if (length > longest) longest = length, first = k;
+  }
+  const sampling::FocalPoint a = corner[first], b = corner[(first + 1) % 3], c = corner[(first + 2) % 3];
+  if (longest <= kSeeded_px) return;
+  const double ux = (b.x_px - a.x_px) / longest, uy = (b.y_px - a.y_px) / longest;
+  const double along = (c.x_px - a.x_px) * ux + (c.y_px - a.y_px) * uy;
+  const double across = (c.y_px - a.y_px) * ux - (c.x_px - a.x_px) * uy;
+  const double width = std::abs(across);
+  if (width > kSpacing_px || width < kThinnest_px) return;
+  const int parts = static_cast<int>(std::min(std::ceil(longest / kSpacing_px), kMostParts));
+  for (int k = 0; k < parts; ++k) {
+    const double t = (k + 0.5) / parts * longest;
+    const double height = across * (t < along ? t / along : (longest - t) / (longest - along));
+    points.push_back({a.x_px + t * ux - 0.5 * height * uy, a.y_px + t * uy + 0.5 * height * ux});
+  }
+}
+
 }  // namespace
 
-ObjectSeeds::ObjectSeeds(const geometry::World& world, const sensor::Camera& camera, double margin_px) {
-  auto add = [&](math::Point3 position_m, std::uint32_t object) {
-    sampling::FocalPoint point;
-    if (!camera.project(position_m, point)) return;
+ObjectSeeds::ObjectSeeds(const geometry::World& world, std::size_t materials, const sensor::Camera& camera,
+                         double margin_px) {
+  auto add_point = [&](sampling::FocalPoint point, std::uint32_t object) {
     if (point.x_px < -margin_px || point.y_px < -margin_px || point.x_px > camera.width_px() + margin_px ||
         point.y_px > camera.height_px() + margin_px)
       return;
     points_.push_back({point, object});
+  };
+  auto add = [&](math::Point3 position_m, std::uint32_t object) {
+    sampling::FocalPoint point;
+    if (camera.project(position_m, point)) add_point(point, object);
   };
   for (std::size_t number = 0; number < world.object_count(); ++number) {
     const geometry::World::PlacedObject object = world.object(number);
@@ -73,6 +113,14 @@ ObjectSeeds::ObjectSeeds(const geometry::World& world, const sensor::Camera& cam
     for (int k = 0; k < static_cast<int>(parts); ++k)
       add(object.centre_m + object.half_sides_m[outline.along] * ((2.0 * k + 1.0) / parts - 1.0),
           thin ? sampling::Field::kNoObject : static_cast<std::uint32_t>(number));
+  }
+  if (world.triangle_count() <= kMostFaces) {
+    std::vector<sampling::FocalPoint> along;
+    world.visit_surfaces(geometry::WantedMaterials(materials, true), [&](const geometry::SurfacePiece& piece) {
+      if (piece.kind != geometry::PieceKind::triangle) return;
+      points_along(piece, camera, along);
+      for (const sampling::FocalPoint point : along) add_point(point, sampling::Field::kNoObject);
+    });
   }
 
   lowest_row_ = static_cast<int>(std::floor(-margin_px));

@@ -10,10 +10,11 @@ namespace ifov::render {
 
 /// Where to look for objects that the detection lattice could miss: the image of the seed point of every compact
 /// object that is smaller than a pixel in some direction, by pixel. Objects that are longer than a pixel but thinner
-/// get a point for each part of their length.
+/// get a point for each part of their length; so do the long thin faces of meshes, which may be strips that no object tells of.
 class ObjectSeeds {
  public:
-  ObjectSeeds(const geometry::World& world, const sensor::Camera& camera, double margin_px);
+  /// `materials`: number of the scene's coverings.
+  ObjectSeeds(const geometry::World& world, std::size_t materials, const sensor::Camera& camera, double margin_px);
 
   struct Near {
     std::vector<sampling::FocalPoint> points;
