@@ -93,6 +93,7 @@ class Radiance {
   };
   const std::vector<PlainPixel>& plain_pixels() const { return plain_pixels_; }
 
+  bool knows_more_than_values(const Pixel& pixel) const;
   /// Variance of the mean of a stratum's values by what they have not met and values nearby show.
   double unseen(const Pixel& pixel, std::size_t stratum, int column) const;
 

@@ -15,6 +15,8 @@ double borrowed(double own) { return 8.0 / (1.0 + own * own / 64.0); }
 /// What n values have not met is rarer than x / n but for a share exp(-x) of cases. As a standard error, in units of
 /// 1 / n, with room for what lies farther off than one deviation.
 constexpr double kUnseen = 2.5;
+/// The same where rays have met something in the pixel on a material that no value has met yet: that it is there is known.
+constexpr double kKnownUnseen = 6.0;
 /// Values far from the rest are taken to be one more than were met: else those strata would stop soonest that
 /// happened to meet few of them, and would be wrong all the same way.
 constexpr double kRareValues = 1.0, kManyValues = 8.0;
@@ -24,6 +26,19 @@ constexpr double kRareValues = 1.0, kManyValues = 8.0;
 constexpr double kElsewhere = 9.0;
 
 }  // namespace
+
+/// Whether looks, probes or seeds have met a material in a cluttered pixel that none of its values has met.
+bool Radiance::knows_more_than_values(const Pixel& pixel) const {
+  for (const Prober::Met& met : prober_.met(pixel.source)) {
+    const std::uint32_t material = ledger_.field().material_of(table_.label(met.label));
+    const bool has_value = std::any_of(pixel.rounds.begin(), pixel.rounds.end(), [&](const ClutterRound& round) {
+      return std::any_of(round.materials().begin(), round.materials().end(),
+                         [&](const auto& entry) { return entry.first == material; });
+    });
+    if (!has_value) return true;
+  }
+  return false;
+}
 
 double Radiance::unseen(const Pixel& pixel, std::size_t s, int column) const {
   const Stratum& stratum = pixel.strata[s];
@@ -39,7 +54,11 @@ double Radiance::unseen(const Pixel& pixel, std::size_t s, int column) const {
   if (faults_.zero_variance_single_samples && count < 2.0) return 0.0;
   count = std::max(1.0, count);
   const double rare = many ? kRareValues * spread_.rare(stratum.label, column) : 0.0;
-  const double squared = pixel.cluttered ? kUnseen * kUnseen : std::min(kUnseen * kUnseen, 1.0 + count);
+  double squared = std::min(kUnseen * kUnseen, 1.0 + count);
+  if (pixel.cluttered) {
+    const double missed = hidden > 0.0 && !pixel.rounds.empty() && knows_more_than_values(pixel) ? kKnownUnseen : kUnseen;
+    squared = missed * missed;
+  }
   return std::max(squared * hidden, rare) / (count * count);
 }
 
