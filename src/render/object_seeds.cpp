@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
 
 namespace ifov::render {
 
@@ -51,35 +54,103 @@ Outline outline_of(const geometry::World::PlacedObject& object, const sensor::Ca
   return outline;
 }
 
-/// Points in the middle of a triangle's image, all along it; none where that is not long and thin.
-void points_along(const geometry::SurfacePiece& piece, const sensor::Camera& camera,
-                  std::vector<sampling::FocalPoint>& points) {
-  points.clear();
+/// The image of a long thin triangle of a mesh: from a to b along its longest side, c beside it.
+struct ThinFace {
+  sampling::FocalPoint a, b, c;
+  double length_px = 0.0;
+  std::uint32_t object = 0, patch = 0, material = 0;
+};
+
+/// Whether a triangle is longer than a pixel; `thin`: and so narrow that the lattice may miss it.
+bool is_long(const geometry::SurfacePiece& piece, const sensor::Camera& camera, ThinFace& face, bool& thin) {
   const math::Point3 corner_m[3] = {piece.scene_from_unit(math::Point3{0.0, 0.0, 0.0}),
                                     piece.scene_from_unit(math::Point3{1.0, 0.0, 0.0}),
                                     piece.scene_from_unit(math::Point3{0.0, 1.0, 0.0})};
   sampling::FocalPoint corner[3];
   for (int k = 0; k < 3; ++k)
-    if (!camera.project(corner_m[k], corner[k])) return;
-  double longest = 0.0;
+    if (!camera.project(corner_m[k], corner[k])) return false;
   int first = 0;
   for (int k = 0; k < 3; ++k) {
-    const sampling::FocalPoint a = corner[k], b = corner[(k + 1) % 3];
-    const double length = std::hypot(b.x_px - a.x_px, b.y_px - a.y_px);
-    if (length > longest) longest = length, first = k;
+    const sampling::FocalPoint p = corner[k], q = corner[(k + 1) % 3];
+    const double length = std::hypot(q.x_px - p.x_px, q.y_px - p.y_px);
+    if (length > face.length_px) face.length_px = length, first = k;
   }
-  const sampling::FocalPoint a = corner[first], b = corner[(first + 1) % 3], c = corner[(first + 2) % 3];
-  if (longest <= kSeeded_px) return;
-  const double ux = (b.x_px - a.x_px) / longest, uy = (b.y_px - a.y_px) / longest;
-  const double along = (c.x_px - a.x_px) * ux + (c.y_px - a.y_px) * uy;
-  const double across = (c.y_px - a.y_px) * ux - (c.x_px - a.x_px) * uy;
-  const double width = std::abs(across);
-  if (width > kSpacing_px || width < kThinnest_px) return;
-  const int parts = static_cast<int>(std::min(std::ceil(longest / kSpacing_px), kMostParts));
+  if (face.length_px <= kSeeded_px) return false;
+  face.a = corner[first];
+  face.b = corner[(first + 1) % 3];
+  face.c = corner[(first + 2) % 3];
+  face.object = piece.object;
+  face.patch = piece.patch;
+  face.material = piece.material;
+  const double twice_area = (face.b.x_px - face.a.x_px) * (face.c.y_px - face.a.y_px) -
+                            (face.b.y_px - face.a.y_px) * (face.c.x_px - face.a.x_px);
+  const double width = std::abs(twice_area) / face.length_px;
+  thin = width <= kSpacing_px && width >= kThinnest_px;
+  return true;
+}
+
+/// A side of a triangle, by its middle, which both triangles beside it have.
+using SideKey = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::int64_t, std::int64_t>;
+SideKey side_of(const ThinFace& face, int side) {
+  constexpr double kSame_px = 1e-3;
+  const sampling::FocalPoint corner[3] = {face.a, face.b, face.c};
+  const sampling::FocalPoint p = corner[side], q = corner[(side + 1) % 3];
+  return {face.object, face.patch, face.material, std::llround(0.5 * (p.x_px + q.x_px) / kSame_px),
+          std::llround(0.5 * (p.y_px + q.y_px) / kSame_px)};
+}
+
+/// A large polygon may have been cut into thin triangles: drops those that make more than a strip with those beside them.
+/// `visit_wide` calls with every long triangle that is not thin.
+template <class VisitWide>
+void keep_strips(std::vector<ThinFace>& faces, const VisitWide& visit_wide) {
+  std::vector<std::size_t> parent(faces.size());
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  const auto root = [&](std::size_t k) {
+    while (parent[k] != k) k = parent[k] = parent[parent[k]];
+    return k;
+  };
+  std::map<SideKey, std::size_t> sides;
+  for (std::size_t k = 0; k < faces.size(); ++k)
+    for (int side = 0; side < 3; ++side) {
+      const auto [known, fresh] = sides.try_emplace(side_of(faces[k], side), k);
+      if (!fresh) parent[root(k)] = root(known->second);
+    }
+  std::vector<std::uint8_t> part_of_more(faces.size(), 0);
+  visit_wide([&](const ThinFace& wide) {
+    for (int side = 0; side < 3; ++side)
+      if (const auto known = sides.find(side_of(wide, side)); known != sides.end()) part_of_more[root(known->second)] = 1;
+  });
+  // How wide they are together, across the side of one of them.
+  struct Width {
+    double low = INFINITY, high = -INFINITY;
+  };
+  std::vector<Width> width(faces.size());
+  for (const ThinFace& f : faces) {
+    const std::size_t whole = root(static_cast<std::size_t>(&f - faces.data()));
+    const ThinFace& one = faces[whole];
+    for (const sampling::FocalPoint p : {f.a, f.b, f.c}) {
+      const double across = ((p.y_px - one.a.y_px) * (one.b.x_px - one.a.x_px) -
+                             (p.x_px - one.a.x_px) * (one.b.y_px - one.a.y_px)) / one.length_px;
+      width[whole] = {std::min(width[whole].low, across), std::max(width[whole].high, across)};
+    }
+  }
+  std::vector<ThinFace> kept;
+  for (std::size_t k = 0; k < faces.size(); ++k)
+    if (!part_of_more[root(k)] && width[root(k)].high - width[root(k)].low <= kSpacing_px) kept.push_back(faces[k]);
+  faces.swap(kept);
+}
+
+/// Points in the middle of a triangle's image, all along it.
+template <class Add>
+void points_along(const ThinFace& face, const Add& add) {
+  const double ux = (face.b.x_px - face.a.x_px) / face.length_px, uy = (face.b.y_px - face.a.y_px) / face.length_px;
+  const double along = (face.c.x_px - face.a.x_px) * ux + (face.c.y_px - face.a.y_px) * uy;
+  const double across = (face.c.y_px - face.a.y_px) * ux - (face.c.x_px - face.a.x_px) * uy;
+  const int parts = static_cast<int>(std::min(std::ceil(face.length_px / kSpacing_px), kMostParts));
   for (int k = 0; k < parts; ++k) {
-    const double t = (k + 0.5) / parts * longest;
-    const double height = across * (t < along ? t / along : (longest - t) / (longest - along));
-    points.push_back({a.x_px + t * ux - 0.5 * height * uy, a.y_px + t * uy + 0.5 * height * ux});
+    const double t = (k + 0.5) / parts * face.length_px;
+    const double height = across * (t < along ? t / along : (face.length_px - t) / (face.length_px - along));
+    add({face.a.x_px + t * ux - 0.5 * height * uy, face.a.y_px + t * uy + 0.5 * height * ux});
   }
 }
 
@@ -115,12 +186,25 @@ ObjectSeeds::ObjectSeeds(const geometry::World& world, std::size_t materials, co
           thin ? sampling::Field::kNoObject : static_cast<std::uint32_t>(number));
   }
   if (world.triangle_count() <= kMostFaces) {
-    std::vector<sampling::FocalPoint> along;
-    world.visit_surfaces(geometry::WantedMaterials(materials, true), [&](const geometry::SurfacePiece& piece) {
-      if (piece.kind != geometry::PieceKind::triangle) return;
-      points_along(piece, camera, along);
-      for (const sampling::FocalPoint point : along) add_point(point, sampling::Field::kNoObject);
+    const auto visit_long = [&](const auto& visitor) {
+      world.visit_surfaces(geometry::WantedMaterials(materials, true), [&](const geometry::SurfacePiece& piece) {
+        ThinFace face;
+        bool thin = false;
+        if (piece.kind == geometry::PieceKind::triangle && is_long(piece, camera, face, thin)) visitor(face, thin);
+      });
+    };
+    std::vector<ThinFace> faces;
+    visit_long([&](const ThinFace& face, bool thin) {
+      if (thin) faces.push_back(face);
     });
+    if (!faces.empty())
+      keep_strips(faces, [&](const auto& visitor) {
+        visit_long([&](const ThinFace& face, bool thin) {
+          if (!thin) visitor(face);
+        });
+      });
+    for (const ThinFace& face : faces)
+      points_along(face, [&](sampling::FocalPoint point) { add_point(point, sampling::Field::kNoObject); });
   }
 
   lowest_row_ = static_cast<int>(std::floor(-margin_px));
