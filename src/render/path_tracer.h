@@ -31,7 +31,7 @@ struct TransportOptions {
   /// Whether light is sought from the scene's emitters, if it has any; the mean is the same without.
   bool seek_emitters = true;
   /// Sunlight is sought by way of so many flat mirrors in turn, at most SunImages::kMostReflections; 0: none.
-  int mirror_reflections = 2;
+  int mirror_reflections = 8;
   /// Two kinds of sunlight are left out that paths otherwise find by chance, seldom and bright: glints on curved mirrors
   /// that the sensor sees directly, which are added apart (Glints), and what reaches a surface that scatters by mirrors
   /// that are not sought, which is marked (UnseenLight).
@@ -102,8 +102,11 @@ class PathTracer {
   };
   /// A ray towards an image of the Sun, on its way from mirror to mirror.
   struct MirrorRay {
-    std::uint32_t event = 0;  // index into scatters_
-    std::uint32_t image = 0;
+    std::uint32_t event = 0;      // index into scatters_
+    std::uint32_t image = kNone;  // in flat mirrors; kNone: in a round one
+    std::uint32_t object = 0;     // that round one
+    math::Point3 at;              // where on it
+    math::Vec3 towards_sun;       // from there
     math::Ray ray;
     PathRecord::Mirrored light;
     std::array<std::uint16_t, SunImages::kMostReflections> facings{};
@@ -125,10 +128,16 @@ class PathTracer {
   /// `towards_sun` the middle of the disc, or of an image of it.
   SunRay sun_ray(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
                  math::Vec3 towards_sun, sampling::Point2 u) const;
+  /// Light from a direction, its weight the cosine and what a sampled direction counts.
+  SunRay light_ray(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, math::Vec3 direction,
+                   double weight_sr) const;
 
   // By way of mirrors (path_tracer_mirrors.cpp).
   void send_to_images(const Path& path, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
                       const Sides& sides, const geometry::SurfacePoint& hit, int depth, sampling::Point2 u);
+  void send_to_rounds(const Path& path, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
+                      const Sides& sides, const geometry::SurfacePoint& hit, int depth, sampling::Point2 u);
+  void send_by_mirrors(MirrorRay way, const SunRay& light, double weight, const scene::ResolvedSurface& surface);
   void send_to_unseen(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
                       const geometry::SurfacePoint& hit, int depth);
   /// Along which mirrors the path goes on, and whether it may meet the Sun there.

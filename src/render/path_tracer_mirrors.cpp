@@ -18,11 +18,15 @@ constexpr std::uint64_t kUnseenRays = 4;
 /// What cannot bring more than this, in parts of the Sun's irradiance per steradian, is not looked for.
 constexpr double kNegligible = 1e-6;
 
-/// Rays that a surface sends to the Sun's images; where there are more images, some are picked by chance.
+/// Rays that a surface sends to the Sun's images in flat mirrors, and to those in round ones; where there are more
+/// images, some are picked by chance.
 constexpr std::size_t kMostImageRays = 8;
+/// A point of a round mirror is met where it was expected within this, in parts of the way there.
+constexpr double kSamePlace = 1e-6;
 
 // What random choices are keyed by, beside their path and depth.
-constexpr std::uint64_t kImageChoice = 0x696d616765ull, kUnseenChoice = 0x756e7365656eull;
+constexpr std::uint64_t kImageChoice = 0x696d616765ull, kUnseenChoice = 0x756e7365656eull,
+                        kRoundChoice = 0x726f756e64ull;
 
 double choice(const PathKey& key, int depth, std::uint64_t purpose, std::uint64_t number) {
   return sampling::unit_double(sampling::hash(key.sequence, key.index, static_cast<std::uint64_t>(depth) << 8 | number,
@@ -57,20 +61,69 @@ void PathTracer::send_to_images(const Path& path, const scene::ResolvedSurface& 
     }
     MirrorRay way;
     way.image = seen_images_[picked];
-    const SunRay light = sun_ray(lobe, sides, hit, images[way.image].direction, u);
-    if (light.weight <= 0.0) continue;
-    way.event = static_cast<std::uint32_t>(scatters_.size() - 1);
-    way.ray = light.ray;
-    way.light.weight = static_cast<float>(light.weight * static_cast<double>(seen) / static_cast<double>(rays));
-    way.light.through = light.through;
-    way.light.surface.mixed = scatters_.back().vertex.mixed;
-    if (way.light.surface.mixed == PathVertex::kNone) {
-      const std::uint32_t material = surface.constituents[0].material;
-      way.light.surface.row =
-          light.through ? scene_.materials().transmittance(material) : scene_.materials().reflectance(material);
-    }
-    mirror_rays_.push_back(way);
+    send_by_mirrors(way, sun_ray(lobe, sides, hit, images[way.image].direction, u),
+                    static_cast<double>(seen) / static_cast<double>(rays), surface);
   }
+}
+
+void PathTracer::send_to_rounds(const Path& path, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
+                                const Sides& sides, const geometry::SurfacePoint& hit, int depth, sampling::Point2 u) {
+  const std::span<const RoundMirror> rounds = mirrors_->rounds();
+  if (rounds.empty() || options_.mirror_reflections == 0) return;
+  if (options_.maximum_scatterings >= 0 && depth + 1 >= options_.maximum_scatterings) return;
+  const scene::Sun& sun = *scene_.scene().sun;
+  // One point of the disc for all: its images differ.
+  math::Vec3 towards_sun = sun.direction;
+  double weight = 1.0;
+  if (sun.half_angle_rad > 0.0) {
+    const sampling::UniformCone disc(sun.half_angle_rad);
+    const double sine = std::sin(sun.half_angle_rad);
+    towards_sun = disc.sample(sun.direction, u);
+    weight = disc.solid_angle_sr() / (std::numbers::pi * sine * sine);
+  }
+  std::array<double, SunMirrors::kMostRounds> share{};
+  double all = 0.0;
+  for (std::size_t k = 0; k < rounds.size(); ++k) all += share[k] = rounds[k].share_of_view(hit.position_m);
+  const std::size_t rays = std::min(rounds.size(), kMostImageRays);
+  double passed = 0.0;
+  std::size_t picked = 0;
+  for (std::size_t k = 0; k < rays; ++k) {
+    double chance = 1.0;
+    if (rays == rounds.size()) {
+      picked = k;
+    } else {
+      const double place = (static_cast<double>(k) + choice(path.key, depth, kRoundChoice, k)) * all /
+                           static_cast<double>(rays);
+      while (picked + 1 < rounds.size() && place >= passed + share[picked]) passed += share[picked++];
+      chance = static_cast<double>(rays) * share[picked] / all;
+    }
+    const std::optional<RoundMirror::Image> image = rounds[picked].image(hit.position_m, towards_sun);
+    if (!image) continue;
+    const bool behind = math::dot(sides.outward, image->direction) < 0.0;
+    const double cosine = (behind ? -1.0 : 1.0) * math::dot(sides.shading.as_vector(), image->direction);
+    MirrorRay way;
+    way.object = rounds[picked].object();
+    way.at = image->at;
+    way.towards_sun = towards_sun;
+    send_by_mirrors(way, light_ray(lobe, sides, hit, image->direction, cosine * weight / image->spread), 1.0 / chance,
+                    surface);
+  }
+}
+
+void PathTracer::send_by_mirrors(MirrorRay way, const SunRay& light, double weight,
+                                 const scene::ResolvedSurface& surface) {
+  if (light.weight <= 0.0) return;
+  way.event = static_cast<std::uint32_t>(scatters_.size() - 1);
+  way.ray = light.ray;
+  way.light.weight = static_cast<float>(light.weight * weight);
+  way.light.through = light.through;
+  way.light.surface.mixed = scatters_.back().vertex.mixed;
+  if (way.light.surface.mixed == PathVertex::kNone) {
+    const std::uint32_t material = surface.constituents[0].material;
+    way.light.surface.row =
+        light.through ? scene_.materials().transmittance(material) : scene_.materials().reflectance(material);
+  }
+  mirror_rays_.push_back(way);
 }
 
 bool PathTracer::reflect(MirrorRay& way, const geometry::SurfacePoint& hit) {
@@ -79,12 +132,20 @@ bool PathTracer::reflect(MirrorRay& way, const geometry::SurfacePoint& hit) {
                                    [&](const auto& part) { return is_mirror(scene_.scene(), part); });
   if (!mirrors) return false;
   const math::Vec3 normal = surface.shading_normal.as_vector(), direction = way.ray.direction;
-  const std::uint32_t facing = mirrors_->facing_of(hit, normal);
-  if (facing == SunMirrors::kNone) return false;
+  math::Vec3 next = way.towards_sun;
+  if (way.image == kNone) {
+    // The first reflection must be that which was meant: a ray that misses it is hidden or past an edge.
+    if (way.light.count > 0 || hit.instance != way.object || !mirrors_->sought_round(hit) ||
+        math::length(hit.position_m - way.at) > kSamePlace * (1.0 + hit.distance_m))
+      return false;
+  } else {
+    const std::uint32_t facing = mirrors_->facing_of(hit, normal);
+    if (facing == SunMirrors::kNone) return false;
+    way.facings[way.light.count] = static_cast<std::uint16_t>(facing);
+    next = math::normalized(mirrored(direction, normal));
+  }
   const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
-  const math::Vec3 next = math::normalized(mirrored(direction, normal));
   if (!(math::dot(next, outward) > 0.0)) return false;
-  way.facings[way.light.count] = static_cast<std::uint16_t>(facing);
   PathRecord::Mirrored::Factor& factor = way.light.mirrors[way.light.count++];
   if (surface.count == 1) {
     factor.row = scene_.materials().reflectance(surface.constituents[0].material);
@@ -102,7 +163,8 @@ bool PathTracer::reflect(MirrorRay& way, const geometry::SurfacePoint& hit) {
 
 void PathTracer::trace_mirror_rays(sampling::RayCounts& counts) {
   // A ray that leaves after mirrors which make its image has reached the Sun.
-  for (int met = 0; met <= images_.reflections() && !mirror_rays_.empty(); ++met) {
+  const int most = std::max(images_.reflections(), 1);
+  for (int met = 0; met <= most && !mirror_rays_.empty(); ++met) {
     rays_.resize(mirror_rays_.size());
     hits_.resize(mirror_rays_.size());
     for (std::size_t k = 0; k < mirror_rays_.size(); ++k) rays_[k] = mirror_rays_[k].ray;
@@ -113,12 +175,12 @@ void PathTracer::trace_mirror_rays(sampling::RayCounts& counts) {
       MirrorRay& way = mirror_rays_[k];
       const std::span<const std::uint16_t> facings(way.facings.data(), way.light.count);
       if (!hits_[k].hit()) {
-        if (images_.image_of(facings) != way.image) continue;
+        if (way.image == kNone ? way.light.count == 0 : images_.image_of(facings) != way.image) continue;
         PathVertex& vertex = scatters_[way.event].vertex;
         way.light.next = vertex.mirrored;
         vertex.mirrored = static_cast<std::uint32_t>(record_.mirrored.size());
         record_.mirrored.push_back(way.light);
-      } else if (met < images_.reflections() && reflect(way, hits_[k])) {
+      } else if (met < most && reflect(way, hits_[k])) {
         reflected_.push_back(way);
       }
     }
@@ -147,9 +209,10 @@ void PathTracer::note_way(const Path& path, const SurfaceLobe& lobe, const Sides
       event.next_sees_sun = way.flat || !apart;
       way.unseen = !way.flat && !apart;
     } else {
-      const bool sought =
-          way.flat && way.reflections <= images_.reflections() &&
-          images_.image_of({way.facings.data(), way.reflections}) != SunMirrors::kNone;
+      const bool sought = way.flat ? way.reflections <= images_.reflections() &&
+                                         images_.image_of({way.facings.data(), way.reflections}) != SunMirrors::kNone
+                                   : way.reflections == 1 && options_.mirror_reflections > 0 &&
+                                         !event.vertex.bounce_through && mirrors_->sought_round(hit);
       event.next_sees_sun = !sought && !options_.sought_only;
       // What bends and is met first is looked for by send_to_unseen.
       way.unseen = !sought && (way.unseen || way.flat || way.reflections > 1);
@@ -214,7 +277,7 @@ void PathTracer::trace_unseen_rays(sampling::RayCounts& counts) {
     for (const scene::Constituent& part : surface)
       if (is_mirror(scene_.scene(), part)) highest += part.weight * scene_.brightest(part.material);
     const math::Vec3 normal = surface.shading_normal.as_vector();
-    if (highest <= 0.0 || mirrors_->facing_of(hit, normal) != SunMirrors::kNone) continue;
+    if (highest <= 0.0 || mirrors_->facing_of(hit, normal) != SunMirrors::kNone || mirrors_->sought_round(hit)) continue;
     const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
     const float arrives = UnseenLight::radiance(scene_.scene(), mirrored(unseen.ray.direction, normal));
     if (arrives <= 0.0f) continue;
