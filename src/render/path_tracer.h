@@ -9,6 +9,7 @@
 #include "materials/scattering.h"
 #include "math/ray.h"
 #include "render/emitters.h"
+#include "render/mirror_ways.h"
 #include "render/path_record.h"
 #include "render/spectral_scene.h"
 #include "render/sun_mirrors.h"
@@ -47,6 +48,8 @@ class PathTracer {
  public:
   /// Keeps a reference to the scene, which must outlive this.
   PathTracer(const SpectralScene& scene, TransportOptions options);
+  PathTracer(const PathTracer&) = delete;
+  PathTracer& operator=(const PathTracer&) = delete;
 
   /// The paths of rays from the sensor; the record holds until the next call. `first_hits` receives what each ray met.
   /// Adds shadow and bounce rays to `counts`.
@@ -100,16 +103,9 @@ class PathTracer {
     double weight = 0.0;  // 0: none
     bool through = false;
   };
-  /// A ray towards an image of the Sun, on its way from mirror to mirror.
-  struct MirrorRay {
-    std::uint32_t event = 0;      // index into scatters_
-    std::uint32_t image = kNone;  // in flat mirrors; kNone: in a round one
-    std::uint32_t object = 0;     // that round one
-    math::Point3 at;              // where on it
-    math::Vec3 towards_sun;       // from there
-    math::Ray ray;
+  struct MirrorRay : MirrorWay {
+    std::uint32_t event = 0;  // index into scatters_
     PathRecord::Mirrored light;
-    std::array<std::uint16_t, SunImages::kMostReflections> facings{};
   };
   /// A ray towards mirrors by way of which no sunlight is sought.
   struct UnseenRay {
@@ -145,7 +141,6 @@ class PathTracer {
                 Scatter& event);
   void trace_mirror_rays(sampling::RayCounts& counts);
   void trace_unseen_rays(sampling::RayCounts& counts);
-  bool reflect(MirrorRay& way, const geometry::SurfacePoint& hit);
   /// Direction, side and weight of the continued path, before any roulette; false where it ends.
   bool bounce(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, sampling::Point2 u,
               Scatter& event) const;
@@ -183,7 +178,8 @@ class PathTracer {
   std::vector<geometry::SurfacePoint> seek_hits_;
   const SunMirrors* mirrors_ = nullptr;  // null: there are none, or no Sun
   SunImages images_;
-  std::vector<MirrorRay> mirror_rays_, reflected_;
+  std::optional<MirrorTracer> mirror_tracer_;
+  std::vector<MirrorRay> mirror_rays_;
   std::vector<UnseenRay> unseen_rays_;
   std::vector<std::uint32_t> seen_images_;
   std::vector<std::uint8_t> hidden_;

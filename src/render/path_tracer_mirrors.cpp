@@ -21,8 +21,6 @@ constexpr double kNegligible = 1e-6;
 /// Rays that a surface sends to the Sun's images in flat mirrors, and to those in round ones; where there are more
 /// images, some are picked by chance.
 constexpr std::size_t kMostImageRays = 8;
-/// A point of a round mirror is met where it was expected within this, in parts of the way there.
-constexpr double kSamePlace = 1e-6;
 
 // What random choices are keyed by, beside their path and depth.
 constexpr std::uint64_t kImageChoice = 0x696d616765ull, kUnseenChoice = 0x756e7365656eull,
@@ -31,10 +29,6 @@ constexpr std::uint64_t kImageChoice = 0x696d616765ull, kUnseenChoice = 0x756e73
 double choice(const PathKey& key, int depth, std::uint64_t purpose, std::uint64_t number) {
   return sampling::unit_double(sampling::hash(key.sequence, key.index, static_cast<std::uint64_t>(depth) << 8 | number,
                                               purpose));
-}
-
-bool is_mirror(const scene::Scene& scene, const scene::Constituent& part) {
-  return scene.materials[part.material].scattering == materials::ScatteringKind::mirror;
 }
 
 }  // namespace
@@ -126,66 +120,28 @@ void PathTracer::send_by_mirrors(MirrorRay way, const SunRay& light, double weig
   mirror_rays_.push_back(way);
 }
 
-bool PathTracer::reflect(MirrorRay& way, const geometry::SurfacePoint& hit) {
-  const scene::ResolvedSurface surface = scene_.scene().resolve(hit);
-  const bool mirrors = std::any_of(surface.begin(), surface.end(),
-                                   [&](const auto& part) { return is_mirror(scene_.scene(), part); });
-  if (!mirrors) return false;
-  const math::Vec3 normal = surface.shading_normal.as_vector(), direction = way.ray.direction;
-  math::Vec3 next = way.towards_sun;
-  if (way.image == kNone) {
-    // The first reflection must be that which was meant: a ray that misses it is hidden or past an edge.
-    if (way.light.count > 0 || hit.instance != way.object || !mirrors_->sought_round(hit) ||
-        math::length(hit.position_m - way.at) > kSamePlace * (1.0 + hit.distance_m))
-      return false;
-  } else {
-    const std::uint32_t facing = mirrors_->facing_of(hit, normal);
-    if (facing == SunMirrors::kNone) return false;
-    way.facings[way.light.count] = static_cast<std::uint16_t>(facing);
-    next = math::normalized(mirrored(direction, normal));
-  }
-  const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
-  if (!(math::dot(next, outward) > 0.0)) return false;
-  PathRecord::Mirrored::Factor& factor = way.light.mirrors[way.light.count++];
-  if (surface.count == 1) {
-    factor.row = scene_.materials().reflectance(surface.constituents[0].material);
-  } else {
-    factor.mixed = static_cast<std::uint32_t>(record_.mixed.size());
-    SurfaceLobe lobe;
-    lobe.kind = materials::ScatteringKind::mirror;
-    lobe.scattering = &materials::scattering(lobe.kind);
-    record_.mixed.push_back({surface, lobe});
-  }
-  way.light.height_m = hit.position_m.z;
-  way.ray = {hit.position_m + hit.offset_m * outward, next};
-  return true;
-}
-
 void PathTracer::trace_mirror_rays(sampling::RayCounts& counts) {
-  // A ray that leaves after mirrors which make its image has reached the Sun.
-  const int most = std::max(images_.reflections(), 1);
-  for (int met = 0; met <= most && !mirror_rays_.empty(); ++met) {
-    rays_.resize(mirror_rays_.size());
-    hits_.resize(mirror_rays_.size());
-    for (std::size_t k = 0; k < mirror_rays_.size(); ++k) rays_[k] = mirror_rays_[k].ray;
-    scene_.scene().world->intersect(rays_, hits_);
-    counts.shadow += rays_.size();
-    reflected_.clear();
-    for (std::size_t k = 0; k < mirror_rays_.size(); ++k) {
-      MirrorRay& way = mirror_rays_[k];
-      const std::span<const std::uint16_t> facings(way.facings.data(), way.light.count);
-      if (!hits_[k].hit()) {
-        if (way.image == kNone ? way.light.count == 0 : images_.image_of(facings) != way.image) continue;
+  mirror_tracer_->trace(
+      mirror_rays_, counts,
+      [&](MirrorRay& way, const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface) {
+        PathRecord::Mirrored::Factor& factor = way.light.mirrors[way.light.count++];
+        if (surface.count == 1) {
+          factor.row = scene_.materials().reflectance(surface.constituents[0].material);
+        } else {
+          factor.mixed = static_cast<std::uint32_t>(record_.mixed.size());
+          SurfaceLobe lobe;
+          lobe.kind = materials::ScatteringKind::mirror;
+          lobe.scattering = &materials::scattering(lobe.kind);
+          record_.mixed.push_back({surface, lobe});
+        }
+        way.light.height_m = hit.position_m.z;
+      },
+      [&](MirrorRay& way) {
         PathVertex& vertex = scatters_[way.event].vertex;
         way.light.next = vertex.mirrored;
         vertex.mirrored = static_cast<std::uint32_t>(record_.mirrored.size());
         record_.mirrored.push_back(way.light);
-      } else if (met < most && reflect(way, hits_[k])) {
-        reflected_.push_back(way);
-      }
-    }
-    mirror_rays_.swap(reflected_);
-  }
+      });
 }
 
 void PathTracer::note_way(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
