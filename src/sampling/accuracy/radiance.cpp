@@ -83,6 +83,11 @@ void Radiance::find_deviation(const Pixel& pixel, Stratum& stratum) const {
   const std::size_t columns = static_cast<std::size_t>(ledger_.field().columns());
   stratum.deviation.assign(columns, 0.0f);
   const double count = widen_deviation(pixel, stratum.label, stratum.deviation);
+  // A few that agree thereabouts may do so by chance where the label's values elsewhere do not.
+  for (std::size_t c = 0; c < columns && !any_label; ++c) {
+    const double near = static_cast<double>(stratum.deviation[c]), total = spread_.total(stratum.label, static_cast<int>(c));
+    stratum.deviation[c] = static_cast<float>(std::sqrt((near * near * count + total * kTold) / (count + kTold)));
+  }
   // What few have told, or what differs by its nature, may differ as much as all that is about.
   if (faults_.other_labels_spread) return;
   if (!any_label && (count < kTold || ledger_.field().uneven(table_.label(stratum.label))))
