@@ -11,6 +11,7 @@ void make_wires(WildDraft& draft);
 void make_panels(WildDraft& draft);   ///< rows, as level boxes or one tilted mesh
 void make_texture(WildDraft& draft);  ///< maps of classes or temperatures in step with the pixels
 void make_blocks(WildDraft& draft);   ///< boxes of all sizes
+void make_overhead(WildDraft& draft); ///< plates high above the ground: penumbrae between places without noise
 
 void make_facade(WildDraft& draft);      ///< a flat mirror that sends sunlight to the ground
 void make_yard(WildDraft& draft);        ///< boxes of mirrors

@@ -151,4 +151,29 @@ void make_blocks(WildDraft& draft) {
   }
 }
 
+void make_overhead(WildDraft& draft) {
+  Chance& chance = draft.chance;
+  draft.ground();
+  draft.surface("plate");
+  const Axes axes{chance.with(0.5)};
+  const int count = chance.one_of({1, 1, 2, 4});
+  const math::Point3 origin = draft.place(0.0, 0.0, 0.0);
+  const math::Vec3 east = draft.place(1.0, 0.0, 0.0) - origin, north = draft.place(0.0, 1.0, 0.0) - origin;
+  for (int k = 0; k < count; ++k) {
+    const double height = chance.magnitude(5.0, 300.0);
+    // Where the plate must be for its shadow to lie in the image.
+    const math::Vec3 away = draft.towards_sun * (height * draft.gsd_m / draft.towards_sun.z);
+    const double x = dot(away, east) / (draft.gsd_m * draft.gsd_m), y = dot(away, north) / (draft.gsd_m * draft.gsd_m);
+    const double across = draft.in_step(chance.magnitude(0.3, 12.0)), along = chance.one_of({across, 3.0, kReach_px});
+    const double at = beginning(draft) + chance.between(-6.0, 4.0);
+    std::vector<std::array<double, 3>> corners;
+    for (const auto& [a, b] : {std::pair{0.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {0.0, 1.0}}) {
+      std::array<double, 3> corner = axes.at(at + a * across, b * along, height);
+      corner[0] += x, corner[1] += y;
+      corners.push_back(corner);
+    }
+    draft.polygon(corners, "plate");
+  }
+}
+
 }  // namespace ifov::benchmarks

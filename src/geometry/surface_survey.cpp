@@ -197,8 +197,7 @@ class Surveyor {
     for (const UnitPrimitive& shape : body.analytic) {
       if (!is_round(shape.kind, 0) || !wanted(piece.materials, shape.slot)) continue;
       const Transform scene_from_unit = piece.scene_from_body * shape.unit_from_object.inverse();
-      survey_.rounds.push_back({shape.kind, scene_from_unit, piece.object});
-      add_ball(unit_bounds(shape.kind, scene_from_unit));
+      survey_.rounds.push_back({shape.kind, scene_from_unit, piece.object, ball_about(unit_bounds(shape.kind, scene_from_unit))});
     }
     SurfaceSurvey::Smooth smooth{body.mesh, piece.scene_from_body, piece.object, {}};
     GrowingBox box;
@@ -254,9 +253,10 @@ class Surveyor {
     }
   }
 
-  void add_ball(const World::Bounds& box) {
-    survey_.balls.push_back({box.low_m + (box.high_m - box.low_m) * 0.5, 0.5 * length(box.high_m - box.low_m)});
+  static SurfaceSurvey::Ball ball_about(const World::Bounds& box) {
+    return {box.low_m + (box.high_m - box.low_m) * 0.5, 0.5 * length(box.high_m - box.low_m)};
   }
+  void add_ball(const World::Bounds& box) { survey_.balls.push_back(ball_about(box)); }
 
   const WorldContent& content_;
   const std::vector<bool>& surveyed_;

@@ -27,11 +27,17 @@ struct SurfaceSurvey {
     double area_m2 = 0.0;
     double low_m = 0.0, high_m = 0.0;  ///< range of normal . p over them
   };
+  /// A sphere about things.
+  struct Ball {
+    math::Point3 centre_m;
+    double radius_m = 0.0;
+  };
   /// A round analytic shape; those with flat faces too have them among the flats.
   struct Round {
     UnitKind kind = UnitKind::sphere;
     math::Transform scene_from_unit;
     std::uint32_t object = 0;
+    Ball ball;  ///< about it
   };
   /// A mesh with vertex normals, some of whose triangles bend: `triangles`.
   struct Smooth {
@@ -40,15 +46,10 @@ struct SurfaceSurvey {
     std::uint32_t object = 0;
     std::vector<std::uint32_t> triangles;
   };
-  /// A sphere about things.
-  struct Ball {
-    math::Point3 centre_m;
-    double radius_m = 0.0;
-  };
   std::vector<Flat> flats;
   std::vector<Round> rounds;
   std::vector<Smooth> smooths;
-  std::vector<Ball> balls;   ///< about whatever is not among the flats: rounds, smooth triangles, height fields
+  std::vector<Ball> balls;   ///< about what is neither flat nor round: smooth triangles, height fields, flats too many
   bool fields = false;       ///< there are height fields among them
   bool all_flats = true;     ///< false: there are more than kMostFlats normals
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "sampling/accuracy/polygon.h"
 
@@ -13,6 +14,12 @@ namespace {
 constexpr std::uint16_t kOutside = 0xffff;
 /// A pixel that holds more parts than this is full of detail.
 constexpr std::size_t kMostParts = 24;
+/// So is one with more specks than this, parts smaller than what a lattice sees.
+constexpr std::size_t kMostSpecks = 3;
+constexpr double kSpeck_px = 1.0 / 3.0;
+/// So is one with a part whose border is longer than this: a net, of which one place tells little. (A strip across a
+/// pixel has 2 to 3, a disc in steps hardly more.)
+constexpr double kLongestBorder_px = 4.0;
 /// Cells of a map are looked at one by one while a pixel holds no more of them than this, else a raster of so many.
 constexpr double kMostCells = 4096.0;
 /// Of a cell so much of which lies in the pixel the middle of that is as good as any other's.
@@ -173,26 +180,39 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
 
   // Parts of one class that hang together; each is looked at once, in its middle.
   const std::size_t points_before = detail.points.size();
+  const std::vector<std::uint16_t> known = classes_;
+  std::size_t specks = 0;
+  const double side_along_a_px = std::hypot(window.per_y.b, window.per_x.b) / d,
+               side_along_b_px = std::hypot(window.per_y.a, window.per_x.a) / d;
+  const auto fill_pixel = [&] {
+    detail.points.resize(points_before);
+    detail.full[pixel] = 1;
+  };
   for (std::size_t start = 0; start < classes_.size(); ++start) {
     const std::uint16_t number = classes_[start];
     if (number == kOutside) continue;
     part_.clear();
+    double border_px = 0.0;
+    std::size_t left = start % columns, right = left, lowest = start / columns;
     queue_.assign(1, static_cast<std::uint32_t>(start));
     classes_[start] = kOutside;
     while (!queue_.empty()) {
       const std::uint32_t cell = queue_.back();
       queue_.pop_back();
       part_.push_back(cell);
-      const auto visit = [&](std::size_t next) {
+      const auto visit = [&](std::size_t next, double side_px) {
+        // Of a side that is longer than the pixel, the pixel sees no more than its own diagonal.
+        if (known[next] != number && known[next] != kOutside) border_px += std::min(side_px, std::numbers::sqrt2);
         if (classes_[next] != number) return;
         classes_[next] = kOutside;
         queue_.push_back(static_cast<std::uint32_t>(next));
       };
       const std::size_t column = cell % columns, row = cell / columns;
-      if (column > 0) visit(cell - 1);
-      if (column + 1 < columns) visit(cell + 1);
-      if (row > 0) visit(cell - columns);
-      if (row + 1 < rows) visit(cell + columns);
+      left = std::min(left, column), right = std::max(right, column), lowest = std::max(lowest, row);
+      if (column > 0) visit(cell - 1, side_along_b_px);
+      if (column + 1 < columns) visit(cell + 1, side_along_b_px);
+      if (row > 0) visit(cell - columns, side_along_a_px);
+      if (row + 1 < rows) visit(cell + columns, side_along_a_px);
     }
     // The middle one of its cells, or the one that the pixel sees most of.
     std::nth_element(part_.begin(), part_.begin() + static_cast<std::ptrdiff_t>(part_.size() / 2), part_.end());
@@ -204,11 +224,9 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
       if (part.area > most.area) most = part;
     }
     if (most.area == 0.0) continue;
-    if (detail.points.size() - points_before == kMostParts) {
-      detail.points.resize(points_before);
-      detail.full[pixel] = 1;
-      return;
-    }
+    const auto across = static_cast<double>(right - left + 1), down = static_cast<double>(lowest - start / columns + 1);
+    if (across * side_along_a_px < kSpeck_px && down * side_along_b_px < kSpeck_px) ++specks;
+    if (specks > kMostSpecks || detail.points.size() - points_before == kMostParts || border_px > kLongestBorder_px) return fill_pixel();
     detail.points.push_back({origin.x_px + most.middle.x_px, origin.y_px + most.middle.y_px});
   }
 }

@@ -52,7 +52,7 @@ struct PathRecord {
   };
   /// Sunlight that reached a vertex by way of flat mirrors.
   struct Mirrored {
-    static constexpr std::size_t kMost = 4;
+    static constexpr std::size_t kMost = 8;
     std::uint32_t next = PathVertex::kNone;  ///< of the same vertex
     float weight = 0.0f;                     ///< of the factors' product with the Sun's irradiance
     bool through = false;                    ///< transmitted by the vertex, not reflected

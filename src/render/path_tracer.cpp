@@ -12,7 +12,10 @@ PathTracer::PathTracer(const SpectralScene& scene, TransportOptions options) : s
   if (options.seek_emitters && scene.emitters() != nullptr && scene.emitters()->count() > 0) emitters_ = scene.emitters();
   if (scene.sky_dome() != nullptr && !scene.sky_dome()->sampler().empty()) sky_ = &scene.sky_dome()->sampler();
   mirrors_ = scene.sun_mirrors();
-  if (mirrors_ != nullptr) images_ = SunImages(*mirrors_, scene.scene().sun->direction, options.mirror_reflections);
+  if (mirrors_ != nullptr) {
+    images_ = SunImages(*mirrors_, scene.scene().sun->direction, options.mirror_reflections);
+    mirror_tracer_.emplace(scene, *mirrors_, images_);
+  }
 }
 
 const PathRecord& PathTracer::trace(std::span<const math::Ray> rays, std::span<const PathKey> keys,

@@ -9,6 +9,7 @@
 #include "materials/scattering.h"
 #include "math/ray.h"
 #include "render/emitters.h"
+#include "render/mirror_ways.h"
 #include "render/path_record.h"
 #include "render/spectral_scene.h"
 #include "render/sun_mirrors.h"
@@ -31,7 +32,7 @@ struct TransportOptions {
   /// Whether light is sought from the scene's emitters, if it has any; the mean is the same without.
   bool seek_emitters = true;
   /// Sunlight is sought by way of so many flat mirrors in turn, at most SunImages::kMostReflections; 0: none.
-  int mirror_reflections = 2;
+  int mirror_reflections = 8;
   /// Two kinds of sunlight are left out that paths otherwise find by chance, seldom and bright: glints on curved mirrors
   /// that the sensor sees directly, which are added apart (Glints), and what reaches a surface that scatters by mirrors
   /// that are not sought, which is marked (UnseenLight).
@@ -47,6 +48,8 @@ class PathTracer {
  public:
   /// Keeps a reference to the scene, which must outlive this.
   PathTracer(const SpectralScene& scene, TransportOptions options);
+  PathTracer(const PathTracer&) = delete;
+  PathTracer& operator=(const PathTracer&) = delete;
 
   /// The paths of rays from the sensor; the record holds until the next call. `first_hits` receives what each ray met.
   /// Adds shadow and bounce rays to `counts`.
@@ -100,13 +103,9 @@ class PathTracer {
     double weight = 0.0;  // 0: none
     bool through = false;
   };
-  /// A ray towards an image of the Sun, on its way from mirror to mirror.
-  struct MirrorRay {
+  struct MirrorRay : MirrorWay {
     std::uint32_t event = 0;  // index into scatters_
-    std::uint32_t image = 0;
-    math::Ray ray;
     PathRecord::Mirrored light;
-    std::array<std::uint16_t, SunImages::kMostReflections> facings{};
   };
   /// A ray towards mirrors by way of which no sunlight is sought.
   struct UnseenRay {
@@ -125,10 +124,16 @@ class PathTracer {
   /// `towards_sun` the middle of the disc, or of an image of it.
   SunRay sun_ray(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
                  math::Vec3 towards_sun, sampling::Point2 u) const;
+  /// Light from a direction, its weight the cosine and what a sampled direction counts.
+  SunRay light_ray(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, math::Vec3 direction,
+                   double weight_sr) const;
 
   // By way of mirrors (path_tracer_mirrors.cpp).
   void send_to_images(const Path& path, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
                       const Sides& sides, const geometry::SurfacePoint& hit, int depth, sampling::Point2 u);
+  void send_to_rounds(const Path& path, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
+                      const Sides& sides, const geometry::SurfacePoint& hit, int depth, sampling::Point2 u);
+  void send_by_mirrors(MirrorRay way, const SunRay& light, double weight, const scene::ResolvedSurface& surface);
   void send_to_unseen(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
                       const geometry::SurfacePoint& hit, int depth);
   /// Along which mirrors the path goes on, and whether it may meet the Sun there.
@@ -136,7 +141,6 @@ class PathTracer {
                 Scatter& event);
   void trace_mirror_rays(sampling::RayCounts& counts);
   void trace_unseen_rays(sampling::RayCounts& counts);
-  bool reflect(MirrorRay& way, const geometry::SurfacePoint& hit);
   /// Direction, side and weight of the continued path, before any roulette; false where it ends.
   bool bounce(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, sampling::Point2 u,
               Scatter& event) const;
@@ -174,7 +178,8 @@ class PathTracer {
   std::vector<geometry::SurfacePoint> seek_hits_;
   const SunMirrors* mirrors_ = nullptr;  // null: there are none, or no Sun
   SunImages images_;
-  std::vector<MirrorRay> mirror_rays_, reflected_;
+  std::optional<MirrorTracer> mirror_tracer_;
+  std::vector<MirrorRay> mirror_rays_;
   std::vector<UnseenRay> unseen_rays_;
   std::vector<std::uint32_t> seen_images_;
   std::vector<std::uint8_t> hidden_;

@@ -18,19 +18,17 @@ constexpr std::uint64_t kUnseenRays = 4;
 /// What cannot bring more than this, in parts of the Sun's irradiance per steradian, is not looked for.
 constexpr double kNegligible = 1e-6;
 
-/// Rays that a surface sends to the Sun's images; where there are more images, some are picked by chance.
+/// Rays that a surface sends to the Sun's images in flat mirrors, and to those in round ones; where there are more
+/// images, some are picked by chance.
 constexpr std::size_t kMostImageRays = 8;
 
 // What random choices are keyed by, beside their path and depth.
-constexpr std::uint64_t kImageChoice = 0x696d616765ull, kUnseenChoice = 0x756e7365656eull;
+constexpr std::uint64_t kImageChoice = 0x696d616765ull, kUnseenChoice = 0x756e7365656eull,
+                        kRoundChoice = 0x726f756e64ull;
 
 double choice(const PathKey& key, int depth, std::uint64_t purpose, std::uint64_t number) {
   return sampling::unit_double(sampling::hash(key.sequence, key.index, static_cast<std::uint64_t>(depth) << 8 | number,
                                               purpose));
-}
-
-bool is_mirror(const scene::Scene& scene, const scene::Constituent& part) {
-  return scene.materials[part.material].scattering == materials::ScatteringKind::mirror;
 }
 
 }  // namespace
@@ -57,73 +55,93 @@ void PathTracer::send_to_images(const Path& path, const scene::ResolvedSurface& 
     }
     MirrorRay way;
     way.image = seen_images_[picked];
-    const SunRay light = sun_ray(lobe, sides, hit, images[way.image].direction, u);
-    if (light.weight <= 0.0) continue;
-    way.event = static_cast<std::uint32_t>(scatters_.size() - 1);
-    way.ray = light.ray;
-    way.light.weight = static_cast<float>(light.weight * static_cast<double>(seen) / static_cast<double>(rays));
-    way.light.through = light.through;
-    way.light.surface.mixed = scatters_.back().vertex.mixed;
-    if (way.light.surface.mixed == PathVertex::kNone) {
-      const std::uint32_t material = surface.constituents[0].material;
-      way.light.surface.row =
-          light.through ? scene_.materials().transmittance(material) : scene_.materials().reflectance(material);
-    }
-    mirror_rays_.push_back(way);
+    send_by_mirrors(way, sun_ray(lobe, sides, hit, images[way.image].direction, u),
+                    static_cast<double>(seen) / static_cast<double>(rays), surface);
   }
 }
 
-bool PathTracer::reflect(MirrorRay& way, const geometry::SurfacePoint& hit) {
-  const scene::ResolvedSurface surface = scene_.scene().resolve(hit);
-  const bool mirrors = std::any_of(surface.begin(), surface.end(),
-                                   [&](const auto& part) { return is_mirror(scene_.scene(), part); });
-  if (!mirrors) return false;
-  const math::Vec3 normal = surface.shading_normal.as_vector(), direction = way.ray.direction;
-  const std::uint32_t facing = mirrors_->facing_of(hit, normal);
-  if (facing == SunMirrors::kNone) return false;
-  const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
-  const math::Vec3 next = math::normalized(mirrored(direction, normal));
-  if (!(math::dot(next, outward) > 0.0)) return false;
-  way.facings[way.light.count] = static_cast<std::uint16_t>(facing);
-  PathRecord::Mirrored::Factor& factor = way.light.mirrors[way.light.count++];
-  if (surface.count == 1) {
-    factor.row = scene_.materials().reflectance(surface.constituents[0].material);
-  } else {
-    factor.mixed = static_cast<std::uint32_t>(record_.mixed.size());
-    SurfaceLobe lobe;
-    lobe.kind = materials::ScatteringKind::mirror;
-    lobe.scattering = &materials::scattering(lobe.kind);
-    record_.mixed.push_back({surface, lobe});
+void PathTracer::send_to_rounds(const Path& path, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
+                                const Sides& sides, const geometry::SurfacePoint& hit, int depth, sampling::Point2 u) {
+  const std::span<const RoundMirror> rounds = mirrors_->rounds();
+  if (rounds.empty() || options_.mirror_reflections == 0) return;
+  if (options_.maximum_scatterings >= 0 && depth + 1 >= options_.maximum_scatterings) return;
+  const scene::Sun& sun = *scene_.scene().sun;
+  // One point of the disc for all: its images differ.
+  math::Vec3 towards_sun = sun.direction;
+  double weight = 1.0;
+  if (sun.half_angle_rad > 0.0) {
+    const sampling::UniformCone disc(sun.half_angle_rad);
+    const double sine = std::sin(sun.half_angle_rad);
+    towards_sun = disc.sample(sun.direction, u);
+    weight = disc.solid_angle_sr() / (std::numbers::pi * sine * sine);
   }
-  way.light.height_m = hit.position_m.z;
-  way.ray = {hit.position_m + hit.offset_m * outward, next};
-  return true;
+  std::array<double, SunMirrors::kMostRounds> share{};
+  double all = 0.0;
+  for (std::size_t k = 0; k < rounds.size(); ++k) all += share[k] = rounds[k].share_of_view(hit.position_m);
+  const std::size_t rays = std::min(rounds.size(), kMostImageRays);
+  double passed = 0.0;
+  std::size_t picked = 0;
+  for (std::size_t k = 0; k < rays; ++k) {
+    double chance = 1.0;
+    if (rays == rounds.size()) {
+      picked = k;
+    } else {
+      const double place = (static_cast<double>(k) + choice(path.key, depth, kRoundChoice, k)) * all /
+                           static_cast<double>(rays);
+      while (picked + 1 < rounds.size() && place >= passed + share[picked]) passed += share[picked++];
+      chance = static_cast<double>(rays) * share[picked] / all;
+    }
+    const std::optional<RoundMirror::Image> image = rounds[picked].image(hit.position_m, towards_sun);
+    if (!image) continue;
+    const bool behind = math::dot(sides.outward, image->direction) < 0.0;
+    const double cosine = (behind ? -1.0 : 1.0) * math::dot(sides.shading.as_vector(), image->direction);
+    MirrorRay way;
+    way.object = rounds[picked].object();
+    way.at = image->at;
+    way.towards_sun = towards_sun;
+    send_by_mirrors(way, light_ray(lobe, sides, hit, image->direction, cosine * weight / image->spread), 1.0 / chance,
+                    surface);
+  }
+}
+
+void PathTracer::send_by_mirrors(MirrorRay way, const SunRay& light, double weight,
+                                 const scene::ResolvedSurface& surface) {
+  if (light.weight <= 0.0) return;
+  way.event = static_cast<std::uint32_t>(scatters_.size() - 1);
+  way.ray = light.ray;
+  way.light.weight = static_cast<float>(light.weight * weight);
+  way.light.through = light.through;
+  way.light.surface.mixed = scatters_.back().vertex.mixed;
+  if (way.light.surface.mixed == PathVertex::kNone) {
+    const std::uint32_t material = surface.constituents[0].material;
+    way.light.surface.row =
+        light.through ? scene_.materials().transmittance(material) : scene_.materials().reflectance(material);
+  }
+  mirror_rays_.push_back(way);
 }
 
 void PathTracer::trace_mirror_rays(sampling::RayCounts& counts) {
-  // A ray that leaves after mirrors which make its image has reached the Sun.
-  for (int met = 0; met <= images_.reflections() && !mirror_rays_.empty(); ++met) {
-    rays_.resize(mirror_rays_.size());
-    hits_.resize(mirror_rays_.size());
-    for (std::size_t k = 0; k < mirror_rays_.size(); ++k) rays_[k] = mirror_rays_[k].ray;
-    scene_.scene().world->intersect(rays_, hits_);
-    counts.shadow += rays_.size();
-    reflected_.clear();
-    for (std::size_t k = 0; k < mirror_rays_.size(); ++k) {
-      MirrorRay& way = mirror_rays_[k];
-      const std::span<const std::uint16_t> facings(way.facings.data(), way.light.count);
-      if (!hits_[k].hit()) {
-        if (images_.image_of(facings) != way.image) continue;
+  mirror_tracer_->trace(
+      mirror_rays_, counts,
+      [&](MirrorRay& way, const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface) {
+        PathRecord::Mirrored::Factor& factor = way.light.mirrors[way.light.count++];
+        if (surface.count == 1) {
+          factor.row = scene_.materials().reflectance(surface.constituents[0].material);
+        } else {
+          factor.mixed = static_cast<std::uint32_t>(record_.mixed.size());
+          SurfaceLobe lobe;
+          lobe.kind = materials::ScatteringKind::mirror;
+          lobe.scattering = &materials::scattering(lobe.kind);
+          record_.mixed.push_back({surface, lobe});
+        }
+        way.light.height_m = hit.position_m.z;
+      },
+      [&](MirrorRay& way) {
         PathVertex& vertex = scatters_[way.event].vertex;
         way.light.next = vertex.mirrored;
         vertex.mirrored = static_cast<std::uint32_t>(record_.mirrored.size());
         record_.mirrored.push_back(way.light);
-      } else if (met < images_.reflections() && reflect(way, hits_[k])) {
-        reflected_.push_back(way);
-      }
-    }
-    mirror_rays_.swap(reflected_);
-  }
+      });
 }
 
 void PathTracer::note_way(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
@@ -147,9 +165,10 @@ void PathTracer::note_way(const Path& path, const SurfaceLobe& lobe, const Sides
       event.next_sees_sun = way.flat || !apart;
       way.unseen = !way.flat && !apart;
     } else {
-      const bool sought =
-          way.flat && way.reflections <= images_.reflections() &&
-          images_.image_of({way.facings.data(), way.reflections}) != SunMirrors::kNone;
+      const bool sought = way.flat ? way.reflections <= images_.reflections() &&
+                                         images_.image_of({way.facings.data(), way.reflections}) != SunMirrors::kNone
+                                   : way.reflections == 1 && options_.mirror_reflections > 0 &&
+                                         !event.vertex.bounce_through && mirrors_->sought_round(hit);
       event.next_sees_sun = !sought && !options_.sought_only;
       // What bends and is met first is looked for by send_to_unseen.
       way.unseen = !sought && (way.unseen || way.flat || way.reflections > 1);
@@ -214,7 +233,7 @@ void PathTracer::trace_unseen_rays(sampling::RayCounts& counts) {
     for (const scene::Constituent& part : surface)
       if (is_mirror(scene_.scene(), part)) highest += part.weight * scene_.brightest(part.material);
     const math::Vec3 normal = surface.shading_normal.as_vector();
-    if (highest <= 0.0 || mirrors_->facing_of(hit, normal) != SunMirrors::kNone) continue;
+    if (highest <= 0.0 || mirrors_->facing_of(hit, normal) != SunMirrors::kNone || mirrors_->sought_round(hit)) continue;
     const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
     const float arrives = UnseenLight::radiance(scene_.scene(), mirrored(unseen.ray.direction, normal));
     if (arrives <= 0.0f) continue;

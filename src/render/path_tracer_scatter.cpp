@@ -57,6 +57,7 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
     send_to_sun(lobe, sides, hit, u, event);
     if (mirrors_ != nullptr) {
       send_to_images(path, surface, lobe, sides, hit, depth, u);
+      send_to_rounds(path, surface, lobe, sides, hit, depth, u);
       send_to_unseen(path, lobe, sides, hit, depth);
     }
   }
@@ -99,23 +100,28 @@ PathTracer::SunRay PathTracer::sun_ray(const SurfaceLobe& lobe, const Sides& sid
   const bool behind = transmits && math::dot(sides.outward, towards_sun) < 0.0;
   const math::Vec3 lit_side = behind ? -sides.shading.as_vector() : sides.shading.as_vector();
   const sampling::LightSample light = sample_sun(towards_sun, lit_side, transmits && !sides.bent, u);
-  const double height = math::dot(light.direction, sides.outward);
-  const bool through = transmits && height < 0.0;
-  if (light.weight_sr <= 0.0 || (through ? height >= 0.0 : height <= 0.0)) return {};
+  return light_ray(lobe, sides, hit, light.direction, light.weight_sr);
+}
+
+PathTracer::SunRay PathTracer::light_ray(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
+                                         math::Vec3 direction, double weight_sr) const {
+  const double height = math::dot(direction, sides.outward);
+  const bool through = lobe.highest_transmittance > 0.0 && height < 0.0;
+  if (weight_sr <= 0.0 || (through ? height >= 0.0 : height <= 0.0)) return {};
 
   // Light that a bent normal would take from below the surface comes mirrored from above it.
   const math::Vec3 normal = through ? -sides.shading.as_vector() : sides.shading.as_vector();
   const math::Vec3 viewer =
       through ? normal : sides.outgoing;  // what is let through looks alike from everywhere
   const math::Normal3 axis = math::as_normal(normal);
-  double weight = light.weight_sr * lobe.scattering->evaluate(viewer, light.direction, axis);
+  double weight = weight_sr * lobe.scattering->evaluate(viewer, direction, axis);
   if (sides.bent) {
-    const math::Vec3 image = mirrored(light.direction, sides.outward);
-    const double own = math::dot(normal, light.direction), below = math::dot(normal, image);
+    const math::Vec3 image = mirrored(direction, sides.outward);
+    const double own = math::dot(normal, direction), below = math::dot(normal, image);
     if (own > 0.0 && below > 0.0)
-      weight += light.weight_sr * lobe.scattering->evaluate(viewer, image, axis) * below / own;
+      weight += weight_sr * lobe.scattering->evaluate(viewer, image, axis) * below / own;
   }
-  return {{hit.position_m + (through ? -hit.offset_m : hit.offset_m) * sides.outward, light.direction},
+  return {{hit.position_m + (through ? -hit.offset_m : hit.offset_m) * sides.outward, direction},
           weight,
           through};
 }

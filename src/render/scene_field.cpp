@@ -14,22 +14,6 @@ namespace {
 /// Paths found together: many, so that the ray tracer's own data stay in the cache; few enough that what they met does.
 constexpr std::size_t kGroup = 512;
 
-/// Three points near the rim of the disc, or its centre for a point Sun. They tell "all of it is seen" from "none"
-/// and "some"; where they are wrong the label is, which costs rays and nothing else.
-std::vector<math::Vec3> fixed_disc_points(const scene::Sun& sun) {
-  if (sun.half_angle_rad <= 0.0) return {sun.direction};
-  constexpr double kRim = 0.97;
-  const sampling::TangentFrame frame(sun.direction);
-  const double sine = kRim * std::sin(sun.half_angle_rad);
-  std::vector<math::Vec3> points;
-  for (int k = 0; k < 3; ++k) {
-    const double turn = 2.0 * std::numbers::pi * k / 3.0;
-    points.push_back(math::normalized(
-        frame.to_world({sine * std::cos(turn), sine * std::sin(turn), std::sqrt(1.0 - sine * sine)})));
-  }
-  return points;
-}
-
 }  // namespace
 
 SceneField::SceneField(const SpectralScene& scene, const sensor::Camera& camera, TransportOptions transport,
@@ -38,8 +22,9 @@ SceneField::SceneField(const SpectralScene& scene, const sensor::Camera& camera,
       truth_(scene::truth_materials(scene.scene())),
       blends_(scene.scene(), truth_, static_cast<int>(scene.nodes().channel_count())),
       map_detail_(scene.scene(), camera),
-      unseen_(scene, blends_.first_column() + blends_.count()) {
-  if (scene.scene().sun) disc_points_ = fixed_disc_points(*scene.scene().sun);
+      unseen_(scene, blends_.first_column() + blends_.count()),
+      mirror_light_(detail == LabelDetail::sun_state ? MirrorLight::find(scene, transport.mirror_reflections) : nullptr) {
+  if (scene.scene().sun) disc_points_ = fixed_disc_points(scene.scene().sun->direction, scene.scene().sun->half_angle_rad);
   const std::vector<materials::Material>& materials = scene.scene().materials;
   for (std::uint32_t m = 0; m < materials.size(); ++m)
     sunlight_.push_back({scene.brightest(m) > 0.0 && !materials::scattering(materials[m].scattering).is_delta(),
@@ -133,6 +118,8 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
           label.sun = above == 0                     ? SunState::shaded
                       : above < disc_points_.size() ? SunState::penumbra
                                                      : SunState::lit;
+          if (mirror_light_ != nullptr)
+            mirror_light_->ask(static_cast<std::uint32_t>(k), hit, (hit.front ? normal : -normal));
           if (label.sun == SunState::lit) {
             owner_.push_back(static_cast<std::uint32_t>(k));
             for (const math::Vec3& direction : disc_points_)
@@ -143,6 +130,10 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
     }
     labels[k] = label.pack();
   }
+  if (mirror_light_ != nullptr)
+    mirror_light_->answer(counts_, [&](std::uint32_t k, std::uint64_t state, bool uneven) {
+      labels[k] = SurfaceLabel::with_mirrored(labels[k], state, uneven);
+    });
   if (sun_rays_.empty()) return;
   blocked_.resize(sun_rays_.size());
   scene.world->occluded(sun_rays_, blocked_);

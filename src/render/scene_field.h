@@ -4,6 +4,7 @@
 
 #include "render/blend_columns.h"
 #include "render/map_detail.h"
+#include "render/mirror_light.h"
 #include "render/path_light.h"
 #include "render/path_tracer.h"
 #include "render/surface_label.h"
@@ -16,7 +17,7 @@ namespace ifov::render {
 /// How much a label says.
 enum class LabelDetail {
   material,   ///< instance, patch, material, facing: no further rays
-  sun_state,  ///< and how the Sun's disc is seen, by rays to fixed points of it
+  sun_state,  ///< and how the Sun's disc is seen, by rays to fixed points of it, and what mirrors throw of it
 };
 
 /// The picture on a camera's focal plane: answers a sampler's queries by tracing the scene. One tile, one thread.
@@ -40,6 +41,9 @@ class SceneField final : public sampling::Field {
   /// By number in scene::TruthMaterials. Rays that met nothing stand on the material of the surroundings, the last
   /// of the scene; coverings that mix stand on none: BlendColumns::kNoMaterial.
   std::uint32_t material_of(sampling::Label label) const override;
+  bool uneven(sampling::Label label) const override {
+    return SurfaceLabel::is_uneven(label, mirror_light_ != nullptr);
+  }
   /// The instance, where labels hold its whole number.
   std::uint32_t object_of(sampling::Label label) const override {
     const bool sky = SurfaceLabel::material_of(label) == SurfaceLabel::kSky;
@@ -68,6 +72,7 @@ class SceneField final : public sampling::Field {
   BlendColumns blends_;
   MapDetail map_detail_;
   UnseenLight unseen_;
+  std::unique_ptr<MirrorLight> mirror_light_;  // null where mirrors throw none
   struct Sunlight {
     bool shows, passes;  ///< whether it is seen where it falls on a material, and from behind
   };

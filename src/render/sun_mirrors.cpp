@@ -12,6 +12,9 @@ using geometry::SurfaceSurvey;
 using math::Point3;
 using math::Vec3;
 
+/// Sequences of facings that are tried for images.
+constexpr std::size_t kMostWays = 1 << 14;
+
 /// Faces whose planes differ by less than this count as one.
 constexpr double kSamePlane_m = 1e-3;
 
@@ -78,7 +81,27 @@ SunMirrors::SunMirrors(const scene::Scene& scene, const SurfaceSurvey& survey) :
     for (const Facing& facing : facings_)
       balls.push_back({facing.bounds.low_m + (facing.bounds.high_m - facing.bounds.low_m) * 0.5,
                        0.5 * length(facing.bounds.high_m - facing.bounds.low_m)});
+  add_rounds(!scene.world->period(), balls);
   group(balls, kMostGroups, groups_);
+}
+
+void SunMirrors::add_rounds(bool once, std::vector<SurfaceSurvey::Ball>& unsought) {
+  // An object counts whole: a hit does not tell which of its shapes it is on.
+  std::vector<std::uint32_t> stretched;
+  for (const SurfaceSurvey::Round& round : survey_.rounds)
+    if (!RoundMirror::of(round)) stretched.push_back(round.object);
+  std::sort(stretched.begin(), stretched.end());
+  const bool any = once && survey_.rounds.size() <= kMostRounds,
+             reliefs = std::find(bends_.begin(), bends_.end(), true) != bends_.end();
+  for (const SurfaceSurvey::Round& round : survey_.rounds) {
+    const bool sought = any && !std::binary_search(stretched.begin(), stretched.end(), round.object);
+    if (sought) {
+      rounds_.push_back(*RoundMirror::of(round));
+      round_objects_.push_back(round.object);
+    }
+    if (!sought || reliefs || rounds_.back().hollow()) unsought.push_back(round.ball);
+  }
+  std::sort(round_objects_.begin(), round_objects_.end());
 }
 
 std::uint32_t SunMirrors::facing_of(const geometry::SurfacePoint& hit, Vec3 normal) const {
@@ -92,51 +115,63 @@ std::uint32_t SunMirrors::facing_of(const geometry::SurfacePoint& hit, Vec3 norm
   return nearest;
 }
 
-SunImages::SunImages(const SunMirrors& mirrors, Vec3 towards_sun, int reflections) : facings_(mirrors.facings().size()) {
-  if (facings_ == 0) return;
+SunImages::SunImages(const SunMirrors& mirrors, Vec3 towards_sun, int reflections) : towards_sun_(towards_sun) {
+  for (const SunMirrors::Facing& facing : mirrors.facings()) normals_.push_back(facing.normal);
   struct Way {
     Vec3 image;
-    std::uint32_t first;  // facing
+    std::uint32_t first;  // facing; the last facing is met last on the way from the surface
   };
-  // From the Sun backwards: the last facing is met last on the way from the surface.
-  std::vector<Way> ways;
-  for (int length = 1; length <= std::min(reflections, kMostReflections); ++length) {
+  std::vector<Way> ways{{towards_sun, SunMirrors::kNone}};
+  for (int length = 1; length <= std::min(reflections, kMostReflections) && !normals_.empty(); ++length) {
+    if (ways.size() * normals_.size() > kMostWays) return;
+    const std::vector<Image> before = images_;
     std::vector<Way> longer;
-    const std::size_t before = length == 1 ? 1 : ways.size();
-    if (of_sequence_.size() + facings_ * before > kMost) break;
-    for (std::uint32_t first = 0; first < facings_; ++first)
-      for (std::size_t k = 0; k < before; ++k) {
+    std::vector<std::vector<bool>> known;  // by image and first facing
+    for (const Way& way : ways)
+      for (std::uint32_t first = 0; first < normals_.size(); ++first) {
         const SunMirrors::Facing& facing = mirrors.facings()[first];
-        const bool again = length > 1 && ways[k].first == first && facing.one_plane;
-        const Vec3 image = mirrored(length == 1 ? towards_sun : ways[k].image, facing.normal);
-        longer.push_back({image, first});
-        of_sequence_.push_back(again ? SunMirrors::kNone : place_of(image, facing.bounds));
+        if (way.first == first && facing.one_plane) continue;
+        const Vec3 image = mirrored(way.image, facing.normal);
+        const std::uint32_t place = place_of(image, facing.bounds);
+        if (images_.size() > (length > 2 ? kMostOfLongWays : kMost)) {
+          images_ = before;
+          return;
+        }
+        known.resize(images_.size(), std::vector<bool>(normals_.size()));
+        if (known[place][first]) continue;
+        known[place][first] = true;
+        longer.push_back({images_[place].direction, first});
       }
     ways = std::move(longer);
     reflections_ = length;
   }
 }
 
-std::uint32_t SunImages::place_of(Vec3 direction, const geometry::World::Bounds& first) {
+std::uint32_t SunImages::find(Vec3 direction) const {
   constexpr double kSame = 4.0 * SurfaceSurvey::kSameNormal_rad;
-  for (std::uint32_t k = 0; k < images_.size(); ++k) {
-    if (length(images_[k].direction - direction) > kSame) continue;
-    geometry::World::Bounds& b = images_[k].bounds;
-    b.low_m = {std::min(b.low_m.x, first.low_m.x), std::min(b.low_m.y, first.low_m.y), std::min(b.low_m.z, first.low_m.z)};
-    b.high_m = {std::max(b.high_m.x, first.high_m.x), std::max(b.high_m.y, first.high_m.y),
-                std::max(b.high_m.z, first.high_m.z)};
-    return k;
+  for (std::uint32_t k = 0; k < images_.size(); ++k)
+    if (length(images_[k].direction - direction) <= kSame) return k;
+  return SunMirrors::kNone;
+}
+
+std::uint32_t SunImages::place_of(Vec3 direction, const geometry::World::Bounds& first) {
+  const std::uint32_t known = find(direction);
+  if (known == SunMirrors::kNone) {
+    images_.push_back({normalized(direction), first});
+    return static_cast<std::uint32_t>(images_.size() - 1);
   }
-  images_.push_back({normalized(direction), first});
-  return static_cast<std::uint32_t>(images_.size() - 1);
+  geometry::World::Bounds& b = images_[known].bounds;
+  b.low_m = {std::min(b.low_m.x, first.low_m.x), std::min(b.low_m.y, first.low_m.y), std::min(b.low_m.z, first.low_m.z)};
+  b.high_m = {std::max(b.high_m.x, first.high_m.x), std::max(b.high_m.y, first.high_m.y),
+              std::max(b.high_m.z, first.high_m.z)};
+  return known;
 }
 
 std::uint32_t SunImages::image_of(std::span<const std::uint16_t> facings) const {
   if (facings.empty() || static_cast<int>(facings.size()) > reflections_) return SunMirrors::kNone;
-  std::size_t first = 0, count = facings_, place = 0;
-  for (std::size_t k = 1; k < facings.size(); ++k) first += count, count *= facings_;
-  for (const std::uint16_t facing : facings) place = place * facings_ + facing;
-  return of_sequence_[first + place];
+  Vec3 image = towards_sun_;
+  for (std::size_t k = facings.size(); k-- > 0;) image = mirrored(image, normals_[facings[k]]);
+  return find(image);
 }
 
 bool may_meet(const geometry::World::Bounds& box, Point3 from, Vec3 direction, double slope) {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "geometry/surface_survey.h"
 #include "geometry/world.h"
+#include "render/round_mirror.h"
 #include "scene/scene.h"
 
 namespace ifov::render {
@@ -32,6 +34,15 @@ class SunMirrors {
   /// Which facing a point of a mirror belongs to, by the normal that it reflects about; kNone for one that bends.
   std::uint32_t facing_of(const geometry::SurfacePoint& hit, math::Vec3 normal) const;
 
+  /// Round mirrors on whose outer side the Sun is sought; none where there are more than kMostRounds.
+  static constexpr std::size_t kMostRounds = 64;
+  std::span<const RoundMirror> rounds() const { return rounds_; }
+  /// Whether a point lies on the outer side of one of them.
+  bool sought_round(const geometry::SurfacePoint& hit) const {
+    return hit.bend == geometry::Bend::round && hit.front && hit.copy_column == 0 && hit.copy_row == 0 &&
+           !bends_[hit.material] && std::binary_search(round_objects_.begin(), round_objects_.end(), hit.instance);
+  }
+
   /// Whether the Sun's glint on a point that the sensor sees directly is found by its shape (Glints).
   bool glints_by_shape(const geometry::SurfacePoint& hit) const {
     return by_shape_ && !bends_[hit.material] &&
@@ -40,28 +51,36 @@ class SunMirrors {
 
   /// Whether some light comes by ways that are not sought, however many reflections are.
   bool may_hide() const {
-    return !groups_.empty() || facings_.size() > 1 || (facings_.size() == 1 && !facings_[0].one_plane);
+    return !groups_.empty() || facings_.size() + rounds_.size() > 1 ||
+           (facings_.size() == 1 && !facings_[0].one_plane);
   }
-  /// Spheres about all mirrors that have no facing.
+  /// Spheres about all mirrors of which some light is not sought at its first reflection.
   std::span<const geometry::SurfaceSurvey::Ball> groups() const { return groups_; }
   const geometry::SurfaceSurvey& survey() const { return survey_; }
 
  private:
+  void add_rounds(bool once, std::vector<geometry::SurfaceSurvey::Ball>& unsought);
+
   const geometry::SurfaceSurvey& survey_;
   std::vector<Facing> facings_;
   bool by_shape_ = true;     // copies of a periodic scene, and faces that pass for bent ones, are not searched
   std::vector<bool> bends_;  // by covering: a relief tilts its normals
+  std::vector<RoundMirror> rounds_;
+  std::vector<std::uint32_t> round_objects_;  // sorted: all their round faces are among rounds_
   std::vector<geometry::SurfaceSurvey::Ball> groups_;
 };
 
 /// Directions in which a surface sees the Sun by way of flat mirrors: s reflected about the normals of up to a number
-/// of facings in turn. Sequences with the same image are one image, so that every way counts once.
+/// of facings in turn. Sequences with the same image are one image, so that every way counts once; walls that stand
+/// square to each other have three, however many reflections.
 class SunImages {
  public:
   /// Up to so many are kept; fewer reflections are sought where there would be more.
   static constexpr std::size_t kMost = 1024;
+  /// The same from the third reflection on: what they bring is not worth the noise of choosing among many.
+  static constexpr std::size_t kMostOfLongWays = 24;
   /// Of a way, at most.
-  static constexpr int kMostReflections = 4;
+  static constexpr int kMostReflections = 8;
 
   SunImages() = default;
   SunImages(const SunMirrors& mirrors, math::Vec3 towards_sun, int reflections);
@@ -77,11 +96,12 @@ class SunImages {
   std::uint32_t image_of(std::span<const std::uint16_t> facings) const;
 
  private:
+  std::uint32_t find(math::Vec3 direction) const;
   std::uint32_t place_of(math::Vec3 direction, const geometry::World::Bounds& first);
-  std::size_t facings_ = 0;
+  math::Vec3 towards_sun_{};
+  std::vector<math::Vec3> normals_;  // by facing
   int reflections_ = 0;
   std::vector<Image> images_;
-  std::vector<std::uint32_t> of_sequence_;  // sequences of one, then of two, ...; the last facing changes fastest
 };
 
 /// Whether any ray within `slope` (a tangent) of a direction meets a box; now and then true where none does.

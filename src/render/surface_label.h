@@ -29,6 +29,16 @@ struct SurfaceLabel {
            static_cast<std::uint64_t>(sun);
   }
 
+  /// The label of the same hit in a state of MirrorLight, which is folded into the bits of the patch; `uneven` takes
+  /// the highest of them.
+  static constexpr sampling::Label with_mirrored(sampling::Label label, std::uint64_t state, bool uneven) {
+    return (label ^ (state & 0xfffffu) << 18) | (uneven ? kUneven : 0);
+  }
+  static constexpr bool is_uneven(sampling::Label label, bool mirrors) {
+    return (label & 3u) == static_cast<sampling::Label>(SunState::penumbra) || (mirrors && (label & kUneven) != 0);
+  }
+
+  static constexpr sampling::Label kUneven = sampling::Label{1} << 38;
   static constexpr std::uint32_t kMaximumInstances = 1u << 25;
   static constexpr std::uint32_t instance_of(sampling::Label label) { return static_cast<std::uint32_t>(label >> 39); }
   static constexpr std::uint32_t material_of(sampling::Label label) {

@@ -82,7 +82,9 @@ TEST_F(Survey, RoundAndSmoothSurfacesStandApart) {
   ASSERT_EQ(found.smooths.size(), 1u);
   EXPECT_EQ(found.smooths[0].triangles.size(), 2u);
   EXPECT_EQ(found.flats.size(), 3u);  // the can's ends and the two sides of the tent without normals
-  EXPECT_EQ(found.balls.size(), 3u);
+  EXPECT_EQ(found.balls.size(), 1u);  // about the smooth tent
+  EXPECT_NEAR(found.rounds[1].ball.centre_m.x, 5.0, 1e-12);
+  EXPECT_GE(found.rounds[1].ball.radius_m, 1.0);
 }
 
 TEST_F(Survey, NormalsThatAreAllAlikeMakeAFace) {

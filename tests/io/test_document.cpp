@@ -237,7 +237,7 @@ TEST(Document, SamplingMethods) {
   EXPECT_EQ(grid.tile_px, 16);
   EXPECT_EQ(grid.max_depth, 2);
   EXPECT_EQ(grid.mirror_reflections, 3);
-  EXPECT_EQ(whole().sampling.mirror_reflections, 2);
+  EXPECT_EQ(whole().sampling.mirror_reflections, 8);
   const auto adaptive = std::get<AdaptiveSampling>(
       parsed_with(method, R"({"adaptive": {"sub_elements": [3, 3], "allowed_difference": "2 %"}})")
           .sampling.method);

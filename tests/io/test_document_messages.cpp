@@ -155,9 +155,9 @@ TEST(DocumentMessages, WrongTypesCountsAndWords) {
             "and 100000\n"
             "   33 |     \"camera\": {\"orthographic\": {\"gsd\": \"1 m\", \"pixels\": [30, 20.5]}},\n"
             "      |                                                              ^");
-  EXPECT_EQ(message_with("\"sampling\": {", "\"sampling\": {\"mirror_reflections\": 5, "),
-            "folder/a.json:41:38: 'sampling.mirror_reflections' is the number 5, expected an integer between 0 and 4\n"
-            "   41 |   \"sampling\": {\"mirror_reflections\": 5, \"accuracy\": {\"error\": \"0.1 K\", \"channel\": "
+  EXPECT_EQ(message_with("\"sampling\": {", "\"sampling\": {\"mirror_reflections\": 9, "),
+            "folder/a.json:41:38: 'sampling.mirror_reflections' is the number 9, expected an integer between 0 and 8\n"
+            "   41 |   \"sampling\": {\"mirror_reflections\": 9, \"accuracy\": {\"error\": \"0.1 K\", \"channel\": "
             "\"8.5 um\"}},\n"
             "      |                                      ^");
   EXPECT_EQ(message_with("\"reflectance\": 0.25", "\"reflectance\": \"25 %\""),

@@ -58,7 +58,7 @@ struct AccuracySampling {
 struct SamplingDocument {
   std::variant<SingleSampling, GridSampling, AdaptiveSampling, AccuracySampling> method = AccuracySampling{};
   int tile_px = 64;
-  int mirror_reflections = 2;    ///< flat mirrors in turn by way of which sunlight is sought
+  int mirror_reflections = 8;    ///< flat mirrors in turn by way of which sunlight is sought
   std::optional<int> max_depth;  ///< surfaces a path may meet; absent: no limit, ended without bias
   SourcePosition position;
 };

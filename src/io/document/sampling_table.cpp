@@ -134,7 +134,7 @@ Kind<SamplingDocument> sampling_kind() {
       .one("accuracy", &SamplingDocument::method, accuracy_kind(), "as many rays as an accuracy needs")
       .with_default("tile", &SamplingDocument::tile_px, integer(1, 4096), "64",
                     "pixels along a side of the tiles that are computed at once")
-      .with_default("mirror_reflections", &SamplingDocument::mirror_reflections, integer(0, 4), "2",
+      .with_default("mirror_reflections", &SamplingDocument::mirror_reflections, integer(0, 8), "8",
                     "flat mirrors, one after the other, by way of which sunlight is sought; where more may matter, "
                     "pixels are marked")
       .optional(

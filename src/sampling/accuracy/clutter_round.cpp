@@ -4,6 +4,14 @@
 
 namespace ifov::sampling {
 
+namespace {
+
+/// A value in a cell with the share p beyond a border has the variance p (1 - p) of the step. Over straight borders
+/// anywhere, that sums up to an eighth for each pair of unlike neighbours. (Noise alone sums up to half its variance.)
+constexpr double kPerPair = 1.0 / 8.0;
+
+}  // namespace
+
 ClutterRound::ClutterRound(int side, std::size_t stride, bool keep)
     : side_(side), stride_(stride), keep_(keep), sums_(stride) {}
 
@@ -26,77 +34,51 @@ void ClutterRound::add_block(const float* values, std::span<const std::uint32_t,
                              std::span<const PathRequest, kBlock> requests) {
   const float* const rows[kBlock] = {values, values + stride_, values + 2 * stride_, values + 3 * stride_};
   sums_.add_block(rows);
-  for (std::size_t q = 0; q < kBlock; ++q) {
-    auto at = std::find_if(materials_.begin(), materials_.end(), [&](const auto& m) { return m.first == materials[q]; });
-    if (at == materials_.end()) {
-      at = materials_.insert(at, {materials[q], 0});
-      of_material_.resize(materials_.size() * stride_, 0.0);
-    }
+  add_neighbours(blocks_in_++, rows);
+  for (const std::uint32_t material : materials) {
+    auto at = std::find_if(materials_.begin(), materials_.end(), [&](const auto& m) { return m.first == material; });
+    if (at == materials_.end()) at = materials_.insert(at, {material, 0});
     ++at->second;
-    cells_.push_back(static_cast<std::uint32_t>(at - materials_.begin()));
-    double* sum = &of_material_[cells_.back() * stride_];
-    for (std::size_t c = 0; c < stride_; ++c) sum[c] += rows[q][c];
   }
-  if (cells_.size() == count()) find_borders({}, borders_);
   if (!keep_) return;
   values_.insert(values_.end(), values, values + kBlock * stride_);
   for (const PathRequest& request : requests) points_.push_back({request.point.x_px, request.point.y_px});
 }
 
+/// Blocks come row after row: the values on their rims wait in above_.
+void ClutterRound::add_neighbours(std::size_t block, const float* const (&rows)[kBlock]) {
+  steps_.resize(stride_, 0.0);
+  above_.resize((static_cast<std::size_t>(side_) + 2) * stride_);
+  const std::size_t across = static_cast<std::size_t>(side_) / 2, column = block % across;
+  float *top = &above_[2 * column * stride_], *left = &above_[static_cast<std::size_t>(side_) * stride_];
+  const auto compare = [&](const float* a, const float* b) {
+    for (std::size_t c = 0; c < stride_; ++c) {
+      const double step = static_cast<double>(a[c]) - b[c];
+      steps_[c] += step * step;
+    }
+  };
+  for (const auto& [a, b] : {std::pair{0, 1}, {2, 3}, {0, 2}, {1, 3}}) compare(rows[a], rows[b]);
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (block >= across) compare(rows[k], top + k * stride_);
+    if (column > 0) compare(rows[2 * k], left + k * stride_);
+    std::copy_n(rows[2 + k], stride_, top + k * stride_);
+    std::copy_n(rows[2 * k + 1], stride_, left + k * stride_);
+  }
+}
+
 ClutterRound::Moment ClutterRound::moment(int column) const {
   const double n = static_cast<double>(count());
-  return {sums_.mean(column), std::max(kBlock * sums_.squares(column) / (n * n), border_variance(column, borders_)),
-          sums_.freedom(column)};
+  const double steps = steps_.empty() ? 0.0 : kPerPair * steps_[static_cast<std::size_t>(column)] / (n * n);
+  return {sums_.mean(column), std::max(kBlock * sums_.squares(column) / (n * n), steps), sums_.freedom(column)};
 }
 
-void ClutterRound::find_borders(std::span<const double> weights, std::vector<Border>& borders) const {
-  borders.clear();
-  if (materials_.size() < 2) return;
-  double all = weights.empty() ? static_cast<double>(count()) : 0.0;
-  for (const double w : weights) all += w;
-  if (all == 0.0) return;
-  const auto place = [this](int i, int j) {
-    return static_cast<std::size_t>(((j / 2) * (side_ / 2) + i / 2) * static_cast<int>(kBlock) + j % 2 * 2 + i % 2);
-  };
-  const auto look = [&](std::size_t p, std::size_t q) {
-    if (cells_[p] == cells_[q]) return;
-    const auto [a, b] = std::minmax(cells_[p], cells_[q]);
-    const double weight = (weights.empty() ? 1.0 : weights[p] * weights[q]) / (all * all);
-    const auto at = std::find_if(borders.begin(), borders.end(), [&](const Border& e) { return e.a == a && e.b == b; });
-    if (at == borders.end())
-      borders.push_back({a, b, weight});
-    else
-      at->weight += weight;
-  };
-  for (int j = 0; j < side_; ++j)
-    for (int i = 0; i < side_; ++i) {
-      if (i + 1 < side_) look(place(i, j), place(i + 1, j));
-      if (j + 1 < side_) look(place(i, j), place(i, j + 1));
-    }
+std::vector<double> ClutterRound::weigh(const PixelFootprint& footprint, Point2 centre) const {
+  std::vector<double> weights;
+  for (const Point2& at : points_) weights.push_back(footprint.density(at.x - centre.x, at.y - centre.y));
+  return weights;
 }
 
-double ClutterRound::border_variance(int column, std::span<const Border> borders) const {
-  // A value in a cell with the share p beyond a border has the variance p (1 - p) of the step. Over straight borders
-  // anywhere, that sums up to an eighth for each pair of unlike neighbours.
-  constexpr double kPerPair = 1.0 / 8.0;
-  double variance = 0.0;
-  for (const Border& border : borders) {
-    const double step = of_material_[border.a * stride_ + column] / materials_[border.a].second -
-                        of_material_[border.b * stride_ + column] / materials_[border.b].second;
-    variance += kPerPair * border.weight * step * step;
-  }
-  return variance;
-}
-
-void ClutterRound::weigh(const PixelFootprint& footprint, Point2 centre, Weights& weights) const {
-  weights.values.resize(points_.size());
-  for (std::size_t i = 0; i < points_.size(); ++i)
-    weights.values[i] = footprint.density(points_[i].x - centre.x, points_[i].y - centre.y);
-  find_borders(weights.values, weights.borders);
-}
-
-ClutterRound::Moment ClutterRound::moment(int column, const Weights& weighing) const {
-  const std::span<const double> weights = weighing.values;
+ClutterRound::Moment ClutterRound::moment(int column, std::span<const double> weights) const {
   double weight = 0.0, sum = 0.0, squares = 0.0, fourths = 0.0;
   for (std::size_t b = 0; b < weights.size(); b += kBlock) {
     double v[kBlock], weight_squares = 0.0;
@@ -111,9 +93,20 @@ ClutterRound::Moment ClutterRound::moment(int column, const Weights& weighing) c
     fourths += square * square;
   }
   if (weight == 0.0) return moment(column);
+  double steps = 0.0;
+  const auto compare = [&](int i, int j, int k, int l) {
+    const std::size_t p = place(i, j), q = place(k, l);
+    const double step = static_cast<double>(values_[p * stride_ + column]) - values_[q * stride_ + column];
+    steps += kPerPair * weights[p] * weights[q] * step * step;
+  };
+  for (int j = 0; j < side_; ++j)
+    for (int i = 0; i < side_; ++i) {
+      if (i + 1 < side_) compare(i, j, i + 1, j);
+      if (j + 1 < side_) compare(i, j, i, j + 1);
+    }
   const double blocks = static_cast<double>(weights.size()) / kBlock;
   const double freedom = fourths > 0.0 ? std::min(blocks, 3.0 * squares * squares / fourths) : blocks;
-  return {sum / weight, std::max(squares / (weight * weight), border_variance(column, weighing.borders)), freedom};
+  return {sum / weight, std::max(squares, steps) / (weight * weight), freedom};
 }
 
 }  // namespace ifov::sampling

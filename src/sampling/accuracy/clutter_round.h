@@ -17,7 +17,7 @@ namespace ifov::sampling {
 /// Values of a cluttered pixel at the points of one jittered grid, one to a cell, in blocks of 2 x 2 cells. The error of
 /// their mean falls as n^(-3/4) where borders make it, and what a plane through a block's four values does not explain
 /// shows its variance. Where all points beside a border happen to lie on one side of it the blocks see nothing: the
-/// variance is never less than what neighbours on unlike materials tell of borders between them.
+/// variance is never less than what neighbours of unlike values tell of borders between them.
 /// docs/theory/accuracy_sampler.md, section 8.
 class ClutterRound {
  public:
@@ -49,20 +49,10 @@ class ClutterRound {
   };
   Moment moment(int column) const;
   double spread(int column) const { return sums_.spread(column); }  ///< variance of the values, wherever they stand
-  /// Two materials (by their place in materials()) that neighbouring cells show, and the sum over such neighbours of the
-  /// products of their weights, where all weights add up to 1.
-  struct Border {
-    std::uint32_t a, b;
-    double weight;
-  };
-  struct Weights {
-    std::vector<double> values;
-    std::vector<Border> borders;
-  };
   /// Weights of the values as the footprint about `centre` has them.
-  void weigh(const PixelFootprint& footprint, Point2 centre, Weights& weights) const;
+  std::vector<double> weigh(const PixelFootprint& footprint, Point2 centre) const;
   /// Of values that weigh so; of values that weigh alike where none lies under the footprint.
-  Moment moment(int column, const Weights& weights) const;
+  Moment moment(int column, std::span<const double> weights) const;
 
   /// Writes what is known of the values, of each row the first `columns`, to an archive, or reads it from there into a
   /// round of the same side.
@@ -72,14 +62,11 @@ class ClutterRound {
     std::uint64_t materials = self.materials_.size();
     archive(materials);
     if constexpr (Archive::kReads) self.materials_.resize(std::min<std::uint64_t>(materials, self.count()));
-    if constexpr (Archive::kReads) self.of_material_.assign(self.materials_.size() * self.stride_, 0.0);
-    for (std::size_t m = 0; m < self.materials_.size(); ++m) {
-      archive(self.materials_[m].first);
-      archive(self.materials_[m].second);
-      archive.array(&self.of_material_[m * self.stride_], columns);
+    for (auto& [material, values] : self.materials_) {
+      archive(material);
+      archive(values);
     }
-    archive.list(self.cells_);
-    if constexpr (Archive::kReads) self.find_borders({}, self.borders_);
+    archive.list(self.steps_);
     if (!self.keep_) return;
     archive.list(self.points_);
     if constexpr (Archive::kReads) self.values_.assign(self.points_.size() * self.stride_, 0.0f);
@@ -90,20 +77,22 @@ class ClutterRound {
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& materials() const { return materials_; }
 
  private:
-  /// Of weights of the values (empty: all alike).
-  void find_borders(std::span<const double> weights, std::vector<Border>& borders) const;
-  double border_variance(int column, std::span<const Border> borders) const;
+  /// Of the value of a cell, in the order in which they come.
+  std::size_t place(int i, int j) const {
+    return static_cast<std::size_t>(((j / 2) * (side_ / 2) + i / 2) * static_cast<int>(kBlock) + j % 2 * 2 + i % 2);
+  }
+  void add_neighbours(std::size_t block, const float* const (&rows)[kBlock]);
 
   int side_;
   std::size_t stride_;
   bool keep_;
   BlockSums sums_;
+  std::size_t blocks_in_ = 0;  // that have come
+  std::vector<double> steps_;  // by column: sum of the squared differences of neighbouring cells
+  std::vector<float> above_;   // values of the cells above the row of blocks that comes in, and of those left of the block
   std::vector<float> values_;
   std::vector<Point2> points_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> materials_;
-  std::vector<double> of_material_;   // [material][column]: sums of its values
-  std::vector<std::uint32_t> cells_;  // in the order of the values: place in materials_
-  std::vector<Border> borders_;       // of values that weigh alike
 };
 
 }  // namespace ifov::sampling

@@ -28,6 +28,7 @@ struct AccuracyFaults {
   bool zero_variance_single_samples = false;  ///< a stratum of one sample claims to be exact
   bool undithered_brackets = false;  ///< brackets by plain bisection, whose errors agree on aligned scenes
   bool no_random_look = false;  ///< no rays beside the lattice in pixels where nothing is suspect
+  bool other_labels_spread = false;  ///< few values of a label vary as those of other labels do
   bool one_sequence = false;  ///< the replicates of a round share their paths' sequence, and so their errors
 };
 

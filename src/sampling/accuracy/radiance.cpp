@@ -15,6 +15,9 @@ constexpr int kFinestGrid = 128;
 /// the width to which the curve is known.
 constexpr double kBorderSlack_px = 0.02;
 
+/// So many vertices tell how values of a label differ thereabouts.
+constexpr double kTold = 4.0;
+
 constexpr std::uint64_t kStratumKey = 0x7374726174, kPathsKey = 0x7061746873;
 
 }  // namespace
@@ -77,16 +80,33 @@ void Radiance::fill(Pixel& pixel, const LeafIntegrator& integrator) const {
 void Radiance::find_deviation(const Pixel& pixel, Stratum& stratum) const {
   const bool any_label = stratum.label == EdgeTracer::kNoLabel;
   if (!any_label && spread_.constant(stratum.label)) return;
+  const std::size_t columns = static_cast<std::size_t>(ledger_.field().columns());
+  stratum.deviation.assign(columns, 0.0f);
+  const double count = widen_deviation(pixel, stratum.label, stratum.deviation);
+  // A few that agree thereabouts may do so by chance where the label's values elsewhere do not.
+  for (std::size_t c = 0; c < columns && !any_label; ++c) {
+    const double near = static_cast<double>(stratum.deviation[c]), total = spread_.total(stratum.label, static_cast<int>(c));
+    stratum.deviation[c] = static_cast<float>(std::sqrt((near * near * count + total * kTold) / (count + kTold)));
+  }
+  // What few have told, or what differs by its nature, may differ as much as all that is about.
+  if (faults_.other_labels_spread) return;
+  if (!any_label && (count < kTold || ledger_.field().uneven(table_.label(stratum.label))))
+    widen_deviation(pixel, EdgeTracer::kNoLabel, stratum.deviation);
+}
+
+/// From the lattice's values of a label, or of all, in the pixel and those around it. Their number.
+double Radiance::widen_deviation(const Pixel& pixel, std::uint32_t label, std::vector<float>& deviation) const {
+  const bool any_label = label == EdgeTracer::kNoLabel;
   const Lattice& lattice = tracer_.lattice();
   const int k = lattice.cells_per_pixel(), row = lattice.columns() + 1, width = lattice.domain().width();
   const int x = pixel.source % width * k, y = pixel.source / width * k;
-  const std::size_t columns = static_cast<std::size_t>(ledger_.field().columns());
+  const std::size_t columns = deviation.size();
   std::vector<double> mean(columns, 0.0), squares(columns, 0.0);
   double count = 0.0;
   for (int j = std::max(0, y - k); j <= std::min(lattice.rows(), y + 2 * k); ++j)
     for (int i = std::max(0, x - k); i <= std::min(lattice.columns(), x + 2 * k); ++i) {
       const std::size_t v = static_cast<std::size_t>(j) * row + i;
-      if (!any_label && lattice_.labels[v] != stratum.label) continue;
+      if (!any_label && lattice_.labels[v] != label) continue;
       count += 1.0;
       for (std::size_t c = 0; c < columns; ++c) {
         const double difference = lattice_.value(v)[c] - mean[c];
@@ -95,7 +115,7 @@ void Radiance::find_deviation(const Pixel& pixel, Stratum& stratum) const {
       }
     }
   const int height = lattice.domain().height(), column = pixel.source % width, line = pixel.source / width;
-  for (int j = std::max(0, line - 1); any_label && j <= std::min(height - 1, line + 1); ++j)
+  for (int j = std::max(0, line - 1); pixel.cluttered && any_label && j <= std::min(height - 1, line + 1); ++j)
     for (int i = std::max(0, column - 1); i <= std::min(width - 1, column + 1); ++i)
       for (const Prober::Met& met : prober_.met(j * width + i)) {
         const double before = count;
@@ -106,9 +126,9 @@ void Radiance::find_deviation(const Pixel& pixel, Stratum& stratum) const {
           squares[c] += difference * difference * met.count * before / count;
         }
       }
-  stratum.deviation.resize(columns);
   for (std::size_t c = 0; c < columns; ++c)
-    stratum.deviation[c] = static_cast<float>(std::sqrt(squares[c] / std::max(1.0, count)));
+    deviation[c] = std::max(deviation[c], static_cast<float>(std::sqrt(squares[c] / std::max(1.0, count))));
+  return count;
 }
 
 void Radiance::plan(std::size_t p, std::size_t s, double count) {

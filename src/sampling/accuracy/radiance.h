@@ -59,8 +59,9 @@ class Radiance {
     /// label's mean, and of the squares.
     double strays = 0.0;
     std::vector<double> stray_sum, stray_squares;
-    /// Per column: standard deviation of the lattice's values of the label in the pixel and those around it (in a cluttered
-    /// pixel of all labels, with those that looks and probes have met in it). Empty where all values of the label agree.
+    /// Per column: standard deviation of the lattice's values of the label in the pixel and those around it, of all labels
+    /// where few are its own or its values differ by nature (in a cluttered pixel of all labels, with those that looks and
+    /// probes have met in it). Empty where all values of the label agree.
     std::vector<float> deviation;
     std::size_t count() const;  ///< values that the estimate rests on
   };
@@ -167,6 +168,7 @@ class Radiance {
     std::size_t pixel, stratum, replicate;
   };
   void find_deviation(const Pixel& pixel, Stratum& stratum) const;
+  double widen_deviation(const Pixel& pixel, std::uint32_t label, std::vector<float>& deviation) const;
   void trace_nets();
   void trace_clutter();
   /// Whether a value that was planned for a stratum belongs to it. What lies on the wrong side of a border is

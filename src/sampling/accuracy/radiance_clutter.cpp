@@ -76,10 +76,10 @@ void Radiance::clutter(const Pixel& pixel, const PixelFootprint* footprint, Poin
   moments.assign(columns.size(), {});
   double total = 0.0;
   for (const ClutterRound& round : pixel.rounds) total += round_weight(static_cast<double>(round.count()));
-  ClutterRound::Weights weights;
+  std::vector<double> weights;
   std::vector<double> weighted(columns.size(), 0.0);
   for (const ClutterRound& round : pixel.rounds) {
-    if (footprint != nullptr) round.weigh(*footprint, centre, weights);
+    if (footprint != nullptr) weights = round.weigh(*footprint, centre);
     const double share = round_weight(static_cast<double>(round.count())) / total;
     for (std::size_t c = 0; c < columns.size(); ++c) {
       const ClutterRound::Moment m =

@@ -12,6 +12,10 @@ namespace {
 /// single values differ by on the scale of the lattice, which is far more than they do within a fine grid's cells.
 double borrowed(double own) { return 8.0 / (1.0 + own * own / 64.0); }
 
+/// So many blocks of the lattice tell how values of a label differ. Where they are fewer, other labels tell the rest, which
+/// may be of another kind (a narrow penumbra beside level ground): then all that its own values differ by counts.
+constexpr double kTelling = 8.0;
+
 /// What n values have not met is rarer than x / n but for a share exp(-x) of cases. As a standard error, in units of
 /// 1 / n, with room for what lies farther off than one deviation.
 constexpr double kUnseen = 2.5;
@@ -115,6 +119,7 @@ void Radiance::moments(const Pixel& pixel, std::size_t s, std::span<const int> c
     }
     out.share = cubes / (squares * squares);
     std::vector<double> weighted(n, 0.0);
+    const double told = faults_.other_labels_spread ? 1.0 : std::min(1.0, spread_.blocks(label) / kTelling);
     for (const BlockSums& round : stratum.rounds) {
       const double count = round.count();
       if (count == 0.0) continue;
@@ -123,8 +128,10 @@ void Radiance::moments(const Pixel& pixel, std::size_t s, std::span<const int> c
       for (std::size_t c = 0; c < n; ++c) {
         const int column = columns[c];
         out.mean[c] += count * count / squares * round.mean(column);
-        const double one =
-            (round.squares(column) + lent * spread_.local(label, column)) / (round.blocks() + lent);
+        const double local = spread_.local(label, column);
+        const double whole = count > 1.0 ? round.spread(column) * count / (count - 1.0) : 0.0;
+        const double lent_variance = told * local + (1.0 - told) * std::max(local, whole);
+        const double one = (round.squares(column) + lent * lent_variance) / (round.blocks() + lent);
         const double part = count * count * count / cubes * one;
         out.variance[c] += part;
         weighted[c] += part * part / (round.freedom(column) + lent);

@@ -118,9 +118,12 @@ void LabelSpread::add_look(const Lattice& lattice, const LatticeValues& at, std:
     const int i = std::clamp(static_cast<int>(x), 0, lattice.columns() - 1), j = std::clamp(static_cast<int>(y), 0, lattice.rows() - 1);
     const std::size_t v = static_cast<std::size_t>(j) * row_length + static_cast<std::size_t>(i);
     const std::size_t corner[4] = {v, v + 1, v + row_length, v + row_length + 1};
-    if (std::any_of(corner, corner + 4, [&](std::size_t c) { return at.labels[c] != l; })) continue;
     const double u = x - i, w = y - j;
-    const double weight[4] = {(1.0 - u) * (1.0 - w), u * (1.0 - w), (1.0 - u) * w, u * w};
+    double weight[4] = {(1.0 - u) * (1.0 - w), u * (1.0 - w), (1.0 - u) * w, u * w};
+    // Beside a border: from those of its label alone.
+    const auto own = std::count_if(corner, corner + 4, [&](std::size_t c) { return at.labels[c] == l; });
+    if (own == 0) continue;
+    for (int q = 0; own < 4 && q < 4; ++q) weight[q] = at.labels[corner[q]] == l ? 1.0 / static_cast<double>(own) : 0.0;
     double squares = 1.0;
     for (const double share : weight) squares += share * share;
     local_freedom[l] += 1.0;

@@ -102,6 +102,8 @@ void TileWork::merge_twins() {
   constexpr std::size_t kNone = ~std::size_t{0};
   std::vector<std::size_t> first(table_.size(), kNone);
   at.constant.assign(table_.size(), 1);
+  for (std::uint32_t label = 0; label < table_.size(); ++label)
+    if (ledger_.field().uneven(table_.label(label))) at.constant[label] = 0;
   const auto same = [&](std::size_t v, std::size_t w) {
     return std::equal(at.value(v), at.value(v) + at.columns, at.value(w));
   };

@@ -1,0 +1,122 @@
+// Narrow things whose values vary beside wide ones whose values do not: what is known of the one is nothing about the other.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "accuracy_scenes.h"
+#include "sampling/random.h"
+
+namespace ifov::test {
+namespace {
+
+using namespace sampling;
+
+/// Level ground in the Sun and in shadow, with a penumbra between them in which a path meets the Sun with a chance that
+/// rises evenly across it.
+struct Penumbra {
+  double begin_px, width_px, slope;
+  double lit = 100.0, dark = 10.0;
+
+  double across(double x, double y) const { return (y - slope * x - begin_px) / width_px; }
+  class Field final : public sampling::Field {
+   public:
+    explicit Field(const Penumbra& scene) : scene_(scene) {}
+    int columns() const override { return 1; }
+    void labels(std::span<const FocalPoint> points, std::span<Label> labels) override {
+      for (std::size_t k = 0; k < points.size(); ++k) labels[k] = label(points[k]);
+    }
+    void values(std::span<const PathRequest> requests, std::span<Label> labels, std::span<float> values) override {
+      for (std::size_t k = 0; k < requests.size(); ++k) {
+        const PathRequest& r = requests[k];
+        labels[k] = label(r.point);
+        const double chance = scene_.across(r.point.x_px, r.point.y_px);
+        const bool sees = unit_double(hash(r.sequence, r.index, static_cast<std::uint64_t>(r.point.x_px * 1e9))) < chance;
+        values[k * static_cast<std::size_t>(stride())] = static_cast<float>(sees ? scene_.lit : scene_.dark);
+      }
+    }
+    std::uint32_t material_of(Label) const override { return 0; }
+    bool uneven(Label label) const override { return label == 2; }
+    RayCounts counts() const override { return {}; }
+
+   private:
+    Label label(FocalPoint p) const {
+      const double at = scene_.across(p.x_px, p.y_px);
+      return at < 0.0 ? 1 : at < 1.0 ? 2 : 3;
+    }
+    const Penumbra& scene_;
+  };
+  /// Mean over pixel (i, j), to a part in 1e5.
+  double mean(int i, int j) const {
+    constexpr int kSteps = 400;
+    double sum = 0.0;
+    for (int b = 0; b < kSteps; ++b)
+      for (int a = 0; a < 8; ++a)
+        sum += std::clamp(across(i + (a + 0.5) / 8.0, j + (b + 0.5) / kSteps), 0.0, 1.0);
+    return dark + (lit - dark) * sum / (8.0 * kSteps);
+  }
+};
+
+class Percent final : public Tolerance {
+ public:
+  void limits(std::span<const double> mean, std::span<double> limit) const override {
+    for (std::size_t c = 0; c < mean.size(); ++c) limit[c] = std::max(0.01 * std::abs(mean[c]), 1e-5);
+  }
+  double confidence() const override { return 0.95; }
+};
+
+struct Judged {
+  int pixels = 0, converged = 0, off = 0, far_off = 0;
+};
+
+Judged judge(const AccuracyFaults& faults) {
+  constexpr int kSide = 8;
+  Judged sum;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const Penumbra scene{3.0 + unit_double(hash(seed, 1)), 0.05 + 0.4 * unit_double(hash(seed, 2)),
+                         seed % 3 == 0 ? 0.0 : 0.05 * unit_double(hash(seed, 3))};
+    Penumbra::Field field(scene);
+    const Percent tolerance;
+    const PixelFootprint box = PixelFootprint::box(1.0);
+    const int drivers[] = {0};
+    TileProblem problem;
+    problem.tile = {0, 0, kSide, kSide};
+    problem.image = {-4, -4, kSide + 4, kSide + 4};
+    problem.seed = seed;
+    problem.footprint = &box;
+    problem.tolerance = &tolerance;
+    problem.drivers = drivers;
+    TileResult result;
+    AccuracySampler({}, faults).sample(problem, field, result);
+    for (int p = 0; p < kSide * kSide; ++p) {
+      const auto at = static_cast<std::size_t>(p);
+      const double truth = scene.mean(p % kSide, p / kSide);
+      if (truth == scene.lit || truth == scene.dark) continue;
+      ++sum.pixels;
+      if (!result.converged(at)) continue;
+      ++sum.converged;
+      const double error = std::abs(static_cast<double>(result.mean[at]) - truth), half = static_cast<double>(result.half_width[at]);
+      sum.off += error > half + 1e-4 * truth;
+      sum.far_off += error > 3.0 * half + 1e-4 * truth;
+    }
+  }
+  return sum;
+}
+
+TEST(AccuracyUneven, NarrowPenumbraeBesideLevelGroundAreRight) {
+  const Judged sum = judge({});
+  EXPECT_GT(sum.pixels, 400);
+  EXPECT_GT(sum.converged, 0.95 * sum.pixels);
+  EXPECT_LT(sum.off, 0.07 * sum.converged);
+  EXPECT_LE(sum.far_off, 0.004 * sum.converged);
+}
+
+TEST(AccuracyUneven, PlantedFaultOtherLabelsTellHowTheyVary) {
+  AccuracyFaults faults;
+  faults.other_labels_spread = true;
+  const Judged sum = judge(faults);
+  EXPECT_GT(sum.off, 0.12 * sum.converged);
+  EXPECT_GT(sum.far_off, 0.03 * sum.converged);
+}
+
+}  // namespace
+}  // namespace ifov::test
