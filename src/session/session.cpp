@@ -102,6 +102,10 @@ void tell_of_emitters(const render::SpectralScene& scene, LogSink& log) {
     log.warn(format("light of some surfaces that outshine the scene is found by chance alone: it is not sought from planes "
                     "and terrain, nor from more than {} faces",
                     render::Emitters::kMost));
+  const std::vector<bool> mirrors = scene.scene().mirror_coverings();
+  if (emitters->count() > 0 && std::find(mirrors.begin(), mirrors.end(), true) != mirrors.end())
+    log.warn("light of surfaces that outshine the scene is not sought by way of mirrors: what those throw of it on other "
+             "surfaces is found by chance alone, and pixels near them may be less sure than they say");
 }
 
 }  // namespace

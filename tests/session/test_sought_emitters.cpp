@@ -28,7 +28,8 @@ Session load(const std::string& hot, LogSink* log = nullptr) {
       io::parse_document(
           format(
               R"({{"ifov": 1, "scene": {{"materials": {{"soil": {{"emissivity": 0.9, "temperature": "285 K"}},
-                                                     "hot": {{"emissivity": 1, "temperature": "1300 K"}}}},
+                                                     "hot": {{"emissivity": 1, "temperature": "1300 K"}},
+                                                     "glass": {{"reflectance": 0.9, "scattering": "mirror", "temperature": "285 K"}}}},
                      "objects": [{{"plane": {{}}, "material": "soil"}}, {}]}},
                      "sensor": {{"camera": {{"orthographic": {{"gsd": "1 m", "pixels": [{}, {}], "center": ["{} m", "0 m"]}}}},
                        "channels": [{{"name": "c", "top_hat": {{"from": "3.5 um", "to": "4.1 um"}}}}]}},
@@ -39,6 +40,18 @@ Session load(const std::string& hot, LogSink* log = nullptr) {
 }
 
 const char* const kSphere = R"({"sphere": {"center": ["0 m", "0 m", "6 m"], "radius": "0.15 m"}, "material": "hot"})";
+
+TEST(SoughtEmitters, ByWayOfMirrorsAreNotAndThatIsSaid) {
+  Messages with, without;
+  load(format(R"({}, {{"polygon": {{"vertices": [["3 m", "-2 m", "0 m"], ["3 m", "2 m", "0 m"], ["3 m", "0 m", "4 m"]]}},
+              "material": "glass"}})", kSphere), &with);
+  load(kSphere, &without);
+  constexpr const char* kText = "warning: light of surfaces that outshine the scene is not sought by way of mirrors: what those "
+                                "throw of it on other surfaces is found by chance alone, and pixels near them may be less sure "
+                                "than they say\n";
+  EXPECT_NE(with.text.find(kText), std::string::npos) << with.text;
+  EXPECT_EQ(without.text.find("by way of mirrors"), std::string::npos);
+}
 
 class OneTile final : public render::TileSink {
  public:
