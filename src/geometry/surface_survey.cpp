@@ -49,7 +49,7 @@ class NormalTable {
     const std::size_t known = find(normal);
     if (known != kNone || flats_.size() >= SurfaceSurvey::kMostFlats) return known;
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    flats_.push_back({normal, GrowingBox{}.bounds, 0.0, kInfinity, -kInfinity});
+    flats_.push_back({normal, GrowingBox{}.bounds, 0.0, kInfinity, -kInfinity, {}, false});
     cells_[key(normal)].push_back(flats_.size() - 1);
     return flats_.size() - 1;
   }
@@ -71,6 +71,7 @@ struct BodyFlat {
   GrowingBox box;
   double area_m2 = 0.0;
   Point3 lowest_m, highest_m;  ///< along the normal
+  std::vector<Point3> on_planes_m;  ///< a point of each plane, kMostPlanes + 1 at most
 };
 
 struct BodySurvey {
@@ -155,6 +156,11 @@ class BodySurveyor {
       survey_.flats.push_back(flat);
     }
     BodyFlat& flat = k == NormalTable::kNone ? survey_.flats.back() : survey_.flats[at_[slot][k]];
+    const double offset = offset_of(flat.normal, points[0]);
+    const bool known_plane = std::any_of(flat.on_planes_m.begin(), flat.on_planes_m.end(), [&](Point3 p) {
+      return std::abs(offset_of(flat.normal, p) - offset) < SurfaceSurvey::kSamePlane_m;
+    });
+    if (!known_plane && flat.on_planes_m.size() <= SurfaceSurvey::kMostPlanes) flat.on_planes_m.push_back(points[0]);
     for (const Point3& p : points) {
       flat.box.include(p, p);
       if (offset_of(flat.normal, p) < offset_of(flat.normal, flat.lowest_m)) flat.lowest_m = p;
@@ -228,6 +234,7 @@ class Surveyor {
     endless.box.include({-kEndless_m, -kEndless_m, z}, {kEndless_m, kEndless_m, z});
     endless.area_m2 = kEndless_m;
     endless.lowest_m = endless.highest_m = {0.0, 0.0, z};
+    endless.on_planes_m = {{0.0, 0.0, z}};
     add_flat(endless, Transform{});
   }
 
@@ -245,6 +252,14 @@ class Surveyor {
     GrowingBox box{flat.bounds};
     box.include(bounds);
     flat.bounds = box.bounds;
+    for (const Point3& p : part.on_planes_m) {
+      const double offset = offset_of(flat.normal, scene_from_body(p));
+      const auto same = [&](double other) { return std::abs(other - offset) < SurfaceSurvey::kSamePlane_m; };
+      if (flat.many_planes || std::any_of(flat.planes_m.begin(), flat.planes_m.end(), same)) continue;
+      flat.planes_m.push_back(offset);
+      flat.many_planes = flat.planes_m.size() > SurfaceSurvey::kMostPlanes;
+      if (flat.many_planes) flat.planes_m.clear();
+    }
     const double stretch = largest_stretch(scene_from_body);
     flat.area_m2 += part.area_m2 * stretch * stretch;
     for (const Point3& p : {scene_from_body(part.lowest_m), scene_from_body(part.highest_m)}) {

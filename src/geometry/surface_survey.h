@@ -26,7 +26,13 @@ struct SurfaceSurvey {
     World::Bounds bounds{}; ///< of all of them
     double area_m2 = 0.0;
     double low_m = 0.0, high_m = 0.0;  ///< range of normal . p over them
+    /// normal . p of the planes that they lie in, where those are at most kMostPlanes; else empty.
+    std::vector<double> planes_m;
+    bool many_planes = false;
   };
+  static constexpr std::size_t kMostPlanes = 8;
+  /// Planes nearer to each other than this are one.
+  static constexpr double kSamePlane_m = 1e-5;
   /// A sphere about things.
   struct Ball {
     math::Point3 centre_m;

@@ -149,7 +149,15 @@ void PathLight::add_mirrored(const PathRecord& record, const PathVertex& vertex,
   };
   for (std::uint32_t k = vertex.mirrored; k != PathVertex::kNone; k = record.mirrored[k].next) {
     const PathRecord::Mirrored& light = record.mirrored[k];
-    rows::set_scaled(way, scene_.sun_irradiance(light.height_m, row(kSkyShare)), light.weight, n_);
+    const float* source = nullptr;
+    if (!light.emitted)
+      source = scene_.sun_irradiance(light.height_m, row(kSkyShare));
+    else
+      source = light.emission_mixed == PathVertex::kNone
+                   ? light.emission
+                   : scene_.emission(record.mixed[light.emission_mixed].surface, row(kEmission));
+    if (source == nullptr) continue;
+    rows::set_scaled(way, source, light.weight, n_);
     times(light.surface, light.through);
     for (std::size_t m = 0; m < light.count; ++m) times(light.mirrors[m], false);
     if (throughput != nullptr)

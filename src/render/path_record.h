@@ -50,11 +50,11 @@ struct PathRecord {
     scene::ResolvedSurface surface;
     SurfaceLobe lobe;
   };
-  /// Sunlight that reached a vertex by way of flat mirrors.
+  /// Light that reached a vertex by way of mirrors: the Sun's, or an emitter's.
   struct Mirrored {
     static constexpr std::size_t kMost = 8;
     std::uint32_t next = PathVertex::kNone;  ///< of the same vertex
-    float weight = 0.0f;                     ///< of the factors' product with the Sun's irradiance
+    float weight = 0.0f;                     ///< of the factors' product with the Sun's irradiance, or the emission
     bool through = false;                    ///< transmitted by the vertex, not reflected
     std::uint8_t count = 0;                  ///< of mirrors
     struct Factor {
@@ -64,6 +64,9 @@ struct PathRecord {
     Factor surface;                          ///< of the vertex
     std::array<Factor, kMost> mirrors;
     double height_m = 0.0;                   ///< of the mirror that sees the Sun
+    bool emitted = false;                    ///< not sunlight, but:
+    const float* emission = nullptr;         ///< null: of `emission_mixed`
+    std::uint32_t emission_mixed = PathVertex::kNone;
   };
   std::vector<Path> paths;
   std::vector<PathVertex> vertices;

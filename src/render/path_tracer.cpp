@@ -11,6 +11,7 @@ PathTracer::PathTracer(const SpectralScene& scene, TransportOptions options) : s
   if (scene.scene().sun) disc_.emplace(scene.scene().sun->half_angle_rad);
   if (options.seek_emitters && scene.emitters() != nullptr && scene.emitters()->count() > 0) emitters_ = scene.emitters();
   if (scene.sky_dome() != nullptr && !scene.sky_dome()->sampler().empty()) sky_ = &scene.sky_dome()->sampler();
+  if (emitters_ != nullptr && options.mirror_reflections > 0) emitter_mirrors_ = EmitterMirrors::find(scene.scene());
   mirrors_ = scene.sun_mirrors();
   if (mirrors_ != nullptr) {
     images_ = SunImages(*mirrors_, scene.scene().sun->direction, options.mirror_reflections);
@@ -53,6 +54,7 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
   shadow_rays_.clear();
   seeks_.clear();
   seek_rays_.clear();
+  mirror_seeks_.clear();
   mirror_rays_.clear();
   unseen_rays_.clear();
   for (std::size_t k = 0; k < paths_.size(); ++k) {
@@ -69,6 +71,7 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
   if (!mirror_rays_.empty()) trace_mirror_rays(counts);
 
   if (!seeks_.empty()) trace_seeks(counts);
+  if (!mirror_seeks_.empty()) trace_mirror_seeks(counts);
 
   next_paths_.clear();
   for (Scatter& event : scatters_) {

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "materials/scattering.h"
 #include "math/ray.h"
+#include "render/emitter_mirrors.h"
 #include "render/emitters.h"
 #include "render/mirror_ways.h"
 #include "render/path_record.h"
@@ -65,6 +67,8 @@ class PathTracer {
     Receiver receiver;
     double density = 0.0;      // of the ray's direction, 1/sr, choice of the side included
     double seek_chance = 0.0;  // that emitters were sought on this side; 0: they were not
+    double mirror_chance = 0.0;  // that they were sought by way of a certain plane of mirrors
+    bool unfolded = false;       // the receiver stands behind the mirror that the path has come by
   };
   /// The mirrors that a path came by since the sensor or the last surface where sunlight was sought.
   struct Way {
@@ -96,6 +100,13 @@ class PathTracer {
   struct Seek {  // a ray that was sent to an emitter
     Emitters::Aim aim;
     double weight = 0.0;  // what the sought emission counts if it is seen
+  };
+  struct MirrorSeek {  // a ray that was sent to an emitter by way of a flat mirror
+    Emitters::Aim aim;
+    std::uint32_t event = 0;
+    std::uint32_t plane = 0;
+    math::Ray ray;
+    PathRecord::Mirrored light;
   };
   /// Where the Sun's light may reach a surface from, and what is made of it there.
   struct SunRay {
@@ -148,6 +159,15 @@ class PathTracer {
   void seek(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, const PathKey& key, int depth,
             Scatter& event);
   void trace_seeks(sampling::RayCounts& counts);
+  /// The same by way of flat mirrors.
+  void seek_by_mirrors(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, const Sides& sides,
+                       const geometry::SurfacePoint& hit, const PathKey& key, int depth, Scatter& event);
+  void trace_mirror_seeks(sampling::RayCounts& counts);
+  bool shows_mirror(const scene::ResolvedSurface& surface) const;
+  /// What a mirror leaves of light.
+  PathRecord::Mirrored::Factor mirror_factor(const scene::ResolvedSurface& surface);
+  /// The chance of one plane to be sought by from one surface.
+  double mirror_chance() const;
   /// Notes how the next ray leaves: by reflection or not, sides chosen with a chance.
   void leave(const SurfaceLobe& lobe, const Sides& sides, bool through, double chance, Scatter& event) const;
   /// Share of what a path's ray met that is not sought from where it comes from: all or nothing, by the maximum heuristic.
@@ -179,6 +199,8 @@ class PathTracer {
   const SunMirrors* mirrors_ = nullptr;  // null: there are none, or no Sun
   SunImages images_;
   std::optional<MirrorTracer> mirror_tracer_;
+  std::unique_ptr<const EmitterMirrors> emitter_mirrors_;  // null where nothing is sought by way of mirrors
+  std::vector<MirrorSeek> mirror_seeks_;
   std::vector<MirrorRay> mirror_rays_;
   std::vector<UnseenRay> unseen_rays_;
   std::vector<std::uint32_t> seen_images_;

@@ -124,16 +124,7 @@ void PathTracer::trace_mirror_rays(sampling::RayCounts& counts) {
   mirror_tracer_->trace(
       mirror_rays_, counts,
       [&](MirrorRay& way, const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface) {
-        PathRecord::Mirrored::Factor& factor = way.light.mirrors[way.light.count++];
-        if (surface.count == 1) {
-          factor.row = scene_.materials().reflectance(surface.constituents[0].material);
-        } else {
-          factor.mixed = static_cast<std::uint32_t>(record_.mixed.size());
-          SurfaceLobe lobe;
-          lobe.kind = materials::ScatteringKind::mirror;
-          lobe.scattering = &materials::scattering(lobe.kind);
-          record_.mixed.push_back({surface, lobe});
-        }
+        way.light.mirrors[way.light.count++] = mirror_factor(surface);
         way.light.height_m = hit.position_m.z;
       },
       [&](MirrorRay& way) {

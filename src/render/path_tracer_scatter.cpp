@@ -64,6 +64,8 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
   PathVertex& vertex = event.vertex;
   if (emitters_ != nullptr && depth + 1 != options_.maximum_scatterings && !lobe.scattering->is_delta())
     seek(lobe, sides, hit, path.key, depth, event);
+  const bool by_mirrors = emitter_mirrors_ != nullptr && (options_.maximum_scatterings < 0 || depth + 2 <= options_.maximum_scatterings);
+  if (by_mirrors && !lobe.scattering->is_delta()) seek_by_mirrors(surface, lobe, sides, hit, path.key, depth, event);
   if (depth + 1 != options_.maximum_scatterings &&
       bounce(lobe, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair + 1u), event) &&
       depth + 1 >= kCertainScatterings) {
@@ -72,6 +74,16 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
     const bool survives =
         sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth)) < chance;
     vertex.bounce_weight = survives ? static_cast<float>(vertex.bounce_weight / chance) : 0.0f;
+  }
+  if (by_mirrors && vertex.bounce_weight > 0.0f) {
+    if (!lobe.scattering->is_delta()) {
+      event.left.mirror_chance = lobe.highest_transmittance > 0.0 ? 0.0 : mirror_chance();
+    } else if (path.left.mirror_chance > 0.0 && !vertex.bounce_through) {
+      // The next segment is seen from behind the mirror.
+      const std::uint32_t plane = emitter_mirrors_->plane_of(hit, surface.shading_normal.as_vector());
+      if (plane != EmitterMirrors::kNone)
+        event.left = {emitter_mirrors_->behind(plane, path.left.receiver), path.left.density, path.left.mirror_chance, 0.0, true};
+    }
   }
   if (mirrors_ != nullptr && vertex.bounce_weight > 0.0f) note_way(path, lobe, sides, hit, event);
   if (vertex.mixed != PathVertex::kNone) return;

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "core/version.h"
+#include "render/emitter_mirrors.h"
 #include "render/emitters.h"
 #include "sampling/region_interval.h"
 #include "session/air_statements.h"
@@ -102,10 +103,10 @@ void tell_of_emitters(const render::SpectralScene& scene, LogSink& log) {
     log.warn(format("light of some surfaces that outshine the scene is found by chance alone: it is not sought from planes "
                     "and terrain, nor from more than {} faces",
                     render::Emitters::kMost));
-  const std::vector<bool> mirrors = scene.scene().mirror_coverings();
-  if (emitters->count() > 0 && std::find(mirrors.begin(), mirrors.end(), true) != mirrors.end())
-    log.warn("light of surfaces that outshine the scene is not sought by way of mirrors: what those throw of it on other "
-             "surfaces is found by chance alone, and pixels near them may be less sure than they say");
+  if (emitters->count() > 0 && render::EmitterMirrors::leave_some(scene.scene()))
+    log.warn("light of surfaces that outshine the scene is sought by way of one flat mirror, not of bent ones or of several "
+             "in turn: what those throw of it on other surfaces is found by chance alone, and pixels near them may be less "
+             "sure than they say");
 }
 
 }  // namespace
