@@ -184,4 +184,31 @@ struct PolygonScene {
   double truth() const { return kCold + (kHot - kCold) * polygon_in_rectangle(shape, 1, 1, 2, 2); }
 };
 
+/// One percent of every value, at 95 %.
+class Percent final : public sampling::Tolerance {
+ public:
+  void limits(std::span<const double> mean, std::span<double> limit) const override {
+    for (std::size_t c = 0; c < mean.size(); ++c) limit[c] = std::max(0.01 * std::abs(mean[c]), 1e-5);
+  }
+  double confidence() const override { return 0.95; }
+};
+
+/// A tile of `side` pixels from (0, 0), at that accuracy, plain pixels; the picture goes on around it.
+inline sampling::TileResult sampled_at_a_percent(sampling::Field& field, int side, std::uint64_t seed,
+                                                 const sampling::AccuracyFaults& faults) {
+  const Percent tolerance;
+  const sampling::PixelFootprint box = sampling::PixelFootprint::box(1.0);
+  const int drivers[] = {0};
+  sampling::TileProblem problem;
+  problem.tile = {0, 0, side, side};
+  problem.image = {-4, -4, side + 4, side + 4};
+  problem.seed = seed;
+  problem.footprint = &box;
+  problem.tolerance = &tolerance;
+  problem.drivers = drivers;
+  sampling::TileResult result;
+  sampling::AccuracySampler({}, faults).sample(problem, field, result);
+  return result;
+}
+
 }  // namespace ifov::test

@@ -43,14 +43,6 @@ struct Rows {
   }
 };
 
-class Percent final : public Tolerance {
- public:
-  void limits(std::span<const double> mean, std::span<double> limit) const override {
-    for (std::size_t c = 0; c < mean.size(); ++c) limit[c] = std::max(0.01 * std::abs(mean[c]), 1e-5);
-  }
-  double confidence() const override { return 0.95; }
-};
-
 struct Judged {
   double pixels = 0.0, converged = 0.0, off = 0.0, far_off = 0.0, bias = 0.0;
 };
@@ -58,18 +50,7 @@ struct Judged {
 void judge(const Rows& rows, std::uint64_t seed, const AccuracyFaults& faults, Judged& sum) {
   constexpr int kSide = 10;
   ShapeField field = rows.field();
-  const Percent tolerance;
-  const PixelFootprint box = PixelFootprint::box(1.0);
-  const int drivers[] = {0};
-  TileProblem problem;
-  problem.tile = {0, 0, kSide, kSide};
-  problem.image = {-4, -4, kSide + 4, kSide + 4};
-  problem.seed = seed;
-  problem.footprint = &box;
-  problem.tolerance = &tolerance;
-  problem.drivers = drivers;
-  TileResult result;
-  AccuracySampler({}, faults).sample(problem, field, result);
+  const TileResult result = sampled_at_a_percent(field, kSide, seed, faults);
   for (std::size_t p = 0; p < result.mean.size(); ++p) {
     sum.pixels += 1.0;
     if (!result.converged(p)) continue;

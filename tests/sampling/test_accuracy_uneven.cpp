@@ -56,14 +56,6 @@ struct Penumbra {
   }
 };
 
-class Percent final : public Tolerance {
- public:
-  void limits(std::span<const double> mean, std::span<double> limit) const override {
-    for (std::size_t c = 0; c < mean.size(); ++c) limit[c] = std::max(0.01 * std::abs(mean[c]), 1e-5);
-  }
-  double confidence() const override { return 0.95; }
-};
-
 struct Judged {
   int pixels = 0, converged = 0, off = 0, far_off = 0;
 };
@@ -75,18 +67,7 @@ Judged judge(const AccuracyFaults& faults) {
     const Penumbra scene{3.0 + unit_double(hash(seed, 1)), 0.05 + 0.4 * unit_double(hash(seed, 2)),
                          seed % 3 == 0 ? 0.0 : 0.05 * unit_double(hash(seed, 3))};
     Penumbra::Field field(scene);
-    const Percent tolerance;
-    const PixelFootprint box = PixelFootprint::box(1.0);
-    const int drivers[] = {0};
-    TileProblem problem;
-    problem.tile = {0, 0, kSide, kSide};
-    problem.image = {-4, -4, kSide + 4, kSide + 4};
-    problem.seed = seed;
-    problem.footprint = &box;
-    problem.tolerance = &tolerance;
-    problem.drivers = drivers;
-    TileResult result;
-    AccuracySampler({}, faults).sample(problem, field, result);
+    const TileResult result = sampled_at_a_percent(field, kSide, seed, faults);
     for (int p = 0; p < kSide * kSide; ++p) {
       const auto at = static_cast<std::size_t>(p);
       const double truth = scene.mean(p % kSide, p / kSide);
