@@ -72,16 +72,31 @@ double PixelFootprint::integral(double x0_px, double y0_px, double x1_px, double
   const double x0 = inside(x0_px), x1 = inside(x1_px), y0 = inside(y0_px), y1 = inside(y1_px);
   if (x1 <= x0 || y1 <= y0) return 0.0;
   if (uniform()) return (x1 - x0) * (y1 - y0) * 0.25 / (half_width_ * half_width_);
-  // Summed areas are exact at cell corners; between them each cell counts as uniform.
+  // Of the bilinear density: up to a place, all cells before the last centre count whole, that one and the next in part.
   const double cells_per_px = cells_ / (2.0 * half_width_);
+  struct Share {
+    int cell;
+    double own, next;
+  };
+  const auto share_of = [&](double d) -> Share {
+    const double u = (d + half_width_) * cells_per_px;
+    const int cell = std::clamp(static_cast<int>(std::floor(u - 0.5)), 0, cells_ - 1);
+    const double past = u - 0.5 - cell;  // the centre
+    if (past < 0.0 || cell == cells_ - 1) return {cell, u - cell, 0.0};
+    return {cell, 0.5 + past - 0.5 * past * past, 0.5 * past * past};
+  };
   const auto summed = [&](double x, double y) {
-    const double a = (x + half_width_) * cells_per_px, b = (y + half_width_) * cells_per_px;
-    const int i = std::clamp(static_cast<int>(a), 0, cells_ - 1),
-              j = std::clamp(static_cast<int>(b), 0, cells_ - 1);
-    const double s = a - i, t = b - j;
-    const double* low = &summed_[static_cast<std::size_t>(j * (cells_ + 1) + i)];
-    const double* high = low + cells_ + 1;
-    return (1.0 - t) * ((1.0 - s) * low[0] + s * low[1]) + t * ((1.0 - s) * high[0] + s * high[1]);
+    const Share across = share_of(x), down = share_of(y);
+    const auto row = [&](int j) {
+      const double* sums = &summed_[static_cast<std::size_t>(j * (cells_ + 1) + across.cell)];
+      double sum = sums[0] + across.own * (sums[1] - sums[0]);
+      if (across.next > 0.0) sum += across.next * (sums[2] - sums[1]);
+      return sum;
+    };
+    const double above = row(down.cell), own = row(down.cell + 1);
+    double sum = above + down.own * (own - above);
+    if (down.next > 0.0) sum += down.next * (row(down.cell + 2) - own);
+    return sum;
   };
   return summed(x1, y1) - summed(x0, y1) - summed(x1, y0) + summed(x0, y0);
 }

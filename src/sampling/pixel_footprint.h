@@ -23,7 +23,7 @@ class PixelFootprint {
   /// h(dx, dy), bilinear between cell centres; 0 outside.
   double density(double dx_px, double dy_px) const;
 
-  /// Integral of h over the rectangle [x0, x1] x [y0, y1] (about the pixel's centre), exact for `box`.
+  /// Integral of h over the rectangle [x0, x1] x [y0, y1] (about the pixel's centre), of what density() says.
   double integral(double x0_px, double y0_px, double x1_px, double y1_px) const;
 
  private:

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -59,10 +60,31 @@ TEST(PixelFootprint, DensityIntegratesToOne) {
   }
 }
 
+// Small things are weighed by density(), the cells about them by integral(): where the two differ, so do small bright
+// things from what they are.
+TEST(PixelFootprint, IntegralIsThatOfTheDensity) {
+  std::vector<double> values;
+  constexpr int kCells = 9;
+  for (int k = 0; k < kCells * kCells; ++k) values.push_back(1.0 + std::sin(1.7 * k));
+  const PixelFootprint footprint = PixelFootprint::tabulated(1.5, kCells, values);
+  for (const auto& [x0, y0, x1, y1] : {std::array{-0.31, 0.12, -0.27, 0.15}, {-1.5, -1.5, -1.4, 1.5}, {1.31, 1.2, 1.5, 1.5},
+                                       {-0.7, -0.9, 0.4, 1.3}, {-1.5, -1.5, 1.5, 1.5}}) {
+    constexpr int kSteps = 900;
+    double sum = 0.0;
+    for (int j = 0; j < kSteps; ++j)
+      for (int i = 0; i < kSteps; ++i)
+        sum += footprint.density(x0 + (i + 0.5) / kSteps * (x1 - x0), y0 + (j + 0.5) / kSteps * (y1 - y0));
+    sum *= (x1 - x0) * (y1 - y0) / (kSteps * kSteps);
+    EXPECT_NEAR(footprint.integral(x0, y0, x1, y1), sum, 1e-5 * sum);
+  }
+}
+
 TEST(PixelFootprint, RowsRunDownwards) {
   const PixelFootprint f = PixelFootprint::tabulated(1.0, 2, {1.0, 0.0, 0.0, 0.0});
-  EXPECT_DOUBLE_EQ(f.integral(-1, -1, 0, 0), 1.0);
-  EXPECT_DOUBLE_EQ(f.integral(0, 0, 1, 1), 0.0);
+  // Between the centres the density falls evenly: an eighth lies beyond the middle on each side.
+  EXPECT_DOUBLE_EQ(f.integral(-1, -1, 0, 0), 0.875 * 0.875);
+  EXPECT_DOUBLE_EQ(f.integral(0, -1, 1, 0), 0.875 * 0.125);
+  EXPECT_DOUBLE_EQ(f.integral(0, 0, 1, 1), 0.125 * 0.125);
 }
 
 TEST(PixelFootprint, RefusesNonsense) {
