@@ -30,16 +30,16 @@ std::vector<math::Vec3> fixed_disc_points(math::Vec3 towards_sun, double half_an
   return points;
 }
 
-std::unique_ptr<MirrorLight> MirrorLight::find(const SpectralScene& scene, int reflections) {
+std::unique_ptr<MirrorLight> MirrorLight::find(const SpectralScene& scene, const SunImages& images,
+                                               int reflections) {
   const SunMirrors* mirrors = scene.sun_mirrors();
   if (mirrors == nullptr || reflections <= 0) return nullptr;
-  SunImages images(*mirrors, scene.scene().sun->direction, reflections);
   if (images.images().empty() && mirrors->rounds().empty()) return nullptr;
-  return std::unique_ptr<MirrorLight>(new MirrorLight(scene, std::move(images)));
+  return std::unique_ptr<MirrorLight>(new MirrorLight(scene, images));
 }
 
-MirrorLight::MirrorLight(const SpectralScene& scene, SunImages images)
-    : scene_(scene), mirrors_(*scene.sun_mirrors()), images_(std::move(images)), tracer_(scene, mirrors_, images_) {
+MirrorLight::MirrorLight(const SpectralScene& scene, const SunImages& images)
+    : scene_(scene), mirrors_(*scene.sun_mirrors()), images_(images), tracer_(scene, mirrors_, images_) {
   for (const SunImages::Image& image : images_.images()) {
     if (disc_points_.size() == kMostImages) break;
     disc_points_.push_back(fixed_disc_points(image.direction, scene.scene().sun->half_angle_rad));

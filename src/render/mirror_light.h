@@ -19,8 +19,9 @@ std::vector<math::Vec3> fixed_disc_points(math::Vec3 towards_sun, double half_an
 /// ones how bright all are together, in steps of two.
 class MirrorLight {
  public:
-  /// Null where no mirror throws the Sun. Keeps a reference to the scene.
-  static std::unique_ptr<MirrorLight> find(const SpectralScene& scene, int reflections);
+  /// Null where no mirror throws the Sun, or nothing is sought by way of mirrors (`reflections` 0). Keeps references to the
+  /// scene and to the Sun's images in its flat mirrors.
+  static std::unique_ptr<MirrorLight> find(const SpectralScene& scene, const SunImages& images, int reflections);
   MirrorLight(const MirrorLight&) = delete;
   MirrorLight& operator=(const MirrorLight&) = delete;
 
@@ -47,7 +48,7 @@ class MirrorLight {
     double round_light = 0.0;  // in parts of the Sun's irradiance
     std::array<std::uint8_t, kMostImages> seen{};  // points of the disc, by image
   };
-  MirrorLight(const SpectralScene& scene, SunImages images);
+  MirrorLight(const SpectralScene& scene, const SunImages& images);
   void trace(sampling::RayCounts& counts);
   struct State {
     std::uint64_t bits = 0;
@@ -57,7 +58,7 @@ class MirrorLight {
 
   const SpectralScene& scene_;
   const SunMirrors& mirrors_;
-  SunImages images_;
+  const SunImages& images_;
   std::vector<std::vector<math::Vec3>> disc_points_;  // by image
   MirrorTracer tracer_;
   std::vector<Way> ways_;

@@ -11,7 +11,7 @@ PathTracer::PathTracer(const SpectralScene& scene, TransportOptions options) : s
   if (scene.scene().sun) disc_.emplace(scene.scene().sun->half_angle_rad);
   if (options.seek_emitters && scene.emitters() != nullptr && scene.emitters()->count() > 0) emitters_ = scene.emitters();
   if (scene.sky_dome() != nullptr && !scene.sky_dome()->sampler().empty()) sky_ = &scene.sky_dome()->sampler();
-  if (emitters_ != nullptr && options.mirror_reflections > 0) emitter_mirrors_ = EmitterMirrors::find(scene.scene());
+  if (emitters_ != nullptr && options.mirror_reflections > 0) emitter_mirrors_ = scene.emitter_mirrors();
   mirrors_ = scene.sun_mirrors();
   if (mirrors_ != nullptr) {
     images_ = SunImages(*mirrors_, scene.scene().sun->direction, options.mirror_reflections);

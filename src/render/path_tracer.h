@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -52,6 +51,9 @@ class PathTracer {
   PathTracer(const SpectralScene& scene, TransportOptions options);
   PathTracer(const PathTracer&) = delete;
   PathTracer& operator=(const PathTracer&) = delete;
+
+  /// The Sun's images in flat mirrors that are sought; none where there are no mirrors or no Sun.
+  const SunImages& sun_images() const { return images_; }
 
   /// The paths of rays from the sensor; the record holds until the next call. `first_hits` receives what each ray met.
   /// Adds shadow and bounce rays to `counts`.
@@ -199,7 +201,7 @@ class PathTracer {
   const SunMirrors* mirrors_ = nullptr;  // null: there are none, or no Sun
   SunImages images_;
   std::optional<MirrorTracer> mirror_tracer_;
-  std::unique_ptr<const EmitterMirrors> emitter_mirrors_;  // null where nothing is sought by way of mirrors
+  const EmitterMirrors* emitter_mirrors_ = nullptr;  // null where nothing is sought by way of mirrors
   std::vector<MirrorSeek> mirror_seeks_;
   std::vector<MirrorRay> mirror_rays_;
   std::vector<UnseenRay> unseen_rays_;

@@ -23,7 +23,7 @@ SceneField::SceneField(const SpectralScene& scene, const sensor::Camera& camera,
       blends_(scene.scene(), truth_, static_cast<int>(scene.nodes().channel_count())),
       map_detail_(scene.scene(), camera),
       unseen_(scene, blends_.first_column() + blends_.count()),
-      mirror_light_(detail == LabelDetail::sun_state ? MirrorLight::find(scene, transport.mirror_reflections) : nullptr) {
+      mirror_light_(detail == LabelDetail::sun_state ? MirrorLight::find(scene, tracer_.sun_images(), transport.mirror_reflections) : nullptr) {
   if (scene.scene().sun) disc_points_ = fixed_disc_points(scene.scene().sun->direction, scene.scene().sun->half_angle_rad);
   const std::vector<materials::Material>& materials = scene.scene().materials;
   for (std::uint32_t m = 0; m < materials.size(); ++m)

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "render/emitter_mirrors.h"
 #include "render/emitters.h"
 
 namespace ifov::render {
@@ -29,7 +30,7 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::Spectr
                           light_.values(kViewTransmittance));
     if (scene.view_path.radiance) nodes.average_source(*scene.view_path.radiance, light_.values(kViewRadiance));
   }
-  emitters_ = Emitters::find(*this);
+  find_emitters();
 }
 
 SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::SensorAtmosphere& air)
@@ -48,7 +49,7 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Sensor
   if (!air.sights().single()) view_table_.emplace(air, towards_sun, ground);
   light_heights(air);
   light_surroundings();
-  emitters_ = Emitters::find(*this);
+  find_emitters();
   find_mirrors();
 }
 
@@ -67,7 +68,7 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Import
   }
   couple(air, sky, std::vector<float>(node_count(), 0.0f));
   light_surroundings();
-  emitters_ = Emitters::find(*this);
+  find_emitters();
   find_mirrors();
 }
 
@@ -138,6 +139,11 @@ void SpectralScene::emit(const scene::SurfaceState& state, float* row) const {
   nodes_.planck(state.temperature_k, std::span<float>(planck));
   const float* emissivity = materials_.emissivity(state.material);
   for (std::size_t n = 0; n < planck.size(); ++n) row[n] = emissivity[n] * planck[n];
+}
+
+void SpectralScene::find_emitters() {
+  emitters_ = Emitters::find(*this);
+  if (emitters_ != nullptr && emitters_->count() > 0) emitter_mirrors_ = EmitterMirrors::find(scene_);
 }
 
 void SpectralScene::find_mirrors() {

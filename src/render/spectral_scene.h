@@ -17,6 +17,7 @@
 
 namespace ifov::render {
 
+class EmitterMirrors;
 class Emitters;
 
 /// The scene's spectra as rows over the spectral nodes of a sensor: what a path multiplies and adds.
@@ -62,6 +63,8 @@ class SpectralScene {
 
   /// Null where no surface outshines the others so much that its light has to be sought.
   const Emitters* emitters() const { return emitters_.get(); }
+  /// The planes of mirrors by way of which it is sought; null where there are none, or nothing to seek.
+  const EmitterMirrors* emitter_mirrors() const { return emitter_mirrors_.get(); }
 
   /// Whether sunlight and skylight change with the height of what they fall on.
   bool light_by_height() const { return !heights_m_.empty(); }
@@ -78,6 +81,7 @@ class SpectralScene {
  private:
   const float* emission(const scene::Constituent& constituent, float* scratch) const;
   void emit_surfaces();
+  void find_emitters();
   void find_mirrors();
   void emit(const scene::SurfaceState& state, float* row) const;
   void light_surroundings();
@@ -102,6 +106,7 @@ class SpectralScene {
   radiometry::SpectrumBlock sun_rows_, sky_rows_;  // by height
   bool has_view_path_ = false;
   std::shared_ptr<const Emitters> emitters_;
+  std::shared_ptr<const EmitterMirrors> emitter_mirrors_;
   std::optional<SunMirrors> mirrors_;
 };
 

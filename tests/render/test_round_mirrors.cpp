@@ -159,19 +159,25 @@ TEST(RoundMirrors, ANarrowSunIsFoundAndChanceDoesNotFindIt) {
   EXPECT_LT(sought.standard_error, 0.01 * sought.mean);
 }
 
-TEST(RoundMirrors, LightOfABallOnTheGroundIsThatOfItsIntensity) {
+TEST(RoundMirrors, LightOfABallIsThatOfTheClosedForm) {
+  // The Sun overhead, a normal 60 degrees from it: light leaves the ball 60 degrees from the nadir. Of directions that
+  // differ in the plane of incidence the ball spreads 1 + 2 L / (R cos 60), across it 1 + 2 L cos 60 / R.
+  constexpr double kRadius = 2.0, kHeight = 5.0, kCosine = 0.5;
+  const double sine = std::sqrt(0.75), at_z = kHeight + kRadius * kCosine, way = at_z / kCosine;
   SmallScene scene;
   scene.place(geometry::Plane{}, scene.material(kGround));
-  scene.place(geometry::Sphere{{0.0, 0.0, 50.0}, 0.5}, scene.material(kMirror, 0.0, kMirrorKind));
-  scene.sun({0.0, 0.0, 1.0}, kIrradiance, 0.00465);
+  scene.place(geometry::Sphere{{0.0, 0.0, kHeight}, kRadius}, scene.material(kMirror, 0.0, kMirrorKind));
+  scene.sun({0.0, 0.0, 1.0}, kIrradiance, 0.0);
   scene.build();
-  render::TransportOptions without;
+  // The ground and the ball once each: what the ground throws back to the ball is another 0.3 %.
+  render::TransportOptions with, without;
+  with.maximum_scatterings = without.maximum_scatterings = 2;
   without.mirror_reflections = 0, without.sought_only = true;
-  const math::Ray ray = down_on(30.0, 0.0);
-  const double ball = scene.radiance(ray, 256, 1).mean - scene.radiance(ray, 256, 1, without).mean;
-  const double distance2 = 30.0 * 30.0 + 50.0 * 50.0;
-  const double irradiance = kMirror * kIrradiance * 0.5 * 0.5 / 4.0 / distance2 * (50.0 / std::sqrt(distance2));
-  EXPECT_NEAR(ball, kGround / std::numbers::pi * irradiance, 0.02 * kGround / std::numbers::pi * irradiance);
+  const math::Ray ray = down_on(kRadius * sine + way * sine, 0.0);
+  const double ball = scene.radiance(ray, 1 << 10, 1, with).mean - scene.radiance(ray, 1 << 10, 1, without).mean;
+  const double spread = (1.0 + 2.0 * way / (kRadius * kCosine)) * (1.0 + 2.0 * way * kCosine / kRadius);
+  const double expected = kGround / std::numbers::pi * kMirror * kIrradiance * kCosine / spread;
+  EXPECT_NEAR(ball, expected, 2e-3 * expected);
 }
 
 }  // namespace

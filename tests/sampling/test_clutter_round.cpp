@@ -16,7 +16,8 @@ constexpr std::size_t kStride = 16;
 /// A round over pixel (2, 3) of a picture, whose value may depend on a key that is different for every path.
 ClutterRound filled(int side, std::uint64_t key, bool keep,
                     const std::function<double(double x, double y, std::uint64_t path)>& picture,
-                    double* by_blocks = nullptr) {
+                    double* by_blocks = nullptr, double* by_steps = nullptr) {
+  std::vector<double> cells(static_cast<std::size_t>(side * side));
   ClutterRound round(side, kStride, keep);
   for (std::uint32_t block = 0; block < round.blocks(); ++block) {
     std::vector<PathRequest> requests;
@@ -28,8 +29,18 @@ ClutterRound filled(int side, std::uint64_t key, bool keep,
     const std::uint32_t materials[4] = {7, 7, 7, 8};
     const double twist = static_cast<double>(values[0]) - values[kStride] - values[2 * kStride] + values[3 * kStride];
     if (by_blocks != nullptr) *by_blocks += twist * twist / std::pow(side, 4);
+    for (std::size_t q = 0; q < requests.size(); ++q) {
+      const int i = static_cast<int>((requests[q].point.x_px - 2.0) * side), j = static_cast<int>((requests[q].point.y_px - 3.0) * side);
+      cells[static_cast<std::size_t>(j * side + i)] = static_cast<double>(values[q * kStride]);
+    }
     round.add_block(values.data(), materials, std::span<const PathRequest>(requests).first<ClutterRound::kBlock>());
   }
+  for (int j = 0; by_steps != nullptr && j < side; ++j)
+    for (int i = 0; i < side; ++i) {
+      const auto at = [&](int column, int row) { return cells[static_cast<std::size_t>(row * side + column)]; };
+      if (i + 1 < side) *by_steps += std::pow(at(i + 1, j) - at(i, j), 2) / 8.0 / std::pow(side, 4);
+      if (j + 1 < side) *by_steps += std::pow(at(i, j + 1) - at(i, j), 2) / 8.0 / std::pow(side, 4);
+    }
   return round;
 }
 
@@ -95,24 +106,28 @@ TEST(ClutterRound, PointsOnOneSideOfABorderDoNotMakeItExact) {
 TEST(ClutterRound, UnlikeNeighboursTellTheVarianceOfStraightBorders) {
   constexpr int kBorders = 1500;
   for (const int side : {6, 10, 20}) {
-    double variance = 0.0, least = 0.0;
+    double variance = 0.0, steps = 0.0;
+    int more = 0;
     for (int k = 0; k < kBorders; ++k) {
       const double angle = 6.283185307179586 * unit_double(hash(8, k, 0)), offset = 0.7 * (unit_double(hash(8, k, 1)) - 0.5);
       const double x = std::cos(angle), y = std::sin(angle);
       double mean[2];
       for (int twin = 0; twin < 2; ++twin) {
-        double by_blocks = 0.0;
+        double by_blocks = 0.0, by_steps = 0.0;
         const ClutterRound round = filled(
             side, hash(9, k, twin), false,
-            [&](double px, double py, std::uint64_t) { return (px - 0.5) * x + (py - 0.5) * y > offset ? 1.0 : 0.0; }, &by_blocks);
+            [&](double px, double py, std::uint64_t) { return (px - 0.5) * x + (py - 0.5) * y > offset ? 1.0 : 0.0; }, &by_blocks,
+            &by_steps);
         mean[twin] = round.moment(0).mean;
-        if (round.moment(0).variance > by_blocks) least += 0.5;
-        EXPECT_GE(round.moment(0).variance, by_blocks * (1.0 - 1e-9));
+        steps += 0.5 * by_steps;
+        more += by_steps > by_blocks;
+        EXPECT_NEAR(round.moment(0).variance, std::max(by_blocks, by_steps), 1e-12);
       }
       variance += 0.5 * (mean[0] - mean[1]) * (mean[0] - mean[1]);
     }
-    EXPECT_GT(least, 0.01 * kBorders) << "where blocks see too little";
-    EXPECT_GT(variance, 0.0);
+    EXPECT_GT(steps, 0.85 * variance) << side;
+    EXPECT_LT(steps, 1.1 * variance) << side;
+    EXPECT_GT(more, 0.02 * kBorders) << "blocks alone see too little there";
   }
 }
 
