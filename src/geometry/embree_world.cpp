@@ -81,6 +81,7 @@ bool EmbreeWorld::load(RayPacket& packet, std::span<const Ray> rays, double* shi
     packet.low[k] = t_min[k] - s, packet.high[k] = t_max[k] - s;
     packet.near[k] = kInfinity, packet.exact[k] = kUnknown;
     packet.best[k].kind = Candidate::none;
+    packet.same_count[k] = 0;
     valid[k] = meets && k < count ? -1 : 0;
     any |= valid[k];
     embree.org_x[k] = float(packet.x[k]), embree.org_y[k] = float(packet.y[k]),
@@ -91,6 +92,7 @@ bool EmbreeWorld::load(RayPacket& packet, std::span<const Ray> rays, double* shi
     embree.mask[k] = ~0u, embree.id[k] = unsigned(k), embree.flags[k] = 0;
   }
   packet.window_m = window_m_;
+  packet.same_m = same_m_;
   packet.table = table();
   rtcInitIntersectContext(&packet.context);
   return any != 0;
@@ -100,9 +102,8 @@ void EmbreeWorld::meet_planes(RayPacket& packet, std::size_t count) const {
   for (std::uint32_t i = 0; i < planes_.size(); ++i) {
     for (std::size_t k = 0; k < count; ++k) {
       const double t = (planes_[i].z_m - packet.z[k]) / packet.dz[k];
-      if (!packet.within(k, t) || !(t < packet.near[k])) continue;
-      packet.near[k] = packet.exact[k] = t;
-      packet.best[k] = {Candidate::plane, RTC_INVALID_GEOMETRY_ID, i, 0, nullptr};
+      if (!packet.within(k, t)) continue;
+      packet.take(k, t, t, {Candidate::plane, RTC_INVALID_GEOMETRY_ID, i, 0, &planes_[i].object});
     }
   }
 }
@@ -126,7 +127,11 @@ void EmbreeWorld::intersect(std::span<const Ray> rays, std::span<SurfacePoint> h
         embree.hit.geomID[k] = embree.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
       rtcIntersect8(valid, scene_.get(), &packet.context, &embree);
     }
-    for (std::size_t k = 0; k < count; ++k) finish(packet, k, rays[begin + k], shift[k], hits[begin + k]);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::uint32_t shared_with = packet.settle(k);
+      finish(packet, k, rays[begin + k], shift[k], hits[begin + k]);
+      hits[begin + k].shared_with = shared_with;
+    }
   }
   late_failure_.rethrow_if_any();
 }

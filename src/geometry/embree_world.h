@@ -8,6 +8,7 @@
 
 #include "geometry/chunked_mesh.h"
 #include "geometry/embree_scene.h"
+#include "geometry/growing_box.h"
 #include "geometry/instance_set.h"
 #include "geometry/oriented_extent.h"
 #include "geometry/piece_walk.h"
@@ -31,6 +32,7 @@ class EmbreeWorld final : public World {
   void intersect(std::span<const math::Ray> rays, std::span<SurfacePoint> hits) const override;
   void occluded(std::span<const math::Ray> rays, std::span<std::uint8_t> blocked) const override;
   Bounds bounds() const override { return bounds_; }
+  Heights heights() const override { return heights_; }
   std::size_t object_count() const override { return objects_.size(); }
   PlacedObject object(std::size_t number) const override;
   std::size_t triangle_count() const override { return triangle_count_; }
@@ -78,6 +80,7 @@ class EmbreeWorld final : public World {
   void note_objects(const WorldContent& content, const std::vector<bool>& instanced);
   void find_bounds(const WorldContent& content, const PieceWalk& walk, const std::vector<bool>& instanced,
                    std::vector<double>& shrink);
+  void find_heights(const WorldContent& content, GrowingBox box);
   double box_padding_m() const;
   void build_prototypes(WorldContent& content, const std::vector<bool>& instanced, const std::vector<double>& shrink);
   void place_pieces(WorldContent& content, const PieceWalk& walk, const PrototypePlan& plan,
@@ -121,9 +124,11 @@ class EmbreeWorld final : public World {
 
   math::Point3 centre_m_;  ///< of the scene's bounds: Embree's origin
   Bounds bounds_{};
+  Heights heights_;
   Bounds padded_{};       ///< about the centre, widened
   double scale_m_ = 0.0;  ///< largest coordinate about the centre
   double window_m_ = 0.0;
+  double same_m_ = 0.0;  ///< surfaces nearer to each other than this lie in one place
   double triangle_offset_m_ = 0.0;
 
   std::vector<Figure> figures_;  ///< by template

@@ -107,6 +107,15 @@ void EmbreeWorld::choose_chunked(WorldContent& content, const PrototypePlan& pla
   }
 }
 
+void EmbreeWorld::find_heights(const WorldContent& content, GrowingBox box) {
+  for (const Run& run : content.runs)
+    if (const std::optional<Plane>& plane = content.templates[run.what.of].plane) {
+      const Point3 on_plane = run.what.whole_from_list(Point3{0.0, 0.0, plane->z_m});
+      box.include(on_plane, on_plane);
+    }
+  if (!box.empty()) heights_ = {box.bounds.low_m.z, box.bounds.high_m.z};
+}
+
 void EmbreeWorld::find_bounds(const WorldContent& content, const PieceWalk& walk, const std::vector<bool>& instanced,
                               std::vector<double>& shrink) {
   GrowingBox box;
@@ -122,12 +131,14 @@ void EmbreeWorld::find_bounds(const WorldContent& content, const PieceWalk& walk
     if (const auto& field = content.templates[run.what.of].field)
       box.include(image_of(field->bounds(), run.what.whole_from_list));
   if (!box.empty()) bounds_ = box.bounds;
+  find_heights(content, box);
 
   centre_m_ = bounds_.low_m + (bounds_.high_m - bounds_.low_m) * 0.5;
   const Vec3 half = (bounds_.high_m - bounds_.low_m) * 0.5;
   scale_m_ = std::max({half.x, half.y, half.z});
   // Embree's floats err by a few units of 2^-24 of the scene's size; at grazing incidence by many times that.
   window_m_ = std::ldexp(scale_m_, -17);
+  same_m_ = std::ldexp(scale_m_, -34);
   triangle_offset_m_ = std::ldexp(scale_m_, -22);
   const double padding = box_padding_m();
   padded_ = {{-half.x - padding, -half.y - padding, -half.z - padding},

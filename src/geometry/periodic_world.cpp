@@ -28,20 +28,12 @@ PeriodicWorld::PeriodicWorld(std::unique_ptr<World> world, Cell cell) : world_(s
     throw InputError(format("a scene repeats every {} m x {} m; expected positive lengths", cell.width_m,
                             cell.height_m));
   bool bounded = false;
-  low_z_m_ = kInfinity, high_z_m_ = -kInfinity;
-  for (std::size_t k = 0; k < world_->object_count(); ++k) {
-    const PlacedObject object = world_->object(k);
-    if (std::isfinite(object.radius_m)) {
-      bounded = true;
-      continue;
-    }
-    low_z_m_ = std::min(low_z_m_, object.centre_m.z);
-    high_z_m_ = std::max(high_z_m_, object.centre_m.z);
-  }
+  for (std::size_t k = 0; !bounded && k < world_->object_count(); ++k)
+    bounded = std::isfinite(world_->object(k).radius_m);
+  const Heights heights = world_->heights();
+  low_z_m_ = heights.low_m, high_z_m_ = heights.high_m;
   if (bounded) {
     const Bounds b = world_->bounds();
-    low_z_m_ = std::min(low_z_m_, b.low_m.z);
-    high_z_m_ = std::max(high_z_m_, b.high_m.z);
     const auto reach = [](double first, double length, double low, double high, int& from, int& to) {
       constexpr double kSlack = 1e-9;
       from = static_cast<int>(std::floor((first - high) / length + kSlack)) + 1;

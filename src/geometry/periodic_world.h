@@ -30,6 +30,7 @@ class PeriodicWorld final : public World {
   void occluded(std::span<const math::Ray> rays, std::span<std::uint8_t> blocked) const override;
   /// Of the one world.
   Bounds bounds() const override { return world_->bounds(); }
+  Heights heights() const override { return world_->heights(); }
   std::size_t object_count() const override { return world_->object_count(); }
   PlacedObject object(std::size_t number) const override { return world_->object(number); }
   Storage storage() const override { return world_->storage(); }

@@ -4,13 +4,16 @@
 #include <limits>
 #include <map>
 
+#include "core/byte_count.h"
 #include "core/error.h"
+#include "core/machine_memory.h"
 
 namespace ifov::geometry {
 namespace {
 
 // Bytes in memory, trees included.
 constexpr double kTriangleBytes = 140.0, kShapeBytes = 300.0, kInstanceBytes = 220.0;
+constexpr double kLeastInstanceBytes = 70.0;  // in a table of our own
 /// What is flattened without a look at the alternative.
 constexpr double kSmall_bytes = 64.0 * 1048576.0;
 
@@ -47,6 +50,16 @@ class Least {
   const WorldContent& content_;
   const std::vector<Contents>& contents_;
 };
+
+/// Before anything is built: copies that cannot even be listed.
+void require_room(const PrototypePlan& plan) {
+  std::uint64_t copies = 0;
+  for (const std::uint64_t standing : plan.copies) copies += standing > 1 ? standing : 0;
+  const double bytes = kLeastInstanceBytes * static_cast<double>(copies);
+  if (const std::uint64_t room = memory_within_reach_bytes(); room > 0 && bytes > static_cast<double>(room))
+    throw EnvironmentError(format("{:.3g} copies of objects take at least {}, and {} of memory are there",
+                                  static_cast<double>(copies), byte_count(static_cast<std::uint64_t>(bytes)), byte_count(room)));
+}
 
 Body body_from_parts(const WorldContent& content, std::uint32_t of, std::map<std::uint32_t, Body>& inner) {
   const Template& t = content.templates[of];
@@ -117,6 +130,7 @@ PrototypePlan plan_prototypes(const WorldContent& content, const std::vector<Con
     }
     plan.copies[t] = 0;
   }
+  require_room(plan);
   return plan;
 }
 

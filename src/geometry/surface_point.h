@@ -29,6 +29,8 @@ struct SurfacePoint {
   std::uint32_t material = kNoMaterial;  ///< index into the scene's materials
   std::uint32_t primitive = 0;
   bool front = true;      ///< the ray met the outer side
+  /// An object placed earlier whose surface lies in the same place, but for rounding; kNoMaterial: there is none.
+  std::uint32_t shared_with = kNoMaterial;
   Bend bend = Bend::none;
   double offset_m = 0.0;  ///< a secondary ray starts this far along the normal, on the side it leaves to
   std::int32_t copy_column = 0, copy_row = 0;  ///< of a periodic world: periods from the object's own place

@@ -22,8 +22,8 @@ class World {
  public:
   virtual ~World() = default;
 
-  /// Nearest surface along each ray; equal distances go to the smallest (distance in double, instance,
-  /// primitive).
+  /// Nearest surface along each ray. Of several objects in one place, but for the rounding of doubles, the one placed
+  /// last is met (a road on the plane that it lies in); of one object's surfaces the one with the smallest number.
   virtual void intersect(std::span<const math::Ray> rays, std::span<SurfacePoint> hits) const = 0;
 
   /// 1 where anything lies strictly between t_min_m and t_max_m.
@@ -34,6 +34,12 @@ class World {
     math::Point3 low_m, high_m;
   };
   virtual Bounds bounds() const = 0;
+
+  /// Lowest and highest point of everything, planes included (those are no part of the bounds); 0 of an empty world.
+  struct Heights {
+    double low_m = 0.0, high_m = 0.0;
+  };
+  virtual Heights heights() const = 0;
 
   /// A placed object, by its instance number: centre and radius of a bounding sphere (radius
   /// infinite for planes). Seeds of small compact objects come from here.

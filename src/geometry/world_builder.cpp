@@ -94,15 +94,17 @@ ShapeId WorldBuilder::add_prototype(std::span<const Part> parts) {
     if (!part.slots.empty() && part.slots.size() != t.slot_count)
       throw InputError(format("a part has {} material slots, {} are given", t.slot_count, part.slots.size()));
     TemplatePart kept{part.what.value, part.prototype_from_part, part.list, part.slots};
+    for (const std::uint32_t s : part.slots) whole.slot_count = std::max(whole.slot_count, s + 1);
     if (kept.copies() == 0) continue;
     for (std::size_t k = 0; k < kept.copies(); ++k) require_invertible(kept.whole_from_copy(k));
-    for (const std::uint32_t s : part.slots) whole.slot_count = std::max(whole.slot_count, s + 1);
     whole.parts.push_back(std::move(kept));
   }
   if (whole.parts.empty()) throw InputError("a prototype has no parts");
   content_->templates.push_back(std::move(whole));
   return {static_cast<std::uint32_t>(content_->templates.size() - 1)};
 }
+
+std::uint32_t WorldBuilder::object_count() const { return content_->object_count; }
 
 std::size_t WorldBuilder::slot_count(ShapeId what) const { return content_->at(what).slot_count; }
 

@@ -65,6 +65,9 @@ class WorldBuilder {
   /// depth.
   ShapeId add_prototype(std::span<const Part> parts);
 
+  /// Objects placed so far: the number of the next.
+  std::uint32_t object_count() const;
+
   /// Number of material slots that `place` expects; 1 for every shape but meshes and prototypes.
   std::size_t slot_count(ShapeId what) const;
 

@@ -244,7 +244,7 @@ TEST(World, ShapesStandOnAPlane) {
   EXPECT_FALSE(blocked(*world, {{0.5, 0.5, 0.5}, {0, 0, -1}, 0.6}));
 }
 
-TEST(World, EqualDistancesGoToTheFirstInstanceAndPrimitive) {
+TEST(World, OfObjectsInOnePlaceTheLastIsMetAndOfItsSurfacesTheFirst) {
   WorldBuilder builder;
   TriangleMesh sheet = test::height_field(6, {});
   const std::size_t triangles = sheet.triangles.size();
@@ -258,9 +258,46 @@ TEST(World, EqualDistancesGoToTheFirstInstanceAndPrimitive) {
         hit_of(*world, {5 * test::uniform(12, 2 * i) - 2.5, 5 * test::uniform(12, 2 * i + 1) - 2.5, 9},
                {0.02, 0.05, -1});
     ASSERT_TRUE(hit.hit());
-    EXPECT_EQ(hit.instance, 0u);
+    EXPECT_EQ(hit.instance, 2u);
     EXPECT_LT(hit.primitive, triangles);
+    EXPECT_LT(hit.shared_with, 2u);
   }
+}
+
+TEST(World, ARoadInAPlaneIsMetFromAllSidesAndWhereverTheyLie) {
+  // Far from the origin and aslant: both distances are rounded, each in its own way.
+  for (const double z : {0.0, 0.1, 431.7}) {
+    WorldBuilder builder;
+    builder.place(builder.add_shape(geometry::Plane{}), Transform::translation({0.0, 0.0, z}), kOne);
+    const ShapeId road = builder.add_shape(Polygon{{{-3, -1, 0}, {3, -1, 0}, {3, 1, 0}, {-3, 1, 0}}});
+    const ShapeId marking = builder.add_shape(Polygon{{{-3, -0.1, 0}, {3, -0.1, 0}, {3, 0.1, 0}, {-3, 0.1, 0}}});
+    builder.place(road, Transform::translation({5210.3, 77.7, z}), kOne);
+    builder.place(builder.add_shape(Box{{-1, -1, 0}, {1, 1, 3}}), Transform::translation({-5000.1, 0, z}), kOne);
+    builder.place(marking, Transform::translation({5210.3, 77.7, z}), kOne);
+    const auto world = builder.build(1);
+    for (std::uint64_t i = 0; i < 2000; ++i) {
+      const Vec3 direction{test::uniform(3, 4 * i) - 0.5, test::uniform(3, 4 * i + 1) - 0.5, -0.3};
+      const math::Point3 on{5210.3 + 5.0 * test::uniform(3, 4 * i + 2) - 2.5, 77.7 + 1.9 * test::uniform(3, 4 * i + 3) - 0.95, z};
+      if (std::abs(std::abs(on.y - 77.7) - 0.1) < 1e-6) continue;
+      const SurfacePoint hit = hit_of(*world, on - direction * 100.0, direction);
+      ASSERT_EQ(hit.instance, std::abs(on.y - 77.7) < 0.1 ? 3u : 1u);
+      ASSERT_LT(hit.shared_with, hit.instance);
+    }
+    EXPECT_EQ(hit_of(*world, {5300, 0, 500 + z}, {0, 0, -1}).instance, 0u);
+    EXPECT_EQ(hit_of(*world, {5300, 0, 500 + z}, {0, 0, -1}).shared_with, geometry::kNoMaterial);
+    EXPECT_EQ(world->heights().high_m, 3.0 + z);
+    EXPECT_EQ(world->heights().low_m, z);
+  }
+}
+
+TEST(World, HeightsHoldPlanesAndBoundsDoNot) {
+  WorldBuilder builder;
+  builder.place(builder.add_shape(Box{{0, 0, -2}, {1, 1, -1}}), {}, kOne);
+  builder.place(builder.add_shape(geometry::Plane{100.0}), {}, kOne);
+  const auto world = builder.build(1);
+  EXPECT_EQ(world->bounds().high_m.z, -1.0);
+  EXPECT_EQ(world->heights().low_m, -2.0);
+  EXPECT_EQ(world->heights().high_m, 100.0);
 }
 
 TEST(World, InputIsChecked) {
