@@ -106,12 +106,12 @@ Kind<UserLevel> level_kind() {
 void check_levels(const DocumentNode& atmosphere, const std::vector<UserLevel>& levels) {
   for (std::size_t k = 1; k < levels.size(); ++k) {
     const UserLevel &below = levels[k - 1], &here = levels[k];
-    const DocumentNode& node = atmosphere.find("levels")->items()[k];
+    const DocumentNode& node = atmosphere.given("levels").items()[k];
     if (!(here.altitude_km > below.altitude_km))
-      node.find("altitude")->fail(format("the altitudes of a profile must rise: {:g} km follows {:g} km",
+      node.given("altitude").fail(format("the altitudes of a profile must rise: {:g} km follows {:g} km",
                                          here.altitude_km, below.altitude_km));
     if (!(here.pressure_hPa < below.pressure_hPa))
-      node.find("pressure")->fail(format("the pressures of a profile must fall: {:g} hPa follows {:g} hPa",
+      node.given("pressure").fail(format("the pressures of a profile must fall: {:g} hPa follows {:g} hPa",
                                          here.pressure_hPa, below.pressure_hPa));
   }
 }

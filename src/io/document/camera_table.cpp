@@ -94,8 +94,8 @@ Kind<FrameCamera> frame_kind() {
       .check([](const FrameEntry& entry, const DocumentNode& node) {
         const auto* look_at = std::get_if<LookAt>(&entry.camera.orientation);
         if (look_at != nullptr && look_at->target_m == entry.camera.position_m) {
-          node.find("look_at")->fail(
-              format("{} is where the camera itself is", node.find("look_at")->title()));
+          node.given("look_at").fail(
+              format("{} is where the camera itself is", node.given("look_at").title()));
         }
       });
   return converted<FrameCamera>(record.kind(), [](FrameEntry entry) {

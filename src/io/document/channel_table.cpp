@@ -29,7 +29,7 @@ Kind<GaussianChannel> gaussian_kind() {
 }
 
 void check_rising(const DocumentNode& node, double from, double to) {
-  if (!(to > from)) node.find("to")->fail(format("{} is not above 'from'", node.find("to")->title()));
+  if (!(to > from)) node.given("to").fail(format("{} is not above 'from'", node.given("to").title()));
 }
 
 Kind<TopHatChannel> top_hat_kind() {

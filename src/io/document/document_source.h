@@ -27,9 +27,12 @@ class DocumentSource {
   InputError error(const SourcePosition& position, std::string_view message) const;
 
  private:
+  std::size_t characters_before(std::size_t offset) const;
+
   std::string text_;
   std::string file_name_;
   std::vector<std::size_t> line_starts_;
+  std::vector<std::size_t> characters_;  ///< of the text before every kStride-th byte: a file may be one line
 };
 
 /// The same for a text without an index of its lines.

@@ -127,7 +127,8 @@ Kind<std::vector<std::pair<std::string, V>>> map_of(const Kind<V>& item, const s
             check_map(node, *description);
             std::vector<std::pair<std::string, V>> values;
             for (const DocumentNode& child : node.members()) {
-              values.emplace_back(child.key(), read(*node.find(child.key())));
+              child.mark_read();
+              values.emplace_back(child.key(), read(child));
             }
             return values;
           }};

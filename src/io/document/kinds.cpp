@@ -13,6 +13,7 @@ using Type = DocumentNode::Type;
 
 constexpr std::size_t kLongestLabel = 200;
 constexpr std::size_t kLongestPath = 4096;
+constexpr double kSmallest = 1e-15, kLargest = 1e15;  // of plain numbers
 
 /// " above 0 m", " between -90 and 90 deg", or nothing.
 std::string range_text(const Range& range) {
@@ -48,6 +49,17 @@ std::string without_article(std::string_view name) {
   return std::string(name.substr(std::min(name.size(), name.find(' ') + 1)));
 }
 
+/// Whether a number is neither beyond reason nor, where it must be above zero, too near to that.
+bool sensible(double value, const Range& range, double smallest, double largest) {
+  const bool must_be_positive = range.above_minimum && range.minimum == 0.0;
+  return std::isfinite(value) && std::abs(value) <= largest && (!must_be_positive || value >= smallest);
+}
+
+/// "1,5 m": a decimal comma, which ends a number here.
+bool has_decimal_comma(std::string_view unit) {
+  return unit.size() > 1 && unit[0] == ',' && unit[1] >= '0' && unit[1] <= '9';
+}
+
 void set_range(ValueDescription& description, const Range& range) {
   description.minimum = range.minimum;
   description.maximum = range.maximum;
@@ -73,6 +85,9 @@ double read_quantity(const DocumentNode& node, const Dimension& dimension, const
   if (parts->unit.empty()) {
     node.fail(format("{} is {} without a unit, expected {}", node.title(), node.found(), expected));
   }
+  if (has_decimal_comma(parts->unit))
+    node.fail(format("{} is {}: decimals follow a point, such as \"{}.{}\"", node.title(), node.found(), parts->number,
+                     parts->unit.substr(1)));
   const Unit* unit = dimension.find(parts->unit);
   if (unit == nullptr) {
     std::vector<std::string> spellings;
@@ -92,6 +107,14 @@ double read_quantity(const DocumentNode& node, const Dimension& dimension, const
                                : limit_unit       ? (value - limit_unit->offset) / limit_unit->factor
                                                   : value;
   if (!std::isfinite(value) || !within(in_limit_unit, range)) node.fail_expected(expected);
+  if (!sensible(value, range, dimension.smallest, dimension.largest)) {
+    const Unit& first = dimension.units.front();
+    node.fail(format("{} is {}, which is too {}: {} here is {} {:g} {}", node.title(), node.found(),
+                     std::abs(value) > dimension.largest ? "large" : "small", dimension.name,
+                     std::abs(value) > dimension.largest ? "at most" : "at least",
+                     ((std::abs(value) > dimension.largest ? dimension.largest : dimension.smallest) - first.offset) / first.factor,
+                     first.spelling));
+  }
   return value;
 }
 
@@ -135,8 +158,15 @@ Kind<double> number(const Range& range) {
   set_range(d, range);
   auto description = std::make_shared<const ValueDescription>(std::move(d));
   return {description, [description, range](const DocumentNode& node) {
+            const bool is_share = range.minimum == 0.0 && range.maximum == 1.0;
+            if (node.type() == Type::number && is_share && node.number() > 1.0 && node.number() <= 100.0)
+              node.fail(format("{} is {}, expected {}; {:g} % is {:g}", node.title(), node.found(), description->expected,
+                               node.number(), node.number() / 100.0));
             if (node.type() != Type::number || !within(node.number(), range))
               node.fail_expected(description->expected);
+            if (!sensible(node.number(), range, kSmallest, kLargest))
+              node.fail(format("{} is {}, which is too {} to mean anything: expected {:g} to {:g}", node.title(), node.found(),
+                               std::abs(node.number()) > kLargest ? "large" : "small", kSmallest, kLargest));
             return node.number();
           }};
 }

@@ -26,7 +26,7 @@ Kind<std::vector<std::pair<std::int64_t, DocumentName>>> classes_kind() {
               const auto parsed = std::from_chars(key.data(), key.data() + key.size(), number);
               if (parsed.ec != std::errc() || parsed.ptr != key.data() + key.size() ||
                   format("{}", number) != key || key.size() > 19) {
-                node.find(key)->fail_at_key(format("the key '{}' is not a class number of a raster", key));
+                node.given(key).fail_at_key(format("the key '{}' is not a class number of a raster", key));
               }
               classes.emplace_back(number, std::move(name));
             }
@@ -45,7 +45,7 @@ Kind<TextureImage> texture_image_kind() {
                 "shortest wavelength that the picture was taken in")
       .required("to", &TextureImage::to_um, quantity(kWavelength, Range::above(0.0, "um")), "longest wavelength")
       .check([](const TextureImage& image, const DocumentNode& node) {
-        if (!(image.from_um < image.to_um)) node.find("to")->fail_at_key("'to' must be a longer wavelength than 'from'");
+        if (!(image.from_um < image.to_um)) node.given("to").fail_at_key("'to' must be a longer wavelength than 'from'");
       });
   return record.kind();
 }

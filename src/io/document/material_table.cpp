@@ -55,12 +55,12 @@ Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind() {
       .check([](const MaterialDocument& material, const DocumentNode& node) {
         const char* key = material.is_emissivity ? "emissivity" : "reflectance";
         if (material.transmittance && material.is_emissivity)
-          node.find("transmittance")->fail_at_key("give the 'reflectance' of a material with a transmittance, not its "
+          node.given("transmittance").fail_at_key("give the 'reflectance' of a material with a transmittance, not its "
                                                   "emissivity, which follows from both");
         if (!material.further_curves.empty() && !material.texture)
-          node.find(key)->fail_at_key("several curves need a 'texture' that picks among them");
+          node.given(key).fail_at_key("several curves need a 'texture' that picks among them");
         if (material.texture && material.further_curves.empty())
-          node.find("texture")->fail_at_key(
+          node.given("texture").fail_at_key(
               format("a texture picks among several curves; give a list of them as '{}'", key));
       });
   return map_of(record.kind(), "materials", kMostMaterials);

@@ -70,6 +70,11 @@ const DocumentNode* DocumentNode::find(std::string_view key) const {
   return &*found;
 }
 
+const DocumentNode& DocumentNode::given(std::string_view key) const {
+  const DocumentNode* member = find(key);
+  return member != nullptr ? *member : *this;
+}
+
 std::string DocumentNode::found() const {
   switch (type_) {
     case Type::null:

@@ -40,7 +40,10 @@ class DocumentNode {
 
   /// The member of that name, now marked as read; null where there is none.
   const DocumentNode* find(std::string_view key) const;
+  /// The same where it is there, else this object itself: where an error about a key is shown that may not be given.
+  const DocumentNode& given(std::string_view key) const;
   bool was_read() const { return read_; }
+  void mark_read() const { read_ = true; }
 
   /// What was found, for messages: `the number 3`, `the text "abc"`, `a list of 2`, `an object`, ...
   std::string found() const;

@@ -46,7 +46,7 @@ Kind<Quicklook> quicklook_kind() {
         if (quicklook.channels.size() == 2) {
           node.find("channels")
               ->fail(format("{} has two channels: a picture has one, or three for red, green and blue",
-                            node.find("channels")->title()));
+                            node.given("channels").title()));
         }
       });
   return record.kind();

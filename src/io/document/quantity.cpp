@@ -109,25 +109,25 @@ std::string escaped(std::string_view literal) {
 
 }  // namespace
 
-const Dimension kLength{"a length", "1 m", kLengthUnits};
-const Dimension kWavelength{"a wavelength", "0.55 um", kWavelengthUnits};
-const Dimension kAngle{"an angle", "30 deg", kAngleUnits};
-const Dimension kTemperature{"a temperature", "20 degC", kTemperatureUnits};
-const Dimension kTemperatureDifference{"a temperature difference", "0.1 K", kTemperatureDifferenceUnits};
+const Dimension kLength{"a length", "1 m", kLengthUnits, 1e-9, 1e12};
+const Dimension kWavelength{"a wavelength", "0.55 um", kWavelengthUnits, 1e-3, 1e5};
+const Dimension kAngle{"an angle", "30 deg", kAngleUnits, 1e-12, 1e4};
+const Dimension kTemperature{"a temperature", "20 degC", kTemperatureUnits, 0.1, 1e5};
+const Dimension kTemperatureDifference{"a temperature difference", "0.1 K", kTemperatureDifferenceUnits, 1e-9, 1e5};
 const Dimension kSunDistance{"a distance of the Sun", "1.016 au", kSunDistanceUnits};
-const Dimension kPixels{"a number of pixels", "0.6 px", kPixelUnits};
-const Dimension kPercent{"a percentage", "1 %", kPercentUnits};
-const Dimension kReflectance{"a reflectance", "0.002 reflectance", kReflectanceUnits};
-const Dimension kNoise{"a share of the sensor's noise", "0.5 noise", kNoiseUnits};
+const Dimension kPixels{"a number of pixels", "0.6 px", kPixelUnits, 1e-6, 1e6};
+const Dimension kPercent{"a percentage", "1 %", kPercentUnits, 1e-12, 1e6};
+const Dimension kReflectance{"a reflectance", "0.002 reflectance", kReflectanceUnits, 1e-12, 1e6};
+const Dimension kNoise{"a share of the sensor's noise", "0.5 noise", kNoiseUnits, 1e-9, 1e6};
 const Dimension kRadiance{"a spectral radiance", "12 W m-2 sr-1 um-1", kRadianceUnits};
-const Dimension kDensity{"a density", "300 ha-1", kDensityUnits};
+const Dimension kDensity{"a density", "300 ha-1", kDensityUnits, 1e-15, 1e9};
 const Dimension kIrradiance{"a spectral irradiance", "1800 W m-2 um-1", kIrradianceUnits};
-const Dimension kSpeed{"a speed", "3 m/s", kSpeedUnits};
-const Dimension kPressure{"a pressure", "1013 hPa", kPressureUnits};
-const Dimension kWaterColumn{"a column of water vapour", "2.1 g/cm2", kWaterColumnUnits};
-const Dimension kOzoneColumn{"a column of ozone", "320 DU", kOzoneColumnUnits};
-const Dimension kMixingRatio{"a mixing ratio", "8 g/kg", kMixingRatioUnits};
-const Dimension kMixingRatioByVolume{"a mixing ratio by volume", "420 ppm", kMixingRatioByVolumeUnits};
+const Dimension kSpeed{"a speed", "3 m/s", kSpeedUnits, 1e-9, 1e6};
+const Dimension kPressure{"a pressure", "1013 hPa", kPressureUnits, 1e-12, 1e6};
+const Dimension kWaterColumn{"a column of water vapour", "2.1 g/cm2", kWaterColumnUnits, 1e-12, 1e6};
+const Dimension kOzoneColumn{"a column of ozone", "320 DU", kOzoneColumnUnits, 1e-12, 1e6};
+const Dimension kMixingRatio{"a mixing ratio", "8 g/kg", kMixingRatioUnits, 1e-12, 1e6};
+const Dimension kMixingRatioByVolume{"a mixing ratio by volume", "420 ppm", kMixingRatioByVolumeUnits, 1e-12, 1e9};
 
 const Unit* Dimension::find(std::string_view spelling) const {
   for (const Unit& unit : units) {

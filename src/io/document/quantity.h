@@ -20,6 +20,9 @@ struct Dimension {
   std::string_view name;     ///< with its article: "a length"
   std::string_view example;  ///< "1 m"
   std::span<const Unit> units;
+  /// What is further from zero means nothing here, nor what must be above zero and is nearer to it; in the unit that the
+  /// comment below names.
+  double smallest = 1e-30, largest = 1e30;
 
   const Unit* find(std::string_view spelling) const;
   std::string unit_list() const;  ///< "m, km, cm": those that are offered

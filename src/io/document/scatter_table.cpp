@@ -34,7 +34,7 @@ Kind<std::variant<double, DensityMap>> density_kind() {
       .with_default("unit", &DensityMap::density_of_one_m2, quantity(kDensity, Range::above(0.0, "m-2")),
                     "\"1 m-2\"", "density that the number 1 of the raster means")
       .check([](const DensityMap& m, const DocumentNode& node) {
-        if (m.raster.by_texture) node.find("by")->fail_at_key("a density map lies by place");
+        if (m.raster.by_texture) node.given("by").fail_at_key("a density map lies by place");
       });
   const auto fixed =
       converted<Density>(quantity(kDensity, Range::above(0.0, "m-2")), [](double d) { return Density(d); });
@@ -52,8 +52,8 @@ Kind<Area> area_kind() {
       .required("high", &Area::high_m, corner, "x and y of the opposite corner")
       .check([](const Area& a, const DocumentNode& node) {
         if (!(a.low_m[0] < a.high_m[0] && a.low_m[1] < a.high_m[1]))
-          node.find("high")->fail(
-              format("{} is not above 'low' in both coordinates", node.find("high")->title()));
+          node.given("high").fail(
+              format("{} is not above 'low' in both coordinates", node.given("high").title()));
       });
   return area.kind();
 }
@@ -108,7 +108,7 @@ Kind<ScatterShape> scatter_kind() {
   const Kind<ScatterShape> kind = record.kind();
   return {kind.description, [read = kind.read](const DocumentNode& node) {
             ScatterShape scatter = read(node);
-            scatter.density_position = node.find("density")->position();
+            scatter.density_position = node.given("density").position();
             return scatter;
           }};
 }

@@ -52,7 +52,7 @@ Kind<OriginDocument> origin_kind() {
       .needs("northing", "easting")
       .check([](const OriginDocument& origin, const DocumentNode& node) {
         if (!origin.crs.empty() && !origin.has_map_offset && !origin.geographic)
-          node.find("crs")->fail_at_key("with 'crs', give 'easting' and 'northing', or 'latitude' and 'longitude'");
+          node.given("crs").fail_at_key("with 'crs', give 'easting' and 'northing', or 'latitude' and 'longitude'");
       });
   return converted<OriginDocument>(record.kind(), [](OriginDocument origin) {
     if (origin.has_map_offset) origin.offset_m.z = origin.height_m;

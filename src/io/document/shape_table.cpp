@@ -35,7 +35,7 @@ math::Vec3 area_vector(const std::vector<math::Point3>& vertices) {
 }
 
 void check_polygon(const PolygonShape& polygon, const DocumentNode& node) {
-  const DocumentNode& list = *node.find("vertices");
+  const DocumentNode& list = node.given("vertices");
   const math::Vec3 area = area_vector(polygon.vertices_m);
   double size = 0.0;
   for (const math::Point3& vertex : polygon.vertices_m) {
@@ -67,8 +67,8 @@ Kind<BoxShape> box_kind() {
       .check([](const BoxShape& box, const DocumentNode& node) {
         const math::Vec3 size = box.high_m - box.low_m;
         if (!(size.x > 0.0 && size.y > 0.0 && size.z > 0.0)) {
-          node.find("high")->fail(
-              format("{} is not above 'low' in every coordinate", node.find("high")->title()));
+          node.given("high").fail(
+              format("{} is not above 'low' in every coordinate", node.given("high").title()));
         }
       });
   return record.kind();
@@ -95,7 +95,7 @@ Kind<CylinderShape> cylinder_kind() {
       .with_default("capped", &CylinderShape::capped, boolean(), "true", "with a disk at each end")
       .check([](const CylinderShape& cylinder, const DocumentNode& node) {
         if (!(math::length(cylinder.axis_m) > 0.0)) {
-          node.find("axis")->fail(format("{} has no length", node.find("axis")->title()));
+          node.given("axis").fail(format("{} has no length", node.given("axis").title()));
         }
       });
   return record.kind();
@@ -146,7 +146,7 @@ Kind<CityShape> city_kind() {
         const auto digit = [&](std::size_t k) { return lod[k] >= '0' && lod[k] <= '9'; };
         const bool good = lod.empty() || (lod.size() == 1 && digit(0)) ||
                           (lod.size() == 3 && digit(0) && lod[1] == '.' && digit(2));
-        if (!good) node.find("lod")->fail_expected("a level of detail such as \"2\" or \"2.2\"");
+        if (!good) node.given("lod").fail_expected("a level of detail such as \"2\" or \"2.2\"");
       });
   return record.kind();
 }

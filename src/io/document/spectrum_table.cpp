@@ -38,7 +38,7 @@ Kind<SpectrumDocument> finished_file(Record<Entry<Source>>& record, SpectrumOf q
                 "first and last wavelength that count; what is noise beyond them is not looked at")
       .check([](const Entry<Source>& entry, const DocumentNode& node) {
         if (entry.range_um && !((*entry.range_um)[0] < (*entry.range_um)[1]))
-          node.find("range")->fail(format("{} does not rise", node.find("range")->title()));
+          node.given("range").fail(format("{} does not rise", node.given("range").title()));
       });
   return finished(record, quantity_of);
 }
@@ -200,7 +200,7 @@ Kind<SpectrumDocument> library_kind(SpectrumOf quantity_of) {
   return {entry.description, [entry, quantity_of](const DocumentNode& node) {
             SpectrumDocument spectrum = entry.read(node);
             LibrarySource& source = std::get<LibrarySource>(spectrum.source);
-            const LibraryMaterial& material = at_node(*node.find("library"), [&]() -> const LibraryMaterial& {
+            const LibraryMaterial& material = at_node(node.given("library"), [&]() -> const LibraryMaterial& {
               return material_library().find(source.material);
             });
             if (const DocumentNode* curve = node.find("curve")) {
@@ -226,12 +226,12 @@ Kind<TableSpectrum> table_kind(SpectrumOf quantity_of) {
                 "one value for each wavelength")
       .check([](const TableSpectrum& table, const DocumentNode& node) {
         if (table.values.size() != table.wavelength_um.size()) {
-          node.find("values")->fail(format("{} has {} values for {} wavelengths", node.title(),
+          node.given("values").fail(format("{} has {} values for {} wavelengths", node.title(),
                                            table.values.size(), table.wavelength_um.size()));
         }
         for (std::size_t i = 1; i < table.wavelength_um.size(); ++i) {
           if (table.wavelength_um[i] > table.wavelength_um[i - 1]) continue;
-          const DocumentNode& late = node.find("wavelength")->items()[i];
+          const DocumentNode& late = node.given("wavelength").items()[i];
           late.fail(format("{} does not rise above the wavelength before it", late.title()));
         }
       });
