@@ -17,9 +17,13 @@ std::uint16_t ClassMap::largest_class() const { return *std::max_element(classes
 TemperatureMap::TemperatureMap(MapGrid grid, std::vector<float> temperature_k)
     : grid_(grid), temperature_k_(std::move(temperature_k)) {
   check(grid_, temperature_k_.size(), "a map");
-  for (const float value : temperature_k_)
-    if (!(value > 0.0f) || !std::isfinite(value))
-      throw InputError(format("a temperature map holds {:g} K; temperatures must be above 0 K", value));
+  for (std::size_t k = 0; k < temperature_k_.size(); ++k) {
+    const float value = temperature_k_[k];
+    if (value > 0.0f && value <= static_cast<float>(kHottest_k)) continue;
+    const auto width = static_cast<std::size_t>(grid_.width);
+    throw InputError(format("{:g} K at row {}, column {} is no temperature: expected above 0 K and at most {:g} K", value,
+                            k / width + 1, k % width + 1, kHottest_k));
+  }
 }
 
 double TemperatureMap::at_k(const MapPlace& place) const {

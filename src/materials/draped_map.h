@@ -26,7 +26,10 @@ class ClassMap {
 /// Temperatures, bilinear between the middles of cells.
 class TemperatureMap {
  public:
-  /// As ClassMap; temperatures in kelvins, all above 0.
+  static constexpr double kHottest_k = 1e5;
+
+  /// As ClassMap; temperatures in kelvins. Throws InputError, which names row and column, where one is not above 0 or
+  /// above kHottest_k.
   TemperatureMap(MapGrid grid, std::vector<float> temperature_k);
   double at_k(const MapPlace& place) const;
   double at_k(double x_m, double y_m) const { return at_k(MapPlace{x_m, y_m}); }

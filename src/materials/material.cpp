@@ -14,8 +14,8 @@ constexpr double kSlack = 1e-9;
 void check_fraction(const Material& material, const radiometry::Spectrum& spectrum, const char* what) {
   const double low = spectrum.minimum(), high = spectrum.maximum();
   if (low < -kSlack || high > 1.0 + kSlack)
-    throw InputError(format("material '{}': {} must lie between 0 and 1; it reaches from {:g} to {:g}",
-                            material.name, what, low, high));
+    throw InputError(format("material '{}': {} must lie between 0 and 1; it reaches from {:g} to {:g}{}", material.name, what,
+                            low, high, high > 1.5 && high <= 100.0 ? "; if it is in percent, say \"scale\": 0.01" : ""));
 }
 
 /// Both are linear between the points of either, so that their sum is highest at one of them.

@@ -1,16 +1,12 @@
 #include "io/raster/elevation.h"
 
-#include <gdal.h>
-#include <gdal_alg.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <utility>
 
 #include "core/error.h"
-#include "io/raster/quiet_gdal.h"
+#include "io/raster/fill_unknown.h"
 #include "io/raster/raster.h"
 
 namespace ifov::io {
@@ -28,38 +24,6 @@ double metres_per(const std::string& unit, const std::string& name) {
   if (lower == "us-ft" || lower == "us survey foot" || lower == "ftus") return kSurveyFoot_m;
   if (lower == "cm") return 0.01;
   throw InputError(format("{}: the unit of its heights is '{}'; give 'unit'", name, unit));
-}
-
-struct CloseDataset {
-  void operator()(void* dataset) const { GDALClose(dataset); }
-};
-
-/// A band in memory that GDAL's algorithms can work on.
-template <class T>
-std::unique_ptr<void, CloseDataset> memory_band(std::vector<T>& values, int width, int height, GDALDataType type) {
-  std::unique_ptr<void, CloseDataset> set(
-      GDALCreate(GDALGetDriverByName("MEM"), "", width, height, 1, type, nullptr));
-  if (!set || GDALRasterIO(GDALGetRasterBand(set.get(), 1), GF_Write, 0, 0, width, height, values.data(), width,
-                           height, type, 0, 0) != CE_None)
-    throw EnvironmentError("no memory to fill holes of a terrain");
-  return set;
-}
-
-void fill(Elevation& terrain, const std::string& name) {
-  const QuietGdal gdal;
-  std::vector<unsigned char> known;
-  for (float& value : terrain.height_m) {
-    known.push_back(std::isfinite(value) ? 255 : 0);
-    if (!std::isfinite(value)) value = 0.0f;
-  }
-  const auto heights = memory_band(terrain.height_m, terrain.width, terrain.height, GDT_Float32);
-  const auto mask = memory_band(known, terrain.width, terrain.height, GDT_Byte);
-  const double everywhere = std::hypot(terrain.width, terrain.height);
-  const GDALRasterBandH band = GDALGetRasterBand(heights.get(), 1);
-  if (GDALFillNodata(band, GDALGetRasterBand(mask.get(), 1), everywhere, 0, 0, nullptr, nullptr, nullptr) != CE_None ||
-      GDALRasterIO(band, GF_Read, 0, 0, terrain.width, terrain.height, terrain.height_m.data(), terrain.width,
-                   terrain.height, GDT_Float32, 0, 0) != CE_None)
-    throw InputError(format("{}: the holes cannot be filled: {}", name, gdal.message()));
 }
 
 }  // namespace
@@ -84,7 +48,7 @@ Elevation read_elevation(const std::filesystem::path& path, int band, std::optio
   }
   if (terrain.unknown == cells) throw InputError(format("{}: no cell has a height", name));
   if (terrain.unknown > 0 && unknown == UnknownHeights::fill) {
-    fill(terrain, name);
+    fill_unknown(terrain.height_m, terrain.width, terrain.height, name);
     terrain.filled = true;
   }
   return terrain;

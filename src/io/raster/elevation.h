@@ -26,10 +26,8 @@ struct Elevation {
 };
 
 /// Reads a band (from 1) of a raster as heights. `unit_m`: metres per unit of the numbers; none: as the file says,
-/// metres where it says nothing. Unknown are the file's nodata value and whatever is not finite. They are filled by
-/// GDAL's rule (GDALFillNodata without smoothing): the mean of the nearest known cells in the four quadrants, weighted
-/// by the inverse of their distance. Throws InputError, also where no height is known or the unit is not one of
-/// length.
+/// metres where it says nothing. Unknown are the file's nodata value and whatever is not finite. They are filled as
+/// fill_unknown() says. Throws InputError, also where no height is known or the unit is not one of length.
 Elevation read_elevation(const std::filesystem::path& path, int band, std::optional<double> unit_m,
                          UnknownHeights unknown);
 

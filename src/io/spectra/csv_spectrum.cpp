@@ -31,6 +31,14 @@ WavelengthUnit parse_wavelength_unit(const std::string& name) {
   throw InputError(format("found the unit '{}'; expected 'um', 'nm' or 'cm-1'", name));
 }
 
+/// "0,4"
+bool has_decimal_comma(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  return comma > 0 && comma + 1 < text.size() &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c == ',' || (c >= '0' && c <= '9'); }) &&
+         text.find(',', comma + 1) == std::string_view::npos;
+}
+
 radiometry::Spectrum read_csv_spectrum(const std::filesystem::path& path, const CsvSpectrumOptions& options) {
   return parse_csv_spectrum(TextFile(path), options);
 }
@@ -50,6 +58,8 @@ radiometry::Spectrum parse_csv_spectrum(const TextFile& file, const CsvSpectrumO
     if (separator == '\0') separator = separator_of(line);
     std::vector<Field> fields = split(line, separator);
     const std::optional<double> wavelength = x < fields.size() ? number_in(fields[x].text) : std::nullopt;
+    if (rows.empty() && !wavelength && x < fields.size() && has_decimal_comma(fields[x].text))
+      file.fail(number, fields[x].column, format("found '{}'; expected a number whose decimals follow a point", fields[x].text));
     if (rows.empty() && !wavelength) {
       heading = std::move(fields);
       heading_line = number;
