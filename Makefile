@@ -23,7 +23,7 @@ program: configure
 	@$(TOOLS) --target ifov
 
 demo: program
-	@$(BUILD)/ifov render examples/demo.json --output $(BUILD)/demo
+	@$(BUILD)/ifov render examples/demo.json --output $(BUILD)/demo || test $$? -eq 5
 	@echo "Picture: $(BUILD)/demo/image_quicklook.png"
 	@echo "Report:  $(BUILD)/demo/image_report.html (open it in a browser)"
 

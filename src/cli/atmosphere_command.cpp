@@ -66,7 +66,7 @@ ExitCode look(const AtmosphereArguments& arguments) {
   question.spectrum = arguments.wants_plot || !arguments.csv.empty();
   question.threads = arguments.threads;
   question.cancel = &cancel_on_interrupt();
-  console.begin("atmosphere");
+  console.phase("atmosphere");
   question.progress = &console;
   question.log = &console;
   const io::AirReport report = session::survey_atmosphere(io::read_document(arguments.document), question);

@@ -13,11 +13,10 @@ namespace {
 
 struct CheckArguments {
   std::vector<std::string> files;
-  bool quiet = false, no_cache = false;
+  bool quiet = false, no_cache = false, strict = false;
 };
 
 std::string description_of(const std::string& file, bool no_cache, Console& console) {
-  console.begin("atmosphere");
   std::string text = session::Session::load(io::read_document(file), &console,
                                              {.scene_cache = !no_cache, .progress = &console})
                          .description();
@@ -29,7 +28,10 @@ std::string description_of(const std::string& file, bool no_cache, Console& cons
 /// All files are looked at, whatever is wrong with the first of them.
 ExitCode check(const CheckArguments& arguments) {
   Console console(arguments.quiet, "");
-  ExitCode outcome = ExitCode::ok;
+  ExitCode outcome = ExitCode::ok;  // the first of the worst
+  const auto note = [&](ExitCode found) {
+    if (outcome == ExitCode::ok || outcome == ExitCode::warned || found == ExitCode::environment) outcome = found;
+  };
   for (const std::string& file : arguments.files) {
     try {
       const std::string text = description_of(file, arguments.no_cache, console);
@@ -37,12 +39,13 @@ ExitCode check(const CheckArguments& arguments) {
       if (!arguments.quiet) std::fputs((title + text).c_str(), stdout);
     } catch (const InputError& error) {
       std::fprintf(stderr, "%s\n", error.what());
-      outcome = std::max(outcome, ExitCode::input);
+      note(ExitCode::input);
     } catch (const EnvironmentError& error) {
       std::fprintf(stderr, "ifov: %s\n", error.what());
-      outcome = std::max(outcome, ExitCode::environment);
+      note(ExitCode::environment);
     }
   }
+  if (console.warnings() > 0 && outcome == ExitCode::ok) return arguments.strict ? ExitCode::input : ExitCode::warned;
   return outcome;
 }
 
@@ -55,10 +58,13 @@ Command add_check_command(CLI::App& app) {
   parser->add_option("FILE", arguments->files, "The document (JSON), or several")->required();
   parser->add_flag("--no-cache", arguments->no_cache,
                    "Read all files of the scene, and keep nothing of them beside the document");
+  parser->add_flag("--strict", arguments->strict, "Warnings are errors: exit code 1");
   parser->add_flag("-q,--quiet", arguments->quiet, "Print nothing but errors");
   parser->footer(
-      "Prints what was loaded: objects, triangles, materials, channels and the floors of the accuracy.\n"
-      "An error names file, line and column and shows the line.\n\n"
+      "Prints what was loaded and where it is: bounds of the scene, what the camera sees, the Sun, light and\n"
+      "radiance by channel from some thousand rays, the floors of the accuracy. Warns of what is most likely\n"
+      "not meant. An error names file, line and column and shows the line.\n"
+      "Exit codes: 0 all well; 1 an error; 2 a file cannot be read; 6 warnings.\n\n"
       "Examples:\n"
       "  ifov check scene.json && ifov render scene.json\n"
       "  ifov check --quiet scenes/*.json");

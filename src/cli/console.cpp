@@ -15,6 +15,7 @@ namespace ifov::cli {
 namespace {
 
 constexpr auto kDrawEvery = std::chrono::milliseconds(100);
+constexpr auto kTick = std::chrono::milliseconds(500);
 constexpr auto kLogEvery = std::chrono::seconds(10);
 constexpr int kUsualWidth = 80;
 constexpr int kLogWidth = 200;
@@ -28,13 +29,23 @@ int terminal_width() {
 }  // namespace
 
 Console::Console(bool quiet, const std::string& log_file)
-    : quiet_(quiet), on_terminal_(isatty(STDERR_FILENO) == 1), start_(Clock::now()), last_logged_(start_) {
+    : quiet_(quiet), on_terminal_(isatty(STDERR_FILENO) == 1), start_(Clock::now()), last_logged_(start_), reported_(start_) {
+  if (!quiet_ && on_terminal_) clock_ = std::thread([this] { keep_time(); });
   if (log_file.empty()) return;
   log_.open(log_file, std::ios::trunc);
   if (!log_) throw EnvironmentError(format("cannot write the log '{}': {}", log_file, std::strerror(errno)));
 }
 
-Console::~Console() { finish(); }
+Console::~Console() {
+  finish();
+  if (!clock_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    leaving_ = true;
+  }
+  wake_.notify_all();
+  clock_.join();
+}
 
 void Console::info(const std::string& message) {
   const std::lock_guard lock(mutex_);
@@ -44,6 +55,7 @@ void Console::info(const std::string& message) {
 void Console::warn(const std::string& message) {
   const std::lock_guard lock(mutex_);
   log("warning", message);
+  ++warnings_;
   if (quiet_) return;
   erase_bar();
   std::fprintf(stderr, "ifov: warning: %s\n", message.c_str());
@@ -54,30 +66,54 @@ void Console::report(const Progress& progress) {
   const Clock::time_point now = Clock::now();
   const bool last = progress.pixels_done >= progress.pixels_total;
   if (log_.is_open() && (last || now - last_logged_ >= kLogEvery)) {
-    log("progress", what_ + progress_line(progress, kLogWidth));
+    log("progress", (what_.empty() ? what_ : what_ + "  ") + progress_line(progress, kLogWidth));
     last_logged_ = now;
   }
+  progress_ = progress, reported_ = now, working_ = true;
   if (quiet_ || !on_terminal_ || (bar_shown_ && !last && now - last_drawn_ < kDrawEvery)) return;
-  std::fprintf(stderr, "\r\x1b[K%s", line_of(progress).c_str());
+  draw();
+}
+
+void Console::draw() {
+  const Clock::time_point now = Clock::now();
+  const int width = terminal_width();
+  const std::string what = what_.empty() ? what_ : what_ + "  ";
+  std::string line;
+  // What is done but for the rest that nobody counts is shown as time that passes.
+  if (progress_ && progress_->pixels_done < progress_->pixels_total) {
+    Progress shown = *progress_;
+    shown.elapsed_s += std::chrono::duration<double>(now - reported_).count();
+    const int left = width - static_cast<int>(what.size());
+    line = left > 0 ? what + progress_line(shown, left) : progress_line(shown, width);
+  } else {
+    line = format("{}{:.0f} s", what, std::chrono::duration<double>(now - start_).count());
+  }
+  std::fprintf(stderr, "\r\x1b[K%s", line.c_str());
   std::fflush(stderr);
   bar_shown_ = true;
   last_drawn_ = now;
 }
 
-std::string Console::line_of(const Progress& progress) const {
-  const int width = terminal_width(), left = width - static_cast<int>(what_.size());
-  return left > 0 ? what_ + progress_line(progress, left) : progress_line(progress, width);
+void Console::keep_time() {
+  std::unique_lock lock(mutex_);
+  while (!leaving_) {
+    wake_.wait_for(lock, kTick);
+    if (!leaving_ && working_ && Clock::now() - last_drawn_ >= kTick) draw();
+  }
 }
 
-void Console::begin(const std::string& what) {
+void Console::phase(const std::string& what) {
   const std::lock_guard lock(mutex_);
   erase_bar();
-  what_ = what.empty() ? what : what + "  ";
+  what_ = what;
+  progress_.reset();
+  working_ = true;
 }
 
 void Console::finish() {
   const std::lock_guard lock(mutex_);
   erase_bar();
+  working_ = false;
 }
 
 void Console::log(const char* level, const std::string& message) {
@@ -91,6 +127,12 @@ void Console::erase_bar() {
   std::fprintf(stderr, "\r\x1b[K");
   std::fflush(stderr);
   bar_shown_ = false;
+}
+
+void require_no_warnings(const Console& console) {
+  if (const std::size_t count = console.warnings(); count > 0)
+    throw InputError(format("ifov: {} warning{}, which --strict makes {}; nothing was done", count, count == 1 ? "" : "s",
+                            count == 1 ? "an error" : "errors"));
 }
 
 }  // namespace ifov::cli

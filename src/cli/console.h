@@ -1,16 +1,22 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
+#include <condition_variable>
+#include <cstddef>
 #include <fstream>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <thread>
 
 #include "core/run_control.h"
 
 namespace ifov::cli {
 
 /// What a run says while it works: warnings and a progress bar on the terminal (standard error), everything
-/// in a log file. The bar is drawn on terminals only, at most ten times a second.
+/// in a log file. The bar is drawn on terminals only, at most ten times a second, and with the time that passes at least
+/// twice a second.
 class Console final : public LogSink, public ProgressSink {
  public:
   /// `log_file` may be empty. Throws EnvironmentError where it cannot be written.
@@ -21,8 +27,9 @@ class Console final : public LogSink, public ProgressSink {
   void warn(const std::string& message) override;
   void report(const Progress& progress) override;
 
-  /// What is being worked on from now, in front of its progress; empty for the run itself.
-  void begin(const std::string& what);
+  std::size_t warnings() const { return warnings_; }  ///< how many were given so far
+
+  void phase(const std::string& what) override;
   /// Takes the bar away, before other output.
   void finish();
 
@@ -30,14 +37,22 @@ class Console final : public LogSink, public ProgressSink {
   using Clock = std::chrono::steady_clock;
 
   void log(const char* level, const std::string& message);
-  std::string line_of(const Progress& progress) const;
+  void draw();
+  void keep_time();
   void erase_bar();
 
   std::mutex mutex_;
+  std::atomic<std::size_t> warnings_{0};
   std::ofstream log_;
   std::string what_;
-  bool quiet_ = false, on_terminal_ = false, bar_shown_ = false;
-  Clock::time_point start_, last_drawn_, last_logged_;
+  std::optional<Progress> progress_;  ///< the last that was reported of what is being worked on
+  bool quiet_ = false, on_terminal_ = false, bar_shown_ = false, working_ = false, leaving_ = false;
+  Clock::time_point start_, last_drawn_, last_logged_, reported_;
+  std::condition_variable wake_;
+  std::thread clock_;  ///< where there is a terminal
 };
+
+/// Throws InputError where any warning was given (--strict).
+void require_no_warnings(const Console& console);
 
 }  // namespace ifov::cli

@@ -23,6 +23,7 @@ constexpr const char* kFooter =
     "  ifov info scene.out               what came out\n\n"
     "Exit codes: 0 done; 1 the command line or the input is wrong; 2 a file, the disk or memory fails;\n"
     "3 a bug in ifov; 4 a study's figure is not what it must be, or a time limit came first;\n"
+    "5 done, but some pixels do not meet the accuracy; 6 done, with warnings (--strict: errors);\n"
     "130 stopped by Ctrl-C.";
 
 int fail(ExitCode code, const std::string& message) {

@@ -23,7 +23,7 @@ ExitCode merge(const MergeArguments& arguments) {
   const session::RunResult result =
       session::merge_runs({arguments.folders.begin(), arguments.folders.end()}, options);
   if (!arguments.quiet) print_summary(result);
-  return ExitCode::ok;
+  return outcome_of(result, console.warnings());
 }
 
 }  // namespace

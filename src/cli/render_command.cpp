@@ -6,6 +6,7 @@
 #include "cli/console.h"
 #include "cli/duration.h"
 #include "cli/interrupt.h"
+#include "cli/patience.h"
 #include "cli/progress_line.h"
 #include "cli/ranks.h"
 #include "cli/run_summary.h"
@@ -24,7 +25,7 @@ struct RenderArguments {
   std::string document, output, log, tiles, time_limit;
   int threads = 0;
   bool quiet = false, no_cache = false, resume = false, restart = false, no_state = false, dry_run = false;
-  bool keep = false, refine = false, anyway = false;
+  bool keep = false, refine = false, anyway = false, strict = false;
 };
 
 void print_forecast(const session::Forecast& forecast, double loading_s) {
@@ -63,6 +64,13 @@ void refuse_what_ranks_cannot(const RenderArguments& arguments) {
     throw InputError("--no-state: several ranks put their tiles together in the run's folder; leave it out, or start one");
 }
 
+std::optional<std::chrono::steady_clock::time_point> deadline_of(const RenderArguments& arguments,
+                                                                 std::chrono::steady_clock::time_point begin) {
+  if (arguments.time_limit.empty()) return std::nullopt;
+  return begin + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                     read_duration(arguments.time_limit, "--time-limit"));
+}
+
 ExitCode render(const RenderArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   CancelToken& cancel = cancel_on_interrupt();
@@ -83,25 +91,30 @@ ExitCode render(const RenderArguments& arguments) {
                    "ifov: stopped (Ctrl-C, or a rank ended: mpirun says which); unfinished products carry the ending "
                    ".part, and --resume goes on with what is finished");
   }
+  std::optional<Patience> patience;  // mpirun ends ranks by itself
+  if (world == nullptr)
+    patience.emplace(cancel, format("ifov: stopped on request; unfinished products carry the ending .part{}",
+                                    arguments.no_state ? "" : ", and --resume goes on with what is finished"));
+  const std::optional<std::chrono::steady_clock::time_point> deadline = deadline_of(arguments, begin);
+  if (patience && deadline)
+    patience->limit(*deadline, "ifov: the time limit came before the scene was loaded; nothing is rendered");
   Console console(arguments.quiet, arguments.log);
   try {
     const io::Document document = io::read_document(arguments.document);
-    console.begin("atmosphere");  // the one thing that takes long enough to tell
     const session::LoadOptions load{.scene_cache = !arguments.no_cache,
                                     .threads = arguments.threads,
                                     .cancel = &cancel,
                                     .progress = &console};
     const session::Session session =
         team ? team->load(document, &console, load) : session::Session::load(document, &console, load);
-    console.begin("");
+    if (arguments.strict) require_no_warnings(console);
     session::RunRequest request;
     session::RunOptions& options = request.options;
     request.team = team ? &*team : nullptr;
     options.threads = arguments.threads;
     options.output_folder = arguments.output;
-    if (!arguments.time_limit.empty())
-      request.deadline = begin + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                     read_duration(arguments.time_limit, "--time-limit"));
+    request.deadline = deadline;
+    if (patience) patience->over();
     if (!arguments.tiles.empty()) {
       request.share = read_share(arguments.tiles);
       if (arguments.output.empty())
@@ -127,7 +140,7 @@ ExitCode render(const RenderArguments& arguments) {
     const session::RunResult result = session::render_run(session, request);
     console.finish();
     if (!arguments.quiet) print_summary(result);
-    if (result.tiles_left > 0) return ExitCode::unmet;
+    return outcome_of(result, console.warnings());
   } catch (const Cancelled& stop) {
     console.finish();
     console.info(format("ended: {}", stop.what()));
@@ -178,6 +191,7 @@ Command add_render_command(CLI::App& app) {
                      "no value, and --resume goes on with them");
   parser->add_flag("--anyway", arguments->anyway,
                    "Begin also where memory or disk will not do, by what is known before the first ray");
+  parser->add_flag("--strict", arguments->strict, "Render nothing where loading gives warnings; each is an error then");
   parser->add_flag("--dry-run", arguments->dry_run,
                    "Foretell rays, time, memory and disk from a few pieces of the image, and render nothing");
   parser
@@ -197,7 +211,9 @@ Command add_render_command(CLI::App& app) {
       "Examples:\n"
       "  ifov render scene.json\n"
       "  ifov render scene.json --resume\n"
-      "  ifov render scene.json --output /data/run7 --threads 8 --log run7.log");
+      "  ifov render scene.json --output /data/run7 --threads 8 --log run7.log\n\n"
+      "Exit codes: 0 done and all well; 5 done, some pixels do not meet the accuracy; 6 done, with\n"
+      "warnings; 4 the time limit came first; others as 'ifov --help' says.");
   return {parser, [arguments] { return render(*arguments); }};
 }
 

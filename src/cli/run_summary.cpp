@@ -31,4 +31,11 @@ void print_summary(const session::RunResult& result) {
   std::fputs(text.c_str(), stdout);
 }
 
+ExitCode outcome_of(const session::RunResult& result, std::size_t warnings) {
+  if (result.tiles_left > 0) return ExitCode::unmet;
+  const Progress& totals = result.summary.totals;
+  if (result.summary.judged && totals.pixels_converged < totals.pixels_done) return ExitCode::unconverged;
+  return warnings > 0 || result.summary.one_value ? ExitCode::warned : ExitCode::ok;
+}
+
 }  // namespace ifov::cli

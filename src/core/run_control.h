@@ -38,6 +38,8 @@ class ProgressSink {
  public:
   virtual ~ProgressSink() = default;
   virtual void report(const Progress& progress) = 0;
+  /// What is being worked on from now: "reading the scene"; empty: the image itself.
+  virtual void phase(const std::string& what) { static_cast<void>(what); }
 };
 
 }  // namespace ifov

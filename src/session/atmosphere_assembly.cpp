@@ -139,7 +139,7 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(const Session:
     inputs.demands.tolerance = kNodeTolerance;
     inputs.geometry = sensor_geometry(document, *parts.camera, parts.scene.sun,
                                       column.levels().altitude_km.front());
-    inputs.sights.emplace(sight_range(*parts.camera, parts.scene.sun, parts.scene.world->bounds().high_m.z),
+    inputs.sights.emplace(sight_range(*parts.camera, parts.scene.sun, parts.scene.world->heights().high_m),
                           column.levels());
     inputs.with_errors = true;
     inputs.ground = parts.scene.materials[parts.scene.surroundings.material].reflectance;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "io/city/city_json_reader.h"
 #include "session/with_position.h"
@@ -11,7 +13,7 @@ namespace ifov::session {
 namespace {
 
 /// Beyond this distance from the scene's origin a city is most likely misplaced.
-constexpr double kFarAway_m = 100e3;
+constexpr double kFarAway_m = 20e3;
 
 /// "EPSG:7415" of "https://www.opengis.net/def/crs/EPSG/0/7415" and of "urn:ogc:def:crs:EPSG::7415"; empty
 /// where the name is of another kind.
@@ -44,6 +46,12 @@ std::vector<std::uint32_t> materials_of(const io::ObjectDocument& object, const 
 
 /// Takes the model from its own projection to the scene's.
 void take_over(io::CityModel& model, const io::MapTransform& scene_from_file) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  model.low.x = model.low.y = kInfinity, model.high.x = model.high.y = -kInfinity;
+  const auto include = [&](double x, double y) {
+    model.low.x = std::min(model.low.x, x), model.high.x = std::max(model.high.x, x);
+    model.low.y = std::min(model.low.y, y), model.high.y = std::max(model.high.y, y);
+  };
   for (io::CityObject& thing : model.objects) {
     std::vector<io::MapPoint> points;
     points.reserve(thing.mesh.vertices_m.size() + 1);
@@ -53,6 +61,7 @@ void take_over(io::CityModel& model, const io::MapTransform& scene_from_file) {
     scene_from_file.apply(points);
     thing.origin.x = points[0].x, thing.origin.y = points[0].y;
     for (std::size_t k = 0; k < thing.mesh.vertices_m.size(); ++k) {
+      include(points[k + 1].x, points[k + 1].y);
       thing.mesh.vertices_m[k].x = points[k + 1].x - points[0].x;
       thing.mesh.vertices_m[k].y = points[k + 1].y - points[0].y;
     }
@@ -98,9 +107,15 @@ void place_city(const io::Document& document, const io::ObjectDocument& object,
   io::CityModel model = with_position(document, shape.file.position, [&] {
     io::CityModel read = io::read_city_json(shape.file.path, {shape.lod, shape.types});
     const std::string code = epsg_code(read.reference_system);
-    if (frame.reference() != nullptr && !code.empty())
-      if (const auto scene_from_file = frame.transform_from(code, shape.file.path))
-        take_over(read, *scene_from_file);
+    if (frame.reference() == nullptr || code.empty()) return read;
+    if (const auto scene_from_file = frame.transform_from(code, shape.file.path)) {
+      const math::Point3 before = read.low;
+      take_over(read, *scene_from_file);
+      if (log != nullptr)
+        log->info(format("city '{}': its file says {}, the scene '{}': taken from east {:.3f}, north {:.3f} to east {:.3f}, "
+                         "north {:.3f} m (its lower left corner)",
+                         shape.file.path, code, frame.reference()->name(), before.x, before.y, read.low.x, read.low.y));
+    }
     return read;
   });
   if (log != nullptr) {

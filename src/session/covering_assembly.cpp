@@ -1,8 +1,11 @@
 #include "session/covering_assembly.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 
+#include "io/raster/fill_unknown.h"
 #include "session/spectrum_assembly.h"
 #include "session/with_position.h"
 
@@ -200,8 +203,26 @@ std::shared_ptr<const materials::TemperatureMap> CoveringAssembly::temperature_m
   const io::Raster& raster = textures_.read(map.raster);
   const std::span<const float> numbers = band_of(raster, 1, map.raster.file.path);
   std::vector<float> temperature_k;
-  for (const float number : numbers) temperature_k.push_back(number + static_cast<float>(map.offset_k));
-  shared = std::make_shared<materials::TemperatureMap>(textures_.grid(map.raster, raster), std::move(temperature_k));
+  std::size_t unknown = 0;
+  for (const float number : numbers) {
+    const bool missing = !std::isfinite(number) || (raster.nodata && number == static_cast<float>(*raster.nodata));
+    unknown += missing;
+    temperature_k.push_back(missing ? std::numeric_limits<float>::quiet_NaN() : number + static_cast<float>(map.offset_k));
+  }
+  const std::string& path = map.raster.file.path;
+  if (unknown == numbers.size()) throw InputError(format("'{}': no cell has a temperature", path));
+  if (unknown > 0) {
+    io::fill_unknown(temperature_k, raster.width, raster.height, path);
+    if (log_ != nullptr)
+      log_->warn(format("temperature map '{}': {} of {} cells hold no number and take the mean of their nearest neighbours",
+                        std::filesystem::path(path).filename().string(), unknown, numbers.size()));
+  }
+  try {
+    shared = std::make_shared<materials::TemperatureMap>(textures_.grid(map.raster, raster), std::move(temperature_k));
+  } catch (const InputError& error) {
+    throw InputError(format("'{}': {}. If it stands for cells without a temperature, declare it as the file's nodata value "
+                            "(gdal_edit.py -a_nodata)", path, error.what()));
+  }
   return shared;
 }
 

@@ -1,5 +1,6 @@
 #include "session/geometry_assembly.h"
 
+#include <compare>
 #include <map>
 #include <optional>
 #include <string>
@@ -24,9 +25,26 @@ struct BuiltPrototype {
     const io::ObjectDocument* object;
     std::string name;
     const std::optional<io::TemperatureDocument>* temperature;  ///< the outermost that is given
+    friend auto operator<=>(const Slot&, const Slot&) = default;
   };
   geometry::ShapeId id;
   std::vector<Slot> slots;
+};
+
+/// The slots of a prototype while its parts are put together. Parts that are covered by the same share one: copies of
+/// copies of copies would have more slots than there is memory.
+class SlotList {
+ public:
+  std::uint32_t number(const BuiltPrototype::Slot& slot) {
+    const auto [known, is_new] = numbers_.emplace(slot, static_cast<std::uint32_t>(slots_.size()));
+    if (is_new) slots_.push_back(slot);
+    return known->second;
+  }
+  std::vector<BuiltPrototype::Slot> take() && { return std::move(slots_); }
+
+ private:
+  std::map<BuiltPrototype::Slot, std::uint32_t> numbers_;
+  std::vector<BuiltPrototype::Slot> slots_;
 };
 
 class GeometryAssembly {
@@ -40,11 +58,14 @@ class GeometryAssembly {
         cache_(cache),
         shapes_(document, frame, builder_, cache, log) {}
 
-  std::unique_ptr<geometry::World> assemble() {
+  std::unique_ptr<geometry::World> assemble(PlacedObjects& placed) {
     const math::Transform scene_from_document =
         math::Transform::translation(-document_.scene.origin.offset_m);
-    for (const io::ObjectDocument& object : document_.scene.objects)
+    for (const io::ObjectDocument& object : document_.scene.objects) {
+      placed.begin(builder_.object_count());
       with_position(document_, object.position, [&] { place(object, scene_from_document); });
+    }
+    placed.end(builder_.object_count());
     geometry::BuildOptions options;
     options.surveyed = coverings_.mirrors();
     return builder_.build(options);
@@ -116,18 +137,20 @@ class GeometryAssembly {
     const auto known = prototypes_.find(name);
     if (known != prototypes_.end()) return known->second;
     BuiltPrototype built;
+    SlotList slots;
     std::vector<geometry::Part> parts;
     for (const io::PrototypeDocument& source : document_.scene.prototypes) {
       if (source.name != name) continue;
       for (const io::ObjectDocument& object : source.objects)
-        with_position(document_, object.position, [&] { parts.push_back(part_of(object, built.slots)); });
+        with_position(document_, object.position, [&] { parts.push_back(part_of(object, slots)); });
     }
+    built.slots = std::move(slots).take();
     built.id = builder_.add_prototype(parts);
     return prototypes_.emplace(name, std::move(built)).first->second;
   }
 
   /// An object of a prototype; its slots are added to those of the prototype.
-  geometry::Part part_of(const io::ObjectDocument& object, std::vector<BuiltPrototype::Slot>& slots) {
+  geometry::Part part_of(const io::ObjectDocument& object, SlotList& slots) {
     geometry::Part part{{}, transform_of(object.transform), {}};
     std::vector<BuiltPrototype::Slot> own;
     if (const io::DocumentName* of = copied_by(object)) {
@@ -143,10 +166,7 @@ class GeometryAssembly {
       part.prototype_from_part = part.prototype_from_part * shape.object_from_shape;
       for (const std::string& slot : shape.slot_names) own.push_back({&object, slot, &object.temperature});
     }
-    for (const BuiltPrototype::Slot& slot : own) {
-      part.slots.push_back(static_cast<std::uint32_t>(slots.size()));
-      slots.push_back(slot);
-    }
+    for (const BuiltPrototype::Slot& slot : own) part.slots.push_back(slots.number(slot));
     return part;
   }
 
@@ -198,8 +218,8 @@ class GeometryAssembly {
 
 std::unique_ptr<geometry::World> assemble_geometry(const io::Document& document, CoveringAssembly& coverings,
                                                    const MapFrame& frame, LogSink* log,
-                                                   io::SceneCache* cache) {
-  return GeometryAssembly(document, coverings, frame, log, cache).assemble();
+                                                   io::SceneCache* cache, PlacedObjects& placed) {
+  return GeometryAssembly(document, coverings, frame, log, cache).assemble(placed);
 }
 
 }  // namespace ifov::session

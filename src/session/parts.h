@@ -9,6 +9,7 @@
 #include "render/image_renderer.h"
 #include "session/map_scale.h"
 #include "session/sampling_assembly.h"
+#include "session/sense/placed_objects.h"
 #include "session/session.h"
 
 namespace ifov::session {
@@ -18,6 +19,8 @@ struct Session::Parts {
   io::Document document;
   scene::Scene scene;
   std::vector<MapScale> map_scales;
+  PlacedObjects placed;
+  math::Vec3 map_offset_m;  ///< map coordinates of the scene's origin
   std::vector<io::FileStamp> known_files;  ///< files whose bytes the scene cache vouches for
   std::optional<atmosphere::WeatherSeries> weather;
   std::vector<radiometry::Channel> channels;
@@ -37,6 +40,8 @@ struct Session::Parts {
   SamplingPlan plan;
   std::unique_ptr<render::AccuracyTolerance> tolerance;  ///< null where no accuracy is asked for
   render::ImageInfo info;
+  std::vector<std::string> places;    ///< where things are and what some rays see, lines for people
+  std::vector<std::string> warnings;  ///< all that were given while the document was loaded
 
   /// The job that renders the document's image.
   render::RenderJob job() const { return job(plan, tolerance.get()); }

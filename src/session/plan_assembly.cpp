@@ -47,7 +47,9 @@ io::RunPlan assemble_plan(const Session::Parts& parts, bool with_files) {
   plan.tile_px = document.sampling.tile_px;
   plan.judged = parts.tolerance != nullptr;
   plan.knows_errors = parts.plan.knows_errors;
-  plan.notes = notes(parts);
+  for (const std::string& warning : parts.warnings) plan.notes.push_back("warning: " + warning);
+  for (const std::string& line : parts.places) plan.notes.push_back(line);
+  for (const std::string& note : notes(parts)) plan.notes.push_back(note);
   const std::set<io::ProductFormat> formats(document.output.formats.begin(), document.output.formats.end());
   plan.geotiff = formats.contains(io::ProductFormat::geotiff);
   plan.quicklook = formats.contains(io::ProductFormat::png);

@@ -180,6 +180,7 @@ class Run {
   void trace() {
     const std::vector<int> left = tiles_left();
     if (left.empty()) return;
+    if (options_.progress != nullptr) options_.progress->phase("");
     std::optional<TimeLimit::Clock::time_point> end = deadline_;
     if (end && products_) {
       const io::ProductBytes bytes = io::product_bytes(plan_);
@@ -245,6 +246,7 @@ class Run {
   RunResult finish() {
     const std::size_t left = tiles_left().size();
     RunResult result;
+    if (options_.progress != nullptr) options_.progress->phase("products");
     if (products_) {
       if (const std::size_t unread = assembly_->finish(tiles_.done, options_.threads, sampling::Reason::time); unread > 0)
         throw EnvironmentError(format("{} tiles cannot be read back", unread));

@@ -6,7 +6,7 @@
 namespace ifov::session {
 
 RunProducts::RunProducts(const io::RunPlan& plan, const std::filesystem::path& folder)
-    : plan_(plan), folder_(folder), writer_(plan.products(folder), plan.identity), detection_(writer_) {
+    : plan_(plan), folder_(folder), writer_(plan.products(folder), plan.identity), detection_(writer_), one_value_(detection_) {
   writer_.begin(plan.image);
 }
 
@@ -28,6 +28,10 @@ RunSummary RunProducts::finish(const Progress& totals, const sampling::ReasonCou
                                const std::string& why_gaps) {
   io::RunOutcome outcome;
   outcome.accuracy_statement = accuracy_statement(plan_, totals, reasons, why_gaps);
+  if (one_value_.holds()) {
+    const char* const empty = "All pixels hold the same value in every channel: is what is meant in the picture?";
+    outcome.accuracy_statement += (outcome.accuracy_statement.empty() ? "" : " ") + std::string(empty);
+  }
   outcome.detection_statement = detection_.statement();
   outcome.notes = plan_.notes;
   outcome.elapsed_s = totals.elapsed_s;
@@ -38,6 +42,8 @@ RunSummary RunProducts::finish(const Progress& totals, const sampling::ReasonCou
   summary.totals = totals;
   for (const io::ProductFile& file : record.files) summary.files.push_back({file.path, file.what});
   summary.accuracy_statement = outcome.accuracy_statement;
+  summary.judged = plan_.judged;
+  summary.one_value = one_value_.holds();
   return summary;
 }
 

@@ -16,7 +16,7 @@ class RunProducts final : public render::TileSink {
   RunProducts(const io::RunPlan& plan, const std::filesystem::path& folder);
 
   void begin(const render::ImageInfo&) override {}
-  void write(const sampling::TileResult& tile) override { detection_.write(tile); }
+  void write(const sampling::TileResult& tile) override { one_value_.write(tile); }
 
   /// For pixels that there is no tile of: not a number in every cube, 0 in the counts of samples; and the reason why.
   void write_missing(sampling::PixelRect pixels, sampling::Reason reason);
@@ -30,6 +30,7 @@ class RunProducts final : public render::TileSink {
   std::filesystem::path folder_;
   io::ProductWriter writer_;
   DetectionTally detection_;
+  OneValue one_value_;
 };
 
 }  // namespace ifov::session

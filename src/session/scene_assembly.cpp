@@ -26,13 +26,14 @@ std::string describe(const geometry::World& world) {
 
 }  // namespace
 
-scene::Scene assemble_scene(const io::Document& document, LogSink* log, std::vector<MapScale>& map_scales,
-                            io::SceneCache* cache) {
-  scene::Scene scene;
+AssembledScene assemble_scene(const io::Document& document, LogSink* log, io::SceneCache* cache) {
+  AssembledScene assembled;
+  scene::Scene& scene = assembled.scene;
   const MapFrame frame(document);
+  assembled.map_offset_m = frame.offset_m();
   CoveringAssembly coverings(document, frame, scene, log);
-  scene.world = assemble_geometry(document, coverings, frame, log, cache);
-  map_scales = coverings.map_scales();
+  scene.world = assemble_geometry(document, coverings, frame, log, cache, assembled.placed);
+  assembled.map_scales = coverings.map_scales();
   if (document.scene.periodic) {
     const io::PeriodicDocument& periodic = *document.scene.periodic;
     geometry::PeriodicWorld::Cell cell{-0.5 * periodic.width_m, -0.5 * periodic.height_m, periodic.width_m,
@@ -47,7 +48,7 @@ scene::Scene assemble_scene(const io::Document& document, LogSink* log, std::vec
   }
   assemble_light(document, scene);
   if (log != nullptr) log->info(describe(*scene.world));
-  return scene;
+  return assembled;
 }
 
 }  // namespace ifov::session

@@ -8,12 +8,18 @@
 #include "io/scene_cache/scene_cache.h"
 #include "scene/scene.h"
 #include "session/map_scale.h"
+#include "session/sense/placed_objects.h"
 
 namespace ifov::session {
 
 /// Builds the scene that a document describes: reads its meshes, maps and spectra, and lists the maps that lie on it by
 /// place. `log` and `cache` may be null.
-scene::Scene assemble_scene(const io::Document& document, LogSink* log, std::vector<MapScale>& map_scales,
-                            io::SceneCache* cache = nullptr);
+struct AssembledScene {
+  scene::Scene scene;
+  std::vector<MapScale> map_scales;
+  PlacedObjects placed;
+  math::Vec3 map_offset_m;  ///< map coordinates of the scene's origin
+};
+AssembledScene assemble_scene(const io::Document& document, LogSink* log, io::SceneCache* cache = nullptr);
 
 }  // namespace ifov::session

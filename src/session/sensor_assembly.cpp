@@ -33,7 +33,7 @@ struct BuildCamera {
     settings.view_azimuth_rad = source.view_azimuth_rad;
     // Above everything, by enough that no surface touches the plane the rays start from.
     settings.start_height_m =
-        source.height_m ? *source.height_m - offset_m.z : scene.world->bounds().high_m.z + 1.0;
+        source.height_m ? *source.height_m - offset_m.z : scene.world->heights().high_m + 1.0;
     return std::make_unique<sensor::OrthographicCamera>(settings);
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <mutex>
 
 #include "core/version.h"
 #include "render/emitter_mirrors.h"
@@ -16,6 +17,8 @@
 #include "session/parts.h"
 #include "session/scene_assembly.h"
 #include "session/sensor_assembly.h"
+#include "session/sense/place_lines.h"
+#include "session/sense/sense_warnings.h"
 #include "session/statements.h"
 #include "session/surroundings_assembly.h"
 #include "session/weather_assembly.h"
@@ -109,6 +112,38 @@ void tell_of_emitters(const render::SpectralScene& scene, LogSink& log) {
              "sure than they say");
 }
 
+/// Passes on what is said, and keeps the warnings.
+class KeptWarnings final : public LogSink {
+ public:
+  KeptWarnings(LogSink* next, std::vector<std::string>& warnings) : next_(next), warnings_(warnings) {}
+  void info(const std::string& message) override {
+    if (next_ != nullptr) next_->info(message);
+  }
+  void warn(const std::string& message) override {
+    {
+      const std::scoped_lock lock(mutex_);
+      warnings_.push_back(message);
+    }
+    if (next_ != nullptr) next_->warn(message);
+  }
+
+ private:
+  LogSink* next_;
+  std::mutex mutex_;
+  std::vector<std::string>& warnings_;
+};
+
+/// Whether the document can mean what was loaded.
+void make_sense(Session::Parts& parts, LogSink& log) {
+  const SceneLook look = look_at(parts);
+  parts.places = place_lines(parts, look);
+  for (const std::string& line : parts.places) log.info(line);
+  require_light(parts, look);
+  warn_of_places(parts, look, log);
+  warn_of_standing(parts, log);
+  warn_of_values(parts, look, log);
+}
+
 }  // namespace
 
 render::RenderJob Session::Parts::job(const SamplingPlan& sampling, const render::AccuracyTolerance* limits) const {
@@ -142,21 +177,29 @@ Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() = default;
 
-Session Session::load(const io::Document& document, LogSink* log, const LoadOptions& options) {
+Session Session::load(const io::Document& document, LogSink* outer_log, const LoadOptions& options) {
   auto parts = std::make_unique<Parts>();
   Parts& p = *parts;
+  const auto phase = [&](const char* what) {
+    if (options.progress != nullptr) options.progress->phase(what);
+  };
+  KeptWarnings kept(outer_log, p.warnings);
+  LogSink* const log = &kept;
   p.document = document;
   std::optional<io::SceneCache> cache;
   if (options.scene_cache)
     cache.emplace(std::filesystem::path(document.file_name).replace_extension(".ifovcache"), version(), log);
-  p.scene = assemble_scene(document, log, p.map_scales, cache ? &*cache : nullptr);
+  phase("scene");
+  AssembledScene assembled = assemble_scene(document, log, cache ? &*cache : nullptr);
+  p.scene = std::move(assembled.scene), p.map_scales = std::move(assembled.map_scales);
+  p.placed = std::move(assembled.placed), p.map_offset_m = assembled.map_offset_m;
   if (cache) p.known_files = cache->known_files();
   p.weather = assemble_weather(document);
   p.channels = assemble_channels(document);
   p.camera = assemble_camera(document, p.scene);
   p.plan = assemble_sampling(document, p.channels);
   p.assumed_surroundings = assume_surroundings(document, *p.camera, p.scene).value_or("");
-  if (log != nullptr && !p.assumed_surroundings.empty()) log->info(p.assumed_surroundings);
+  if (!p.assumed_surroundings.empty()) log->info(p.assumed_surroundings);
   with_position(document, document.sensor.psf_position, [&] { place_response(p); });
   std::optional<AtmosphereCache> solutions;
   if (cache && document.atmosphere.modelled) solutions.emplace(*cache);
@@ -164,6 +207,7 @@ Session Session::load(const io::Document& document, LogSink* log, const LoadOpti
     if (solutions) solutions->save();
     if (cache) cache->save();
   };
+  phase(document.atmosphere.modelled ? "atmosphere" : "spectra");
   try {
     with_position(document, document.sensor.position,
                   [&] { build_nodes(p, log, options, solutions ? &*solutions : nullptr); });
@@ -172,24 +216,27 @@ Session Session::load(const io::Document& document, LogSink* log, const LoadOpti
     throw;
   }
   save();
-  if (log != nullptr && !p.atmosphere && p.nodes->worst_error() > kChannelError)
+  if (!p.atmosphere && p.nodes->worst_error() > kChannelError)
     log->warn(format("the nodes of the channels integrate some product of spectra only within {:.2g} %",
                      100.0 * p.nodes->worst_error()));
-  if (log != nullptr) warn_of_light_left_out(p, *log);
+  warn_of_light_left_out(p, *log);
   p.brightness = std::make_unique<render::ChannelBrightness>(*p.nodes);
   if (p.atmosphere) p.air = render::air_half_widths(*p.spectral_scene, *p.atmosphere);
   if (!p.atmosphere) p.node_errors = render::node_half_widths(*p.spectral_scene);
   p.tolerance = p.tolerance_of(p.plan);
-  if (log != nullptr) warn_of_air_errors(p, *log);
+  warn_of_air_errors(p, *log);
   p.info = image_info(document, *p.camera, p.channels, p.scene);
   p.info.footprint_px = sampling::response_area_px(*p.footprint);
   for (std::size_t c = 0; c < p.air.size(); ++c) p.info.channels[c].air = p.air[c];
-  if (log != nullptr) tell_of_emitters(*p.spectral_scene, *log);
-  if (log != nullptr)
-    log->info(format("sensor: {} x {} pixels, {} channels in {} spectral nodes", p.info.width_px, p.info.height_px,
+  tell_of_emitters(*p.spectral_scene, *log);
+  log->info(format("sensor: {} x {} pixels, {} channels in {} spectral nodes", p.info.width_px, p.info.height_px,
                      p.channels.size(), p.nodes->node_count()));
+  phase("first look");
+  make_sense(p, *log);
   return Session(std::move(parts));
 }
+
+const std::vector<std::string>& Session::warnings() const { return parts_->warnings; }
 
 std::string Session::description() const { return describe(*parts_); }
 

@@ -40,6 +40,8 @@ struct RunSummary {
   std::vector<ProductFile> files;
   Progress totals;
   std::string accuracy_statement;  ///< plain words: what was asked for, what was reached, where it was not
+  bool judged = false;             ///< an accuracy was asked for
+  bool one_value = false;          ///< all pixels, more than one, hold the same in every channel
 };
 
 /// The public C++ facade: one document, loaded and checked, that can be rendered.
@@ -54,6 +56,9 @@ class Session {
 
   /// What was loaded, in a few lines for people (`ifov check`): objects, triangles, materials, channels, floors.
   std::string description() const;
+
+  /// What was warned of while it was loaded: what is left out, what is most likely not meant.
+  const std::vector<std::string>& warnings() const;
 
   RunSummary render(const RunOptions& options) const;
 

@@ -20,6 +20,16 @@ math::Transform turn_z_to(math::Vec3 axis) {
   return math::Transform::rotation(about, std::atan2(sine, to.z));
 }
 
+/// A thing that stands on y = 0 and reaches below z = 0 was most likely drawn with y up.
+void warn_of_y_up(const std::string& path, const geometry::World::Bounds& b, LogSink& log) {
+  constexpr double kOnGround = 0.01, kBelow = 0.1;
+  const math::Vec3 size = b.high_m - b.low_m;
+  if (!(size.y > 0.0) || !(size.z > 0.0) || std::abs(b.low_m.y) > kOnGround * size.y) return;
+  if (b.low_m.z > -kBelow * size.z || b.high_m.z < kBelow * size.z || std::abs(b.low_m.x) <= kOnGround * size.x) return;
+  log.warn(format("mesh '{}' stands on y = 0 and reaches {:.3g} below z = 0: if its y points up, say \"up\": \"y\"",
+                  std::filesystem::path(path).filename().string(), -b.low_m.z));
+}
+
 }  // namespace
 
 BuiltShape ShapeAssembly::build(const io::ObjectDocument& object) {
@@ -67,6 +77,7 @@ BuiltShape ShapeAssembly::shape(const io::MeshShape& s) {
   return with_position(document_, s.file.position, [&] {
     geometry::Body body =
         cached_mesh(cache_, {{s.file.path}, ""}, [&] { return io::read_mesh(s.file.path, log_); });
+    if (!y_is_up && log_ != nullptr) warn_of_y_up(s.file.path, body.bounds, *log_);
     std::vector<std::string> slots = body.mesh.slot_names;
     if (slots.empty()) slots = {""};
     math::Transform object_from_file = math::Transform::scaling({s.unit_m, s.unit_m, s.unit_m});

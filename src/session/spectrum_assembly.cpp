@@ -23,6 +23,16 @@ radiometry::Spectrum joined(const radiometry::Spectrum& one, const radiometry::S
   return one.first_um() < other.first_um() ? io::join(one, other) : io::join(other, one);
 }
 
+/// Wavelengths in another unit than the document says.
+void require_optical(const radiometry::Spectrum& read) {
+  constexpr double kLongest_um = 150.0, kShortest_um = 0.02;
+  const char* const unit = read.first_um() > kLongest_um ? "nm" : read.last_um() < kShortest_um ? "um" : nullptr;
+  if (unit != nullptr)
+    throw InputError(format("its wavelengths reach from {:g} to {:g} um: are they {} in the file? Then say \"wavelength_unit\": "
+                            "\"{}\"",
+                            read.first_um(), read.last_um(), unit, unit));
+}
+
 struct Assemble {
   const io::Document& document;
   const io::SpectrumDocument& spectrum;
@@ -71,6 +81,7 @@ struct Assemble {
       std::vector<double> wavelength_um(read.wavelength_um().begin(), read.wavelength_um().end());
       for (double& wavelength : wavelength_um) wavelength *= source.um_per_unit;
       const radiometry::Spectrum all(std::move(wavelength_um), {read.values().begin(), read.values().end()});
+      require_optical(all);
       return spectrum.range_um ? io::cut(all, {(*spectrum.range_um)[0], (*spectrum.range_um)[1]}) : all;
     });
   }

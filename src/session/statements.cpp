@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "session/air_statements.h"
 #include "session/weather_assembly.h"
@@ -24,6 +25,7 @@ std::string describe(const Session::Parts& parts) {
                  parts.info.height_px, parts.channels.size(), parts.nodes->node_count());
   text += format("sampling: {}\n",
                  parts.plan.accuracy_asked.empty() ? parts.plan.method : parts.plan.accuracy_asked);
+  for (const std::string& line : parts.places) text += line + "\n";
   for (const std::string& note : notes(parts)) text += note + "\n";
   return text;
 }
@@ -105,6 +107,22 @@ std::string DetectionTally::statement() const {
       "A compact feature that covers {:.2g} % of a pixel or more was found with a probability of at least 95 % in half "
       "of the pixels; in the least sampled pixel that holds from {:.2g} % on.",
       100.0 * fraction_of(middle), 100.0 * fraction_of(last));
+}
+
+void OneValue::write(const sampling::TileResult& tile) {
+  {
+    constexpr float kRounding = 1e-5f;
+    const std::scoped_lock lock(mutex_);
+    const std::size_t columns = static_cast<std::size_t>(tile.columns);
+    if (first_.empty() && !tile.mean.empty()) first_.assign(tile.mean.begin(), tile.mean.begin() + tile.columns);
+    pixels_ += tile.tile.count();
+    // Pixels without a value differ from nothing.
+    for (std::size_t k = 0; k < tile.mean.size() && !differ_; ++k) {
+      const float first = first_[k % columns];
+      differ_ = std::abs(tile.mean[k] - first) > kRounding * std::abs(first);
+    }
+  }
+  next_.write(tile);
 }
 
 }  // namespace ifov::session

@@ -38,4 +38,21 @@ class DetectionTally final : public render::TileSink {
   std::uint64_t count_ = 0;
 };
 
+/// Passes tiles on and notes whether any pixel differs from another.
+class OneValue final : public render::TileSink {
+ public:
+  explicit OneValue(render::TileSink& next) : next_(next) {}
+  void begin(const render::ImageInfo& info) override { next_.begin(info); }
+  void write(const sampling::TileResult& tile) override;
+  /// Whether there is more than one pixel, and all hold the same in every channel but for rounding.
+  bool holds() const { return pixels_ > 1 && !differ_; }
+
+ private:
+  render::TileSink& next_;
+  std::mutex mutex_;
+  std::vector<float> first_;  ///< by channel
+  std::int64_t pixels_ = 0;
+  bool differ_ = false;
+};
+
 }  // namespace ifov::session

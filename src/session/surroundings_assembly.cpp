@@ -37,7 +37,7 @@ Ground ground_in_view(const scene::Scene& scene, const sensor::Camera& camera) {
   const geometry::World& world = *scene.world;
   const std::vector<geometry::SurfacePoint> seen =
       hits_of_camera(world, camera, world.storage().chunks > 0 ? kAcrossChunks : kAcross);
-  const double above_m = world.bounds().high_m.z + 1.0;
+  const double above_m = world.heights().high_m + 1.0;
   std::vector<math::Ray> down;
   for (const geometry::SurfacePoint& point : seen)
     if (point.hit())

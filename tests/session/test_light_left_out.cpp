@@ -57,7 +57,9 @@ TEST(LightLeftOut, ASunOnOrBelowTheHorizon) {
   const std::string warned = warnings_of(document(place, R"("sun": {"disc": {}}, "sky": {"none": {}})",
                                                   R"(, "time": "2024-06-20T23:25:00Z")"));
   // 90 deg - 50 deg - 23.4 deg at local midnight.
-  EXPECT_EQ(warned, "the Sun stands 16.6 deg below the horizon: it lights nothing, and twilight is not modelled\n");
+  EXPECT_EQ(warned, "the Sun stands 16.6 deg below the horizon: it lights nothing, and twilight is not modelled\n"
+                    "nothing shines in 'red': neither Sun nor sky has light there, and nothing that is seen emits; the "
+                    "radiance will be 0\n");
 }
 
 TEST(LightLeftOut, NoSky) {

@@ -105,7 +105,7 @@ TEST_F(Scattered, StandsOnATerrain) {
   expect_in(format("scatter of 'tree': {} copies, {:.4g} ha-1 (asked for: 500 ha-1)", trees.size(),
                    static_cast<double>(trees.size()) / 0.36),
             log_.text);
-  EXPECT_EQ(log_.text.find("warning"), std::string::npos) << log_.text;
+  EXPECT_EQ(log_.text.find("warning: scatter"), std::string::npos) << log_.text;
 }
 
 TEST_F(Scattered, LeavesOutPlacesWithoutGround) {

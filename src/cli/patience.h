@@ -1,0 +1,43 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "core/run_control.h"
+
+namespace ifov::cli {
+
+/// Work looks at its CancelToken between pieces, and some pieces take long (a tree of a million triangles, a wide PSF).
+/// Where it has not stopped by itself in a good half of a second, this ends the process. Nothing is lost by that: files
+/// bear their names only when they are whole, and finished tiles are on disk.
+class Patience {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// `message` is what is said then. The token must outlive this.
+  Patience(const CancelToken& cancel, std::string message);
+  ~Patience();
+  Patience(const Patience&) = delete;
+  Patience& operator=(const Patience&) = delete;
+
+  /// Until over(), the process also ends a little after this moment, with ExitCode::unmet and `message`.
+  void limit(Clock::time_point deadline, std::string message);
+  void over();
+
+ private:
+  void watch();
+
+  const CancelToken& cancel_;
+  std::string message_, limit_message_;
+  std::optional<Clock::time_point> deadline_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool leaving_ = false;
+  std::thread thread_;
+};
+
+}  // namespace ifov::cli

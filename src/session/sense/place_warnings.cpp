@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/format.h"
+#include "core/names.h"
+#include "session/parts.h"
+#include "session/sense/place_lines.h"
+#include "session/sense/sense_warnings.h"
+
+namespace ifov::session {
+namespace {
+
+constexpr std::size_t kNamed = 3;
+
+struct CameraHeight {
+  std::optional<double> operator()(const io::OrthographicCamera& c) const { return c.height_m; }
+  std::optional<double> operator()(const io::FrameCamera&) const { return std::nullopt; }
+};
+
+/// A frame camera's place, scene frame.
+struct CameraPlace {
+  math::Vec3 offset_m;
+  std::optional<math::Point3> operator()(const io::OrthographicCamera&) const { return std::nullopt; }
+  std::optional<math::Point3> operator()(const io::FrameCamera& c) const { return c.position_m - offset_m; }
+};
+
+/// The share of directions in which a place sees the back of a surface before anything else.
+double backs_about(const geometry::World& world, math::Point3 place) {
+  std::vector<math::Ray> rays;
+  constexpr int kAround = 12;
+  for (const double z : {-0.9, -0.5, 0.0, 0.5, 0.9})
+    for (int k = 0; k < kAround; ++k) {
+      const double turn = 2.0 * std::numbers::pi * (k + 0.37) / kAround, r = std::sqrt(1.0 - z * z);
+      rays.push_back({place, {r * std::cos(turn), r * std::sin(turn), z}});
+    }
+  std::vector<geometry::SurfacePoint> hits(rays.size());
+  world.intersect(rays, hits);
+  return static_cast<double>(std::count_if(hits.begin(), hits.end(), [](const auto& h) { return h.hit() && !h.front; })) /
+         static_cast<double>(hits.size());
+}
+
+void warn_of_camera(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+  const geometry::World& world = *parts.scene.world;
+  const double top_m = world.heights().high_m;
+  const math::Vec3 offset_m = parts.document.scene.origin.offset_m;
+  if (const auto height_m = std::visit(CameraHeight{}, parts.document.sensor.camera.model);
+      height_m && *height_m - offset_m.z < top_m)
+    log.warn(format("the camera's 'height' of {:g} m lies below the top of the scene at {:g} m: what is above it is not seen. "
+                    "Leave 'height' out, and rays start above everything",
+                    *height_m, top_m + offset_m.z));
+  const auto place = std::visit(CameraPlace{offset_m}, parts.document.sensor.camera.model);
+  if (place && world.object_count() > 0) {
+    constexpr double kInside = 0.9;
+    const math::Ray up{*place, {0.0, 0.0, 1.0}};
+    geometry::SurfacePoint above;
+    world.intersect({&up, 1}, {&above, 1});
+    const double backs = backs_about(world, *place);
+    if (backs >= kInside)
+      log.warn(format("the camera is inside of {}: it sees the backs of surfaces all around. Move its 'position'",
+                      above.hit() ? title_of(parts.document, parts.placed.of(above.instance)) : "something solid"));
+    else if (above.hit() && !above.front && above.geometric_normal.z > 0.0)
+      log.warn(format("the camera is under the ground: {} lies {:.4g} m above it. Raise its 'position'",
+                      title_of(parts.document, parts.placed.of(above.instance)), above.distance_m));
+  }
+  if (look.sky_share < 1.0) return;
+  if (world.object_count() == 0) return log.warn("the scene holds no objects: the picture shows nothing but sky");
+  const geometry::World::Bounds b = world.bounds();
+  log.warn(format("the camera sees nothing of the scene, which lies at {}: all of {} rays meet nothing. Look at its {}",
+                  area_text(parts, {b.low_m.x, b.high_m.x}, {b.low_m.y, b.high_m.y}), look.rays,
+                  place ? "'position' and where it looks" : "'center'"));
+}
+
+void warn_of_objects_out_of_view(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+  if (look.sky_share >= 1.0) return;
+  std::size_t whole = 0;
+  std::string names;
+  for (std::size_t d = 0; d < look.in_frame.size(); ++d) {
+    if (look.looked_at[d] == 0 || look.in_frame[d] > 0) continue;
+    if (whole++ < kNamed) names += (names.empty() ? "" : ", ") + title_of(parts.document, d);
+  }
+  // Of a landscape around the picture much is out of view, and that is meant.
+  constexpr std::size_t kFew = 10;
+  constexpr double kMost = 0.9;
+  if (whole == 0 || (whole > kFew && static_cast<double>(whole) < kMost * static_cast<double>(look.in_frame.size()))) return;
+  if (whole > kNamed) names += format(" and {} more", whole - kNamed);
+  log.warn(format("{} of {} objects of the document {} wholly out of the picture: {}{}", whole, look.in_frame.size(),
+                  whole == 1 ? "is" : "are", names,
+                  parts.document.scene.origin.has_map_offset
+                      ? "; with 'easting' and 'northing', positions are map coordinates"
+                      : ""));
+}
+
+/// Copies so far away that their coordinates must be of another frame.
+void warn_of_far_objects(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+  const geometry::World& world = *parts.scene.world;
+  if (look.x_m.low > look.x_m.high) return;
+  const math::Point3 middle{0.5 * (look.x_m.low + look.x_m.high), 0.5 * (look.y_m.low + look.y_m.high), 0.0};
+  const double across_m = std::max({look.x_m.high - look.x_m.low, look.y_m.high - look.y_m.low, 1.0});
+  constexpr double kFar_m = 20e3, kFarAcross = 100.0;
+  constexpr std::uint32_t kLookedAt = 2000;
+  for (std::size_t d = 0; d < parts.placed.document_objects(); ++d) {
+    const std::uint32_t count = parts.placed.count(d), step = count / kLookedAt + 1;
+    std::uint32_t far = 0, looked_at = 0;
+    double furthest_m = 0.0;
+    for (std::uint32_t k = 0; k < count; k += step, ++looked_at) {
+      const geometry::World::PlacedObject object = world.object(parts.placed.first(d) + k);
+      if (!std::isfinite(object.radius_m)) continue;
+      const double distance_m = std::hypot(object.centre_m.x - middle.x, object.centre_m.y - middle.y) - object.radius_m;
+      far += distance_m > std::max(kFar_m, kFarAcross * across_m);
+      furthest_m = std::max(furthest_m, distance_m);
+    }
+    if (far == 0) continue;
+    const io::OriginDocument& origin = parts.document.scene.origin;
+    log.warn(format("{}: {} lie{} up to {:.0f} km from the picture: are {} coordinates of another frame? {}",
+                    title_of(parts.document, d), count == 1 ? std::string("it") : format("{} of {} copies", static_cast<double>(far) / looked_at * count, count),
+                    count == 1 ? "s" : "", furthest_m / 1000.0, count == 1 ? "its" : "their",
+                    origin.has_map_offset || !origin.crs.empty()
+                        ? "The scene's are map coordinates, since its 'origin' has some"
+                        : "The scene's are metres about its origin; for map coordinates give the scene's 'origin' an 'easting' "
+                          "and a 'northing'"));
+  }
+}
+
+void warn_of_sizes(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+  if (look.x_m.low > look.x_m.high) return;
+  constexpr double kMuchLarger = 100.0, kMuchSmaller = 0.02, kKilometre_m = 1000.0;
+  const double across_m = std::max({look.x_m.high - look.x_m.low, look.y_m.high - look.y_m.low, look.gsd_m.high});
+  for (std::size_t d = 0; d < parts.placed.document_objects(); ++d) {
+    const io::ShapeDocument& shape = parts.document.scene.objects[d].shape;
+    const bool from_file = std::holds_alternative<io::MeshShape>(shape) || std::holds_alternative<io::InstanceShape>(shape) ||
+                           std::holds_alternative<io::InstancesShape>(shape);
+    // Who writes a small ball or disk means a target below a pixel.
+    if (parts.placed.count(d) == 0 || (!from_file && !std::holds_alternative<io::BoxShape>(shape))) continue;
+    const double size_m = 2.0 * parts.scene.world->object(parts.placed.first(d)).radius_m;
+    if (from_file && size_m > std::max(kMuchLarger * across_m, kKilometre_m))
+      log.warn(format("{} is {:.4g} m across, the picture {:.4g} m: are the mesh's coordinates millimetres? Then say "
+                      "\"unit\": \"mm\"",
+                      title_of(parts.document, d), size_m, across_m));
+    if (size_m < kMuchSmaller * look.gsd_m.low)
+      log.warn(format("{} is {:.3g} m across, less than a fiftieth of a pixel of {:.4g} m: are {} meant?", title_of(parts.document, d),
+                      size_m, look.gsd_m.low, from_file ? "its coordinates of another unit, and is such a pixel" : "such a size and such a pixel"));
+  }
+}
+
+void warn_of_shared_places(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+  constexpr double kNoticed = 0.001;
+  std::vector<SceneLook::Shared> shared = look.shared;
+  std::sort(shared.begin(), shared.end(), [](const auto& a, const auto& b) { return a.share > b.share; });
+  std::size_t named = 0;
+  for (const SceneLook::Shared& one : shared) {
+    if (one.share < kNoticed || named++ >= kNamed) break;
+    log.warn(format("surfaces of {} and {} lie in one place in {:.2g} % of the picture: {} is seen there, {}. Lift one by a "
+                    "centimetre, or put it elsewhere in the list",
+                    title_of(parts.document, one.seen), title_of(parts.document, one.hidden), 100.0 * one.share,
+                    title_of(parts.document, one.seen),
+                    one.seen > one.hidden ? "which is the later of the two in the document" : "which is higher by less than a hair"));
+  }
+}
+
+/// Degrees where metres of a map are expected.
+void warn_of_degrees(const Session::Parts& parts, LogSink& log) {
+  const io::OriginDocument& origin = parts.document.scene.origin;
+  if (!origin.has_map_offset) return;
+  if (std::abs(origin.offset_m.x) <= 180.0 && std::abs(origin.offset_m.y) <= 90.0 &&
+      (origin.offset_m.x != 0.0 || origin.offset_m.y != 0.0))
+    log.warn(format("the origin's easting {:g} m and northing {:g} m look like longitude and latitude: give those as "
+                    "'longitude' and 'latitude', in deg",
+                    origin.offset_m.x, origin.offset_m.y));
+}
+
+}  // namespace
+
+void warn_of_places(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+  warn_of_degrees(parts, log);
+  warn_of_camera(parts, look, log);
+  warn_of_far_objects(parts, look, log);
+  warn_of_objects_out_of_view(parts, look, log);
+  warn_of_sizes(parts, look, log);
+  warn_of_shared_places(parts, look, log);
+}
+
+}  // namespace ifov::session

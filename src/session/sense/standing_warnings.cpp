@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/format.h"
+#include "session/parts.h"
+#include "session/sense/sense_warnings.h"
+
+namespace ifov::session {
+namespace {
+
+constexpr double kStep_m = 0.3;  // from here the ray down starts, above what a thing stands on
+constexpr double kGap_m = 0.5, kGapOfHeight = 0.1;
+constexpr std::uint32_t kLookedAt = 64;  // copies of an object
+constexpr int kMostLayers = 64;
+
+/// Things that stand: what may hang in the air on purpose (a roof, a ball) is not looked at.
+bool stands(const io::ObjectDocument& object) {
+  return std::holds_alternative<io::MeshShape>(object.shape) ||
+         std::holds_alternative<io::CityShape>(object.shape) || std::holds_alternative<io::InstanceShape>(object.shape) ||
+         std::holds_alternative<io::InstancesShape>(object.shape);
+}
+
+bool is_ground(const io::Document& document, std::size_t object) {
+  if (object >= document.scene.objects.size()) return false;
+  const io::ShapeDocument& shape = document.scene.objects[object].shape;
+  return std::holds_alternative<io::PlaneShape>(shape) || std::holds_alternative<io::TerrainShape>(shape);
+}
+
+struct Standing {
+  double height_m = 0.0;          ///< of the thing
+  std::optional<double> gap_m;    ///< from its lowest point down to what is below its middle; none: nothing is
+  std::optional<double> under_m;  ///< by so much ground lies above its highest point
+};
+
+Standing look_about(const Session::Parts& parts, std::uint32_t placed) {
+  const geometry::World& world = *parts.scene.world;
+  const geometry::World::PlacedObject object = world.object(placed);
+  double half_m = 0.0;
+  for (const math::Vec3& side : object.half_sides_m) half_m += std::abs(side.z);
+  Standing standing{2.0 * half_m, {}, {}};
+  math::Ray down{{object.centre_m.x, object.centre_m.y, object.centre_m.z - half_m + kStep_m}, {0.0, 0.0, -1.0}};
+  for (int layer = 0; layer < kMostLayers; ++layer) {
+    geometry::SurfacePoint hit;
+    world.intersect({&down, 1}, {&hit, 1});
+    if (!hit.hit()) break;
+    if (hit.instance != placed) {
+      standing.gap_m = hit.distance_m - kStep_m;
+      break;
+    }
+    down.t_min_m = hit.distance_m + std::max(1e-6, hit.offset_m);
+  }
+  const math::Ray up{{object.centre_m.x, object.centre_m.y, object.centre_m.z + half_m}, {0.0, 0.0, 1.0}};
+  geometry::SurfacePoint above;
+  world.intersect({&up, 1}, {&above, 1});
+  if (above.hit() && !above.front && is_ground(parts.document, parts.placed.of(above.instance))) standing.under_m = above.distance_m;
+  return standing;
+}
+
+}  // namespace
+
+void warn_of_standing(const Session::Parts& parts, LogSink& log) {
+  if (parts.scene.world->storage().chunks > 0) return;
+  bool has_ground = false;
+  for (std::size_t d = 0; d < parts.placed.document_objects(); ++d) has_ground = has_ground || is_ground(parts.document, d);
+  if (!has_ground) return;
+  for (std::size_t d = 0; d < parts.placed.document_objects(); ++d) {
+    if (!stands(parts.document.scene.objects[d])) continue;
+    const std::uint32_t count = parts.placed.count(d), step = count / kLookedAt + 1;
+    std::uint32_t looked_at = 0, floating = 0, buried = 0;
+    double widest_m = 0.0, deepest_m = 0.0;
+    for (std::uint32_t k = 0; k < count; k += step) {
+      const Standing one = look_about(parts, parts.placed.first(d) + k);
+      ++looked_at;
+      if (one.gap_m && *one.gap_m > std::max(kGap_m, kGapOfHeight * one.height_m)) ++floating, widest_m = std::max(widest_m, *one.gap_m);
+      if (one.under_m) ++buried, deepest_m = std::max(deepest_m, *one.under_m);
+    }
+    const auto which = [&](std::uint32_t some) {
+      return count == 1 ? title_of(parts.document, d) : format("{}: {} of {} copies that were looked at", title_of(parts.document, d), some, looked_at);
+    };
+    if (2 * floating > looked_at)
+      log.warn(format("{} float{} up to {:.3g} m above what is below: is the height right?", which(floating), count == 1 ? "s" : "", widest_m));
+    if (2 * buried > looked_at)
+      log.warn(format("{} lie{} under the ground, up to {:.3g} m deep: is the height right?", which(buried), count == 1 ? "s" : "", deepest_m));
+  }
+}
+
+}  // namespace ifov::session

@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/format.h"
+#include "session/parts.h"
+#include "session/sense/sense_warnings.h"
+#include "session/with_position.h"
+
+namespace ifov::session {
+namespace {
+
+constexpr double kThermal_um = 3.0;
+constexpr double kNothing = 1e-15;  // W m-2 um-1 and W m-2 sr-1 um-1: what warm ground emits in the visible is less
+
+std::string named(const std::vector<std::string>& names) {
+  constexpr std::size_t kNamed = 4;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(kNamed, names.size()); ++k) text += format("{}'{}'", k == 0 ? "" : ", ", names[k]);
+  if (names.size() > kNamed) text += format(" and {} more", names.size() - kNamed);
+  return text;
+}
+
+/// Channels of which something holds.
+template <class Is>
+std::vector<std::string> channels_that(const Session::Parts& parts, Is is) {
+  std::vector<std::string> names;
+  for (std::size_t c = 0; c < parts.channels.size(); ++c)
+    if (is(c)) names.push_back(parts.channels[c].name);
+  return names;
+}
+
+bool dark(const Session::Parts& parts, const SceneLook& look, std::size_t c) {
+  const std::vector<double> path = parts.spectral_scene->path_radiance();
+  return !(look.sun[c].high > kNothing) && !(look.sky[c].high > kNothing) && !(look.radiance[c].high > kNothing) &&
+         !(path[c] > kNothing);
+}
+
+void warn_of_dark_channels(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+  const std::vector<std::string> names = channels_that(parts, [&](std::size_t c) { return dark(parts, look, c); });
+  if (!names.empty())
+    log.warn(format("nothing shines in {}: neither Sun nor sky has light there, and nothing that is seen emits; the radiance will be 0",
+                    named(names)));
+}
+
+void warn_of_hot_sky(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+  constexpr double kHot_k = 325.0, kPi = 3.14159265358979323846;
+  if (!parts.scene.sky.radiance || parts.atmosphere) return;
+  double hottest_k = 0.0;
+  const std::vector<std::string> names = channels_that(parts, [&](std::size_t c) {
+    if (parts.channels[c].centre_um < kThermal_um) return false;
+    const double sky_k = parts.brightness->temperature_k(static_cast<int>(c), look.sky[c].high / kPi);
+    hottest_k = std::max(hottest_k, sky_k);
+    return sky_k > kHot_k;
+  });
+  if (!names.empty())
+    log.warn(format("the sky is as bright as a black body of {:.0f} K in {}: a radiance that suits daylight is none of a "
+                    "thermal sky. Give the sky a 'temperature', a spectrum, or an atmosphere",
+                    hottest_k, named(names)));
+}
+
+void warn_of_temperatures(const Session::Parts& parts, LogSink& log) {
+  constexpr double kCold_k = 150.0;
+  const auto look = [&](const std::optional<io::TemperatureDocument>& source, const std::string& of) {
+    const double* fixed_k = source ? std::get_if<double>(&source->value) : nullptr;
+    if (fixed_k == nullptr || !(*fixed_k > 0.0) || *fixed_k >= kCold_k) return;
+    log.warn(format("line {}: the temperature of {} is {:g} K, which is {:.0f} degC: is \"{:g} degC\" meant?",
+                    source->position.line, of, *fixed_k, *fixed_k - 273.15, *fixed_k));
+  };
+  for (const io::MaterialDocument& material : parts.document.scene.materials)
+    look(material.temperature, format("the material '{}'", material.name));
+  for (std::size_t d = 0; d < parts.document.scene.objects.size(); ++d)
+    look(parts.document.scene.objects[d].temperature, title_of(parts.document, d));
+  if (const auto mapped = parts.scene.mapped_temperatures(); mapped && mapped->hottest_k < kCold_k)
+    log.warn(format("the temperature maps hold {:g} to {:g} K: are their numbers degC? Then say \"unit\": \"degC\"",
+                    mapped->coldest_k, mapped->hottest_k));
+}
+
+void warn_of_wavelengths(const Session::Parts& parts, LogSink& log) {
+  constexpr double kLongest_um = 100.0, kShortest_um = 0.2;
+  const auto at = [&](std::size_t c) { return parts.channels[c].centre_um; };
+  const std::vector<std::string> far = channels_that(parts, [&](std::size_t c) { return at(c) > kLongest_um; });
+  if (!far.empty())
+    log.warn(format("the wavelengths of {} are above {:g} um: are they nm?", named(far), kLongest_um));
+  const std::vector<std::string> near = channels_that(parts, [&](std::size_t c) { return at(c) < kShortest_um; });
+  if (!near.empty())
+    log.warn(format("the wavelengths of {} are below {:g} um: are they um?", named(near), kShortest_um));
+}
+
+void warn_of_kelvins(const Session::Parts& parts, LogSink& log) {
+  if (!parts.plan.request || parts.plan.request->unit != render::ErrorUnit::kelvin || !parts.tolerance) return;
+  const std::vector<std::string> names = channels_that(parts, [&](std::size_t c) {
+    return parts.tolerance->judged(static_cast<int>(c)) && parts.channels[c].centre_um < kThermal_um;
+  });
+  if (!names.empty())
+    log.warn(format("an accuracy of {:g} K is asked of {}, where surfaces reflect and a brightness temperature says little: "
+                    "give the error in %, or judge a thermal channel ('channel')",
+                    parts.plan.request->error, named(names)));
+}
+
+}  // namespace
+
+void require_light(const Session::Parts& parts, const SceneLook& look) {
+  const io::LightDocument& light = parts.document.light;
+  // Who writes "sky": {"none": {}} means a dark scene.
+  if (light.sky_position.line > 0) return;
+  for (std::size_t c = 0; c < parts.channels.size(); ++c)
+    if (!dark(parts, look, c)) return;
+  throw io::document_error(
+      parts.document, light.position.line > 0 ? light.position : parts.document.sensor.position,
+      "nothing shines: no Sun above the horizon, no sky, and nothing that is seen has a temperature in these channels. Give "
+      "'light' a 'sun' and a 'sky', the document an 'atmosphere', or materials a 'temperature'");
+}
+
+void warn_of_values(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+  warn_of_dark_channels(parts, look, log);
+  warn_of_hot_sky(parts, look, log);
+  warn_of_temperatures(parts, log);
+  warn_of_wavelengths(parts, log);
+  warn_of_kelvins(parts, log);
+}
+
+}  // namespace ifov::session
