@@ -5,6 +5,7 @@
 
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/document_arguments.h"
 #include "cli/interrupt.h"
 #include "core/error.h"
 #include "core/format.h"
@@ -18,6 +19,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kLowestSun_deg = 90.0, kLowestView_deg = 80.0;
 
 struct AtmosphereArguments {
+  DocumentArguments input;
   std::string document, plot, csv, sky, sun, view, channel;
   std::optional<double> altitude_km;
   int threads = 0;
@@ -69,7 +71,7 @@ ExitCode look(const AtmosphereArguments& arguments) {
   console.phase("atmosphere");
   question.progress = &console;
   question.log = &console;
-  const io::AirReport report = session::survey_atmosphere(io::read_document(arguments.document), question);
+  const io::AirReport report = session::survey_atmosphere(arguments.input.read(arguments.document), question);
   console.finish();
   if (!arguments.quiet) std::fputs(io::air_table(report).c_str(), stdout);
   if (arguments.wants_plot) {
@@ -111,6 +113,7 @@ Command add_atmosphere_command(CLI::App& app) {
       "--plot", arguments->plot,
       "Draw spectra and sky into this file (PNG); without a name FILE.atmosphere.png beside the document");
   plot->expected(0, 1)->type_name("[PNG]");
+  arguments->input.add_to(*parser);
   parser->add_option("--csv", arguments->csv, "Write the spectrum as a table of paths")->type_name("OUT");
   parser->add_option("--sky", arguments->sky, "Write the sky's radiance and polarization by direction as CSV")
       ->type_name("OUT");

@@ -3,6 +3,7 @@
 
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/document_arguments.h"
 #include "core/error.h"
 #include "core/format.h"
 #include "io/document/document.h"
@@ -13,12 +14,13 @@ namespace {
 
 struct CheckArguments {
   std::vector<std::string> files;
+  DocumentArguments input;
   bool quiet = false, no_cache = false, strict = false;
 };
 
-std::string description_of(const std::string& file, bool no_cache, Console& console) {
-  std::string text = session::Session::load(io::read_document(file), &console,
-                                             {.scene_cache = !no_cache, .progress = &console})
+std::string description_of(const CheckArguments& arguments, const std::string& file, Console& console) {
+  std::string text = session::Session::load(arguments.input.read(file), &console,
+                                             {.scene_cache = !arguments.no_cache, .progress = &console})
                          .description();
   console.finish();
   if (text.empty() || text.back() != '\n') text += '\n';
@@ -34,7 +36,7 @@ ExitCode check(const CheckArguments& arguments) {
   };
   for (const std::string& file : arguments.files) {
     try {
-      const std::string text = description_of(file, arguments.no_cache, console);
+      const std::string text = description_of(arguments, file, console);
       const std::string title = arguments.files.size() > 1 ? format("{}:\n", file) : std::string();
       if (!arguments.quiet) std::fputs((title + text).c_str(), stdout);
     } catch (const InputError& error) {
@@ -56,6 +58,7 @@ Command add_check_command(CLI::App& app) {
   CLI::App* parser =
       app.add_subcommand("check", "Read documents and all files they name, and say what is wrong");
   parser->add_option("FILE", arguments->files, "The document (JSON), or several")->required();
+  arguments->input.add_to(*parser);
   parser->add_flag("--no-cache", arguments->no_cache,
                    "Read all files of the scene, and keep nothing of them beside the document");
   parser->add_flag("--strict", arguments->strict, "Warnings are errors: exit code 1");

@@ -4,6 +4,7 @@
 
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/document_arguments.h"
 #include "cli/duration.h"
 #include "cli/interrupt.h"
 #include "cli/patience.h"
@@ -23,6 +24,7 @@ namespace {
 
 struct RenderArguments {
   std::string document, output, log, tiles, time_limit;
+  DocumentArguments input;
   int threads = 0;
   bool quiet = false, no_cache = false, resume = false, restart = false, no_state = false, dry_run = false;
   bool keep = false, refine = false, anyway = false, strict = false;
@@ -77,6 +79,7 @@ ExitCode render(const RenderArguments& arguments) {
   cluster::World* const world = join_ranks();
   if (world != nullptr && !world->leads()) {
     session::help_run(*world, {.document = arguments.document,
+                               .overrides = arguments.input.overrides(),
                                .threads = arguments.threads,
                                .scene_cache = !arguments.no_cache,
                                .cancel = &cancel});
@@ -100,7 +103,7 @@ ExitCode render(const RenderArguments& arguments) {
     patience->limit(*deadline, "ifov: the time limit came before the scene was loaded; nothing is rendered");
   Console console(arguments.quiet, arguments.log);
   try {
-    const io::Document document = io::read_document(arguments.document);
+    const io::Document document = arguments.input.read(arguments.document);
     const session::LoadOptions load{.scene_cache = !arguments.no_cache,
                                     .threads = arguments.threads,
                                     .cancel = &cancel,
@@ -163,6 +166,7 @@ Command add_render_command(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
   CLI::App* parser = app.add_subcommand("render", "Render a document to calibrated products");
   parser->add_option("FILE", arguments->document, "The document (JSON)")->required();
+  arguments->input.add_to(*parser);
   parser->add_option("-o,--output", arguments->output,
                      "Folder of the products (default: as the document says)");
   parser

@@ -81,7 +81,7 @@ class Helper {
     Loaded loaded;
     loaded.threads = threads_;
     try {
-      const io::Document document = io::read_document(options_.document);
+      const io::Document document = io::read_document(options_.document, options_.overrides);
       LoadOptions load;
       load.scene_cache = options_.scene_cache;
       load.threads = threads_;

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cluster/world.h"
+#include "io/document/document_override.h"
 
 namespace ifov::session {
 
 struct HelperOptions {
   std::string document;
+  std::vector<io::DocumentOverride> overrides;
   int threads = 0;  ///< 0: as many as are usual for a rank
   bool scene_cache = true;
   const CancelToken* cancel = nullptr;

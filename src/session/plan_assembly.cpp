@@ -4,7 +4,6 @@
 #include <set>
 
 #include "core/version.h"
-#include "io/document/named_files.h"
 #include "io/run_state/scene_files.h"
 #include "session/statements.h"
 
@@ -41,7 +40,7 @@ io::RunPlan assemble_plan(const Session::Parts& parts, bool with_files) {
   plan.build = build_id();
   plan.instruction_set = instruction_set();
   if (with_files)
-    plan.files = io::stamp_scene_files(io::named_files(document),
+    plan.files = io::stamp_scene_files(document.files,
                                        std::filesystem::path(document.file_name).parent_path(), parts.known_files);
   plan.image = parts.info;
   plan.tile_px = document.sampling.tile_px;

@@ -213,7 +213,7 @@ MISTAKES = [
     ("more than all light", changed(MATERIALS + ".lawn", {"reflectance": 0.7, "transmittance": 0.6}), ERROR, "above 1|more than 1|exceed"),
     # The sensor.
     ("a channel in nanometres called um", changed("sensor.channels[0].gaussian.center", "650 um"), WARNING, "'red' are above 100 um: are they nm"),
-    ("a channel in micrometres called nm", changed("sensor.channels[0].gaussian", {"center": "2.2 nm", "fwhm": "0.04 nm"}), WARNING, "'red' are below 0.2 um"),
+    ("a channel in micrometres called nm", changed("sensor.channels[0].gaussian", {"center": "2.2 nm", "fwhm": "1 nm"}), WARNING, "'red' are below 0.2 um"),
     ("a channel without a unit", changed("sensor.channels[0].gaussian.center", 0.65), ERROR, "without a unit"),
     ("from above to", changed("sensor.channels[1].top_hat", {"from": "12 um", "to": "10 um"}), ERROR, "is not above 'from'"),
     ("no channels", changed("sensor.channels", []), ERROR, "an empty list"),

@@ -1,14 +1,8 @@
 #include "io/document/document.h"
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
-#include "core/format.h"
 #include "io/document/check_references.h"
-#include "io/document/json_adapter.h"
+#include "io/document/document_parts.h"
+#include "io/document/named_files.h"
 #include "io/document/tables.h"
 
 namespace ifov::io {
@@ -19,41 +13,31 @@ const Kind<Document>& table() {
   return kind;
 }
 
-std::string read_text(const std::string& path) {
-  if (std::filesystem::is_directory(path))
-    throw EnvironmentError(format("cannot read '{}': it is a folder", path));
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file) throw EnvironmentError(format("cannot read '{}': {}", path, std::strerror(errno)));
-  const std::streamoff size = file.tellg();
-  const auto most = static_cast<std::streamoff>(JsonRules().max_bytes);
-  if (size > most) {
-    throw InputError(format("{}: the document has {} bytes, more than the {} allowed", path, size, most),
-                     {path, 0, 0});
-  }
-  file.seekg(0);
-  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (size < 0 || file.bad()) throw EnvironmentError(format("cannot read '{}'", path));
-  return text;
-}
-
 /// A section that was not written stands where the document begins.
 void place_defaults(Document& document, const SourcePosition& root) {
   for (SourcePosition* position :
        {&document.light.position, &document.atmosphere.position, &document.sampling.position,
         &document.output.position, &document.scene.origin.position, &document.sensor.psf_position}) {
-    if (position->file != root.file || position->line == 0) *position = root;
+    if (position->file.starts_with("default of ") || position->line == 0) *position = root;
   }
 }
 
 }  // namespace
 
-Document parse_document(std::string text, const std::string& file_name) {
-  const DocumentTree tree = parse_json(std::move(text), file_name);
-  Document document = table().read(*tree.root);
-  reject_unread(*tree.root);
-  place_defaults(document, tree.root->position());
+Document parse_document(std::string text, const std::string& file_name, std::span<const DocumentOverride> overrides) {
+  const DocumentParts parts = put_together(std::move(text), file_name, overrides);
+  Document document = table().read(*parts.root);
+  reject_unread(*parts.root);
+  place_defaults(document, parts.root->position());
   document.file_name = file_name;
-  document.text = std::shared_ptr<const std::string>(tree.source, &tree.source->text());
+  document.sources = parts.sources;
+  const auto names = file_names(*parts.root);
+  document.files = existing_files(names);
+  document.files.insert(document.files.end(), parts.included.begin(), parts.included.end());
+  if (parts.is_one_text)
+    document.text = std::shared_ptr<const std::string>(parts.sources.front(), &parts.sources.front()->text());
+  else
+    document.text = std::make_shared<const std::string>(whole_text(*parts.root, file_name, names));
   if (document.output.folder.empty()) {
     const std::size_t slash = file_name.find_last_of('/');
     const std::size_t dot = file_name.find_last_of('.');
@@ -65,12 +49,15 @@ Document parse_document(std::string text, const std::string& file_name) {
   return document;
 }
 
-Document read_document(const std::string& path) { return parse_document(read_text(path), path); }
+Document read_document(const std::string& path, std::span<const DocumentOverride> overrides) {
+  return parse_document(read_document_text(path), path, overrides);
+}
 
 InputError document_error(const Document& document, const SourcePosition& position,
                           std::string_view message) {
-  return located_error(document.text ? std::string_view(*document.text) : std::string_view(),
-                       document.file_name, position, message);
+  for (const auto& source : document.sources)
+    if (source->file_name() == position.file) return source->error(position, message);
+  return located_error({}, document.file_name, position, message);
 }
 
 }  // namespace ifov::io

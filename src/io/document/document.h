@@ -3,11 +3,15 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "geodesy/utc_time.h"
 #include "io/document/atmosphere_document.h"
+#include "io/document/document_override.h"
+#include "io/document/document_source.h"
 #include "io/document/light_document.h"
 #include "io/document/output_document.h"
 #include "io/document/sampling_document.h"
@@ -33,16 +37,20 @@ struct Document {
   SensorDocument sensor;
   SamplingDocument sampling;
   OutputDocument output;
-  std::string file_name;                    ///< as the user gave it
-  std::shared_ptr<const std::string> text;  ///< as read; never null
+  std::string file_name;  ///< as the user gave it
+  /// As read; with all that it includes and that the command line replaced where there is such. Never null.
+  std::shared_ptr<const std::string> text;
+  std::vector<std::shared_ptr<const DocumentSource>> sources;  ///< of positions: the document, what it includes, overrides
+  std::vector<std::string> files;                              ///< that it names or includes, as far as they are there
 };
 
-/// Reads a document. Throws InputError (located, with an excerpt), EnvironmentError where the file cannot be
-/// read.
-Document read_document(const std::string& path);
+/// Reads a document and what it includes, with values in place of its own (put_together). Throws InputError (located,
+/// with an excerpt), EnvironmentError where the file cannot be read.
+Document read_document(const std::string& path, std::span<const DocumentOverride> overrides = {});
 
 /// The same from text; `file_name` is used in messages and its folder for relative paths.
-Document parse_document(std::string text, const std::string& file_name);
+Document parse_document(std::string text, const std::string& file_name,
+                        std::span<const DocumentOverride> overrides = {});
 
 /// An input error about something in the document, for later stages (a mesh that does not load, a map without
 /// the class it needs): `message` is one sentence without a position, e.g. "mesh 'a.obj' has no faces"; the

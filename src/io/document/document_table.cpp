@@ -36,6 +36,13 @@ Kind<geodesy::UtcTime> time_kind() {
           }};
 }
 
+/// Documents are put together before this table is read (put_together).
+Kind<std::vector<DocumentFile>> included_kind() {
+  const Kind<DocumentFile> one = file();
+  return either(converted<std::vector<DocumentFile>>(one, [](DocumentFile f) { return std::vector{std::move(f)}; }),
+                list(one, 1, 256));
+}
+
 }  // namespace
 
 Kind<Document> document_kind() {
@@ -43,6 +50,10 @@ Kind<Document> document_kind() {
   record.required("ifov", &Document::version, version_kind(), "version of this format")
       .optional(
           "$schema", [](Document&, const std::string&) {}, label(), "for editors: where the schema is")
+      .optional(
+          "include", [](Document&, const std::vector<DocumentFile>&) {}, included_kind(),
+          "documents whose values count where this one has none: objects are put together key by key, and a null takes a "
+          "key away; of several the last counts most")
       .with_default(
           "seed", [](Document& d, std::int64_t seed) { d.seed = static_cast<std::uint64_t>(seed); },
           long_integer(0, kLargestSeed), "1", "of all random numbers: the same seed gives the same result")

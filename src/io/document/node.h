@@ -60,6 +60,7 @@ class DocumentNode {
 
  private:
   friend class NodeBuilder;
+  friend class NodeMerger;
   DocumentNode() = default;
 
   const DocumentSource* source_ = nullptr;

@@ -142,9 +142,12 @@ std::string schema_json() {
   for (const ValueDescription* record : records_within(document)) {
     definitions.emplace_back(definition_name(record->name), definition_of(*record));
   }
+  // What a document that includes others may leave out, only the program can say.
+  const std::string including = json_object({{"type", json_string("object")}, {"required", required_keys({"include"})}});
   return json_indented(json_object({{"$schema", json_string("http://json-schema.org/draft-07/schema#")},
                                     {"title", json_string("ifov document")},
-                                    {"allOf", json_list({schema_of(document)})},
+                                    {"if", including},
+                                    {"else", json_object({{"allOf", json_list({schema_of(document)})}})},
                                     {"definitions", json_object(definitions)}}));
 }
 

@@ -1,0 +1,21 @@
+#include "cli/document_arguments.h"
+
+namespace ifov::cli {
+
+void DocumentArguments::add_to(CLI::App& parser) {
+  parser
+      .add_option("--set", set,
+                  "Put a value in place of the document's: --set sensor.camera.orthographic.gsd=\"2 m\", --set light.sky=null "
+                  "to take a key away; may be given more than once")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+std::vector<io::DocumentOverride> DocumentArguments::overrides() const {
+  std::vector<io::DocumentOverride> all;
+  for (const std::string& written : set) all.push_back(io::read_override(written));
+  return all;
+}
+
+}  // namespace ifov::cli
