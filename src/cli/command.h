@@ -20,6 +20,7 @@ struct Command {
 
 /// Each adds one subcommand with its options and help.
 Command add_render_command(CLI::App& app);
+Command add_preview_command(CLI::App& app);
 Command add_atmosphere_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
 Command add_info_command(CLI::App& app);

@@ -8,6 +8,7 @@
 #include "cli/duration.h"
 #include "cli/interrupt.h"
 #include "cli/patience.h"
+#include "cli/preview_command.h"
 #include "cli/progress_line.h"
 #include "cli/ranks.h"
 #include "cli/run_summary.h"
@@ -27,7 +28,7 @@ struct RenderArguments {
   DocumentArguments input;
   int threads = 0;
   bool quiet = false, no_cache = false, resume = false, restart = false, no_state = false, dry_run = false;
-  bool keep = false, refine = false, anyway = false, strict = false;
+  bool keep = false, refine = false, anyway = false, strict = false, quick = false;
 };
 
 void print_forecast(const session::Forecast& forecast, double loading_s) {
@@ -74,6 +75,14 @@ std::optional<std::chrono::steady_clock::time_point> deadline_of(const RenderArg
 }
 
 ExitCode render(const RenderArguments& arguments) {
+  if (arguments.quick)
+    return preview({.document = arguments.document,
+                    .output = {},
+                    .input = arguments.input,
+                    .threads = arguments.threads,
+                    .quiet = arguments.quiet,
+                    .no_cache = arguments.no_cache,
+                    .strict = arguments.strict});
   const auto begin = std::chrono::steady_clock::now();
   CancelToken& cancel = cancel_on_interrupt();
   cluster::World* const world = join_ranks();
@@ -196,6 +205,11 @@ Command add_render_command(CLI::App& app) {
   parser->add_flag("--anyway", arguments->anyway,
                    "Begin also where memory or disk will not do, by what is known before the first ray");
   parser->add_flag("--strict", arguments->strict, "Render nothing where loading gives warnings; each is an error then");
+  parser->add_flag("--quick", arguments->quick, "A first picture in a few seconds instead: the same as 'ifov preview'")
+      ->excludes(resume)
+      ->excludes(restart)
+      ->excludes(keep)
+      ->excludes(refine);
   parser->add_flag("--dry-run", arguments->dry_run,
                    "Foretell rays, time, memory and disk from a few pieces of the image, and render nothing");
   parser

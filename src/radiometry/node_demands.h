@@ -15,6 +15,9 @@ struct NodeDemands {
   /// Temperatures of what emits; a hottest of 0: nothing does.
   double coldest_k = 200.0;
   double hottest_k = 1000.0;
+  /// Every surface emits, at coldest_k at least: then radiances are judged as wholes, what is emitted and what is
+  /// reflected, and not the darkest of their parts by itself.
+  bool all_glow = false;
   /// Nodes of a channel, whatever the error then.
   std::size_t most_nodes = 64;
 };

@@ -32,7 +32,17 @@ struct Product {
   std::array<int, 3> surfaces;
 };
 
-/// The products that a rule is judged by, with their channel radiance by full integration.
+/// A radiance that the scene can show, as a sum of products, and by what its error is judged.
+struct Radiance {
+  struct Term {
+    std::size_t product;
+    double factor;
+  };
+  std::vector<Term> terms;
+  double expected = 0.0, scale = 0.0;
+};
+
+/// The radiances that a rule is judged by, with their values by full integration.
 class Trial {
  public:
   Trial(const ChannelGrid& grid, std::span<const std::vector<double>> surfaces, const NodeDemands& demands)
@@ -48,8 +58,6 @@ class Trial {
         planck[q] = planck_w_m2_sr_um(grid.wavelength_um[q], temperature);
       sources_.push_back(std::move(planck));
     }
-    double white = 0.0;
-    for (std::size_t q = 0; q < grid.size(); ++q) white += grid.response[q] * grid.reference[q];
     choose_products(grid);
     for (const Product& product : products_) {
       double sum = 0.0, scale = 0.0;
@@ -60,17 +68,20 @@ class Trial {
           if (surface >= 0) value *= surfaces_[static_cast<std::size_t>(surface)][q];
         sum += value;
       }
-      // What a surface emits is what it does not reflect: the smaller of the two is what an error hurts.
-      const bool thermal = product.source >= first_thermal_;
-      const double judged = thermal ? std::min(sum, scale - sum) : sum;
       expected_.push_back(sum);
-      scale_.push_back(std::max({judged, kDarkShare * white, thermal ? 0.1 * scale : 0.0, grid.least_radiance}));
+      whole_.push_back(scale);
     }
+    for (std::size_t q = 0; q < grid.size(); ++q) dark_ += kDarkShare * grid.response[q] * grid.reference[q];
+    dark_ = std::max(dark_, grid.least_radiance);
+    if (demands.all_glow && !seen_.empty() && sources_.size() > first_thermal_)
+      judge_by_whole_radiances();
+    else
+      judge_by_products();
   }
 
   struct Errors {
     double worst = 0.0;
-    double mean = 0.0;  ///< of fourth powers: falls where many products get better and the worst does not yet
+    double mean = 0.0;  ///< of fourth powers: falls where many radiances get better and the worst does not yet
   };
   Errors errors(const NodeRule& rule) const {
     const std::size_t nodes = rule.node_count();
@@ -80,7 +91,7 @@ class Trial {
     for (std::size_t s = 0; s < sources_.size(); ++s) rule.project_source(sources_[s], sources[s]);
     std::vector<double> seen(nodes, 1.0);
     if (!seen_.empty()) rule.project_seen(seen_, seen);
-    Errors result;
+    std::vector<double> difference(products_.size());
     for (std::size_t p = 0; p < products_.size(); ++p) {
       double sum = 0.0;
       for (std::size_t i = 0; i < nodes; ++i) {
@@ -89,9 +100,15 @@ class Trial {
           if (surface >= 0) value *= factors[static_cast<std::size_t>(surface)][i];
         sum += value;
       }
-      const double error = std::abs(sum - expected_[p]) / scale_[p];
+      difference[p] = sum - expected_[p];
+    }
+    Errors result;
+    for (const Radiance& radiance : radiances_) {
+      double off = 0.0;
+      for (const Radiance::Term& term : radiance.terms) off += term.factor * difference[term.product];
+      const double error = std::abs(off) / radiance.scale;
       result.worst = std::max(result.worst, error);
-      result.mean += std::pow(error, 4) / static_cast<double>(products_.size());
+      result.mean += std::pow(error, 4) / static_cast<double>(radiances_.size());
     }
     return result;
   }
@@ -130,13 +147,64 @@ class Trial {
     if (a != b) products_.push_back({0, {a, b, b}});
   }
 
+  std::size_t product(std::size_t source, int a, int b = -1) const {
+    return static_cast<std::size_t>(
+        std::find_if(products_.begin(), products_.end(),
+                     [&](const Product& p) {
+                       return p.source == source && p.surfaces[0] == a && p.surfaces[1] == b && p.surfaces[2] == -1;
+                     }) -
+        products_.begin());
+  }
+
+  /// Each product by itself: a surface may show nothing else.
+  void judge_by_products() {
+    for (std::size_t p = 0; p < products_.size(); ++p) {
+      // What a surface emits is what it does not reflect: the smaller of the two is what an error hurts.
+      const bool thermal = products_[p].source >= first_thermal_;
+      double judged = expected_[p];
+      if (thermal && products_[p].surfaces[0] >= 0)
+        judged = std::max(std::min(judged, whole_[p] - judged), 0.1 * whole_[p]);
+      radiances_.push_back({{{p, 1.0}}, expected_[p], std::max(judged, dark_)});
+    }
+  }
+
+  /// What a surface sends, in the open and facing another: what it emits, what it reflects of the Sun and the sky or of
+  /// the sky alone, and what the other sends onto it. Sunlight that more surfaces met stands beside what is emitted.
+  void judge_by_whole_radiances() {
+    const std::size_t coldest = first_thermal_, hottest = sources_.size() - 1;
+    const auto add = [&](std::vector<Radiance::Term> terms) {
+      Radiance radiance{std::move(terms)};
+      for (const Radiance::Term& term : radiance.terms) radiance.expected += term.factor * expected_[term.product];
+      radiance.scale = std::max(radiance.expected, dark_);
+      radiances_.push_back(std::move(radiance));
+    };
+    for (std::size_t p = 0; p < products_.size(); ++p) {
+      const Product& given = products_[p];
+      if (given.source >= first_thermal_) continue;
+      const int a = given.surfaces[0], b = given.surfaces[1];
+      if (given.surfaces[2] >= 0) {
+        add({{product(coldest, -1), 1.0}, {product(coldest, a), -1.0}, {p, 1.0}});
+      } else if (a >= 0 && b < 0) {
+        for (std::size_t warm = coldest; warm <= hottest; ++warm)
+          add({{product(warm, -1), 1.0}, {product(warm, a), -1.0}, {p, 1.0}});
+      } else if (b >= 0) {
+        for (const auto& [own, other] : {std::pair(coldest, coldest), {hottest, hottest}, {coldest, hottest}, {hottest, coldest}})
+          for (const auto& [near, far] : {std::pair(a, b), {b, a}})
+            add({{product(own, -1), 1.0}, {product(own, near), -1.0}, {product(other, near), 1.0},
+                 {product(other, a, b), -1.0}, {p, 1.0}});
+      }
+    }
+  }
+
   std::span<const std::vector<double>> surfaces_;
   std::span<const double> seen_;
   int reflections_;
   std::size_t first_thermal_ = 1;
   std::vector<std::vector<double>> sources_;  // Sun and sky on a white surface, the sky alone, blackbodies
   std::vector<Product> products_;
-  std::vector<double> expected_, scale_;
+  std::vector<double> expected_, whole_;  // by product: with its surfaces, and with white ones
+  double dark_ = 0.0;                     // radiances below it are not told apart from it
+  std::vector<Radiance> radiances_;
 };
 
 /// A part of the channel with what tells how well its nodes stand for it.
@@ -167,15 +235,32 @@ class Shapes {
     };
     for (const auto& surface : surfaces)
       add([&](std::size_t q) { return surface[q]; }, std::sqrt(kDarkShare));
+    first_of_air_ = shapes_.size();
     if (!grid.seen.empty()) add([&](std::size_t q) { return grid.seen[q]; }, std::sqrt(kDarkShare));
     if (!grid.sky.empty())
       add([&](std::size_t q) { return grid.sky[q] / (std::numbers::pi * grid.bright[q]); }, std::sqrt(kDarkShare));
-    for (const double temperature : temperatures_k(demands))
+    for (const double temperature : temperatures_k(demands)) {
+      ++emissions_;
       add(
           [&](std::size_t q) {
             return planck_w_m2_sr_um(grid.wavelength_um[q], temperature) / grid.bright[q];
           },
           std::sqrt(kDarkShare));
+    }
+  }
+
+  /// Variables at a part's points, each with both signs: the part's own, and what the air passes and sends.
+  std::vector<std::vector<double>> ways_to_divide(const TrialPart& part) const {
+    const std::vector<std::uint32_t>& points = part.part.points;
+    if (!(part.variance > 0.0) || points.size() < 2) return {};
+    std::vector<std::vector<double>> ways{part.part.variable};
+    for (std::size_t s = first_of_air_; s < shapes_.size() - emissions_; ++s) {
+      double mean = 0.0, total = 0.0;
+      for (const std::uint32_t q : points) mean += measure_[q] * shapes_[s][q], total += measure_[q];
+      std::vector<double>& way = ways.emplace_back();
+      for (const std::uint32_t q : points) way.push_back(shapes_[s][q] - mean / total);
+    }
+    return ways;
   }
 
   /// Finds the first principal component of the shapes over the part, which becomes its variable.
@@ -222,32 +307,38 @@ class Shapes {
 
  private:
   std::vector<double> measure_;
-  std::vector<std::vector<double>> shapes_;
+  std::vector<std::vector<double>> shapes_;  // surfaces, what the air passes, the sky, what glows
+  std::size_t first_of_air_ = 0, emissions_ = 0;
 };
 
-/// Two nodes for a part that has one, where `pairs` are allowed; two parts for a part that has two. False where nothing
-/// more can be done.
-bool refine(std::vector<TrialPart>& parts, std::size_t which, bool pairs, const Shapes& shapes) {
+/// Two parts for one, by the sign of a variable at its points. False where all are on one side.
+bool divide(std::vector<TrialPart>& parts, std::size_t which, std::span<const double> variable, const Shapes& shapes) {
   TrialPart& part = parts[which];
-  if (!(part.left() > 0.0) || part.part.points.size() < 2) return false;
-  if (part.part.order == 1 && pairs) {
-    part.part.order = 2;
-    return true;
-  }
   std::vector<std::uint32_t> low, high;
   for (std::size_t i = 0; i < part.part.points.size(); ++i)
-    (part.part.variable[i] < 0.0 ? low : high).push_back(part.part.points[i]);
+    (variable[i] < 0.0 ? low : high).push_back(part.part.points[i]);
   if (low.empty() || high.empty()) return false;
   part = shapes.analysed(std::move(low));
   parts.push_back(shapes.analysed(std::move(high)));
   return true;
 }
 
+/// Two nodes for a part that has one; two parts for a part that has two. False where nothing more can be done.
+bool refine(std::vector<TrialPart>& parts, std::size_t which, const Shapes& shapes) {
+  TrialPart& part = parts[which];
+  if (!(part.left() > 0.0) || part.part.points.size() < 2) return false;
+  if (part.part.order == 1) {
+    part.part.order = 2;
+    return true;
+  }
+  return divide(parts, which, std::vector<double>(part.part.variable), shapes);
+}
+
 /// Refines the part that leaves most of the spectra's variance.
 bool refine_worst(std::vector<TrialPart>& parts, const Shapes& shapes) {
   const auto worst = std::max_element(
       parts.begin(), parts.end(), [](const TrialPart& a, const TrialPart& b) { return a.left() < b.left(); });
-  return refine(parts, static_cast<std::size_t>(worst - parts.begin()), true, shapes);
+  return refine(parts, static_cast<std::size_t>(worst - parts.begin()), shapes);
 }
 
 NodeRule rule_of(const ChannelGrid& grid, const std::vector<TrialPart>& parts) {
@@ -283,14 +374,17 @@ FoundRule find_rule(const ChannelGrid& grid, std::span<const std::vector<double>
     }
     std::optional<std::vector<TrialPart>> best;
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      std::vector<TrialPart> finer = parts;
-      if (!refine(finer, k, false, shapes)) continue;
-      NodeRule finer_rule = rule_of(grid, finer);
-      const Trial::Errors finer_errors = trial.errors(finer_rule);
-      if (best && finer_errors.mean >= errors.mean) continue;
-      best = std::move(finer);
-      rule = std::move(finer_rule);
-      errors = finer_errors;
+      // Many surfaces outvote the air in the first component of all shapes.
+      for (const std::vector<double>& variable : shapes.ways_to_divide(parts[k])) {
+        std::vector<TrialPart> finer = parts;
+        if (!divide(finer, k, variable, shapes)) continue;
+        NodeRule finer_rule = rule_of(grid, finer);
+        const Trial::Errors finer_errors = trial.errors(finer_rule);
+        if (best && finer_errors.mean >= errors.mean) continue;
+        best = std::move(finer);
+        rule = std::move(finer_rule);
+        errors = finer_errors;
+      }
     }
     if (!best) break;
     parts = std::move(*best);

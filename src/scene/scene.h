@@ -105,6 +105,8 @@ struct Scene {
   /// All temperatures at which anything of the scene may emit: states, maps, patterns, surroundings and sky; none
   /// where nothing does. Whoever needs to know asks here (scene_temperatures.cpp), so that nothing is forgotten.
   std::optional<TemperatureRange> temperatures() const;
+  /// Whether every surface emits, what lies around the scene included.
+  bool all_emit() const;
   /// Of those the ones that differ from point to point: of maps and patterns.
   std::optional<TemperatureRange> mapped_temperatures() const;
   /// Whether a state emits somewhere: by its own temperature, or by that of a map or pattern on some covering.

@@ -49,4 +49,11 @@ bool Scene::emits(std::uint32_t state) const {
   });
 }
 
+bool Scene::all_emit() const {
+  if (!(surroundings.temperature_k > 0.0)) return false;
+  for (std::uint32_t state = 0; state < states.size(); ++state)
+    if (!emits(state) && !materials[states[state].material].curve_of) return false;
+  return true;
+}
+
 }  // namespace ifov::scene

@@ -5,14 +5,16 @@
 #include <numbers>
 
 #include "core/format.h"
+#include "session/node_tolerance.h"
 #include "session/with_position.h"
 
 namespace ifov::session {
 namespace {
 
-/// Nodes of a channel at most, and the error they may leave: every node is a column that all paths carry.
-constexpr std::size_t kMostNodes = 8;
-constexpr double kNodeTolerance = 5e-3;
+/// The error that the nodes of a channel may leave, and how many they are at most: every node is a column that all paths
+/// carry, so that sensors of few channels can afford more of them and be nearer to what is asked for.
+constexpr double kNodeTolerance = 5e-3, kFinest = 5e-4;
+constexpr std::size_t kMostColumns = 256, kUsualNodes = 8, kMostNodes = 32;
 constexpr double kAboveAllAir_km = 100.0;
 
 void warn(const Session::Parts& parts, const atmosphere::AtmosphereColumn& column,
@@ -135,8 +137,10 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(const Session:
     if (parts.scene.sun) inputs.solar_irradiance = parts.scene.sun->irradiance;
     inputs.surfaces = surfaces;
     inputs.demands = demands;
-    inputs.demands.most_nodes = kMostNodes;
-    inputs.demands.tolerance = kNodeTolerance;
+    inputs.demands.most_nodes = std::clamp(kMostColumns / parts.channels.size(), kUsualNodes, kMostNodes);
+    inputs.demands.tolerance = inputs.demands.most_nodes > kUsualNodes
+                                   ? std::max(kFinest, node_tolerance(parts, kNodeTolerance))
+                                   : kNodeTolerance;
     inputs.geometry = sensor_geometry(document, *parts.camera, parts.scene.sun,
                                       column.levels().altitude_km.front());
     inputs.sights.emplace(sight_range(*parts.camera, parts.scene.sun, parts.scene.world->heights().high_m),

@@ -133,8 +133,8 @@ void warn_of_surroundings(const Session::Parts& parts, LogSink& log) {
   const Leaving leaving = leaving_below(parts);
   if (leaving.seen < kNoticed && leaving.met < kNoticed) return;
   log.warn(format(
-      "light.surroundings are not declared and taken as black at 0 K: {:.2g} % of the picture sees them, and "
-      "{:.2g} % of the light that would fall on what is in it comes from there",
+      "light.surroundings are not declared and taken as black at 0 K: {:.3g} % of the picture sees them, and "
+      "{:.3g} % of the light that would fall on what is in it comes from there",
       100.0 * leaving.seen, 100.0 * leaving.met));
 }
 

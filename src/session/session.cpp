@@ -76,6 +76,7 @@ void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options
   const scene::TemperatureRange emitted = scene.temperatures().value_or(scene::TemperatureRange{});
   demands.coldest_k = emitted.coldest_k;
   demands.hottest_k = emitted.hottest_k;
+  demands.all_glow = parts.document.atmosphere.modelled && scene.all_emit();
   if (parts.document.atmosphere.modelled) {
     parts.atmosphere = assemble_atmosphere(
         parts, surfaces, demands, {options.threads, kept, atmosphere_progress(options), log});

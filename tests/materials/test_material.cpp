@@ -80,7 +80,7 @@ TEST(DrapedMaps, RefuseWhatDoesNotFit) {
   EXPECT_EQ(message_of([] {
               TemperatureMap({0, 0, 1, 1, 1, 1}, {-3.0f});
             }),
-            "a temperature map holds -3 K; temperatures must be above 0 K");
+            "-3 K at row 1, column 1 is no temperature: expected above 0 K and at most 100000 K");
 }
 
 }  // namespace

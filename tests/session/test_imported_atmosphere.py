@@ -49,7 +49,7 @@ class Scene:
     def radiance(self, document):
         out = self.folder / "out"
         done = self.run("render", document, "--output", out)
-        if done.returncode != 0:
+        if done.returncode not in (0, 6):  # what a file leaves out is warned of
             raise AssertionError(done.stderr)
         return [v for (v,) in struct.iter_unpack("<f", (out / "image_radiance.img").read_bytes())]
 

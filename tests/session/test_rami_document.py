@@ -39,7 +39,8 @@ class RamiDocuments(unittest.TestCase):
         path = Path(self.folder.name) / "scene.json"
         path.write_text(json.dumps(document))
         out = Path(self.folder.name) / "out"
-        subprocess.run([PROGRAM, "render", path, "--output", out], check=True, capture_output=True, timeout=200)
+        done = subprocess.run([PROGRAM, "render", path, "--output", out], check=False, capture_output=True, timeout=200)
+        assert done.returncode in (0, 5, 6), done.stderr
         radiance, error = ([v for (v,) in struct.iter_unpack("<f", (out / f"image_{name}.img").read_bytes())]
                            for name in ("radiance", "standard_error"))
         mean = sum(radiance) / len(radiance)

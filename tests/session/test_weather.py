@@ -31,6 +31,7 @@ class Weather(unittest.TestCase):
             "ifov": 1,
             "scene": {"materials": {"grey": {"reflectance": 0.3}}, "objects": [{"plane": {}, "material": "grey"}]},
             "weather": weather,
+            "light": {"sky": {"radiance": "50 W m-2 sr-1 um-1"}},
             "sensor": {
                 "camera": {"orthographic": {"gsd": "1 m", "pixels": [1, 1]}},
                 "channels": [{"monochromatic": {"at": "0.65 um"}}],

@@ -52,15 +52,16 @@ class NodeMerger {
       node.is_integer_ = strongest.is_integer_, node.boolean_ = strongest.boolean_;
       node.number_ = strongest.number_, node.integer_ = strongest.integer_, node.text_ = strongest.text_;
     }
-    for (const Override& one : overrides) require_way(node, one, depth);
+    for (const Override& one : overrides) require_way(layers.empty() ? node : *layers.front(), node.title(), one, depth);
     if (node.type_ == Type::list) fill_items(node, *layers.front(), overrides, depth);
     if (node.type_ == Type::object) fill_members(node, layers, overrides, depth);
   }
 
-  static void require_way(const DocumentNode& node, const Override& one, std::size_t depth) {
+  /// `node`: what is there, under the `title` that it will have.
+  static void require_way(const DocumentNode& node, const std::string& title, const Override& one, std::size_t depth) {
     const DocumentOverride::Step& step = one.what->steps[depth];
     if (node.type_ == (step.key.empty() ? Type::list : Type::object)) return;
-    throw InputError(format("--set {}: {} is {}, not {}", one.what->path, node.title(), node.found(),
+    throw InputError(format("--set {}: {} is {}, not {}", one.what->path, title, node.found(),
                             step.key.empty() ? "a list" : "an object"));
   }
 

@@ -256,4 +256,10 @@ std::string make_quicklook(const RasterView& radiance, const RunRecord& record,
   return png;
 }
 
+PictureColours picture_colours(const RasterView& radiance, const RunRecord& record, const std::vector<int>& channels) {
+  const std::vector<int> chosen = channels.empty() ? picture_channels(record.image) : channels;
+  Picture p = chosen.size() == 3 ? three_channels(radiance, record, chosen, 1) : one_channel(radiance, record, chosen.front(), 1);
+  return {p.width, p.height, std::move(p.pixels)};
+}
+
 }  // namespace ifov::io

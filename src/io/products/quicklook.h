@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -13,5 +14,12 @@ namespace ifov::io {
 /// or empty for a choice by wavelength.
 std::string make_quicklook(const RasterView& radiance, const RunRecord& record,
                            const std::vector<int>& channels);
+
+/// The colours of that picture alone.
+struct PictureColours {
+  int width = 0, height = 0;
+  std::vector<std::uint32_t> pixels;  ///< 0xRRGGBB, rows from the top; grey where there is no value
+};
+PictureColours picture_colours(const RasterView& radiance, const RunRecord& record, const std::vector<int>& channels);
 
 }  // namespace ifov::io

@@ -11,14 +11,18 @@ namespace {
 
 constexpr double kStep_m = 0.3;  // from here the ray down starts, above what a thing stands on
 constexpr double kGap_m = 0.5, kGapOfHeight = 0.1;
+constexpr double kGapOfCopies = 1.0;  // of their height: crowns are placed without their trunks
 constexpr std::uint32_t kLookedAt = 64;  // copies of an object
 constexpr int kMostLayers = 64;
+
+bool is_copied(const io::ObjectDocument& object) {
+  return std::holds_alternative<io::InstanceShape>(object.shape) || std::holds_alternative<io::InstancesShape>(object.shape);
+}
 
 /// Things that stand: what may hang in the air on purpose (a roof, a ball) is not looked at.
 bool stands(const io::ObjectDocument& object) {
   return std::holds_alternative<io::MeshShape>(object.shape) ||
-         std::holds_alternative<io::CityShape>(object.shape) || std::holds_alternative<io::InstanceShape>(object.shape) ||
-         std::holds_alternative<io::InstancesShape>(object.shape);
+         std::holds_alternative<io::CityShape>(object.shape) || is_copied(object);
 }
 
 bool is_ground(const io::Document& document, std::size_t object) {
@@ -69,10 +73,11 @@ void warn_of_standing(const Session::Parts& parts, LogSink& log) {
     const std::uint32_t count = parts.placed.count(d), step = count / kLookedAt + 1;
     std::uint32_t looked_at = 0, floating = 0, buried = 0;
     double widest_m = 0.0, deepest_m = 0.0;
+    const double gap_of_height = is_copied(parts.document.scene.objects[d]) ? kGapOfCopies : kGapOfHeight;
     for (std::uint32_t k = 0; k < count; k += step) {
       const Standing one = look_about(parts, parts.placed.first(d) + k);
       ++looked_at;
-      if (one.gap_m && *one.gap_m > std::max(kGap_m, kGapOfHeight * one.height_m)) ++floating, widest_m = std::max(widest_m, *one.gap_m);
+      if (one.gap_m && *one.gap_m > std::max(kGap_m, gap_of_height * one.height_m)) ++floating, widest_m = std::max(widest_m, *one.gap_m);
       if (one.under_m) ++buried, deepest_m = std::max(deepest_m, *one.under_m);
     }
     const auto which = [&](std::uint32_t some) {
