@@ -32,11 +32,11 @@ class Materials(unittest.TestCase):
         for words in (
             "leaf, aspen\n",
             "0.35 to 14 um, 591 wavelengths, 2 curves",
-            "sample: USGS splib07a 20901: Aspen_Leaf-A DW92-2",
+            "sample:  USGS splib07a 20901: Aspen_Leaf-A DW92-2",
             "mean transmittance",
             "transmittance by PROSPECT-D",
-            "source: R. F. Kokaly et al.",
-            "source: PROSPECT-D",
+            "source:  R. F. Kokaly et al.",
+            "source:  PROSPECT-D",
             "Licence: public domain",
             'in a document: "reflectance": {"library": "leaf, aspen"}',
         ):
