@@ -146,7 +146,7 @@ TEST(MaterialLibrary, FiguresAreThoseOfTheUsgsReader) {
   const auto wavelengths =
       test::truth_file("spectra/usgs7/splib07a_Wavelengths_BECK_Beckman_0.2-3.0_microns.txt");
   if (!grass || !wavelengths) GTEST_SKIP() << "reference data not found: spectra/usgs7";
-  const radiometry::Spectrum sample = read_usgs(*grass, *wavelengths).reflectance;
+  const radiometry::Spectrum sample = read_usgs(*grass, *wavelengths).values;
   const radiometry::Spectrum& figures = curve("grass, blades, pile").reflectance;
   for (double um = 0.42; um < 2.4; um += 0.05)
     EXPECT_NEAR(radiometry::integral(figures, um, um + 0.05), radiometry::integral(sample, um, um + 0.05),

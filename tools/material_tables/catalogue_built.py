@@ -6,10 +6,10 @@ SHEET = "Figures of a diffuse measurement, which leaves out part of a sheet's gl
 CONSTRUCTION = [
     Material("concrete, weathered", "runway pavement wall building cement kerb road", "Road concrete (1) and London concrete (2, 3).",
              [usgs("GDS375", "Concrete_GDS375", "concrete")] + slum("C008", "C004")),
-    Material("concrete, pavement", "sidewalk road court cement slab", "New concrete (1), concrete (2) and cement (3) of London.",
-             slum("C002", "C008", "C001")),
+    Material("concrete, pavement", "sidewalk road court cement slab", "New concrete (1), concrete (2) and grey cement (3) of London.",
+             slum("C002", "C008", "C003")),
     Material("concrete, white", "wall building", "White concrete.", slum("C006")),
-    Material("cement", "render plaster wall building mortar", "Cement renders of London.", slum("C003", "C005")),
+    Material("cement", "render plaster wall building mortar", "Cement renders of London.", slum("C001", "C005")),
     Material("cinder block", "concrete wall building", "A light grey block.", [usgs("GDS356", "Cinder_Block", "concrete")]),
     Material("brick, red", "wall house building", "Ceramic brick of London (1, 2), dark red and medium red building bricks (3, 4).",
              slum("B013", "B004") + [usgs("GDS350", "Brick_GDS350", "brick"), usgs("GDS353", "Brick_GDS353", "brick")]),
