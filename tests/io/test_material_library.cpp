@@ -172,7 +172,8 @@ TEST(MaterialLibrary, FindsAndSuggests) {
   EXPECT_EQ(message_of([&] { library.find("gras, lawn"); }),
             "the library has no material 'gras, lawn'; did you mean 'grass, lawn'?");
   EXPECT_EQ(message_of([&] { library.find("lawn"); }),
-            "the library has no material 'lawn'; near it: 'grass, lawn' and 'grass, lawn, sparse'");
+            "the library has no material 'lawn'; near it: 'grass, lawn', 'grass, lawn, sparse' and "
+            "'grass, blades, pile'");
   EXPECT_EQ(message_of([&] { library.find("unobtainium"); }),
             "the library has no material 'unobtainium'; 'ifov materials' lists them all");
   EXPECT_EQ(message_of([&] { library.find("Water, lake"); }),
