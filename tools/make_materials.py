@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Makes data/materials/*.txt, the embedded spectral library, from the published spectra that it is compiled from.
+"""Makes data/materials/*.txt, the embedded spectral library, from published spectra that anyone may pass on.
 
-    tools/make_materials.py SPECTRA PROSPECT_D data/materials
+    tools/make_materials.py SPECTRA INDICES PROSPECT_D data/materials
 
-SPECTRA: a folder with `ecostress/` and `aster-v2/` (files of these libraries) and `envi-sli/library_berlin.hdr` (the image
-library of the Berlin-Urban-Gradient data set). PROSPECT_D: the coefficients of PROSPECT-D, dataSpec_PDB as text. What is
-taken from where stands in tools/material_tables/catalogue.py; docs/formats/data.md describes the result. Needs numpy.
+SPECTRA: a folder with `usgs7/` (files of the USGS Spectral Library Version 7) and `open/slum-london/` (the two tables of
+SLUM London). INDICES: files of the refractiveindex.info database, as BOOK_PAGE.yml. PROSPECT_D: the coefficients of
+PROSPECT-D, dataSpec_PDB as text. What is taken from where stands in tools/material_tables/catalogue*.py;
+docs/formats/data.md describes the result. Needs numpy and PyYAML.
 """
 import sys
 from pathlib import Path
@@ -13,102 +14,129 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from material_tables import grid, prospect, samples  # noqa: E402
-from material_tables.catalogue import GROUPS, KIN  # noqa: E402
+from material_tables import grid, indices, metals, models, prospect, samples  # noqa: E402
+from material_tables.catalogue import DRY, KIN, SOIL  # noqa: E402
+from material_tables.catalogue_built import CONSTRUCTION, METAL, ROOF  # noqa: E402
+from material_tables.catalogue_nature import SOIL_GROUP, VEGETATION, WATER  # noqa: E402
+from material_tables.sources import SOURCES  # noqa: E402
 
-SOURCES = {
-    "ecostress": "S. K. Meerdink et al., The ECOSTRESS spectral library version 1.0, Remote Sensing of Environment 230 "
-                 "(2019) 111196; A. M. Baldridge et al., The ASTER spectral library version 2.0, Remote Sensing of "
-                 "Environment 113 (2009) 711-715. Reproduced from the ECOSTRESS Spectral Library through the courtesy of the "
-                 "Jet Propulsion Laboratory, California Institute of Technology, Pasadena, California. Copyright 2017, "
-                 "California Institute of Technology, all rights reserved. Licence: none stated; the library asks for these "
-                 "citations and this credit.",
-    "berlin": "A. Okujeni, S. van der Linden, P. Hostert, Berlin-Urban-Gradient dataset 2009, GFZ Data Services (2016), "
-              "doi:10.5880/enmap.2016.008: image endmember library (HyMap). Licence: see the data set's page; figures "
-              "resampled, cite it.",
-    "rakic": "A. D. Rakic et al., Applied Optics 37 (1998) 5271-5283, table 2 (Lorentz-Drude), and Fresnel's equation at "
-             "normal incidence. Licence: computed here.",
-    "prospect": "PROSPECT-D, J.-B. Feret et al., Remote Sensing of Environment 193 (2017) 204-215. Licence: computed here.",
-}
+GROUPS = {"vegetation": VEGETATION, "soil": SOIL_GROUP, "water": WATER, "construction": CONSTRUCTION, "roof": ROOF,
+          "metal": METAL}
 TRANSMITTANCE_ENDS_UM = (2.5, 2.6)
+PANE_CM = 0.4
+FINE_UM = np.geomspace(0.35, 14.0, 3000)
 
 
-class Maker:
-    def __init__(self, folder, coefficients_path):
-        self.folder = Path(folder)
-        self.grid_um = grid.wavelengths_um()
+class Library:
+    """What the recipes of the catalogue ask for."""
+
+    def __init__(self, spectra, index_folder, coefficients_path):
+        spectra, index_folder = Path(spectra), Path(index_folder)
+        self.usgs = samples.Usgs(spectra / "usgs7")
+        self.slum = samples.Slum(spectra / "open/slum-london")
         self.coefficients = prospect.Coefficients(coefficients_path)
-        self.berlin = samples.spectral_library(self.folder / "envi-sli/library_berlin.hdr", 1e-4)
-        self.kin = {name: self.ecostress(files) for name, files in KIN.items()}
+        self.water_index = indices.Index(index_folder / "H2O_Hale.yml")
+        self.ice_index = indices.Index(index_folder / "H2O_Warren-2008.yml")
+        self.glass_index = indices.Index(index_folder / "soda-lime_Rubin-clear.yml", index_folder / "soda-lime_Rubin-IR.yml")
+        self.figure = samples.figure
+        self.kin = {name: recipe(self) for name, recipe in KIN.items()}
 
-    def ecostress(self, names):
-        return samples.ecostress(self.folder / "ecostress", *names)
+    def water(self):
+        return models.computed(FINE_UM, indices.face(self.water_index.at(FINE_UM)), "water, one face", ("hale",))
+
+    def ice(self):
+        return models.computed(FINE_UM, indices.face(self.ice_index.at(FINE_UM)), "ice, one face", ("warren",))
+
+    def window(self):
+        values = indices.pane(self.glass_index.at(FINE_UM), FINE_UM, PANE_CM)
+        return models.computed(FINE_UM, values, "model, clear soda-lime glass, 4 mm", ("rubin",))
+
+    def metal(self, name):
+        return metals.polished_metal(name, FINE_UM)
+
+    def pool(self):
+        return models.pool(self.water_index, FINE_UM)
+
+    def moist(self, name):
+        return models.moist(self.usgs.sample(name), self.water_index, 0.01)
+
+    def mixture(self, parts):
+        return samples.mixture([(share, self.usgs.sample(name)) for share, name in parts])
+
+    def leaf(self, parameters):
+        reflectance, transmittance = prospect.run(self.coefficients, parameters)
+        sample = models.computed(self.coefficients.wavelength_um, reflectance, "model, " + contents(parameters), ("prospect",))
+        sample.transmittance = self.transmittance(parameters)
+        return sample
+
+    def canopy(self, parameters, area, shade, dry):
+        leaf = (self.coefficients.wavelength_um, *prospect.run(self.coefficients, parameters))
+        title = (f"model, leaf area {area:g}, {dry:.0%} dry parts, {shade:.0%} in shade, leaves with {contents(parameters)}, "
+                 "over rangeland soil")
+        return models.canopy(leaf, area, self.usgs.sample(SOIL), self.usgs.sample(DRY), dry, shade, title)
+
+    def quartz_sand(self):
+        whole = self.usgs.joined("Quartz_GDS74_Sand_Ottawa_BECK", "Quartz_GDS74_Sand_Ottawa_NIC4")
+        return samples.levelled(whole, 0.095, "sutherland",
+                                "quartz sand (USGS), beyond 5 um at the emissivity of sands, 0.905 (8 to 14 um)")
 
     def transmittance(self, parameters):
         """On the grid: the model's within its range, its first value below, nothing beyond TRANSMITTANCE_ENDS_UM."""
         x, t = self.coefficients.wavelength_um, prospect.run(self.coefficients, parameters)[1]
-        return np.interp(self.grid_um, np.append(x, TRANSMITTANCE_ENDS_UM[1]), np.append(t, 0.0))
+        return np.interp(grid.wavelengths_um(), np.append(x, TRANSMITTANCE_ENDS_UM[1]), np.append(t, 0.0))
 
-    def block(self, curve):
-        """The lines of one curve."""
-        lines, transmittance, notes = [f"curve: {curve.name}"], None, []
-        if curve.prospect:
-            source = "prospect"
-            x = self.coefficients.wavelength_um
-            sample = samples.Sample(x, prospect.run(self.coefficients, curve.prospect)[0], "PROSPECT-D")
-            transmittance = self.transmittance(curve.prospect)
-            title = "model, " + ", ".join(f"{k} {v:g}" for k, v in zip(prospect.PARAMETERS, curve.prospect))
-        elif curve.metal:
-            source, sample = "rakic", samples.polished_metal(curve.metal, np.geomspace(0.35, 14.0, 2000))
-            title = "model, smooth surface"
-        elif curve.berlin:
-            source, sample = "berlin", self.berlin[curve.berlin]
-            title = f"{curve.berlin}, image spectrum"
-        elif curve.table:
-            source, sample = "ecostress", samples.table(Path(__file__).parent / "material_tables" / curve.table)
-            title = "Olive green gloss paint, sample 0385UUUPNT, Johns Hopkins University"
-        else:
-            source, sample = "ecostress", self.ecostress(curve.eco)
-            title = sample.title
-        x, y, ranges = grid.completed(self.grid_um, sample, self.kin.get(curve.kin))
-        figures = grid.on_grid(self.grid_um, x, y)
-        if curve.leaf:
-            parameters, rms = prospect.fit(self.coefficients, sample.wavelength_um, sample.reflectance)
-            transmittance = self.transmittance(parameters)
-            notes.append("transmittance by PROSPECT-D, " +
-                         ", ".join(f"{k} {v:.3g}" for k, v in zip(prospect.PARAMETERS, parameters)) +
-                         f", whose reflectance differs by {rms:.3f} RMS from the measured one")
-        if transmittance is not None:
-            transmittance = np.minimum(transmittance, 1.0 - figures)
-            notes.append("transmittance 0 beyond 2.6 um, the value at 0.4 um below")
-        if sample.join_step:
-            notes.append(f"visible and thermal halves joined at {sample.join_step[0]:g} um, where they differ by "
-                         f"{sample.join_step[1]:+.3f}")
-        error = grid.difference(self.grid_um, figures, sample)
-        kind = "modelled" if source in ("prospect", "rakic") else "measured"
-        lines += [f"sample: {title}", f"source: {source}",
-                  f"{kind}: {max(sample.first_um, self.grid_um[0]):.4g} {min(sample.last_um, self.grid_um[-1]):.4g}"]
-        lines += [f"not measured: {a:.4g} {b:.4g} {how}" for a, b, how in ranges]
-        lines += [f"note: {note}" for note in notes]
-        lines += [f"difference: {error[0]:.4f} {error[1]:.4f}", "reflectance: " + numbers(figures)]
-        if transmittance is not None:
-            lines.append("transmittance: " + numbers(np.trim_zeros(np.round(transmittance * 1e4), "b") * 1e-4))
-        return lines
+
+def contents(parameters):
+    return ", ".join(f"{k} {v:.3g}" for k, v in zip(prospect.PARAMETERS, parameters))
+
+
+def block(library, grid_um, curve):
+    """The lines of one curve, and the keys of its sources."""
+    sample = curve.recipe(library)
+    kin = library.kin[curve.kin] if curve.kin else None
+    x, y, ranges = grid.completed(grid_um, sample, kin)
+    figures = grid.on_grid(grid_um, x, y)
+    notes, used = list(curve.notes), list(sample.sources)
+    transmittance = getattr(sample, "transmittance", None)
+    if curve.leaf:
+        parameters, rms = prospect.fit(library.coefficients, sample.wavelength_um, sample.reflectance)
+        transmittance = library.transmittance(parameters)
+        used.append("prospect")
+        notes.append(f"transmittance by PROSPECT-D, {contents(parameters)}, whose reflectance differs by {rms:.3f} RMS from "
+                     "the measured one")
+    if transmittance is not None:
+        transmittance = np.minimum(transmittance, 1.0 - figures)
+        notes.append("transmittance 0 beyond 2.6 um, the value at 0.4 um below")
+    if kin is not None and any(kin.title in how for _, _, how in ranges):
+        used += [key for key in kin.sources if key not in used]
+    error = grid.difference(grid_um, figures, sample)
+    lines = [f"curve: {curve.name}", f"sample: {sample.title}", "source: " + " ".join(used),
+             f"{'modelled' if sample.modelled else 'measured'}: {max(sample.first_um, grid_um[0]):.4g} "
+             f"{min(sample.last_um, grid_um[-1]):.4g}"]
+    lines += [f"not measured: {a:.4g} {b:.4g} {how}" for a, b, how in ranges]
+    lines += [f"note: {note}" for note in notes]
+    lines += [f"difference: {error[0]:.4f} {error[1]:.4f}", "reflectance: " + numbers(figures)]
+    if transmittance is not None:
+        lines.append("transmittance: " + numbers(np.trim_zeros(np.round(transmittance * 1e4), "b") * 1e-4))
+    return lines, used
 
 
 def numbers(values):
     return " ".join(f"{round(v * 1e4):d}" for v in values)
 
 
-def main(folder, coefficients_path, target):
-    maker = Maker(folder, coefficients_path)
+def main(spectra, index_folder, coefficients_path, target):
+    library, grid_um = Library(spectra, index_folder, coefficients_path), grid.wavelengths_um()
     for group, materials in GROUPS.items():
         blocks, used = [], set()
         for material in materials:
             lines = [f"material: {material.name}", f"words: {group} {material.words}", f"about: {material.about}"]
+            if material.instead_of:
+                lines.append("instead of: " + "; ".join(material.instead_of))
             for curve in material.curves:
-                lines += maker.block(curve)
-            used |= {line.split(": ")[1] for line in lines if line.startswith("source: ")}
+                more, keys = block(library, grid_um, curve)
+                lines += more
+                used |= set(keys)
             blocks.append("\n".join(lines))
         head = ["# Spectral library: directional-hemispherical reflectance and transmittance, in units of 1e-4, at the wavelengths",
                 "# of `grid` (first, step, last in um, pieces that continue each other). Made by tools/make_materials.py;",
@@ -119,6 +147,6 @@ def main(folder, coefficients_path, target):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 4:
+    if len(sys.argv) != 5:
         sys.exit(__doc__)
     main(*sys.argv[1:])

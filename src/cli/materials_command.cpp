@@ -81,7 +81,7 @@ Command add_materials_command(CLI::App& app) {
       "  ifov materials\n"
       "  ifov materials asphalt\n"
       "  ifov materials \"grass, lawn\" --plot lawn.png\n"
-      "  ifov materials \"leaf, red maple\" --csv > maple.csv");
+      "  ifov materials \"leaf, aspen\" --csv > aspen.csv");
   return {parser, [options] { return run_materials(*options); }};
 }
 

@@ -112,7 +112,7 @@ MadeScene make_desert(const MakeOptions& options) {
     place_plants(*stocks, ground, folder, text);
     for (const Stock& stock : *stocks) count += stock.copies.size();
   }
-  return finish_scene(options, {format("A desert of {:g} m, seed {}.", options.size_m, options.seed), 215.0, 0.3, "sand, brown quartz", 48, "tropical", "rural"}, text, folder,
+  return finish_scene(options, {format("A desert of {:g} m, seed {}.", options.size_m, options.seed), 215.0, 0.3, "sand, beach", 48, "tropical", "rural"}, text, folder,
                       {format("{} shrubs and rocks", count)});
 }
 

@@ -44,25 +44,15 @@ def on_grid(grid_um, x, y):
 def completed(grid_um, sample, kin):
     """The sample's points over the whole grid, and what was not measured as (first, last, how).
 
-    Beyond its ends and in its gaps the values come from `kin`, a measured sample of the same kind, times a factor that
-    makes them meet: straight in a gap, constant towards short wavelengths, and fading to 1 over FADE_UM towards long
-    ones. Without kin, the end value goes on."""
+    Gaps are bridged by straight lines. Beyond the ends the values come from `kin`, a sample of the same kind, times a
+    factor that makes them meet: constant towards short wavelengths, and fading to 1 over FADE_UM towards long ones; where
+    kin has a gap, or begins only beyond, by a straight line. Without kin, the end value goes on."""
     x, y = [sample.wavelength_um], [sample.reflectance]
-    ranges = []
-    lent = f"from {kin.title}, scaled to meet" if kin is not None else ""
+    ranges = [(low, high, "straight line") for low, high in sample.gaps()]
 
     def ratio(at_um):
         return float(np.clip(sample.at(at_um) / max(float(kin.at(at_um)), 1e-3), 0.05, 20.0))
 
-    for low, high in sample.gaps():
-        if kin is None:
-            ranges.append((low, high, "straight line"))
-            continue
-        inner = kin.wavelength_um[(kin.wavelength_um > low) & (kin.wavelength_um < high)]
-        factor = np.interp(inner, [low, high], [ratio(low), ratio(high)])
-        x.append(inner)
-        y.append(np.clip(kin.at(inner) * factor, 0, 1))
-        ranges.append((low, high, lent))
     first, last = grid_um[0], grid_um[-1]
     if sample.first_um > first + 1e-9:
         reach = max(first, kin.first_um) if kin is not None else sample.first_um
@@ -71,16 +61,30 @@ def completed(grid_um, sample, kin):
                                [reach])
             x.append(inner)
             y.append(np.clip(kin.at(inner) * ratio(sample.first_um), 0, 1))
-            ranges.append((reach, sample.first_um, lent))
+            ranges.append((reach, sample.first_um, f"from {kin.title}, scaled to meet"))
+        else:
+            reach = sample.first_um
         if reach > first + 1e-9:
             ranges.append((first, reach, "end value goes on"))
-    if sample.last_um < last - 1e-9:
+    if sample.last_um < last - 0.005:
         if kin is not None and kin.last_um > sample.last_um:
             inner = kin.wavelength_um[kin.wavelength_um > sample.last_um]
-            factor = np.interp(inner, [sample.last_um, sample.last_um + FADE_UM], [ratio(sample.last_um), 1.0])
+            meets = kin.first_um < sample.last_um
+            factor = np.interp(inner, [sample.last_um, sample.last_um + FADE_UM],
+                               [ratio(sample.last_um) if meets else 1.0, 1.0])
             x.append(inner)
             y.append(np.clip(kin.at(inner) * factor, 0, 1))
-            ranges.append((sample.last_um, last, lent))
+            bridges = [(max(low, sample.last_um), high) for low, high in kin.gaps() if high > sample.last_um]
+            bridges = bridges if meets else [(sample.last_um, kin.first_um)]
+            start = sample.last_um
+            for low, high in bridges:
+                if low > start + FADE_UM / 10:
+                    ranges.append((start, low, f"from {kin.title}, scaled to meet"))
+                    ranges.append((low, high, "straight line"))
+                else:
+                    ranges.append((start, high, "straight line"))
+                start = high
+            ranges.append((start, last, f"from {kin.title}"))
         else:
             ranges.append((sample.last_um, last, "end value goes on"))
     x, y = np.concatenate(x), np.concatenate(y)

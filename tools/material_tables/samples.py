@@ -1,22 +1,24 @@
 """Measured spectra as the library's files hold them: ascending wavelength in um, reflectance as a fraction."""
 import csv
-import re
 from pathlib import Path
 
 import numpy as np
 
+DELETED = -1e30  # USGS marks deleted channels with -1.23e34
+
 
 class Sample:
-    """Points of one spectrum. `gaps` are intervals without a measurement inside its range."""
+    """Points of one spectrum, whose `sources` are keys of `sources.SOURCES`. `gaps` are intervals without a measurement
+    inside its range."""
 
-    def __init__(self, wavelength_um, reflectance, title):
+    def __init__(self, wavelength_um, reflectance, title, sources):
         order = np.argsort(wavelength_um)
         self.wavelength_um = np.asarray(wavelength_um, float)[order]
         self.reflectance = np.clip(np.asarray(reflectance, float)[order], 0.0, 1.0)
         keep = np.concatenate([[True], np.diff(self.wavelength_um) > 0])
         self.wavelength_um, self.reflectance = self.wavelength_um[keep], self.reflectance[keep]
-        self.title = title
-        self.join_step = None
+        self.title, self.sources = title, sources
+        self.modelled = False
 
     @property
     def first_um(self):
@@ -27,88 +29,85 @@ class Sample:
         return self.wavelength_um[-1]
 
     def gaps(self, width_um=0.15):
-        steps = np.diff(self.wavelength_um)
-        wide = (steps > width_um) & (self.wavelength_um[:-1] < 2.5)
+        wide = (np.diff(self.wavelength_um) > width_um) & (self.wavelength_um[:-1] < 8.0)
         return [(self.wavelength_um[i], self.wavelength_um[i + 1]) for i in np.flatnonzero(wide)]
 
     def at(self, wavelength_um):
         return np.interp(wavelength_um, self.wavelength_um, self.reflectance)
 
 
-def ecostress(folder, *names):
-    """A file of the ECOSTRESS or ASTER library; two of them are joined, the second from its first wavelength on."""
-    parts = []
-    for name in names:
-        lines = (Path(folder) / name).read_text(encoding="latin-1").splitlines()
-        fields = {m.group(1).strip().lower(): m.group(2).strip()
-                  for m in (re.match(r"([A-Za-z. ]{2,30}):(.*)$", line) for line in lines) if m}
-        percent = "percent" in fields["y units"].lower() or "%" in fields["y units"]
-        rows = []
-        for line in lines:
-            words = line.split()
-            if len(words) == 2:
-                try:
-                    rows.append((float(words[0]), float(words[1])))
-                except ValueError:
-                    continue
-        x, y = np.array(rows).T
-        number = fields["sample no."]
-        owner = {"jhu": "Johns Hopkins University", "ucsb": "UC Santa Barbara", "jpl": "JPL"}.get(
-            next((w for w in re.split(r"[._/]", name) if w in ("jhu", "ucsb", "jpl")), ""), "")
-        title = " ".join(f"{fields['name']}, sample {number}, {owner}".split())
-        parts.append(Sample(x, y * (0.01 if percent else 1.0), title))
-    if len(parts) == 1:
-        return parts[0]
-    first, second = sorted(parts, key=lambda part: part.first_um)
-    before = first.wavelength_um < second.first_um
-    joined = Sample(np.concatenate([first.wavelength_um[before], second.wavelength_um]),
-                    np.concatenate([first.reflectance[before], second.reflectance]), first.title)
-    joined.join_step = (second.first_um, float(second.reflectance[0] - first.at(second.first_um)))
-    return joined
+def _numbers(path):
+    return np.array([float(line) for line in Path(path).read_text(encoding="latin-1").splitlines()[1:] if line.strip()])
 
 
-def spectral_library(header_path, scale):
-    """All spectra of an ENVI spectral library (double precision, little-endian) by name."""
-    header = Path(header_path).read_text(encoding="latin-1")
+class Usgs:
+    """splib07a: one file of reflectances for each sample, one of wavelengths for each spectrometer."""
 
-    def braces(key):
-        return [x.strip() for x in re.search(key + r"\s*=\s*\{(.*?)\}", header, re.S).group(1).split(",")]
+    WAVELENGTHS = {"ASDFR": "Wavelengths_ASD_0.35-2.5_microns_2151_ch", "BECK": "Wavelengths_BECK_Beckman_0.2-3.0_microns",
+                   "NIC4": "Wavelengths_NIC4_Nicolet_1.12-216microns"}
 
-    wavelength_um = np.array([float(x) for x in braces("wavelength")])
-    names = braces("spectra names")
-    values = np.fromfile(Path(header_path).with_suffix(".sli"), "<f8").reshape(len(names), len(wavelength_um))
-    return {name: Sample(wavelength_um, row * scale, name) for name, row in zip(names, values)}
+    def __init__(self, folder):
+        self.folder = Path(folder)
 
+    def sample(self, name):
+        """The file whose name goes on with `name` after splib07a_ and ends in AREF.txt."""
+        found = sorted(path for path in self.folder.glob("splib07a_*AREF.txt")
+                       if path.name[len("splib07a_"):].startswith(name))
+        if len(found) != 1:
+            raise SystemExit(f"{self.folder}: {len(found)} files for '{name}'")
+        kind = next(key for key in self.WAVELENGTHS if key in found[0].name)
+        x, y = _numbers(self.folder / f"splib07a_{self.WAVELENGTHS[kind]}.txt"), _numbers(found[0])
+        record = found[0].read_text(encoding="latin-1").splitlines()[0].split("Record=")[-1].strip()
+        keep = y > DELETED
+        return Sample(x[keep], y[keep], "USGS splib07a " + " ".join(record.split()), ("usgs",))
 
-def table(path):
-    """Two columns: wavelength_um, reflectance."""
-    with open(path, encoding="utf-8") as file:
-        rows = [row for row in csv.reader(line for line in file if not line.startswith("#")) if row]
-    x, y = np.array([[float(v) for v in row[:2]] for row in rows[1:]]).T
-    return Sample(x, y, Path(path).stem)
-
-
-# Oscillators of A. D. Rakic et al., Applied Optics 37 (1998) 5271-5283, table 2: plasma frequency and, for each term,
-# strength, width and frequency, in eV. The fits reach from 0.1 (silver, gold, copper) or 0.005 eV (aluminium) on.
-LORENTZ_DRUDE = {
-    "aluminium": (14.98, [0.523, 0.227, 0.050, 0.166, 0.030], [0.047, 0.333, 0.312, 1.351, 3.382],
-                  [0.0, 0.162, 1.544, 1.808, 3.473], 14.0),
-    "copper": (10.83, [0.575, 0.061, 0.104, 0.723, 0.638], [0.030, 0.378, 1.056, 3.213, 4.305],
-               [0.0, 0.291, 2.957, 5.300, 11.18], 12.4),
-    "gold": (9.03, [0.760, 0.024, 0.010, 0.071, 0.601, 4.384], [0.053, 0.241, 0.345, 0.870, 2.494, 2.214],
-             [0.0, 0.415, 0.830, 2.969, 4.304, 13.32], 12.4),
-    "silver": (9.01, [0.845, 0.065, 0.124, 0.011, 0.840, 5.646], [0.048, 3.886, 0.452, 0.065, 0.916, 2.419],
-               [0.0, 0.816, 4.481, 8.185, 9.083, 20.29], 12.4),
-}
+    def joined(self, first, second):
+        """The second from where the first ends."""
+        a, b = self.sample(first), self.sample(second)
+        beyond = b.wavelength_um > a.last_um
+        return Sample(np.concatenate([a.wavelength_um, b.wavelength_um[beyond]]),
+                      np.concatenate([a.reflectance, b.reflectance[beyond]]), f"{a.title} and {b.title}", ("usgs",))
 
 
-def polished_metal(name, wavelength_um):
-    """Fresnel reflectance at normal incidence, from the oscillators."""
-    plasma, strengths, widths, frequencies, last_um = LORENTZ_DRUDE[name]
-    wavelength_um = wavelength_um[wavelength_um <= last_um]
-    energy = 1.239842 / wavelength_um
-    permittivity = np.ones_like(energy, complex)
-    for f, g, w in zip(strengths, widths, frequencies):
-        permittivity += f * plasma ** 2 / (w ** 2 - energy ** 2 - 1j * energy * g)
-    index = np.sqrt(permittivity)
-    return Sample(wavelength_um, np.abs((index - 1) / (index + 1)) ** 2, f"{name}, polished")
+class Slum:
+    """Percent of reflectance over nm, and emissivity over um, both with one column for each sample."""
+
+    def __init__(self, folder):
+        self.short, self.thermal = (self._columns(Path(folder) / f"LUMA_SLUM_{part}.csv") for part in ("SW", "IR"))
+
+    @staticmethod
+    def _columns(path):
+        with open(path, encoding="utf-8") as file:
+            rows = list(csv.reader(file))
+        values = np.array([[float(x) for x in row] for row in rows[1:] if row])
+        return dict(zip(rows[0], values.T))
+
+    def sample(self, name):
+        x = np.concatenate([self.short["wavelength"] * 1e-3, self.thermal["wavelength"]])
+        y = np.concatenate([self.short[name] * 1e-2, 1.0 - self.thermal[name]])
+        return Sample(x, y, f"SLUM {name}", ("slum",))
+
+
+def figure(reflectance, source, title, first_um):
+    """One published figure, taken to hold from `first_um` to 14 um."""
+    x = np.arange(first_um, 14.05, 0.1)
+    return Sample(x, np.full(x.size, reflectance), title, (source,))
+
+
+def levelled(sample, reflectance, source, title):
+    """A spectrum whose level beyond 5 um is not that of a diffuse surface, scaled there so that its mean from 8 to 14 um is
+    a published figure."""
+    x = sample.wavelength_um
+    factor = reflectance / np.mean(sample.at(np.linspace(8.0, 14.0, 601)))
+    return Sample(x, sample.reflectance * np.interp(x, [5.0, 7.0], [1.0, factor]), title, sample.sources + (source,))
+
+
+def mixture(parts):
+    """Shares of samples, mixed by area, on the first one's wavelengths where all of them reach."""
+    first = max(sample.first_um for _, sample in parts)
+    last = min(sample.last_um for _, sample in parts)
+    x = parts[0][1].wavelength_um
+    x = x[(x >= first) & (x <= last)]
+    y = sum(share * sample.at(x) for share, sample in parts)
+    title = " and ".join(f"{share:.0%} of {sample.title}" for share, sample in parts)
+    return Sample(x, y, "mixture by area: " + title, tuple(dict.fromkeys(s for _, p in parts for s in p.sources)))

@@ -44,6 +44,8 @@ class TableParser {
       for (const Field& word : split(value, ' ')) material().words.emplace_back(word.text);
     } else if (key == "about") {
       material().about = value;
+    } else if (key == "instead of") {
+      for (const Field& name : split(value, ';')) material().instead_of.emplace_back(name.text);
     } else if (key == "curve") {
       if (!material().curves.empty()) finish_curve();
       material().curves.emplace_back().name = value;
@@ -57,9 +59,11 @@ class TableParser {
     if (key == "sample") {
       curve.sample = value;
     } else if (key == "source") {
-      const auto found = origins_.find(value);
-      if (found == origins_.end()) fail(format("no 'origin' is called '{}'", value));
-      curve.origin = found->second;
+      for (const Field& name : split(value, ' ')) {
+        const auto found = origins_.find(name.text);
+        if (found == origins_.end()) fail(format("no 'origin' is called '{}'", name.text));
+        curve.origins.push_back(found->second);
+      }
     } else if (key == "measured" || key == "modelled") {
       curve.modelled = key == "modelled";
       const std::vector<double> ends = numbers(value, 2);
@@ -99,7 +103,7 @@ class TableParser {
     if (materials_.empty()) return;
     const LibraryMaterial& last = materials_.back();
     if (last.words.empty() || last.curves.empty() || last.curves.back().reflectance.is_constant() ||
-        last.curves.back().origin.empty())
+        last.curves.back().origins.empty())
       file_.fail(
           0, 0,
           format("the material '{}' has no words, no curve, or one without figures or source", last.name));

@@ -21,7 +21,7 @@ struct LentRange {
 struct LibraryCurve {
   std::string name;
   std::string sample;                    ///< what was measured or modelled
-  std::string origin;                    ///< publication and licence
+  std::vector<std::string> origins;      ///< publications and licences
   bool modelled = false;                 ///< else measured
   double first_um = 0.0, last_um = 0.0;  ///< of the measurement or the model
   std::vector<LentRange> lent;
@@ -38,7 +38,8 @@ struct LibraryMaterial {
   std::string name;                ///< plain words: "grass, lawn"
   std::vector<std::string> words;  ///< more words that a search finds it by; the first is its group
   std::string about;
-  std::vector<LibraryCurve> curves;  ///< at least one
+  std::vector<std::string> instead_of;  ///< names of earlier libraries that this is nearest to
+  std::vector<LibraryCurve> curves;     ///< at least one
 
   const std::string& group() const { return words.front(); }
   /// Position of the curve with this name; an InputError lists the curves where there is none.
@@ -55,7 +56,8 @@ class MaterialLibrary {
   explicit MaterialLibrary(std::span<const std::pair<std::string, std::string_view>> tables);
 
   std::span<const LibraryMaterial> materials() const { return materials_; }
-  /// By its full name, letters compared without case; an InputError names near misses.
+  /// By its full name, letters compared without case; an InputError names near misses, and of a name of an
+  /// earlier library what is nearest to it now.
   const LibraryMaterial& find(std::string_view name) const;
   bool has(std::string_view name) const;
   /// Materials whose name or words hold every word of the text (as the start of a word), in the library's

@@ -95,7 +95,7 @@ std::string describe_material(const LibraryMaterial& material, std::span<const s
   std::set<std::string> origins;
   for (const std::size_t k : curves) {
     text += describe_curve(material.curves[k], k + 1);
-    origins.insert(material.curves[k].origin);
+    origins.insert(material.curves[k].origins.begin(), material.curves[k].origins.end());
   }
   text += "\n";
   for (const std::string& origin : origins) text += wrapped(origin, "  source: ", "    ");
@@ -114,7 +114,7 @@ std::string material_csv(const LibraryMaterial& material, std::span<const std::s
     for (const LentRange& range : curve.lent)
       text += format("# curve {} not measured {:g} to {:g} um: {}\n", k + 1, range.first_um, range.last_um,
                      range.how);
-    origins.insert(curve.origin);
+    origins.insert(curve.origins.begin(), curve.origins.end());
     columns.push_back(&curve.reflectance);
     heading += format(",reflectance_{}", k + 1);
     if (curve.transmittance) {

@@ -16,8 +16,9 @@ std::string library_spectrum(std::string_view material, int curve, SceneFolder& 
     else if (!name.empty() && name.back() != '_') name += '_';
   name = format("{}_{}", name, curve);
   if (!folder.has(format("spectra/{}.csv", name))) {
-    std::string rows = format("# {}: {}\n# {}\nwavelength_um,reflectance{}\n", entry.name, source.sample, source.origin,
-                              source.transmittance ? ",transmittance" : "");
+    std::string rows = format("# {}: {}\n", entry.name, source.sample);
+    for (const std::string& origin : source.origins) rows += format("# {}\n", origin);
+    rows += format("wavelength_um,reflectance{}\n", source.transmittance ? ",transmittance" : "");
     for (const double wavelength_um : source.reflectance.wavelength_um()) {
       rows += format("{:.4g},{:.4f}", wavelength_um, source.reflectance.at(wavelength_um));
       if (source.transmittance) rows += format(",{:.4f}", source.transmittance->at(wavelength_um));
