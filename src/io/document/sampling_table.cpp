@@ -136,7 +136,8 @@ Kind<SamplingDocument> sampling_kind() {
                     "pixels along a side of the tiles that are computed at once")
       .with_default("mirror_reflections", &SamplingDocument::mirror_reflections, integer(0, 8), "8",
                     "flat mirrors, one after the other, by way of which sunlight is sought; where more may matter, "
-                    "pixels are marked")
+                    "pixels are marked. With 0 neither sunlight nor what shines is sought by way of any mirror, round ones "
+                    "included")
       .optional(
           "max_depth", &SamplingDocument::max_depth, integer(1, 10000),
           "surfaces a path may meet, for light that is cut short on purpose; without it no light is lost");
