@@ -1,8 +1,9 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/inputs_below.h"
+#include "cli/say.h"
 #include "core/error.h"
 #include "core/format.h"
 #include "io/document/document.h"
@@ -36,12 +37,12 @@ ExitCode check(const CheckArguments& arguments) {
     try {
       const std::string text = description_of(file, arguments.no_cache, console);
       const std::string title = arguments.files.size() > 1 ? format("{}:\n", file) : std::string();
-      if (!arguments.quiet) std::fputs((title + text).c_str(), stdout);
+      if (!arguments.quiet) say(title + text);
     } catch (const InputError& error) {
-      std::fprintf(stderr, "%s\n", error.what());
+      complain(error.what());
       note(ExitCode::input);
     } catch (const EnvironmentError& error) {
-      std::fprintf(stderr, "ifov: %s\n", error.what());
+      complain(format("ifov: {}", error.what()));
       note(ExitCode::environment);
     }
   }
@@ -56,6 +57,7 @@ Command add_check_command(CLI::App& app) {
   CLI::App* parser =
       app.add_subcommand("check", "Read documents and all files they name, and say what is wrong");
   parser->add_option("FILE", arguments->files, "The document (JSON), or several")->required();
+  add_inputs_below(*parser);
   parser->add_flag("--no-cache", arguments->no_cache,
                    "Read all files of the scene, and keep nothing of them beside the document");
   parser->add_flag("--strict", arguments->strict, "Warnings are errors: exit code 1");

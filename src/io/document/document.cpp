@@ -1,15 +1,10 @@
 #include "io/document/document.h"
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
 #include "core/format.h"
 #include "io/document/check_references.h"
 #include "io/document/json_adapter.h"
 #include "io/document/tables.h"
+#include "io/files/input_file.h"
 
 namespace ifov::io {
 namespace {
@@ -20,20 +15,13 @@ const Kind<Document>& table() {
 }
 
 std::string read_text(const std::string& path) {
-  if (std::filesystem::is_directory(path))
-    throw EnvironmentError(format("cannot read '{}': it is a folder", path));
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file) throw EnvironmentError(format("cannot read '{}': {}", path, std::strerror(errno)));
-  const std::streamoff size = file.tellg();
-  const auto most = static_cast<std::streamoff>(JsonRules().max_bytes);
-  if (size > most) {
-    throw InputError(format("{}: the document has {} bytes, more than the {} allowed", path, size, most),
+  const InputFile file(path);
+  const std::size_t most = JsonRules().max_bytes;
+  if (file.size() > most) {
+    throw InputError(format("{}: the document has {} bytes, more than the {} allowed", path, file.size(), most),
                      {path, 0, 0});
   }
-  file.seekg(0);
-  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (size < 0 || file.bad()) throw EnvironmentError(format("cannot read '{}'", path));
-  return text;
+  return file.text();
 }
 
 /// A section that was not written stands where the document begins.
