@@ -95,7 +95,7 @@ void install_inputs() {
   calls->read = read;
   calls->eof = is_at_end;
   calls->close = close_input;
-  VSIInstallPluginHandler(std::string(kPrefix).c_str(), calls);
+  VSIInstallPluginHandler(kPrefix.data(), calls);  // keeps the address of the prefix
   VSIFreeFilesystemPluginCallbacksStruct(calls);
 }
 
