@@ -131,6 +131,16 @@ class Reading(unittest.TestCase):
                 self.assertIn("i.csv' holds no copies: nothing is placed", done.stderr)
                 self.assertIn(run("render", folder / "scene.json").returncode, (0, 5, 6))
 
+    def test_a_prototype_of_no_copies(self):
+        document = copies({"at": [["0 m", "0 m", "0 m"]]})
+        document["scene"]["prototypes"]["row"] = [{"instances": {"of": "post", "csv": "i.csv"}}]
+        document["scene"]["objects"].append({"instance": {"of": "row"}})
+        with Folder(scene=json.dumps(document)) as folder:
+            (folder / "i.csv").write_text("x,y,z\n")
+            done = run("render", folder / "scene.json")
+            self.assertIn(done.returncode, (0, 5, 6), done.stderr)
+            self.assertIn("i.csv' holds no copies", done.stderr)
+
     def test_a_file_that_shrinks_while_it_is_read(self):
         with Folder(scene=json.dumps(copies({"csv": "i.csv"}))) as folder:
             rows = folder / "i.csv"
