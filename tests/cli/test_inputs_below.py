@@ -84,6 +84,8 @@ class InputsBelow(unittest.TestCase):
                 link = scene.inside / f"link{ending}"
                 link.symlink_to(file)
                 (scene.inside / "door").symlink_to(scene.outside)
+                for data in (scene.outside / "passwd.sli", scene.inside / "link.sli"):
+                    data.write_text(SECRET)  # belongs to the header of a library
                 ways = [
                     ("by its path", file),
                     ("by a link", f"link{ending}"),
