@@ -24,4 +24,5 @@ endfunction()
 function(ifov_compile_options target)
   target_compile_options(${target} PRIVATE -march=x86-64-v3 -ffp-contract=off -fno-math-errno -Wall -Wextra
                          -Wshadow -Wconversion -Wno-sign-conversion -Werror)
+  ifov_harden(${target})
 endfunction()

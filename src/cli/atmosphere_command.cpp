@@ -1,12 +1,13 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
-#include <cstdio>
 #include <numbers>
 
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/document_arguments.h"
+#include "cli/inputs_below.h"
 #include "cli/interrupt.h"
+#include "cli/say.h"
 #include "core/error.h"
 #include "core/format.h"
 #include "io/products/part_file.h"
@@ -73,30 +74,24 @@ ExitCode look(const AtmosphereArguments& arguments) {
   question.log = &console;
   const io::AirReport report = session::survey_atmosphere(arguments.input.read(arguments.document), question);
   console.finish();
-  if (!arguments.quiet) std::fputs(io::air_table(report).c_str(), stdout);
+  if (!arguments.quiet) say(io::air_table(report));
   if (arguments.wants_plot) {
     const std::string path =
         arguments.plot.empty()
             ? std::filesystem::path(arguments.document).replace_extension(".atmosphere.png").string()
             : arguments.plot;
     write_file(path, io::air_figure(report));
-    if (!arguments.quiet) std::fputs(format("{}  (figure, PNG)\n", path).c_str(), stderr);
+    if (!arguments.quiet) complain(format("{}  (figure, PNG)", path));
   }
   if (!arguments.csv.empty()) {
     write_file(arguments.csv, io::air_csv(report));
     if (!arguments.quiet)
-      std::fputs(format("{}  (spectrum, {} steps of {:g} cm-1)\n", arguments.csv, report.spectrum.size(),
-                        report.step_cm1)
-                     .c_str(),
-                 stderr);
+      complain(format("{}  (spectrum, {} steps of {:g} cm-1)", arguments.csv, report.spectrum.size(), report.step_cm1));
   }
   if (!arguments.sky.empty()) {
     write_file(arguments.sky, io::sky_csv(report));
     if (!arguments.quiet)
-      std::fputs(format("{}  (sky of '{}' at {:.4g} um)\n", arguments.sky, report.sky_channel,
-                        report.sky->wavelength_um)
-                     .c_str(),
-                 stderr);
+      complain(format("{}  (sky of '{}' at {:.4g} um)", arguments.sky, report.sky_channel, report.sky->wavelength_um));
   }
   return ExitCode::ok;
 }
@@ -131,6 +126,7 @@ Command add_atmosphere_command(CLI::App& app) {
       ->add_option("--channel", arguments->channel,
                    "Whose sky is shown (default: the one next to 0.45 um, at night 10 um)")
       ->type_name("NAME");
+  add_inputs_below(*parser);
   parser->add_option("-j,--threads", arguments->threads, "Threads; 0 takes all cores")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();

@@ -1,9 +1,10 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/document_arguments.h"
+#include "cli/inputs_below.h"
+#include "cli/say.h"
 #include "core/error.h"
 #include "core/format.h"
 #include "io/document/document.h"
@@ -38,12 +39,12 @@ ExitCode check(const CheckArguments& arguments) {
     try {
       const std::string text = description_of(arguments, file, console);
       const std::string title = arguments.files.size() > 1 ? format("{}:\n", file) : std::string();
-      if (!arguments.quiet) std::fputs((title + text).c_str(), stdout);
+      if (!arguments.quiet) say(title + text);
     } catch (const InputError& error) {
-      std::fprintf(stderr, "%s\n", error.what());
+      complain(error.what());
       note(ExitCode::input);
     } catch (const EnvironmentError& error) {
-      std::fprintf(stderr, "ifov: %s\n", error.what());
+      complain(format("ifov: {}", error.what()));
       note(ExitCode::environment);
     }
   }
@@ -59,6 +60,7 @@ Command add_check_command(CLI::App& app) {
       app.add_subcommand("check", "Read documents and all files they name, and say what is wrong");
   parser->add_option("FILE", arguments->files, "The document (JSON), or several")->required();
   arguments->input.add_to(*parser);
+  add_inputs_below(*parser);
   parser->add_flag("--no-cache", arguments->no_cache,
                    "Read all files of the scene, and keep nothing of them beside the document");
   parser->add_flag("--strict", arguments->strict, "Warnings are errors: exit code 1");

@@ -5,11 +5,14 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
+#include <filesystem>
 
 #include "cli/progress_line.h"
+#include "cli/say.h"
 #include "core/error.h"
 #include "core/format.h"
+#include "core/printable.h"
+#include "io/files/file_reasons.h"
 
 namespace ifov::cli {
 namespace {
@@ -26,14 +29,24 @@ int terminal_width() {
   return known ? size.ws_col - 1 : kUsualWidth - 1;
 }
 
+/// A link of this name may have come with somebody's scene. Those of the system lead to the terminal and to pipes.
+void refuse_linked_log(const std::string& file) {
+  std::error_code unknown;
+  if (file.starts_with("/dev/") || file.starts_with("/proc/")) return;
+  if (std::filesystem::is_symlink(file, unknown))
+    throw EnvironmentError(format("cannot write the log '{}': it is a link to '{}'; name that file, or another", file,
+                                  std::filesystem::read_symlink(file, unknown).string()));
+}
+
 }  // namespace
 
 Console::Console(bool quiet, const std::string& log_file)
     : quiet_(quiet), on_terminal_(isatty(STDERR_FILENO) == 1), start_(Clock::now()), last_logged_(start_), reported_(start_) {
   if (!quiet_ && on_terminal_) clock_ = std::thread([this] { keep_time(); });
   if (log_file.empty()) return;
+  refuse_linked_log(log_file);
   log_.open(log_file, std::ios::trunc);
-  if (!log_) throw EnvironmentError(format("cannot write the log '{}': {}", log_file, std::strerror(errno)));
+  if (!log_) throw EnvironmentError(format("cannot write the log '{}': {}", log_file, io::file_reason(errno)));
 }
 
 Console::~Console() {
@@ -58,7 +71,7 @@ void Console::warn(const std::string& message) {
   ++warnings_;
   if (quiet_) return;
   erase_bar();
-  std::fprintf(stderr, "ifov: warning: %s\n", message.c_str());
+  complain(format("ifov: warning: {}", message));
 }
 
 void Console::report(const Progress& progress) {
@@ -119,7 +132,7 @@ void Console::finish() {
 void Console::log(const char* level, const std::string& message) {
   if (!log_.is_open()) return;
   const double elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
-  log_ << format("{:9.3f} s  {}: {}\n", elapsed_s, level, message) << std::flush;
+  log_ << format("{:9.3f} s  {}: {}\n", elapsed_s, level, printable_message(message)) << std::flush;
 }
 
 void Console::erase_bar() {

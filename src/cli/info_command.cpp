@@ -1,9 +1,10 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 
 #include "cli/command.h"
+#include "cli/inputs_below.h"
 #include "cli/product_info.h"
 #include "cli/region_info.h"
+#include "cli/say.h"
 
 namespace ifov::cli {
 
@@ -27,6 +28,7 @@ Command add_info_command(CLI::App& app) {
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("REGION");
+  add_inputs_below(*parser);
   parser->footer(
       "Examples:\n"
       "  ifov info out\n"
@@ -36,7 +38,7 @@ Command add_info_command(CLI::App& app) {
   return {parser, [wanted] {
             const std::string text = wanted->regions.empty() ? describe_product(wanted->product)
                                                              : describe_regions(wanted->product, wanted->regions);
-            std::fputs(text.c_str(), stdout);
+            say(text);
             return ExitCode::ok;
           }};
 }

@@ -1,12 +1,13 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <new>
 #include <system_error>
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/faults.h"
 #include "cli/ranks.h"
 #include "cli/run_commands.h"
+#include "cli/say.h"
 #include "core/error.h"
 #include "core/format.h"
 #include "core/machine_memory.h"
@@ -27,7 +28,7 @@ constexpr const char* kFooter =
     "130 stopped by Ctrl-C.";
 
 int fail(ExitCode code, const std::string& message) {
-  std::fprintf(stderr, "%s\n", message.c_str());
+  complain(message);
   return static_cast<int>(code);
 }
 
@@ -99,6 +100,7 @@ int run_and_say(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  ifov::cli::answer_faults();
   const int code = run_and_say(argc, argv);
   ifov::cli::leave_ranks();
   return code;

@@ -1,7 +1,7 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 
 #include "cli/command.h"
+#include "cli/say.h"
 #include "core/error.h"
 #include "core/format.h"
 #include "core/names.h"
@@ -44,7 +44,7 @@ ExitCode make(const MakeArguments& arguments) {
   text += format("{} triangles in {} files, {:.1f} MB\n\n", made.triangles, made.files, 1e-6 * static_cast<double>(made.bytes));
   for (const std::filesystem::path& document : made.documents) text += document.string() + "\n";
   text += format("\nTo look at it: ifov render {}\n", made.documents.front().string());
-  std::fputs(text.c_str(), stdout);
+  say(text);
   return ExitCode::ok;
 }
 

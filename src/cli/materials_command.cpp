@@ -1,8 +1,8 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <numeric>
 
 #include "cli/command.h"
+#include "cli/say.h"
 #include "core/error.h"
 #include "core/names.h"
 #include "io/library/material_library.h"
@@ -51,19 +51,19 @@ ExitCode run_materials(const Options& options) {
       throw InputError(format("--plot, --csv and --curve want one material; '{}' finds {}: {}", options.words,
                               found.size(), list_names(names, "and", 12)));
     }
-    std::fputs(io::list_materials(found).c_str(), stdout);
+    say(io::list_materials(found));
     return ExitCode::ok;
   }
   const io::LibraryMaterial& material = *found.front();
   const std::vector<std::size_t> curves = wanted_curves(material, options.curve);
   if (!options.plot.empty()) {
     write_file(options.plot, io::plot_material(material, curves));
-    std::fprintf(stderr, "%s\n", format("{}  (figure of '{}', PNG)", options.plot, material.name).c_str());
+    complain(format("{}  (figure of '{}', PNG)", options.plot, material.name));
   }
   if (options.csv)
-    std::fputs(io::material_csv(material, curves).c_str(), stdout);
+    say(io::material_csv(material, curves));
   else if (options.plot.empty())
-    std::fputs(io::describe_material(material, curves).c_str(), stdout);
+    say(io::describe_material(material, curves));
   return ExitCode::ok;
 }
 

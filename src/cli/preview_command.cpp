@@ -9,8 +9,10 @@
 
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/inputs_below.h"
 #include "cli/interrupt.h"
 #include "cli/patience.h"
+#include "cli/say.h"
 #include "cli/terminal_picture.h"
 #include "core/error.h"
 #include "core/format.h"
@@ -55,8 +57,8 @@ ExitCode preview(const PreviewArguments& arguments) {
       if (const TerminalColours colours = terminal_colours(); colours != TerminalColours::none)
         std::fputs(terminal_picture(picture.width_px, picture.height_px, picture.pixels, columns_of_output(), colours).c_str(),
                    stdout);
-      std::fputs(session.description().c_str(), stdout);
-      std::fputs(format("{}\n{}  (picture, PNG)\n", picture.statement, path).c_str(), stdout);
+      say(session.description());
+      say(format("{}\n{}  (picture, PNG)\n", picture.statement, path));
     }
   } catch (const Cancelled&) {
     console.finish();
@@ -71,6 +73,7 @@ Command add_preview_command(CLI::App& app) {
   CLI::App* parser = app.add_subcommand("preview", "Make a first picture in a few seconds");
   parser->add_option("FILE", arguments->document, "The document (JSON)")->required();
   arguments->input.add_to(*parser);
+  add_inputs_below(*parser);
   parser->add_option("-o,--output", arguments->output, "The picture (default: beside the document, NAME.preview.png)")
       ->type_name("PNG");
   parser->add_option("--seconds", arguments->seconds, "Time for paths")->check(CLI::Range(0.1, 3600.0))->capture_default_str();

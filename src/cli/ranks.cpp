@@ -1,7 +1,7 @@
 #include "cli/ranks.h"
+#include "cli/say.h"
 
 #include <chrono>
-#include <cstdio>
 
 namespace ifov::cli {
 namespace {
@@ -33,7 +33,7 @@ StopNotice::~StopNotice() {
 void StopNotice::watch(const CancelToken& token, const std::string& message) {
   std::unique_lock lock(mutex_);
   while (!leaving_ && !token.cancelled()) wake_.wait_for(lock, std::chrono::milliseconds(20));
-  if (token.cancelled()) std::fprintf(stderr, "%s\n", message.c_str());
+  if (token.cancelled()) complain(message);
 }
 
 void leave_ranks() { world().reset(); }

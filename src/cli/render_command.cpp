@@ -6,12 +6,14 @@
 #include "cli/console.h"
 #include "cli/document_arguments.h"
 #include "cli/duration.h"
+#include "cli/inputs_below.h"
 #include "cli/interrupt.h"
 #include "cli/patience.h"
 #include "cli/preview_command.h"
 #include "cli/progress_line.h"
 #include "cli/ranks.h"
 #include "cli/run_summary.h"
+#include "cli/say.h"
 #include "core/error.h"
 #include "core/format.h"
 #include "io/document/document.h"
@@ -49,7 +51,7 @@ void print_forecast(const session::Forecast& forecast, double loading_s) {
                                        100.0 * forecast.probed_share, forecast.probing_s)
                               : "probed     nothing: there is too little memory\n";
   for (const std::string& shortage : forecast.shortages) text += format("it will not do: {}\n", shortage);
-  std::fputs(text.c_str(), stdout);
+  say(text);
 }
 
 /// "17/64".
@@ -127,12 +129,7 @@ ExitCode render(const RenderArguments& arguments) {
     options.output_folder = arguments.output;
     request.deadline = deadline;
     if (patience) patience->over();
-    if (!arguments.tiles.empty()) {
-      request.share = read_share(arguments.tiles);
-      if (arguments.output.empty())
-        options.output_folder =
-            format("{}.{}-of-{}", document.output.folder, request.share.number, request.share.count);
-    }
+    if (!arguments.tiles.empty()) request.share = read_share(arguments.tiles);
     options.cancel = &cancel;
     options.progress = &console;
     options.log = &console;
@@ -158,8 +155,8 @@ ExitCode render(const RenderArguments& arguments) {
     console.info(format("ended: {}", stop.what()));
     notice.reset();
     if (!team || !cancel.cancelled())
-      std::fprintf(stderr, "ifov: %s; unfinished products carry the ending .part%s\n", stop.what(),
-                   arguments.no_state ? "" : ", and --resume goes on with what is finished");
+      complain(format("ifov: {}; unfinished products carry the ending .part{}", stop.what(),
+                      arguments.no_state ? "" : ", and --resume goes on with what is finished"));
     return ExitCode::stopped;
   } catch (const std::exception& error) {
     console.finish();
@@ -218,6 +215,7 @@ Command add_render_command(CLI::App& app) {
       ->excludes(keep)
       ->excludes(refine);
   parser->add_option("--log", arguments->log, "Write what happens to this file");
+  add_inputs_below(*parser);
   parser->add_flag("--no-cache", arguments->no_cache,
                    "Read all files of the scene, and keep nothing of them beside the document");
   parser->add_flag("-q,--quiet", arguments->quiet, "Print nothing but errors");

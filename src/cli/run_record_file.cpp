@@ -1,10 +1,8 @@
 #include "cli/run_record_file.h"
 
-#include <fstream>
-#include <iterator>
-
 #include "core/error.h"
 #include "io/document/json_adapter.h"
+#include "io/files/input_file.h"
 
 namespace ifov::cli {
 namespace {
@@ -12,12 +10,9 @@ namespace {
 using Type = io::DocumentNode::Type;
 
 io::DocumentTree parsed(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw EnvironmentError(format("cannot read '{}'", path.string()));
   io::JsonRules rules;
   rules.comments = false;
-  return io::parse_json(std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()),
-                        path.string(), rules);
+  return io::parse_json(io::read_input(path), path.string(), rules);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "cli/run_summary.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "cli/progress_line.h"
+#include "cli/say.h"
 #include "core/format.h"
 
 namespace ifov::cli {
@@ -28,7 +28,7 @@ void print_summary(const session::RunResult& result) {
         "All {} tiles of this share are done and kept in {}; 'ifov merge' makes the products of all "
         "shares.\n",
         result.tiles_done, summary.folder.string());
-  std::fputs(text.c_str(), stdout);
+  say(text);
 }
 
 ExitCode outcome_of(const session::RunResult& result, std::size_t warnings) {

@@ -1,7 +1,7 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 
 #include "cli/run_commands.h"
+#include "cli/say.h"
 #include "session/run_status.h"
 
 namespace ifov::cli {
@@ -16,7 +16,7 @@ Command add_status_command(CLI::App& app) {
       "Example:\n"
       "  ifov status scene.out");
   return {parser, [folder] {
-            std::fputs(session::describe_run(*folder).c_str(), stdout);
+            say(session::describe_run(*folder));
             return ExitCode::ok;
           }};
 }

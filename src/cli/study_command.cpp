@@ -1,9 +1,10 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/inputs_below.h"
 #include "cli/interrupt.h"
+#include "cli/say.h"
 #include "core/error.h"
 #include "core/format.h"
 #include "core/names.h"
@@ -51,7 +52,7 @@ ExitCode study(const StudyArguments& arguments) {
   console.finish();
   std::string text = outcome.table + "\n";
   for (const std::filesystem::path& file : outcome.files) text += format("{}\n", file.string());
-  if (!arguments.quiet) std::fputs(text.c_str(), stdout);
+  if (!arguments.quiet) say(text);
   return outcome.all_met ? ExitCode::ok : ExitCode::unmet;
 }
 
@@ -73,6 +74,7 @@ Command add_study_command(CLI::App& app) {
   parser->add_option("-j,--threads", arguments->threads, "Threads; 0 takes all cores")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
+  add_inputs_below(*parser);
   parser->add_option("--log", arguments->log, "Write what happens to this file");
   parser->add_flag("-q,--quiet", arguments->quiet, "Print nothing but errors");
   std::string footer = "Studies:\n";

@@ -48,7 +48,7 @@ struct WorldBuilder::Content : WorldContent {
     if (copies >= kNoIndex - object_count) throw InputError("there are too many objects");
     for (std::size_t k = 0; k < copies; ++k) require_invertible(what.whole_from_copy(k));
     const std::uint32_t first = object_count;
-    if (copies == 0) return first;
+    if (copies == 0 || t.nothing) return first;
     t.uses += copies;
     object_count += static_cast<std::uint32_t>(copies);
     runs.push_back({std::move(what), materials_begin(material_of_slot), first, seed});
@@ -95,11 +95,12 @@ ShapeId WorldBuilder::add_prototype(std::span<const Part> parts) {
       throw InputError(format("a part has {} material slots, {} are given", t.slot_count, part.slots.size()));
     TemplatePart kept{part.what.value, part.prototype_from_part, part.list, part.slots};
     for (const std::uint32_t s : part.slots) whole.slot_count = std::max(whole.slot_count, s + 1);
-    if (kept.copies() == 0) continue;
+    if (kept.copies() == 0 || t.nothing) continue;
     for (std::size_t k = 0; k < kept.copies(); ++k) require_invertible(kept.whole_from_copy(k));
     whole.parts.push_back(std::move(kept));
   }
-  if (whole.parts.empty()) throw InputError("a prototype has no parts");
+  if (parts.empty()) throw InputError("a prototype has no parts");
+  whole.nothing = whole.parts.empty();
   content_->templates.push_back(std::move(whole));
   return {static_cast<std::uint32_t>(content_->templates.size() - 1)};
 }

@@ -34,6 +34,7 @@ struct Template {
   std::vector<TemplatePart> parts;  ///< of a prototype; they refer to templates before it
   std::uint32_t slot_count = 1;
   std::uint64_t uses = 0;  ///< placed objects
+  bool nothing = false;    ///< a prototype of lists without a copy: it can be placed, and nothing is there
 
   bool has_body() const { return !plane && !field; }
   bool is_prototype() const { return !parts.empty(); }

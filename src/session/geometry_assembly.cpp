@@ -181,16 +181,16 @@ class GeometryAssembly {
   std::shared_ptr<const geometry::Placings> list_of(const io::ObjectDocument& object) const {
     const auto* many = std::get_if<io::InstancesShape>(&object.shape);
     if (many == nullptr) return nullptr;
-    if (many->binary)
-      return with_position(document_, many->binary->position,
-                           [&]() -> std::shared_ptr<const geometry::Placings> {
-                             return std::make_shared<io::InstanceFile>(many->binary->path);
-                           });
-    if (many->csv)
-      return with_position(document_, many->csv->position, [&] {
-        return cached_instances(cache_, {many->csv->path},
-                                [&] { return io::read_instance_csv(many->csv->path); });
+    const auto file = many->binary ? many->binary : many->csv;
+    if (file) {
+      const auto list = with_position(document_, file->position, [&]() -> std::shared_ptr<const geometry::Placings> {
+        if (many->binary) return std::make_shared<io::InstanceFile>(file->path);
+        return cached_instances(cache_, {file->path}, [&] { return io::read_instance_csv(file->path); });
       });
+      if (list->count() == 0 && log_ != nullptr)
+        log_->warn(format("'{}' holds no copies: nothing is placed", file->path));
+      return list;
+    }
     std::vector<io::Instance> list;
     for (const math::Point3& at : many->at_m) list.push_back({at});
     return std::make_shared<io::InstanceList>(std::move(list));

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/machine_memory.h"
+#include "io/files/own_files.h"
 #include "io/products/part_file.h"
 #include "io/run_state/run_state.h"
 #include "session/needs.h"
@@ -283,8 +284,13 @@ class Run {
 }  // namespace
 
 std::filesystem::path RunRequest::folder(const Session& session) const {
-  return options.output_folder.empty() ? std::filesystem::path(session.parts().document.output.folder)
-                                       : options.output_folder;
+  if (!options.output_folder.empty()) return options.output_folder;
+  const io::Document& document = session.parts().document;
+  std::filesystem::path folder = document.output.folder;
+  if (!share.is_whole()) folder += format(".{}-of-{}", share.number, share.count);
+  // It stands beside the document, perhaps in somebody's archive; a folder that the user gives may be a link.
+  io::refuse_links_below(std::filesystem::path(document.file_name).parent_path(), folder);
+  return folder;
 }
 
 RunResult render_run(const Session& session, const RunRequest& request) { return Run(session, request).go(); }

@@ -27,7 +27,8 @@ struct RunRequest {
 
   Team* team = nullptr;  ///< of ranks that share the tiles; needs keep_tiles
 
-  /// Of the options, else as the document says.
+  /// Of the options, else as the document says, with the share in its name. Throws EnvironmentError where the latter
+  /// leads through a link.
   std::filesystem::path folder(const Session& session) const;
 };
 

@@ -1,12 +1,12 @@
 #include "studies/study_document.h"
 
 #include <chrono>
-#include <fstream>
 #include <system_error>
 
 #include "core/error.h"
 #include "core/format.h"
 #include "io/document/document.h"
+#include "io/files/own_files.h"
 #include "render/image_renderer.h"
 #include "session/parts.h"
 #include "session/session.h"
@@ -84,10 +84,7 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 void write_file(const std::filesystem::path& path, std::string_view content) {
-  std::ofstream file(path, std::ios::binary);
-  file.write(content.data(), static_cast<std::streamsize>(content.size()));
-  file.close();
-  if (!file) throw EnvironmentError(format("cannot write '{}'", path.string()));
+  io::write_new_file(path, content);
 }
 
 }  // namespace ifov::studies

@@ -79,7 +79,7 @@ class Check(unittest.TestCase):
     def test_a_document_that_is_not_there(self):
         done = run("check", "/no/such/file.json")
         self.assertEqual(done.returncode, 2)
-        self.assertEqual(done.stderr, "ifov: cannot read '/no/such/file.json': No such file or directory\n")
+        self.assertEqual(done.stderr, "ifov: cannot read '/no/such/file.json': no such file\n")
 
 
 class Info(unittest.TestCase):

@@ -10,7 +10,7 @@
 #include "fuzz/seeds.h"
 #include "geometry/body_record.h"
 #include "io/instances/instance_writer.h"
-#include "io/mesh/file_bytes.h"
+#include "io/files/input_file.h"
 #include "io/scene_cache/scene_cache.h"
 
 namespace ifov::fuzz {
@@ -23,13 +23,13 @@ std::string bytes_written(const std::string& name, const std::function<void(cons
   const fs::path folder = fs::temp_directory_path() / ("ifov_fuzz_seed_" + std::to_string(::getpid()));
   fs::create_directories(folder);
   write(folder / name);
-  const std::string bytes = io::read_file_bytes(folder / name);
+  const std::string bytes = io::read_input(folder / name);
   fs::remove_all(folder);
   return bytes;
 }
 
 std::string raster_file(const char* name) {
-  return io::read_file_bytes(std::string(IFOV_SOURCE_DIR "/tests/fuzz/rasters/") + name);
+  return io::read_input(std::string(IFOV_SOURCE_DIR "/tests/fuzz/rasters/") + name);
 }
 
 }  // namespace

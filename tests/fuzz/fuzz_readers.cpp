@@ -15,7 +15,7 @@
 #include "core/error.h"
 #include "fuzz/fuzzed_readers.h"
 #include "fuzz/mutator.h"
-#include "io/mesh/file_bytes.h"
+#include "io/files/input_file.h"
 
 namespace ifov::fuzz {
 namespace {
@@ -80,7 +80,7 @@ bool replay(const FuzzedReader& reader, const fs::path& folder, const Options& o
   std::sort(files.begin(), files.end());
   for (const fs::path& find : files) {
     const fs::path file = folder / reader.file_name;
-    std::ofstream(file, std::ios::binary) << io::read_file_bytes(find);
+    std::ofstream(file, std::ios::binary) << io::read_input(find);
     bool refused = false;
     if (!reads(reader, file, options, refused)) return false;
     ++count;

@@ -15,7 +15,7 @@
 #include "io/document/document.h"
 #include "io/instances/instance_csv.h"
 #include "io/instances/instance_file.h"
-#include "io/mesh/file_bytes.h"
+#include "io/files/input_file.h"
 #include "io/mesh/gltf_reader.h"
 #include "io/mesh/obj_reader.h"
 #include "io/mesh/ply_reader.h"
@@ -74,13 +74,13 @@ void read_instance_file(const std::filesystem::path& path) {
 
 /// A record of a cache; one without sense is no error there.
 void read_body_record(const std::filesystem::path& path) {
-  const auto bytes = std::make_shared<const std::string>(io::read_file_bytes(path));
+  const auto bytes = std::make_shared<const std::string>(io::read_input(path));
   if (!geometry::body_from_record(std::as_bytes(std::span(*bytes)), bytes)) throw InputError("no body");
 }
 
 /// Damage behind the hashes, which alone would keep it out.
 void read_scene_cache(const std::filesystem::path& path) {
-  std::string bytes = io::read_file_bytes(path);
+  std::string bytes = io::read_input(path);
   io::CacheHeader header;
   if (bytes.size() >= sizeof header) {
     std::memcpy(&header, bytes.data(), sizeof header);

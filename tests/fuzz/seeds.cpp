@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "io/mesh/file_bytes.h"
+#include "io/files/input_file.h"
 
 namespace ifov::fuzz {
 namespace {
@@ -119,7 +119,7 @@ std::vector<std::string> city_json_seeds() {
 
 std::vector<std::string> document_seeds() {
   return {
-      io::read_file_bytes(IFOV_SOURCE_DIR "/examples/demo.json"),
+      io::read_input(IFOV_SOURCE_DIR "/examples/demo.json"),
       R"({"ifov": 1, "scene": {"origin": {"easting": "84616 m", "northing": "447422 m"}, "materials": {"a": {"reflectance": 0.5}},
 "objects": [{"plane": {"height": "-1 m"}, "material": "a", "seed": false},
 {"mesh": {"file": "a.ply", "up": "y", "unit": "cm"}, "material": "a", "transform": {"rotate": {"angle": "3 deg"}, "scale": [1, 2, 3]}}]},

@@ -2,7 +2,7 @@
 
 #include "io/atmosphere/import_paths.h"
 #include "io/atmosphere/path_csv.h"
-#include "io/mesh/file_bytes.h"
+#include "io/files/input_file.h"
 #include "io/spectra_files.h"
 
 namespace ifov::io {
@@ -42,7 +42,7 @@ TEST(PathCsv, UnitsOfTheSpectralColumnLeaveDensitiesAlone) {
 
 // The example of the page on formats is read as it stands there.
 TEST(PathCsv, ExampleInTheDocs) {
-  const std::string page = read_file_bytes(IFOV_SOURCE_DIR "/docs/formats/atmosphere_import.md");
+  const std::string page = read_input(IFOV_SOURCE_DIR "/docs/formats/atmosphere_import.md");
   const std::size_t begin = page.find("```\n") + 4;
   const auto path = parse_path_csv(TextFile("example", page.substr(begin, page.find("```", begin) - begin)));
   EXPECT_EQ(path.wavelength_um().size(), 2u);

@@ -5,7 +5,7 @@
 
 #include "core/format.h"
 #include "geodesy/sun_position.h"
-#include "io/mesh/file_bytes.h"
+#include "io/files/input_file.h"
 #include "io/spectra_files.h"
 #include "io/weather/weather_file.h"
 #include "support/truth_data.h"
@@ -127,7 +127,7 @@ TEST(Weather, OwnTables) {
 
 // The example of the page on formats is read as it stands there.
 TEST(Weather, ExampleInTheDocs) {
-  const std::string page = read_file_bytes(IFOV_SOURCE_DIR "/docs/formats/weather.md");
+  const std::string page = read_input(IFOV_SOURCE_DIR "/docs/formats/weather.md");
   const std::size_t begin = page.find("```\n") + 4;
   const auto series = parse(page.substr(begin, page.find("```", begin) - begin));
   EXPECT_NEAR(celsius(series, "2026-06-21T06:30:00Z"), 15.55, 1e-9);

@@ -51,6 +51,11 @@ int rename(const char* from, const char* to) {
   return next<int(const char*, const char*)>("rename")(from, to);
 }
 
+int renameat(int from_folder, const char* from, int to_folder, const char* to) {
+  if (is_last()) end();
+  return next<int(int, const char*, int, const char*)>("renameat")(from_folder, from, to_folder, to);
+}
+
 int unlink(const char* path) {
   if (is_last()) end();
   return next<int(const char*)>("unlink")(path);

@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "io/document/json_adapter.h"
-#include "io/mesh/file_bytes.h"
+#include "io/files/input_file.h"
 
 namespace ifov::io {
 namespace {
@@ -123,7 +123,7 @@ ModtranCase read_case(const DocumentNode& node) {
 }  // namespace
 
 std::vector<ModtranCase> read_modtran_json(const std::filesystem::path& path) {
-  return parse_modtran_json(read_file_bytes(path), path.string());
+  return parse_modtran_json(read_input(path), path.string());
 }
 
 std::vector<ModtranCase> parse_modtran_json(std::string text, const std::string& file_name) {

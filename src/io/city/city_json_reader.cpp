@@ -12,7 +12,7 @@
 #include "io/city/city_geometry.h"
 #include "io/document/json_adapter.h"
 #include "io/document/json_text.h"
-#include "io/mesh/file_bytes.h"
+#include "io/files/input_file.h"
 #include "io/mesh/gltf_reader.h"
 
 namespace ifov::io {
@@ -49,7 +49,7 @@ class Reader {
     rules.comments = false;
     rules.max_bytes = kMostBytes;
     rules.max_values = kMostBytes;
-    tree_ = parse_json(read_file_bytes(path), name_, rules);
+    tree_ = parse_json(read_input(path), name_, rules);
   }
 
   CityModel read() {

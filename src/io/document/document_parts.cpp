@@ -1,14 +1,11 @@
 #include "io/document/document_parts.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "core/format.h"
 #include "io/document/json_text.h"
+#include "io/files/input_file.h"
 
 namespace ifov::io {
 
@@ -217,18 +214,11 @@ DocumentParts put_together(std::string text, const std::string& file_name,
 }
 
 std::string read_document_text(const std::string& path, std::size_t max_bytes) {
-  if (std::filesystem::is_directory(path))
-    throw EnvironmentError(format("cannot read '{}': it is a folder", path));
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file) throw EnvironmentError(format("cannot read '{}': {}", path, std::strerror(errno)));
-  const std::streamoff size = file.tellg();
-  if (size > static_cast<std::streamoff>(max_bytes))
-    throw InputError(format("{}: the document has {} bytes, more than the {} allowed", path, size, max_bytes),
+  const InputFile file(path);
+  if (file.size() > max_bytes)
+    throw InputError(format("{}: the document has {} bytes, more than the {} allowed", path, file.size(), max_bytes),
                      {path, 0, 0});
-  file.seekg(0);
-  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (size < 0 || file.bad()) throw EnvironmentError(format("cannot read '{}'", path));
-  return text;
+  return file.text();
 }
 
 }  // namespace ifov::io

@@ -167,6 +167,7 @@ InputError syntax_error(const DocumentSource& source, const JsonTokens& tokens, 
 
 DocumentTree parse_json(std::string text, const std::string& file_name, const JsonRules& rules) {
   DocumentTree tree;
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   auto source = std::make_shared<const DocumentSource>(std::move(text), file_name);
   const JsonTokens tokens = scan_json(*source, rules);
   const std::unique_ptr<Json::CharReader> reader(strict_reader(rules).newCharReader());

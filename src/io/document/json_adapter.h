@@ -14,7 +14,7 @@ struct JsonRules {
   std::size_t max_values = 2'000'000;
 };
 
-/// Parses JSON (RFC 8259, UTF-8 without a byte order mark, no trailing commas). Limits are checked before
+/// Parses JSON (RFC 8259, UTF-8, no trailing commas); a byte order mark at the start is dropped. Limits are checked before
 /// memory is taken. Throws InputError with position and excerpt.
 DocumentTree parse_json(std::string text, const std::string& file_name, const JsonRules& rules = {});
 

@@ -243,7 +243,6 @@ class Scanner {
     if (found.empty()) {
       const auto byte = static_cast<unsigned char>(text_[begin]);
       if (byte == '\'') fail(begin, "texts and keys stand in double quotes: \"...\"");
-      if (text_.compare(begin, 3, "\xEF\xBB\xBF") == 0) fail(begin, "the text begins with a byte order mark");
       fail(begin, byte > 0x20 && byte < 0x7F ? format("unexpected '{}'", static_cast<char>(byte))
                                              : std::string("unexpected character"));
     }

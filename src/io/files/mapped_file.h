@@ -20,6 +20,11 @@ class MappedFile {
  private:
   const std::byte* data_ = nullptr;
   std::size_t size_ = 0;
+  int place_ = -1;  ///< in the list that mapped_file_at() looks through
 };
+
+/// Name of the mapped file that has an address, or null: for a handler of SIGBUS, which comes where a file was cut short
+/// after it was mapped. Safe there: takes no lock and no memory.
+const char* mapped_file_at(const void* address);
 
 }  // namespace ifov::io

@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -33,21 +32,13 @@ InstanceHeader header_of(const InstanceLayout& layout, math::Point3 origin_m, st
 }  // namespace
 
 InstanceWriter::InstanceWriter(std::filesystem::path path, InstanceLayout layout, math::Point3 origin_m)
-    : path_(std::move(path)), part_path_(path_), layout_(layout), origin_m_(origin_m) {
-  part_path_ += format(".{}.part", getpid());
-  file_.open(part_path_, std::ios::binary | std::ios::trunc);
-  if (!file_)
-    throw EnvironmentError(format("{}: cannot be written: {}", part_path_.string(), std::strerror(errno)));
+    : path_(std::move(path)),
+      layout_(layout),
+      origin_m_(origin_m),
+      file_(path_, path_.string() + format(".{}.part", getpid())) {
   buffer_.reserve(kBufferBytes + 128);
   const InstanceHeader header = header_of(layout_, origin_m_, 0);
-  file_.write(reinterpret_cast<const char*>(&header), sizeof header);
-}
-
-InstanceWriter::~InstanceWriter() {
-  if (finished_) return;
-  file_.close();
-  std::error_code ignored;
-  std::filesystem::remove(part_path_, ignored);
+  file_.append(std::as_bytes(std::span(&header, 1)));
 }
 
 void InstanceWriter::add(const Instance& instance) {
@@ -107,24 +98,15 @@ void InstanceWriter::add_floats(const double* values, std::size_t count) {
 }
 
 void InstanceWriter::flush() {
-  file_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  file_.append(std::as_bytes(std::span(buffer_)));
   buffer_.clear();
-  if (!file_)
-    throw EnvironmentError(format("{}: cannot be written: {}", part_path_.string(), std::strerror(errno)));
 }
 
 void InstanceWriter::finish() {
   flush();
-  file_.seekp(0);
   const InstanceHeader header = header_of(layout_, origin_m_, count_);
-  file_.write(reinterpret_cast<const char*>(&header), sizeof header);
-  file_.close();
-  std::error_code error;
-  if (file_) std::filesystem::rename(part_path_, path_, error);
-  if (!file_ || error)
-    throw EnvironmentError(format("{}: cannot be written: {}", path_.string(),
-                                  error ? error.message() : std::string(std::strerror(errno))));
-  finished_ = true;
+  file_.write_head(std::as_bytes(std::span(&header, 1)));
+  file_.publish();
 }
 
 }  // namespace ifov::io

@@ -3,24 +3,20 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <vector>
 
+#include "io/files/own_files.h"
 #include "io/instances/instance.h"
 #include "io/instances/instance_layout.h"
 
 namespace ifov::io {
 
 /// Writes a binary instance list (`.ifovinst`) of any length, record by record, beside its final name until
-/// finish(). Positions are written less `origin_m`, which the header keeps in double. Throws EnvironmentError where
+/// finish(); what was not finished is removed. Positions are written less `origin_m`, which the header keeps in double. Throws EnvironmentError where
 /// the file cannot be written, InputError for an instance that its layout cannot hold.
 class InstanceWriter {
  public:
   InstanceWriter(std::filesystem::path path, InstanceLayout layout, math::Point3 origin_m = {});
-  /// Removes what was not finished.
-  ~InstanceWriter();
-  InstanceWriter(const InstanceWriter&) = delete;
-  InstanceWriter& operator=(const InstanceWriter&) = delete;
 
   void add(const Instance& instance);
   void finish();
@@ -29,13 +25,12 @@ class InstanceWriter {
   void add_floats(const double* values, std::size_t count);
   void flush();
 
-  std::filesystem::path path_, part_path_;
+  std::filesystem::path path_;
   InstanceLayout layout_;
   math::Point3 origin_m_;
-  std::ofstream file_;
+  NewFile file_;
   std::vector<char> buffer_;
   std::uint64_t count_ = 0;
-  bool finished_ = false;
 };
 
 }  // namespace ifov::io

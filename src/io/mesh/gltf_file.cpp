@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "io/document/json_adapter.h"
-#include "io/mesh/file_bytes.h"
+#include "io/files/input_file.h"
 
 namespace ifov::io {
 namespace {
@@ -102,7 +102,7 @@ bool read_whole_file(std::vector<unsigned char>* out, std::string* error, const 
     *error = "not a buffer of this file";
     return false;
   }
-  const std::string bytes = read_file_bytes(path);
+  const std::string bytes = read_input(path);
   out->assign(bytes.begin(), bytes.end());
   return true;
 }
@@ -124,7 +124,8 @@ std::string one_line(std::string text) {
 
 tinygltf::Model load_gltf(const std::filesystem::path& path, LogSink* log) {
   const std::string name = path.string();
-  const std::string bytes = read_file_bytes(path);
+  std::string bytes = read_input(path);
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
   if (bytes.size() > std::numeric_limits<int>::max())
     throw InputError(format("{}: the file is larger than 2 GiB", name), {name, 0, 0});
   JsonRules rules;

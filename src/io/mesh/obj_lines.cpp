@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 #include "core/error.h"
+#include "io/files/input_file.h"
 
 namespace ifov::io {
 namespace {
@@ -20,13 +19,7 @@ std::string_view without_end_blanks(std::string_view text) {
 
 }  // namespace
 
-ObjLines::ObjLines(const std::filesystem::path& path) : name_(path.string()) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    throw EnvironmentError(format("cannot read '{}': no such file", name_));
-  std::ifstream stream(path, std::ios::binary);
-  text_.assign(std::istreambuf_iterator<char>(stream), {});
-  if (!stream) throw EnvironmentError(format("cannot read '{}'", name_));
+ObjLines::ObjLines(const std::filesystem::path& path) : name_(path.string()), text_(read_input(path)) {
   if (text_.starts_with("\xef\xbb\xbf")) at_ = 3;
   if (text_.starts_with("\xfe\xff") || text_.starts_with("\xff\xfe"))
     throw InputError(format("{}: the file is in UTF-16; expected plain text (UTF-8)", name_), {name_, 0, 0});

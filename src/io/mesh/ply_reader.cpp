@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "io/mesh/file_bytes.h"
+#include "io/files/input_file.h"
 #include "io/mesh/ply_header.h"
 #include "io/mesh/ply_values.h"
 #include "io/mesh/polygon_pieces.h"
@@ -30,7 +30,7 @@ class Reader {
  public:
   explicit Reader(const std::filesystem::path& path)
       : name_(path.string()),
-        bytes_(read_file_bytes(path)),
+        bytes_(read_input(path)),
         header_(read_ply_header(bytes_, name_)),
         values_(bytes_, header_, name_) {}
 

@@ -1,13 +1,7 @@
 #include "io/products/envi_reader.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <vector>
 
 #include "core/error.h"
@@ -39,15 +33,9 @@ std::filesystem::path find_data(const std::filesystem::path& header) {
 }
 
 std::string read_text(const std::filesystem::path& path) {
-  std::error_code error;
-  const auto size = std::filesystem::file_size(path, error);
-  if (error) throw EnvironmentError(format("{}: cannot be read: {}", path.string(), error.message()));
-  if (size > kLargestHeader) throw InputError(format("{}: too large for an ENVI header", path.string()));
-  std::string text(static_cast<std::size_t>(size), '\0');
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
-    throw EnvironmentError(format("{}: cannot be read", path.string()));
-  return text;
+  const InputFile file(path);
+  if (file.size() > kLargestHeader) throw InputError(format("{}: too large for an ENVI header", path.string()));
+  return file.text();
 }
 
 template <class T>
@@ -82,49 +70,24 @@ float (*converter(EnviType type))(const unsigned char*, bool) {
 
 }  // namespace
 
-EnviReader::EnviReader(const std::filesystem::path& path) {
-  const bool is_header = path.extension() == ".hdr";
-  const auto header_path = is_header ? path : find_header(path);
-  header_ = parse_envi_header(read_text(header_path), header_path.string());
-  data_path_ = is_header ? find_data(path) : path;
+EnviReader::Pair EnviReader::pair_of(const std::filesystem::path& path) {
+  if (path.extension() == ".hdr") return {path, find_data(path)};
+  return {find_header(path), path};
+}
 
-  descriptor_ = open(data_path_.c_str(), O_RDONLY | O_CLOEXEC);
-  struct stat info {};
-  if (descriptor_ < 0 || fstat(descriptor_, &info) != 0) {
-    const std::string reason = std::strerror(errno);
-    if (descriptor_ >= 0) close(descriptor_);
-    throw EnvironmentError(format("{}: cannot be read: {}", data_path_.string(), reason));
-  }
+EnviReader::EnviReader(const std::filesystem::path& path) : EnviReader(pair_of(path)) {}
+
+EnviReader::EnviReader(const Pair& pair)
+    : header_(parse_envi_header(read_text(pair.header), pair.header.string())), data_path_(pair.data), data_(pair.data) {
   const std::uint64_t needed = header_.header_offset + header_.data_bytes();
-  if (static_cast<std::uint64_t>(info.st_size) < needed) {
-    close(descriptor_);
+  if (data_.size() < needed)
     throw EnvironmentError(format("{}: the file has {} bytes, its header {} asks for {}", data_path_.string(),
-                                  info.st_size, header_path.filename().string(), needed));
-  }
-}
-
-EnviReader::EnviReader(EnviReader&& other) noexcept
-    : header_(std::move(other.header_)),
-      data_path_(std::move(other.data_path_)),
-      descriptor_(other.descriptor_) {
-  other.descriptor_ = -1;
-}
-
-EnviReader::~EnviReader() {
-  if (descriptor_ >= 0) close(descriptor_);
+                                  data_.size(), pair.header.filename().string(), needed));
 }
 
 void EnviReader::fetch(std::uint64_t offset, unsigned char* to, std::size_t bytes) const {
-  while (bytes > 0) {
-    const ssize_t got = pread(descriptor_, to, bytes, static_cast<off_t>(offset));
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0)
-      throw EnvironmentError(format("{}: cannot be read: {}", data_path_.string(),
-                                    got < 0 ? std::strerror(errno) : "the file ends"));
-    to += got;
-    offset += static_cast<std::uint64_t>(got);
-    bytes -= static_cast<std::size_t>(got);
-  }
+  if (data_.read_at(offset, {reinterpret_cast<char*>(to), bytes}) < bytes)
+    throw EnvironmentError(format("{}: cannot be read: the file ends", data_path_.string()));
 }
 
 void EnviReader::read(int line, int band, std::span<float> values) const {

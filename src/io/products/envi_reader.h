@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "io/files/input_file.h"
 #include "io/products/envi_header.h"
 #include "io/products/raster_view.h"
 
@@ -17,8 +18,6 @@ class EnviReader {
   /// headers that cannot be right (with line numbers), ifov::EnvironmentError on files that are missing or
   /// too short.
   explicit EnviReader(const std::filesystem::path& path);
-  ~EnviReader();
-  EnviReader(EnviReader&&) noexcept;
 
   const EnviHeader& header() const { return header_; }
   const std::filesystem::path& data_path() const { return data_path_; }
@@ -29,11 +28,18 @@ class EnviReader {
   RasterView view() const;
 
  private:
+  /// A header and the data that it is of.
+  struct Pair {
+    std::filesystem::path header, data;
+  };
+  explicit EnviReader(const Pair& pair);
+  static Pair pair_of(const std::filesystem::path& path);
+
   void fetch(std::uint64_t offset, unsigned char* to, std::size_t bytes) const;
 
   EnviHeader header_;
   std::filesystem::path data_path_;
-  int descriptor_ = -1;
+  InputFile data_;
 };
 
 }  // namespace ifov::io

@@ -1,14 +1,13 @@
 #include "io/products/geotiff.h"
 
 #include <cpl_error.h>
-#include <gdal_frmts.h>
 #include <gdal_priv.h>
 
-#include <mutex>
 #include <vector>
 
 #include "core/error.h"
 #include "io/products/map_info.h"
+#include "io/raster/gdal_setup.h"
 
 namespace ifov::io {
 namespace {
@@ -28,8 +27,7 @@ struct FirstFailure {
 };
 
 GDALDriver& tiff_driver() {
-  static std::once_flag once;
-  std::call_once(once, [] { GDALRegister_GTiff(); });
+  prepare_gdal();
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
   if (driver == nullptr) throw EnvironmentError("this GDAL cannot write GeoTIFF");
   return *driver;
@@ -71,6 +69,7 @@ void write_geotiff(PartFile& file, const RasterView& radiance, const RunRecord& 
   require_space(folder, std::uint64_t{4} * static_cast<std::uint64_t>(radiance.width) *
                             static_cast<std::uint64_t>(radiance.height) *
                             static_cast<std::uint64_t>(radiance.bands));
+  const NoSidecars none;
   FirstFailure failure;
   const char* const options[] = {"INTERLEAVE=BAND", "BIGTIFF=IF_SAFER", nullptr};
   GDALDataset* data = tiff_driver().Create(file.part_path().c_str(), radiance.width, radiance.height,

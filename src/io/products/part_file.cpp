@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
 
@@ -16,6 +17,8 @@
 
 #include "core/byte_count.h"
 #include "core/error.h"
+#include "io/files/file_reasons.h"
+#include "io/files/own_files.h"
 #include "io/products/sha256.h"
 
 namespace ifov::io {
@@ -33,11 +36,23 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
 
 [[noreturn]] void fail_write(const std::filesystem::path& path, std::uint64_t wanted, int error) {
   const std::string free = byte_count(free_bytes(folder_of(path)));
-  if (error == ENOSPC || error == EDQUOT || error == EFBIG)
+  if (error == EFBIG)
+    throw EnvironmentError(format("{}: cannot write {}: {}", path.string(), byte_count(wanted), file_reason(error)));
+  if (error == ENOSPC || error == EDQUOT)
     throw EnvironmentError(format("{}: the disk is full: {} wanted, {} free ({})", path.string(),
                                   byte_count(wanted), free, std::strerror(error)));
   throw EnvironmentError(format("{}: cannot write {}: {} ({} free)", path.string(), byte_count(wanted),
                                 std::strerror(error), free));
+}
+
+/// By another; takes the lock where nobody has it. File systems without locks say that nobody has.
+bool is_locked(const Descriptor& file) {
+  return flock(file.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+}
+
+bool is_unlinked(const Descriptor& file) {
+  struct stat info {};
+  return fstat(file.number(), &info) == 0 && info.st_nlink == 0;
 }
 
 constexpr std::size_t kBlock = 4096;                        // no file system asks for more
@@ -85,42 +100,43 @@ PartFile::PartFile(std::filesystem::path final_path)
   std::error_code ignored;
   if (std::filesystem::is_directory(final_path_, ignored))
     throw EnvironmentError(format("{}: cannot be written: a folder has this name", final_path_.string()));
-  descriptor_ = open(part_path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (descriptor_ < 0)
-    throw EnvironmentError(format("{}: cannot be written: {}", part_path_.string(), std::strerror(errno)));
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    close(descriptor_);
+  const std::filesystem::path part_name = part_path_.filename();
+  const auto cannot = [&](const std::string& why) {
+    return EnvironmentError(format("{}: cannot be written: {}", part_path_.string(), why));
+  };
+  folder_ = Descriptor(open(folder_of(final_path_).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  if (!folder_) throw cannot(file_reason(errno));
+  // What a killed run left is locked by nobody. It goes and is not written over: it may have another name elsewhere.
+  const Descriptor left(
+      openat(folder_.number(), part_name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  if (left && is_locked(left)) throw EnvironmentError(format("{}: another run is writing this file", part_path_.string()));
+  file_ = create_file_at(folder_.number(), part_name);
+  if (!file_) throw cannot(file_reason(errno));
+  // Another run may have taken the new file for one that was left.
+  if (is_locked(file_) || is_unlinked(file_))
     throw EnvironmentError(format("{}: another run is writing this file", part_path_.string()));
-  }
-  if (ftruncate(descriptor_, 0) != 0) {
-    const int error = errno;
-    close(descriptor_);
-    fail_write(part_path_, 0, error);
-  }
 }
 
-PartFile::~PartFile() { close_all(); }
+PartFile::~PartFile() = default;
 
 void PartFile::close_all() {
-  for (int* descriptor : {&direct_, &descriptor_}) {
-    if (*descriptor >= 0) close(*descriptor);
-    *descriptor = -1;
-  }
+  direct_.reset();
+  file_.reset();
 }
 
 void PartFile::reserve(std::uint64_t bytes) {
   if (bytes == 0) return;
   // fallocate and not posix_fallocate, which writes every byte on file systems that cannot reserve.
-  if (fallocate(descriptor_, 0, 0, static_cast<off_t>(bytes)) == 0) return;
+  if (fallocate(file_.number(), 0, 0, static_cast<off_t>(bytes)) == 0) return;
   if (errno != EOPNOTSUPP && errno != ENOSYS) fail_write(part_path_, bytes, errno);
   require_space(folder_of(part_path_), bytes);
-  if (ftruncate(descriptor_, static_cast<off_t>(bytes)) != 0) fail_write(part_path_, bytes, errno);
+  if (ftruncate(file_.number(), static_cast<off_t>(bytes)) != 0) fail_write(part_path_, bytes, errno);
 }
 
 void PartFile::write_at(std::uint64_t offset, const void* data, std::size_t bytes) {
   const char* from = static_cast<const char*>(data);
   while (bytes > 0) {
-    const ssize_t written = pwrite(descriptor_, from, bytes, static_cast<off_t>(offset));
+    const ssize_t written = pwrite(file_.number(), from, bytes, static_cast<off_t>(offset));
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) fail_write(part_path_, bytes, written < 0 ? errno : ENOSPC);
     from += written;
@@ -130,8 +146,10 @@ void PartFile::write_at(std::uint64_t offset, const void* data, std::size_t byte
 }
 
 void PartFile::bypass_page_cache() {
-  if (direct_ < 0) direct_ = open(part_path_.c_str(), O_WRONLY | O_DIRECT | O_CLOEXEC);
-  bypasses_ = direct_ >= 0;
+  if (!direct_)
+    direct_ = Descriptor(openat(folder_.number(), part_path_.filename().c_str(),
+                                O_WRONLY | O_DIRECT | O_NOFOLLOW | O_CLOEXEC));
+  bypasses_ = static_cast<bool>(direct_);
 }
 
 void PartFile::write_at(std::uint64_t offset, std::span<const iovec> pieces) {
@@ -141,7 +159,7 @@ void PartFile::write_at(std::uint64_t offset, std::span<const iovec> pieces) {
     const auto some = pieces.first(std::min(pieces.size(), kAtOnce));
     const std::size_t bytes = bytes_of(some);
     const ssize_t written =
-        pwritev(descriptor_, some.data(), static_cast<int>(some.size()), static_cast<off_t>(offset));
+        pwritev(file_.number(), some.data(), static_cast<int>(some.size()), static_cast<off_t>(offset));
     if (written != static_cast<ssize_t>(bytes)) {  // interrupted or failing: piece by piece, which says why
       std::uint64_t at = offset;
       for (const iovec& piece : some) {
@@ -174,7 +192,7 @@ void PartFile::write_directly(std::uint64_t offset, std::span<const iovec> piece
 /// False where the file system takes no such write; it is not asked again.
 bool PartFile::write_block(std::uint64_t offset, const void* block, std::size_t bytes) {
   if (!bypasses_) return false;
-  const ssize_t written = pwrite(direct_, block, bytes, static_cast<off_t>(offset));
+  const ssize_t written = pwrite(direct_.number(), block, bytes, static_cast<off_t>(offset));
   if (written == static_cast<ssize_t>(bytes)) return true;
   if (written < 0 && errno == EINVAL) bypasses_ = false;
   return false;
@@ -183,7 +201,7 @@ bool PartFile::write_block(std::uint64_t offset, const void* block, std::size_t 
 void PartFile::read_at(std::uint64_t offset, void* data, std::size_t bytes) const {
   char* to = static_cast<char*>(data);
   while (bytes > 0) {
-    const ssize_t got = pread(descriptor_, to, bytes, static_cast<off_t>(offset));
+    const ssize_t got = pread(file_.number(), to, bytes, static_cast<off_t>(offset));
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0)
       throw EnvironmentError(format("{}: cannot be read at byte {}: {}", part_path_.string(), offset,
@@ -195,18 +213,18 @@ void PartFile::read_at(std::uint64_t offset, void* data, std::size_t bytes) cons
 }
 
 void PartFile::sync() {
-  if (fdatasync(descriptor_) != 0 && errno != EINVAL) fail_write(part_path_, 0, errno);
+  if (fdatasync(file_.number()) != 0 && errno != EINVAL) fail_write(part_path_, 0, errno);
 }
 
 void PartFile::publish() {
-  if (rename(part_path_.c_str(), final_path_.c_str()) != 0)
+  if (renameat(folder_.number(), part_path_.filename().c_str(), folder_.number(), final_path_.filename().c_str()) != 0)
     throw EnvironmentError(format("{}: cannot be renamed to {}: {}", part_path_.string(),
                                   final_path_.filename().string(), std::strerror(errno)));
   close_all();
 }
 
 void PartFile::discard() {
-  unlink(part_path_.c_str());
+  unlinkat(folder_.number(), part_path_.filename().c_str(), 0);
   close_all();
 }
 

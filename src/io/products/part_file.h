@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "io/files/descriptor.h"
+
 namespace ifov::io {
 
 /// What is as large as this goes past the page cache: there it would drive out all else and wait for the disk anyway.
@@ -52,7 +54,7 @@ class PartFile {
   bool write_block(std::uint64_t offset, const void* block, std::size_t bytes);
 
   std::filesystem::path final_path_, part_path_;
-  int descriptor_ = -1, direct_ = -1;
+  Descriptor folder_, file_, direct_;
   std::atomic<bool> bypasses_{false};
 };
 

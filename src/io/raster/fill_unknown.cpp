@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "core/error.h"
+#include "io/raster/gdal_setup.h"
 #include "io/raster/quiet_gdal.h"
 
 namespace ifov::io {

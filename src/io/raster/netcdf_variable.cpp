@@ -8,13 +8,16 @@
 
 #include "core/error.h"
 #include "core/format.h"
+#include "io/files/input_file.h"
+#include "io/raster/gdal_setup.h"
 #include "io/raster/quiet_gdal.h"
 
 namespace ifov::io {
 
 NetcdfVariable read_netcdf_variable(const std::filesystem::path& path, const std::string& name) {
+  const InputFile readable(path);  // the library opens the file itself
   const QuietGdal quiet;
-  GDALAllRegister();
+  prepare_gdal();
   const char* drivers[] = {"netCDF", nullptr};
   const std::unique_ptr<void, decltype(&GDALClose)> dataset(
       GDALOpenEx(path.c_str(), GDAL_OF_MULTIDIM_RASTER, drivers, nullptr, nullptr), &GDALClose);

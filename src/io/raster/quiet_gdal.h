@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "io/raster/gdal_setup.h"
+
 namespace ifov::io {
 
 /// Keeps GDAL's messages of this thread from the terminal, and hands out the last one.
@@ -17,7 +19,7 @@ class QuietGdal {
   QuietGdal(const QuietGdal&) = delete;
   QuietGdal& operator=(const QuietGdal&) = delete;
   std::string message() const {
-    std::string text = CPLGetLastErrorMsg();
+    std::string text = without_input_prefix(CPLGetLastErrorMsg());
     while (text.ends_with('\n')) text.pop_back();
     return text.empty() ? "GDAL gives no reason" : text;
   }

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <string_view>
 
 #include "core/error.h"
+#include "io/files/input_file.h"
+#include "io/raster/gdal_setup.h"
 #include "io/raster/quiet_gdal.h"
 
 namespace ifov::io {
@@ -20,15 +21,6 @@ namespace {
 constexpr const char* kDrivers[] = {"GTiff", "ENVI", "PNG",   "JPEG",    "BMP",  "AAIGrid",
                                     "HFA",   "PNM",  "EHdr",  "SRTMHGT", "DTED", "USGSDEM",
                                     "GSAG",  "GSBG", "GS7BG", "SAGA",    nullptr};
-constexpr GIntBig kCache_bytes = GIntBig{64} << 20;
-
-void register_drivers() {
-  static std::once_flag once;
-  std::call_once(once, [] {
-    GDALAllRegister();
-    GDALSetCacheMax64(kCache_bytes);
-  });
-}
 
 struct CloseDataset {
   void operator()(void* dataset) const { GDALClose(dataset); }
@@ -102,12 +94,10 @@ std::string raster_driver_list() {
 
 Raster read_raster(const std::filesystem::path& path, std::size_t max_values) {
   const std::string name = path.string();
-  std::error_code error;
-  if (name.starts_with("/vsi") || !std::filesystem::is_regular_file(path, error))
-    throw EnvironmentError(format("cannot read '{}': no such file", name));
-  register_drivers();
+  const InputFile readable(path);  // says why where it is not
+  prepare_gdal();
   const QuietGdal gdal;
-  const Dataset dataset(GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+  const Dataset dataset(GDALOpenEx(gdal_input_name(path).c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                    kDrivers, nullptr, nullptr));
   if (!dataset && (path.extension() == ".jp2" || path.extension() == ".j2k"))
     fail(name, "JPEG 2000 is not read; turn it into a GeoTIFF first: gdal_translate a.jp2 a.tif");

@@ -1,6 +1,5 @@
 #include "io/raster/raster_writer.h"
 
-#include <cpl_conv.h>
 #include <cpl_error.h>
 #include <cpl_string.h>
 #include <gdal.h>
@@ -12,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/format.h"
+#include "io/raster/gdal_setup.h"
 #include "io/raster/quiet_gdal.h"
 
 namespace ifov::io {
@@ -23,7 +23,7 @@ struct CloseDataset {
 using Dataset = std::unique_ptr<void, CloseDataset>;
 
 GDALDriverH driver_named(const char* name) {
-  GDALAllRegister();
+  prepare_gdal();
   const GDALDriverH driver = GDALGetDriverByName(name);
   if (driver == nullptr) throw EnvironmentError(format("GDAL has no driver '{}' here", name));
   return driver;
@@ -63,9 +63,8 @@ void write_byte_raster(const std::filesystem::path& path, const Raster& raster) 
     options = CSLSetNameValue(options, "TILED", "YES");
   }
   // A PNG's georeference would go to a file beside it.
-  CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", "NO");
+  const NoSidecars none;
   const Dataset written(GDALCreateCopy(driver, path.c_str(), source.get(), FALSE, options, nullptr, nullptr));
-  CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", nullptr);
   CSLDestroy(options);
   if (!written) throw EnvironmentError(format("cannot write '{}': {}", path.string(), CPLGetLastErrorMsg()));
 }

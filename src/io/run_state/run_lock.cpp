@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "io/files/file_reasons.h"
 
 namespace ifov::io {
 namespace {
@@ -40,8 +41,14 @@ bool is_alive(long process) { return kill(static_cast<pid_t>(process), 0) == 0 |
 bool is_current(int descriptor, const std::filesystem::path& path) {
   struct stat open_file {
   }, named{};
-  return fstat(descriptor, &open_file) == 0 && stat(path.c_str(), &named) == 0 &&
+  return fstat(descriptor, &open_file) == 0 && lstat(path.c_str(), &named) == 0 &&
          open_file.st_ino == named.st_ino && open_file.st_dev == named.st_dev;
+}
+
+/// What no run left here: a link, a pipe, or a file that has a second name elsewhere.
+void remove_planted(const std::filesystem::path& path) {
+  struct stat named {};
+  if (lstat(path.c_str(), &named) == 0 && (!S_ISREG(named.st_mode) || named.st_nlink > 1)) unlink(path.c_str());
 }
 
 EnvironmentError busy(const std::filesystem::path& path, const Holder& holder) {
@@ -55,9 +62,10 @@ EnvironmentError busy(const std::filesystem::path& path, const Holder& holder) {
 
 RunLock::RunLock(std::filesystem::path file, LogSink* log) : path_(std::move(file)) {
   while (true) {
-    descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    remove_planted(path_);
+    descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0644);
     if (descriptor_ < 0)
-      throw EnvironmentError(format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+      throw EnvironmentError(format("{}: cannot be written: {}", path_.string(), file_reason(errno)));
     const bool locked = flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
     const bool cannot_tell = !locked && errno != EWOULDBLOCK;  // a file system without locks
     const Holder holder = read_holder(descriptor_);
@@ -99,7 +107,7 @@ RunLock::~RunLock() {
 }
 
 std::string lock_holder(const std::filesystem::path& file) {
-  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  const int descriptor = open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return {};
   const Holder holder = read_holder(descriptor);
   close(descriptor);

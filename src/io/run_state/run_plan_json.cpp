@@ -1,9 +1,7 @@
 #include <json/json.h>
 
-#include <fstream>
-#include <iterator>
-
 #include "core/error.h"
+#include "io/files/own_files.h"
 #include "io/products/sha256.h"
 #include "io/run_state/run_plan.h"
 
@@ -219,9 +217,8 @@ RunPlan plan_in(const std::string& text, const std::string& name) {
 }
 
 RunPlan read_plan(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw EnvironmentError(format("{}: cannot be read", file.string()));
-  return plan_in({std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()}, file.string());
+  refuse_link(file.parent_path());
+  return plan_in(read_own_file(file), file.string());
 }
 
 }  // namespace ifov::io

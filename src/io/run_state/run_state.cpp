@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/error.h"
+#include "io/files/own_files.h"
 #include "io/products/part_file.h"
 #include "io/run_state/kept_run.h"
 #include "io/run_state/tile_packs.h"
@@ -141,6 +142,8 @@ std::uint64_t state_bytes(const RunPlan& plan) {
 
 RunState::RunState(const std::filesystem::path& folder, const RunPlan& plan, RunStart start, LogSink* log)
     : plan_(plan), log_(log), path_(state_folder(folder)), index_(plan) {
+  require_space(folder, 0);
+  refuse_link(path_);
   require_space(path_, 0);
   lock_ = std::make_unique<RunLock>(path_ / "lock", log);
   const std::filesystem::path kept_plan = plan_file(folder), tiles = path_ / "tiles";
@@ -164,6 +167,7 @@ RunState::RunState(const std::filesystem::path& folder, const RunPlan& plan, Run
     file.publish();
     sync_folder(path_);
   }
+  refuse_link(tiles);
   remove_leftovers(tiles);
 }
 

@@ -3,10 +3,10 @@
 #include <json/json.h>
 
 #include <algorithm>
-#include <fstream>
 #include <memory>
 
 #include "core/parallel.h"
+#include "io/files/input_file.h"
 
 namespace ifov::io {
 namespace {
@@ -14,10 +14,11 @@ namespace {
 /// Names of the buffers beside a .gltf file; whether it is right is for its reader to say.
 std::vector<std::filesystem::path> buffers_of(const std::filesystem::path& gltf) {
   std::vector<std::filesystem::path> buffers;
-  std::ifstream stream(gltf);
+  const std::string text = read_input(gltf);
   Json::Value root;
   std::string errors;
-  if (!Json::parseFromStream(Json::CharReaderBuilder(), stream, &root, &errors) || !root.isObject() ||
+  const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder().newCharReader());
+  if (!reader->parse(text.data(), text.data() + text.size(), &root, &errors) || !root.isObject() ||
       !root["buffers"].isArray())
     return buffers;
   for (const Json::Value& buffer : root["buffers"]) {

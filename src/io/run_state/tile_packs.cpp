@@ -63,6 +63,12 @@ void keep_only(const std::filesystem::path& pack, const std::vector<Extent>& who
   repaired.publish();
 }
 
+/// A link is none of ours: it could lead anywhere.
+bool is_own(const std::filesystem::directory_entry& entry) {
+  std::error_code unknown;
+  return entry.symlink_status(unknown).type() == std::filesystem::file_type::regular;
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> packs_in(const std::filesystem::path& folder) {
@@ -70,7 +76,7 @@ std::vector<std::filesystem::path> packs_in(const std::filesystem::path& folder)
   std::error_code error;
   for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
-    if (entry->path().extension() == kPackEnding) packs.push_back(entry->path());
+    if (entry->path().extension() == kPackEnding && is_own(*entry)) packs.push_back(entry->path());
   std::sort(packs.begin(), packs.end());
   return packs;
 }

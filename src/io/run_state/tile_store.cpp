@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "core/error.h"
+#include "io/files/own_files.h"
 #include "io/products/part_file.h"
 #include "io/run_state/tile_packs.h"
 
@@ -40,6 +41,8 @@ TileStore::TileStore(std::filesystem::path folder, std::uint64_t run)
 
 TileStore::TileStore(std::filesystem::path folder, std::uint64_t run, const StoreStart& start, int rank)
     : folder_(std::move(folder)), run_(run), start_(start), rank_(rank), began_(std::chrono::steady_clock::now()) {
+  refuse_link(folder_.parent_path());
+  refuse_link(folder_);
   require_space(folder_, 0);
   writer_ = std::thread([this] { work(); });
 }

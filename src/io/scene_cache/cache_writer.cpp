@@ -4,23 +4,15 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <cstring>
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include "core/error.h"
+#include "core/format.h"
 #include "core/parallel.h"
 
 namespace ifov::io {
-namespace {
-
-EnvironmentError cannot_write(const std::filesystem::path& path) {
-  return EnvironmentError(format("{}: cannot be written: {}", path.string(), std::strerror(errno)));
-}
-
-}  // namespace
 
 /// hash_of_blocks() of bytes that come one after the other.
 struct CacheWriter::Hash {
@@ -70,30 +62,29 @@ void append_text(std::string& table, const std::string& text) {
   table += text;
 }
 
-CacheWriter::CacheWriter(std::filesystem::path path)
-    : path_(std::move(path)), part_path_(path_), hash_(std::make_unique<Hash>()) {
+namespace {
+
+/// Several runs may write the cache of one document at once.
+std::filesystem::path part_path_of(std::filesystem::path path) {
   static std::atomic<unsigned> count{0};
-  part_path_ += format(".{}-{}.part", getpid(), count++);
-  errno = 0;
-  file_.open(part_path_, std::ios::binary | std::ios::trunc);
-  if (!file_) throw cannot_write(part_path_);
-  const CacheHeader empty{};
-  file_.write(reinterpret_cast<const char*>(&empty), sizeof empty);
+  return path += format(".{}-{}.part", getpid(), count++);
 }
 
-CacheWriter::~CacheWriter() {
-  if (published_) return;
-  file_.close();
-  std::error_code ignored;
-  std::filesystem::remove(part_path_, ignored);
+}  // namespace
+
+CacheWriter::CacheWriter(const std::filesystem::path& path)
+    : file_(path, part_path_of(path)), hash_(std::make_unique<Hash>()) {
+  const CacheHeader empty{};
+  file_.append(std::as_bytes(std::span(&empty, 1)));
 }
+
+CacheWriter::~CacheWriter() = default;
 
 void CacheWriter::write(std::span<const std::byte> bytes) {
   if (bytes.empty()) return;
   hash_->add(bytes);
-  file_.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  file_.append(bytes);
   offset_ += bytes.size();
-  if (!file_) throw cannot_write(part_path_);
 }
 
 void CacheWriter::align() {
@@ -135,11 +126,8 @@ void CacheWriter::publish(const std::string& program_version) {
   header.file_bytes = offset_;
   header.content_hash = hash_->all();
   header.header_hash = cache_hash(std::as_bytes(std::span(&header, 1)).first(offsetof(CacheHeader, header_hash)));
-  file_.seekp(0);
-  file_.write(reinterpret_cast<const char*>(&header), sizeof header);
-  file_.close();
-  if (!file_ || std::rename(part_path_.c_str(), path_.c_str()) != 0) throw cannot_write(path_);
-  published_ = true;
+  file_.write_head(std::as_bytes(std::span(&header, 1)));
+  file_.publish();
 }
 
 }  // namespace ifov::io

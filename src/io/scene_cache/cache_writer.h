@@ -3,12 +3,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "io/files/own_files.h"
 #include "io/scene_cache/file_stamp.h"
 
 namespace ifov::io {
@@ -39,7 +39,7 @@ std::uint64_t hash_of_blocks(std::span<const std::byte> bytes);
 /// EnvironmentError where it cannot.
 class CacheWriter {
  public:
-  explicit CacheWriter(std::filesystem::path path);
+  explicit CacheWriter(const std::filesystem::path& path);
   /// Removes what was not published.
   ~CacheWriter();
   CacheWriter(const CacheWriter&) = delete;
@@ -54,13 +54,11 @@ class CacheWriter {
   void write(std::span<const std::byte> bytes);
   void align();
 
-  std::filesystem::path path_, part_path_;
-  std::ofstream file_;
+  NewFile file_;
   std::unique_ptr<Hash> hash_;
   std::uint64_t offset_ = sizeof(CacheHeader);
   std::uint64_t records_ = 0;
   std::string table_;
-  bool published_ = false;
 };
 
 /// Numbers and texts of a table, one behind the other; texts after their length.

@@ -2,16 +2,15 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 #include "core/error.h"
+#include "io/files/input_file.h"
 
 namespace ifov::io {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\v\f";
-constexpr std::uintmax_t kLargest_bytes = std::uintmax_t{256} << 20;
+constexpr std::uint64_t kLargest_bytes = std::uint64_t{256} << 20;
 
 /// A line as it can be shown: cut to a length, with bytes that are not plain ASCII made harmless.
 std::string shown(std::string_view line) {
@@ -24,14 +23,9 @@ std::string shown(std::string_view line) {
 }  // namespace
 
 TextFile::TextFile(const std::filesystem::path& path) : name_(path.string()) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    throw EnvironmentError(format("cannot read '{}': no such file", name_));
-  if (std::filesystem::file_size(path, error) > kLargest_bytes)
-    fail(0, 0, "a table of more than 256 MiB is not read");
-  std::ifstream stream(path, std::ios::binary);
-  text_.assign(std::istreambuf_iterator<char>(stream), {});
-  if (!stream) throw EnvironmentError(format("cannot read '{}'", name_));
+  const InputFile file(path);
+  if (file.size() > kLargest_bytes) fail(0, 0, "a table of more than 256 MiB is not read");
+  text_ = file.text();
   find_lines();
 }
 

@@ -1,10 +1,10 @@
 #include "landscape/output/scene_folder.h"
 
-#include <fstream>
 #include <system_error>
 
 #include "core/error.h"
 #include "core/format.h"
+#include "io/files/own_files.h"
 #include "io/mesh/mesh_writer.h"
 #include "io/raster/raster_writer.h"
 
@@ -41,10 +41,7 @@ void SceneFolder::make_subfolder(const char* name) {
 }
 
 std::string SceneFolder::add_text(const std::string& name, std::string_view content) {
-  std::ofstream file(part_ / name, std::ios::binary);
-  file.write(content.data(), static_cast<std::streamsize>(content.size()));
-  file.close();
-  if (!file) throw EnvironmentError(format("cannot write '{}'", (part_ / name).string()));
+  io::write_new_file(part_ / name, content);
   files_.push_back(name);
   bytes_ += content.size();
   return name;

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
+
+#include "io/files/input_file.h"
 
 namespace ifov::studies {
 
 std::vector<std::vector<double>> number_rows(const std::filesystem::path& file, std::size_t least_columns) {
-  std::ifstream stream(file);
   std::vector<std::vector<double>> rows;
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(file, unknown)) return rows;
+  std::istringstream stream(io::read_input(file));
   for (std::string line; std::getline(stream, line);) {
     std::replace(line.begin(), line.end(), ',', ' ');
     std::istringstream words(line);

@@ -1,0 +1,110 @@
+#include "io/files/input_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+
+#include "core/error.h"
+#include "io/files/file_reasons.h"
+
+namespace ifov::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Without links; empty: inputs may lie anywhere.
+fs::path& allowed_folder() {
+  static fs::path folder;
+  return folder;
+}
+
+EnvironmentError cannot_read(const fs::path& path, const std::string& why) {
+  return EnvironmentError(format("cannot read '{}': {}", path.string(), why));
+}
+
+bool is_below(const fs::path& path, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
+
+EnvironmentError lies_elsewhere(const fs::path& path) {
+  return cannot_read(path, format("it does not lie below '{}', and --inputs-below allows no other files",
+                                  allowed_folder().string()));
+}
+
+/// Where an open file lies, whatever its name was; no race between the look and the reading can change that.
+fs::path place_of(const Descriptor& file) {
+  std::error_code unknown;
+  return fs::read_symlink(format("/proc/self/fd/{}", file.number()), unknown);
+}
+
+int open_for_reading(const fs::path& path) {
+  constexpr int kFlags = O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;  // a pipe does not make us wait for its writer
+  if (allowed_folder().empty()) return open(path.c_str(), kFlags);
+  // Looked at before it is opened: to open a device may do something.
+  const Descriptor place(open(path.c_str(), O_PATH | O_CLOEXEC));
+  if (!place) {
+    const int error = errno;
+    std::error_code unknown;
+    if (!is_below(fs::weakly_canonical(path, unknown), allowed_folder())) throw lies_elsewhere(path);
+    errno = error;
+    return -1;
+  }
+  if (!is_below(place_of(place), allowed_folder())) throw lies_elsewhere(path);
+  return open(format("/proc/self/fd/{}", place.number()).c_str(), kFlags);
+}
+
+}  // namespace
+
+void confine_inputs(const fs::path& folder) {
+  std::error_code error;
+  const fs::path real = fs::canonical(folder, error);
+  if (error) throw InputError(format("ifov: --inputs-below '{}': {}", folder.string(), file_reason(error.value())));
+  if (!fs::is_directory(real, error))
+    throw InputError(format("ifov: --inputs-below '{}': found a file; expected a folder", folder.string()));
+  allowed_folder() = real;
+}
+
+void release_inputs() { allowed_folder().clear(); }
+
+InputFile::InputFile(const fs::path& path) : path_(path), descriptor_(open_for_reading(path)) {
+  if (!descriptor_) throw cannot_read(path_, file_reason(errno));
+  struct stat info {};
+  if (fstat(descriptor_.number(), &info) != 0) throw cannot_read(path_, file_reason(errno));
+  if (S_ISDIR(info.st_mode)) throw cannot_read(path_, "it is a folder");
+  if (!S_ISREG(info.st_mode)) throw cannot_read(path_, "it is not a plain file");
+  size_ = static_cast<std::uint64_t>(info.st_size);
+}
+
+std::size_t InputFile::read_at(std::uint64_t offset, std::span<char> bytes) const {
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t got = pread(descriptor_.number(), bytes.data() + done, bytes.size() - done,
+                              static_cast<off_t>(offset + done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw cannot_read(path_, file_reason(errno));
+    if (got == 0) break;
+    done += static_cast<std::size_t>(got);
+  }
+  return done;
+}
+
+std::string InputFile::text() const {
+  std::string text(size_, '\0');
+  std::size_t done = read_at(0, text);
+  // Some file systems (/proc, growing logs) hold more than they said.
+  for (char more[4096]; done == text.size();) {
+    const std::size_t got = read_at(done, more);
+    if (got == 0) break;
+    text.append(more, got);
+    done += got;
+  }
+  text.resize(done);
+  return text;
+}
+
+std::string read_input(const fs::path& path) { return InputFile(path).text(); }
+
+}  // namespace ifov::io

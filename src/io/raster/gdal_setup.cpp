@@ -1,0 +1,126 @@
+#include "io/raster/gdal_setup.h"
+
+#include <cpl_conv.h>
+#include <cpl_vsi.h>
+#include <gdal.h>
+#include <gdal_frmts.h>
+#include <ogr_srs_api.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <mutex>
+#include <string_view>
+
+#include "core/error.h"
+#include "io/files/input_file.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr std::string_view kPrefix = "/vsiifov/";
+constexpr GIntBig kCache_bytes = GIntBig{64} << 20;
+
+using Register = void (*)();
+constexpr Register kDrivers[] = {
+    // read and written
+    GDALRegister_GTiff, GDALRegister_PNG, GDALRegister_MEM,
+    // read
+    GDALRegister_ENVI, GDALRegister_JPEG, GDALRegister_BMP, GDALRegister_AAIGrid, GDALRegister_HFA, GDALRegister_PNM,
+    GDALRegister_EHdr, GDALRegister_SRTMHGT, GDALRegister_DTED, GDALRegister_USGSDEM, GDALRegister_GSAG,
+    GDALRegister_GSBG, GDALRegister_GS7BG, GDALRegister_SAGA, GDALRegister_netCDF};
+
+struct OpenFile {
+  InputFile file;
+  std::uint64_t at = 0;
+  bool at_end = false;
+};
+
+// GDAL takes the prefix off the names that it gives to these.
+
+int look_at(void*, const char* name, VSIStatBufL* info, int) {
+  try {
+    const InputFile file(name);
+    return fstat64(file.descriptor(), info);
+  } catch (const EnvironmentError&) {
+    return -1;
+  }
+}
+
+void* open_input(void*, const char* name, const char* access) {
+  if (std::string_view(access).find_first_of("wa+") != std::string_view::npos) return nullptr;
+  try {
+    return new OpenFile{InputFile(name)};
+  } catch (const EnvironmentError&) {
+    return nullptr;
+  }
+}
+
+vsi_l_offset tell(void* file) { return static_cast<OpenFile*>(file)->at; }
+
+int seek(void* file, vsi_l_offset offset, int whence) {
+  auto& open = *static_cast<OpenFile*>(file);
+  open.at = offset + (whence == SEEK_CUR ? open.at : whence == SEEK_END ? open.file.size() : 0);
+  open.at_end = false;
+  return 0;
+}
+
+std::size_t read(void* file, void* bytes, std::size_t size, std::size_t count) {
+  auto& open = *static_cast<OpenFile*>(file);
+  if (size == 0 || count == 0) return 0;
+  if (count > SIZE_MAX / size) return 0;
+  try {
+    const std::size_t got = open.file.read_at(open.at, {static_cast<char*>(bytes), size * count});
+    open.at_end = got < size * count;
+    open.at += got;
+    return got / size;
+  } catch (const EnvironmentError&) {
+    return 0;
+  }
+}
+
+int is_at_end(void* file) { return static_cast<OpenFile*>(file)->at_end ? 1 : 0; }
+
+int close_input(void* file) {
+  delete static_cast<OpenFile*>(file);
+  return 0;
+}
+
+void install_inputs() {
+  VSIFilesystemPluginCallbacksStruct* const calls = VSIAllocFilesystemPluginCallbacksStruct();
+  calls->stat = look_at;
+  calls->open = open_input;
+  calls->tell = tell;
+  calls->seek = seek;
+  calls->read = read;
+  calls->eof = is_at_end;
+  calls->close = close_input;
+  VSIInstallPluginHandler(kPrefix.data(), calls);  // keeps the address of the prefix
+  VSIFreeFilesystemPluginCallbacksStruct(calls);
+}
+
+}  // namespace
+
+void prepare_gdal() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    for (const Register one : kDrivers) one();
+    install_inputs();
+    OSRSetPROJEnableNetwork(FALSE);
+    GDALSetCacheMax64(kCache_bytes);
+  });
+}
+
+std::string gdal_input_name(const std::filesystem::path& path) {
+  return std::string(kPrefix) + path.string();
+}
+
+std::string without_input_prefix(std::string message) {
+  for (std::size_t at = 0; (at = message.find(kPrefix, at)) != std::string::npos;) message.erase(at, kPrefix.size());
+  return message;
+}
+
+NoSidecars::NoSidecars() { CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", "NO"); }
+NoSidecars::~NoSidecars() { CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", nullptr); }
+
+}  // namespace ifov::io
