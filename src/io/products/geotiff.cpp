@@ -4,11 +4,15 @@
 #include <gdal_frmts.h>
 #include <gdal_priv.h>
 
+#include <limits>
+#include <memory>
 #include <mutex>
 #include <vector>
 
 #include "core/error.h"
+#include "io/products/gdal_view.h"
 #include "io/products/map_info.h"
+#include "io/products/product_headers.h"
 
 namespace ifov::io {
 namespace {
@@ -27,12 +31,31 @@ struct FirstFailure {
   std::string message;
 };
 
-GDALDriver& tiff_driver() {
+GDALDriver& cog_driver() {
   static std::once_flag once;
-  std::call_once(once, [] { GDALRegister_GTiff(); });
-  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+  std::call_once(once, [] {
+    GDALRegister_GTiff();
+    GDALRegister_COG();
+  });
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("COG");
   if (driver == nullptr) throw EnvironmentError("this GDAL cannot write GeoTIFF");
   return *driver;
+}
+
+/// Sides of tiles: all channels of a tile lie side by side in the file, and many of them are read and written in smaller
+/// pieces.
+int tile_side(int bands) {
+  constexpr int kMostBytes = 8 << 20;
+  int side = 512;
+  while (side > 64 && 4 * side * side > kMostBytes / bands) side /= 2;
+  return side;
+}
+
+GDALColorInterp colour_of(int band, const std::vector<int>& picture) {
+  constexpr GDALColorInterp kColours[] = {GCI_RedBand, GCI_GreenBand, GCI_BlueBand};
+  for (std::size_t k = 0; k < picture.size(); ++k)
+    if (picture[k] == band) return picture.size() == 3 ? kColours[k] : GCI_GrayIndex;
+  return GCI_Undefined;
 }
 
 void describe(GDALDataset& data, const RunRecord& record) {
@@ -43,6 +66,9 @@ void describe(GDALDataset& data, const RunRecord& record) {
     const std::string system = coordinate_system_text(info);
     if (!system.empty()) data.SetProjection(system.c_str());
   }
+  if (const std::string& time = record.identity.acquisition.time; !time.empty())
+    data.SetMetadataItem("ACQUISITIONDATETIME", time.c_str(), "IMAGERY");
+  const std::vector<int> picture = picture_channels(info);
   data.SetMetadataItem("TIFFTAG_SOFTWARE", format("ifov {}", record.identity.version).c_str());
   data.SetMetadataItem(
       "TIFFTAG_IMAGEDESCRIPTION",
@@ -54,6 +80,8 @@ void describe(GDALDataset& data, const RunRecord& record) {
     GDALRasterBand& band = *data.GetRasterBand(b);
     band.SetDescription(channel.name.c_str());
     band.SetUnitType(info.radiance_unit.c_str());
+    band.SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
+    band.SetColorInterpretation(colour_of(b - 1, picture));
     const std::string centre = format("{:.10g}", channel.centre_um),
                       fwhm = format("{:.10g}", channel.fwhm_um);
     band.SetMetadataItem("wavelength", centre.c_str());
@@ -66,28 +94,24 @@ void describe(GDALDataset& data, const RunRecord& record) {
 
 }  // namespace
 
+std::uint64_t geotiff_bytes(const render::ImageInfo& info) {
+  const auto pixels = static_cast<std::uint64_t>(info.width_px) * static_cast<std::uint64_t>(info.height_px);
+  // A third more are overviews, which for a while are there twice.
+  return 4 * pixels * info.channels.size() * 5 / 3;
+}
+
 void write_geotiff(PartFile& file, const RasterView& radiance, const RunRecord& record) {
-  const std::filesystem::path folder = file.part_path().parent_path();
-  require_space(folder, std::uint64_t{4} * static_cast<std::uint64_t>(radiance.width) *
-                            static_cast<std::uint64_t>(radiance.height) *
-                            static_cast<std::uint64_t>(radiance.bands));
+  require_space(file.part_path().parent_path(), geotiff_bytes(record.image));
   FirstFailure failure;
-  const char* const options[] = {"INTERLEAVE=BAND", "BIGTIFF=IF_SAFER", nullptr};
-  GDALDataset* data = tiff_driver().Create(file.part_path().c_str(), radiance.width, radiance.height,
-                                           radiance.bands, GDT_Float32, options);
-  if (data != nullptr) {
-    describe(*data, record);
-    std::vector<float> line(static_cast<std::size_t>(radiance.width));
-    for (int b = 0; b < radiance.bands && failure.message.empty(); ++b)
-      for (int y = 0; y < radiance.height && failure.message.empty(); ++y) {
-        radiance.read(y, b, line);
-        const CPLErr error = data->GetRasterBand(b + 1)->RasterIO(
-            GF_Write, 0, y, radiance.width, 1, line.data(), radiance.width, 1, GDT_Float32, 0, 0, nullptr);
-        if (error >= CE_Failure && failure.message.empty()) failure.message = "the line could not be written";
-      }
-    GDALClose(data);
-  }
-  if (!failure.message.empty() || data == nullptr)
+  const std::string block = format("BLOCKSIZE={}", tile_side(radiance.bands));
+  const char* const options[] = {block.c_str(),        "COMPRESS=DEFLATE",         "LEVEL=1", "PREDICTOR=YES",
+                                 "BIGTIFF=IF_SAFER",   "OVERVIEW_RESAMPLING=AVERAGE", nullptr};
+  const std::unique_ptr<GDALDataset> source = gdal_view(radiance);
+  describe(*source, record);
+  GDALDataset* const written =
+      cog_driver().CreateCopy(file.part_path().c_str(), source.get(), FALSE, const_cast<char**>(options), nullptr, nullptr);
+  if (written != nullptr) GDALClose(written);
+  if (!failure.message.empty() || written == nullptr)
     throw EnvironmentError(format("{}: cannot be written: {}", file.part_path().string(), failure.message));
 }
 

@@ -1,11 +1,27 @@
 #include "io/products/product_headers.h"
 
+#include <cctype>
 #include <cmath>
 
 #include "core/format.h"
 #include "io/products/map_info.h"
 
 namespace ifov::io {
+namespace {
+
+void add_acquisition(EnviHeader& header, const Acquisition& acquisition) {
+  if (!acquisition.time.empty()) header.other["acquisition time"] = acquisition.time;
+  if (!acquisition.light || acquisition.light->is_moon) return;
+  header.other["sun elevation"] = format("{:.6g}", 90.0 - acquisition.light->zenith_deg);
+  header.other["sun azimuth"] = format("{:.6g}", acquisition.light->azimuth_deg);
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+}  // namespace
 
 EnviHeader cube_header(const CubeKind& kind, const render::ImageInfo& info, const RunIdentity& identity,
                        const std::string& statement) {
@@ -34,8 +50,12 @@ EnviHeader cube_header(const CubeKind& kind, const render::ImageInfo& info, cons
   }
   if (info.has_map) {
     header.map_info = envi_map_info(info);
-    header.coordinate_system = coordinate_system_text(info);
+    header.coordinate_system = esri_coordinate_system_text(info);
   }
+  add_acquisition(header, identity.acquisition);
+  if (kind.type == EnviType::float32 || kind.type == EnviType::float64) header.other["data ignore value"] = "nan";
+  if (kind.spectral)
+    header.other["z plot titles"] = format("Wavelength (Micrometers), {} ({})", capitalised(kind.what), header.data_units);
   return header;
 }
 
