@@ -98,6 +98,7 @@ std::vector<std::unique_ptr<PartFile>> ProductWriter::State::derive(
   if (options.report)
     make("_report.html", "report", [&](PartFile& file) {
       ReportInput input;
+      input.picture = options.quicklook_channels;
       input.radiance = radiance;
       input.half_width = cubes->view(Product::half_width);
       input.samples = cubes->view(Product::samples);
