@@ -134,6 +134,12 @@ class InGdal(Products):
         for ending in ("img", "tif"):
             data = gdal.Open(str(self.folders["frame"] / f"image_radiance.{ending}"))
             self.assertIsNone(data.GetGeoTransform(can_return_null=True))
+        corners = gdal.Open(str(self.folders["frame"] / "image_radiance.img")).GetGCPs()
+        taken = json.loads((self.folders["frame"] / "image_run.json").read_text())["acquisition"]["footprint"]
+        self.assertEqual([(c.GCPPixel, c.GCPLine) for c in corners],
+                         [(0, 0), (scenes.WIDTH, 0), (scenes.WIDTH, scenes.HEIGHT), (0, scenes.HEIGHT)])
+        for corner, place in zip(corners, taken):
+            self.assert_numbers([corner.GCPX, corner.GCPY], [place["longitude_deg"], place["latitude_deg"]], 1e-8)
         places = gdal.Open(str(self.folders["frame"] / "image_location.img"))
         self.assertEqual([places.GetRasterBand(b).GetDescription() for b in (1, 2, 3)], ["easting", "northing", "height"])
         self.assertEqual(places.GetRasterBand(1).DataType, gdal.GDT_Float64)
@@ -161,7 +167,7 @@ class InGdal(Products):
             colours = [gdal.GetColorInterpretationName(data.GetRasterBand(b + 1).GetColorInterpretation()) for b in range(3)]
             self.assertEqual(colours, ["Blue", "Green", "Red"], ending)
         self.assertEqual(data.GetRasterBand(1).GetUnitType(), "W m-2 sr-1 um-1")
-        self.assertEqual(data.GetMetadataItem("ACQUISITIONDATETIME", "IMAGERY"), "2024-06-21T10:30:00.000Z")
+        self.assertEqual(data.GetMetadataItem("acquisition_time"), "2024-06-21T10:30:00.000Z")
         header = gdal.Open(str(self.folders["map"] / "image_radiance.img")).GetMetadata("ENVI")
         self.assertEqual(header["acquisition_time"], "2024-06-21T10:30:00.000Z")
         self.assertAlmostEqual(float(header["sun_elevation"]), 55.0, places=4)

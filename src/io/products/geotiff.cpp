@@ -67,7 +67,7 @@ void describe(GDALDataset& data, const RunRecord& record) {
     if (!system.empty()) data.SetProjection(system.c_str());
   }
   if (const std::string& time = record.identity.acquisition.time; !time.empty())
-    data.SetMetadataItem("ACQUISITIONDATETIME", time.c_str(), "IMAGERY");
+    data.SetMetadataItem("acquisition_time", time.c_str());
   const std::vector<int> picture = picture_channels(info);
   data.SetMetadataItem("TIFFTAG_SOFTWARE", format("ifov {}", record.identity.version).c_str());
   data.SetMetadataItem(
@@ -87,8 +87,6 @@ void describe(GDALDataset& data, const RunRecord& record) {
     band.SetMetadataItem("wavelength", centre.c_str());
     band.SetMetadataItem("wavelength_units", "Micrometers");
     band.SetMetadataItem("fwhm", fwhm.c_str());
-    band.SetMetadataItem("CENTRAL_WAVELENGTH_UM", centre.c_str(), "IMAGERY");
-    band.SetMetadataItem("FWHM_UM", fwhm.c_str(), "IMAGERY");
   }
 }
 

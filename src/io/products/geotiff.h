@@ -9,8 +9,8 @@
 namespace ifov::io {
 
 /// Writes the radiance as a Cloud Optimized GeoTIFF into `file`: tiles, overviews, and gaps as not a number. Bands carry the
-/// channel's name, unit, wavelengths as GDAL's ENVI driver ("wavelength", "wavelength_units") and its IMAGERY domain
-/// ("CENTRAL_WAVELENGTH_UM", "FWHM_UM") give them, and red, green or blue where the picture shows them so.
+/// channel's name, unit, wavelengths as GDAL's ENVI driver gives them ("wavelength", "wavelength_units"; no other domain
+/// than the default one passes GDAL's COG driver), and red, green or blue where the picture shows them so.
 /// ifov::EnvironmentError on full disks.
 void write_geotiff(PartFile& file, const RasterView& radiance, const RunRecord& record);
 
