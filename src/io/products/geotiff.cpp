@@ -1,5 +1,6 @@
 #include "io/products/geotiff.h"
 
+#include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal_frmts.h>
 #include <gdal_priv.h>
@@ -51,12 +52,22 @@ int tile_side(int bands) {
   return side;
 }
 
+/// Without a picture in colour the first band is grey: the format can name no other.
 GDALColorInterp colour_of(int band, const std::vector<int>& picture) {
   constexpr GDALColorInterp kColours[] = {GCI_RedBand, GCI_GreenBand, GCI_BlueBand};
+  if (picture.size() != 3) return band == 0 ? GCI_GrayIndex : GCI_Undefined;
   for (std::size_t k = 0; k < picture.size(); ++k)
-    if (picture[k] == band) return picture.size() == 3 ? kColours[k] : GCI_GrayIndex;
+    if (picture[k] == band) return kColours[k];
   return GCI_Undefined;
 }
+
+/// What the format cannot hold would go to a file beside it.
+struct NoSidecar {
+  NoSidecar() { CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", "NO"); }
+  ~NoSidecar() { CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", nullptr); }
+  NoSidecar(const NoSidecar&) = delete;
+  NoSidecar& operator=(const NoSidecar&) = delete;
+};
 
 void describe(GDALDataset& data, const RunRecord& record) {
   const auto& info = record.image;
@@ -106,6 +117,7 @@ void write_geotiff(PartFile& file, const RasterView& radiance, const RunRecord& 
                                  "BIGTIFF=IF_SAFER",   "OVERVIEW_RESAMPLING=AVERAGE", nullptr};
   const std::unique_ptr<GDALDataset> source = gdal_view(radiance);
   describe(*source, record);
+  const NoSidecar none;
   GDALDataset* const written =
       cog_driver().CreateCopy(file.part_path().c_str(), source.get(), FALSE, const_cast<char**>(options), nullptr, nullptr);
   if (written != nullptr) GDALClose(written);
