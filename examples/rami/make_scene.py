@@ -71,7 +71,7 @@ def document(balls, angle):
             "channels": [{"name": "near infrared", "monochromatic": {"at": "0.8 um"}}],
         },
         "sampling": {"accuracy": {"error": f"{HALF_WIDTH_PERCENT} %"}, "tile": 2},
-        "output": {"formats": ["envi"]},
+        "output": {"formats": ["envi"], "products": ["standard_error", "half_width"]},
     }
 
 

@@ -47,6 +47,18 @@ sampling::RegionRule rule_of(const Record& run) {
                                              : sampling::RegionRule::all_common();
 }
 
+std::vector<std::optional<render::AirHalfWidth>> air_of(const Record& run) {
+  std::vector<std::optional<render::AirHalfWidth>> air;
+  for (const Record& channel : run["channels"].items()) {
+    const Record known = channel["air_half_width"];
+    air.emplace_back();
+    if (known["path"].is_number())
+      air.back() = {known["path"].number(), known["surface"].number(), known["sky"].number(), known["path_radiance"].number(),
+                    known["white_in_sky"].number()};
+  }
+  return air;
+}
+
 std::string share(std::uint64_t part, std::uint64_t all) {
   return format("{:.3g} %", 100.0 * static_cast<double>(part) / static_cast<double>(all));
 }
@@ -90,10 +102,11 @@ std::string describe_regions(const std::filesystem::path& path, const std::vecto
   stem.resize(stem.size() - kRecordEnding.size());
   const io::ImageRegion::Image image = image_of(run["image"]);
   const sampling::RegionRule rule = rule_of(run);
+  const auto air = air_of(run);
   std::string text = format("{}\nmeans and half-widths at {:g} % confidence\n", record_path.string(),
                             100.0 * run["accuracy"]["confidence"].number());
   for (const std::string& region : regions)
-    text += lines_of(region, io::region_means(stem, io::ImageRegion::parse(region, image), rule), run);
+    text += lines_of(region, io::region_means(stem, io::ImageRegion::parse(region, image), rule, air), run);
   return text;
 }
 

@@ -11,6 +11,7 @@
 #include "core/parallel.h"
 #include "render/glints.h"
 #include "render/object_seeds.h"
+#include "render/pixel_places.h"
 #include "render/tile_grid.h"
 
 namespace ifov::render {
@@ -136,6 +137,8 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     widen(job.nodes, job.tolerance, result);
     if (glints) glints->add_to(job.footprint, job.tolerance, result);
     widen(job.air, job.tolerance, result);
+    if (!job.keep_variances && !job.keep_memory) result.drop_variances();
+    if (job.locate) locate_pixels(*job.scene.scene().world, job.camera, result);
     sink.write(result);
     tally.add(result);
   };

@@ -33,6 +33,8 @@ struct RenderJob {
   const sensor::PsfWings* wings = nullptr;  ///< of the footprint's PSF; null: it has none
   double cut = 0.0;                ///< share of the PSF's energy that is cut off and stands in no wings
   bool keep_memory = false;        ///< tiles carry what a run at a tighter tolerance can go on from
+  bool keep_variances = true;      ///< else tiles have half-widths alone, unless they are to be gone on from
+  bool locate = false;             ///< tiles say where their pixels lie
   EarlierTiles* earlier = nullptr; ///< tiles of a run at a looser tolerance, to go on from
 };
 

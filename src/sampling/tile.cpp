@@ -1,5 +1,7 @@
 #include "sampling/tile.h"
 
+#include <cmath>
+
 namespace ifov::sampling {
 
 void TileResult::reset(PixelRect tile_pixels, int column_count, bool with_errors) {
@@ -19,9 +21,33 @@ void TileResult::reset(PixelRect tile_pixels, int column_count, bool with_errors
   worst_ratio.assign(pixels, 0.0f);
   missable_fraction.assign(pixels, 1.0f);
   abundances.clear();
+  border_share.clear();
+  position_m.clear();
   halo_samples = seed_samples = probe_samples = 0;
   rays = {};
   memory.clear();
+}
+
+float TileResult::share_of_borders(std::size_t pixel) const {
+  if (!border_share.empty()) return border_share[pixel];
+  if (variance_geometry.empty()) return 1.0f;
+  const auto count = static_cast<std::size_t>(columns);
+  float share = 0.0f;
+  for (std::size_t i = pixel * count; i < (pixel + 1) * count; ++i) {
+    const float geometry = variance_geometry[i], sum = geometry + variance_path[i];
+    if (!std::isfinite(sum)) return 1.0f;
+    if (sum > 0.0f) share = std::max(share, geometry / sum);
+  }
+  return share;
+}
+
+void TileResult::drop_variances() {
+  if (variance_geometry.empty()) return;
+  std::vector<float> shares(samples.size());
+  for (std::size_t p = 0; p < shares.size(); ++p) shares[p] = share_of_borders(p);
+  border_share = std::move(shares);
+  variance_geometry = {};
+  variance_path = {};
 }
 
 }  // namespace ifov::sampling

@@ -58,6 +58,7 @@ struct TileResult {
   std::vector<float> mean;                ///< the pixel's value: mean over its footprint
   std::vector<float> variance_geometry;   ///< variance of that mean that comes from where edges lie
   std::vector<float> variance_path;       ///< and from paths (texture, penumbra, reflections, noise)
+  std::vector<float> border_share;        ///< per pixel, after drop_variances()
   std::vector<float> half_width;          ///< of the interval at the tolerance's confidence (0.95 without one)
   std::vector<std::uint32_t> samples;             ///< per pixel: all points queried (labels and values)
   std::vector<std::uint32_t> label_rays;          ///< of which label queries
@@ -68,12 +69,18 @@ struct TileResult {
   std::vector<float> missable_fraction;   ///< a compact feature at least this large (fraction of a pixel's area)
                                           ///< was found with probability >= 0.95
   std::vector<Abundance> abundances;      ///< sorted by (pixel, material)
+  std::vector<double> position_m;         ///< x, y, z in the scene of what the ray through the pixel's middle meets, not
+                                          ///< numbers where it meets nothing; empty where it was not asked for
   std::uint64_t halo_samples = 0;         ///< points queried outside the tile's own pixels
   std::uint64_t seed_samples = 0, probe_samples = 0;  ///< of all points, by purpose
   RayCounts rays;                         ///< as Field::counts(): of this run alone; the other counts include `before`
   std::vector<std::byte> memory;          ///< what a run at a tighter tolerance need not find out again; opaque
 
   void reset(PixelRect tile_pixels, int column_count, bool with_errors = true);
+  /// Leaves of the two variances only what part borders have in their sum.
+  void drop_variances();
+  /// Largest over the columns; 1 where nothing is known.
+  float share_of_borders(std::size_t pixel) const;
   bool has_errors() const { return !half_width.empty(); }
   bool converged(std::size_t pixel) const { return reasons[pixel] == 0; }
   std::int64_t converged_count() const { return std::count(reasons.begin(), reasons.end(), Reasons{0}); }

@@ -89,7 +89,7 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
   }
 
   render::RenderJob job = parts.job();
-  job.keep_memory = plan.keeps_memory;
+  set_contents(plan, job);
   const std::unique_ptr<io::KeptTiles> earlier = open_kept(folder, plan, options.log);
   const int wanted = static_cast<int>(std::sqrt(area / kWantedPieces));
   const double margin_px = job.sampler.halo_px() + job.footprint.half_width_px();

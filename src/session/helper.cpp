@@ -138,7 +138,7 @@ class Helper {
     control.progress = &tiles;
     control.source = &tiles;
     render::RenderJob job = session_->parts().job();
-    job.keep_memory = run.plan.keeps_memory;
+    set_contents(run.plan, job);
     const std::unique_ptr<io::KeptTiles> earlier = open_kept(run.folder, run.plan, &log);
     job.earlier = earlier.get();
     try {

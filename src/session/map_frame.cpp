@@ -7,6 +7,12 @@
 
 namespace ifov::session {
 
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+}  // namespace
+
 MapFrame::MapFrame(const io::Document& document) {
   const io::OriginDocument& origin = document.scene.origin;
   offset_m_ = origin.offset_m;
@@ -18,11 +24,18 @@ MapFrame::MapFrame(const io::Document& document) {
                               reference_->name()));
     if (origin.has_map_offset) return;
     const io::MapTransform project(io::MapReference("EPSG:4326"), *reference_);
-    constexpr double kDegrees = 180.0 / std::numbers::pi;
     const io::MapPoint place =
         project({origin.geographic->longitude_rad * kDegrees, origin.geographic->latitude_rad * kDegrees});
     offset_m_ = {place.x, place.y, origin.height_m};
   });
+}
+
+std::string map_system(const io::OriginDocument& origin) {
+  if (!origin.crs.empty()) return io::MapReference(origin.crs).wkt();
+  if (!origin.geographic) return "Arbitrary";
+  return io::MapReference::around(origin.geographic->latitude_rad * kDegrees, origin.geographic->longitude_rad * kDegrees,
+                                  {origin.offset_m.x, origin.offset_m.y})
+      .wkt();
 }
 
 std::unique_ptr<io::MapTransform> MapFrame::transform_from(const std::string& projection,

@@ -29,4 +29,9 @@ class MapFrame {
   math::Vec3 offset_m_;
 };
 
+/// The system of a scene's map coordinates, for its products, as well-known text: the one that the origin names; else a
+/// projection about its latitude and longitude, in which the origin has the easting and northing that it states. Or
+/// "Arbitrary", where nothing says where the scene stands.
+std::string map_system(const io::OriginDocument& origin);
+
 }  // namespace ifov::session

@@ -8,18 +8,17 @@
 #include "core/parallel.h"
 #include "io/files/free_space.h"
 #include "io/products/bil_cube.h"
+#include "io/products/cube_kinds.h"
 #include "io/run_state/run_state.h"
 
 namespace ifov::session {
 
 std::uint64_t buffer_bytes(const io::RunPlan& plan) {
   constexpr std::uint64_t kMostTiles = std::uint64_t{64} << 20;
-  const auto of_cube = [&](std::size_t bands) {
-    return io::BilCube::waiting_bytes(plan.image.width_px, plan.image.height_px, static_cast<int>(bands), plan.tile_px);
-  };
-  const std::size_t channels = plan.image.channels.size(), materials = plan.image.materials.size();
-  return (plan.knows_errors ? 3 : 1) * of_cube(channels) + 2 * of_cube(3) + 2 * of_cube(materials) +
-         std::min(kMostTiles, io::state_bytes(plan));
+  std::uint64_t bytes = std::min(kMostTiles, io::state_bytes(plan));
+  for (const io::CubeSize& cube : io::cube_sizes(plan.made_cubes(), plan.image))
+    bytes += io::BilCube::waiting_bytes(cube.width_px, cube.height_px, cube.bands, plan.tile_px, cube.value_bytes);
+  return bytes;
 }
 
 std::uint64_t least_memory_bytes(const io::RunPlan& plan, int threads) {

@@ -5,6 +5,7 @@
 
 #include "core/version.h"
 #include "io/run_state/scene_files.h"
+#include "session/acquisition_assembly.h"
 #include "session/statements.h"
 
 namespace ifov::session {
@@ -19,6 +20,14 @@ const char* name_of(render::ErrorUnit unit) {
     case render::ErrorUnit::noise: break;
   }
   return "noise";
+}
+
+/// Every pixel of an orthographic image lies where the map says: its places are written where they are asked for.
+io::ProductSet cubes_of(const io::Document& document) {
+  if (document.output.products) return *document.output.products;
+  io::ProductSet usual = io::usual_products();
+  if (std::holds_alternative<io::OrthographicCamera>(document.sensor.camera.model)) usual.remove(io::Product::location);
+  return usual;
 }
 
 }  // namespace
@@ -37,6 +46,7 @@ io::RunPlan assemble_plan(const Session::Parts& parts, bool with_files) {
     plan.error = parts.plan.request->error;
     plan.error_unit = name_of(parts.plan.request->unit);
   }
+  plan.identity.acquisition = assemble_acquisition(parts);
   plan.build = build_id();
   plan.instruction_set = instruction_set();
   if (with_files)
@@ -51,6 +61,9 @@ io::RunPlan assemble_plan(const Session::Parts& parts, bool with_files) {
   for (const std::string& note : notes(parts)) plan.notes.push_back(note);
   const std::set<io::ProductFormat> formats(document.output.formats.begin(), document.output.formats.end());
   plan.geotiff = formats.contains(io::ProductFormat::geotiff);
+  plan.netcdf = formats.contains(io::ProductFormat::netcdf);
+  plan.name = document.output.name;
+  plan.cubes = cubes_of(document);
   plan.quicklook = formats.contains(io::ProductFormat::png);
   plan.report = formats.contains(io::ProductFormat::html);
   for (const io::DocumentName& channel : document.output.quicklook_channels)
@@ -58,6 +71,12 @@ io::RunPlan assemble_plan(const Session::Parts& parts, bool with_files) {
       if (document.sensor.channels[c].name == channel.name)
         plan.quicklook_channels.push_back(static_cast<int>(c));
   return plan;
+}
+
+void set_contents(const io::RunPlan& plan, render::RenderJob& job) {
+  job.keep_memory = plan.keeps_memory;
+  job.keep_variances = plan.keeps_variances();
+  job.locate = plan.locates();
 }
 
 }  // namespace ifov::session

@@ -9,4 +9,7 @@ namespace ifov::session {
 /// `with_files`. Throws EnvironmentError where one cannot be read.
 io::RunPlan assemble_plan(const Session::Parts& parts, bool with_files = true);
 
+/// What the run's tiles are to hold.
+void set_contents(const io::RunPlan& plan, render::RenderJob& job);
+
 }  // namespace ifov::session

@@ -20,7 +20,7 @@ bool is_there(const std::filesystem::path& path) {
     throw InputError(
         format("{}: the run in this folder is not finished. Finish it first (--resume), then refine it.",
                folder.string()));
-  if (is_there(folder / "image_run.json"))
+  if (io::holds_complete_run(folder))
     throw InputError(format(
         "{}: the run in this folder is complete, but what a refinement goes on from was not kept. Render it "
         "with --keep; --refine can take that further.",

@@ -202,7 +202,7 @@ class Run {
     control.source = server ? static_cast<render::TileSource*>(server.get()) : &*assembly_;
     bool stopped = false;
     render::RenderJob job = parts_.job();
-    job.keep_memory = plan_.keeps_memory;
+    set_contents(plan_, job);
     const std::unique_ptr<io::KeptTiles> earlier = open_kept(folder_, plan_, options_.log);
     job.earlier = earlier.get();
     try {

@@ -1,9 +1,23 @@
 #include "session/run_products.h"
 
 #include <algorithm>
+#include <chrono>
+#include <ctime>
 #include <limits>
 
 namespace ifov::session {
+namespace {
+
+std::string now_utc() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+}  // namespace
 
 RunProducts::RunProducts(const io::RunPlan& plan, const std::filesystem::path& folder)
     : plan_(plan), folder_(folder), writer_(plan.products(folder), plan.identity), detection_(writer_), one_value_(detection_) {
@@ -36,6 +50,7 @@ RunSummary RunProducts::finish(const Progress& totals, const sampling::ReasonCou
   outcome.notes = plan_.notes;
   outcome.elapsed_s = totals.elapsed_s;
   outcome.threads = threads;
+  outcome.date = now_utc();
   const io::RunRecord record = writer_.finish(outcome);
   RunSummary summary;
   summary.folder = folder_;

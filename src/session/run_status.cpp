@@ -61,12 +61,12 @@ std::string describe_unfinished(const std::filesystem::path& folder) {
 std::string describe_run(const std::filesystem::path& folder) {
   std::error_code ignored;
   if (std::filesystem::exists(io::plan_file(folder), ignored)) return describe_unfinished(folder);
-  if (std::filesystem::exists(folder / "image_run.json", ignored))
+  if (io::holds_complete_run(folder))
     return format("{}: complete{}; 'ifov info {}' describes it\n", folder.string(),
                   std::filesystem::exists(io::kept_folder(folder), ignored) ? ", kept for --refine" : "",
                   folder.string());
   throw InputError(
-      format("'{}' holds no run: neither an unfinished one (run.part) nor a complete one (image_run.json)",
+      format("'{}' holds no run: neither an unfinished one (run.part) nor a complete one (NAME_run.json)",
              folder.string()));
 }
 

@@ -8,6 +8,7 @@
 #include "io/spectra/csv_spectrum.h"
 #include "sensor/frame_camera.h"
 #include "sensor/orthographic_camera.h"
+#include "session/map_frame.h"
 #include "session/with_position.h"
 
 namespace ifov::session {
@@ -132,7 +133,8 @@ std::unique_ptr<sensor::Psf> assemble_psf(const io::Document& document) {
 }
 
 render::ImageInfo image_info(const io::Document& document, const sensor::Camera& camera,
-                             const std::vector<radiometry::Channel>& channels, const scene::Scene& scene) {
+                             const std::vector<radiometry::Channel>& channels, const scene::Scene& scene,
+                             math::Vec3 map_offset_m) {
   render::ImageInfo info;
   info.width_px = camera.width_px();
   info.height_px = camera.height_px();
@@ -141,14 +143,14 @@ render::ImageInfo image_info(const io::Document& document, const sensor::Camera&
   info.materials = scene::truth_materials(scene).names;
   if (const auto* nadir = dynamic_cast<const sensor::OrthographicCamera*>(&camera)) {
     const sensor::OrthographicCamera::Settings& settings = nadir->settings();
-    const math::Point3 corner_m = nadir->upper_left_corner_m() + document.scene.origin.offset_m;
+    const math::Point3 corner_m = nadir->upper_left_corner_m() + map_offset_m;
     info.has_map = true;
     info.map_x_m = corner_m.x;
     info.map_y_m = corner_m.y;
     info.gsd_m = settings.gsd_m;
     info.map_rotation_rad = settings.rotation_rad;
-    info.map_projection = "Arbitrary";
   }
+  info.map_projection = map_system(document.scene.origin);
   return info;
 }
 

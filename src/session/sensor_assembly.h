@@ -18,8 +18,9 @@ std::vector<radiometry::Channel> assemble_channels(const io::Document& document)
 /// Null without one: perfect optics.
 std::unique_ptr<sensor::Psf> assemble_psf(const io::Document& document);
 
-/// Names, channels and map information for products.
+/// Names, channels and map information for products; `map_offset_m` as of MapFrame.
 render::ImageInfo image_info(const io::Document& document, const sensor::Camera& camera,
-                             const std::vector<radiometry::Channel>& channels, const scene::Scene& scene);
+                             const std::vector<radiometry::Channel>& channels, const scene::Scene& scene,
+                             math::Vec3 map_offset_m);
 
 }  // namespace ifov::session

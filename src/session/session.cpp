@@ -226,7 +226,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   if (!p.atmosphere) p.node_errors = render::node_half_widths(*p.spectral_scene);
   p.tolerance = p.tolerance_of(p.plan);
   warn_of_air_errors(p, *log);
-  p.info = image_info(document, *p.camera, p.channels, p.scene);
+  p.info = image_info(document, *p.camera, p.channels, p.scene, p.map_offset_m);
   p.info.footprint_px = sampling::response_area_px(*p.footprint);
   for (std::size_t c = 0; c < p.air.size(); ++c) p.info.channels[c].air = p.air[c];
   tell_of_emitters(*p.spectral_scene, *log);

@@ -61,11 +61,12 @@ class Folder:
 
 
 def products(folder):
-    """Every product's bytes; of the run record all but the time it took."""
+    """Every product's bytes; of the run record all but when it was made and the time it took."""
     content = {}
     for file in sorted(pathlib.Path(folder).iterdir()):
         content[file.name] = file.read_bytes() if file.is_file() else None
     record = json.loads(content["image_run.json"])
+    record.pop("date")
     record["cost"].pop("elapsed_s")
     record["cost"].pop("threads")
     content["image_run.json"] = record

@@ -296,7 +296,7 @@ class Runs(WholeProducts, unittest.TestCase):
             classes = (out / "image_quality_class.img").read_bytes()
             self.assertEqual(sum(quality_class == 3 for quality_class in classes), gaps)
             self.assertIn(reached, (out / "image_radiance.img.hdr").read_text())
-            for name, bands in (("radiance", 2), ("half_width", 2), ("standard_error", 2), ("abundance", 3)):
+            for name, bands in (("radiance", 2), ("half_width", 2), ("abundance", 3)):
                 values = array.array("f", (out / f"image_{name}.img").read_bytes())
                 self.assertEqual(len(values), bands * 330000)
                 self.assertEqual(sum(value != value for value in values), bands * gaps, name)

@@ -128,7 +128,8 @@ struct SyntheticImage {
             "A compact feature of 2 % of a pixel's area was found with probability of at least 95 %.",
             {"Floor: 0.1 % of a white Lambertian surface's radiance."},
             12.5,
-            2};
+            2,
+            "2026-01-02T03:04:05Z"};
   }
 };
 

@@ -277,7 +277,7 @@ TEST(Document, DefaultsWhereSectionsAreMissing) {
   EXPECT_EQ(accuracy.error.unit, ErrorSize::Unit::fraction);
   EXPECT_EQ(document.sampling.tile_px, 64);
   EXPECT_EQ(document.output.folder, "some/where/b.scene.out");
-  EXPECT_EQ(document.output.formats.size(), 4u);
+  EXPECT_EQ(document.output.formats.size(), 3u);
   EXPECT_EQ(document.sensor.channels[0].name, "8 um to 9 um");
   EXPECT_EQ(document.light.position.file, "some/where/b.scene.json");
   EXPECT_EQ(document.sampling.position.line, 1);

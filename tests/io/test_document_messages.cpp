@@ -167,7 +167,7 @@ TEST(DocumentMessages, WrongTypesCountsAndWords) {
             "    9 |       \"soil\": {\"reflectance\": \"25 %\", \"temperature\": \"20 degC\"},\n"
             "      |                               ^");
   EXPECT_EQ(message_with("\"output\": {", "\"output\": {\"formats\": [\"tiff\"], "),
-            "folder/a.json:42:26: 'output.formats[0]' is the text \"tiff\", expected 'envi', 'geotiff', "
+            "folder/a.json:42:26: 'output.formats[0]' is the text \"tiff\", expected 'envi', 'geotiff', 'netcdf', "
             "'png' or 'html'\n"
             "   42 |   \"output\": {\"formats\": [\"tiff\"], \"folder\": \"products\", \"quicklook\": "
             "{\"channels\": [\"red\"]}}\n"
@@ -188,6 +188,20 @@ TEST(DocumentMessages, ADocumentDoesNotWriteOutsideOfItsFolder) {
                   "writes anywhere");
   for (const std::string good : {"products/red", "a..b", "."})
     EXPECT_EQ(first_line_with(given, "\"folder\": \"" + good + "\""), "accepted") << good;
+}
+
+TEST(DocumentMessages, ProductsHavePlainNames) {
+  const std::string given = "\"folder\": \"products\"";
+  for (const std::string bad : {"a/b", ".hidden", "a.b", "-o", "a b", "\u00e4"})
+    EXPECT_EQ(first_line_with(given, "\"name\": \"" + bad + "\""),
+              "folder/a.json:42:22: 'output.name' is the text \"" + bad +
+                  "\", expected letters, digits, '-' and '_', of which the first is no '-', at most 100");
+  for (const std::string good : {"flight-7_b", "_", "7"})
+    EXPECT_EQ(first_line_with(given, "\"name\": \"" + good + "\""), "accepted") << good;
+  EXPECT_EQ(first_line_with(given, "\"products\": [\"half_width\", \"radiances\"]"),
+            "folder/a.json:42:40: 'output.products[1]' is the text \"radiances\", expected 'radiance', "
+            "'standard_error', 'half_width', 'air_half_width', 'samples', 'quality', 'reasons', 'quality_class', 'abundance', "
+            "'abundance_half_width', 'location', 'view_angles' or 'all'; did you mean 'radiance'?");
 }
 
 TEST(DocumentMessages, NamesThatAreNotDeclared) {

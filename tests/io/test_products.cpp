@@ -27,6 +27,9 @@ ProductOptions options_in(const std::filesystem::path& folder) {
   ProductOptions options;
   options.folder = folder;
   options.name = "demo";
+  options.cubes = ProductSet::all();
+  options.cubes.remove(Product::location);  // the synthetic image has no places
+  options.cubes.remove(Product::view_angles);
   return options;
 }
 
@@ -264,14 +267,68 @@ TEST(ProductWriter, ProductsCanBeLeftAway) {
   const ScratchFolder folder("few");
   write_image(image, options_in(folder.path()), image.tiles(16));
   ProductOptions options = options_in(folder.path());
-  options.standard_error = options.half_width = options.abundance = options.quicklook = options.report =
-      false;
+  options.cubes = {Product::samples, Product::quality, Product::reasons, Product::quality_class};
+  options.quicklook = options.report = false;
   write_image(image, options, image.tiles(16));  // and what the first run left under these names goes
   EXPECT_EQ(names_in(folder.path()),
             (std::vector<std::string>{"demo_quality.img", "demo_quality.img.hdr", "demo_quality_class.img",
                                       "demo_quality_class.img.hdr", "demo_radiance.img", "demo_radiance.img.hdr",
                                       "demo_reasons.img", "demo_reasons.img.hdr", "demo_run.json", "demo_samples.img",
                                       "demo_samples.img.hdr"}));
+}
+
+TEST(ProductWriter, TilesWithoutVariancesMakeTheSameCubes) {
+  const SyntheticImage image{20, 11, 3};
+  const ScratchFolder whole("with_variances"), bare("without_variances");
+  ProductOptions options = options_in(whole.path());
+  options.cubes = usual_products();
+  options.cubes.remove(Product::location);
+  write_image(image, options, image.tiles(8));
+  options.folder = bare.path();
+  ProductWriter writer(options, image.identity());
+  writer.begin(image.info());
+  for (const auto& rect : image.tiles(8)) {
+    sampling::TileResult tile = image.tile(rect);
+    tile.drop_variances();
+    writer.write(tile);
+  }
+  writer.finish(image.outcome());
+  EXPECT_EQ(names_in(whole.path()), names_in(bare.path()));
+  for (const std::string& name : names_in(whole.path()))
+    if (name.ends_with(".img")) EXPECT_EQ(test::read_all(whole.path() / name), test::read_all(bare.path() / name)) << name;
+}
+
+TEST(ProductWriter, PlacesAreWrittenInMapCoordinates) {
+  const SyntheticImage image{7, 5, 1};
+  const ScratchFolder folder("places");
+  ProductOptions options = options_in(folder.path());
+  options.cubes = {Product::location, Product::view_angles};
+  RunIdentity identity = image.identity();
+  identity.acquisition.origin_on_map_m = {477000.0, 5474000.0, 100.0};
+  identity.acquisition.camera.is_frame = true;
+  identity.acquisition.camera.position_m = {477000.0, 5474000.0, 600.0};
+  ProductWriter writer(options, identity);
+  writer.begin(image.info());
+  for (const auto& rect : image.tiles(4)) {
+    sampling::TileResult tile = image.tile(rect);
+    for (int y = rect.y0; y < rect.y1; ++y)
+      for (int x = rect.x0; x < rect.x1; ++x)
+        tile.position_m.insert(tile.position_m.end(), {x == 0 ? std::nan("") : x + 0.001953125, x == 0 ? std::nan("") : 500.0 * y, 0.0});
+    writer.write(tile);
+  }
+  writer.finish(image.outcome());
+  const EnviReader places(folder.path() / "demo_location.img"), angles(folder.path() / "demo_view_angles.img");
+  EXPECT_EQ(places.header().data_type, EnviType::float64);
+  const std::string bytes = test::read_all(folder.path() / "demo_location.img");
+  double easting = 0.0;
+  std::memcpy(&easting, bytes.data() + 8 * (3 * 7 * 1 + 2), 8);
+  EXPECT_EQ(easting, 477002.001953125);
+  std::vector<float> line(7);
+  angles.read(1, 0, line);
+  EXPECT_TRUE(std::isnan(line[0]));
+  EXPECT_NEAR(line[2], 45.0, 1e-3);
+  angles.read(1, 1, line);
+  EXPECT_NEAR(line[2], 180.2, 0.1);  // the camera stands to the south
 }
 
 TEST(ProductWriter, StoppingLeavesPartFilesWithTheFinishedTiles) {

@@ -119,10 +119,23 @@ TEST(Picture, GreyInSunlightLooksGrey) {
   const std::vector<Range> ranges = colour_ranges(layers, visible, 0.0, 1.0);
   for (const std::size_t k : {0u, 1u, 2u}) {
     const double share = (layers[k].values[50] - ranges[k].low) / (ranges[k].high - ranges[k].low);
-    EXPECT_NEAR(share, (k == 0 ? 2.0 : 1.0) * 50.0 / 198.0, 1e-6) << k;
+    EXPECT_NEAR(share, (k == 0 ? 2.0 : 1.0) * 50.0 / (99.0 * 1.2126), 1e-5) << k;
   }
   const std::vector<Range> own = colour_ranges(layers, with_infrared, 0.0, 1.0);
   for (const std::size_t k : {0u, 1u, 2u}) EXPECT_EQ(own[k].high, percentiles(layers[k], 0.0, 1.0).high);
+}
+
+TEST(Picture, HazeIsTakenFromAllThreeAlike) {
+  const std::vector<double> visible{0.65, 0.56, 0.48};
+  for (const double haze : {0.1, 0.5}) {
+    std::vector<Layer> layers;
+    for (const double um : visible) {
+      const double sunlight = radiometry::integral(radiometry::solar_irradiance_1au(), um - 0.01, um + 0.01);
+      layers.push_back({2, 1, {static_cast<float>(haze * sunlight), static_cast<float>(sunlight)}});
+    }
+    for (const Range& range : colour_ranges(layers, visible, 0.0, 1.0))
+      EXPECT_NEAR(range.low / range.high, haze < 0.2 ? 0.0 : haze, 1e-5);
+  }
 }
 
 TEST(Picture, ThermalChannelsAreShownInKelvins) {

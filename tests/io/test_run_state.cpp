@@ -118,6 +118,49 @@ TEST(TileRecord, HoldsAllOfATile) {
   }
 }
 
+TEST(TileRecord, HoldsPlacesAndLeavesVariancesOut) {
+  const RunPlan plan = plan_of(kImage);
+  const auto grid = plan.grid();
+  sampling::TileResult tile = kImage.tile(grid[7]);
+  const std::size_t whole = encode_tile(tile, {7, 11, plan.key(), 2.5}).size();
+  tile.drop_variances();
+  EXPECT_EQ(tile.share_of_borders(0), 0.75f);
+  for (const bool placed : {false, true}) {
+    if (placed) tile.position_m.assign(3 * tile.samples.size(), 0.1);
+    const auto record = encode_tile(tile, {7, 11, plan.key(), 2.5});
+    EXPECT_EQ(record.size(), whole - 4 * (2 * tile.mean.size() - tile.samples.size()) + (placed ? 24 : 0) * tile.samples.size());
+    TileHeader header;
+    std::memcpy(&header, record.data(), sizeof header);
+    EXPECT_EQ(fault_of(header, {plan.key(), kImage.channels, grid}), "");
+    sampling::TileResult back;
+    ASSERT_TRUE(decode_tile(header, std::span(record).subspan(sizeof header), back));
+    expect_same(tile, back);
+    EXPECT_EQ(back.border_share, tile.border_share);
+    EXPECT_EQ(back.position_m, tile.position_m);
+  }
+}
+
+TEST(RunPlan, KeepsWhatProductsSayOfTheAcquisition) {
+  RunPlan plan = plan_of(kImage);
+  plan.name = "flight_1";
+  plan.cubes = {Product::half_width, Product::location};
+  Acquisition& a = plan.identity.acquisition;
+  a.time = "2024-06-21T10:30:00.000Z";
+  a.light = {35.0, 140.0, false};
+  a.origin = {49.4, 8.7};
+  a.origin_on_map_m = {477000.0, 5474000.0, 110.0};
+  a.camera.is_frame = true;
+  a.camera.position_m = {1.0, 2.0, 3.0};
+  a.footprint = {std::nullopt, Acquisition::Corner{{4.0, 5.0, 6.0}, Acquisition::Place{49.0, 8.0}}};
+  const RunPlan back = plan_in(to_json(plan), "state.json");
+  EXPECT_EQ(to_json(back), to_json(plan));
+  EXPECT_EQ(back.name, "flight_1");
+  EXPECT_TRUE(back.cubes == plan.cubes);
+  EXPECT_EQ(back.identity.acquisition.light->azimuth_deg, 140.0);
+  EXPECT_FALSE(back.identity.acquisition.footprint[0]);
+  EXPECT_EQ(back.identity.acquisition.footprint[1]->place->longitude_deg, 8.0);
+}
+
 TEST(TileRecord, AnyFlippedBitIsNoticed) {
   const RunPlan plan = plan_of(kImage);
   const auto grid = plan.grid();

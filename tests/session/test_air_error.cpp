@@ -41,7 +41,7 @@ class AirErrorOfImages : public testing::Test {
                    "sensor": {{"camera": {{"orthographic": {{"gsd": "1 m", "pixels": [4, 4]}}}},
                      "channels": [{{"name": "blue", "gaussian": {{"center": "0.48 um", "fwhm": "20 nm"}}}},
                                   {{"name": "nir", "gaussian": {{"center": "0.86 um", "fwhm": "20 nm"}}}}]}},
-                   "sampling": {{"accuracy": {{"error": "{}"}}}}}})",
+                   "sampling": {{"accuracy": {{"error": "{}"}}}}, "output": {{"products": ["all"]}}}})",
                air ? R"("atmosphere": {"profile": "US standard 1976"},)" : "", error),
         (folder_ / "scene.json").string());
   }

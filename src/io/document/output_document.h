@@ -5,15 +5,17 @@
 #include <vector>
 
 #include "io/document/document_values.h"
+#include "io/products/product_kinds.h"
 
 namespace ifov::io {
 
-enum class ProductFormat { envi, geotiff, png, html };
+enum class ProductFormat { envi, geotiff, netcdf, png, html };
 
 struct OutputDocument {
   std::string folder;  ///< resolved against the document's folder; by default the document's name with ".out"
-  std::vector<ProductFormat> formats{ProductFormat::envi, ProductFormat::geotiff, ProductFormat::png,
-                                     ProductFormat::html};
+  std::string name = "image";  ///< of the products: NAME_radiance.img and so on
+  std::vector<ProductFormat> formats{ProductFormat::envi, ProductFormat::png, ProductFormat::html};
+  std::optional<ProductSet> products;  ///< the cubes; absent: those that are usual for the camera
   std::vector<DocumentName>
       quicklook_channels;  ///< none, one (grey) or three (red, green, blue); none: chosen
   SourcePosition position;

@@ -31,10 +31,45 @@ Kind<DocumentFile> folder_kind() {
 Kind<std::vector<ProductFormat>> formats_kind() {
   const auto formats = list(choice<ProductFormat>({{"envi", ProductFormat::envi},
                                                    {"geotiff", ProductFormat::geotiff},
+                                                   {"netcdf", ProductFormat::netcdf},
                                                    {"png", ProductFormat::png},
                                                    {"html", ProductFormat::html}}),
-                            1, 4);
+                            1, 5);
   return formats;
+}
+
+/// Only what is a good file name everywhere.
+Kind<std::string> name_kind() {
+  ValueDescription d;
+  d.expected = "letters, digits, '-' and '_', of which the first is no '-', at most 100";
+  d.short_name = "name of files";
+  d.pattern = "^[A-Za-z0-9_][A-Za-z0-9_-]{0,99}$";
+  auto description = std::make_shared<const ValueDescription>(std::move(d));
+  return {description, [description](const DocumentNode& node) {
+            const std::string name = text_of(node, *description);
+            const auto plain = [](char c) {
+              return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+            };
+            if (name.empty() || name.size() > 100 || name.front() == '-' || !std::all_of(name.begin(), name.end(), plain))
+              node.fail_expected(description->expected);
+            return name;
+          }};
+}
+
+/// Cubes by their names; "all" for every one.
+Kind<ProductSet> products_kind() {
+  std::vector<std::pair<std::string, int>> words;
+  for (std::size_t k = 0; k < kProductCount; ++k) words.emplace_back(kProductNames[k], static_cast<int>(k));
+  words.emplace_back("all", -1);
+  const std::size_t most = words.size();
+  return converted<ProductSet>(list(choice<int>(words), 1, most), [](const std::vector<int>& names) {
+    ProductSet products;
+    for (const int name : names) {
+      if (name < 0) return ProductSet::all();
+      products.add(static_cast<Product>(name));
+    }
+    return products;
+  });
 }
 
 Kind<Quicklook> quicklook_kind() {
@@ -60,8 +95,12 @@ Kind<OutputDocument> output_kind() {
       .optional(
           "folder", [](OutputDocument& output, DocumentFile f) { output.folder = std::move(f.path); }, folder_kind(),
           "folder of the products, relative to the document; the document's name with '.out' if not given")
-      .with_default("formats", &OutputDocument::formats, formats_kind(),
-                    "[\"envi\", \"geotiff\", \"png\", \"html\"]", "kinds of products; the ENVI cubes and the run record are always written")
+      .with_default("name", &OutputDocument::name, name_kind(), "\"image\"", "begins the name of every product")
+      .with_default("formats", &OutputDocument::formats, formats_kind(), "[\"envi\", \"png\", \"html\"]",
+                    "kinds of products; the ENVI cubes and the run record are always written")
+      .optional("products", &OutputDocument::products, products_kind(),
+                "ENVI cubes beside the radiance, which is always written; if not given, those of the samples, the quality, the "
+                "abundances and half_width, and of frame cameras location")
       .optional(
           "quicklook",
           [](OutputDocument& output, Quicklook quicklook) {

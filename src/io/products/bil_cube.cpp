@@ -27,7 +27,16 @@ constexpr std::size_t kRoomForTwo = std::size_t{512} << 20;
 constexpr std::size_t kLargestSent = std::size_t{256} << 20;
 
 std::size_t value_bytes_of(BilCube::Values values) {
-  return values == BilCube::Values::byte ? 1 : values == BilCube::Values::bits ? 2 : 4;
+  switch (values) {
+    case BilCube::Values::byte:
+      return 1;
+    case BilCube::Values::bits:
+      return 2;
+    case BilCube::Values::wide:
+      return 8;
+    default:
+      return 4;
+  }
 }
 
 constexpr std::size_t kHugePage = std::size_t{2} << 20;
@@ -52,13 +61,13 @@ BilCube::BilCube(std::filesystem::path path, int width, int height, int bands, V
       file_(std::move(path)),
       scan_(width, bands, value_bytes_) {
   static_assert(std::endian::native == std::endian::little, "headers say byte order = 0");
-  if (value_bytes_ != 4 && bands != 1) throw std::logic_error("cubes of small values have one band");
+  if (value_bytes_ < 4 && bands != 1) throw std::logic_error("cubes of small values have one band");
   if (bytes() >= limits_.large_bytes) file_.bypass_page_cache();
 }
 
-std::uint64_t BilCube::waiting_bytes(int width, int height, int bands, int tile_rows) {
-  const std::size_t strip = 4 * product(width, std::min(tile_rows, height), bands);
-  const bool sent = 4 * product(width, height, bands) >= kManyBytes && strip <= kLargestSent;
+std::uint64_t BilCube::waiting_bytes(int width, int height, int bands, int tile_rows, int value_bytes) {
+  const std::size_t value = product(value_bytes), strip = value * product(width, std::min(tile_rows, height), bands);
+  const bool sent = value * product(width, height, bands) >= kManyBytes && strip <= kLargestSent;
   return std::max(strip, std::min(2 * strip, kRoomForTwo)) + (sent ? strip : 0);
 }
 
@@ -73,6 +82,10 @@ void BilCube::write(sampling::PixelRect tile, std::span<const std::uint32_t> val
 }
 
 void BilCube::write(sampling::PixelRect tile, std::span<const std::uint8_t> values) {
+  add(tile, values.data(), values.size());
+}
+
+void BilCube::write(sampling::PixelRect tile, std::span<const double> values) {
   add(tile, values.data(), values.size());
 }
 
@@ -95,7 +108,7 @@ void BilCube::add(sampling::PixelRect tile, const void* values, std::size_t coun
     if (bands_ == 1)
       std::memcpy(to, line, value_bytes_ * product(tile.width()));
     else
-      turn_bands(line, product(tile.width()), product(bands_), to, product(stride_));
+      turn_bands(line, product(tile.width()), product(bands_), to, product(stride_), value_bytes_);
   }
   for (Strip& ready : leave(strip, tile)) send(std::move(ready));
 }
@@ -265,6 +278,12 @@ RasterView BilCube::view() const {
               file_.read_at(offset, values.data(), line_bytes);
               if (values_ == Values::integer)
                 for (float& value : values) value = static_cast<float>(std::bit_cast<std::uint32_t>(value));
+              return;
+            }
+            if (value_bytes_ == 8) {
+              std::vector<double> wide(product(width_));
+              file_.read_at(offset, wide.data(), line_bytes);
+              std::transform(wide.begin(), wide.end(), values.begin(), [](double value) { return static_cast<float>(value); });
               return;
             }
             std::vector<std::uint8_t> small(line_bytes);

@@ -24,7 +24,8 @@ namespace ifov::io {
 /// one more strip in the background; a failure there is thrown by the next write() or flush().
 class BilCube {
  public:
-  enum class Values { real, integer, bits, byte };  ///< float; unsigned of 32, 16, 8 bits; the last two of one band
+  /// float; unsigned of 32, 16, 8 bits; double. 16 and 8 bits of one band alone.
+  enum class Values { real, integer, bits, byte, wide };
   struct Limits {
     std::size_t buffer_bytes = std::size_t{192} << 20;
     std::uint64_t large_bytes = kManyBytes;  ///< of a large cube
@@ -35,7 +36,7 @@ class BilCube {
       : BilCube(std::move(path), width, height, bands, values, Limits()) {}
 
   /// What waits of a cube whose tiles, so high, come line by line.
-  static std::uint64_t waiting_bytes(int width, int height, int bands, int tile_rows);
+  static std::uint64_t waiting_bytes(int width, int height, int bands, int tile_rows, int value_bytes = 4);
 
   void reserve() { file_.reserve(bytes()); }
   std::uint64_t bytes() const;
@@ -48,6 +49,7 @@ class BilCube {
   void write(sampling::PixelRect tile, std::span<const std::uint32_t> values);
   void write(sampling::PixelRect tile, std::span<const std::uint16_t> values);
   void write(sampling::PixelRect tile, std::span<const std::uint8_t> values);
+  void write(sampling::PixelRect tile, std::span<const double> values);
 
   /// Writes all that waits; no write() may be under way.
   void flush();

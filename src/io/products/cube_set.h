@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/products/bil_cube.h"
-#include "io/products/product_headers.h"
+#include "io/products/cube_kinds.h"
 #include "io/products/run_record.h"
 
 namespace ifov::io {
@@ -15,27 +15,10 @@ namespace ifov::io {
 /// The ENVI cubes of a run, each under its `.part` name until publish().
 class CubeSet {
  public:
-  enum Index {
-    kRadiance,
-    kStandardError,
-    kHalfWidth,
-    kAirHalfWidth,
-    kSamples,
-    kQuality,
-    kReasons,
-    kQualityClass,
-    kAbundance,
-    kAbundanceHalfWidth,
-    kCount
-  };
-  struct Selection {
-    bool standard_error = true, half_width = true, abundance = true;
-  };
-
   /// Files are <stem>_radiance.img and so on. Reserves the disk space of all cubes, and asks for
   /// `further_bytes` more; leaves nothing behind where that fails.
-  CubeSet(const std::filesystem::path& stem, Selection selection, const render::ImageInfo& info,
-          std::uint64_t further_bytes);
+  CubeSet(const std::filesystem::path& stem, ProductSet selection, const render::ImageInfo& info,
+          const Acquisition& acquisition, std::uint64_t further_bytes);
 
   /// May be called by several threads at once. std::logic_error on arrays that do not match the tile or the
   /// image.
@@ -49,7 +32,7 @@ class CubeSet {
   void publish();
 
   /// Empty where the selection leaves the cube away.
-  RasterView view(Index index) const;
+  RasterView view(Product product) const;
   std::vector<std::filesystem::path> part_files() const;
   /// Where the cubes would be that the selection leaves away, and their headers.
   std::vector<std::filesystem::path> unselected_files() const;
@@ -62,17 +45,15 @@ class CubeSet {
     std::unique_ptr<PartFile> header;
   };
 
-  bool selected(Index index) const;
+  const std::unique_ptr<Cube>& cube(Product product) const { return cubes_[static_cast<std::size_t>(product)]; }
   std::vector<Cube*> cubes() const;
   void require_consistent(const sampling::TileResult& tile) const;
-  void write_values(Index index, const sampling::TileResult& tile, const std::vector<float>& values);
-  void write_reasons(const sampling::TileResult& tile);
-  void write_fractions(const sampling::TileResult& tile);
 
   std::filesystem::path stem_;
-  Selection selection_;
+  ProductSet selection_;
   render::ImageInfo info_;
-  std::array<std::unique_ptr<Cube>, kCount> cubes_;
+  Acquisition acquisition_;
+  std::array<std::unique_ptr<Cube>, kProductCount> cubes_;
 };
 
 }  // namespace ifov::io

@@ -1,12 +1,18 @@
 #include "io/products/geotiff.h"
 
+#include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal_priv.h>
 
+#include <filesystem>
+#include <limits>
+#include <memory>
 #include <vector>
 
 #include "core/error.h"
+#include "io/products/gdal_view.h"
 #include "io/products/map_info.h"
+#include "io/products/product_headers.h"
 #include "io/raster/gdal_setup.h"
 
 namespace ifov::io {
@@ -26,11 +32,37 @@ struct FirstFailure {
   std::string message;
 };
 
-GDALDriver& tiff_driver() {
+GDALDriver& cog_driver() {
   prepare_gdal();
-  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("COG");
   if (driver == nullptr) throw EnvironmentError("this GDAL cannot write GeoTIFF");
   return *driver;
+}
+
+/// Sides of tiles: all channels of a tile lie side by side in the file, and many of them are read and written in smaller
+/// pieces.
+int tile_side(int bands) {
+  constexpr int kMostBytes = 8 << 20;
+  int side = 512;
+  while (side > 64 && 4 * side * side > kMostBytes / bands) side /= 2;
+  return side;
+}
+
+/// Without a picture in colour the first band is grey: the format can name no other.
+GDALColorInterp colour_of(int band, const std::vector<int>& picture) {
+  constexpr GDALColorInterp kColours[] = {GCI_RedBand, GCI_GreenBand, GCI_BlueBand};
+  if (picture.size() != 3) return band == 0 ? GCI_GrayIndex : GCI_Undefined;
+  for (std::size_t k = 0; k < picture.size(); ++k)
+    if (picture[k] == band) return kColours[k];
+  return GCI_Undefined;
+}
+
+/// The driver builds overviews in files of such names; what stands there already, a link perhaps, is not written to.
+void clear_passing_files(const std::filesystem::path& part) {
+  for (const char* ending : {".ovr.tmp", ".msk.ovr.tmp", ".warped.tif.tmp"}) {
+    std::error_code ignored;
+    std::filesystem::remove(part.string() + ending, ignored);
+  }
 }
 
 void describe(GDALDataset& data, const RunRecord& record) {
@@ -41,6 +73,9 @@ void describe(GDALDataset& data, const RunRecord& record) {
     const std::string system = coordinate_system_text(info);
     if (!system.empty()) data.SetProjection(system.c_str());
   }
+  if (const std::string& time = record.identity.acquisition.time; !time.empty())
+    data.SetMetadataItem("acquisition_time", time.c_str());
+  const std::vector<int> picture = picture_channels(info);
   data.SetMetadataItem("TIFFTAG_SOFTWARE", format("ifov {}", record.identity.version).c_str());
   data.SetMetadataItem(
       "TIFFTAG_IMAGEDESCRIPTION",
@@ -52,41 +87,38 @@ void describe(GDALDataset& data, const RunRecord& record) {
     GDALRasterBand& band = *data.GetRasterBand(b);
     band.SetDescription(channel.name.c_str());
     band.SetUnitType(info.radiance_unit.c_str());
+    band.SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
+    band.SetColorInterpretation(colour_of(b - 1, picture));
     const std::string centre = format("{:.10g}", channel.centre_um),
                       fwhm = format("{:.10g}", channel.fwhm_um);
     band.SetMetadataItem("wavelength", centre.c_str());
     band.SetMetadataItem("wavelength_units", "Micrometers");
     band.SetMetadataItem("fwhm", fwhm.c_str());
-    band.SetMetadataItem("CENTRAL_WAVELENGTH_UM", centre.c_str(), "IMAGERY");
-    band.SetMetadataItem("FWHM_UM", fwhm.c_str(), "IMAGERY");
   }
 }
 
 }  // namespace
 
+std::uint64_t geotiff_bytes(const render::ImageInfo& info) {
+  const auto pixels = static_cast<std::uint64_t>(info.width_px) * static_cast<std::uint64_t>(info.height_px);
+  // A third more are overviews, which for a while are there twice.
+  return 4 * pixels * info.channels.size() * 5 / 3;
+}
+
 void write_geotiff(PartFile& file, const RasterView& radiance, const RunRecord& record) {
-  const std::filesystem::path folder = file.part_path().parent_path();
-  require_space(folder, std::uint64_t{4} * static_cast<std::uint64_t>(radiance.width) *
-                            static_cast<std::uint64_t>(radiance.height) *
-                            static_cast<std::uint64_t>(radiance.bands));
-  const NoSidecars none;
+  require_space(file.part_path().parent_path(), geotiff_bytes(record.image));
   FirstFailure failure;
-  const char* const options[] = {"INTERLEAVE=BAND", "BIGTIFF=IF_SAFER", nullptr};
-  GDALDataset* data = tiff_driver().Create(file.part_path().c_str(), radiance.width, radiance.height,
-                                           radiance.bands, GDT_Float32, options);
-  if (data != nullptr) {
-    describe(*data, record);
-    std::vector<float> line(static_cast<std::size_t>(radiance.width));
-    for (int b = 0; b < radiance.bands && failure.message.empty(); ++b)
-      for (int y = 0; y < radiance.height && failure.message.empty(); ++y) {
-        radiance.read(y, b, line);
-        const CPLErr error = data->GetRasterBand(b + 1)->RasterIO(
-            GF_Write, 0, y, radiance.width, 1, line.data(), radiance.width, 1, GDT_Float32, 0, 0, nullptr);
-        if (error >= CE_Failure && failure.message.empty()) failure.message = "the line could not be written";
-      }
-    GDALClose(data);
-  }
-  if (!failure.message.empty() || data == nullptr)
+  const std::string block = format("BLOCKSIZE={}", tile_side(radiance.bands));
+  const char* const options[] = {block.c_str(),        "COMPRESS=DEFLATE",         "LEVEL=1", "PREDICTOR=YES",
+                                 "BIGTIFF=IF_SAFER",   "OVERVIEW_RESAMPLING=AVERAGE", nullptr};
+  const std::unique_ptr<GDALDataset> source = gdal_view(radiance);
+  describe(*source, record);
+  const NoSidecars none;  // what the format cannot hold would go to a file beside it
+  clear_passing_files(file.part_path());
+  GDALDataset* const written =
+      cog_driver().CreateCopy(file.part_path().c_str(), source.get(), FALSE, const_cast<char**>(options), nullptr, nullptr);
+  if (written != nullptr) GDALClose(written);
+  if (!failure.message.empty() || written == nullptr)
     throw EnvironmentError(format("{}: cannot be written: {}", file.part_path().string(), failure.message));
 }
 

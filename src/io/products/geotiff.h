@@ -1,14 +1,20 @@
 #pragma once
 
+#include <cstdint>
+
 #include "io/products/part_file.h"
 #include "io/products/raster_view.h"
 #include "io/products/run_record.h"
 
 namespace ifov::io {
 
-/// Writes the radiance as a GeoTIFF into `file`: bands described by channel name, with wavelengths as GDAL's
-/// ENVI driver ("wavelength", "wavelength_units") and its IMAGERY domain ("CENTRAL_WAVELENGTH_UM", "FWHM_UM")
-/// give them. ifov::EnvironmentError on full disks.
+/// Writes the radiance as a Cloud Optimized GeoTIFF into `file`: tiles, overviews, and gaps as not a number. Bands carry the
+/// channel's name, unit, wavelengths as GDAL's ENVI driver gives them ("wavelength", "wavelength_units"; no other domain
+/// than the default one passes GDAL's COG driver), and red, green or blue where the picture shows them so.
+/// ifov::EnvironmentError on full disks.
 void write_geotiff(PartFile& file, const RasterView& radiance, const RunRecord& record);
+
+/// Disk space that this takes at most while it is made.
+std::uint64_t geotiff_bytes(const render::ImageInfo& info);
 
 }  // namespace ifov::io

@@ -29,6 +29,16 @@ OGRSpatialReference reference(const render::ImageInfo& info) {
   return result;
 }
 
+std::string text_of(const render::ImageInfo& info, const char* form) {
+  if (is_local(info)) return {};
+  char* text = nullptr;
+  const char* const options[] = {form, nullptr};
+  reference(info).exportToWkt(&text, options);
+  std::string result = text == nullptr ? "" : text;
+  CPLFree(text);
+  return result;
+}
+
 }  // namespace
 
 std::array<double, 6> geotransform(const render::ImageInfo& info) {
@@ -37,14 +47,14 @@ std::array<double, 6> geotransform(const render::ImageInfo& info) {
   return {info.map_x_m, c, -s, info.map_y_m, -s, -c};
 }
 
-std::string coordinate_system_text(const render::ImageInfo& info) {
-  if (is_local(info)) return {};
-  char* text = nullptr;
-  const char* const options[] = {"FORMAT=WKT1_GDAL", nullptr};
-  reference(info).exportToWkt(&text, options);
-  std::string result = text == nullptr ? "" : text;
-  CPLFree(text);
-  return result;
+std::string coordinate_system_text(const render::ImageInfo& info) { return text_of(info, "FORMAT=WKT1_GDAL"); }
+std::string esri_coordinate_system_text(const render::ImageInfo& info) { return text_of(info, "FORMAT=WKT1_ESRI"); }
+
+MapSystem map_system(const render::ImageInfo& info) {
+  const OGRSpatialReference system = reference(info);
+  const char* const code = system.GetAuthorityCode(nullptr);
+  const char* const name = system.GetName();
+  return {name != nullptr ? name : "", coordinate_system_text(info), code != nullptr ? std::atoi(code) : 0};
 }
 
 std::vector<std::string> envi_map_info(const render::ImageInfo& info) {

@@ -15,6 +15,16 @@ std::array<double, 6> geotransform(const render::ImageInfo& info);
 /// nothing. ifov::InputError on text that names no coordinate system.
 std::string coordinate_system_text(const render::ImageInfo& info);
 
+/// The same in ESRI's dialect, which is that of ENVI headers.
+std::string esri_coordinate_system_text(const render::ImageInfo& info);
+
+/// A coordinate system as a run record states it.
+struct MapSystem {
+  std::string name, wkt;
+  int epsg = 0;  ///< 0: it has no code
+};
+MapSystem map_system(const render::ImageInfo& info);
+
 /// The items of an ENVI header's "map info".
 std::vector<std::string> envi_map_info(const render::ImageInfo& info);
 

@@ -65,17 +65,36 @@ std::vector<Range> colour_ranges(const std::vector<Layer>& layers, const std::ve
     return ranges;
   }
   constexpr double kHalfWidth_um = 0.01;
+  constexpr double kLuminance[] = {0.2126, 0.7152, 0.0722};  // of linear sRGB's red, green and blue
+  constexpr double kHaze = 0.2;
   std::vector<double> sunlight;
-  Layer all;
+  Layer luminance;
+  luminance.values.resize(layers.front().values.size());
   for (std::size_t k = 0; k < layers.size(); ++k) {
     sunlight.push_back(radiometry::integral(radiometry::solar_irradiance_1au(), centre_um[k] - kHalfWidth_um,
                                             centre_um[k] + kHalfWidth_um));
-    for (const float value : layers[k].values) all.values.push_back(value / static_cast<float>(sunlight[k]));
+    for (std::size_t i = 0; i < luminance.values.size(); ++i)
+      luminance.values[i] += static_cast<float>(kLuminance[k] / sunlight[k] * layers[k].values[i]);
   }
-  Range joint = percentiles(all, low, high);
-  if (joint.low < 0.5 * joint.high) joint.low = std::min(joint.low, 0.0);
+  Range joint = percentiles(luminance, low, high);
+  if (joint.low < kHaze * joint.high) joint.low = std::min(joint.low, 0.0);
   for (const double weight : sunlight) ranges.push_back({joint.low * weight, joint.high * weight});
   return ranges;
+}
+
+int averaging_factor(int width, int height) {
+  constexpr int kLongestSide = 1600;
+  return (std::max(width, height) + kLongestSide - 1) / kLongestSide;
+}
+
+std::vector<Range> colour_ranges(const RasterView& radiance, const render::ImageInfo& info, const std::vector<int>& channels) {
+  std::vector<Layer> layers;
+  std::vector<double> centre_um;
+  for (const int channel : channels) {
+    layers.push_back(averaged_layer(radiance, channel, averaging_factor(radiance.width, radiance.height)));
+    centre_um.push_back(info.channels[static_cast<std::size_t>(channel)].centre_um);
+  }
+  return colour_ranges(layers, centre_um, kLowShare, kHighShare);
 }
 
 bool is_thermal(const render::ImageInfo& info, int channel) {

@@ -25,13 +25,21 @@ struct Range {
 };
 Range percentiles(const Layer& layer, double low, double high);
 
-/// Ranges of the layers of a colour picture between the percentiles of `low` and `high`. Layers of visible
-/// wavelengths share one, each as a part of sunlight at its wavelength (radiometry::solar_irradiance_1au,
-/// mean of 20 nm), so that what is grey looks grey, and begin at 0 unless the dark end lies above half the
-/// bright one; others each have their own.
+/// Ranges of the three layers of a colour picture. Those of visible wavelengths share one, each as a part of sunlight at
+/// its wavelength (radiometry::solar_irradiance_1au, mean of 20 nm), so that what is grey looks grey: from 0, or under haze,
+/// where the dark end lies above a fifth of the bright one, from there, to the percentile `high` of the luminance. Others
+/// each have their own, between their percentiles of `low` and `high`.
 std::vector<Range> colour_ranges(const std::vector<Layer>& layers, const std::vector<double>& centre_um,
                                  double low, double high);
+/// The same of an image as its pictures show it.
+std::vector<Range> colour_ranges(const RasterView& radiance, const render::ImageInfo& info, const std::vector<int>& channels);
 bool all_visible(const std::vector<double>& centre_um);
+
+/// Percentiles of pictures.
+inline constexpr double kLowShare = 0.01, kHighShare = 0.99;
+
+/// How many pixels to each side a picture shows as one.
+int averaging_factor(int width, int height);
 
 /// True where emission outweighs sunlight: pictures then show brightness temperature.
 bool is_thermal(const render::ImageInfo& info, int channel);

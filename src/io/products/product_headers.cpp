@@ -1,11 +1,40 @@
 #include "io/products/product_headers.h"
 
+#include <cctype>
 #include <cmath>
 
 #include "core/format.h"
 #include "io/products/map_info.h"
 
 namespace ifov::io {
+namespace {
+
+void add_acquisition(EnviHeader& header, const Acquisition& acquisition) {
+  if (!acquisition.time.empty()) header.other["acquisition time"] = acquisition.time;
+  if (!acquisition.light || acquisition.light->is_moon) return;
+  header.other["sun elevation"] = format("{:.6g}", 90.0 - acquisition.light->zenith_deg);
+  header.other["sun azimuth"] = format("{:.6g}", acquisition.light->azimuth_deg);
+}
+
+/// The corners of an image that no map info fits, as ENVI's "geo points": x, y, latitude, longitude.
+void add_corners(EnviHeader& header, const Acquisition& acquisition) {
+  const double right = header.samples + 1, low = header.lines + 1, corners[][2] = {{1, 1}, {right, 1}, {right, low}, {1, low}};
+  std::string points;
+  for (std::size_t k = 0; k < acquisition.footprint.size() && k < 4; ++k) {
+    const auto& corner = acquisition.footprint[k];
+    if (!corner || !corner->place) return;
+    points += format("{}{:g}, {:g}, {:.9f}, {:.9f}", k > 0 ? ", " : "", corners[k][0], corners[k][1], corner->place->latitude_deg,
+                     corner->place->longitude_deg);
+  }
+  if (!points.empty()) header.other["geo points"] = points;
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+}  // namespace
 
 EnviHeader cube_header(const CubeKind& kind, const render::ImageInfo& info, const RunIdentity& identity,
                        const std::string& statement) {
@@ -34,8 +63,13 @@ EnviHeader cube_header(const CubeKind& kind, const render::ImageInfo& info, cons
   }
   if (info.has_map) {
     header.map_info = envi_map_info(info);
-    header.coordinate_system = coordinate_system_text(info);
+    header.coordinate_system = esri_coordinate_system_text(info);
   }
+  if (!info.has_map) add_corners(header, identity.acquisition);
+  add_acquisition(header, identity.acquisition);
+  if (kind.type == EnviType::float32 || kind.type == EnviType::float64) header.other["data ignore value"] = "nan";
+  if (kind.spectral)
+    header.other["z plot titles"] = format("Wavelength (Micrometers), {} ({})", capitalised(kind.what), header.data_units);
   return header;
 }
 

@@ -3,20 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "io/products/cube_kinds.h"
 #include "io/products/envi_header.h"
 #include "io/products/run_record.h"
 
 namespace ifov::io {
-
-/// What a cube holds, and so what its header says.
-struct CubeKind {
-  std::string suffix;     ///< "_radiance"
-  std::string what;       ///< "radiance"
-  std::string unit;       ///< of the values; empty: the radiance unit
-  bool spectral = false;  ///< bands are the channels; else they are named here
-  std::vector<std::string> band_names;
-  EnviType type = EnviType::float32;
-};
 
 /// Header of one cube. `statement` is the accuracy reached, in words.
 EnviHeader cube_header(const CubeKind& kind, const render::ImageInfo& info, const RunIdentity& identity,

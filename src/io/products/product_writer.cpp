@@ -10,6 +10,7 @@
 #include "io/products/cube_set.h"
 #include "io/products/geotiff.h"
 #include "io/products/map_info.h"
+#include "io/products/netcdf.h"
 #include "io/products/quicklook.h"
 #include "io/products/run_json.h"
 #include "io/report/report.h"
@@ -82,10 +83,14 @@ std::vector<std::unique_ptr<PartFile>> ProductWriter::State::derive(
       if (!failure) failure = error;
     }
   };
-  const RasterView radiance = cubes->view(CubeSet::kRadiance);
+  const RasterView radiance = cubes->view(Product::radiance);
   if (options.geotiff)
     make("_radiance.tif", "radiance, GeoTIFF",
          [&](PartFile& file) { write_geotiff(file, radiance, record); });
+  if (options.netcdf)
+    make("_radiance.nc", "radiance and its errors, NetCDF", [&](PartFile& file) {
+      write_netcdf(file, {radiance, cubes->view(Product::standard_error), cubes->view(Product::half_width)}, record);
+    });
   if (options.quicklook)
     make("_quicklook.png", "picture", [&](PartFile& file) {
       write_part(file, make_quicklook(radiance, record, options.quicklook_channels));
@@ -93,11 +98,12 @@ std::vector<std::unique_ptr<PartFile>> ProductWriter::State::derive(
   if (options.report)
     make("_report.html", "report", [&](PartFile& file) {
       ReportInput input;
+      input.picture = options.quicklook_channels;
       input.radiance = radiance;
-      input.half_width = cubes->view(CubeSet::kHalfWidth);
-      input.samples = cubes->view(CubeSet::kSamples);
-      input.quality = cubes->view(CubeSet::kQuality);
-      input.reasons = cubes->view(CubeSet::kReasons);
+      input.half_width = cubes->view(Product::half_width);
+      input.samples = cubes->view(Product::samples);
+      input.quality = cubes->view(Product::quality);
+      input.reasons = cubes->view(Product::reasons);
       write_part(file, make_report(record, input));
     });
   return files;
@@ -113,7 +119,7 @@ void ProductWriter::State::publish(const RunRecord& record, std::vector<std::uni
 
   // What an earlier run of this name left and this one does not replace would not belong to its cubes.
   auto leftovers = cubes->unselected_files();
-  for (const char* ending : {"_radiance.tif", "_quicklook.png", "_report.html"})
+  for (const char* ending : {"_radiance.tif", "_radiance.nc", "_quicklook.png", "_report.html"})
     leftovers.push_back(path(ending));
   for (const auto& leftover : leftovers)
     if (std::none_of(record.files.begin(), record.files.end(),
@@ -144,12 +150,12 @@ void ProductWriter::begin(const render::ImageInfo& info) {
   if (s.cubes) throw std::logic_error("begin() comes once");
   if (info.width_px < 1 || info.height_px < 1 || info.channels.empty())
     throw std::logic_error("an image needs pixels and channels");
-  if (info.has_map) coordinate_system_text(info);  // an unknown system is said now, not after the last ray
+  coordinate_system_text(info);  // an unknown system is said now, not after the last ray
   s.info = info;
-  const std::uint64_t geotiff_bytes = s.options.geotiff ? 4 * s.pixels() * info.channels.size() : 0;
-  s.cubes = std::make_unique<CubeSet>(
-      s.path(""), CubeSet::Selection{s.options.standard_error, s.options.half_width, s.options.abundance},
-      info, geotiff_bytes);
+  std::uint64_t further_bytes = 0;
+  if (s.options.geotiff) further_bytes += geotiff_bytes(info);
+  if (s.options.netcdf) further_bytes += netcdf_bytes(info, s.options.cubes);
+  s.cubes = std::make_unique<CubeSet>(s.path(""), s.options.cubes, info, s.identity.acquisition, further_bytes);
 }
 
 void ProductWriter::write(const sampling::TileResult& tile) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/products/product_kinds.h"
 #include "io/products/run_record.h"
 #include "render/tile_sink.h"
 
@@ -14,10 +15,9 @@ namespace ifov::io {
 struct ProductOptions {
   std::filesystem::path folder;  ///< made where it is missing
   std::string name = "image";    ///< files are <folder>/<name>_radiance.img and so on
-  bool standard_error = true;    ///< cube of standard errors
-  bool half_width = true;        ///< cube of half-widths
-  bool abundance = true;         ///< cubes of material fractions and of their half-widths
+  ProductSet cubes = usual_products();
   bool geotiff = false;
+  bool netcdf = false;
   bool quicklook = true;
   bool report = true;
   std::vector<int>

@@ -14,10 +14,8 @@
 namespace ifov::io {
 namespace {
 
-constexpr int kLongestSide = 1600;  // larger images are averaged down
-constexpr int kWantedSide = 760;    // smaller ones are enlarged by whole factors
+constexpr int kWantedSide = 760;  // smaller images are enlarged by whole factors
 constexpr double kMargin = 28.0, kTitle = 58.0, kLine = 19.0, kBar = 120.0;
-constexpr double kLow = 0.01, kHigh = 0.99;
 constexpr const char *kLowName = "1st", *kHighName = "99th";
 
 struct Free {
@@ -52,7 +50,7 @@ Picture one_channel(const RasterView& radiance, const RunRecord& record, int cha
   Picture p{format("{}  {:.4g} \u00b5m", c.name, c.centre_um),
             thermal ? "K" : shown_unit(info.radiance_unit),
             {},
-            percentiles(layer, kLow, kHigh),
+            percentiles(layer, kLowShare, kHighShare),
             true,
             thermal ? &heat_colours() : &sequential_colours(),
             layer.width,
@@ -80,14 +78,14 @@ Picture three_channels(const RasterView& radiance, const RunRecord& record, cons
     p.title += format("{}{} {:.3g}", p.title.empty() ? "" : ", ", c.name, c.centre_um);
   }
   p.title = "Red, green, blue: " + p.title + " \u00b5m";
-  const std::vector<Range> ranges = colour_ranges(layers, centre_um, kLow, kHigh);
+  const std::vector<Range> ranges = colour_ranges(layers, centre_um, kLowShare, kHighShare);
   std::string limits;
   for (const Range& r : ranges)
     limits += format("{}{:.3g} to {:.3g}", limits.empty() ? "" : ", ", r.low, r.high);
   p.caption = {
       all_visible(centre_um)
-          ? format("Parts of sunlight, up to the {} percentile, in linear light:", kHighName)
-          : format("Each channel from its {} to its {} percentile, in linear light:", kLowName, kHighName),
+          ? format("Parts of sunlight, up to the {} percentile of luminance:", kHighName)
+          : format("Each channel from its {} to its {} percentile:", kLowName, kHighName),
       format("{} {}", limits, shown_unit(record.image.radiance_unit))};
   p.width = layers[0].width;
   p.height = layers[0].height;
@@ -209,8 +207,7 @@ cairo_status_t append(void* out, const unsigned char* data, unsigned int length)
 std::string make_quicklook(const RasterView& radiance, const RunRecord& record,
                            const std::vector<int>& channels) {
   const std::vector<int> chosen = channels.empty() ? picture_channels(record.image) : channels;
-  const int longest = std::max(radiance.width, radiance.height);
-  const int factor = (longest + kLongestSide - 1) / kLongestSide;
+  const int factor = averaging_factor(radiance.width, radiance.height);
   const Picture p = chosen.size() == 3 ? three_channels(radiance, record, chosen, factor)
                                        : one_channel(radiance, record, chosen.front(), factor);
   const int enlarge = std::max(1, kWantedSide / std::max(p.width, p.height));

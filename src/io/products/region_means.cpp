@@ -21,11 +21,11 @@ std::optional<EnviReader> open_if_there(const std::filesystem::path& path) {
 
 }  // namespace
 
-RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& region, const sampling::RegionRule& rule) {
+RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& region, const sampling::RegionRule& rule,
+                         const std::vector<std::optional<render::AirHalfWidth>>& air) {
   const EnviReader radiance(cube(stem, "_radiance.img")), reasons(cube(stem, "_reasons.img")),
       quality(cube(stem, "_quality.img"));
-  const std::optional<EnviReader> half_width = open_if_there(cube(stem, "_half_width.img")),
-                                  air = open_if_there(cube(stem, "_air_half_width.img"));
+  const std::optional<EnviReader> half_width = open_if_there(cube(stem, "_half_width.img"));
   const auto width = static_cast<std::size_t>(radiance.header().samples);
   const int bands = radiance.header().bands;
   std::vector<sampling::RegionSum> sums(static_cast<std::size_t>(bands));
@@ -48,7 +48,11 @@ RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& r
     for (int band = 0; band < bands; ++band) {
       radiance.read(line, band, value);
       if (half_width) half_width->read(line, band, widths);
-      if (air) air->read(line, band, of_air);
+      if (const auto b = static_cast<std::size_t>(band); b < air.size() && air[b])
+        std::transform(value.begin(), value.end(), of_air.begin(),
+                       [&](float mean) { return static_cast<float>(air[b]->of(mean)); });
+      else
+        std::fill(of_air.begin(), of_air.end(), 0.0f);
       for (std::size_t x = 0; x < width; ++x)
         if (inside[x] != 0) sums[static_cast<std::size_t>(band)].add(value[x], widths[x], share[x], of_air[x]);
     }

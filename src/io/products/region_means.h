@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/products/image_region.h"
+#include "render/air_half_width.h"
 #include "sampling/reason_words.h"
 #include "sampling/region_interval.h"
 
@@ -23,6 +25,8 @@ struct RegionMeans {
 };
 
 /// From the cubes <stem>_radiance.img and so on. Errors as of EnviReader.
-RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& region, const sampling::RegionRule& rule);
+/// `air` by channel, where the atmosphere knew its error; may be empty.
+RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& region, const sampling::RegionRule& rule,
+                         const std::vector<std::optional<render::AirHalfWidth>>& air = {});
 
 }  // namespace ifov::io

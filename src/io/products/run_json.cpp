@@ -4,11 +4,23 @@
 
 #include <cmath>
 
+#include "io/products/acquisition_json.h"
+#include "io/products/map_info.h"
+
 namespace ifov::io {
 namespace {
 
 Json::Value number(double value) { return std::isfinite(value) ? Json::Value(value) : Json::Value(); }
 Json::Value count(std::uint64_t value) { return Json::Value(static_cast<Json::UInt64>(value)); }
+
+Json::Value system_value(const render::ImageInfo& info) {
+  const MapSystem system = map_system(info);
+  Json::Value v;
+  v["name"] = system.name;
+  v["epsg"] = system.epsg > 0 ? Json::Value(system.epsg) : Json::Value();
+  v["wkt"] = system.wkt;
+  return v;
+}
 
 Json::Value image(const render::ImageInfo& info) {
   Json::Value v;
@@ -21,8 +33,8 @@ Json::Value image(const render::ImageInfo& info) {
     v["map"]["upper_left_y_m"] = info.map_y_m;
     v["map"]["gsd_m"] = info.gsd_m;
     v["map"]["rotation_rad"] = info.map_rotation_rad;
-    v["map"]["projection"] = info.map_projection;
   }
+  if (!info.map_projection.empty() && info.map_projection != "Arbitrary") v["map"]["system"] = system_value(info);
   v["materials"] = Json::arrayValue;
   for (const auto& name : info.materials) v["materials"].append(name);
   return v;
@@ -47,6 +59,8 @@ Json::Value channels(const RunRecord& record) {
       v["air_half_width"]["path"] = number(channel.air->path);
       v["air_half_width"]["surface"] = number(channel.air->surface);
       v["air_half_width"]["sky"] = number(channel.air->sky);
+      v["air_half_width"]["path_radiance"] = number(channel.air->path_radiance);
+      v["air_half_width"]["white_in_sky"] = number(channel.air->white_in_sky);
       v["air_half_width"]["of_grey_surface"] = number(channel.air->of(channel.air->grey_radiance));
     }
     v["not_finite"] = count(s.not_finite);
@@ -103,6 +117,8 @@ std::string to_json(const RunRecord& record) {
   root["seed"] = count(record.identity.seed);
   root["sampler"] = record.identity.sampler;
   root["accuracy"] = accuracy(record);
+  root["date"] = record.outcome.date;
+  root["acquisition"] = to_value(record.identity.acquisition);
   root["image"] = image(record.image);
   root["channels"] = channels(record);
   root["cost"] = cost(record);

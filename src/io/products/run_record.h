@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/products/acquisition.h"
 #include "render/tile_sink.h"
 #include "sampling/field.h"
 #include "sampling/reason_words.h"
@@ -20,6 +21,7 @@ struct RunIdentity {
   std::string sampler;         ///< "accuracy", "grid 10 x 10", ...
   std::string accuracy_asked;  ///< "0.1 K in channel B10"; empty where no accuracy is asked
   double confidence = 0.95;    ///< of the intervals whose half-widths are written
+  Acquisition acquisition = {};
 };
 
 /// What is known after the last tile.
@@ -29,6 +31,7 @@ struct RunOutcome {
   std::vector<std::string> notes;   ///< floors, warnings
   double elapsed_s = 0.0;
   int threads = 0;  ///< 0: all cores, whose number is then recorded
+  std::string date;  ///< when the products were made, UTC, ISO 8601
 };
 
 /// Figures of one channel over the image. Values that are not finite are left out and counted.

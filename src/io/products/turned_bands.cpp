@@ -39,7 +39,15 @@ void turn_one_by_one(const std::byte* from, std::size_t bands, std::byte* to, st
 
 }  // namespace
 
-void turn_bands(const void* from, std::size_t pixels, std::size_t bands, void* to, std::size_t to_stride) {
+void turn_bands(const void* from, std::size_t pixels, std::size_t bands, void* to, std::size_t to_stride,
+                std::size_t value_bytes) {
+  if (value_bytes == 8) {
+    for (std::size_t band = 0; band < bands; ++band)
+      for (std::size_t x = 0; x < pixels; ++x)
+        std::memcpy(static_cast<std::byte*>(to) + 8 * (band * to_stride + x),
+                    static_cast<const std::byte*>(from) + 8 * (x * bands + band), 8);
+    return;
+  }
   const std::size_t whole_pixels = pixels / kBlock * kBlock, whole_bands = bands / kBlock * kBlock;
   // The registers' loads and stores may alias any type: the bits pass unchanged, integers or floats.
   const auto* source = static_cast<const float*>(from);

@@ -24,7 +24,7 @@ constexpr GIntBig kCache_bytes = GIntBig{64} << 20;
 using Register = void (*)();
 constexpr Register kDrivers[] = {
     // read and written
-    GDALRegister_GTiff, GDALRegister_PNG, GDALRegister_MEM,
+    GDALRegister_GTiff, GDALRegister_COG, GDALRegister_PNG, GDALRegister_MEM,
     // read
     GDALRegister_ENVI, GDALRegister_JPEG, GDALRegister_BMP, GDALRegister_AAIGrid, GDALRegister_HFA, GDALRegister_PNM,
     GDALRegister_EHdr, GDALRegister_SRTMHGT, GDALRegister_DTED, GDALRegister_USGSDEM, GDALRegister_GSAG,

@@ -45,9 +45,25 @@ MapReference::MapReference(const std::string& text) : content_(std::make_unique<
                             text, gdal.message()));
   OSRSetAxisMappingStrategy(content_->handle.get(), OAMS_TRADITIONAL_GIS_ORDER);
 }
+MapReference::MapReference() : content_(std::make_unique<Content>()) {
+  content_->handle.reset(OSRNewSpatialReference(nullptr));
+  OSRSetAxisMappingStrategy(content_->handle.get(), OAMS_TRADITIONAL_GIS_ORDER);
+}
 MapReference::~MapReference() = default;
 MapReference::MapReference(MapReference&&) noexcept = default;
 MapReference& MapReference::operator=(MapReference&&) noexcept = default;
+
+MapReference MapReference::around(double latitude_deg, double longitude_deg, MapPoint false_origin) {
+  const QuietGdal gdal;
+  MapReference result;
+  const double longitude = std::remainder(longitude_deg, 360.0);
+  void* const handle = result.content_->handle.get();
+  const std::string name = format("Local map about {:.6f} {:.6f}", latitude_deg, longitude);
+  if (OSRSetProjCS(handle, name.c_str()) != OGRERR_NONE || OSRSetWellKnownGeogCS(handle, "WGS84") != OGRERR_NONE ||
+      OSRSetTM(handle, latitude_deg, longitude, 1.0, false_origin.x, false_origin.y) != OGRERR_NONE)
+    throw EnvironmentError(format("PROJ makes no map projection about {:g}, {:g}: {}", latitude_deg, longitude, gdal.message()));
+  return result;
+}
 
 bool MapReference::is_projected() const { return OSRIsProjected(content_->handle.get()) != 0; }
 bool MapReference::is_geographic() const { return OSRIsGeographic(content_->handle.get()) != 0; }

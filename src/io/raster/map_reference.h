@@ -17,6 +17,9 @@ class MapReference {
  public:
   /// From any text that PROJ knows: "EPSG:25832", a WKT, a PROJ string. Throws InputError.
   explicit MapReference(const std::string& text);
+  /// A transverse Mercator projection about a place (WGS 84, degrees), true to scale there, whose map coordinates at the
+  /// place are `false_origin`.
+  static MapReference around(double latitude_deg, double longitude_deg, MapPoint false_origin);
   ~MapReference();
   MapReference(MapReference&&) noexcept;
   MapReference& operator=(MapReference&&) noexcept;
@@ -30,6 +33,7 @@ class MapReference {
 
  private:
   friend class MapTransform;
+  MapReference();
   struct Content;
   std::unique_ptr<Content> content_;
 };

@@ -70,6 +70,7 @@ class Page {
       input_.half_width = {};
     const std::size_t per_pixel = 2 * (static_cast<std::size_t>(bands_) * (input_.half_width ? 2 : 1) + 6);
     step_ = thinning_step(record.image.width_px, record.image.height_px, per_pixel, embed_limit_bytes);
+    picture_ = input.picture.empty() ? picture_channels(record.image) : input.picture;
     judged_ = !record.identity.accuracy_asked.empty() && static_cast<bool>(input_.quality);
   }
 
@@ -136,7 +137,7 @@ class Page {
   }
 
   std::string viewer() const {
-    const bool colour = picture_channels(record_.image).size() == 3;
+    const bool colour = picture_.size() == 3;
     std::string html = "<section><h2>Image and spectrum</h2>";
     html += "<div class=\"viewer\"><div><div class=\"controls\"><span class=\"tabs\" id=\"views\">";
     if (colour) html += "<button data-view=\"colour\">Colour</button>";
@@ -297,11 +298,14 @@ class Page {
       }
       meta["channels"].append(v);
     }
-    const auto chosen = picture_channels(record_.image);
-    meta["first"] = chosen.front();
+    meta["first"] = picture_.front();
     meta["rgb"] = Json::arrayValue;
-    if (chosen.size() == 3)
-      for (const int c : chosen) meta["rgb"].append(c);
+    meta["rgbRanges"] = Json::arrayValue;
+    if (picture_.size() == 3) {
+      for (const int c : picture_) meta["rgb"].append(c);
+      for (const Range& range : colour_ranges(input_.radiance, record_.image, picture_))
+        meta["rgbRanges"].append(list({range.low, range.high}));
+    }
     constexpr int kBins = 40;
     meta["histograms"]["samples"] =
         input_.samples ? as_json(histogram(input_.samples, 0, kBins, true)) : as_json({});
@@ -316,6 +320,7 @@ class Page {
   int bands_;
   int step_ = 1;
   bool judged_ = false;
+  std::vector<int> picture_;  ///< channels, three or one
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "io/products/raster_view.h"
 #include "io/products/run_record.h"
@@ -14,6 +15,7 @@ struct ReportInput {
   RasterView samples;               ///< first band: samples per pixel
   RasterView quality;               ///< converged, half-width over limit, missable fraction, borders' share
   RasterView reasons;               ///< bits of sampling::Reason
+  std::vector<int> picture;         ///< channels of the picture; empty: chosen from wavelengths
 };
 
 /// One self-contained HTML page: image with band slider, spectrum with intervals, maps, histograms,

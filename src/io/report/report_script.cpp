@@ -76,7 +76,7 @@ const char* const kReportScript = R"js(
     canvas.width = W; canvas.height = H;
     const context = canvas.getContext("2d"), picture = context.createImageData(W, H), out = picture.data;
     meta.rgb.forEach((b, k) => {
-      const values = radiance.band(b), [low, high] = percentiles(values, 0.01, 0.99);
+      const values = radiance.band(b), [low, high] = meta.rgbRanges[k];
       for (let i = 0; i < N; ++i) {
         const v = Math.min(1, Math.max(0, (values[i] - low) / (high - low)));
         out[4 * i + k] = 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055);

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/format.h"
+#include "io/products/cube_kinds.h"
 
 namespace ifov::io {
 namespace {
@@ -58,11 +59,20 @@ std::vector<sampling::PixelRect> RunPlan::grid() const {
   return render::tile_grid(image.width_px, image.height_px, tile_px);
 }
 
+ProductSet RunPlan::made_cubes() const {
+  ProductSet made = possible_products(cubes, image);
+  if (!knows_errors)
+    for (const Product product : {Product::standard_error, Product::half_width, Product::air_half_width}) made.remove(product);
+  return made;
+}
+
 ProductOptions RunPlan::products(const std::filesystem::path& folder) const {
   ProductOptions options;
   options.folder = folder;
-  options.standard_error = options.half_width = knows_errors;
+  options.name = name;
+  options.cubes = made_cubes();
   options.geotiff = geotiff;
+  options.netcdf = netcdf;
   options.quicklook = quicklook;
   options.report = report;
   options.quicklook_channels = quicklook_channels;

@@ -25,7 +25,9 @@ struct RunPlan {
   bool judged = false;  ///< an accuracy is asked for
   bool knows_errors = false;
   std::vector<std::string> notes;
-  bool geotiff = false, quicklook = false, report = false;
+  std::string name = "image";  ///< of the products
+  ProductSet cubes = usual_products();
+  bool geotiff = false, netcdf = false, quicklook = false, report = false;
   std::vector<int> quicklook_channels;
   render::TileShare share;
   double error = 0.0;      ///< asked for, in the unit of the accuracy
@@ -35,6 +37,11 @@ struct RunPlan {
   std::uint64_t base = 0;                 ///< key() of the last of them; 0: none
 
   std::vector<sampling::PixelRect> grid() const;
+  /// Those of `cubes` that there is something for.
+  ProductSet made_cubes() const;
+  /// Whether tiles carry the variances, and the places of their pixels.
+  bool keeps_variances() const { return keeps_memory || made_cubes().has(Product::standard_error); }
+  bool locates() const { return cubes.has(Product::location) || cubes.has(Product::view_angles); }
   ProductOptions products(const std::filesystem::path& folder) const;
   /// Tells this run's tiles from those of others: of all that a tile's numbers depend on.
   std::uint64_t key() const;

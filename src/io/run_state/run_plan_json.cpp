@@ -1,14 +1,17 @@
 #include <json/json.h>
 
+#include <algorithm>
+
 #include "core/error.h"
 #include "io/files/own_files.h"
+#include "io/products/acquisition_json.h"
 #include "io/products/sha256.h"
 #include "io/run_state/run_plan.h"
 
 namespace ifov::io {
 namespace {
 
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 
 Json::Value count(std::uint64_t value) { return Json::Value(static_cast<Json::UInt64>(value)); }
 
@@ -61,8 +64,8 @@ Json::Value image_value(const render::ImageInfo& image) {
     v["map"]["y_m"] = image.map_y_m;
     v["map"]["gsd_m"] = image.gsd_m;
     v["map"]["rotation_rad"] = image.map_rotation_rad;
-    v["map"]["projection"] = image.map_projection;
   }
+  v["map_system"] = image.map_projection;
   return v;
 }
 
@@ -86,8 +89,8 @@ render::ImageInfo image_of(const Json::Value& v) {
     image.map_y_m = map["y_m"].asDouble();
     image.gsd_m = map["gsd_m"].asDouble();
     image.map_rotation_rad = map["rotation_rad"].asDouble();
-    image.map_projection = map["projection"].asString();
   }
+  image.map_projection = v["map_system"].asString();
   return image;
 }
 
@@ -126,7 +129,13 @@ Json::Value state_value(const RunPlan& plan) {
   }
   v["notes"] = Json::arrayValue;
   for (const std::string& note : plan.notes) v["notes"].append(note);
+  v["acquisition"] = to_value(identity.acquisition);
+  v["products"]["name"] = plan.name;
+  v["products"]["cubes"] = Json::arrayValue;
+  for (std::size_t k = 0; k < kProductCount; ++k)
+    if (plan.cubes.has(static_cast<Product>(k))) v["products"]["cubes"].append(std::string(kProductNames[k]));
   v["products"]["geotiff"] = plan.geotiff;
+  v["products"]["netcdf"] = plan.netcdf;
   v["products"]["quicklook"] = plan.quicklook;
   v["products"]["report"] = plan.report;
   v["products"]["quicklook_channels"] = Json::arrayValue;
@@ -142,7 +151,8 @@ RunPlan plan_of(const Json::Value& v) {
                    v["seed"].asUInt64(),
                    v["sampler"].asString(),
                    v["accuracy"]["asked"].asString(),
-                   v["accuracy"]["confidence"].asDouble()};
+                   v["accuracy"]["confidence"].asDouble(),
+                   acquisition_of(v["acquisition"])};
   plan.build = v["program"]["build"].asString();
   plan.instruction_set = v["instruction_set"].asString();
   plan.judged = v["accuracy"]["judged"].asBool();
@@ -163,7 +173,14 @@ RunPlan plan_of(const Json::Value& v) {
                           {from_hex(hash.substr(16)), from_hex(hash.substr(0, 16))}});
   }
   for (const Json::Value& note : v["notes"]) plan.notes.push_back(note.asString());
+  plan.name = v["products"]["name"].asString();
+  plan.cubes = {};
+  for (const Json::Value& name : v["products"]["cubes"]) {
+    const auto found = std::find(kProductNames.begin(), kProductNames.end(), name.asString());
+    if (found != kProductNames.end()) plan.cubes.add(static_cast<Product>(found - kProductNames.begin()));
+  }
   plan.geotiff = v["products"]["geotiff"].asBool();
+  plan.netcdf = v["products"]["netcdf"].asBool();
   plan.quicklook = v["products"]["quicklook"].asBool();
   plan.report = v["products"]["report"].asBool();
   for (const Json::Value& channel : v["products"]["quicklook_channels"])

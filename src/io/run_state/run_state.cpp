@@ -7,6 +7,9 @@
 
 #include "core/error.h"
 #include "io/files/own_files.h"
+#include "io/products/cube_kinds.h"
+#include "io/products/geotiff.h"
+#include "io/products/netcdf.h"
 #include "io/products/part_file.h"
 #include "io/run_state/kept_run.h"
 #include "io/run_state/tile_packs.h"
@@ -90,24 +93,19 @@ TilesDone survey_tiles(const std::filesystem::path& folder, const RunPlan& plan,
   return survey.result();
 }
 
+bool holds_complete_run(const std::filesystem::path& folder) {
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (entry->path().filename().string().ends_with("_run.json")) return true;
+  return false;
+}
+
 ProductBytes product_bytes(const RunPlan& plan) {
-  const bool has_air = std::any_of(plan.image.channels.begin(), plan.image.channels.end(),
-                                   [](const render::ChannelInfo& channel) { return channel.air.has_value(); });
-  const std::uint64_t pixels =
-      static_cast<std::uint64_t>(plan.image.width_px) * static_cast<std::uint64_t>(plan.image.height_px);
   ProductBytes bytes;
-  const auto add = [&](std::uint64_t cubes, std::uint64_t bands, std::uint64_t value_bytes = 4) {
-    const std::uint64_t cube = value_bytes * bands * pixels;
-    (cube >= kManyBytes ? bytes.direct : bytes.cached) += cubes * cube;
-  };
-  const std::uint64_t channels = plan.image.channels.size();
-  add(plan.knows_errors ? 3 + (has_air ? 1 : 0) : 1, channels);
-  add(1, 3);  // samples
-  add(1, 4);  // quality
-  add(1, 1, 2);  // reasons
-  add(1, 1, 1);  // quality class
-  add(2, plan.image.materials.size());
-  if (plan.geotiff) bytes.cached += 4 * channels * pixels;
+  for (const CubeSize& cube : cube_sizes(plan.made_cubes(), plan.image))
+    (cube.bytes() >= kManyBytes ? bytes.direct : bytes.cached) += cube.bytes();
+  if (plan.geotiff) bytes.cached += geotiff_bytes(plan.image);
+  if (plan.netcdf) bytes.cached += netcdf_bytes(plan.image, plan.made_cubes());
   return bytes;
 }
 
@@ -132,8 +130,9 @@ std::uint64_t state_bytes(const RunPlan& plan) {
   constexpr std::uint64_t kMaterialsInPixel = 2;
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(plan.image.width_px) * static_cast<std::uint64_t>(plan.image.height_px);
-  const std::uint64_t per_pixel = 4 * plan.image.channels.size() * (plan.knows_errors ? 4 : 1) + 5 * 4 + sizeof(sampling::Reasons) +
-                                  kMaterialsInPixel * sizeof(sampling::Abundance);
+  const std::uint64_t values = !plan.knows_errors ? 1 : plan.keeps_variances() ? 4 : 2;
+  const std::uint64_t per_pixel = 4 * plan.image.channels.size() * values + 6 * 4 + sizeof(sampling::Reasons) +
+                                  (plan.locates() ? 3 * 8 : 0) + kMaterialsInPixel * sizeof(sampling::Abundance);
   const auto across = [&](int size_px) { return static_cast<std::uint64_t>((size_px - 1) / plan.tile_px + 1); };
   const std::uint64_t tiles = across(plan.image.width_px) * across(plan.image.height_px);
   return pixels * per_pixel / static_cast<std::uint64_t>(plan.share.count) +

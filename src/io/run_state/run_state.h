@@ -76,6 +76,9 @@ std::filesystem::path plan_file(const std::filesystem::path& folder);
 /// The tiles of a run that may be at work, by their headers; noted in `index` where it is given.
 TilesDone survey_tiles(const std::filesystem::path& folder, const RunPlan& plan, TileIndex* index = nullptr);
 
+/// Whether the folder holds a complete run: a run record of any name.
+bool holds_complete_run(const std::filesystem::path& folder);
+
 /// About what a run's products take on disk; the picture and the report, which are small, are left out.
 struct ProductBytes {
   std::uint64_t cached = 0;  ///< that go through the page cache, and from there to the disk at the end

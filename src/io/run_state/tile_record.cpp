@@ -10,7 +10,7 @@ namespace ifov::io {
 namespace {
 
 constexpr char kMagic[9] = "IFOVTILE";
-constexpr std::uint32_t kByteOrder = 0x01020304, kFormat = 4;
+constexpr std::uint32_t kByteOrder = 0x01020304, kFormat = 5;
 
 std::uint64_t hash_of_header(const TileHeader& header) {
   return XXH3_64bits(&header, offsetof(TileHeader, header_hash));
@@ -22,6 +22,7 @@ void for_each_array(Tile& tile, const Visit& visit) {
   visit(tile.mean);
   visit(tile.variance_geometry);
   visit(tile.variance_path);
+  visit(tile.border_share);
   visit(tile.half_width);
   visit(tile.samples);
   visit(tile.label_rays);
@@ -29,14 +30,25 @@ void for_each_array(Tile& tile, const Visit& visit) {
   visit(tile.worst_ratio);
   visit(tile.missable_fraction);
   visit(tile.abundances);
+  visit(tile.position_m);
   visit(tile.reasons);
   visit(tile.memory);
+}
+
+/// TileHeader::has_errors
+enum Errors : std::uint32_t { kNoErrors, kWithVariances, kHalfWidthsAlone };
+
+bool has_variances(const TileHeader& header) { return header.has_errors == kWithVariances; }
+
+std::uint64_t arrays_of(const TileHeader& header) {
+  return header.has_errors == kNoErrors ? 1 : has_variances(header) ? 4 : 2;
 }
 
 std::uint64_t payload_bytes_of(const TileHeader& header) {
   const auto pixels = static_cast<std::uint64_t>(header.rect().count());
   const std::uint64_t cells = pixels * static_cast<std::uint64_t>(header.columns);
-  return 4 * cells * (header.has_errors != 0 ? 4 : 1) + pixels * (5 * 4 + sizeof(sampling::Reasons)) +
+  return 4 * cells * arrays_of(header) + 4 * (has_variances(header) ? 0 : header.has_errors != 0 ? pixels : 0) +
+         pixels * (5 * 4 + sizeof(sampling::Reasons)) + (header.has_positions != 0 ? 3 * 8 * pixels : 0) +
          sizeof(sampling::Abundance) * std::uint64_t{header.abundances} + header.memory_bytes;
 }
 
@@ -51,7 +63,8 @@ std::vector<std::byte> encode_tile(const sampling::TileResult& tile, const TileS
   header.index = stamp.index;
   header.x0 = tile.tile.x0, header.y0 = tile.tile.y0, header.x1 = tile.tile.x1, header.y1 = tile.tile.y1;
   header.columns = tile.columns;
-  header.has_errors = tile.has_errors() ? 1 : 0;
+  header.has_errors = !tile.has_errors() ? kNoErrors : tile.variance_geometry.empty() ? kHalfWidthsAlone : kWithVariances;
+  header.has_positions = tile.position_m.empty() ? 0 : 1;
   header.abundances = static_cast<std::uint32_t>(tile.abundances.size());
   header.halo_samples = tile.halo_samples;
   header.seed_samples = tile.seed_samples;
@@ -105,7 +118,9 @@ bool decode_tile(const TileHeader& header, std::span<const std::byte> payload, s
   if (payload.size() != header.payload_bytes ||
       XXH3_64bits(payload.data(), payload.size()) != header.payload_hash)
     return false;
-  tile.reset(header.rect(), header.columns, header.has_errors != 0);
+  tile.reset(header.rect(), header.columns, header.has_errors != kNoErrors);
+  if (header.has_errors == kHalfWidthsAlone) tile.drop_variances();
+  if (header.has_positions != 0) tile.position_m.resize(3 * tile.samples.size());
   tile.abundances.resize(header.abundances);
   tile.memory.resize(header.memory_bytes);
   const std::byte* from = payload.data();

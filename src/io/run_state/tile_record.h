@@ -19,8 +19,10 @@ struct TileHeader {
   std::uint32_t index;          ///< in the image's grid of tiles, row by row
   std::int32_t x0, y0, x1, y1;  ///< pixels [x0, x1) x [y0, y1)
   std::int32_t columns;
-  std::uint32_t has_errors;
+  std::uint32_t has_errors;     ///< 0: none; 1: with variances; 2: half-widths alone
+  std::uint32_t has_positions;  ///< 0 or 1
   std::uint32_t abundances;
+  std::uint32_t unused;
   std::uint64_t payload_bytes;
   std::uint64_t halo_samples, seed_samples, probe_samples;
   std::uint64_t primary_rays, shadow_rays, bounce_rays;
@@ -36,7 +38,7 @@ struct TileHeader {
   std::uint64_t record_bytes() const { return sizeof(TileHeader) + payload_bytes; }
   sampling::PixelRect rect() const { return {x0, y0, x1, y1}; }
 };
-static_assert(sizeof(TileHeader) == 200);
+static_assert(sizeof(TileHeader) == 208);
 
 /// What a tile's header says besides the tile.
 struct TileStamp {

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "math/vec3.h"
+
+namespace ifov::io {
+
+/// When, from where and in which light an image was taken. Lengths in metres, positions in map coordinates (those of the
+/// scene where it has none), directions east-north-up, azimuths clockwise from north.
+struct Acquisition {
+  struct Place {
+    double latitude_deg = 0.0, longitude_deg = 0.0;  ///< WGS 84
+  };
+  struct Light {
+    double zenith_deg = 0.0, azimuth_deg = 0.0;  ///< of the direction towards it
+    bool is_moon = false;
+  };
+  struct Camera {
+    bool is_frame = false;  ///< else orthographic
+    math::Point3 position_m;             ///< of a frame camera
+    math::Vec3 right, down, forward;     ///< unit vectors: image x, image y, the line of sight
+    double focal_length_m = 0.0, pitch_m = 0.0;  ///< of a frame camera
+    double ground_sample_m = 0.0;        ///< side of a pixel on the ground; of a frame camera at its middle; 0: not known
+  };
+  /// Where the ray through a corner of the image meets the scene.
+  struct Corner {
+    math::Point3 position_m;
+    std::optional<Place> place;
+  };
+
+  std::string time;             ///< UTC, ISO 8601; empty: the document states none
+  std::optional<Light> light;   ///< the Sun or the Moon
+  std::optional<Place> origin;  ///< of the scene
+  double origin_height_m = 0.0;
+  math::Point3 origin_on_map_m;
+  Camera camera;
+  std::vector<std::optional<Corner>> footprint;  ///< clockwise from the upper left; none where the ray meets nothing
+};
+
+}  // namespace ifov::io

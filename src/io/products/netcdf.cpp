@@ -1,0 +1,162 @@
+#include "io/products/netcdf.h"
+
+#include <netcdf.h>
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "io/products/cube_kinds.h"
+#include "io/products/netcdf_map.h"
+
+namespace ifov::io {
+namespace {
+
+class Writer {
+ public:
+  Writer(const std::string& path, const NetcdfInput& input, const RunRecord& record)
+      : path_(path), input_(input), record_(record), info_(record.image) {
+    constexpr std::uint64_t kMostOfVariable = (std::uint64_t{1} << 32) - 4;
+    const std::uint64_t bytes = 4 * static_cast<std::uint64_t>(info_.width_px) * static_cast<std::uint64_t>(info_.height_px) *
+                                info_.channels.size();
+    require(nc_create(path.c_str(), NC_CLOBBER | (bytes > kMostOfVariable ? NC_64BIT_DATA : NC_64BIT_OFFSET), &file_));
+  }
+  ~Writer() {
+    if (file_ >= 0) nc_abort(file_);
+  }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  void write() {
+    define();
+    int before = 0;
+    require(nc_set_fill(file_, NC_NOFILL, &before));
+    require(nc_enddef(file_));
+    write_coordinates();
+    for (const auto& [variable, view] : cubes_) write_cube(variable, *view);
+    const int status = nc_close(file_);
+    file_ = -1;
+    require(status);
+  }
+
+ private:
+  void require(int status) const {
+    if (status != NC_NOERR) throw EnvironmentError(format("{}: cannot be written: {}", path_, nc_strerror(status)));
+  }
+  void text(int variable, const char* name, const std::string& value) const {
+    require(nc_put_att_text(file_, variable, name, value.size(), value.c_str()));
+  }
+  int variable(const char* name, nc_type type, const std::vector<int>& dimensions) const {
+    int id = 0;
+    require(nc_def_var(file_, name, type, static_cast<int>(dimensions.size()), dimensions.data(), &id));
+    return id;
+  }
+
+  void define() {
+    std::array<int, 3> size{};  // wavelength, y, x
+    require(nc_def_dim(file_, "wavelength", info_.channels.size(), &size[0]));
+    require(nc_def_dim(file_, "y", static_cast<std::size_t>(info_.height_px), &size[1]));
+    require(nc_def_dim(file_, "x", static_cast<std::size_t>(info_.width_px), &size[2]));
+    text(NC_GLOBAL, "Conventions", "CF-1.8");
+    text(NC_GLOBAL, "title", "synthetic radiance image");
+    text(NC_GLOBAL, "source", format("ifov {}, document {}, seed {}, sampler {}", record_.identity.version,
+                                     record_.identity.document_path, record_.identity.seed, record_.identity.sampler));
+    if (!record_.outcome.accuracy_statement.empty()) text(NC_GLOBAL, "comment", record_.outcome.accuracy_statement);
+    const std::string& time = record_.identity.acquisition.time;
+    if (!time.empty()) text(NC_GLOBAL, "time_coverage_start", time), text(NC_GLOBAL, "time_coverage_end", time);
+
+    wavelength_ = variable("wavelength", NC_DOUBLE, {size[0]});
+    text(wavelength_, "standard_name", "radiation_wavelength");
+    text(wavelength_, "long_name", "centre of the channel");
+    text(wavelength_, "units", "um");
+    fwhm_ = variable("fwhm", NC_DOUBLE, {size[0]});
+    text(fwhm_, "long_name", "full width of the channel at half maximum");
+    text(fwhm_, "units", "um");
+    define_names(size[0]);
+    if (info_.has_map) map_.emplace(NetcdfMap::define(file_, size[1], size[2], info_));
+    define_cube("radiance", "spectral radiance", input_.radiance, size);
+    define_cube("standard_error", "standard error of the spectral radiance", input_.standard_error, size);
+    define_cube("half_width", format("half-width of the {:g} % interval of the spectral radiance", 100.0 * record_.identity.confidence),
+                input_.half_width, size);
+    std::string errors;
+    for (std::size_t k = 1; k < cubes_.size(); ++k) errors += (k > 1 ? " " : "") + names_[k];
+    if (!errors.empty()) text(cubes_.front().first, "ancillary_variables", errors);
+  }
+
+  void define_names(int wavelength_size) {
+    for (const auto& channel : info_.channels) name_length_ = std::max(name_length_, channel.name.size());
+    int length = 0;
+    require(nc_def_dim(file_, "name_length", name_length_, &length));
+    name_ = variable("channel", NC_CHAR, {wavelength_size, length});
+    text(name_, "long_name", "name of the channel");
+  }
+
+  void define_cube(const std::string& name, const std::string& what, const RasterView& view, const std::array<int, 3>& size) {
+    if (!view) return;
+    const int id = variable(name.c_str(), NC_FLOAT, {size.begin(), size.end()});
+    const float gap = std::numeric_limits<float>::quiet_NaN();
+    require(nc_put_att_float(file_, id, "_FillValue", NC_FLOAT, 1, &gap));
+    text(id, "long_name", what);
+    text(id, "units", info_.radiance_unit);
+    text(id, "coordinates", "fwhm channel");
+    if (map_ && map_->has_system()) text(id, "grid_mapping", NetcdfMap::kName);
+    cubes_.emplace_back(id, &view);
+    names_.push_back(name);
+  }
+
+  void write_coordinates() const {
+    std::vector<double> centres, widths;
+    std::string names;
+    for (const auto& channel : info_.channels) {
+      centres.push_back(channel.centre_um);
+      widths.push_back(channel.fwhm_um);
+      names += channel.name + std::string(name_length_ - channel.name.size(), '\0');
+    }
+    require(nc_put_var_double(file_, wavelength_, centres.data()));
+    require(nc_put_var_double(file_, fwhm_, widths.data()));
+    require(nc_put_var_text(file_, name_, names.c_str()));
+    if (map_) map_->write(file_, info_);
+  }
+
+  void write_cube(int variable, const RasterView& view) const {
+    std::vector<float> line(static_cast<std::size_t>(view.width));
+    for (int band = 0; band < view.bands; ++band)
+      for (int y = 0; y < view.height; ++y) {
+        view.read(y, band, line);
+        const std::size_t start[] = {static_cast<std::size_t>(band), static_cast<std::size_t>(y), 0}, count[] = {1, 1, line.size()};
+        require(nc_put_vara_float(file_, variable, start, count, line.data()));
+      }
+  }
+
+  std::string path_;
+  const NetcdfInput& input_;
+  const RunRecord& record_;
+  const render::ImageInfo& info_;
+  int file_ = -1, wavelength_ = 0, fwhm_ = 0, name_ = 0;
+  std::size_t name_length_ = 1;
+  std::optional<NetcdfMap> map_;
+  std::vector<std::pair<int, const RasterView*>> cubes_;
+  std::vector<std::string> names_;
+};
+
+}  // namespace
+
+std::uint64_t netcdf_bytes(const render::ImageInfo& info, ProductSet cubes) {
+  std::uint64_t bytes = 0;
+  cubes = possible_products(cubes, info);
+  for (const Product product : {Product::radiance, Product::standard_error, Product::half_width})
+    if (cubes.has(product))
+      for (const CubeSize& size : cube_sizes({Product::radiance}, info)) bytes += size.bytes();
+  return bytes;
+}
+
+void write_netcdf(PartFile& file, const NetcdfInput& input, const RunRecord& record) {
+  const std::uint64_t cubes = 1 + (input.standard_error ? 1 : 0) + (input.half_width ? 1 : 0);
+  require_space(file.part_path().parent_path(), cubes * netcdf_bytes(record.image, {Product::radiance}));
+  Writer(file.part_path().string(), input, record).write();
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,95 @@
+#include "session/acquisition_assembly.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "io/raster/map_reference.h"
+#include "sensor/frame_camera.h"
+#include "sensor/orthographic_camera.h"
+
+namespace ifov::session {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+io::Acquisition::Light light_of(const scene::Sun& sun) {
+  const double azimuth = std::atan2(sun.direction.x, sun.direction.y) * kDegrees;
+  return {std::atan2(std::hypot(sun.direction.x, sun.direction.y), sun.direction.z) * kDegrees,
+          azimuth < 0.0 ? azimuth + 360.0 : azimuth, sun.is_moon};
+}
+
+/// What the ray through a point of the image meets.
+std::optional<math::Point3> place_of(const Session::Parts& parts, double x_px, double y_px) {
+  const sampling::FocalPoint point{x_px, y_px};
+  math::Ray ray;
+  geometry::SurfacePoint hit;
+  parts.camera->rays({&point, 1}, {&ray, 1});
+  parts.scene.world->intersect({&ray, 1}, {&hit, 1});
+  return hit.hit() ? std::optional(hit.position_m) : std::nullopt;
+}
+
+io::Acquisition::Camera camera_of(const Session::Parts& parts) {
+  io::Acquisition::Camera camera;
+  if (const auto* frame = dynamic_cast<const sensor::FrameCamera*>(parts.camera.get())) {
+    const sensor::FrameCamera::Settings& s = frame->settings();
+    camera = {true, s.position_m + parts.map_offset_m, s.axes.right, s.axes.down, s.axes.forward, s.focal_length_m, s.pitch_m, 0.0};
+    if (const auto middle = place_of(parts, 0.5 * s.width_px, 0.5 * s.height_px)) camera.ground_sample_m = frame->gsd_m(*middle);
+  } else if (const auto* orthographic = dynamic_cast<const sensor::OrthographicCamera*>(parts.camera.get())) {
+    const sensor::OrthographicCamera::Settings& s = orthographic->settings();
+    const double c = std::cos(s.rotation_rad), n = std::sin(s.rotation_rad), tilt = std::sin(s.view_zenith_rad);
+    camera.right = {c, -n, 0.0};
+    camera.down = {-n, -c, 0.0};
+    camera.forward = {-tilt * std::sin(s.view_azimuth_rad), -tilt * std::cos(s.view_azimuth_rad), -std::cos(s.view_zenith_rad)};
+    camera.ground_sample_m = s.gsd_m;
+  }
+  return camera;
+}
+
+/// Longitude and latitude of places on the scene's map; nothing where it has no system.
+class Degrees {
+ public:
+  explicit Degrees(const std::string& system) {
+    if (system != "Arbitrary") transform_.emplace(io::MapReference(system), io::MapReference("EPSG:4326"));
+  }
+  std::optional<io::Acquisition::Place> operator()(math::Point3 place_m) const {
+    if (!transform_) return std::nullopt;
+    try {
+      const io::MapPoint p = (*transform_)({place_m.x, place_m.y});
+      return io::Acquisition::Place{p.y, p.x};
+    } catch (const InputError&) {  // a place far outside of the projection
+      return std::nullopt;
+    }
+  }
+
+ private:
+  std::optional<io::MapTransform> transform_;
+};
+
+}  // namespace
+
+io::Acquisition assemble_acquisition(const Session::Parts& parts) {
+  const io::Document& document = parts.document;
+  io::Acquisition result;
+  if (document.time) result.time = geodesy::format_utc(*document.time);
+  if (parts.scene.sun) result.light = light_of(*parts.scene.sun);
+  const Degrees degrees(parts.info.map_projection);
+  result.origin_on_map_m = math::Point3{} + parts.map_offset_m;
+  result.origin_height_m = document.scene.origin.height_m;
+  if (const auto& place = document.scene.origin.geographic)
+    result.origin = io::Acquisition::Place{place->latitude_rad * kDegrees, place->longitude_rad * kDegrees};
+  else
+    result.origin = degrees(result.origin_on_map_m);
+  result.camera = camera_of(parts);
+  const double width = parts.info.width_px, height = parts.info.height_px;
+  const double corners[][2] = {{0.0, 0.0}, {width, 0.0}, {width, height}, {0.0, height}};
+  for (const auto& [x, y] : corners) {
+    result.footprint.emplace_back();
+    if (const auto place = place_of(parts, x, y)) {
+      const math::Point3 on_map = *place + parts.map_offset_m;
+      result.footprint.back() = {on_map, degrees(on_map)};
+    }
+  }
+  return result;
+}
+
+}  // namespace ifov::session
