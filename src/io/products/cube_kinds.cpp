@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/format.h"
+
 namespace ifov::io {
 namespace {
 
@@ -48,7 +50,7 @@ CubeKind kind_of(Product product, const render::ImageInfo& info) {
 
 CubeKind cube_kind(Product product, const render::ImageInfo& info) {
   CubeKind kind = kind_of(product, info);
-  kind.suffix = "_" + std::string(kProductNames[static_cast<std::size_t>(product)]);
+  kind.suffix = format("_{}", kProductNames[static_cast<std::size_t>(product)]);
   return kind;
 }
 
