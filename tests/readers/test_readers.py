@@ -180,7 +180,7 @@ class InGdal(Products):
             self.skipTest(str(error))
         large = {"orthographic": {"gsd": "0.05 m", "pixels": [700, 600]}}
         scene = scenes.document(MAP_ORIGIN, large, formats=["envi", "geotiff"], products=["radiance"])
-        scene["sampling"] = {"single": {}, "max_depth": 0}
+        scene["sampling"] = {"single": {}, "max_depth": 1}
         with tempfile.TemporaryDirectory() as folder:
             out = scenes.render(PROGRAM, scene, folder)
             for path in (out / "image_radiance.tif", self.folders["thermal"] / "image_radiance.tif"):
