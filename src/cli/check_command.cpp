@@ -19,10 +19,12 @@ struct CheckArguments {
   bool quiet = false, no_cache = false, strict = false;
 };
 
-std::string description_of(const CheckArguments& arguments, const std::string& file, Console& console) {
-  std::string text = session::Session::load(arguments.input.read(file), &console,
-                                             {.scene_cache = !arguments.no_cache, .progress = &console})
-                         .description();
+std::string description_of(const CheckArguments& arguments, const std::string& file, Console& console,
+                           std::size_t& warnings) {
+  const session::Session session = session::Session::load(
+      arguments.input.read(file), &console, {.scene_cache = !arguments.no_cache, .progress = &console});
+  std::string text = session.description();
+  warnings += session.warnings().size();
   console.finish();
   if (text.empty() || text.back() != '\n') text += '\n';
   return text;
@@ -31,13 +33,14 @@ std::string description_of(const CheckArguments& arguments, const std::string& f
 /// All files are looked at, whatever is wrong with the first of them.
 ExitCode check(const CheckArguments& arguments) {
   Console console(arguments.quiet, "");
+  std::size_t warnings = 0;  // of the scenes
   ExitCode outcome = ExitCode::ok;  // the first of the worst
   const auto note = [&](ExitCode found) {
     if (outcome == ExitCode::ok || outcome == ExitCode::warned || found == ExitCode::environment) outcome = found;
   };
   for (const std::string& file : arguments.files) {
     try {
-      const std::string text = description_of(arguments, file, console);
+      const std::string text = description_of(arguments, file, console, warnings);
       const std::string title = arguments.files.size() > 1 ? format("{}:\n", file) : std::string();
       if (!arguments.quiet) say(title + text);
     } catch (const InputError& error) {
@@ -48,7 +51,7 @@ ExitCode check(const CheckArguments& arguments) {
       note(ExitCode::environment);
     }
   }
-  if (console.warnings() > 0 && outcome == ExitCode::ok) return arguments.strict ? ExitCode::input : ExitCode::warned;
+  if (warnings > 0 && outcome == ExitCode::ok) return arguments.strict ? ExitCode::input : ExitCode::warned;
   return outcome;
 }
 

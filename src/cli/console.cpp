@@ -68,7 +68,6 @@ void Console::info(const std::string& message) {
 void Console::warn(const std::string& message) {
   const std::lock_guard lock(mutex_);
   log("warning", message);
-  ++warnings_;
   if (quiet_) return;
   erase_bar();
   complain(format("ifov: warning: {}", message));
@@ -142,8 +141,8 @@ void Console::erase_bar() {
   bar_shown_ = false;
 }
 
-void require_no_warnings(const Console& console) {
-  if (const std::size_t count = console.warnings(); count > 0)
+void require_no_warnings(std::size_t count) {
+  if (count > 0)
     throw InputError(format("ifov: {} warning{}, which --strict makes {}; nothing was done", count, count == 1 ? "" : "s",
                             count == 1 ? "an error" : "errors"));
 }

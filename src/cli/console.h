@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -27,8 +26,6 @@ class Console final : public LogSink, public ProgressSink {
   void warn(const std::string& message) override;
   void report(const Progress& progress) override;
 
-  std::size_t warnings() const { return warnings_; }  ///< how many were given so far
-
   void phase(const std::string& what) override;
   /// Takes the bar away, before other output.
   void finish();
@@ -42,7 +39,6 @@ class Console final : public LogSink, public ProgressSink {
   void erase_bar();
 
   std::mutex mutex_;
-  std::atomic<std::size_t> warnings_{0};
   std::ofstream log_;
   std::string what_;
   std::optional<Progress> progress_;  ///< the last that was reported of what is being worked on
@@ -52,7 +48,7 @@ class Console final : public LogSink, public ProgressSink {
   std::thread clock_;  ///< where there is a terminal
 };
 
-/// Throws InputError where any warning was given (--strict).
-void require_no_warnings(const Console& console);
+/// Throws InputError unless the count is 0 (--strict).
+void require_no_warnings(std::size_t count);
 
 }  // namespace ifov::cli

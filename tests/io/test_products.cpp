@@ -295,7 +295,9 @@ TEST(ProductWriter, TilesWithoutVariancesMakeTheSameCubes) {
   writer.finish(image.outcome());
   EXPECT_EQ(names_in(whole.path()), names_in(bare.path()));
   for (const std::string& name : names_in(whole.path()))
-    if (name.ends_with(".img")) EXPECT_EQ(test::read_all(whole.path() / name), test::read_all(bare.path() / name)) << name;
+    if (name.ends_with(".img")) {
+      EXPECT_EQ(test::read_all(whole.path() / name), test::read_all(bare.path() / name)) << name;
+    }
 }
 
 TEST(ProductWriter, PlacesAreWrittenInMapCoordinates) {
