@@ -3,107 +3,15 @@
 Each row changes one thing of a good document. None may pass in silence.
 """
 
-import copy
 import json
 import re
 import unittest
 
+from mistaken_document import CAMERA, ERROR, FRAME, GOOD, MATERIALS, OBJECTS, WARM, WARNING, ascii_grid, box_obj, changed, several
+from more_mistakes import FILES as MORE_FILES, MISTAKES as MORE_MISTAKES
 from program import Folder, run
 
-GOOD = {
-    "ifov": 1,
-    "scene": {
-        "materials": {
-            "lawn": {"reflectance": 0.12, "temperature": "22 degC"},
-            "wall": {"reflectance": 0.5, "temperature": "30 degC"},
-        },
-        "objects": [
-            {"plane": {}, "material": "lawn"},
-            {"name": "house", "box": {"low": ["-4 m", "-3 m", "0 m"], "high": ["4 m", "3 m", "5 m"]}, "material": "wall"},
-        ],
-    },
-    "light": {
-        "sun": {"disc": {"zenith": "45 deg", "azimuth": "225 deg"}},
-        "sky": {"temperature": "260 K"},
-        "surroundings": {"reflectance": 0.12, "temperature": "22 degC"},
-    },
-    "sensor": {
-        "camera": {"orthographic": {"gsd": "1 m", "pixels": [16, 12]}},
-        "channels": [
-            {"name": "red", "gaussian": {"center": "0.65 um", "fwhm": "40 nm"}},
-            {"name": "thermal", "top_hat": {"from": "10 um", "to": "12 um"}},
-        ],
-    },
-    "sampling": {"accuracy": {"error": "2 %"}},
-    "output": {"formats": ["envi"]},
-}
-
-FRAME = {
-    "focal_length": "50 mm",
-    "pitch": "10 um",
-    "pixels": [32, 24],
-    "position": ["0 m", "-50 m", "100 m"],
-    "look_at": ["0 m", "0 m", "0 m"],
-}
-
-
-def box_obj(low, high):
-    corners = [[(low, high)[bit >> axis & 1][axis] for axis in range(3)] for bit in range(8)]
-    faces = ["1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"]
-    return "".join(f"v {x} {y} {z}\n" for x, y, z in corners) + "".join(f"f {face}\n" for face in faces)
-
-
-
-def ascii_grid(values, corner=(-8, -8), cell=4, nodata=None):
-    rows = "\n".join(" ".join(str(v) for v in row) for row in values)
-    text = f"ncols {len(values[0])}\nnrows {len(values)}\nxllcorner {corner[0]}\nyllcorner {corner[1]}\ncellsize {cell}\n"
-    return text + (f"NODATA_value {nodata}\n" if nodata is not None else "") + rows + "\n"
-
-
-WARM = [[295, 296, 297, 298]] * 4
-
-
-def changed(path, value):
-    """A copy of the good document with one value put, or taken out where `value` is None. "[+]" appends."""
-    document = copy.deepcopy(GOOD)
-    keys = re.findall(r"[^.\[\]]+|\[\+\]|\[\d+\]", path)
-    node = document
-    for key in keys[:-1]:
-        key = int(key[1:-1]) if key.startswith("[") else key
-        if isinstance(node, dict):
-            node = node.setdefault(key, {})
-        else:
-            node = node[key]
-    last = keys[-1]
-    if last == "[+]":
-        node.append(value)
-    elif value is None:
-        del node[int(last[1:-1]) if last.startswith("[") else last]
-    elif last.startswith("["):
-        node[int(last[1:-1])] = value
-    else:
-        node[last] = value
-    return document
-
-
-def several(*changes):
-    document = copy.deepcopy(GOOD)
-    for path, value in changes:
-        global_good = globals()["GOOD"]
-        globals()["GOOD"] = document
-        try:
-            document = changed(path, value)
-        finally:
-            globals()["GOOD"] = global_good
-    return document
-
-
-CAMERA = "sensor.camera"
-OBJECTS = "scene.objects"
-MATERIALS = "scene.materials"
-
 # What was changed, what is said. An error comes with exit code 1 and the place; a warning with exit code 6.
-ERROR, WARNING = "error", "warning"
 MISTAKES = [
     # Where things are.
     ("a camera that looks elsewhere", changed(CAMERA + ".orthographic.center", ["500 m", "0 m"]),
@@ -266,13 +174,13 @@ class Mistakes(unittest.TestCase):
 
     def test_none_passes_in_silence(self):
         with Folder() as folder:
-            for name, text in FILES.items():
-                (folder / name).write_text(text)
+            for name, content in {**FILES, **MORE_FILES}.items():
+                (folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
             (folder / "folder.obj").mkdir()
-            for title, document, kind, words in MISTAKES:
+            for title, document, kind, words in MISTAKES + MORE_MISTAKES:
                 with self.subTest(title):
                     path = folder / "scene.json"
-                    path.write_text(json.dumps(document, indent=1))
+                    path.write_text(document if isinstance(document, str) else json.dumps(document, indent=1))
                     done = run("check", path, "--no-cache")
                     self.assertRegex(done.stderr, re.compile(words, re.DOTALL))
                     if kind == ERROR:

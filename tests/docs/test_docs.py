@@ -15,11 +15,11 @@ BLOCK = re.compile(r"^```(\w+)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 
 
 def blocks(page):
-    """(language, text, name): the name is the last `file.json` in backquotes before a JSON block, if there is one, and
-    `file.csv` before a CSV block."""
+    """(language, text, name): the name is the last `file.json` in backquotes before a JSON block, if there is one,
+    `file.csv` before a CSV block and `file.asc` before a text block."""
     text = page.read_text()
     for match in BLOCK.finditer(text):
-        kind = "csv" if match.group(1) == "csv" else "json"
+        kind = {"csv": "csv", "text": "asc"}.get(match.group(1), "json")
         names = re.findall(rf"`([\w-]+\.{kind})`", text[: match.start()].rsplit("```", 1)[-1])
         yield match.group(1), match.group(2), names[-1] if names else None
 
@@ -27,7 +27,7 @@ def blocks(page):
 def write_tables(page, folder):
     """The files that the page's documents name."""
     for language, text, name in blocks(page):
-        if language == "csv" and name:
+        if name and (language in ("csv", "text") or language == "json" and not is_document(text)):
             (pathlib.Path(folder) / name).write_text(text)
 
 

@@ -243,6 +243,57 @@ TEST(LabelSpread, LocalIsBlindToAPlane) {
   EXPECT_GT(spread.total(0, 0), 0.5);
 }
 
+/// A chequered label beside a level one: what the level one may vary by comes from the other alone, at the weight of two
+/// values, and one without blocks of its own has what all have.
+TEST(LabelSpread, ALabelBorrowsTwoValuesFromAllLabels) {
+  constexpr int kSide = 6, kRow = kSide + 1;
+  const Lattice lattice({0, 0, 3, 3}, 2);
+  LabelTable table(1);
+  LatticeValues at;
+  at.columns = 1;
+  at.constant.assign(2, 0);
+  for (int v = 0; v < kRow * kRow; ++v) {
+    const int i = v % kRow, j = v / kRow;
+    at.labels.push_back(table.index(i < 3 ? 10 : 20));
+    at.values.push_back(i < 3 ? ((i + j) % 2 == 0 ? 1.0f : -1.0f) : 0.0f);
+    table.add(at.labels.back(), &at.values.back());
+  }
+  const LabelSpread spread(lattice, table, at);
+  const double chequered = 2.0 * kSide, level = 3.0 * kSide, all = 4.0 * chequered / (chequered + level);
+  EXPECT_EQ(spread.blocks(0), chequered);
+  EXPECT_EQ(spread.blocks(1), level);
+  EXPECT_NEAR(spread.local(99, 0), all, 1e-12);
+  EXPECT_NEAR(spread.local(0, 0), (4.0 * chequered + 2.0 * all) / (chequered + 2.0), 1e-12);
+  EXPECT_NEAR(spread.local(1, 0), 2.0 * all / (level + 2.0), 1e-12);
+}
+
+/// Noise of a known variance, whoever tells it: a label's own blocks, those of all, or looks beside the lattice.
+TEST(LabelSpread, ToldVariancesAreThoseOfTheNoise) {
+  constexpr int kRow = 61;
+  const Lattice lattice({0, 0, 30, 30}, 2);
+  LabelTable table(1);
+  LatticeValues at;
+  at.columns = 1;
+  at.constant.assign(2, 0);
+  const auto noise = [](int k) { return static_cast<float>(unit_double(mix(static_cast<std::uint64_t>(k) + 31))); };
+  for (int v = 0; v < kRow * kRow; ++v) {
+    at.labels.push_back(table.index(v == 0 ? 10 : 20));  // the one label has a single value
+    at.values.push_back(noise(v));
+    table.add(at.labels.back(), &at.values.back());
+  }
+  for (const bool looks : {false, true}) {
+    for (int k = 0; looks && k < 3600; ++k) {
+      at.look.points.push_back({k % 60 * 0.5 + 0.25, k / 60 * 0.5 + 0.25});
+      at.look.labels.push_back(1);
+      at.look.values.push_back(noise(10000 + k));
+      table.add(1, &at.look.values.back());
+    }
+    const LabelSpread spread(lattice, table, at);
+    for (const std::uint32_t label : {0u, 1u, 99u}) EXPECT_NEAR(spread.local(label, 0), 1.0 / 12.0, 0.1 / 12.0) << looks;
+    EXPECT_NEAR(spread.total(1, 0), 1.0 / 12.0, 0.05 / 12.0);
+  }
+}
+
 TEST(Clutter, StratifiedCostFollowsItsErrorLaw) {
   const double n = stratified_cost(50.0, 4.0);
   EXPECT_NEAR(0.46 * 50.0 * std::sqrt(4.0) * std::pow(n, -0.75), 1.0, 1e-12);

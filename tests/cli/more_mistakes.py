@@ -1,0 +1,174 @@
+"""More rows for the table of test_mistakes.py: spectra, cities, terrains, copies, sensors, weather, air and maps."""
+
+import json
+
+from mistaken_document import CAMERA, ERROR, FRAME, GOOD, MATERIALS, OBJECTS, WARM, WARNING, ascii_grid, changed, several
+
+
+def lawn(**reflectance):
+    return changed(MATERIALS + ".lawn", {"reflectance": reflectance, "temperature": "22 degC"})
+
+
+def town(material="wall", **city):
+    return changed(OBJECTS + "[1]", {"city": {"file": "town.json", **city}, "material": material})
+
+
+def terrain(**keys):
+    return changed(OBJECTS + "[0]", {"terrain": {"file": "dem.asc", **keys}, "material": "lawn"})
+
+
+TREE = {"tree": [{"cylinder": {"base": ["0 m", "0 m", "0 m"], "radius": "0.2 m", "height": "2 m"}, "material": "wall"}]}
+
+
+def with_trees(entry):
+    return several(("scene.prototypes", TREE), (OBJECTS + "[+]", entry))
+
+
+def scatter(**keys):
+    area = {"low": ["-5 m", "-5 m"], "high": ["5 m", "5 m"]}
+    return with_trees({"scatter": {"of": "tree", "density": "0.1 m-2", "area": area, **keys}})
+
+
+def house(**transform):
+    return changed(OBJECTS + "[1].transform", transform)
+
+
+def frame(**keys):
+    return changed(CAMERA, {"frame": {k: v for k, v in {**FRAME, **keys}.items() if v is not None}})
+
+
+def red(**shape):
+    return changed("sensor.channels[0]", {"name": "red", **shape})
+
+
+def air(**keys):
+    return several(("light.sky", None), ("light.surroundings", None), ("atmosphere", {"profile": "mid-latitude summer", **keys}))
+
+
+def sounding(*levels):
+    return air(levels=[dict(zip(("altitude", "pressure", "temperature"), level)) for level in levels])
+
+
+def imported(**keys):
+    return several(("light.sky", None), ("light.surroundings", None), ("atmosphere", {"imported": keys}))
+
+
+def moon(**keys):
+    return several(("light.sun", None), ("light.moon", keys))
+
+
+def classes(names, file="classes.asc"):
+    return changed(OBJECTS + "[0].material", {"map": {"file": file, "classes": names}})
+
+
+TEXT = json.dumps(GOOD, indent=1)
+
+MISTAKES = [
+    # Materials and spectra files.
+    ("a reflectance that is a name", changed(MATERIALS + ".lawn.reflectance", "grass"), ERROR, 'the text "grass", expected a number between 0 and 1'),
+    ("a percentage of emissivity", changed(MATERIALS + ".lawn", {"emissivity": 95, "temperature": "22 degC"}), ERROR, "95 % is 0.95"),
+    ("a way to scatter that is not there", changed(MATERIALS + ".wall.scattering", "specular"), ERROR, "expected 'lambertian' or 'mirror'"),
+    ("several curves and no texture", changed(MATERIALS + ".lawn.reflectance", [0.1, 0.2]), ERROR, "several curves need a 'texture'"),
+    ("no materials", changed("scene.materials", {}), ERROR, "there is no material 'lawn' \\(none is declared\\)"),
+    ("a group for a material of the library", lawn(library="grass"), ERROR, "no material 'grass'; near it: .*'grass, lawn'"),
+    ("wavelengths that fall", lawn(table={"wavelength": ["2 um", "1 um", "15 um"], "values": [0.1, 0.2, 0.3]}), ERROR, "does not rise"),
+    ("more wavelengths than values", lawn(table={"wavelength": ["0.3 um", "1 um", "15 um"], "values": [0.1, 0.2]}), ERROR, "has 2 values for 3 wavelengths"),
+    ("wavelengths without a unit", lawn(table={"wavelength": [0.3, 15], "values": [0.1, 0.2]}), ERROR, "0.3 without a unit, expected a wavelength"),
+    ("a table of which nobody says the unit", lawn(csv="um.csv"), ERROR, "lacks the key 'wavelength_unit': 'um' or 'nm'"),
+    ("a column that is not there", lawn(csv="um.csv", wavelength_unit="um", column=3), ERROR, "um.csv:2: found 2 columns; column 3 is wanted"),
+    ("a table with a heading alone", lawn(csv="empty.csv", wavelength_unit="um"), ERROR, "empty.csv: found no row of numbers"),
+    ("a word among the numbers", lawn(csv="gap.csv", wavelength_unit="um"), ERROR, "gap.csv:3:3: found 'n/a'; expected a number"),
+    ("a wavelength twice", lawn(csv="twice.csv", wavelength_unit="um"), ERROR, "twice.csv:4: found a wavelength twice"),
+    ("a spreadsheet", lawn(csv="sheet.xlsx", wavelength_unit="um"), ERROR, "sheet.xlsx: found no row of numbers"),
+    ("channels that the library marks as deleted", lawn(csv="deleted.csv", wavelength_unit="um"), ERROR, "must lie between 0 and 1; it reaches from -1.23e\\+34"),
+    ("a table taken for a file of ECOSTRESS", lawn(ecostress="um.csv"), ERROR, "um.csv: the header has no 'X Units:' line"),
+    ("a library without its header", lawn(sli="library.sli", spectrum=1), ERROR, "found no header \\(.hdr\\) beside '.*library.sli'"),
+    # City models and terrains.
+    ("CityGML for CityJSON", town(file="town.gml"), ERROR, "town.gml:1:1: unexpected '<'"),
+    ("GeoJSON for CityJSON", town(file="geo.json"), ERROR, 'geo.json:1:9: \'type\' is the text "FeatureCollection", expected "CityJSON"'),
+    ("a city without materials for the ground", town({"slots": {"RoofSurface": "wall"}}), ERROR, "no material for the surfaces 'GroundSurface' of the Building 'h1'"),
+    ("a level of detail that no building has", town(lod="3"), ERROR, "no object has the level of detail 3; the file has '1.2'"),
+    ("a type in small letters", town(types=["building"]), ERROR, "no object is of a type asked for; the file has 'Building'"),
+    ("a city on the map, and no origin", town(file="far.json"), WARNING, "state its easting and northing as 'origin'"),
+    ("a band that the terrain has not", terrain(band=3), ERROR, "dem.asc has no band 3; it has 1"),
+    ("a terrain on the map, and no origin", terrain(file="elsewhere.asc"), WARNING, "a terrain.*km from the picture: are its coordinates of another frame"),
+    ("a terrain with voids", terrain(file="voids.asc"), WARNING, "1 of 16 cells have no height; they are holes"),
+    ("a corner of a terrain without its size", terrain(low_left=["0 m", "0 m"]), ERROR, "'low_left' needs the key 'size' beside it"),
+    # Copies.
+    ("copies of what is not there", with_trees({"instances": {"of": "oak", "at": [["6 m", "0 m", "0 m"]]}}), ERROR, "there is no prototype 'oak' \\(declared: 'tree'\\)"),
+    ("a prototype within itself", several(("scene.prototypes", {"tree": [{"instance": {"of": "tree"}}]}), (OBJECTS + "[+]", {"instance": {"of": "tree"}})), ERROR, "the prototype 'tree' holds itself"),
+    ("a list of x and y", with_trees({"instances": {"of": "tree", "csv": "xy.csv"}}), ERROR, "xy.csv:2: found 2 fields; expected 3, 4, 5 or 7 numbers"),
+    ("copies of no size", with_trees({"instances": {"of": "tree", "csv": "flat.csv"}}), ERROR, "flat.csv:1:9: the scale is 0"),
+    ("a density without a unit", scatter(density=0.1), ERROR, 'expected a density above 0 m-2, such as "300 ha-1"'),
+    ("trees closer than they may stand", scatter(density="1 m-2", minimum_distance="4 m"), WARNING, "at a distance of 4 m at least, .* stand, not 1e\\+04 ha-1 as asked for"),
+    ("trees on what has no name", scatter(on="terrain"), ERROR, "there is no object with a shape of its own 'terrain' \\(declared: 'house'\\)"),
+    ("an area inside out", scatter(area={"low": ["5 m", "5 m"], "high": ["-5 m", "-5 m"]}), ERROR, "is not above 'low' in both coordinates"),
+    ("a turn without a unit", house(rotate={"angle": 45}), ERROR, "the number 45 without a unit, expected an angle"),
+    ("a mirrored house", house(scale=[1, -1, 1]), ERROR, "is the number -1, expected a number above 0"),
+    ("a shift to the side alone", house(translate=["1 m", "2 m"]), ERROR, "is a list of 2, expected a list of 3"),
+    # The sensor.
+    ("a camera that looks nowhere", frame(look_at=None), ERROR, "needs exactly one of 'look_at' or 'attitude'"),
+    ("up along the line of sight", frame(up=[0, 50, -100]), ERROR, '"up" is parallel to its line of sight'),
+    ("two cameras", changed(CAMERA + ".frame", FRAME), ERROR, "'frame' cannot stand beside 'orthographic'"),
+    ("a size in one number", changed(CAMERA + ".orthographic.pixels", 640), ERROR, "the number 640, expected a list of 2"),
+    ("more pixels than there can be", changed(CAMERA + ".orthographic.pixels", [100000, 100000]), ERROR, "more than the 1000000000 allowed"),
+    ("a blur in metres", changed("sensor.psf", {"gaussian": {"sigma": "0.5 m"}}), ERROR, "'m' is not a unit of number of pixels"),
+    ("a filling in percent", changed("sensor.fill_factor", 85), ERROR, "expected a number between 0 \\(excluded\\) and 1"),
+    ("a width in micrometres", red(gaussian={"center": "0.65 um", "fwhm": "40 um"}), ERROR, "'red': a Gaussian at 0.65 um with a width of 40 um is not possible"),
+    ("a response in nanometres called um", red(tabulated={"file": "response.csv", "wavelength_unit": "um"}), WARNING, "'red' are above 100 um: are they nm"),
+    ("a noise in kelvins", changed("sensor.channels[1].noise", "0.05 K"), ERROR, "'K' is not a unit of spectral radiance"),
+    ("an error in noise, of a channel without", several(("sensor.channels[1].noise_temperature", "0.05 K"), ("sampling.accuracy", {"error": "0.5 noise"})), ERROR, "channel 'red' has none above 0"),
+    # Weather, time and air.
+    ("humidity without a percent sign", changed("weather", {"air_temperature": "25 degC", "humidity": 60}), ERROR, "expected a percentage between 0 and 100 %"),
+    ("cloud in eighths", changed("weather", {"air_temperature": "25 degC", "cloud": 8}), ERROR, "the number 8, expected a number between 0 and 1"),
+    ("a thirteenth month", changed("time", "2026-13-21T12:00:00Z"), ERROR, "found the time '2026-13-21T12:00:00Z'; expected ISO 8601 with a zone"),
+    ("a profile in other words", air(profile="midlatitude summer"), ERROR, "did you mean 'mid-latitude summer'"),
+    ("a haze thicker than any", air(aerosol={"visibility": "23 m"}), ERROR, "visibility of 0.023 km: expected 0.05 to 300 km"),
+    ("a sounding from above", sounding(("1 km", "900 hPa", "10 degC"), ("0 m", "1013 hPa", "15 degC")), ERROR, "the altitudes of a profile must rise: 0 km follows 1 km"),
+    ("pressures that rise", sounding(("0 m", "900 hPa", "15 degC"), ("1 km", "1013 hPa", "10 degC")), ERROR, "the pressures of a profile must fall: 1013 hPa follows 900 hPa"),
+    ("degrees of a sounding as kelvins", sounding(("0 m", "1013 hPa", "15 K"), ("1 km", "900 hPa", "10 K")), ERROR, "temperature 15 K at 0 km: expected 120 to 350 K"),
+    ("an atmosphere of another kind of file", imported(files=["um.csv"]), ERROR, "um.csv: found no file that is known here; expected a MODTRAN tape7"),
+    ("albedos in percent", imported(files=["um.csv"], albedos=[30]), ERROR, "30 % is 0.3"),
+    ("a Moon without a phase", moon(zenith="30 deg", azimuth="90 deg"), ERROR, "the Moon has no phase: give 'phase_angle', or the document's 'time'"),
+    ("a Moon without a place", moon(), ERROR, "the Moon has no direction"),
+    # Maps, output and text.
+    ("a class without a material", classes({"1": "lawn"}), ERROR, "class 2 at row 1, column 2 of '.*classes.asc' has no material; the classes given are 1"),
+    ("names for class numbers", classes({"grass": "lawn"}), ERROR, "the key 'grass' is not a class number"),
+    ("fractions for classes", classes({"0": "lawn", "1": "wall"}, "fractions.asc"), ERROR, "class 0.2 at row 1, column 1 of '.*fractions.asc' has no material"),
+    ("an included document that is not there", changed("include", "gone.json"), ERROR, "gone.json"),
+    ("a document that includes itself", changed("include", "scene.json"), ERROR, "include"),
+    ("a picture in a channel that is not there", changed("output.quicklook", {"channels": ["nir"]}), ERROR, "there is no channel 'nir'"),
+    ("a key twice", TEXT.replace('"ifov": 1,', '"ifov": 1, "ifov": 1,'), ERROR, "twice"),
+    ("a brace that is missing", TEXT[:-2], ERROR, "scene.json:\\d+:\\d+"),
+    ("single quotes", TEXT.replace('"ifov"', "'ifov'"), ERROR, "'"),
+]
+
+
+def city_json(translate):
+    corners = [[x, y, z] for z in (0, 4000) for x, y in ((0, 0), (6000, 0), (6000, 6000), (0, 6000))]
+    faces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
+    solid = {"type": "Solid", "lod": "1.2", "boundaries": [[[face] for face in faces]]}
+    return json.dumps({"type": "CityJSON", "version": "2.0", "transform": {"scale": [0.001] * 3, "translate": translate},
+                       "CityObjects": {"h1": {"type": "Building", "geometry": [solid]}}, "vertices": corners})
+
+
+FILES = {
+    "empty.csv": "wavelength,reflectance\n",
+    "gap.csv": "wavelength,reflectance\n0.4,0.1\n1,n/a\n15,0.3\n",
+    "twice.csv": "wavelength,reflectance\n0.4,0.1\n1,0.1\n1,0.2\n15,0.3\n",
+    "deleted.csv": "0.4,0.1\n1,-1.23e34\n15,0.3\n",
+    "sheet.xlsx": b"PK\x03\x04\x14\x00\x06\x00\x08\x00" + bytes(range(256)),
+    "library.sli": b"\0" * 64,
+    "town.json": city_json([-3, -3, 0]),
+    "far.json": city_json([84000, 447000, 0]),
+    "town.gml": "<?xml version='1.0'?><CityModel/>",
+    "geo.json": '{"type":"FeatureCollection","features":[]}',
+    "dem.asc": ascii_grid([[0] * 4] * 4, corner=(-20, -20), cell=12),
+    "voids.asc": ascii_grid([[0] * 4, [0, -32768, 0, 0], [0] * 4, [0] * 4], corner=(-20, -20), cell=12, nodata=-32768),
+    "elsewhere.asc": ascii_grid([[5] * 4] * 4, corner=(440000, 4470000), cell=12),
+    "xy.csv": "x,y\n6,0\n",
+    "flat.csv": "6,0,0,0,0\n",
+    "response.csv": "wavelength,response\n600,0\n650,1\n700,0\n",
+    "classes.asc": ascii_grid([[1, 2, 1, 1]] * 4),
+    "fractions.asc": ascii_grid([[0.2, 0.5, 0.7, 1.0]] * 4),
+}
