@@ -29,6 +29,7 @@ struct Options {
   unsigned slowest_s = 20;
   long memory_mib = 512;
   std::string finds = IFOV_SOURCE_DIR "/tests/fuzz/finds";
+  std::string good_files;
 };
 
 /// The input that is being read; a crash or a hang leaves it where this names it.
@@ -123,6 +124,16 @@ bool fuzz(const FuzzedReader& reader, const Options& options) {
   return run < 200 || (refused_count > 0 && refused_count < run);
 }
 
+/// Writes the good files into <folder>/<reader>_<number>, with what a reader looks for beside them.
+void write_good_files(const FuzzedReader& reader, const fs::path& folder) {
+  for (std::size_t i = 0; i < reader.seeds.size(); ++i) {
+    const fs::path own = folder / (reader.name + "_" + std::to_string(i));
+    fs::create_directories(own);
+    std::ofstream(own / reader.file_name, std::ios::binary) << reader.seeds[i];
+    reader.read(own / reader.file_name);
+  }
+}
+
 }  // namespace
 }  // namespace ifov::fuzz
 
@@ -137,12 +148,17 @@ int main(int argc, char** argv) {
   app.add_option("--slowest", options.slowest_s, "seconds after which a reader counts as hanging");
   app.add_option("--memory", options.memory_mib, "MiB by which one file may raise the peak of memory");
   app.add_option("--finds", options.finds, "folder of inputs that once failed");
+  app.add_option("--good-files", options.good_files, "write the good files of all readers to this folder, and end");
   CLI11_PARSE(app, argc, argv);
   std::signal(SIGALRM, on_alarm);
   bool any = false, good = true;
   for (const FuzzedReader& reader : fuzzed_readers()) {
     if (!options.reader.empty() && reader.name != options.reader) continue;
     any = true;
+    if (!options.good_files.empty()) {
+      write_good_files(reader, options.good_files);
+      continue;
+    }
     good = fuzz(reader, options) && good;
   }
   if (!any) std::cerr << "there is no reader '" << options.reader << "'\n";
