@@ -15,6 +15,26 @@ namespace {
 /// Numbers that no sensor sees become 0, because denormal floats would slow every product.
 float flushed(double value) { return std::abs(value) < 1e-30 ? 0.0f : static_cast<float>(value); }
 
+/// Grey surfaces vary with nothing; where whole radiances are judged, the darkest and the brightest of them show the most
+/// of what the air and they themselves send.
+std::vector<std::vector<double>> judged_surfaces(const ChannelGrid& grid, std::span<const Spectrum> surfaces,
+                                                 const NodeDemands& demands) {
+  std::vector<std::vector<double>> sampled;
+  const Spectrum *darkest = nullptr, *brightest = nullptr;
+  const auto value = [&](const Spectrum* grey) { return grey->at(grid.wavelength_um.front()); };
+  for (const Spectrum& surface : surfaces) {
+    if (!surface.is_constant()) {
+      sampled.push_back(grid.sampled(surface));
+      continue;
+    }
+    if (darkest == nullptr || value(&surface) < value(darkest)) darkest = &surface;
+    if (brightest == nullptr || value(&surface) > value(brightest)) brightest = &surface;
+  }
+  if (demands.all_glow && darkest != nullptr) sampled.push_back(grid.sampled(*darkest));
+  if (demands.all_glow && brightest != darkest) sampled.push_back(grid.sampled(*brightest));
+  return sampled;
+}
+
 }  // namespace
 
 SpectralNodes SpectralNodes::build(std::span<const Channel> channels, const Spectrum& solar_irradiance,
@@ -23,10 +43,7 @@ SpectralNodes SpectralNodes::build(std::span<const Channel> channels, const Spec
   SpectralNodes result;
   for (const Channel& channel : channels) {
     const ChannelGrid grid(channel, solar_irradiance, surfaces, sky_radiance);
-    std::vector<std::vector<double>> sampled;
-    for (const Spectrum& surface : surfaces)
-      if (!surface.is_constant()) sampled.push_back(grid.sampled(surface));
-    result.add(find_rule(grid, sampled, demands));
+    result.add(find_rule(grid, judged_surfaces(grid, surfaces, demands), demands));
   }
   result.arrange_sums();
   return result;
@@ -37,10 +54,7 @@ SpectralNodes SpectralNodes::build(std::span<const ChannelGrid> channels, std::s
   std::vector<std::optional<FoundRule>> found(channels.size());
   parallel_for(static_cast<std::int64_t>(channels.size()), 0, [&](std::int64_t k) {
     const ChannelGrid& grid = channels[static_cast<std::size_t>(k)];
-    std::vector<std::vector<double>> sampled;
-    for (const Spectrum& surface : surfaces)
-      if (!surface.is_constant()) sampled.push_back(grid.sampled(surface));
-    found[static_cast<std::size_t>(k)] = find_rule(grid, sampled, demands);
+    found[static_cast<std::size_t>(k)] = find_rule(grid, judged_surfaces(grid, surfaces, demands), demands);
   });
   SpectralNodes result;
   for (std::optional<FoundRule>& rule : found) result.add(std::move(*rule));

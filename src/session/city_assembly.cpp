@@ -85,7 +85,8 @@ void report(const std::string& file, const io::CityModel& model, math::Point3 ce
     if (count > 0) log.warn(format("city '{}': {} {}", file, count, what));
   };
   warn_of(model.repaired_surfaces, "surfaces whose outlines cross were made valid");
-  warn_of(model.empty_surfaces, "surfaces without area are left out");
+  if (model.empty_surfaces > 0)  // nothing is lost by it
+    log.info(format("city '{}': {} surfaces without area are left out", file, model.empty_surfaces));
   warn_of(model.lines_and_points, "geometries of points or lines are left out");
   warn_of(model.objects_without_lod, "objects do not have the level of detail asked for and are left out");
   const double distance_m = std::hypot(centre.x, centre.y);

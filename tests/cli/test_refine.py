@@ -32,7 +32,7 @@ SCENE = """{
       {"instances": {"of": "tree", "at": [["3 m", "-3 m", "0 m"], ["4.1 m", "3 m", "0 m"], ["-4 m", "-4 m", "0 m"]]}}
     ]
   },
-  "light": {"sun": {"disc": {"zenith": "40 deg", "azimuth": "120 deg"}}, "sky": {"radiance": "30 W m-2 sr-1 um-1"}},
+  "light": {"sun": {"disc": {"zenith": "40 deg", "azimuth": "120 deg"}}, "sky": {"radiance": {"table": {"wavelength": ["0.3 um", "1 um", "3 um"], "values": ["30 W m-2 sr-1 um-1", "30 W m-2 sr-1 um-1", "0 W m-2 sr-1 um-1"]}, "outside": "extend"}}},
   "sensor": {
     "camera": {"orthographic": {"gsd": "0.5 m", "pixels": [32, 30]}},
     "channels": [

@@ -80,10 +80,8 @@ void warn_of_objects_out_of_view(const Session::Parts& parts, const SceneLook& l
     if (look.looked_at[d] == 0 || look.in_frame[d] > 0) continue;
     if (whole++ < kNamed) names += (names.empty() ? "" : ", ") + title_of(parts.document, d);
   }
-  // Of a landscape around the picture much is out of view, and that is meant.
-  constexpr std::size_t kFew = 10;
-  constexpr double kMost = 0.9;
-  if (whole == 0 || (whole > kFew && static_cast<double>(whole) < kMost * static_cast<double>(look.in_frame.size()))) return;
+  // Of a landscape around the picture much is out of view, and that is meant; the line "in view" counts it.
+  if (whole == 0 || 2 * whole < look.in_frame.size()) return;
   if (whole > kNamed) names += format(" and {} more", whole - kNamed);
   log.warn(format("{} of {} objects of the document {} wholly out of the picture: {}{}", whole, look.in_frame.size(),
                   whole == 1 ? "is" : "are", names,

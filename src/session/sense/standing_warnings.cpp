@@ -12,6 +12,7 @@ namespace {
 constexpr double kStep_m = 0.3;  // from here the ray down starts, above what a thing stands on
 constexpr double kGap_m = 0.5, kGapOfHeight = 0.1;
 constexpr double kGapOfCopies = 1.0;  // of their height: crowns are placed without their trunks
+constexpr double kGapOfCities_m = 5.0;  // streets of a model in space stand above a plane below them all
 constexpr std::uint32_t kLookedAt = 64;  // copies of an object
 constexpr int kMostLayers = 64;
 
@@ -73,11 +74,13 @@ void warn_of_standing(const Session::Parts& parts, LogSink& log) {
     const std::uint32_t count = parts.placed.count(d), step = count / kLookedAt + 1;
     std::uint32_t looked_at = 0, floating = 0, buried = 0;
     double widest_m = 0.0, deepest_m = 0.0;
+    const bool is_city = std::holds_alternative<io::CityShape>(parts.document.scene.objects[d].shape);
+    const double least_gap_m = is_city ? kGapOfCities_m : kGap_m;
     const double gap_of_height = is_copied(parts.document.scene.objects[d]) ? kGapOfCopies : kGapOfHeight;
     for (std::uint32_t k = 0; k < count; k += step) {
       const Standing one = look_about(parts, parts.placed.first(d) + k);
       ++looked_at;
-      if (one.gap_m && *one.gap_m > std::max(kGap_m, gap_of_height * one.height_m)) ++floating, widest_m = std::max(widest_m, *one.gap_m);
+      if (one.gap_m && *one.gap_m > std::max(least_gap_m, gap_of_height * one.height_m)) ++floating, widest_m = std::max(widest_m, *one.gap_m);
       if (one.under_m) ++buried, deepest_m = std::max(deepest_m, *one.under_m);
     }
     const auto which = [&](std::uint32_t some) {
