@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
+#include <set>
 
+#include "core/names.h"
 #include "io/city/city_json_reader.h"
 #include "session/with_position.h"
 
@@ -42,6 +45,29 @@ std::vector<std::uint32_t> materials_of(const io::ObjectDocument& object, const 
     materials.push_back(coverings.covering(*object.material, *name, object.temperature));
   }
   return materials;
+}
+
+/// Types of objects and of surfaces in CityJSON 2.0: rules may name what this model has none of.
+constexpr const char* kTypes[] = {
+    "Bridge", "BridgePart", "Building", "BuildingPart", "CityFurniture", "GenericCityObject", "LandUse", "OtherConstruction",
+    "PlantCover", "Railway", "Road", "SolitaryVegetationObject", "TINRelief", "TransportSquare", "Tunnel", "TunnelPart",
+    "WaterBody", "Waterway", "AuxiliaryTrafficArea", "CeilingSurface", "ClosureSurface", "Door", "FloorSurface", "GroundSurface",
+    "InteriorWallSurface", "OuterCeilingSurface", "OuterFloorSurface", "RoofSurface", "TrafficArea", "TransportationHole",
+    "TransportationMarking", "WallSurface", "WaterClosureSurface", "WaterGroundSurface", "WaterSurface", "Window", "other"};
+
+void warn_of_misspelt_rules(const std::string& file, const io::MaterialSlots& given, const io::CityModel& model, LogSink& log) {
+  std::set<std::string> known(std::begin(kTypes), std::end(kTypes));
+  for (const io::CityObject& thing : model.objects) {
+    known.insert(thing.type);
+    known.insert(thing.mesh.slot_names.begin(), thing.mesh.slot_names.end());
+  }
+  const std::vector<std::string> names(known.begin(), known.end());
+  for (const auto& entry : given.slots) {
+    if (known.contains(entry.first) || entry.first.find_first_of("[/") != std::string::npos) continue;
+    const std::string guess = nearest_name(entry.first, names);
+    if (!guess.empty())
+      log.warn(format("city '{}': 'slots' has '{}', which no surface is; is '{}' meant?", file, entry.first, guess));
+  }
 }
 
 /// Takes the model from its own projection to the scene's.
@@ -122,6 +148,8 @@ void place_city(const io::Document& document, const io::ObjectDocument& object,
   if (log != nullptr) {
     const math::Vec3 half = (model.high - model.low) * 0.5;
     report(shape.file.path, model, scene_from_map(model.low + half), *log);
+    if (const auto* slots = std::get_if<io::MaterialSlots>(&object.material->value))
+      warn_of_misspelt_rules(shape.file.path, *slots, model, *log);
   }
   for (io::CityObject& thing : model.objects) {
     const std::vector<std::uint32_t> materials = materials_of(object, thing, document, coverings);

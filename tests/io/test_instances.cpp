@@ -238,6 +238,8 @@ TEST_F(Instances, FromText) {
 TEST_F(Instances, ErrorsInTextAreLocated) {
   EXPECT_EQ(csv_message("x,y,z\n1,2\n"),
             "a.csv:2: found 2 fields; expected 3, 4, 5 or 7 numbers: x, y, z, yaw, scale, pitch, roll\n  1,2");
+  EXPECT_EQ(csv_message("id,x,y,z\n1,2,3,4\n"),
+            "a.csv:1:4: found 'x' as column 2; expected the columns x, y, z, yaw, scale, pitch, roll in this order\n  id,x,y,z\n     ^");
   EXPECT_EQ(csv_message("1,2,3\n1,2,3,4\n"), "a.csv:2: found 4 fields; expected 3 numbers, as above\n  1,2,3,4");
   EXPECT_EQ(csv_message("1,2,3\n\n1,oak,3\n"), "a.csv:3:3: found 'oak'; expected a number\n  1,oak,3\n    ^");
   EXPECT_EQ(csv_message("1,2,3,0,-1\n"),

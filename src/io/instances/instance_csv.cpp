@@ -1,6 +1,8 @@
 #include "io/instances/instance_csv.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <string_view>
 
@@ -13,6 +15,7 @@ namespace {
 
 constexpr double kRadians = std::numbers::pi / 180.0;
 constexpr std::size_t kMostFields = 7;
+constexpr std::string_view kColumns[kMostFields] = {"x", "y", "z", "yaw", "scale", "pitch", "roll"};
 
 class RowReader {
  public:
@@ -32,6 +35,7 @@ class RowReader {
       if (is_blank(line_) || is_comment(line_)) continue;
       if (heading_allowed && !number_in(split(line_, separator_of(line_))[0].text)) {
         heading_allowed = false;
+        check_heading();
         continue;
       }
       heading_allowed = false;
@@ -43,6 +47,17 @@ class RowReader {
  private:
   [[noreturn]] void fail(int column, const std::string& message) const {
     throw table_error(name_, number_, column, line_, message);
+  }
+
+  /// A heading may say anything, but a column that it names must be the one that is read so.
+  void check_heading() const {
+    const std::vector<Field> fields = split(line_, separator_of(line_));
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      const auto column = std::find(std::begin(kColumns), std::end(kColumns), lower_case(fields[k].text)) - std::begin(kColumns);
+      if (column < std::ssize(kColumns) && static_cast<std::size_t>(column) != k)
+        fail(fields[k].column, format("found '{}' as column {}; expected the columns x, y, z, yaw, scale, pitch, roll in this order",
+                                      fields[k].text, k + 1));
+    }
   }
 
   Instance row() {

@@ -13,6 +13,8 @@ namespace ifov::io {
 
 namespace {
 
+/// No ground is deeper or higher: numbers beyond stand for cells without a height.
+constexpr double kDeepest_m = -12000.0, kHighest_m = 100000.0;
 constexpr double kFoot_m = 0.3048, kSurveyFoot_m = 1200.0 / 3937.0;
 
 double metres_per(const std::string& unit, const std::string& name) {
@@ -39,12 +41,19 @@ Elevation read_elevation(const std::filesystem::path& path, int band, std::optio
   Elevation terrain{raster.width, raster.height, {}, 0, false, raster.geotransform, std::move(raster.projection)};
   const auto first = raster.values.begin() + static_cast<std::ptrdiff_t>(cells) * (band - 1);
   terrain.height_m.assign(first, first + static_cast<std::ptrdiff_t>(cells));
-  for (float& value : terrain.height_m) {
+  for (std::size_t k = 0; k < cells; ++k) {
+    float& value = terrain.height_m[k];
+    const float number = value;
     const bool missing =
         !std::isfinite(value) || (raster.nodata && value == static_cast<float>(*raster.nodata));
     terrain.unknown += missing ? 1 : 0;
     value = missing ? std::numeric_limits<float>::quiet_NaN()
                     : static_cast<float>(factor * static_cast<double>(value));
+    if (value < kDeepest_m || value > kHighest_m)
+      throw InputError(format("{}: {:g} at row {}, column {} is no height in metres ({:g}): if it means that there is none, the file "
+                              "must say so (gdal_translate -a_nodata {:g}), else give 'unit'",
+                              name, number, k / static_cast<std::size_t>(raster.width) + 1, k % static_cast<std::size_t>(raster.width) + 1,
+                              value, number));
   }
   if (terrain.unknown == cells) throw InputError(format("{}: no cell has a height", name));
   if (terrain.unknown > 0 && unknown == UnknownHeights::fill) {
