@@ -13,7 +13,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 from drivers import (  # noqa: E402
-    atmosphere, bookkeeping, channels, cluster, honesty, instances, micro, mitsuba, rami, refine, runs, speed, start, stream, studies,
+    atmosphere, bookkeeping, channels, cluster, documents, honesty, instances, micro, mitsuba, rami, refine, runs, speed, start, stream, studies,
 )
 from drivers.figures import Context, show  # noqa: E402
 
@@ -31,6 +31,7 @@ GROUPS = {
     "bookkeeping": bookkeeping.run,
     "rami": rami.run,
     "honesty": honesty.run,
+    "documents": documents.run,
     "cluster": cluster.run,
     "mitsuba": mitsuba.run,
 }

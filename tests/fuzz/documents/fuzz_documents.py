@@ -102,7 +102,7 @@ def main():
 
     limits = running.Limits()
     if options.sanitized:
-        limits = running.Limits(processor_s=60, resident_mib=2048, address_mib=None, kill_s=120, wall_s=600)
+        limits = running.Limits(processor_s=60, resident_mib=2048, address_mib=None, kill_s=120, wall_s=1800)
     found = 0
     with tempfile.TemporaryDirectory(prefix="ifov_fuzz_documents_") as folder:
         fuzzer = Fuzzer(options.build.resolve() / "ifov", options.build.resolve() / "fuzz_readers", pathlib.Path(folder), limits)

@@ -11,7 +11,6 @@ import subprocess
 import threading
 
 MESSAGE_LIMIT = 8192
-# Of code 2, what the program cannot know of beforehand; a document that asks for too much memory is refused as such.
 PLACE = re.compile(r"(document\.json|files/[^\s:]+)(:\d+)?(:\d+)?|--set|command line")
 
 
@@ -23,7 +22,7 @@ class Limits:
     resident_mib: float = 512.0
     address_mib: float | None = 2048.0  # None under sanitizers, which take terabytes of addresses
     kill_s: int = 10  # of processor time
-    wall_s: float = 120.0  # for the machine may be busy with other work
+    wall_s: float = 300.0  # for the machine may be busy with other work
 
 
 @dataclasses.dataclass
