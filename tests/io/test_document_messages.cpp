@@ -199,7 +199,7 @@ TEST(DocumentMessages, ProductsHavePlainNames) {
   for (const std::string good : {"flight-7_b", "_", "7"})
     EXPECT_EQ(first_line_with(given, "\"name\": \"" + good + "\""), "accepted") << good;
   EXPECT_EQ(first_line_with(given, "\"products\": [\"half_width\", \"radiances\"]"),
-            "folder/a.json:42:40: 'output.products[1]' is the text \"radiances\", expected 'radiance', "
+            "folder/a.json:42:41: 'output.products[1]' is the text \"radiances\", expected 'radiance', "
             "'standard_error', 'half_width', 'air_half_width', 'samples', 'quality', 'reasons', 'quality_class', 'abundance', "
             "'abundance_half_width', 'location', 'view_angles' or 'all'; did you mean 'radiance'?");
 }

@@ -124,7 +124,7 @@ TEST(TileRecord, HoldsPlacesAndLeavesVariancesOut) {
   sampling::TileResult tile = kImage.tile(grid[7]);
   const std::size_t whole = encode_tile(tile, {7, 11, plan.key(), 2.5}).size();
   tile.drop_variances();
-  EXPECT_EQ(tile.share_of_borders(0), 0.75f);
+  EXPECT_FLOAT_EQ(tile.share_of_borders(0), 0.75f);
   for (const bool placed : {false, true}) {
     if (placed) tile.position_m.assign(3 * tile.samples.size(), 0.1);
     const auto record = encode_tile(tile, {7, 11, plan.key(), 2.5});
