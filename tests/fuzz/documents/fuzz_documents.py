@@ -18,30 +18,12 @@ import time
 
 import running
 import seeds
+from effort import of_few_channels, of_few_pixels, with_air
 from generator import Generator
 from schema import Schema
 from writing import written
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-
-
-def of_few_pixels(document):
-    """What the command line puts in place of the document's, so that rendering is quick."""
-    def section(*keys):
-        value = document
-        for key in keys:
-            value = value.get(key) if isinstance(value, dict) else None
-        return value if isinstance(value, dict) else {}
-
-    changes = [f"sensor.camera.{kind}.pixels=[8, 6]" for kind in section("sensor", "camera")]
-    sampling = section("sampling")
-    if "grid" in sampling:
-        changes.append("sampling.grid.elements=[2, 2]")
-    elif "adaptive" in sampling:
-        changes += ["sampling.adaptive.sub_elements=[2, 2]", "sampling.adaptive.max_samples=20"]
-    elif "single" not in sampling:
-        changes.append("sampling.accuracy.max_samples=200")
-    return [word for change in changes for word in ("--set", change)]
 
 
 class Fuzzer:
@@ -58,8 +40,9 @@ class Fuzzer:
         document = json.loads(text)
         (self.folder / "document.json").write_text(text)
         self.counts["documents"] += 1
-        checked = self.run("check", "document.json", "--no-cache")
-        faults = running.faults(checked, self.limits)
+        limits = with_air(document, self.limits)
+        checked = self.run(limits, "check", "document.json", "--no-cache", *of_few_channels(document))
+        faults = running.faults(checked, limits)
         if checked.code not in (0, 6):
             self.counts["refused"] += 1
         elif not isinstance(document, dict) or "include" in document:
@@ -68,13 +51,14 @@ class Fuzzer:
             faults.append("taken, though the schema refuses it")
         if checked.code in (0, 6) and not faults:
             self.counts["rendered"] += 1
-            return text, self.render(document)
+            return text, self.render(document, limits)
         return text, [f"check: {fault}\n{checked.said}" for fault in faults]
 
-    def render(self, document):
+    def render(self, document, limits):
         shutil.rmtree(self.folder / "out", ignore_errors=True)
-        ended = self.run("render", "document.json", "--output", "out", "--threads", "1", "--no-cache", *of_few_pixels(document))
-        faults = running.faults(ended, self.limits)
+        ended = self.run(limits, "render", "document.json", "--output", "out", "--threads", "1", "--no-cache",
+                         *of_few_channels(document), *of_few_pixels(document))
+        faults = running.faults(ended, limits)
         if ended.code == 1:
             faults.append("refused, though 'check' takes it")
         cube = next((self.folder / "out").glob("*_radiance.img"), None)
@@ -82,8 +66,8 @@ class Fuzzer:
             faults.append("radiance that is no number, without a warning")
         return [f"render: {fault}\n{ended.said}" for fault in faults]
 
-    def run(self, *words):
-        ended = running.run([self.ifov, *words], self.folder, self.limits)
+    def run(self, limits, *words):
+        ended = running.run([self.ifov, *words], self.folder, limits)
         self.counts[f"exit code {ended.code}"] += 1
         return ended
 
