@@ -47,8 +47,10 @@ class Make(unittest.TestCase):
             documents = sorted((self.path / kind).glob("*.json"))
             self.assertEqual(len(documents), 4)
             with self.subTest(kind=kind):
-                done = run("check", "--quiet", *documents)
-                self.assertEqual((done.returncode, done.stderr), (0, ""), done.stderr)
+                done = run("check", *documents)
+                # Each thermal band to 0.5 K: the air's own error leaves little of that.
+                warnings = [line for line in done.stderr.splitlines() if "the air's own numerical error" not in line]
+                self.assertEqual((done.returncode in (0, 6), warnings), (True, []))
                 done = run("check", self.path / kind / "render_vswir.json")
                 self.assertIn("60 x 60 pixels, 210 channels", done.stdout)
 
