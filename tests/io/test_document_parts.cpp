@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "core/error.h"
+#include "core/format.h"
 #include "io/document/document.h"
 
 namespace ifov::io {
@@ -21,7 +23,7 @@ const char* const kBase = R"({
 
 class DocumentParts : public ::testing::Test {
  protected:
-  DocumentParts() : folder_(std::filesystem::path(::testing::TempDir()) / "ifov_document_parts") {
+  DocumentParts() : folder_(std::filesystem::path(::testing::TempDir()) / format("ifov_document_parts_{}", getpid())) {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_ / "shared");
     write("shared/base.json", kBase);
