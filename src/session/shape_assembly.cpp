@@ -25,6 +25,8 @@ void warn_of_y_up(const std::string& path, const geometry::World::Bounds& b, Log
   constexpr double kOnGround = 0.01, kBelow = 0.1;
   const math::Vec3 size = b.high_m - b.low_m;
   if (!(size.y > 0.0) || !(size.z > 0.0) || std::abs(b.low_m.y) > kOnGround * size.y) return;
+  constexpr double kFlat = 0.02;  // waves of a water that begins at y = 0
+  if (size.z < kFlat * size.y) return;
   if (b.low_m.z > -kBelow * size.z || b.high_m.z < kBelow * size.z || std::abs(b.low_m.x) <= kOnGround * size.x) return;
   log.warn(format("mesh '{}' stands on y = 0 and reaches {:.3g} below z = 0: if its y points up, say \"up\": \"y\"",
                   std::filesystem::path(path).filename().string(), -b.low_m.z));
