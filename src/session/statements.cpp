@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "session/air_statements.h"
 #include "session/weather_assembly.h"
@@ -111,18 +112,27 @@ std::string DetectionTally::statement() const {
 
 void OneValue::write(const sampling::TileResult& tile) {
   {
-    constexpr float kRounding = 1e-5f;
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
     const std::scoped_lock lock(mutex_);
-    const std::size_t columns = static_cast<std::size_t>(tile.columns);
-    if (first_.empty() && !tile.mean.empty()) first_.assign(tile.mean.begin(), tile.mean.begin() + tile.columns);
-    pixels_ += tile.tile.count();
-    // Pixels without a value differ from nothing.
-    for (std::size_t k = 0; k < tile.mean.size() && !differ_; ++k) {
-      const float first = first_[k % columns];
-      differ_ = std::abs(tile.mean[k] - first) > kRounding * std::abs(first);
+    const auto columns = static_cast<std::size_t>(tile.columns);
+    least_.resize(columns, kInfinity), most_.resize(columns, -kInfinity);
+    for (std::size_t k = 0; k < tile.mean.size(); ++k) {
+      const float value = tile.mean[k];
+      if (!std::isfinite(value)) continue;
+      least_[k % columns] = std::min(least_[k % columns], value);
+      most_[k % columns] = std::max(most_[k % columns], value);
+      pixels_ += k % columns == 0;
     }
   }
   next_.write(tile);
+}
+
+bool OneValue::holds() const {
+  constexpr float kRounding = 1e-5f;
+  if (pixels_ < 2) return false;
+  for (std::size_t c = 0; c < least_.size(); ++c)
+    if (most_[c] - least_[c] > kRounding * std::max(std::abs(least_[c]), std::abs(most_[c]))) return false;
+  return true;
 }
 
 }  // namespace ifov::session

@@ -45,14 +45,13 @@ class OneValue final : public render::TileSink {
   void begin(const render::ImageInfo& info) override { next_.begin(info); }
   void write(const sampling::TileResult& tile) override;
   /// Whether there is more than one pixel, and all hold the same in every channel but for rounding.
-  bool holds() const { return pixels_ > 1 && !differ_; }
+  bool holds() const;
 
  private:
   render::TileSink& next_;
   std::mutex mutex_;
-  std::vector<float> first_;  ///< by channel
-  std::int64_t pixels_ = 0;
-  bool differ_ = false;
+  std::vector<float> least_, most_;  ///< by channel, of pixels that hold a value
+  std::int64_t pixels_ = 0;          ///< that do
 };
 
 }  // namespace ifov::session
