@@ -76,6 +76,13 @@ TEST_F(DocumentParts, FilesBelongToTheDocumentThatNamesThem) {
   EXPECT_EQ(*again.text, *document.text);
 }
 
+// A document that is included may lie anywhere; where products appear is not for it to say.
+TEST_F(DocumentParts, ProductsLieBesideTheDocumentThatIsRendered) {
+  write("shared/out.json", R"({"output": {"folder": "runs"}})");
+  EXPECT_EQ(read(R"({"include": ["shared/base.json", "shared/out.json"]})").output.folder, path("runs"));
+  EXPECT_EQ(read(kBase, {"output.folder=elsewhere"}).output.folder, path("elsewhere"));
+}
+
 TEST_F(DocumentParts, ListsAreReplaced) {
   const Document document = read(R"({"include": "shared/base.json", "scene": {"objects": [{"plane": {}, "material": "wall"}]}})");
   ASSERT_EQ(document.scene.objects.size(), 1u);

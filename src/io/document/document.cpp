@@ -38,7 +38,9 @@ Document parse_document(std::string text, const std::string& file_name, std::spa
     document.text = std::shared_ptr<const std::string>(parts.sources.front(), &parts.sources.front()->text());
   else
     document.text = std::make_shared<const std::string>(whole_text(*parts.root, file_name, names));
-  if (document.output.folder.empty()) {
+  if (!document.output.folder.empty()) {
+    document.output.folder = parts.sources.front()->resolve(document.output.folder);
+  } else {
     const std::size_t slash = file_name.find_last_of('/');
     const std::size_t dot = file_name.find_last_of('.');
     const bool has_extension =

@@ -13,7 +13,8 @@ struct Quicklook {
 };
 
 /// A document from somewhere else must not choose where on this machine files appear: only who starts the program may.
-Kind<DocumentFile> folder_kind() {
+/// The name as written: it lies beside the document that is rendered, whichever of those that it includes gives it.
+Kind<std::string> folder_kind() {
   const Kind<DocumentFile> any = file();
   ValueDescription d = *any.description;
   d.expected = "the name of a folder beside the document or below it; 'ifov render --output FOLDER' writes anywhere";
@@ -24,7 +25,8 @@ Kind<DocumentFile> folder_kind() {
             const std::filesystem::path path = text_of(node, *description);
             if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end())
               node.fail_expected(description->expected);
-            return read(node);
+            read(node);
+            return path.string();
           }};
 }
 
@@ -93,7 +95,7 @@ Kind<OutputDocument> output_kind() {
   Record<OutputDocument> record("output", "What is written, and where.");
   record
       .optional(
-          "folder", [](OutputDocument& output, DocumentFile f) { output.folder = std::move(f.path); }, folder_kind(),
+          "folder", &OutputDocument::folder, folder_kind(),
           "folder of the products, relative to the document; the document's name with '.out' if not given")
       .with_default("name", &OutputDocument::name, name_kind(), "\"image\"", "begins the name of every product")
       .with_default("formats", &OutputDocument::formats, formats_kind(), "[\"envi\", \"png\", \"html\"]",
