@@ -1,5 +1,6 @@
 #include "radiometry/spectrum.h"
 
+#include <iterator>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -85,6 +86,18 @@ Spectrum Spectrum::scaled(double factor) const {
 
 Spectrum Spectrum::complement() const {
   return mapped([](double value) { return 1.0 - value; });
+}
+
+Spectrum sum(const Spectrum& a, const Spectrum& b) {
+  if (a.is_constant()) return b.mapped([&](double value) { return value + a.values().front(); });
+  if (b.is_constant()) return sum(b, a);
+  std::vector<double> wavelength_um, values;
+  std::set_union(a.wavelength_um().begin(), a.wavelength_um().end(), b.wavelength_um().begin(), b.wavelength_um().end(),
+                 std::back_inserter(wavelength_um));
+  const double first_um = std::max(a.first_um(), b.first_um()), last_um = std::min(a.last_um(), b.last_um());
+  std::erase_if(wavelength_um, [&](double um) { return um < first_um || um > last_um; });
+  for (const double um : wavelength_um) values.push_back(a.at(um) + b.at(um));
+  return {std::move(wavelength_um), std::move(values), a.outside(), a.name()};
 }
 
 Spectrum Spectrum::with_outside(OutsideRange outside) const {

@@ -52,6 +52,9 @@ class Spectrum {
   std::string name_;
 };
 
+/// Of both, where both are given; linear between the points of either.
+Spectrum sum(const Spectrum& a, const Spectrum& b);
+
 /// Integral over [first_um, last_um] of the product of some spectra, exact for up to
 /// seven piecewise linear factors.
 double integral_of_product(std::span<const Spectrum* const> factors, double first_um, double last_um);

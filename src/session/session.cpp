@@ -64,7 +64,10 @@ void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options
   std::vector<radiometry::Spectrum> surfaces;
   for (const materials::Material& material : scene.materials) {
     surfaces.push_back(material.reflectance);
-    if (material.transmittance) surfaces.push_back(*material.transmittance);
+    if (!material.transmittance) continue;
+    surfaces.push_back(*material.transmittance);
+    // What a leaf emits is what it neither reflects nor transmits.
+    if (parts.document.atmosphere.modelled) surfaces.push_back(radiometry::sum(material.reflectance, *material.transmittance));
   }
   if (scene.sun) surfaces.push_back(scene.sun->transmittance);
   if (scene.view_path.transmittance) surfaces.push_back(*scene.view_path.transmittance);

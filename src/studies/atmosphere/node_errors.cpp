@@ -10,7 +10,7 @@
 
 namespace ifov::studies {
 
-NodeErrors node_errors(std::span<const radiometry::Channel> channels, int threads, std::size_t most_nodes) {
+NodeErrors node_errors(std::span<const radiometry::Channel> channels, const NodeQuestion& question) {
   using namespace atmosphere;
   constexpr double kDegree = std::numbers::pi / 180.0, kGround_k = 300.0, kFirstWarm_um = 2.5;
   const AtmosphereColumn column{AtmosphereDescription{}};
@@ -29,8 +29,16 @@ NodeErrors node_errors(std::span<const radiometry::Channel> channels, int thread
     errors.surfaces.push_back(format("reflectance {:g}", reflectance));
     surfaces.push_back(radiometry::Spectrum::constant(reflectance));
   }
-  errors.surfaces.push_back("grass");
-  surfaces.push_back(io::material_library().find("grass, lawn").curves[0].reflectance);
+  if (question.whole_library) {
+    errors.surfaces.clear(), surfaces.clear();
+    for (const io::LibraryMaterial& material : io::material_library().materials()) {
+      errors.surfaces.push_back(material.name);
+      surfaces.push_back(material.curves[0].reflectance);
+    }
+  } else {
+    errors.surfaces.push_back("grass");
+    surfaces.push_back(io::material_library().find("grass, lawn").curves[0].reflectance);
+  }
 
   SensorAtmosphere::Inputs inputs;
   inputs.channels = channels;
@@ -38,9 +46,10 @@ NodeErrors node_errors(std::span<const radiometry::Channel> channels, int thread
   inputs.surfaces = surfaces;
   inputs.geometry = geometry;
   inputs.scattering = rough;
-  inputs.threads = threads;
-  inputs.demands.tolerance = 5e-3;
-  inputs.demands.most_nodes = most_nodes;
+  inputs.threads = question.threads;
+  inputs.demands.tolerance = question.tolerance;
+  inputs.demands.most_nodes = question.most_nodes;
+  inputs.demands.all_glow = question.whole_library;
   const bool warm = channels.front().centre_um > kFirstWarm_um;
   inputs.demands.coldest_k = warm ? 260.0 : 0.0;
   inputs.demands.hottest_k = warm ? 340.0 : 0.0;
@@ -51,7 +60,8 @@ NodeErrors node_errors(std::span<const radiometry::Channel> channels, int thread
   atmosphere.nodes().planck(kGround_k, std::span<float>(planck));
   for (std::size_t c = 0; c < channels.size(); ++c) {
     errors.centre_um.push_back(channels[c].centre_um);
-    const auto all = solve_all_terms(column, channels[c], inputs.solar_irradiance, geometry, rough, threads);
+    errors.claimed.push_back(atmosphere.nodes().worst_error(c));
+    const auto all = solve_all_terms(column, channels[c], inputs.solar_irradiance, geometry, rough, question.threads);
     const auto nodes = channel_nodes(atmosphere, c);
     const std::size_t first = atmosphere.nodes().first_node(c);
     for (std::size_t s = 0; s < surfaces.size(); ++s) {

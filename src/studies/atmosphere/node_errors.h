@@ -15,11 +15,17 @@ struct NodeErrors {
   std::vector<double> centre_um;  ///< of the channels
   std::vector<std::string> surfaces;
   std::vector<std::vector<double>> relative;  ///< [surface][channel], of the radiance at the sensor
+  std::vector<double> claimed;                ///< by channel: the largest that the nodes' own check found
   std::size_t nodes = 0;                      ///< of all channels
 };
 
-/// `most_nodes` of a channel; 1 is a fault on purpose.
-NodeErrors node_errors(std::span<const radiometry::Channel> channels, int threads,
-                       std::size_t most_nodes = 8);
+struct NodeQuestion {
+  int threads = 0;
+  std::size_t most_nodes = 8;  ///< of a channel; 1 is a fault on purpose
+  double tolerance = 5e-3;
+  /// Every material of the built-in library, all of which emit, instead of three greys and a lawn.
+  bool whole_library = false;
+};
+NodeErrors node_errors(std::span<const radiometry::Channel> channels, const NodeQuestion& question);
 
 }  // namespace ifov::studies

@@ -54,7 +54,7 @@ AtmosphereSection nodes_section(const AtmosphereOptions& options) {
   const int step = options.quick ? 14 : 1;
   for (int k = 0; k < 210; k += step)
     vswir.push_back(radiometry::Channel::gaussian("", 0.4 + 2.1 * k / 209.0, 0.01));
-  const NodeErrors errors = node_errors(vswir, options.study.threads);
+  const NodeErrors errors = node_errors(vswir, {.threads = options.study.threads});
   section.figures.at_most(
       "nodes_vswir", 100.0 * worst_of(errors), 0.5, "%",
       format("{} channels of 10 nm, 0.4 to 2.5 um, four surfaces: largest error", vswir.size()));
@@ -80,7 +80,7 @@ AtmosphereSection nodes_section(const AtmosphereOptions& options) {
                            "210 channels of 10 nm. The bands at 1.38 and 1.88 um show path radiance alone."});
 
   const std::vector<radiometry::Channel> deep = {radiometry::Channel::gaussian("", 2.7, 0.06)};
-  section.figures.at_most("nodes_2700nm", 100.0 * worst_of(node_errors(deep, options.study.threads)), 0.5,
+  section.figures.at_most("nodes_2700nm", 100.0 * worst_of(node_errors(deep, {.threads = options.study.threads})), 0.5,
                           "%", "a channel of 60 nm at 2.7 um, where hardly any light passes");
   for (const auto& [key, name] : {std::pair{"oli", "L8_OLI"}, {"tirs", "L8_TIRS"}}) {
     const std::string path = format("sensors/rsr-acolite/{}.txt", name);
@@ -91,7 +91,7 @@ AtmosphereSection nodes_section(const AtmosphereOptions& options) {
     }
     const std::vector<radiometry::Channel> channels = io::read_channels(*file);
     section.figures.at_most(format("nodes_{}", key),
-                            100.0 * worst_of(node_errors(channels, options.study.threads)), 0.5, "%",
+                            100.0 * worst_of(node_errors(channels, {.threads = options.study.threads})), 0.5, "%",
                             format("Landsat 8, {} channels of {}: largest error", channels.size(), name));
   }
   return section;
