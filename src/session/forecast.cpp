@@ -78,7 +78,7 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
 
   Forecast forecast;
   const io::ProductBytes products = plan.share.is_whole() ? io::product_bytes(plan) : io::ProductBytes{};
-  const std::uint64_t tile_bytes = request.keep_tiles ? io::state_bytes(plan) : 0;
+  const std::uint64_t tile_bytes = request.keep_tiles ? io::state_bytes(plan, request.team == nullptr) : 0;
   forecast.product_bytes = products.all();
   forecast.disk_bytes = forecast.product_bytes + tile_bytes;
   forecast.memory_bytes = least_memory_bytes(plan, own_threads);

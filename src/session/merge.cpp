@@ -77,14 +77,14 @@ RunResult merge_runs(const std::vector<std::filesystem::path>& folders, const Me
   }
   require_all(done);
 
-  RunProducts products(plan, options.output_folder);
+  RunProducts products(plan, options.output_folder, false);
   std::mutex mutex;
   std::vector<bool> read(grid.size());
   sampling::ReasonCounts reasons{};
   const auto take = [&](std::size_t index, sampling::TileResult& tile) {
     for (const io::TileIndex& tiles : indices) {
       if (!tiles.has(index)) continue;
-      const std::string fault = tiles.read(index, tile);
+      const std::string fault = tiles.read(index, {}, tile);
       const std::scoped_lock lock(mutex);
       if (!fault.empty()) {
         if (options.log != nullptr) options.log->warn(fault);

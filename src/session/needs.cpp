@@ -15,7 +15,7 @@ namespace ifov::session {
 
 std::uint64_t buffer_bytes(const io::RunPlan& plan) {
   constexpr std::uint64_t kMostTiles = std::uint64_t{64} << 20;
-  std::uint64_t bytes = std::min(kMostTiles, io::state_bytes(plan));
+  std::uint64_t bytes = std::min(kMostTiles, io::state_bytes(plan, false));
   for (const io::CubeSize& cube : io::cube_sizes(plan.made_cubes(), plan.image))
     bytes += io::BilCube::waiting_bytes(cube.width_px, cube.height_px, cube.bands, plan.tile_px, cube.value_bytes);
   return bytes;

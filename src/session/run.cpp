@@ -101,6 +101,7 @@ class Run {
         deadline_(request.deadline),
         folder_(request.folder(session)),
         team_(request.team),
+        goes_on_(request.start == RunStart::resume),
         plan_(assemble_plan(parts_)) {
     plan_.share = request.share;
     if (request.keep_finished) require_refinable(parts_);
@@ -140,7 +141,14 @@ class Run {
     tiles_.done.resize(grid.size());
     for (std::size_t k = 0; k < grid.size(); ++k)
       if (plan_.share.has(k)) totals_.pixels_total += grid[k].count();
-    if (plan_.share.is_whole()) products_.emplace(plan_, folder_);
+    if (plan_.share.is_whole()) products_.emplace(plan_, folder_, goes_on_);
+    if (state_ && products_) {
+      io::RunState::Cubes cubes;
+      cubes.read_values = [this](sampling::TileResult& tile, const auto& is_right) { return products_->read_values(tile, is_right); };
+      // What other ranks trace comes into the cubes at the end.
+      if (team_ == nullptr) cubes.lines_written = [this] { return products_->lines_written(); };
+      state_->use(std::move(cubes));
+    }
     if (state_) count_finished();
     assembly_.emplace(
         plan_, tiles_.done, [this](std::size_t index, sampling::TileResult& tile) { return state_->read_tile(index, tile); },
@@ -170,7 +178,7 @@ class Run {
   void require_room(const RunRequest& request) const {
     const int threads = team_ != nullptr ? team_->threads(options_.threads) : options_.threads;
     const std::uint64_t disk =
-        (plan_.share.is_whole() ? io::product_bytes(plan_).all() : 0) + (request.keep_tiles ? io::state_bytes(plan_) : 0);
+        (plan_.share.is_whole() ? io::product_bytes(plan_).all() : 0) + (request.keep_tiles ? io::state_bytes(plan_, team_ == nullptr) : 0);
     const std::vector<std::string> lines = shortages(folder_, disk, least_memory_bytes(plan_, threads));
     if (lines.empty()) return;
     std::string message;
@@ -273,9 +281,10 @@ class Run {
   std::optional<TimeLimit::Clock::time_point> deadline_;
   std::filesystem::path folder_;
   Team* team_;
+  bool goes_on_;
   io::RunPlan plan_;
-  std::optional<io::RunState> state_;
   std::optional<RunProducts> products_;  ///< none for a share of the tiles
+  std::optional<io::RunState> state_;    ///< its thread asks the products
   std::optional<TileAssembly> assembly_;
   io::TilesDone tiles_;
   Progress totals_;

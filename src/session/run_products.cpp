@@ -17,10 +17,16 @@ std::string now_utc() {
   return text;
 }
 
+io::ProductOptions options_of(const io::RunPlan& plan, const std::filesystem::path& folder, bool go_on) {
+  io::ProductOptions options = plan.products(folder);
+  options.go_on = go_on;
+  return options;
+}
+
 }  // namespace
 
-RunProducts::RunProducts(const io::RunPlan& plan, const std::filesystem::path& folder)
-    : plan_(plan), folder_(folder), writer_(plan.products(folder), plan.identity), detection_(writer_), one_value_(detection_) {
+RunProducts::RunProducts(const io::RunPlan& plan, const std::filesystem::path& folder, bool go_on)
+    : plan_(plan), folder_(folder), writer_(options_of(plan, folder, go_on), plan.identity), detection_(writer_), one_value_(detection_) {
   writer_.begin(plan.image);
 }
 

@@ -12,11 +12,17 @@ namespace ifov::session {
 /// Makes the products of a run out of its tiles, wherever they come from.
 class RunProducts final : public render::TileSink {
  public:
-  /// Takes the disk space of the products. Errors as of io::ProductWriter.
-  RunProducts(const io::RunPlan& plan, const std::filesystem::path& folder);
+  /// Takes the disk space of the products; `go_on` as of io::ProductOptions. Errors as of io::ProductWriter.
+  RunProducts(const io::RunPlan& plan, const std::filesystem::path& folder, bool go_on);
 
   void begin(const render::ImageInfo&) override {}
   void write(const sampling::TileResult& tile) override { one_value_.write(tile); }
+
+  /// As of io::ProductWriter.
+  int lines_written() const { return writer_.lines_written(); }
+  bool read_values(sampling::TileResult& tile, const std::function<bool()>& is_right) const {
+    return writer_.read_values(tile, is_right);
+  }
 
   /// For pixels that there is no tile of: not a number in every cube, 0 in the counts of samples; and the reason why.
   void write_missing(sampling::PixelRect pixels, sampling::Reason reason);

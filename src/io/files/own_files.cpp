@@ -49,6 +49,26 @@ Descriptor create_file_at(int folder, const fs::path& name) {
   return Descriptor();
 }
 
+OwnFile::OwnFile(const fs::path& path)
+    : path_(path), file_(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)) {
+  struct stat info {};
+  if (file_ && (fstat(file_.number(), &info) != 0 || !S_ISREG(info.st_mode))) file_.reset();
+}
+
+void OwnFile::read_at(std::uint64_t offset, void* to, std::size_t bytes) const {
+  auto* into = static_cast<char*>(to);
+  while (bytes > 0) {
+    const ssize_t got = pread(file_.number(), into, bytes, static_cast<off_t>(offset));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0)
+      throw EnvironmentError(format("{}: cannot be read at byte {}: {}", path_.string(), offset,
+                                    got < 0 ? file_reason(errno) : "the file ends"));
+    into += got;
+    offset += static_cast<std::uint64_t>(got);
+    bytes -= static_cast<std::size_t>(got);
+  }
+}
+
 std::string read_own_file(const fs::path& path) {
   const auto fail = [&](const std::string& why) { return EnvironmentError(format("{}: cannot be read: {}", path.string(), why)); };
   const Descriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));

@@ -23,6 +23,20 @@ void refuse_link(const std::filesystem::path& folder);
 /// is taken away first: a link goes, and not what it leads to. -1 and errno where that cannot be.
 Descriptor create_file_at(int folder, const std::filesystem::path& name);
 
+/// A plain file that ifov wrote, open for reading; no link.
+class OwnFile {
+ public:
+  /// False where there is none.
+  explicit OwnFile(const std::filesystem::path& path);
+  explicit operator bool() const { return static_cast<bool>(file_); }
+  /// EnvironmentError where fewer bytes lie there.
+  void read_at(std::uint64_t offset, void* to, std::size_t bytes) const;
+
+ private:
+  std::filesystem::path path_;
+  Descriptor file_;
+};
+
 /// The text of a file that ifov wrote; no link.
 std::string read_own_file(const std::filesystem::path& path);
 

@@ -50,7 +50,7 @@ std::size_t product(int a, int b = 1, int c = 1) {
 void BilCube::Free::operator()(void* memory) const { std::free(memory); }
 
 BilCube::BilCube(std::filesystem::path path, int width, int height, int bands, Values values,
-                 Limits limits)
+                 Limits limits, PartFile::Left left)
     : width_(width),
       height_(height),
       bands_(bands),
@@ -58,7 +58,7 @@ BilCube::BilCube(std::filesystem::path path, int width, int height, int bands, V
       values_(values),
       value_bytes_(value_bytes_of(values)),
       limits_(limits),
-      file_(std::move(path)),
+      file_(std::move(path), left),
       scan_(width, bands, value_bytes_) {
   static_assert(std::endian::native == std::endian::little, "headers say byte order = 0");
   if (value_bytes_ < 4 && bands != 1) throw std::logic_error("cubes of small values have one band");
@@ -210,6 +210,7 @@ void BilCube::write_strip(Strip& strip) {
     for (std::size_t k = 0; k < pieces.size(); ++k)
       pieces[k] = {strip.buffer.get() + value_bytes_ * k * product(stride_), value_bytes_ * product(width_) * (rows / pieces.size())};
     file_.write_at(value_bytes_ * product(strip.y0, width_, bands_), pieces);
+    note_written(strip);
     scan_written(strip);
   } else {
     std::sort(strip.extents.begin(), strip.extents.end());
@@ -238,6 +239,15 @@ void BilCube::write_segments(const Strip& strip, int x0, int x1) {
           (product(strip.y0 + row, bands_) + product(band)) * product(width_) + product(x0);
       file_.write_at(value_bytes_ * in_file, strip.buffer.get() + value_bytes_ * in_strip, bytes);
     }
+}
+
+void BilCube::note_written(const Strip& strip) {
+  const std::lock_guard lock(mutex_);
+  written_[strip.y0] = strip.y1;
+  while (!written_.empty() && written_.begin()->first <= lines_written_) {
+    lines_written_ = std::max<int>(lines_written_, written_.begin()->second);
+    written_.erase(written_.begin());
+  }
 }
 
 /// False where earlier lines are missing.
@@ -291,6 +301,25 @@ RasterView BilCube::view() const {
             for (std::size_t x = 0; x < product(width_); ++x)
               values[x] = value_bytes_ == 1 ? small[x] : static_cast<float>(small[2 * x] | small[2 * x + 1] << 8);
           }};
+}
+
+void read_bil_tile(const std::function<void(std::uint64_t offset, void* to, std::size_t bytes)>& read_at, int width, int bands,
+                   sampling::PixelRect tile, std::span<float> values) {
+  const std::size_t across = product(tile.width()), all_bands = product(bands);
+  std::vector<float> line(across * all_bands);
+  for (int row = 0; row < tile.height(); ++row) {
+    const std::size_t first = product(tile.y0 + row, bands) * product(width);
+    if (tile.width() == width) {
+      read_at(sizeof(float) * first, line.data(), sizeof(float) * line.size());
+    } else {
+      for (std::size_t band = 0; band < all_bands; ++band)
+        read_at(sizeof(float) * (first + band * product(width) + product(tile.x0)), line.data() + band * across,
+                sizeof(float) * across);
+    }
+    float* const to = values.data() + product(row) * across * all_bands;
+    for (std::size_t band = 0; band < all_bands; ++band)
+      for (std::size_t x = 0; x < across; ++x) to[x * all_bands + band] = line[band * across + x];
+  }
 }
 
 }  // namespace ifov::io

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <functional>
 #include <future>
 #include <list>
 #include <map>
@@ -31,9 +33,11 @@ class BilCube {
     std::uint64_t large_bytes = kManyBytes;  ///< of a large cube
   };
 
-  BilCube(std::filesystem::path path, int width, int height, int bands, Values values, Limits limits);
-  BilCube(std::filesystem::path path, int width, int height, int bands, Values values)
-      : BilCube(std::move(path), width, height, bands, values, Limits()) {}
+  BilCube(std::filesystem::path path, int width, int height, int bands, Values values, Limits limits,
+          PartFile::Left left = PartFile::Left::replace);
+  BilCube(std::filesystem::path path, int width, int height, int bands, Values values,
+          PartFile::Left left = PartFile::Left::replace)
+      : BilCube(std::move(path), width, height, bands, values, Limits(), left) {}
 
   /// What waits of a cube whose tiles, so high, come line by line.
   static std::uint64_t waiting_bytes(int width, int height, int bands, int tile_rows, int value_bytes = 4);
@@ -53,6 +57,9 @@ class BilCube {
 
   /// Writes all that waits; no write() may be under way.
   void flush();
+
+  /// Image lines [0, lines_written()) were written whole. From any thread.
+  int lines_written() const { return lines_written_; }
 
   /// What is told of the cube. Lines pass as they are written, or are read back where a later one came first.
   CubeScan& scan() { return scan_; }
@@ -93,6 +100,7 @@ class BilCube {
   void send(Strip strip);
   void write_strip(Strip& strip);
   void write_segments(const Strip& strip, int x0, int x1);
+  void note_written(const Strip& strip);
   bool scan_in_turn(const Strip& strip);
   void scan_written(const Strip& strip);
   void scan_file(int line_end);
@@ -111,6 +119,9 @@ class BilCube {
   std::vector<Buffer> spares_;  // of strips that were written: fresh pages cost more than filling them
   std::size_t spare_bytes_ = 0;
 
+  std::map<int, int> written_;        // whole strips in the file, [y0, y1), before which lines are missing
+  std::atomic<int> lines_written_{0};
+
   std::mutex scan_mutex_;
   CubeScan scan_;
   std::map<int, int> unscanned_;  // whole strips in the file, [y0, y1), before which lines are missing
@@ -118,5 +129,9 @@ class BilCube {
   std::mutex sending_mutex_;
   std::future<void> sending_;  // the last member: it ends before what it uses does
 };
+
+/// The values of a tile in a cube of floats, as [pixel * bands + band], where `read_at` reads the cube's file.
+void read_bil_tile(const std::function<void(std::uint64_t offset, void* to, std::size_t bytes)>& read_at, int width, int bands,
+                   sampling::PixelRect tile, std::span<float> values);
 
 }  // namespace ifov::io

@@ -5,8 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/format.h"
+#include "core/error.h"
 #include "core/parallel.h"
+#include "io/files/own_files.h"
 #include "io/products/cube_values.h"
 #include "io/products/product_headers.h"
 #include "io/products/quality_classes.h"
@@ -35,13 +36,14 @@ std::filesystem::path with_ending(std::filesystem::path path, const std::string&
 
 }  // namespace
 
-CubeSet::Cube::Cube(CubeKind cube_kind, const std::filesystem::path& path, const render::ImageInfo& info)
+CubeSet::Cube::Cube(CubeKind cube_kind, const std::filesystem::path& path, const render::ImageInfo& info,
+                    PartFile::Left left)
     : kind(std::move(cube_kind)),
       raster(path, info.width_px, info.height_px, static_cast<int>(band_count(kind, info)),
-             values_of(kind.type)) {}
+             values_of(kind.type), left) {}
 
 CubeSet::CubeSet(const std::filesystem::path& stem, ProductSet selection, const render::ImageInfo& info,
-                 const Acquisition& acquisition, std::uint64_t further_bytes)
+                 const Acquisition& acquisition, std::uint64_t further_bytes, PartFile::Left left)
     : stem_(stem), selection_(possible_products(selection, info)), info_(info), acquisition_(acquisition) {
   std::uint64_t bytes = further_bytes;
   for (const CubeSize& size : cube_sizes(selection_, info)) bytes += size.bytes();
@@ -53,7 +55,7 @@ CubeSet::CubeSet(const std::filesystem::path& stem, ProductSet selection, const 
       CubeKind kind = cube_kind(product, info);
       const auto path = with_ending(stem, kind.suffix + ".img");
       auto& cube = cubes_[i];
-      cube = std::make_unique<Cube>(std::move(kind), path, info);
+      cube = std::make_unique<Cube>(std::move(kind), path, info, left);
       if (product == Product::radiance || product == Product::half_width) cube->raster.scan().want_figures();
       cube->raster.reserve();
     }
@@ -112,6 +114,39 @@ void CubeSet::write(const sampling::TileResult& tile) {
     put(Product::abundance_half_width, fractions(tile, info_.materials.size(), &sampling::Abundance::half_width));
   if (cube(Product::location)) put(Product::location, map_positions(tile, acquisition_));
   if (cube(Product::view_angles)) put(Product::view_angles, view_angles(tile, acquisition_));
+}
+
+int CubeSet::lines_written() const {
+  const int lines = cube(Product::radiance)->raster.lines_written();
+  const auto& errors = cube(Product::half_width);
+  return errors ? std::min(lines, errors->raster.lines_written()) : lines;
+}
+
+bool CubeSet::read_values(sampling::TileResult& tile, const std::function<bool()>& is_right) const {
+  const auto fill = [&](Product product, std::vector<float>& values, bool published) {
+    if (values.empty()) return true;
+    if (!cube(product)) return false;
+    const BilCube& raster = cube(product)->raster;
+    if (!published) {
+      read_bil_tile([&](std::uint64_t offset, void* to, std::size_t bytes) { raster.file().read_at(offset, to, bytes); },
+                    raster.width(), raster.bands(), tile.tile, values);
+      return true;
+    }
+    const OwnFile file(raster.file().final_path());
+    if (!file) return false;
+    read_bil_tile([&](std::uint64_t offset, void* to, std::size_t bytes) { file.read_at(offset, to, bytes); }, raster.width(),
+                  raster.bands(), tile.tile, values);
+    return true;
+  };
+  for (const bool published : {false, true}) {
+    try {
+      if (fill(Product::radiance, tile.mean, published) && fill(Product::half_width, tile.half_width, published) && is_right())
+        return true;
+    } catch (const EnvironmentError&) {
+      // What cannot be read is not there: the caller says that it is computed again.
+    }
+  }
+  return false;
 }
 
 void CubeSet::flush() {

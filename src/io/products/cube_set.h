@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,13 +17,20 @@ namespace ifov::io {
 class CubeSet {
  public:
   /// Files are <stem>_radiance.img and so on. Reserves the disk space of all cubes, and asks for
-  /// `further_bytes` more; leaves nothing behind where that fails.
+  /// `further_bytes` more; leaves nothing behind where that fails but what an earlier start has left.
   CubeSet(const std::filesystem::path& stem, ProductSet selection, const render::ImageInfo& info,
-          const Acquisition& acquisition, std::uint64_t further_bytes);
+          const Acquisition& acquisition, std::uint64_t further_bytes, PartFile::Left left = PartFile::Left::replace);
 
   /// May be called by several threads at once. std::logic_error on arrays that do not match the tile or the
   /// image.
   void write(const sampling::TileResult& tile);
+
+  /// Image lines [0, lines_written()) of the radiance and its half-widths were written whole. From any thread.
+  int lines_written() const;
+
+  /// Fills a tile's means and half-widths, where it has any, from the cubes being made or, where `is_right` does not take
+  /// those, from those that an earlier run has published. False where it takes neither. From any thread.
+  bool read_values(sampling::TileResult& tile, const std::function<bool()>& is_right) const;
 
   void flush();
 
@@ -39,7 +47,7 @@ class CubeSet {
 
  private:
   struct Cube {
-    Cube(CubeKind cube_kind, const std::filesystem::path& path, const render::ImageInfo& info);
+    Cube(CubeKind cube_kind, const std::filesystem::path& path, const render::ImageInfo& info, PartFile::Left left);
     CubeKind kind;
     BilCube raster;
     std::unique_ptr<PartFile> header;

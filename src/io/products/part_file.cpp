@@ -55,6 +55,12 @@ bool is_unlinked(const Descriptor& file) {
   return fstat(file.number(), &info) == 0 && info.st_nlink == 0;
 }
 
+/// With no other name, which could be that of somebody's file.
+bool is_plain_file_of_ours(const Descriptor& file) {
+  struct stat info {};
+  return fstat(file.number(), &info) == 0 && S_ISREG(info.st_mode) && info.st_nlink == 1 && info.st_uid == geteuid();
+}
+
 constexpr std::size_t kBlock = 4096;                        // no file system asks for more
 constexpr std::size_t kChunk = std::size_t{2} << 20;        // a huge page
 constexpr std::size_t kLeastDirect = std::size_t{1} << 20;
@@ -94,7 +100,7 @@ class PieceReader {
 
 }  // namespace
 
-PartFile::PartFile(std::filesystem::path final_path)
+PartFile::PartFile(std::filesystem::path final_path, Left left_over)
     : final_path_(std::move(final_path)), part_path_(final_path_) {
   part_path_ += ".part";
   std::error_code ignored;
@@ -107,9 +113,14 @@ PartFile::PartFile(std::filesystem::path final_path)
   folder_ = Descriptor(open(folder_of(final_path_).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   if (!folder_) throw cannot(file_reason(errno));
   // What a killed run left is locked by nobody. It goes and is not written over: it may have another name elsewhere.
-  const Descriptor left(
-      openat(folder_.number(), part_name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  Descriptor left(openat(folder_.number(), part_name.c_str(),
+                         (left_over == Left::go_on ? O_RDWR : O_RDONLY) | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (left && is_locked(left)) throw EnvironmentError(format("{}: another run is writing this file", part_path_.string()));
+  if (left && left_over == Left::go_on && is_plain_file_of_ours(left)) {
+    file_ = std::move(left);
+    gone_on_with_ = true;
+    return;
+  }
   file_ = create_file_at(folder_.number(), part_name);
   if (!file_) throw cannot(file_reason(errno));
   // Another run may have taken the new file for one that was left.
@@ -126,6 +137,10 @@ void PartFile::close_all() {
 
 void PartFile::reserve(std::uint64_t bytes) {
   if (bytes == 0) return;
+  struct stat info {};
+  if (gone_on_with_ && fstat(file_.number(), &info) == 0 && static_cast<std::uint64_t>(info.st_size) > bytes &&
+      ftruncate(file_.number(), static_cast<off_t>(bytes)) != 0)
+    fail_write(part_path_, bytes, errno);
   // fallocate and not posix_fallocate, which writes every byte on file systems that cannot reserve.
   if (fallocate(file_.number(), 0, 0, static_cast<off_t>(bytes)) == 0) return;
   if (errno != EOPNOTSUPP && errno != ENOSYS) fail_write(part_path_, bytes, errno);
@@ -224,7 +239,7 @@ void PartFile::publish() {
 }
 
 void PartFile::discard() {
-  unlinkat(folder_.number(), part_path_.filename().c_str(), 0);
+  if (!gone_on_with_) unlinkat(folder_.number(), part_path_.filename().c_str(), 0);
   close_all();
 }
 

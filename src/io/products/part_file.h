@@ -21,13 +21,17 @@ inline constexpr std::uint64_t kManyBytes = std::uint64_t{1} << 30;
 /// other. All errors are ifov::EnvironmentError and name the path, what was wanted and what was free.
 class PartFile {
  public:
-  explicit PartFile(std::filesystem::path final_path);
+  /// What has the `.part` name already: it goes; or, where it is a plain file of this user alone, it is gone on with.
+  enum class Left { replace, go_on };
+
+  explicit PartFile(std::filesystem::path final_path, Left left = Left::replace);
   /// Closes; the `.part` file stays.
   ~PartFile();
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
 
-  /// Takes `bytes` of disk space now, so that later writes within them cannot meet a full disk.
+  /// Takes `bytes` of disk space now, so that later writes within them cannot meet a full disk; no more are left of what
+  /// is gone on with.
   void reserve(std::uint64_t bytes);
 
   /// Later pieces of a MiB and more go past the page cache, where the file system lets them (O_DIRECT).
@@ -42,7 +46,7 @@ class PartFile {
   void sync();
   /// Gives the file, which must have been synced, its final name.
   void publish();
-  /// Closes and removes the `.part` file.
+  /// Closes and removes the `.part` file, unless an earlier start has begun it.
   void discard();
 
   const std::filesystem::path& final_path() const { return final_path_; }
@@ -56,6 +60,7 @@ class PartFile {
   std::filesystem::path final_path_, part_path_;
   Descriptor folder_, file_, direct_;
   std::atomic<bool> bypasses_{false};
+  bool gone_on_with_ = false;
 };
 
 /// Writes a small file whole, synced, still under its `.part` name.

@@ -155,7 +155,8 @@ void ProductWriter::begin(const render::ImageInfo& info) {
   std::uint64_t further_bytes = 0;
   if (s.options.geotiff) further_bytes += geotiff_bytes(info);
   if (s.options.netcdf) further_bytes += netcdf_bytes(info, s.options.cubes);
-  s.cubes = std::make_unique<CubeSet>(s.path(""), s.options.cubes, info, s.identity.acquisition, further_bytes);
+  s.cubes = std::make_unique<CubeSet>(s.path(""), s.options.cubes, info, s.identity.acquisition, further_bytes,
+                                      s.options.go_on ? PartFile::Left::go_on : PartFile::Left::replace);
 }
 
 void ProductWriter::write(const sampling::TileResult& tile) {
@@ -164,6 +165,12 @@ void ProductWriter::write(const sampling::TileResult& tile) {
   s.cubes->write(tile);
   const std::lock_guard lock(s.mutex);
   add(s.statistics, tile);
+}
+
+int ProductWriter::lines_written() const { return state_->cubes->lines_written(); }
+
+bool ProductWriter::read_values(sampling::TileResult& tile, const std::function<bool()>& is_right) const {
+  return state_->cubes->read_values(tile, is_right);
 }
 
 RunRecord ProductWriter::finish(const RunOutcome& outcome) {

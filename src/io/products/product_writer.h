@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ struct ProductOptions {
   std::filesystem::path folder;  ///< made where it is missing
   std::string name = "image";    ///< files are <folder>/<name>_radiance.img and so on
   ProductSet cubes = usual_products();
+  bool go_on = false;  ///< with the `.part` cubes that an earlier start of the same run has left
   bool geotiff = false;
   bool netcdf = false;
   bool quicklook = true;
@@ -38,6 +40,10 @@ class ProductWriter final : public render::TileSink {
   void begin(const render::ImageInfo& info) override;
   /// May be called by several threads at once.
   void write(const sampling::TileResult& tile) override;
+
+  /// As CubeSet::lines_written(), read_values(); after begin().
+  int lines_written() const;
+  bool read_values(sampling::TileResult& tile, const std::function<bool()>& is_right) const;
 
   /// After the last tile: syncs, makes the remaining products, renames all. std::logic_error where pixels are
   /// missing.

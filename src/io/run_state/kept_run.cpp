@@ -18,7 +18,7 @@ KeptTiles::KeptTiles(const std::filesystem::path& folder, const RunPlan& plan, L
 }
 
 bool KeptTiles::read(std::size_t index, sampling::TileResult& tile) {
-  if (index_.read(index, tile).empty() && !tile.memory.empty()) return true;
+  if (index_.read(index, {}, tile).empty() && !tile.memory.empty()) return true;
   if (log_ != nullptr)
     log_->warn(
         format("tile {} of the kept run is damaged or missing: it is rendered from the beginning", index));

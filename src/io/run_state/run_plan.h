@@ -41,6 +41,8 @@ struct RunPlan {
   ProductSet made_cubes() const;
   /// Whether tiles carry the variances, and the places of their pixels.
   bool keeps_variances() const { return keeps_memory || made_cubes().has(Product::standard_error); }
+  /// Whether the cubes hold all the values that tiles have, so that the state need not.
+  bool leaves_values_to_cubes() const { return !keeps_variances() && (!knows_errors || made_cubes().has(Product::half_width)); }
   bool locates() const { return cubes.has(Product::location) || cubes.has(Product::view_angles); }
   ProductOptions products(const std::filesystem::path& folder) const;
   /// Tells this run's tiles from those of others: of all that a tile's numbers depend on.

@@ -126,17 +126,19 @@ std::uint64_t leftover_bytes(const std::filesystem::path& folder) {
   return bytes;
 }
 
-std::uint64_t state_bytes(const RunPlan& plan) {
+std::uint64_t state_bytes(const RunPlan& plan, bool one_process) {
   constexpr std::uint64_t kMaterialsInPixel = 2;
-  const std::uint64_t pixels =
-      static_cast<std::uint64_t>(plan.image.width_px) * static_cast<std::uint64_t>(plan.image.height_px);
-  const std::uint64_t values = !plan.knows_errors ? 1 : plan.keeps_variances() ? 4 : 2;
-  const std::uint64_t per_pixel = 4 * plan.image.channels.size() * values + 6 * 4 + sizeof(sampling::Reasons) +
-                                  (plan.locates() ? 3 * 8 : 0) + kMaterialsInPixel * sizeof(sampling::Abundance);
-  const auto across = [&](int size_px) { return static_cast<std::uint64_t>((size_px - 1) / plan.tile_px + 1); };
-  const std::uint64_t tiles = across(plan.image.width_px) * across(plan.image.height_px);
-  return pixels * per_pixel / static_cast<std::uint64_t>(plan.share.count) +
-         tiles * sizeof(TileHeader);
+  // Measured: values are out when the cubes have a line of tiles; what is left shrinks to a third, more where cameras tilt.
+  constexpr double kTilesHigh = 1.5, kPacked = 0.5;
+  const auto width = static_cast<std::uint64_t>(plan.image.width_px), height = static_cast<std::uint64_t>(plan.image.height_px);
+  const std::uint64_t values = 4 * plan.image.channels.size() * (!plan.knows_errors ? 1 : plan.keeps_variances() ? 4 : 2);
+  const std::uint64_t others = 6 * 4 + sizeof(sampling::Reasons) + (plan.locates() ? 3 * 8 : 0) +
+                               kMaterialsInPixel * sizeof(sampling::Abundance);
+  const bool leaves = one_process && plan.share.is_whole() && plan.leaves_values_to_cubes();
+  const std::uint64_t held = leaves ? std::min(height, static_cast<std::uint64_t>(kTilesHigh * plan.tile_px)) : height;
+  const std::uint64_t kept = leaves ? static_cast<std::uint64_t>(kPacked * static_cast<double>(others)) : others;
+  return width * (height * kept + held * values) / static_cast<std::uint64_t>(plan.share.count) +
+         plan.grid().size() * sizeof(TileHeader);
 }
 
 RunState::RunState(const std::filesystem::path& folder, const RunPlan& plan, RunStart start, LogSink* log)
@@ -174,17 +176,39 @@ TilesDone RunState::read(const std::function<void(const sampling::TileResult&)>&
   const std::vector<sampling::PixelRect> grid = plan_.grid();
   const TileDemands demands{plan_.key(), static_cast<int>(plan_.image.channels.size()), grid};
   Survey survey(grid.size());
-  for (const auto& pack : packs_in(path_ / "tiles"))
+  for (const auto& pack : packs_in(path_ / "tiles")) {
+    HeldPack held{pack, 0};
     read_pack(
-        pack, demands,
+        pack, demands, cubes_.read_values,
         [&](const TileHeader& header, const sampling::TileResult& tile) {
           if (survey.add(header)) take(tile);
+          if (header.values_in_cubes == 0) held.line_end = std::max(held.line_end, tile.tile.y1);
         },
         log_, true);
+    if (held.line_end > 0) held_.push_back(std::move(held));
+  }
   index_ = TileIndex(plan_);  // of what is whole
   for (const auto& pack : packs_in(path_ / "tiles")) index_.add(pack);
   store_ = std::make_unique<TileStore>(path_ / "tiles", plan_.key());
+  if (cubes_.lines_written && plan_.leaves_values_to_cubes())
+    store_->when_written([this](const std::filesystem::path& pack, int line_end) { move_values_out(pack, line_end); });
   return survey.result();
+}
+
+void RunState::move_values_out(const std::filesystem::path& pack, int line_end) {
+  held_.push_back({pack, line_end});
+  const int lines = cubes_.lines_written();
+  const std::vector<sampling::PixelRect> grid = plan_.grid();
+  const TileDemands demands{plan_.key(), static_cast<int>(plan_.image.channels.size()), grid};
+  std::erase_if(held_, [&](const HeldPack& held) {
+    if (held.line_end > lines) return false;
+    try {
+      io::move_values_out(held.path, demands);
+      return true;
+    } catch (const EnvironmentError&) {
+      return false;  // it stays as it was, and is tried again
+    }
+  });
 }
 
 TilesDone RunState::find(int rank, int packs) {
@@ -197,7 +221,7 @@ TilesDone RunState::find(int rank, int packs) {
 }
 
 bool RunState::read_tile(std::size_t index, sampling::TileResult& tile) const {
-  const std::string fault = index_.read(index, tile);
+  const std::string fault = index_.read(index, cubes_.read_values, tile);
   if (!fault.empty() && log_ != nullptr) log_->warn(fault);
   return fault.empty();
 }

@@ -34,6 +34,14 @@ class RunState {
   /// differs from `plan`; EnvironmentError where another process is at work in it, and for files.
   RunState(const std::filesystem::path& folder, const RunPlan& plan, RunStart start, LogSink* log);
 
+  /// Where means and half-widths of finished tiles lie besides: what the state holds of them goes once the cubes hold it.
+  struct Cubes {
+    ReadValues read_values;
+    std::function<int()> lines_written;  ///< image lines [0, n) are in the cubes; empty: the state goes on holding all
+  };
+  /// Before read().
+  void use(Cubes cubes) { cubes_ = std::move(cubes); }
+
   /// Each finished tile goes to `take`, in no particular order, each once. Damaged tiles are told to the log
   /// and removed. Comes before the first put().
   TilesDone read(const std::function<void(const sampling::TileResult&)>& take);
@@ -61,12 +69,21 @@ class RunState {
   const std::filesystem::path& path() const { return path_; }
 
  private:
+  /// A pack that holds values, and the line that follows its last one.
+  struct HeldPack {
+    std::filesystem::path path;
+    int line_end = 0;
+  };
+  void move_values_out(const std::filesystem::path& pack, int line_end);
+
   RunPlan plan_;
   LogSink* log_;
   std::filesystem::path path_;
   std::unique_ptr<RunLock> lock_;
   std::unique_ptr<TileStore> store_;
   TileIndex index_;
+  Cubes cubes_;
+  std::vector<HeldPack> held_;  ///< of read() and the store's thread
 };
 
 /// The folder of a run's state, and the plan in it.
@@ -90,7 +107,8 @@ ProductBytes product_bytes(const RunPlan& plan);
 /// What an unfinished run has taken of the disk in its output folder: kept tiles, and products not yet published.
 std::uint64_t leftover_bytes(const std::filesystem::path& folder);
 
-/// Bytes that the state of a run takes, about: how many materials share a pixel is not known before.
-std::uint64_t state_bytes(const RunPlan& plan);
+/// Bytes that the state of a run takes at most, about: how many materials share a pixel is not known before. One process
+/// that makes the cubes too leaves the values to them.
+std::uint64_t state_bytes(const RunPlan& plan, bool one_process);
 
 }  // namespace ifov::io

@@ -23,7 +23,7 @@ class TileIndex {
   bool has(std::size_t index) const { return places_[index].bytes > 0; }
 
   /// From any thread. What is wrong with the tile, in words; empty where it is whole.
-  std::string read(std::size_t index, sampling::TileResult& tile) const;
+  std::string read(std::size_t index, const ReadValues& read_values, sampling::TileResult& tile) const;
 
  private:
   struct Place {

@@ -81,7 +81,7 @@ std::vector<std::filesystem::path> packs_in(const std::filesystem::path& folder)
   return packs;
 }
 
-void read_pack(const std::filesystem::path& pack, const TileDemands& demands,
+void read_pack(const std::filesystem::path& pack, const TileDemands& demands, const ReadValues& read_values,
                const std::function<void(const TileHeader&, const sampling::TileResult&)>& take, LogSink* log,
                bool repair) {
   std::vector<Extent> whole;
@@ -113,8 +113,8 @@ void read_pack(const std::filesystem::path& pack, const TileDemands& demands,
       }
       payload.resize(header.payload_bytes);
       reader.read(payload.data(), payload.size());
-      if (!decode_tile(header, payload, tile)) {
-        say(format("the checksum of tile {} is wrong: it is computed again", header.index));
+      if (const std::string fault = decode_tile(header, payload, read_values, tile); !fault.empty()) {
+        say(format("{}: it is computed again", fault));
         continue;
       }
       whole.emplace_back(begin, reader.position());
@@ -122,6 +122,32 @@ void read_pack(const std::filesystem::path& pack, const TileDemands& demands,
     }
   }
   if (damaged && repair) keep_only(pack, whole);
+}
+
+void move_values_out(const std::filesystem::path& pack, const TileDemands& demands) {
+  std::vector<std::byte> rest, payload;
+  PackReader reader(pack);
+  for (TileHeader header; reader.left() >= sizeof header;) {
+    reader.read(&header, sizeof header);
+    if (!fault_of(header, demands).empty() || header.payload_bytes > reader.left()) return;
+    payload.resize(header.payload_bytes);
+    reader.read(payload.data(), payload.size());
+    std::vector<std::byte> record = without_values(header, payload);
+    if (record.empty()) {
+      const auto* const bytes = reinterpret_cast<const std::byte*>(&header);
+      record.assign(bytes, bytes + sizeof header);
+      record.insert(record.end(), payload.begin(), payload.end());
+    }
+    rest.insert(rest.end(), record.begin(), record.end());
+  }
+  PartFile file(pack);
+  try {
+    file.write_at(0, rest.data(), rest.size());
+    file.publish();
+  } catch (...) {
+    file.discard();
+    throw;
+  }
 }
 
 void read_headers(const std::filesystem::path& pack, const TileDemands& demands,

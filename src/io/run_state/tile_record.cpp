@@ -5,25 +5,33 @@
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
+#include <zstd.h>
+
+#include "core/format.h"
 
 namespace ifov::io {
 namespace {
 
 constexpr char kMagic[9] = "IFOVTILE";
-constexpr std::uint32_t kByteOrder = 0x01020304, kFormat = 5;
+constexpr std::uint32_t kByteOrder = 0x01020304, kFormat = 6;
 
 std::uint64_t hash_of_header(const TileHeader& header) {
   return XXH3_64bits(&header, offsetof(TileHeader, header_hash));
 }
 
-/// Calls `visit` with each array of the tile, in the order of the file.
+/// Calls `visit` with means and half-widths.
 template <class Tile, class Visit>
-void for_each_array(Tile& tile, const Visit& visit) {
+void for_each_value_array(Tile& tile, const Visit& visit) {
   visit(tile.mean);
+  visit(tile.half_width);
+}
+
+/// Calls `visit` with each of the arrays that follow these in the file, in its order.
+template <class Tile, class Visit>
+void for_each_other_array(Tile& tile, const Visit& visit) {
   visit(tile.variance_geometry);
   visit(tile.variance_path);
   visit(tile.border_share);
-  visit(tile.half_width);
   visit(tile.samples);
   visit(tile.label_rays);
   visit(tile.radiance_evaluations);
@@ -40,16 +48,34 @@ enum Errors : std::uint32_t { kNoErrors, kWithVariances, kHalfWidthsAlone };
 
 bool has_variances(const TileHeader& header) { return header.has_errors == kWithVariances; }
 
-std::uint64_t arrays_of(const TileHeader& header) {
-  return header.has_errors == kNoErrors ? 1 : has_variances(header) ? 4 : 2;
+/// Of means and half-widths.
+std::uint64_t value_bytes_of(const TileHeader& header) {
+  const auto pixels = static_cast<std::uint64_t>(header.rect().count());
+  return sizeof(float) * pixels * static_cast<std::uint64_t>(header.columns) * (header.has_errors == kNoErrors ? 1 : 2);
 }
 
-std::uint64_t payload_bytes_of(const TileHeader& header) {
+/// Of the arrays beside these.
+std::uint64_t other_bytes_of(const TileHeader& header) {
   const auto pixels = static_cast<std::uint64_t>(header.rect().count());
   const std::uint64_t cells = pixels * static_cast<std::uint64_t>(header.columns);
-  return 4 * cells * arrays_of(header) + 4 * (has_variances(header) ? 0 : header.has_errors != 0 ? pixels : 0) +
+  return 4 * (has_variances(header) ? 2 * cells : header.has_errors != kNoErrors ? pixels : 0) +
          pixels * (5 * 4 + sizeof(sampling::Reasons)) + (header.has_positions != 0 ? 3 * 8 * pixels : 0) +
          sizeof(sampling::Abundance) * std::uint64_t{header.abundances} + header.memory_bytes;
+}
+
+bool has_right_size(const TileHeader& header) {
+  const std::uint64_t others = other_bytes_of(header);
+  return header.values_in_cubes != 0 ? header.payload_bytes <= ZSTD_compressBound(others)
+                                     : header.payload_bytes == value_bytes_of(header) + others;
+}
+
+std::uint64_t hash_of_values(const sampling::TileResult& tile) {
+  XXH3_state_t state;
+  XXH3_64bits_reset(&state);
+  for_each_value_array(tile, [&](const std::vector<float>& array) {
+    XXH3_64bits_update(&state, array.data(), sizeof(float) * array.size());
+  });
+  return XXH3_64bits_digest(&state);
 }
 
 }  // namespace
@@ -82,17 +108,23 @@ std::vector<std::byte> encode_tile(const sampling::TileResult& tile, const TileS
   header.run = stamp.run;
   header.memory_bytes = tile.memory.size();
 
-  std::size_t bytes = sizeof header;
-  for_each_array(tile, [&](const auto& array) { bytes += sizeof(array[0]) * array.size(); });
+  std::size_t value_bytes = 0, bytes = sizeof header;
+  const auto size_of = [](const auto& array) { return sizeof(array[0]) * array.size(); };
+  for_each_value_array(tile, [&](const auto& array) { value_bytes += size_of(array); });
+  for_each_other_array(tile, [&](const auto& array) { bytes += size_of(array); });
+  bytes += value_bytes;
   std::vector<std::byte> record(bytes);
   std::byte* to = record.data() + sizeof header;
-  for_each_array(tile, [&](const auto& array) {
-    const std::size_t size = sizeof(array[0]) * array.size();
-    if (size > 0) std::memcpy(to, array.data(), size);
-    to += size;
-  });
+  const auto put = [&](const auto& array) {
+    if (!array.empty()) std::memcpy(to, array.data(), size_of(array));
+    to += size_of(array);
+  };
+  for_each_value_array(tile, put);
+  for_each_other_array(tile, put);
   header.payload_bytes = bytes - sizeof header;
-  header.payload_hash = XXH3_64bits(record.data() + sizeof header, header.payload_bytes);
+  const std::byte* const values = record.data() + sizeof header;
+  header.values_hash = XXH3_64bits(values, value_bytes);
+  header.payload_hash = XXH3_64bits(values + value_bytes, header.payload_bytes - value_bytes);
   header.header_hash = hash_of_header(header);
   std::memcpy(record.data(), &header, sizeof header);
   return record;
@@ -109,31 +141,67 @@ std::string fault_of(const TileHeader& header, const TileDemands& demands) {
   const sampling::PixelRect place = in_grid ? demands.grid[header.index] : sampling::PixelRect{};
   if (!in_grid || header.x0 != place.x0 || header.y0 != place.y0 || header.x1 != place.x1 ||
       header.y1 != place.y1 || header.columns != demands.columns ||
-      header.payload_bytes != payload_bytes_of(header))
+      !has_right_size(header))
     return "it does not fit the image";
   return {};
 }
 
-bool decode_tile(const TileHeader& header, std::span<const std::byte> payload, sampling::TileResult& tile) {
-  if (payload.size() != header.payload_bytes ||
-      XXH3_64bits(payload.data(), payload.size()) != header.payload_hash)
-    return false;
+std::string decode_tile(const TileHeader& header, std::span<const std::byte> payload, const ReadValues& read_values,
+                        sampling::TileResult& tile) {
+  const std::string wrong = format("the checksum of tile {} is wrong", header.index);
+  if (payload.size() != header.payload_bytes || !has_right_size(header)) return wrong;
+  std::span<const std::byte> values, others;
+  std::vector<std::byte> unpacked;
+  if (header.values_in_cubes != 0) {
+    unpacked.resize(other_bytes_of(header));
+    if (ZSTD_decompress(unpacked.data(), unpacked.size(), payload.data(), payload.size()) != unpacked.size()) return wrong;
+    others = unpacked;
+  } else {
+    values = payload.first(value_bytes_of(header));
+    others = payload.subspan(values.size());
+  }
+  if (XXH3_64bits(others.data(), others.size()) != header.payload_hash) return wrong;
   tile.reset(header.rect(), header.columns, header.has_errors != kNoErrors);
   if (header.has_errors == kHalfWidthsAlone) tile.drop_variances();
   if (header.has_positions != 0) tile.position_m.resize(3 * tile.samples.size());
   tile.abundances.resize(header.abundances);
   tile.memory.resize(header.memory_bytes);
-  const std::byte* from = payload.data();
-  for_each_array(tile, [&](auto& array) {
-    const std::size_t size = sizeof(array[0]) * array.size();
-    if (size > 0) std::memcpy(array.data(), from, size);
-    from += size;
-  });
+  const auto take_from = [](std::span<const std::byte>& from) {
+    return [&from](auto& array) {
+      const std::size_t size = sizeof(array[0]) * array.size();
+      if (size > 0) std::memcpy(array.data(), from.data(), size);
+      from = from.subspan(size);
+    };
+  };
+  if (header.values_in_cubes == 0) {
+    if (XXH3_64bits(values.data(), values.size()) != header.values_hash) return wrong;
+    for_each_value_array(tile, take_from(values));
+  } else if (!read_values || !read_values(tile, [&] { return hash_of_values(tile) == header.values_hash; })) {
+    return format("the values of tile {} are in the cubes no more", header.index);
+  }
+  for_each_other_array(tile, take_from(others));
   tile.halo_samples = header.halo_samples;
   tile.seed_samples = header.seed_samples;
   tile.probe_samples = header.probe_samples;
   tile.rays = {header.primary_rays, header.shadow_rays, header.bounce_rays};
-  return true;
+  return {};
+}
+
+std::vector<std::byte> without_values(const TileHeader& header, std::span<const std::byte> payload) {
+  if (header.values_in_cubes != 0 || has_variances(header)) return {};
+  const std::span<const std::byte> others = payload.subspan(value_bytes_of(header));
+  constexpr int kLevel = 1;  // the quickest
+  std::vector<std::byte> record(sizeof header + ZSTD_compressBound(others.size()));
+  const std::size_t packed =
+      ZSTD_compress(record.data() + sizeof header, record.size() - sizeof header, others.data(), others.size(), kLevel);
+  if (ZSTD_isError(packed) != 0) return {};
+  record.resize(sizeof header + packed);
+  TileHeader rest = header;
+  rest.values_in_cubes = 1;
+  rest.payload_bytes = packed;
+  rest.header_hash = hash_of_header(rest);
+  std::memcpy(record.data(), &rest, sizeof rest);
+  return record;
 }
 
 }  // namespace ifov::io

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,8 +12,8 @@
 
 namespace ifov::io {
 
-/// What a finished tile is kept as: this header, then its arrays (docs/formats/run_state.md). The first hash
-/// is of the arrays, the second of the header before it.
+/// What a finished tile is kept as: this header, then its arrays (docs/formats/run_state.md). The hashes
+/// are of means and half-widths, of the other arrays, and of the header before it.
 struct TileHeader {
   char magic[8];
   std::uint32_t byte_order, format;
@@ -22,7 +23,7 @@ struct TileHeader {
   std::uint32_t has_errors;     ///< 0: none; 1: with variances; 2: half-widths alone
   std::uint32_t has_positions;  ///< 0 or 1
   std::uint32_t abundances;
-  std::uint32_t unused;
+  std::uint32_t values_in_cubes;  ///< 1: means and half-widths lie in the run's cubes, and the other arrays are compressed
   std::uint64_t payload_bytes;
   std::uint64_t halo_samples, seed_samples, probe_samples;
   std::uint64_t primary_rays, shadow_rays, bounce_rays;
@@ -33,12 +34,12 @@ struct TileHeader {
   std::uint32_t reasons[sampling::kReasonNames.size()];  ///< pixels, by reason why they are not converged
   std::uint64_t run;  ///< which run the tile belongs to, RunPlan::key()
   std::uint64_t memory_bytes;  ///< of what the sampler keeps for a tighter accuracy
-  std::uint64_t payload_hash, header_hash;
+  std::uint64_t values_hash, payload_hash, header_hash;
 
   std::uint64_t record_bytes() const { return sizeof(TileHeader) + payload_bytes; }
   sampling::PixelRect rect() const { return {x0, y0, x1, y1}; }
 };
-static_assert(sizeof(TileHeader) == 208);
+static_assert(sizeof(TileHeader) == 216);
 
 /// What a tile's header says besides the tile.
 struct TileStamp {
@@ -61,7 +62,17 @@ struct TileDemands {
 /// its sizes be believed.
 std::string fault_of(const TileHeader& header, const TileDemands& demands);
 
-/// The tile of a header without fault and of its arrays; false where the arrays' checksum is wrong.
-bool decode_tile(const TileHeader& header, std::span<const std::byte> payload, sampling::TileResult& tile);
+/// Fills a tile's means and half-widths, where it has any, from a run's cubes, until `is_right` takes them; false where
+/// it never does.
+using ReadValues = std::function<bool(sampling::TileResult& tile, const std::function<bool()>& is_right)>;
+
+/// The tile of a header without fault and of its arrays. What is wrong, in words ("the checksum of tile 3 is wrong"); empty
+/// where it is whole. `read_values` is for records without them.
+std::string decode_tile(const TileHeader& header, std::span<const std::byte> payload, const ReadValues& read_values,
+                        sampling::TileResult& tile);
+
+/// The record of such a tile whose means and half-widths lie in the cubes. Empty for one that holds none or that has
+/// variances, which lie in no cube.
+std::vector<std::byte> without_values(const TileHeader& header, std::span<const std::byte> payload);
 
 }  // namespace ifov::io

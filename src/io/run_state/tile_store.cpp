@@ -65,7 +65,7 @@ void TileStore::put(std::uint32_t index, const sampling::TileResult& tile) {
   room_.wait(lock, [&] { return waiting_bytes_ < kMostWaitingBytes || failure_; });
   if (failure_) std::rethrow_exception(failure_);
   waiting_bytes_ += record.size();
-  waiting_.push_back(std::move(record));
+  waiting_.push_back({std::move(record), tile.tile.y1});
   wake_.notify_one();
 }
 
@@ -87,13 +87,13 @@ void TileStore::work() {
     const std::chrono::duration<double> gather(
         std::clamp(kGatherShare * elapsed_s(), kLeastGather_s, kMostGather_s));
     wake_.wait_for(lock, gather, [&] { return closing_ || waiting_bytes_ >= kPackBytes; });
-    std::vector<Record> records;
-    records.swap(waiting_);
+    std::vector<Waiting> tiles;
+    tiles.swap(waiting_);
     waiting_bytes_ = 0;
     room_.notify_all();
     lock.unlock();
     try {
-      write_pack(records);
+      write_pack(tiles);
     } catch (...) {
       lock.lock();
       failure_ = std::current_exception();
@@ -104,17 +104,20 @@ void TileStore::work() {
   }
 }
 
-void TileStore::write_pack(const std::vector<Record>& records) {
+void TileStore::write_pack(const std::vector<Waiting>& tiles) {
   PartFile file(folder_ / pack_name(start_, rank_, start_.first_pack + packs_));
   std::vector<iovec> pieces;
   std::uint64_t bytes = 0;
-  for (const Record& record : records) {
-    pieces.push_back({const_cast<std::byte*>(record.data()), record.size()});
-    bytes += record.size();
+  int line_end = 0;
+  for (const Waiting& tile : tiles) {
+    pieces.push_back({const_cast<std::byte*>(tile.record.data()), tile.record.size()});
+    bytes += tile.record.size();
+    line_end = std::max(line_end, tile.line_end);
   }
   written_bytes_ += bytes;
   try {
-    if (written_bytes_ >= kManyBytes) {
+    // What loses its values soon need not reach the disk before.
+    if (written_bytes_ >= kManyBytes && !written_) {
       file.bypass_page_cache();
       file.reserve(bytes);
     }
@@ -125,6 +128,7 @@ void TileStore::write_pack(const std::vector<Record>& records) {
     throw;
   }
   ++packs_;
+  if (written_) written_(file.final_path(), line_end);
 }
 
 }  // namespace ifov::io

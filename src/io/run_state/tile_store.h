@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -43,6 +44,11 @@ class TileStore {
   TileStore(const TileStore&) = delete;
   TileStore& operator=(const TileStore&) = delete;
 
+  /// Called by the writing thread after each pack, with its file and the line that follows its last one; before the first
+  /// put().
+  using Written = std::function<void(const std::filesystem::path& pack, int line_end)>;
+  void when_written(Written written) { written_ = std::move(written); }
+
   /// From any thread; waits where far more is put than the disk takes.
   void put(std::uint32_t index, const sampling::TileResult& tile);
 
@@ -55,9 +61,13 @@ class TileStore {
 
  private:
   using Record = std::vector<std::byte>;
+  struct Waiting {
+    Record record;
+    int line_end;
+  };
   double elapsed_s() const;
   void work();
-  void write_pack(const std::vector<Record>& records);
+  void write_pack(const std::vector<Waiting>& tiles);
 
   std::filesystem::path folder_;
   std::uint64_t run_;
@@ -66,7 +76,8 @@ class TileStore {
   std::chrono::steady_clock::time_point began_;
   std::mutex mutex_;
   std::condition_variable wake_, room_;
-  std::vector<Record> waiting_;
+  std::vector<Waiting> waiting_;
+  Written written_;
   std::size_t waiting_bytes_ = 0;
   std::uint64_t written_bytes_ = 0;
   bool closing_ = false;
