@@ -15,8 +15,11 @@ std::vector<AirHalfWidth> air_half_widths(const SpectralScene& scene,
   std::vector<double> planck(nodes.node_count());
   nodes.planck(kGrey_k, planck);
   for (std::size_t c = 0; c < atmosphere.errors().size(); ++c) {
-    const atmosphere::AirError error = atmosphere.errors()[c].total();
-    AirHalfWidth& air = all.emplace_back(AirHalfWidth{error.path, error.surface, error.sky, path[c]});
+    const atmosphere::AirError error = atmosphere.errors()[c].total(), &by_nodes = atmosphere.errors()[c].nodes;
+    AirHalfWidth& air = all.emplace_back();
+    air.path = error.path, air.surface = error.surface, air.sky = error.sky;
+    air.path_radiance = path[c];
+    air.nodes_path = by_nodes.path, air.nodes_surface = by_nodes.surface, air.nodes_sky = by_nodes.sky;
     for (std::size_t n = nodes.first_node(c); n < nodes.first_node(c + 1); ++n) {
       air.grey_radiance += nodes.node_weight(n) * (1.0 - kGrey) * planck[n] * scene.view_transmittance()[n];
       air.white_in_sky += nodes.node_weight(n) * scene.sky_radiance()[n] * scene.view_transmittance()[n];

@@ -14,10 +14,16 @@ struct AirHalfWidth {
   double white_in_sky = 0.0;   ///< what a white surface reflects of the sky: no surface reflects more
   double grey_radiance =
       0.0;  ///< of a level surface of reflectance 0.2 and 288 K, to say how much all this is
+  double nodes_path = 0.0, nodes_surface = 0.0, nodes_sky = 0.0;  ///< what of the first three the few spectral nodes make
 
-  double of(double radiance) const {
+  double of(double radiance) const { return sum(path, surface, sky, radiance); }
+  /// The nodes' part of it.
+  double of_nodes(double radiance) const { return sum(nodes_path, nodes_surface, nodes_sky, radiance); }
+
+ private:
+  double sum(double of_path, double of_surface, double of_sky, double radiance) const {
     const double from_surface = std::max(0.0, radiance - path_radiance);
-    return path + surface * from_surface + sky * std::min(from_surface, white_in_sky);
+    return of_path + of_surface * from_surface + of_sky * std::min(from_surface, white_in_sky);
   }
 };
 

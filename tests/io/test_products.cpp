@@ -247,6 +247,32 @@ TEST(ProductWriter, RunRecordHoldsFiguresAndChecksums) {
   }
 }
 
+TEST(ProductWriter, HalfWidthsAreSaidByWhatMakesThem) {
+  const SyntheticImage image{8, 8, 2};
+  const ScratchFolder folder("parts");
+  ProductWriter writer(options_in(folder.path()), image.identity());
+  render::ImageInfo info = image.info();
+  // 0.1 of the path and 0.2 % of surfaces above a path radiance of 2; of it, 0.04 and 0.1 % by the nodes.
+  info.channels[1].air = render::AirHalfWidth{0.1, 0.002, 0.0, 2.0, 0.0, 0.0, 0.04, 0.001, 0.0};
+  writer.begin(info);
+  writer.write(image.tile({0, 0, 8, 8}));
+  const RunRecord record = writer.finish(image.outcome());
+  EXPECT_FALSE(record.statistics.channels[0].parts);
+  const ChannelStatistics& s = record.statistics.channels[1];
+  ASSERT_TRUE(s.parts);
+  EXPECT_NEAR(s.parts->nodes, 0.04 + 0.001 * (s.mean - 2.0), 1e-12);
+  EXPECT_NEAR(s.parts->air, 0.06 + 0.001 * (s.mean - 2.0), 1e-12);
+  EXPECT_NEAR(s.parts->sampling + s.parts->air + s.parts->nodes, s.mean_half_width, 1e-12);
+  EXPECT_GT(s.parts->sampling, 0.0);
+  const std::string page = test::read_all(folder.path() / "demo_report.html");
+  EXPECT_NE(page.find("<th>of the mean: sampling</th><th>air</th><th>nodes</th>"), std::string::npos);
+  Json::Value root;
+  std::istringstream(test::read_all(folder.path() / "demo_run.json")) >> root;
+  EXPECT_FALSE(root["channels"][0].isMember("mean_half_width_parts"));
+  EXPECT_NEAR(root["channels"][1]["mean_half_width_parts"]["nodes"].asDouble(), s.parts->nodes, 1e-6);
+  EXPECT_NEAR(root["channels"][1]["air_half_width"]["nodes"]["surface"].asDouble(), 0.001, 1e-9);
+}
+
 TEST(ProductWriter, ValuesThatAreNotFiniteAreCounted) {
   const SyntheticImage image{8, 8, 2};
   const ScratchFolder folder("nan");

@@ -35,7 +35,7 @@ class AirBudget : public testing::Test {
   }
   ChannelBrightness brightness_{nodes()};
   // 0.1 of the path, 0.5 % of surfaces, 1 % of skylight; path 10, white under the sky 20.
-  AirHalfWidth one_{0.1, 0.005, 0.01, 10.0, 20.0, 30.0};
+  AirHalfWidth one_{0.1, 0.005, 0.01, 10.0, 20.0, 30.0, 0.04, 0.002, 0.001};
   std::vector<AirHalfWidth> air_{one_, one_};
 };
 
@@ -43,6 +43,8 @@ TEST_F(AirBudget, IsThePathAndWhatSurfacesSend) {
   EXPECT_DOUBLE_EQ(one_.of(5.0), 0.1);
   EXPECT_DOUBLE_EQ(one_.of(20.0), 0.1 + 0.05 + 0.1);
   EXPECT_DOUBLE_EQ(one_.of(110.0), 0.1 + 0.5 + 0.2);  // no surface reflects more of the sky than a white one
+  EXPECT_DOUBLE_EQ(one_.of_nodes(5.0), 0.04);
+  EXPECT_DOUBLE_EQ(one_.of_nodes(110.0), 0.04 + 0.2 + 0.02);
 }
 
 TEST_F(AirBudget, LeavesTheRestToTheSampler) {

@@ -90,7 +90,21 @@ void CubeScan::take(const std::byte* line, std::size_t stride_bytes) {
   ++lines_;
 }
 
-std::vector<ChannelStatistics> channel_statistics(const CubeScan& radiance, const CubeScan* half_width) {
+namespace {
+
+std::optional<HalfWidthParts> parts_of(const std::optional<render::AirHalfWidth>& air, const ChannelStatistics& s) {
+  if (!air || !std::isfinite(s.mean) || !std::isfinite(s.mean_half_width)) return std::nullopt;
+  HalfWidthParts parts;
+  parts.nodes = air->of_nodes(s.mean);
+  parts.air = air->of(s.mean) - parts.nodes;
+  parts.sampling = std::max(0.0, s.mean_half_width - air->of(s.mean));
+  return parts;
+}
+
+}  // namespace
+
+std::vector<ChannelStatistics> channel_statistics(const render::ImageInfo& image, const CubeScan& radiance,
+                                                  const CubeScan* half_width) {
   std::vector<ChannelStatistics> result;
   for (std::size_t band = 0; band < radiance.figures().size(); ++band) {
     const BandFigures& values = radiance.figures()[band];
@@ -103,6 +117,7 @@ std::vector<ChannelStatistics> channel_statistics(const CubeScan& radiance, cons
     s.mean_half_width = widths.mean();
     s.largest_half_width = widths.maximum();
     s.not_finite = values.not_finite();
+    s.parts = parts_of(image.channels[band].air, s);
     result.push_back(s);
   }
   return result;

@@ -60,6 +60,7 @@ class CubeScan {
 };
 
 /// `half_width` may be null: its figures are then not a number.
-std::vector<ChannelStatistics> channel_statistics(const CubeScan& radiance, const CubeScan* half_width);
+std::vector<ChannelStatistics> channel_statistics(const render::ImageInfo& image, const CubeScan& radiance,
+                                                  const CubeScan* half_width);
 
 }  // namespace ifov::io

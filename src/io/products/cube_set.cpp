@@ -163,7 +163,7 @@ void CubeSet::complete(RunRecord& record) {
   });
   const auto& half_width = cube(Product::half_width);
   record.statistics.channels =
-      channel_statistics(cube(Product::radiance)->raster.scan(), half_width ? &half_width->raster.scan() : nullptr);
+      channel_statistics(info_, cube(Product::radiance)->raster.scan(), half_width ? &half_width->raster.scan() : nullptr);
   for (Cube* cube : open) {
     BilCube& raster = cube->raster;
     const char* parts = !cube->kind.spectral ? (raster.bands() == 1 ? "band" : "bands") : raster.bands() == 1 ? "channel" : "channels";

@@ -55,12 +55,20 @@ Json::Value channels(const RunRecord& record) {
     v["standard_deviation"] = number(s.standard_deviation);
     v["mean_half_width"] = number(s.mean_half_width);
     v["largest_half_width"] = number(s.largest_half_width);
+    if (s.parts) {
+      v["mean_half_width_parts"]["sampling"] = number(s.parts->sampling);
+      v["mean_half_width_parts"]["air"] = number(s.parts->air);
+      v["mean_half_width_parts"]["nodes"] = number(s.parts->nodes);
+    }
     if (channel.air) {
       v["air_half_width"]["path"] = number(channel.air->path);
       v["air_half_width"]["surface"] = number(channel.air->surface);
       v["air_half_width"]["sky"] = number(channel.air->sky);
       v["air_half_width"]["path_radiance"] = number(channel.air->path_radiance);
       v["air_half_width"]["white_in_sky"] = number(channel.air->white_in_sky);
+      v["air_half_width"]["nodes"]["path"] = number(channel.air->nodes_path);
+      v["air_half_width"]["nodes"]["surface"] = number(channel.air->nodes_surface);
+      v["air_half_width"]["nodes"]["sky"] = number(channel.air->nodes_sky);
       v["air_half_width"]["of_grey_surface"] = number(channel.air->of(channel.air->grey_radiance));
     }
     v["not_finite"] = count(s.not_finite);

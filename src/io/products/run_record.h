@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,10 +35,18 @@ struct RunOutcome {
   std::string date;  ///< when the products were made, UTC, ISO 8601
 };
 
+/// What a mean half-width is made of, at the mean radiance.
+struct HalfWidthParts {
+  double sampling = 0.0;  ///< rays and what they cannot tell
+  double air = 0.0;       ///< how the air was computed
+  double nodes = 0.0;     ///< few spectral nodes for a channel
+};
+
 /// Figures of one channel over the image. Values that are not finite are left out and counted.
 struct ChannelStatistics {
   double minimum = 0.0, maximum = 0.0, mean = 0.0, standard_deviation = 0.0;
   double mean_half_width = 0.0, largest_half_width = 0.0;
+  std::optional<HalfWidthParts> parts;  ///< under a modelled atmosphere
   std::uint64_t not_finite = 0;
 };
 

@@ -184,11 +184,14 @@ class Page {
   }
 
   std::string channel_table() const {
+    const auto& figures = record_.statistics.channels;
+    const bool split = std::any_of(figures.begin(), figures.end(), [](const ChannelStatistics& s) { return s.parts.has_value(); });
     std::string html = format(
         "<section><h2>Channels</h2><div class=\"scroll\"><table><thead><tr><th>Channel</th><th>Centre, "
         "\u00b5m</th>"
         "<th>FWHM, \u00b5m</th><th>Mean</th><th>Std. dev.</th><th>Minimum</th><th>Maximum</th>"
-        "<th>Mean half-width</th><th>Largest half-width</th></tr></thead><tbody>");
+        "<th>Mean half-width</th><th>Largest half-width</th>{}</tr></thead><tbody>",
+        split ? "<th>of the mean: sampling</th><th>air</th><th>nodes</th>" : "");
     for (std::size_t c = 0; c < record_.image.channels.size(); ++c) {
       const auto& channel = record_.image.channels[c];
       const auto& s = record_.statistics.channels.at(c);
@@ -196,10 +199,16 @@ class Page {
       for (const double v : {channel.centre_um, channel.fwhm_um, s.mean, s.standard_deviation, s.minimum,
                              s.maximum, s.mean_half_width, s.largest_half_width})
         html += format("<td>{}</td>", figure(v));
+      if (split)
+        for (const double HalfWidthParts::*part : {&HalfWidthParts::sampling, &HalfWidthParts::air, &HalfWidthParts::nodes})
+          html += format("<td>{}</td>", s.parts ? figure(*s.parts.*part) : "");
       html += "</tr>";
     }
-    return html + format("</tbody></table></div><p class=\"soft\">Radiances in {}.</p></section>\n",
-                         escape_html(shown_unit(record_.image.radiance_unit)));
+    return html + format("</tbody></table></div><p class=\"soft\">Radiances in {}.{}</p></section>\n",
+                         escape_html(shown_unit(record_.image.radiance_unit)),
+                         split ? " More rays narrow the part of sampling alone; that of the air, of how it was computed, and that of "
+                                 "the nodes, few wavelengths that stand for a channel, are of the mean radiance."
+                               : "");
   }
 
   std::string cost() const {

@@ -39,6 +39,9 @@ constexpr std::pair<const char*, double render::AirHalfWidth::*> kAirKeys[] = {
     {"sky", &render::AirHalfWidth::sky},
     {"path_radiance", &render::AirHalfWidth::path_radiance},
     {"white_in_sky", &render::AirHalfWidth::white_in_sky},
+    {"nodes_path", &render::AirHalfWidth::nodes_path},
+    {"nodes_surface", &render::AirHalfWidth::nodes_surface},
+    {"nodes_sky", &render::AirHalfWidth::nodes_sky},
     {"grey_radiance", &render::AirHalfWidth::grey_radiance}};
 
 Json::Value image_value(const render::ImageInfo& image) {
