@@ -6,7 +6,7 @@
 
 #include "core/format.h"
 #include "studies/html_page.h"
-#include "studies/svg_plot.h"
+#include "studies/report_plot.h"
 
 namespace ifov::studies {
 
@@ -21,7 +21,7 @@ std::vector<double> first_chart(const std::vector<double>& values) {
   return {values.begin(), values.begin() + ChartScene::kWidth_px * ChartScene::kWidth_px};
 }
 
-std::string panels(const ChartResult& result, const std::string& name) {
+std::string panels(const ChartResult& result, const std::string& name, ReportFigures& figures) {
   std::vector<double> radiance(result.image->mean().begin(), result.image->mean().end());
   std::vector<double> samples(result.image->samples().begin(), result.image->samples().end());
   std::vector<double> error = first_chart(result.error);
@@ -32,12 +32,12 @@ std::string panels(const ChartResult& result, const std::string& name) {
   const double most = sorted[static_cast<std::size_t>(0.995 * static_cast<double>(sorted.size()))];
   const double brightest = *std::max_element(radiance.begin(), radiance.end());
   return "<div class=\"row\">" +
-         svg_image(panel(name, std::move(radiance), 0.0, brightest, "W m-2 sr-1 um-1")) +
-         svg_image(panel("samples per pixel", std::move(samples), 0.0, most, "")) +
-         svg_image(panel("error", std::move(error), 0.0, 0.05, "of the contrast", true)) + "</div>\n";
+         figures.add(panel(name, std::move(radiance), 0.0, brightest, "W m⁻² sr⁻¹ µm⁻¹")) +
+         figures.add(panel("samples per pixel: " + name, std::move(samples), 0.0, most, "")) +
+         figures.add(panel("error: " + name, std::move(error), 0.0, 0.05, "of the contrast", true)) + "</div>\n";
 }
 
-std::string error_plot(const AliasingResults& r) {
+std::string error_plot(const AliasingResults& r, ReportFigures& figures) {
   Plot plot;
   plot.title = "Error against cost";
   plot.x_label = "samples per pixel";
@@ -53,7 +53,7 @@ std::string error_plot(const AliasingResults& r) {
     series.y.push_back(c.rms);
   }
   plot.series = {grid, adaptive, accuracy};
-  return svg_plot(plot);
+  return figures.add(plot);
 }
 
 std::string table(const AliasingResults& r) {
@@ -78,7 +78,7 @@ std::string table(const AliasingResults& r) {
 
 }  // namespace
 
-std::string aliasing_report(const AliasingResults& r) {
+std::string aliasing_report(const AliasingResults& r, ReportFigures& figures) {
   const ChartResult& best = r.results[r.chosen];
   std::vector<double> white;
   for (double black : r.black_fraction) white.push_back(1.0 - black);
@@ -89,10 +89,10 @@ std::string aliasing_report(const AliasingResults& r) {
       "chart's outlines; "
       "errors are in units of the contrast between black and white, over all pixels.</p>\n" +
       r.figures.html() + "<h2>Images (figure 9 of the paper)</h2>\n" +
-      svg_image(panel("exact", std::move(white), 0.0, 1.0, "share of white")) +
-      panels(r.results[0], "(a) one ray a pixel") + panels(r.results[1], "(b) grid, 100 rays a pixel") +
-      panels(r.results[2], "(c, d) adaptive, 9 to 100 samples") + panels(best, best.name) +
-      "<h2>Cost and error</h2>\n<figure>" + error_plot(r) +
+      figures.add(panel("exact", std::move(white), 0.0, 1.0, "share of white")) +
+      panels(r.results[0], "(a) one ray a pixel", figures) + panels(r.results[1], "(b) grid, 100 rays a pixel", figures) +
+      panels(r.results[2], "(c, d) adaptive, 9 to 100 samples", figures) + panels(best, best.name, figures) +
+      "<h2>Cost and error</h2>\n<figure>" + error_plot(r, figures) +
       "<figcaption>One point for each way of sampling; lower and further left is "
       "better.</figcaption></figure>\n" +
       table(r);

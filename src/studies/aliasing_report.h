@@ -9,6 +9,7 @@
 #include "studies/chart_scene.h"
 #include "studies/figures.h"
 #include "studies/image_store.h"
+#include "studies/report_figures.h"
 
 namespace ifov::studies {
 
@@ -32,6 +33,6 @@ struct AliasingResults {
   FigureTable figures;
 };
 
-std::string aliasing_report(const AliasingResults& results);
+std::string aliasing_report(const AliasingResults& results, ReportFigures& figures);
 
 }  // namespace ifov::studies

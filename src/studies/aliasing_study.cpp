@@ -149,7 +149,9 @@ StudyOutcome run_aliasing_study(const StudyOptions& options) {
     outcome.files.push_back(options.output_folder / name);
   };
   keep("figures.json", results.figures.json());
-  keep("report.html", aliasing_report(results));
+  ReportFigures drawn;
+  keep("report.html", aliasing_report(results, drawn));
+  for (const auto& file : drawn.write(options.output_folder)) outcome.files.push_back(file);
   keep("chart.json", charts.front().document(results.results[results.chosen].sampling, options.seed).text());
   return outcome;
 }

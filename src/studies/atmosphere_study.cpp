@@ -7,6 +7,7 @@
 #include "core/format.h"
 #include "studies/atmosphere/atmosphere_results.h"
 #include "studies/html_page.h"
+#include "studies/report_figures.h"
 #include "studies/study_document.h"
 
 namespace ifov::studies {
@@ -43,24 +44,16 @@ std::string markdown(const std::vector<AtmosphereSection>& sections) {
   return out;
 }
 
-std::string html(const std::vector<AtmosphereSection>& sections) {
+std::string html(const std::vector<AtmosphereSection>& sections, ReportFigures& figures) {
   std::string body;
   for (const AtmosphereSection& section : sections) {
     body += format("<h2>{}</h2>\n<p>{}</p>\n{}", html_text(section.title), html_text(section.text),
                    section.figures.html());
     for (const ReportPlot& plot : section.plots)
-      body += format("<figure>{}<figcaption>{}</figcaption></figure>\n", svg_plot(plot.plot),
+      body += format("<figure>{}<figcaption>{}</figcaption></figure>\n", figures.add(plot.plot),
                      html_text(plot.caption));
   }
   return html_page(kTitle, body);
-}
-
-/// Alone in a file an SVG needs its namespace, and a ground that is white in dark pages too.
-std::string svg_file(const Plot& plot) {
-  std::string text = svg_plot(plot);
-  const std::size_t end = text.find('>');
-  text.insert(end + 1, "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>");
-  return text.insert(text.find("<svg") + 4, " xmlns=\"http://www.w3.org/2000/svg\"");
 }
 
 std::filesystem::path reference_folder(const StudyOptions& options) {
@@ -92,11 +85,13 @@ StudyOutcome run_atmosphere_study(const StudyOptions& options) {
     outcome.files.push_back(options.output_folder / name);
   };
   keep("figures.json", all.json());
-  keep("report.html", html(sections));
+  ReportFigures drawn;
+  keep("report.html", html(sections, drawn));
+  for (const auto& file : drawn.write(options.output_folder)) outcome.files.push_back(file);
   keep("page/atmosphere.md", markdown(sections));
   for (const AtmosphereSection& section : sections)
     for (const ReportPlot& plot : section.plots)
-      keep(format("page/atmosphere_{}.svg", plot.name), svg_file(plot.plot));
+      keep(format("page/atmosphere_{}.svg", plot.name), draw(plot.plot).svg);
   return outcome;
 }
 

@@ -8,7 +8,7 @@
 #include "studies/html_page.h"
 #include "studies/scatter_panels.h"
 #include "studies/spectral_projection.h"
-#include "studies/svg_plot.h"
+#include "studies/report_plot.h"
 
 namespace ifov::studies {
 
@@ -57,12 +57,12 @@ ImagePanel panel_of(const ImageStore& image, const std::string& title, std::vect
   return {title, image.width(), image.height(), std::move(values), 0.0, high, unit, false};
 }
 
-std::string sample_map(const SceneResult& result) {
+std::string sample_map(const SceneResult& result, ReportFigures& figures) {
   const auto& samples = result.image->samples();
-  return svg_image(panel_of(*result.image, result.name, {samples.begin(), samples.end()}, 0.995, "samples"));
+  return figures.add(panel_of(*result.image, "samples per pixel: " + result.name, {samples.begin(), samples.end()}, 0.995, "samples"));
 }
 
-std::string radiance_map(const SceneResults& r, const SceneResult& result, double wavelength_um) {
+std::string radiance_map(const SceneResults& r, const SceneResult& result, double wavelength_um, ReportFigures& figures) {
   std::size_t nearest = 0;
   for (std::size_t c = 0; c < r.wavelengths_um.size(); ++c)
     if (std::abs(r.wavelengths_um[c] - wavelength_um) < std::abs(r.wavelengths_um[nearest] - wavelength_um))
@@ -70,15 +70,15 @@ std::string radiance_map(const SceneResults& r, const SceneResult& result, doubl
   std::vector<double> values;
   for (std::size_t p = 0; p < result.image->samples().size(); ++p)
     values.push_back(double(result.image->mean()[p * r.wavelengths_um.size() + nearest]));
-  return svg_image(panel_of(*result.image, format("{} at {:.2f} um", result.name, r.wavelengths_um[nearest]),
-                            std::move(values), 0.99, "W m-2 sr-1 um-1"));
+  return figures.add(panel_of(*result.image, format("{} at {:.2f} µm", result.name, r.wavelengths_um[nearest]),
+                            std::move(values), 0.99, "W m⁻² sr⁻¹ µm⁻¹"));
 }
 
-std::string rms_plot(const SceneResults& r) {
+std::string rms_plot(const SceneResults& r, ReportFigures& figures) {
   Plot plot;
   plot.title = "Error of radiance by wavelength";
-  plot.x_label = "wavelength, um";
-  plot.y_label = "RMS error, W m-2 sr-1 um-1";
+  plot.x_label = "wavelength, µm";
+  plot.y_label = "RMS error, W m⁻² sr⁻¹ µm⁻¹";
   plot.y_log = true;
   const char* const colours[] = {"#bbb", "#888", "#333", "#c2571a", "#0b6fb8"};
   const std::size_t shown[] = {0, 1, 2, 3, r.chosen};
@@ -86,7 +86,7 @@ std::string rms_plot(const SceneResults& r) {
     const SceneResult& s = r.results[shown[k]];
     plot.series.push_back({s.name, colours[k], r.wavelengths_um, s.rms});
   }
-  return svg_plot(plot);
+  return figures.add(plot);
 }
 
 std::vector<std::uint8_t> dominant_materials(const ImageStore& image) {
@@ -118,25 +118,25 @@ std::string scatter(const SceneResults& r) {
 
 }  // namespace
 
-std::string suburb_report(const SceneResults& r) {
+std::string suburb_report(const SceneResults& r, ReportFigures& figures) {
   const SceneResult &ten = r.results[2], &ours = r.results[r.chosen];
   std::string maps = "<div class=\"row\">";
-  for (std::size_t k : {std::size_t{3}, r.chosen}) maps += sample_map(r.results[k]);
+  for (std::size_t k : {std::size_t{3}, r.chosen}) maps += sample_map(r.results[k], figures);
   maps += "</div>\n";
   const std::string body =
-      format("<p>{} x {} pixels of a generated residential area, {} channels from {:.2f} to {:.2f} um, without noise. "
+      format("<p>{} x {} pixels of a generated residential area, {} channels from {:.2f} to {:.2f} µm, without noise. "
              "{} How much of what lies inside the pixels does each way of sampling find, and what does it cost?</p>\n",
              ours.image->width(), ours.image->height(), r.wavelengths_um.size(), r.wavelengths_um.front(),
              r.wavelengths_um.back(), html_text(r.lighting)) +
       r.figures.html() + "<h2>The image (figure 8 of the paper)</h2>\n<div class=\"row\">" +
-      radiance_map(r, r.results[0], 0.55) + radiance_map(r, ours, 0.55) + radiance_map(r, ours, 0.86) +
-      radiance_map(r, ours, 2.2) + "</div>\n<h2>Samples, materials, time (table 2 of the paper)</h2>\n" + table_2(r) +
+      radiance_map(r, r.results[0], 0.55, figures) + radiance_map(r, ours, 0.55, figures) + radiance_map(r, ours, 0.86, figures) +
+      radiance_map(r, ours, 2.2, figures) + "</div>\n<h2>Samples, materials, time (table 2 of the paper)</h2>\n" + table_2(r) +
       format("<p>Materials and abundances are held against labels on a lattice of 64 x 64 in every pixel; radiances "
              "against 64 x 64 rays a pixel in {:.0f} % of the pixels. Every ray is one path, whatever the sampling: the "
              "errors hold the noise of paths. A material counts from 0.1 % of a pixel's area.</p>\n",
              100.0 * r.reference_pixels) +
       "<h2>Where the samples go (figure 12 of the paper)</h2>\n" + maps +
-      "<h2>Error by wavelength</h2>\n<figure>" + rms_plot(r) +
+      "<h2>Error by wavelength</h2>\n<figure>" + rms_plot(r, figures) +
       format("<figcaption>Accuracy sampling took {:.2f} times the time of the grid 10 x 10.</figcaption></figure>\n",
              ours.seconds / ten.seconds) +
       "<h2>All pixels in spectral space (figure 13 of the paper)</h2>\n" + scatter(r) +

@@ -2,11 +2,12 @@
 
 #include <string>
 
+#include "studies/report_figures.h"
 #include "studies/suburb_study.h"
 
 namespace ifov::studies {
 
 /// The study's page: table 2, figures 8, 12 and 13 of the paper, and what ours does.
-std::string suburb_report(const SceneResults& results);
+std::string suburb_report(const SceneResults& results, ReportFigures& figures);
 
 }  // namespace ifov::studies

@@ -253,7 +253,9 @@ StudyOutcome run_suburb_study(const StudyOptions& options) {
     outcome.files.push_back(options.output_folder / name);
   };
   keep("figures.json", results.figures.json());
-  keep("report.html", suburb_report(results));
+  ReportFigures drawn;
+  keep("report.html", suburb_report(results, drawn));
+  for (const auto& file : drawn.write(options.output_folder)) outcome.files.push_back(file);
   return outcome;
 }
 

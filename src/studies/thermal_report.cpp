@@ -5,7 +5,7 @@
 
 #include "core/format.h"
 #include "studies/html_page.h"
-#include "studies/svg_plot.h"
+#include "studies/report_plot.h"
 
 namespace ifov::studies {
 
@@ -21,32 +21,32 @@ PlotSeries series_of(const std::vector<SweepPoint>& sweep, std::string name, std
   return series;
 }
 
-std::string radiance_plot(const ThermalResults& r, double truth) {
+std::string radiance_plot(const ThermalResults& r, double truth, ReportFigures& figures) {
   Plot plot;
-  plot.title = "Radiance of the centre pixel against the number of samples (figure 10 of the paper)";
-  plot.x_label = "samples over 3 x 3 pixels";
-  plot.y_label = "radiance at 8.5 um, W m-2 sr-1 um-1";
+  plot.title = "Radiance of the centre pixel against samples (figure 10 of the paper)";
+  plot.x_label = "samples over 3 × 3 pixels";
+  plot.y_label = "radiance at 8.5 µm, W m⁻² sr⁻¹ µm⁻¹";
   plot.x_log = true;
   plot.y_low = truth - 0.25;
   plot.y_high = truth + 0.25;
   plot.series = {series_of(r.grid, "grid", "#888", false),
                  series_of(r.adaptive, "adaptive", "#c2571a", false),
                  series_of(r.accuracy, "accuracy", "#0b6fb8", false, true)};
-  plot.levels = {{"truth, and 0.1 C on either side", "#00703c", truth, std::abs(0.1 / error_c(1.0))},
+  plot.levels = {{"truth, and 0.1 °C on either side", "#00703c", truth, std::abs(0.1 / error_c(1.0))},
                  {"", "#00703c", truth, 0.01}};
-  return svg_plot(plot);
+  return figures.add(plot);
 }
 
-std::string error_plot(const ThermalResults& r) {
+std::string error_plot(const ThermalResults& r, ReportFigures& figures) {
   Plot plot;
   plot.title = "Temperature error of the centre pixel (figure 11 of the paper)";
-  plot.x_label = "samples over 3 x 3 pixels";
-  plot.y_label = "error, C";
+  plot.x_label = "samples over 3 × 3 pixels";
+  plot.y_label = "error, °C";
   plot.x_log = plot.y_log = true;
   plot.series = {series_of(r.grid, "grid", "#888", true), series_of(r.adaptive, "adaptive", "#c2571a", true),
                  series_of(r.accuracy, "accuracy", "#0b6fb8", true, true)};
-  plot.levels = {{"0.1 C", "#00703c", 0.1, 0.0}, {"0.01 C", "#5a2a82", 0.01, 0.0}};
-  return svg_plot(plot);
+  plot.levels = {{"0.1 °C", "#00703c", 0.1, 0.0}, {"0.01 °C", "#5a2a82", 0.01, 0.0}};
+  return figures.add(plot);
 }
 
 std::string sample_table(const ThermalResults& r) {
@@ -89,17 +89,17 @@ std::string shift_table(const ThermalResults& r) {
 
 }  // namespace
 
-std::string thermal_report(const ThermalResults& r) {
+std::string thermal_report(const ThermalResults& r, ReportFigures& figures) {
   const double truth = dome_scene(paper_dome()).truth;
   const std::string body =
-      "<p>A dome at 40 °C fills half of the middle pixel of 3 x 3; the ground is at 20 °C. Seen at 8.5 um "
+      "<p>A dome at 40 °C fills half of the middle pixel of 3 x 3; the ground is at 20 °C. Seen at 8.5 µm "
       "from straight "
       "above, the middle pixel must show the mean of two black bodies: " +
-      format("{:.4f} W m-2 sr-1 um-1", truth) + ". How many rays does that take?</p>\n" + r.figures.html() +
-      "<h2>The paper's dome</h2>\n<figure>" + radiance_plot(r, truth) +
-      "<figcaption>The light band is 0.1 °C wide on either side of the truth, the dark one 0.01 W m-2 sr-1 "
-      "um-1.</figcaption></figure>\n<figure>" +
-      error_plot(r) +
+      format("{:.4f} W m⁻² sr⁻¹ µm⁻¹", truth) + ". How many rays does that take?</p>\n" + r.figures.html() +
+      "<h2>The paper's dome</h2>\n<figure>" + radiance_plot(r, truth, figures) +
+      "<figcaption>The light band is 0.1 °C wide on either side of the truth, the dark one 0.01 W m⁻² sr⁻¹ "
+      "µm⁻¹.</figcaption></figure>\n<figure>" +
+      error_plot(r, figures) +
       "<figcaption>A grid's error jumps as its rays fall in and out of the dome; what counts is where it "
       "stays below the "
       "line. Each point of accuracy sampling is one error that was asked for.</figcaption></figure>\n" +

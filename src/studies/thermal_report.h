@@ -5,6 +5,7 @@
 
 #include "studies/clutter_trials.h"
 #include "studies/figures.h"
+#include "studies/report_figures.h"
 #include "studies/sampling_sweep.h"
 
 namespace ifov::studies {
@@ -18,6 +19,6 @@ struct ThermalResults {
 };
 
 /// The page: the paper's figures 10 and 11 and table 1, the shifts, clutter, and what they mean.
-std::string thermal_report(const ThermalResults& results);
+std::string thermal_report(const ThermalResults& results, ReportFigures& figures);
 
 }  // namespace ifov::studies

@@ -134,7 +134,9 @@ StudyOutcome run_thermal_study(const StudyOptions& options) {
     outcome.files.push_back(folder / name);
   };
   keep("figures.json", results.figures.json());
-  keep("report.html", thermal_report(results));
+  ReportFigures drawn;
+  keep("report.html", thermal_report(results, drawn));
+  for (const auto& file : drawn.write(folder)) outcome.files.push_back(file);
   keep("dome.json", dome_scene(paper_dome()).document(asked(0.1), options.seed).text());
   keep("textured_dome.json", random_scene(Family::textured_dome, options.seed, 0, texture)
                                  .document(asked(0.1), options.seed)

@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <filesystem>
 #include <limits>
 
+#include "io/synthetic_image.h"
 #include "studies/figures.h"
-#include "studies/svg_plot.h"
+#include "studies/report_figures.h"
 
 namespace ifov::studies {
 namespace {
@@ -41,24 +44,43 @@ TEST(FigureTable, NotANumberMeetsNothing) {
   EXPECT_NE(table.json().find("\"value\": null"), std::string::npos);
 }
 
-TEST(SvgPlot, ShowsSeriesAndLevels) {
+TEST(ReportPlot, LeavesOutWhatItsAxesCannotShow) {
   Plot plot;
   plot.title = "a < b";
   plot.x_log = true;
-  plot.series = {{"line", "red", {0.0, 10.0, 1000.0}, {1.0, 2.0, 3.0}}};
-  plot.levels = {{"truth", "green", 2.0, 0.5}};
-  const std::string svg = svg_plot(plot);
-  EXPECT_NE(svg.find("a &lt; b"), std::string::npos);
-  EXPECT_EQ(svg.find("nan"), std::string::npos);
-  EXPECT_EQ(svg.find("inf"), std::string::npos);
-  EXPECT_NE(svg.find("M70.00"), std::string::npos);  // the first point that a logarithm can show
+  plot.series = {{"line", "#d55e00", {0.0, 10.0, 1000.0}, {1.0, 2.0, 3.0}}, {"dots", "#888", {10.0}, {NAN}, true}};
+  plot.levels = {{"truth", "#00703c", 2.0, 0.5}};
+  const DrawnFigure drawn = draw(plot);
+  EXPECT_TRUE(drawn.svg.starts_with("<?xml")) << drawn.svg.substr(0, 40);
+  EXPECT_EQ(drawn.svg.find("nan"), std::string::npos);
+  EXPECT_EQ(drawn.svg.find("inf"), std::string::npos);
+  EXPECT_TRUE(drawn.pdf.starts_with("%PDF-"));
+  EXPECT_EQ(draw(plot).pdf, drawn.pdf) << "the same bytes each time";
+  plot.series[0].colour = "red";
+  EXPECT_THROW(draw(plot), std::logic_error);
 }
 
-TEST(SvgImage, HoldsABitmap) {
+TEST(ReportFigures, AreShownAndKept) {
+  ReportFigures figures;
   ImagePanel panel;
+  panel.title = "Samples, grid 10 x 10: a long title that has to be wrapped because panels are narrow";
   panel.width = panel.height = 2;
   panel.values = {0, 1, 2, std::numeric_limits<double>::infinity()};
-  EXPECT_NE(svg_image(panel).find("data:image/bmp;base64,Qk0"), std::string::npos);
+  EXPECT_NE(figures.add(panel).find("<img alt=\"Samples, grid"), std::string::npos);
+  EXPECT_NE(figures.add(panel).find("src=\"data:image/svg+xml;base64,"), std::string::npos);
+  Plot plot;
+  plot.title = "a < b";
+  plot.series = {{"one value", "#888", {1.0}, {2.0}}};
+  EXPECT_NE(figures.add(plot).find("alt=\"a &lt; b\""), std::string::npos);
+  const test::ScratchFolder folder("figures");
+  std::vector<std::string> names;
+  for (const auto& file : figures.write(folder.path())) {
+    EXPECT_GT(std::filesystem::file_size(file), 500u);
+    names.push_back(file.lexically_relative(folder.path()).string());
+  }
+  const std::string long_name = "figures/samples_grid_10_x_10_a_long_title_that_has_to_be_wrapped";
+  EXPECT_EQ(names, (std::vector<std::string>{long_name + ".svg", long_name + ".pdf", long_name + "_2.svg", long_name + "_2.pdf",
+                                             "figures/a_b.svg", "figures/a_b.pdf"}));
 }
 
 }  // namespace

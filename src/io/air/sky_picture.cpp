@@ -83,7 +83,7 @@ void draw_disc(Canvas& canvas, const AirReport& report, CanvasPoint centre, doub
       pixels[static_cast<std::size_t>(row) * kSide + static_cast<std::size_t>(column)] = {
           colour_at(colours, scale.place(value)), true};
     }
-  canvas.picture(centre.x - radius, centre.y - radius, 2.0 * radius, kSide, pixels);
+  canvas.picture(centre.x - radius, centre.y - radius, 2.0 * radius / kSide, kSide, kSide, pixels);
 }
 
 void draw_marks(Canvas& canvas, const AirReport& report, CanvasPoint centre, double radius) {

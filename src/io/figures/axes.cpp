@@ -29,6 +29,13 @@ std::vector<double> Axis::ticks(int most) const {
   if (logarithmic) {
     const int low = static_cast<int>(std::ceil(std::log10(first) - 1e-9));
     const int high = static_cast<int>(std::floor(std::log10(last) + 1e-9));
+    if (high - low < 2) {  // between the powers too
+      for (int power = low - 1; power <= high; ++power)
+        for (const double m : {1.0, 2.0, 5.0})
+          if (const double value = m * std::pow(10.0, power); value >= 0.999999 * first && value <= 1.000001 * last)
+            found.push_back(value);
+      return found;
+    }
     const int step = std::max(1, (high - low + most) / most);
     for (int power = low; power <= high; power += step) found.push_back(std::pow(10.0, power));
     return found;

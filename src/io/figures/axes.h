@@ -14,8 +14,8 @@ struct Axis {
   bool logarithmic = false;
   /// Share of the way from first to last, 0 to 1 between them.
   double place(double value) const;
-  /// Values with a number beside them: 1, 2 or 5 times a power of ten, or powers of ten alone; about `most`
-  /// of them.
+  /// Values with a number beside them: 1, 2 or 5 times a power of ten, or powers of ten alone on long logarithmic axes;
+  /// about `most` of them.
   std::vector<double> ticks(int most) const;
 };
 

@@ -1,5 +1,7 @@
 #include "io/figures/canvas.h"
 
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
 #include <cairo.h>
 
 #include <numbers>
@@ -17,12 +19,16 @@ struct Free {
 };
 using Surface = std::unique_ptr<cairo_surface_t, Free>;
 
-Surface image(cairo_format_t format, int width, int height) {
-  Surface surface(cairo_image_surface_create(format, width, height));
+Surface checked(cairo_surface_t* made) {
+  Surface surface(made);
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
     throw EnvironmentError("the figure cannot be drawn: " +
                            std::string(cairo_status_to_string(cairo_surface_status(surface.get()))));
   return surface;
+}
+
+Surface image(cairo_format_t format, int width, int height) {
+  return checked(cairo_image_surface_create(format, width, height));
 }
 
 void use(cairo_t* c, const Ink& ink) { cairo_set_source_rgba(c, ink.red, ink.green, ink.blue, ink.alpha); }
@@ -41,18 +47,36 @@ cairo_status_t append(void* out, const unsigned char* data, unsigned int length)
 }  // namespace
 
 struct Canvas::Parts {
-  Surface surface;
+  double width, height;
+  Surface surface;  // remembers what is drawn
   std::unique_ptr<cairo_t, Free> context;
   cairo_t* c() const { return context.get(); }
+
+  /// All that was drawn, on a white sheet.
+  void draw_on(cairo_surface_t* sheet, double scale) const {
+    const std::unique_ptr<cairo_t, Free> target(cairo_create(sheet));
+    use(target.get(), {1.0, 1.0, 1.0});
+    cairo_paint(target.get());
+    cairo_scale(target.get(), scale, scale);
+    cairo_set_source_surface(target.get(), surface.get(), 0.0, 0.0);
+    cairo_paint(target.get());
+  }
+  template <class Make>
+  std::string vector_file(const Make& make) const {
+    std::string bytes;
+    const Surface sheet = checked(make(append, &bytes, width, height));
+    draw_on(sheet.get(), 1.0);
+    cairo_surface_finish(sheet.get());
+    if (cairo_surface_status(sheet.get()) != CAIRO_STATUS_SUCCESS) throw EnvironmentError("the figure cannot be written");
+    return bytes;
+  }
 };
 
 Canvas::Canvas(double width, double height) : parts_(std::make_unique<Parts>()) {
-  parts_->surface =
-      image(CAIRO_FORMAT_RGB24, static_cast<int>(kScale * width), static_cast<int>(kScale * height));
+  parts_->width = width, parts_->height = height;
+  const cairo_rectangle_t sheet{0.0, 0.0, width, height};
+  parts_->surface = checked(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &sheet));
   parts_->context.reset(cairo_create(parts_->surface.get()));
-  cairo_scale(parts_->c(), kScale, kScale);
-  use(parts_->c(), {1.0, 1.0, 1.0});
-  cairo_paint(parts_->c());
   cairo_set_line_join(parts_->c(), CAIRO_LINE_JOIN_ROUND);
 }
 
@@ -125,25 +149,22 @@ void Canvas::upright_text(CanvasPoint at, const std::string& words, double size)
   cairo_restore(parts_->c());
 }
 
-void Canvas::picture(double x, double y, double size, int side, std::span<const Pixel> pixels) {
-  const Surface surface = image(CAIRO_FORMAT_ARGB32, side, side);
+void Canvas::picture(double x, double y, double unit, int columns, int rows, std::span<const Pixel> pixels) {
+  const Surface surface = image(CAIRO_FORMAT_ARGB32, columns, rows);
   cairo_surface_flush(surface.get());
-  unsigned char* rows = cairo_image_surface_get_data(surface.get());
+  unsigned char* lines = cairo_image_surface_get_data(surface.get());
   const int stride = cairo_image_surface_get_stride(surface.get());
-  for (int row = 0; row < side; ++row) {
-    auto* to = reinterpret_cast<std::uint32_t*>(rows + static_cast<std::ptrdiff_t>(row) * stride);
-    for (int k = 0; k < side; ++k) {
-      const Pixel& p = pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(side) +
-                              static_cast<std::size_t>(k)];
-      to[k] = p.opaque ? 0xFF000000u | (std::uint32_t{p.colour.r} << 16) | (std::uint32_t{p.colour.g} << 8) |
-                             p.colour.b
-                       : 0u;
+  for (int row = 0; row < rows; ++row) {
+    auto* to = reinterpret_cast<std::uint32_t*>(lines + static_cast<std::ptrdiff_t>(row) * stride);
+    for (int k = 0; k < columns; ++k) {
+      const Pixel& p = pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(k)];
+      to[k] = p.opaque ? 0xFF000000u | (std::uint32_t{p.colour.r} << 16) | (std::uint32_t{p.colour.g} << 8) | p.colour.b : 0u;
     }
   }
   cairo_surface_mark_dirty(surface.get());
   cairo_save(parts_->c());
   cairo_translate(parts_->c(), x, y);
-  cairo_scale(parts_->c(), size / side, size / side);
+  cairo_scale(parts_->c(), unit, unit);
   cairo_set_source_surface(parts_->c(), surface.get(), 0, 0);
   cairo_paint(parts_->c());
   cairo_restore(parts_->c());
@@ -158,11 +179,24 @@ void Canvas::begin_clip(double x, double y, double width, double height) {
 void Canvas::end_clip() { cairo_restore(parts_->c()); }
 
 std::string Canvas::png() const {
-  cairo_surface_flush(parts_->surface.get());
+  const Surface sheet =
+      image(CAIRO_FORMAT_RGB24, static_cast<int>(kScale * parts_->width), static_cast<int>(kScale * parts_->height));
+  parts_->draw_on(sheet.get(), kScale);
+  cairo_surface_flush(sheet.get());
   std::string bytes;
-  if (cairo_surface_write_to_png_stream(parts_->surface.get(), append, &bytes) != CAIRO_STATUS_SUCCESS)
+  if (cairo_surface_write_to_png_stream(sheet.get(), append, &bytes) != CAIRO_STATUS_SUCCESS)
     throw EnvironmentError("the figure cannot be encoded as PNG");
   return bytes;
+}
+
+std::string Canvas::svg() const { return parts_->vector_file(cairo_svg_surface_create_for_stream); }
+
+std::string Canvas::pdf() const {
+  return parts_->vector_file([](cairo_write_func_t write, void* to, double width, double height) {
+    cairo_surface_t* const sheet = cairo_pdf_surface_create_for_stream(write, to, width, height);
+    cairo_pdf_surface_set_metadata(sheet, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");  // the same bytes each time
+    return sheet;
+  });
 }
 
 }  // namespace ifov::io

@@ -21,7 +21,7 @@ inline constexpr Ink kBlackInk{0.12, 0.12, 0.12}, kGreyInk{0.4, 0.4, 0.4}, kGrid
 
 enum class Anchor { left, centre, right };
 
-/// A white sheet to draw figures on, in units of a screen's pixels from the upper left corner; the PNG has
+/// A white sheet to draw figures on, in units of a screen's pixels from the upper left corner (points in a PDF); a PNG has
 /// twice as many. Throws EnvironmentError where there is no memory for it.
 class Canvas {
  public:
@@ -40,19 +40,21 @@ class Canvas {
   /// Reads upwards, centred.
   void upright_text(CanvasPoint at, const std::string& words, double size);
   double text_width(const std::string& words, double size, bool bold = false) const;
-  /// Square picture of `side` x `side` colours, row by row from the top, over the square at (x, y); what is
-  /// not opaque stays as it was.
+  /// Picture of `columns` x `rows` colours, row by row from the top, each a square of `unit`, with its corner at (x, y);
+  /// what is not opaque stays as it was.
   struct Pixel {
     Rgb colour;
     bool opaque = false;
   };
-  void picture(double x, double y, double size, int side, std::span<const Pixel> pixels);
+  void picture(double x, double y, double unit, int columns, int rows, std::span<const Pixel> pixels);
 
   /// What is drawn until end_clip() shows only inside the rectangle.
   void begin_clip(double x, double y, double width, double height);
   void end_clip();
 
   std::string png() const;
+  std::string svg() const;
+  std::string pdf() const;
 
  private:
   struct Parts;

@@ -9,7 +9,7 @@
 
 #include "studies/figures.h"
 #include "studies/studies.h"
-#include "studies/svg_plot.h"
+#include "studies/report_plot.h"
 
 namespace ifov::studies {
 

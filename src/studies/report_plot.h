@@ -7,7 +7,7 @@ namespace ifov::studies {
 
 /// A line through points in data coordinates.
 struct PlotSeries {
-  std::string name, colour;  ///< a CSS colour
+  std::string name, colour;  ///< "#d55e00" or "#888"
   std::vector<double> x, y;
   bool markers_only = false;
 };
@@ -26,10 +26,7 @@ struct Plot {
   std::vector<PlotSeries> series;
 };
 
-/// An inline SVG, 640 x 400. Points that a logarithmic axis cannot show are left out.
-std::string svg_plot(const Plot& plot);
-
-/// An image in false colours with its scale, inline: rows from the top, `low` to `high` over the colour map.
+/// An image in false colours with its scale: rows from the top, `low` to `high` over the colour map.
 struct ImagePanel {
   std::string title;
   int width = 0, height = 0;
@@ -38,6 +35,14 @@ struct ImagePanel {
   std::string unit;
   bool heat = false;  ///< the map for temperatures and errors instead of the one for radiances and counts
 };
-std::string svg_image(const ImagePanel& panel);
+
+/// A figure as files: SVG for pages, PDF for papers.
+struct DrawnFigure {
+  std::string svg, pdf;
+};
+
+/// Points that a logarithmic axis cannot show are left out; all others lie inside the frame.
+DrawnFigure draw(const Plot& plot);
+DrawnFigure draw(const ImagePanel& panel);
 
 }  // namespace ifov::studies
