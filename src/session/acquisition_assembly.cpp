@@ -67,6 +67,10 @@ class Degrees {
 
 }  // namespace
 
+std::optional<io::Acquisition::Place> geographic_place(const std::string& map_system, math::Point3 on_map_m) {
+  return Degrees(map_system)(on_map_m);
+}
+
 io::Acquisition assemble_acquisition(const Session::Parts& parts) {
   const io::Document& document = parts.document;
   io::Acquisition result;

@@ -40,6 +40,8 @@ MISTAKES = [
      ERROR, "is not a map projection in metres"),
     ("a reference that nobody knows", changed("scene.origin", {"easting": "440000 m", "northing": "4470000 m", "crs": "EPSG:99999"}),
      ERROR, "EPSG:99999"),
+    ("a latitude that contradicts the map", changed("scene.origin", {"latitude": "52 deg", "longitude": "5 deg", "easting": "440000 m", "northing": "4470000 m", "crs": "EPSG:32632"}),
+     WARNING, "latitude 52 and longitude 5 deg lie 13.. km from its easting and northing, which are at latitude 40.38 and longitude 8.293 deg"),
     ("latitude above 90", changed("scene.origin", {"latitude": "147 deg", "longitude": "8 deg"}), ERROR, "between -90 and 90 deg"),
     ("a latitude without a unit", changed("scene.origin", {"latitude": 47.4, "longitude": 8.5}), ERROR, "without a unit"),
     ("a mesh in millimetres", changed(OBJECTS + "[+]", {"name": "kiosk", "mesh": {"file": "kiosk_mm.obj"}, "material": "wall"}),

@@ -68,6 +68,15 @@ TEST(Report, HalfWidthsThatAreNoNumbersAreNotOffered) {
   EXPECT_EQ(make_report(record, views(image)).find("data-view=\"width\""), std::string::npos);
 }
 
+TEST(Report, SaysWhyMapsOfSamplesShowTiles) {
+  const SyntheticImage image{5, 5, 2};
+  auto record = record_of(image);
+  record.statistics.halo_samples = 0;
+  EXPECT_EQ(make_report(record, views(image)).find("edges of tiles"), std::string::npos);
+  record.statistics.halo_samples = 12300;
+  EXPECT_NE(make_report(record, views(image)).find("12.3 k in all, are in no pixel's count"), std::string::npos);
+}
+
 TEST(Base64, PublishedExamples) {  // RFC 4648, section 10
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");

@@ -165,15 +165,21 @@ class Page {
 
   std::string maps() const {
     std::string html;
-    const auto map = [&](const char* id, const char* name) {
+    const auto map = [&](const char* id, const char* name, const std::string& note) {
       html += format(
           "<section><h2>{}</h2><div class=\"stage\"><canvas id=\"map-{}\" "
           "style=\"cursor:default\"></canvas></div>"
-          "<svg class=\"bar\" id=\"map-{}-bar\"></svg><svg id=\"hist-{}\" width=\"100%\"></svg></section>\n",
-          name, id, id, id);
+          "<svg class=\"bar\" id=\"map-{}-bar\"></svg><svg id=\"hist-{}\" width=\"100%\"></svg>{}</section>\n",
+          name, id, id, id, note);
     };
-    if (input_.samples) map("samples", "Where the samples went");
-    if (judged_) map("error", "Error reached, in units of its limit");
+    const std::string seams =
+        record_.statistics.halo_samples == 0
+            ? std::string()
+            : format("<p class=\"note\">Lines along the edges of tiles are no fault of the image: points that a tile queries outside "
+                     "its own pixels, {} in all, are in no pixel's count, and pixels at an edge need fewer of their own.</p>",
+                     short_count(static_cast<double>(record_.statistics.halo_samples)));
+    if (input_.samples) map("samples", "Where the samples went", seams);
+    if (judged_) map("error", "Error reached, in units of its limit", "");
     return html.empty() ? html : format("<div class=\"two\">{}</div>\n<p></p>\n", html);
   }
 

@@ -5,6 +5,7 @@
 
 #include "core/format.h"
 #include "core/names.h"
+#include "session/acquisition_assembly.h"
 #include "session/parts.h"
 #include "session/sense/place_lines.h"
 #include "session/sense/sense_warnings.h"
@@ -168,10 +169,30 @@ void warn_of_degrees(const Session::Parts& parts, LogSink& log) {
                     origin.offset_m.x, origin.offset_m.y));
 }
 
+/// Two places for one origin: the Sun follows the first, the map the second.
+void warn_of_two_origins(const Session::Parts& parts, LogSink& log) {
+  constexpr double kRadius_m = 6371008.8, kNoticed_m = 5000.0, kDegree = std::numbers::pi / 180.0;
+  const io::OriginDocument& origin = parts.document.scene.origin;
+  if (!origin.geographic || !origin.has_map_offset) return;
+  const auto on_map = geographic_place(parts.info.map_projection, math::Point3{} + parts.map_offset_m);
+  if (!on_map) return;
+  const double latitude = origin.geographic->latitude_rad, longitude = origin.geographic->longitude_rad;
+  const double other = on_map->latitude_deg * kDegree, between = on_map->longitude_deg * kDegree - longitude;
+  const double half_chord = std::hypot(std::sin(0.5 * (other - latitude)),
+                                       std::sqrt(std::cos(latitude) * std::cos(other)) * std::sin(0.5 * between));
+  const double apart_m = 2.0 * kRadius_m * std::asin(std::min(1.0, half_chord));
+  if (apart_m < kNoticed_m) return;
+  log.warn(format("the origin's latitude {:.4g} and longitude {:.4g} deg lie {:.0f} km from its easting and northing, which are at "
+                  "latitude {:.4g} and longitude {:.4g} deg: the Sun follows the first, the map the second. Correct one, or leave "
+                  "'latitude' and 'longitude' away",
+                  latitude / kDegree, longitude / kDegree, apart_m / 1000.0, on_map->latitude_deg, on_map->longitude_deg));
+}
+
 }  // namespace
 
 void warn_of_places(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
   warn_of_degrees(parts, log);
+  warn_of_two_origins(parts, log);
   warn_of_camera(parts, look, log);
   warn_of_far_objects(parts, look, log);
   warn_of_objects_out_of_view(parts, look, log);

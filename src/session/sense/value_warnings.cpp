@@ -97,6 +97,21 @@ void warn_of_kelvins(const Session::Parts& parts, LogSink& log) {
                     parts.plan.request->error, named(names)));
 }
 
+/// Gases that no air on Earth holds so much, or so little, of. None at all is meant.
+void warn_of_air(const Session::Parts& parts, LogSink& log) {
+  if (!parts.document.atmosphere.modelled) return;
+  const atmosphere::ProfileDescription& air = parts.document.atmosphere.modelled->description.air;
+  const auto check = [&](const char* name, const std::optional<double>& value, double low, double high, const char* unit, const char* usual) {
+    if (value && *value > 0.0 && (*value < low || *value > high))
+      log.warn(format("the atmosphere's '{}' of {:g} {} is none that air on Earth has, which is {}: is its unit another?", name, *value, unit, usual));
+  };
+  check("ozone", air.ozone_DU, 50.0, 700.0, "DU", "200 to 500 DU (0.2 to 0.5 atm-cm)");
+  check("water_vapour", air.water_vapour_g_cm2, 1e-3, 12.0, "g/cm2", "0.05 to 7 g/cm2");
+  check("co2", air.co2_ppm, 100.0, 3000.0, "ppm", "about 420 ppm");
+  check("ch4", air.ch4_ppm, 0.2, 20.0, "ppm", "about 1.9 ppm");
+  check("n2o", air.n2o_ppm, 0.03, 3.0, "ppm", "about 0.335 ppm");
+}
+
 }  // namespace
 
 void require_light(const Session::Parts& parts, const SceneLook& look) {
@@ -117,6 +132,7 @@ void warn_of_values(const Session::Parts& parts, const SceneLook& look, LogSink&
   warn_of_temperatures(parts, log);
   warn_of_wavelengths(parts, log);
   warn_of_kelvins(parts, log);
+  warn_of_air(parts, log);
 }
 
 }  // namespace ifov::session
