@@ -56,13 +56,13 @@ View imaging_spectrometer(double size_m) {
 
 View thermal_imager(double size_m) {
   const int pixels = static_cast<int>(std::lround(size_m));
-  return {"render_thermal.json", "A thermal imager: three bands, 1 m on the ground, each pixel to 0.5 K.",
+  return {"render_thermal.json", "A thermal imager: three bands, 1 m on the ground, each pixel to 1 K.",
           sensor(nadir(1.0, pixels), R"([
       {"name": "T1", "top_hat": {"from": "8.2 um", "to": "9.2 um"}},
       {"name": "T2", "top_hat": {"from": "10.3 um", "to": "11.3 um"}},
       {"name": "T3", "top_hat": {"from": "11.5 um", "to": "12.5 um"}}
     ])"),
-          R"({"accuracy": {"error": "0.5 K"}})", ""};
+          R"({"accuracy": {"error": "1 K"}})", ""};
 }
 
 }  // namespace
@@ -89,10 +89,10 @@ MadeScene finish_scene(const MakeOptions& options, const ViewChoice& choice, con
   MadeScene made;
   made.contents = std::move(contents);
   made.contents.push_back(format("{} materials", text.material_count()));
-  const SceneLight light = clear_day(choice, folder);
+  folder.add_text(kSceneFile, text.document(choice.title, clear_day(choice, folder)));
   for (const View& view : {quick_look(options.size_m), oblique(options.size_m, choice),
                            imaging_spectrometer(options.size_m), thermal_imager(options.size_m)}) {
-    folder.add_text(view.file, text.document(view, choice.title, light));
+    folder.add_text(view.file, view_text(view, choice.title));
     made.documents.push_back(folder.folder() / view.file);
   }
   folder.publish();

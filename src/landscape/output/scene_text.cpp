@@ -63,20 +63,24 @@ void SceneText::prototype(const std::string& name, const std::vector<std::string
   prototypes_.push_back(format("\"{}\": [\n{}]", name, text));
 }
 
-std::string SceneText::document(const View& view, std::string_view title, const SceneLight& light) const {
+std::string SceneText::document(std::string_view title, const SceneLight& light) const {
+  std::string text = format("{{\n  // {}\n  // The scene and its light, which the documents beside this one include.\n", title);
+  text += "  \"ifov\": 1,\n  \"scene\": {\n";
+  text += "    // Temperatures are those of a calm, clear early afternoon in summer.\n";
+  text += format("    \"materials\": {{\n{}    }},\n", listed(materials_));
+  if (!prototypes_.empty()) text += format("    \"prototypes\": {{\n{}    }},\n", listed(prototypes_));
+  text += format("    \"objects\": [\n{}    ]\n  }},\n", listed(objects_));
+  return text + format("  \"light\": {},\n  \"atmosphere\": {}\n}}\n", light.light, light.atmosphere);
+}
+
+std::string view_text(const View& view, std::string_view title) {
   std::string text = format("{{\n  // {}\n", title);
   for (std::size_t from = 0; from < view.purpose.size();) {
     const std::size_t end = std::min(view.purpose.find('\n', from), view.purpose.size());
     text += format("  // {}\n", view.purpose.substr(from, end - from));
     from = end + 1;
   }
-  text += "  \"ifov\": 1,\n  \"scene\": {\n";
-  text += "    // Temperatures are those of a calm, clear early afternoon in summer.\n";
-  text += format("    \"materials\": {{\n{}    }},\n", listed(materials_));
-  if (!prototypes_.empty()) text += format("    \"prototypes\": {{\n{}    }},\n", listed(prototypes_));
-  text += format("    \"objects\": [\n{}    ]\n  }},\n", listed(objects_));
-  text += format("  \"light\": {},\n  \"atmosphere\": {},\n  \"sensor\": {},\n  \"sampling\": {}", light.light, light.atmosphere,
-                 view.sensor, view.sampling);
+  text += format("  \"ifov\": 1,\n  \"include\": \"{}\",\n  \"sensor\": {},\n  \"sampling\": {}", kSceneFile, view.sensor, view.sampling);
   if (!view.output.empty()) text += format(",\n  \"output\": {}", view.output);
   return text + "\n}\n";
 }

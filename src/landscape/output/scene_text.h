@@ -12,7 +12,7 @@
 
 namespace ifov::landscape {
 
-/// A document of the scene: what looks at it, and how.
+/// A document that includes the scene's: what looks at it, and how.
 struct View {
   std::string file;     ///< such as "render_vswir.json"
   std::string purpose;  ///< a comment at its top; lines without "//"
@@ -41,7 +41,8 @@ class SceneText {
   /// Above the next object.
   void heading(const std::string& comment) { objects_.push_back("// " + comment); }
 
-  std::string document(const View& view, std::string_view title, const SceneLight& light) const;
+  /// The document that all views include: the scene, and what lights it.
+  std::string document(std::string_view title, const SceneLight& light) const;
   std::size_t material_count() const { return materials_.size(); }
 
  private:
@@ -49,6 +50,11 @@ class SceneText {
   std::vector<std::string> materials_, prototypes_, objects_;
   std::set<std::string> known_;
 };
+
+inline constexpr const char* kSceneFile = "scene.json";
+
+/// A view's document, which includes kSceneFile.
+std::string view_text(const View& view, std::string_view title);
 
 /// "12.5 m"
 std::string metres(double value_m);
