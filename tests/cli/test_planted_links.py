@@ -23,6 +23,7 @@ PLANTED = [
     ("a cube", "x.out/image_radiance.img", "file", REPLACED),
     ("a header", "x.out/image_radiance.img.hdr.part", "file", REPLACED),
     ("the GeoTIFF", "x.out/image_radiance.tif.part", "file", REPLACED),
+    ("the style for QGIS", "x.out/image_radiance.qml.part", "file", REPLACED),
     ("the picture", "x.out/image_quicklook.png.part", "file", REPLACED),
     ("the report", "x.out/image_report.html.part", "file", REPLACED),
     ("the run record", "x.out/image_run.json.part", "file", REPLACED),

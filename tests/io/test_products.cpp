@@ -237,7 +237,7 @@ TEST(ProductWriter, RunRecordHoldsFiguresAndChecksums) {
   EXPECT_GT(by_reason["unseen light"].asUInt64(), 0u);
   EXPECT_LT(by_reason["unseen light"].asUInt64(), by_reason["samples"].asUInt64());
   EXPECT_EQ(by_reason["air"].asUInt64(), 0u);
-  ASSERT_EQ(root["files"].size(), 12u);  // nine cubes, GeoTIFF, picture, report
+  ASSERT_EQ(root["files"].size(), 13u);  // nine cubes, GeoTIFF, style, picture, report
   for (const auto& file : root["files"]) {
     const std::string bytes = test::read_all(folder.path() / file["name"].asString());
     Sha256 whole;
@@ -298,7 +298,7 @@ TEST(ProductWriter, ProductsCanBeLeftAway) {
   write_image(image, options, image.tiles(16));  // and what the first run left under these names goes
   EXPECT_EQ(names_in(folder.path()),
             (std::vector<std::string>{"demo_quality.img", "demo_quality.img.hdr", "demo_quality_class.img",
-                                      "demo_quality_class.img.hdr", "demo_radiance.img", "demo_radiance.img.hdr",
+                                      "demo_quality_class.img.hdr", "demo_radiance.img", "demo_radiance.img.hdr", "demo_radiance.qml",
                                       "demo_reasons.img", "demo_reasons.img.hdr", "demo_run.json", "demo_samples.img",
                                       "demo_samples.img.hdr"}));
 }

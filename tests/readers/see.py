@@ -63,6 +63,9 @@ def qgis(path, _):
             "extent": [extent.xMinimum(), extent.yMinimum(), extent.xMaximum(), extent.yMaximum()],
             "renderer": renderer.type(),
             "colours": [renderer.redBand(), renderer.greenBand(), renderer.blueBand()] if renderer.type() == "multibandcolor" else [],
+            "stretch": [[e.minimumValue(), e.maximumValue()] for e in (
+                (renderer.redContrastEnhancement(), renderer.greenContrastEnhancement(), renderer.blueContrastEnhancement())
+                if renderer.type() == "multibandcolor" else (renderer.contrastEnhancement(),))],
             "nodata": str(provider.sourceNoDataValue(1))}
 
 

@@ -234,7 +234,13 @@ class InOthers(Products):
             self.assertTrue(seen["valid"])
             self.assertEqual((seen["crs"], seen["shape"]), ("EPSG:25832", [4, scenes.HEIGHT, scenes.WIDTH]))
             self.assert_numbers(seen["extent"], [476994.0, 5473996.0, 477006.0, 5474004.0])
-            self.assertEqual((seen["renderer"], seen["colours"]), ("multibandcolor", [3, 2, 1]))
+            self.assertEqual((seen["renderer"], seen["colours"], seen["nodata"]), ("multibandcolor", [3, 2, 1], "nan"))
+            values = scenes.plane(self.folders["map"] / "image_radiance.img", 4)
+            for (low, high), band in zip(seen["stretch"], (2, 1, 0)):
+                brightest = max(max(line) for line in values[band])
+                self.assertTrue(0.0 <= low < high <= 1.5 * brightest and high > 0.2 * brightest, (seen["stretch"], brightest))
+        seen = see("/usr/bin/python3", "qgis", self.folders["thermal"] / "image_radiance.img")
+        self.assertEqual((seen["renderer"], len(seen["stretch"])), ("singlebandgray", 1))
 
 
 class Records(Products):

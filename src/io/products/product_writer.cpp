@@ -11,6 +11,7 @@
 #include "io/products/geotiff.h"
 #include "io/products/map_info.h"
 #include "io/products/netcdf.h"
+#include "io/products/qgis_style.h"
 #include "io/products/quicklook.h"
 #include "io/products/run_json.h"
 #include "io/report/report.h"
@@ -91,6 +92,8 @@ std::vector<std::unique_ptr<PartFile>> ProductWriter::State::derive(
     make("_radiance.nc", "radiance and its errors, NetCDF", [&](PartFile& file) {
       write_netcdf(file, {radiance, cubes->view(Product::standard_error), cubes->view(Product::half_width)}, record);
     });
+  make("_radiance.qml", "layer style for QGIS",
+       [&](PartFile& file) { write_part(file, qgis_style(radiance, record, options.quicklook_channels)); });
   if (options.quicklook)
     make("_quicklook.png", "picture", [&](PartFile& file) {
       write_part(file, make_quicklook(radiance, record, options.quicklook_channels));
@@ -119,7 +122,7 @@ void ProductWriter::State::publish(const RunRecord& record, std::vector<std::uni
 
   // What an earlier run of this name left and this one does not replace would not belong to its cubes.
   auto leftovers = cubes->unselected_files();
-  for (const char* ending : {"_radiance.tif", "_radiance.nc", "_quicklook.png", "_report.html"})
+  for (const char* ending : {"_radiance.tif", "_radiance.nc", "_radiance.qml", "_quicklook.png", "_report.html"})
     leftovers.push_back(path(ending));
   for (const auto& leftover : leftovers)
     if (std::none_of(record.files.begin(), record.files.end(),
