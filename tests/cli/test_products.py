@@ -28,7 +28,7 @@ class Lists(unittest.TestCase):
             done = run("render", "scene.json", cwd=folder)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(sorted(file.name for file in (folder / "scene.out").iterdir()),
-                             ["flight_7_radiance.img", "flight_7_radiance.img.hdr", "flight_7_radiance.nc", "flight_7_run.json",
+                             ["flight_7_radiance.img", "flight_7_radiance.img.hdr", "flight_7_radiance.nc", "flight_7_radiance.qml", "flight_7_run.json",
                               "flight_7_standard_error.img", "flight_7_standard_error.img.hdr"])
             self.assertIn("complete", run("status", "scene.out", cwd=folder).stdout)
             self.assertIn("flight_7_run.json", run("info", "scene.out", cwd=folder).stdout)
@@ -77,7 +77,7 @@ class Pieces(unittest.TestCase):
             done = run("merge", "scene.out.1-of-2", "scene.out.2-of-2", "--output", "merged", cwd=folder)
             self.assertEqual(done.returncode, 0, done.stderr)
             reference = products(folder / "scene.out")
-            self.assertEqual(len(reference), 13)
+            self.assertEqual(len(reference), 14)
             for other in ("two", "merged"):
                 found = products(folder / other)
                 for name, content in reference.items():
