@@ -36,7 +36,8 @@ td.met { color: #00703c; font-weight: bold; }
 td.missed { color: #b00020; font-weight: bold; }
 figure { margin: 1.5em 0; } figcaption { font-size: 90%; color: #555; max-width: 50em; }
 .row { display: flex; flex-wrap: wrap; gap: 1.2em; }
-svg { max-width: 100%; height: auto; }
+svg, img { max-width: 100%; height: auto; }
+.row img { max-width: 31%; }
 small { color: #777; }
 )";
   return format(

@@ -265,7 +265,7 @@ TEST(ProductWriter, HalfWidthsAreSaidByWhatMakesThem) {
   EXPECT_NEAR(s.parts->sampling + s.parts->air + s.parts->nodes, s.mean_half_width, 1e-12);
   EXPECT_GT(s.parts->sampling, 0.0);
   const std::string page = test::read_all(folder.path() / "demo_report.html");
-  EXPECT_NE(page.find("<th>of the mean: sampling</th><th>air</th><th>nodes</th>"), std::string::npos);
+  EXPECT_NE(page.find("<th>Mean by sampling</th><th>by the air</th><th>by nodes</th>"), std::string::npos);
   Json::Value root;
   std::istringstream(test::read_all(folder.path() / "demo_run.json")) >> root;
   EXPECT_FALSE(root["channels"][0].isMember("mean_half_width_parts"));

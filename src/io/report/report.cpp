@@ -196,8 +196,8 @@ class Page {
         "<section><h2>Channels</h2><div class=\"scroll\"><table><thead><tr><th>Channel</th><th>Centre, "
         "\u00b5m</th>"
         "<th>FWHM, \u00b5m</th><th>Mean</th><th>Std. dev.</th><th>Minimum</th><th>Maximum</th>"
-        "<th>Mean half-width</th><th>Largest half-width</th>{}</tr></thead><tbody>",
-        split ? "<th>of the mean: sampling</th><th>air</th><th>nodes</th>" : "");
+        "<th>Half-width, mean</th><th>largest</th>{}</tr></thead><tbody>",
+        split ? "<th>Mean by sampling</th><th>by the air</th><th>by nodes</th>" : "");
     for (std::size_t c = 0; c < record_.image.channels.size(); ++c) {
       const auto& channel = record_.image.channels[c];
       const auto& s = record_.statistics.channels.at(c);

@@ -45,7 +45,7 @@ svg .limit{stroke:var(--warn);stroke-dasharray:4 3}
 svg .limit-text{fill:var(--warn)}
 table{border-collapse:collapse;width:100%;font-size:14px;font-variant-numeric:tabular-nums}
 th,td{text-align:right;padding:5px 10px;border-bottom:1px solid var(--line)}
-th{font-weight:600;color:var(--soft);white-space:nowrap}
+th{font-weight:600;color:var(--soft);vertical-align:bottom}
 th:first-child,td:first-child{text-align:left}
 tbody tr:last-child td{border-bottom:0}
 .scroll{overflow:auto;max-height:430px}
