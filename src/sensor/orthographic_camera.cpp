@@ -45,4 +45,11 @@ bool OrthographicCamera::project(math::Point3 position_m, sampling::FocalPoint& 
   return position_m.z <= settings_.start_height_m;
 }
 
+CameraPose OrthographicCamera::pose() const {
+  const double c = std::cos(settings_.rotation_rad), s = std::sin(settings_.rotation_rad);
+  CameraPose pose;
+  pose.axes = {{c, -s, 0.0}, {-s, -c, 0.0}, -towards_sensor_};
+  return pose;
+}
+
 }  // namespace ifov::sensor

@@ -26,11 +26,10 @@ class OrthographicCamera final : public Camera {
   void rays(std::span<const sampling::FocalPoint> points, std::span<math::Ray> rays) const override;
   bool project(math::Point3 position_m, sampling::FocalPoint& point) const override;
   double gsd_m(math::Point3) const override { return settings_.gsd_m; }
+  CameraPose pose() const override;
+  std::optional<GroundGrid> ground_grid() const override { return GroundGrid{corner_, settings_.gsd_m, settings_.rotation_rad}; }
 
   const Settings& settings() const { return settings_; }
-
-  /// Scene coordinates, at z = 0, of the outer corner of the upper left pixel: what map information starts from.
-  math::Point3 upper_left_corner_m() const { return corner_; }
 
  private:
   Settings settings_;

@@ -4,8 +4,6 @@
 #include <numbers>
 
 #include "io/raster/map_reference.h"
-#include "sensor/frame_camera.h"
-#include "sensor/orthographic_camera.h"
 
 namespace ifov::session {
 namespace {
@@ -29,19 +27,16 @@ std::optional<math::Point3> place_of(const Session::Parts& parts, double x_px, d
 }
 
 io::Acquisition::Camera camera_of(const Session::Parts& parts) {
+  const sensor::CameraPose pose = parts.camera->pose();
   io::Acquisition::Camera camera;
-  if (const auto* frame = dynamic_cast<const sensor::FrameCamera*>(parts.camera.get())) {
-    const sensor::FrameCamera::Settings& s = frame->settings();
-    camera = {true, s.position_m + parts.map_offset_m, s.axes.right, s.axes.down, s.axes.forward, s.focal_length_m, s.pitch_m, 0.0};
-    if (const auto middle = place_of(parts, 0.5 * s.width_px, 0.5 * s.height_px)) camera.ground_sample_m = frame->gsd_m(*middle);
-  } else if (const auto* orthographic = dynamic_cast<const sensor::OrthographicCamera*>(parts.camera.get())) {
-    const sensor::OrthographicCamera::Settings& s = orthographic->settings();
-    const double c = std::cos(s.rotation_rad), n = std::sin(s.rotation_rad), tilt = std::sin(s.view_zenith_rad);
-    camera.right = {c, -n, 0.0};
-    camera.down = {-n, -c, 0.0};
-    camera.forward = {-tilt * std::sin(s.view_azimuth_rad), -tilt * std::cos(s.view_azimuth_rad), -std::cos(s.view_zenith_rad)};
-    camera.ground_sample_m = s.gsd_m;
-  }
+  camera.is_frame = pose.position_m.has_value();
+  camera.right = pose.axes.right, camera.down = pose.axes.down, camera.forward = pose.axes.forward;
+  camera.focal_length_m = pose.focal_length_m, camera.pitch_m = pose.pitch_m;
+  if (pose.position_m) camera.position_m = *pose.position_m + parts.map_offset_m;
+  if (const auto grid = parts.camera->ground_grid())
+    camera.ground_sample_m = grid->gsd_m;
+  else if (const auto middle = place_of(parts, 0.5 * parts.camera->width_px(), 0.5 * parts.camera->height_px()))
+    camera.ground_sample_m = parts.camera->gsd_m(*middle);
   return camera;
 }
 

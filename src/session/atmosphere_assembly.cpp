@@ -66,8 +66,8 @@ atmosphere::SensorGeometry sensor_geometry(const io::Document& document, const s
     geometry.sun_zenith_rad = std::acos(std::clamp(towards.z, -1.0, 1.0));
     geometry.view_azimuth_rad = std::atan2(up.x, up.y) - std::atan2(towards.x, towards.y);
   }
-  const bool frame = std::holds_alternative<io::FrameCamera>(document.sensor.camera.model);
-  geometry.sensor_altitude_km = frame ? ground_km + 1e-3 * ray.origin_m.z : kAboveAllAir_km;
+  const std::optional<math::Point3> position_m = camera.pose().position_m;
+  geometry.sensor_altitude_km = position_m ? ground_km + 1e-3 * position_m->z : kAboveAllAir_km;
   if (document.atmosphere.modelled->sensor_altitude_km)
     geometry.sensor_altitude_km = *document.atmosphere.modelled->sensor_altitude_km;
   if (!(geometry.sensor_altitude_km > ground_km))

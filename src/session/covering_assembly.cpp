@@ -4,12 +4,24 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <stdexcept>
 
 #include "io/raster/fill_unknown.h"
 #include "session/spectrum_assembly.h"
 #include "session/with_position.h"
 
 namespace ifov::session {
+namespace {
+
+materials::ScatteringKind scattering_of(io::Scattering scattering) {
+  switch (scattering) {
+    case io::Scattering::lambertian: return materials::ScatteringKind::lambertian;
+    case io::Scattering::mirror: return materials::ScatteringKind::mirror;
+  }
+  throw std::logic_error("a material scatters in no known way");
+}
+
+}  // namespace
 
 CoveringAssembly::CoveringAssembly(const io::Document& document, const MapFrame& frame, scene::Scene& scene,
                                    LogSink* log)
@@ -23,8 +35,7 @@ void CoveringAssembly::add_materials() {
   for (const io::MaterialDocument& source : document_.scene.materials) {
     materials::Material material;
     material.name = source.name;
-    material.scattering = source.scattering == io::Scattering::mirror ? materials::ScatteringKind::mirror
-                                                                       : materials::ScatteringKind::lambertian;
+    material.scattering = scattering_of(source.scattering);
     if (source.transmittance)
       material.transmittance = assemble_spectrum(document_, *source.transmittance,
                                                  format("transmittance of {}", source.name));

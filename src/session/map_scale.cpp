@@ -4,8 +4,6 @@
 #include <filesystem>
 
 #include "core/format.h"
-#include "sensor/frame_camera.h"
-#include "sensor/orthographic_camera.h"
 
 namespace ifov::session {
 
@@ -16,13 +14,8 @@ constexpr double kMuch = 10.0;
 }  // namespace
 
 double ground_sample_m(const sensor::Camera& camera, const geometry::World& world) {
-  if (const auto* nadir = dynamic_cast<const sensor::OrthographicCamera*>(&camera)) return nadir->settings().gsd_m;
-  const auto* frame = dynamic_cast<const sensor::FrameCamera*>(&camera);
-  if (frame == nullptr) return 0.0;
   const geometry::World::Bounds bounds = world.bounds();
-  const math::Point3 middle = bounds.low_m + (bounds.high_m - bounds.low_m) * 0.5;
-  const sensor::FrameCamera::Settings& settings = frame->settings();
-  return math::length(middle - settings.position_m) * settings.pitch_m / settings.focal_length_m;
+  return camera.gsd_m(bounds.low_m + (bounds.high_m - bounds.low_m) * 0.5);
 }
 
 std::vector<std::string> scale_statements(const std::vector<MapScale>& scales, double ground_sample_m) {

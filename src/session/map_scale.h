@@ -15,8 +15,7 @@ struct MapScale {
   friend bool operator==(const MapScale&, const MapScale&) = default;
 };
 
-/// Side of a pixel on the ground, metres: that of an orthographic camera, or of a frame camera at the middle of the
-/// scene.
+/// Side of a pixel at the middle of the scene, metres; not above 0 where the camera looks away from it.
 double ground_sample_m(const sensor::Camera& camera, const geometry::World& world);
 
 /// One line for each map whose cells are more than ten times smaller or larger than a pixel.

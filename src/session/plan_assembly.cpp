@@ -22,11 +22,11 @@ const char* name_of(render::ErrorUnit unit) {
   return "noise";
 }
 
-/// Every pixel of an orthographic image lies where the map says: its places are written where they are asked for.
-io::ProductSet cubes_of(const io::Document& document) {
+/// Where the map says where every pixel lies, places are written where they are asked for.
+io::ProductSet cubes_of(const io::Document& document, const sensor::Camera& camera) {
   if (document.output.products) return *document.output.products;
   io::ProductSet usual = io::usual_products();
-  if (std::holds_alternative<io::OrthographicCamera>(document.sensor.camera.model)) usual.remove(io::Product::location);
+  if (camera.ground_grid()) usual.remove(io::Product::location);
   return usual;
 }
 
@@ -63,7 +63,7 @@ io::RunPlan assemble_plan(const Session::Parts& parts, bool with_files) {
   plan.geotiff = formats.contains(io::ProductFormat::geotiff);
   plan.netcdf = formats.contains(io::ProductFormat::netcdf);
   plan.name = document.output.name;
-  plan.cubes = cubes_of(document);
+  plan.cubes = cubes_of(document, *parts.camera);
   plan.quicklook = formats.contains(io::ProductFormat::png);
   plan.report = formats.contains(io::ProductFormat::html);
   for (const io::DocumentName& channel : document.output.quicklook_channels)

@@ -141,14 +141,13 @@ render::ImageInfo image_info(const io::Document& document, const sensor::Camera&
   for (const radiometry::Channel& channel : channels)
     info.channels.push_back({channel.name, channel.centre_um, channel.fwhm_um});
   info.materials = scene::truth_materials(scene).names;
-  if (const auto* nadir = dynamic_cast<const sensor::OrthographicCamera*>(&camera)) {
-    const sensor::OrthographicCamera::Settings& settings = nadir->settings();
-    const math::Point3 corner_m = nadir->upper_left_corner_m() + map_offset_m;
+  if (const auto grid = camera.ground_grid()) {
+    const math::Point3 corner_m = grid->upper_left_m + map_offset_m;
     info.has_map = true;
     info.map_x_m = corner_m.x;
     info.map_y_m = corner_m.y;
-    info.gsd_m = settings.gsd_m;
-    info.map_rotation_rad = settings.rotation_rad;
+    info.gsd_m = grid->gsd_m;
+    info.map_rotation_rad = grid->rotation_rad;
   }
   info.map_projection = map_system(document.scene.origin);
   return info;

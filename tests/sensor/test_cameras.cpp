@@ -50,7 +50,31 @@ TEST(OrthographicCamera, ImageXIsEastAndImageYIsSouth) {
   EXPECT_EQ(corner.origin_m, (math::Point3{90.0, 205.0, 50.0}));
   EXPECT_EQ(last.origin_m, (math::Point3{110.0, 195.0, 50.0}));
   EXPECT_EQ(corner.direction, (math::Vec3{0.0, 0.0, -1.0}));
-  EXPECT_EQ(camera.upper_left_corner_m().x, 90.0);
+  EXPECT_EQ(camera.ground_grid()->upper_left_m, (math::Point3{90.0, 205.0, 0.0}));
+}
+
+TEST(Cameras, SayHowTheyStand) {
+  // The image of an orthographic camera is where its grid says, whatever its rotation and the direction of its rays.
+  const OrthographicCamera aslant({40, 20, 0.5, 100.0, 200.0, 0.3, 50.0, 40.0 * kDegree, 70.0 * kDegree});
+  const GroundGrid grid = *aslant.ground_grid();
+  EXPECT_EQ(grid.gsd_m, 0.5);
+  EXPECT_EQ(grid.rotation_rad, 0.3);
+  const CameraPose pose = aslant.pose();
+  EXPECT_FALSE(pose.position_m) << "its rays are parallel";
+  const math::Point3 place = grid.upper_left_m + pose.axes.right * (0.5 * 30.0) + pose.axes.down * (0.5 * 6.0);
+  sampling::FocalPoint point;
+  ASSERT_TRUE(aslant.project(place, point));
+  EXPECT_NEAR(point.x_px, 30.0, 1e-9);
+  EXPECT_NEAR(point.y_px, 6.0, 1e-9);
+  const math::Ray ray = ray_through(aslant, 7.0, 3.0);
+  EXPECT_NEAR(math::length(ray.direction - pose.axes.forward), 0.0, 1e-12);
+
+  const CameraAxes axes = axes_from_yaw_pitch_roll(0.3, 0.1, -0.2);
+  const FrameCamera frame({64, 48, 0.05, 1e-5, {1.0, 2.0, 300.0}, axes});
+  EXPECT_FALSE(frame.ground_grid());
+  EXPECT_EQ(*frame.pose().position_m, (math::Point3{1.0, 2.0, 300.0}));
+  EXPECT_EQ(frame.pose().focal_length_m, 0.05);
+  EXPECT_NEAR(math::length(ray_through(frame, 32.0, 24.0).direction - frame.pose().axes.forward), 0.0, 1e-12);
 }
 
 TEST(OrthographicCamera, LooksAslantAtTheSamePixelsOfTheGround) {

@@ -66,7 +66,7 @@ std::string sees_line(const Session::Parts& parts, const SceneLook& look) {
   if (look.distance_m.low > look.distance_m.high) return "nothing but sky";
   std::string text = area_text(parts, look.x_m, look.y_m);
   text += format("; a pixel covers {}", range_text(look.gsd_m.low, look.gsd_m.high, "m"));
-  if (std::holds_alternative<io::FrameCamera>(parts.document.sensor.camera.model))
+  if (parts.camera->pose().position_m)
     text += format(", {} away", range_text(look.distance_m.low, look.distance_m.high, "m"));
   if (look.sky_share > 0.0) text += format("; {:.2g} % sees no surface", 100.0 * look.sky_share);
   return text;

@@ -20,13 +20,6 @@ struct CameraHeight {
   std::optional<double> operator()(const io::FrameCamera&) const { return std::nullopt; }
 };
 
-/// A frame camera's place, scene frame.
-struct CameraPlace {
-  math::Vec3 offset_m;
-  std::optional<math::Point3> operator()(const io::OrthographicCamera&) const { return std::nullopt; }
-  std::optional<math::Point3> operator()(const io::FrameCamera& c) const { return c.position_m - offset_m; }
-};
-
 /// The share of directions in which a place sees the back of a surface before anything else.
 double backs_about(const geometry::World& world, math::Point3 place) {
   std::vector<math::Ray> rays;
@@ -51,7 +44,7 @@ void warn_of_camera(const Session::Parts& parts, const SceneLook& look, LogSink&
     log.warn(format("the camera's 'height' of {:g} m lies below the top of the scene at {:g} m: what is above it is not seen. "
                     "Leave 'height' out, and rays start above everything",
                     *height_m, top_m + offset_m.z));
-  const auto place = std::visit(CameraPlace{offset_m}, parts.document.sensor.camera.model);
+  const std::optional<math::Point3> place = parts.camera->pose().position_m;
   if (place && world.object_count() > 0) {
     constexpr double kInside = 0.9;
     const math::Ray up{*place, {0.0, 0.0, 1.0}};
