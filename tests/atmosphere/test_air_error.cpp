@@ -166,5 +166,16 @@ TEST(SkyTableError, SeesWhatLiesBetweenTheDirections) {
   EXPECT_LE(inclined_error(table, bumpy, 100.0, 0.7), inclined_error(table, bumpy, 0.0, 0.7));
 }
 
+// A uniform sky with a ring halfway up, linear between the directions, of which the table knows nothing: by integrals
+// over zenith angles level ground gets pi + 2 of it and an upright surface 3 pi / 4, of the table's sky pi and pi / 2.
+// Level ground is made to agree, and the upright surface errs most.
+TEST(SkyTableError, OfARingHasItsClosedForm) {
+  constexpr double kPi = std::numbers::pi;
+  const SkyDirections table{{0.0, 0.5 * kPi}, {0.0, kPi}};
+  const std::vector<double> ring{1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 1.0, 1.0, 1.0};
+  const double upright = std::abs((kPi + 2.0) / kPi * 0.5 * kPi / (0.75 * kPi) - 1.0);
+  EXPECT_NEAR(inclined_error(table, ring, 0.0, 0.7), 4.0 / 3.0 * upright, 1e-4);
+}
+
 }  // namespace
 }  // namespace ifov::atmosphere

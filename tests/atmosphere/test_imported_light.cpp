@@ -87,7 +87,9 @@ TEST(ImportedLight, OneRunOverBlackGroundKeepsTheCorrelationOfBothWays) {
   dark.set(Q::spherical_albedo, all(kAlbedo));
   dark.set(Q::diffuse_ground_sensor_transmittance, all(kDiffuseUp));
   dark.set(Q::sun_ground_transmittance, all((kSeenBeam + kSky) / (kAbove * kCos)));
-  expect_light(imported_light({{dark}, {0.0}, {}}, kSun));
+  const ImportedLight light = imported_light({{dark}, {0.0}, {}}, kSun);
+  expect_light(light);
+  EXPECT_TRUE(light.own_irradiance);
   // Without the two-way transmittance the beam is that of its own way down.
   dark.set(Q::two_way_transmittance, {});
   dark.set(Q::direct_sun_ground_transmittance, all(kDown));

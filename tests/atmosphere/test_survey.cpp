@@ -68,6 +68,20 @@ TEST(AirSurvey, SunlightSplitsFromEmission) {
   EXPECT_NEAR(day.view_transmittance, night.view_transmittance, 1e-12);
 }
 
+// Light finds the same ways up as down: where the sensor stands in the direction of the Sun, the share of its light
+// that reaches level black ground is the share of the light of bright ground that reaches the sensor.
+TEST(AirSurvey, LightGoesUpAsItComesDown) {
+  SensorGeometry geometry = sun_at(40.0);
+  geometry.view_zenith_rad = 40.0 * kDegree;
+  const std::vector<radiometry::Channel> channels{radiometry::Channel::top_hat("green", 0.5495, 0.5505)};
+  const AirLight light =
+      survey_air(column("rural"), channels, radiometry::solar_irradiance_1au(), geometry).front();
+  const double down = (light.direct_irradiance + light.solar_sky) /
+                      (std::cos(40.0 * kDegree) * light.solar_irradiance);
+  EXPECT_NEAR((light.view_transmittance + light.diffuse_transmittance) / down, 1.0, 0.01);
+  EXPECT_GT(light.diffuse_transmittance, 0.1);
+}
+
 // Clear air above dark ground: skylight is most polarized 90 degrees from the Sun, across the Sun's plane,
 // and not at all near the Sun and on both sides of it (the points of Babinet and Brewster). Coulson et al.
 // (1960) have 0.7 to 0.8.

@@ -171,5 +171,16 @@ TEST(BandFigures, LeaveAwayWhatIsNotFinite) {
   EXPECT_EQ(figures.maximum(), 1.0 + 0.25 * 1002);
 }
 
+TEST(BandFigures, DoNotDependOnWhereLinesEnd) {
+  const std::vector<float> values{1005.0f, 1007.0f, 1009.0f};
+  for (const std::size_t first : {0, 1, 2, 3}) {
+    BandFigures figures;
+    figures.add(std::span(values).first(first));
+    figures.add(std::span(values).subspan(first));
+    EXPECT_EQ(figures.mean(), 1007.0) << first;
+    EXPECT_NEAR(figures.standard_deviation(), std::sqrt(8.0 / 3.0), 1e-12) << first;
+  }
+}
+
 }  // namespace
 }  // namespace ifov::io

@@ -437,6 +437,23 @@ TEST(ProductWriter, MorePixelsThanTheDiskHoldsAreRefusedBeforeTheFirstRay) {
   EXPECT_TRUE(names_in(folder.path()).empty());
 }
 
+TEST(PartFile, DiscardingClosesAndRemoves) {
+  const ScratchFolder folder("discard");
+  PartFile file(folder.path() / "image.bin");
+  write_part(file, "light");
+  const auto open_here = [&] {
+    int count = 0;
+    std::error_code gone;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd"))
+      count += std::filesystem::read_symlink(entry, gone).string().starts_with(file.part_path().string());
+    return count;
+  };
+  EXPECT_GT(open_here(), 0);
+  file.discard();
+  EXPECT_EQ(open_here(), 0);
+  EXPECT_FALSE(std::filesystem::exists(file.part_path()));
+}
+
 TEST(ProductWriter, WrongTilesAreBugs) {
   const SyntheticImage image{10, 10, 2};
   const ScratchFolder folder("wrong");

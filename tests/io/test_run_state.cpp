@@ -149,6 +149,7 @@ TEST(RunPlan, KeepsWhatProductsSayOfTheAcquisition) {
   a.time = "2024-06-21T10:30:00.000Z";
   a.light = {35.0, 140.0, false};
   a.origin = {49.4, 8.7};
+  a.origin_height_m = 110.0;
   a.origin_on_map_m = {477000.0, 5474000.0, 110.0};
   a.camera.is_frame = true;
   a.camera.position_m = {1.0, 2.0, 3.0};

@@ -112,6 +112,29 @@ TEST(EmitterShape, DrawsWhatIsSeenWithTheDensityThatItSays) {
     }
 }
 
+TEST(EmitterShape, LiesWithinItsSphere) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<> u;
+  std::normal_distribution<> n;
+  const auto anywhere = [&] { return math::normalized(Vec3{n(random), n(random), n(random)}); };
+  std::vector<Placed> shapes = all_shapes();
+  shapes.push_back(place(geometry::Cylinder{{0.0, 0.0, -0.5}, 0.7, 0.1, false}, {}));  // a ring
+  for (const Placed& placed : shapes)
+    for (const SurfacePiece& piece : placed.pieces) {
+      const EmitterShape shape(piece, false);
+      int met = 0;
+      for (int k = 0; k < 2000; ++k) {
+        const Point3 from = Point3{} + 10.0 * anywhere();
+        const Point3 to = shape.centre_m() + shape.radius_m() * u(random) * anywhere();
+        SurfacePoint hit;
+        if (!meets(placed, piece, from, math::normalized(to - from), hit)) continue;
+        ++met;
+        ASSERT_LE(math::length(hit.position_m - shape.centre_m()), shape.radius_m() * (1.0 + 1e-6));
+      }
+      EXPECT_GT(met, 50);
+    }
+}
+
 TEST(EmitterShape, PlantedFaultDensityFivePercentOff) {
   std::mt19937 random(5);
   double worst = 0.0;

@@ -49,6 +49,19 @@ TEST(MirrorSun, FacadeLightsTheGroundBeforeIt) {
   }
 }
 
+// Images of the Sun in flat mirrors are known; chance looks for it in what bends, an egg.
+TEST(MirrorSun, ChanceIsLeftToWhatHasNoImage) {
+  for (const bool egg : {false, true}) {
+    SmallScene scene;
+    scene.place(wall(0.0, -5.0, 5.0, 10.0), scene.material(kMirror, 0.0, kMirrorKind));
+    if (egg)
+      scene.place(geometry::Sphere{{}, 0.5}, scene.material(kMirror, 0.0, kMirrorKind),
+                  math::Transform::translation({3.0, 0.0, 1.0}) * math::Transform::scaling({1.0, 1.0, 1.4}));
+    scene.sun({1.0, 0.0, 2.0}, kIrradiance, kHalfAngle);
+    EXPECT_EQ(scene.build().sun_mirrors()->groups().size(), egg ? 1u : 0u);
+  }
+}
+
 TEST(MirrorSun, BothLegsMustBeFree) {
   // Light for the ground at x = 2 meets the mirror at 4 m, and 20 m above the ground it is at x = 8.
   const auto hidden = before_facade(down_on(2.0, 0.0), 8.0, kHalfAngle);

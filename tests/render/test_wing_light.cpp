@@ -209,5 +209,22 @@ TEST(WingLight, ACutWithoutWingsIsInTheIntervalByTheContrast) {
   EXPECT_EQ(tile.half_width[1], 0.0f);
 }
 
+// The same step is too much for the dark pixel, of which a percent is asked, and not for the bright one.
+TEST(WingLight, WhatACutMakesTooWideSaysSo) {
+  const std::vector<radiometry::Channel> channels{radiometry::Channel::monochromatic("red", 0.6)};
+  const auto nodes = radiometry::SpectralNodes::build(channels, radiometry::Spectrum(), {});
+  const ChannelBrightness brightness(nodes);
+  const AccuracyTolerance percent({}, brightness, {0.0}, 2);
+  sampling::TileResult tile;
+  tile.reset({0, 0, 2, 1}, 1);
+  tile.mean = {1.0f, 101.0f};
+  tile.reasons.assign(2, 0);
+  widen_by_cut(1e-3, &percent, tile);
+  EXPECT_NEAR(tile.worst_ratio[0], 0.1 / 0.01, 1e-4);
+  EXPECT_NEAR(tile.worst_ratio[1], 0.1 / 1.01, 1e-6);
+  EXPECT_EQ(tile.reasons[0], sampling::bit(sampling::Reason::psf_cut));
+  EXPECT_EQ(tile.reasons[1], 0);
+}
+
 }  // namespace
 }  // namespace ifov::render

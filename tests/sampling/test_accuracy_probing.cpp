@@ -42,5 +42,21 @@ TEST(AccuracyProbing, ASurprisingFindIsProbedAroundOnAllSides) {
   EXPECT_LE(found, 40);
 }
 
+// Two surfaces that look alike, and a hot gap between them that runs between two columns of the lattice: the border of
+// the two matters to nobody, and yet the gap is found whatever the seed.
+TEST(AccuracyProbing, AGapBetweenTwoThatLookAlikeIsFound) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    Draw draw(seed);
+    const double left = 1.36 + 0.2 * draw(), width = 0.03;
+    ShapeField field([=](double x, double) -> Label { return x < left ? 1 : x < left + width ? 2 : 3; },
+                     [](Label l, double, double, int) { return static_cast<float>(l == 2 ? kHot : kCold); });
+    Rendering render = three_by_three(seed);
+    render.options.clutter_switch = false;
+    const TileResult result = render(field);
+    for (const std::size_t p : {1, 4, 7})
+      EXPECT_NEAR(result.mean[p], kCold + (kHot - kCold) * width, 0.1 * kRadiancePerKelvin) << p << " of seed " << seed;
+  }
+}
+
 }  // namespace
 }  // namespace ifov::test

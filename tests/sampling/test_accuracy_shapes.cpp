@@ -55,6 +55,59 @@ TEST(AccuracyShapes, TurnedSquare) {
   EXPECT_GE(t.coverage(), 0.93);
 }
 
+// A disc that bulges over its pixel's rim between two points of the lattice: its part beyond is seen by nobody, and
+// what it may hold belongs to the interval.
+TEST(AccuracyShapes, ArcsThatLeaveTheirPixelAreWithinTheInterval) {
+  constexpr double kLimit = 0.002 * kRadiancePerKelvin;
+  int covered = 0;
+  for (int i = 0; i < kTrials; ++i) {
+    Draw draw(6000 + static_cast<std::uint64_t>(i));
+    const double r = 0.35 + 0.1 * draw(), beyond = 0.001 + 0.01 * draw();
+    const DiscScene scene{2.0 + beyond - r, 1.5 + 0.05 * (draw() - 0.5), r};
+    ShapeField field = scene.field();
+    Rendering render = three_by_three(6000 + static_cast<std::uint64_t>(i));
+    render.half_width = kLimit;
+    const sampling::TileResult result = render(field);
+    covered += std::abs(result.mean[4] - scene.truth()) <= result.half_width[4] + 1e-6;
+  }
+  EXPECT_GE(covered, 0.93 * kTrials);
+}
+
+// A turned chessboard, sampled as borders alone: where the passes of sharpening run out, all cells of the model must
+// have been looked at all the same.
+TEST(AccuracyShapes, BordersThatDoNotSettleAreWithinTheInterval) {
+  int held = 0, judged = 0;
+  for (std::uint64_t seed : {6, 13, 19, 21, 22, 23}) {
+    Draw draw(seed);
+    const double side = 1.0 / (1.0 + 5.0 * draw()), angle = 3.0 * draw(), x0 = draw(), y0 = draw();
+    const double c = std::cos(angle), s = std::sin(angle);
+    const auto hot = [](int u, int v) { return ((u + v) & 1) != 0; };
+    ShapeField field = two_surfaces([=](double x, double y) {
+      return static_cast<sampling::Label>(hot(static_cast<int>(std::floor((c * x + s * y) / side + x0)),
+                                              static_cast<int>(std::floor((c * y - s * x) / side + y0))));
+    });
+    double truth[9] = {};
+    for (int u = -40; u < 40; ++u)
+      for (int v = -40; v < 40; ++v) {
+        const double along = (u + 0.5 - x0) * side, across = (v + 0.5 - y0) * side;
+        const sampling::Polygon square =
+            turned_rectangle(c * along - s * across, s * along + c * across, side, side, angle);
+        for (int p = 0; p < 9; ++p)
+          truth[p] += (hot(u, v) ? kHot : kCold) * polygon_in_rectangle(square, p % 3, p / 3, p % 3 + 1, p / 3 + 1);
+      }
+    Rendering render = three_by_three(seed);
+    render.half_width = 0.01;
+    render.options.clutter_switch = false;
+    const sampling::TileResult result = render(field);
+    for (int p = 0; p < 9; ++p, ++judged) {
+      const double error = std::abs(result.mean[p] - truth[p]), half_width = result.half_width[p];
+      held += error <= half_width + 1e-6;
+      EXPECT_LE(error, 3.0 * half_width) << p << " of seed " << seed;
+    }
+  }
+  EXPECT_GE(held, 0.9 * judged);
+}
+
 Trials rods(bool seeded) {
   Trials t;
   for (int i = 0; i < kTrials; ++i) {

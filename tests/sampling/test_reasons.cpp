@@ -42,6 +42,21 @@ TEST(AccuracyReasons, AWidthThatMoreSamplesWouldNotLowerIsAnotherReason) {
   EXPECT_EQ(r.reasons[4], bit(Reason::error));
 }
 
+// Specks between the points of the lattice, of which more looks are wanted than one round has: more of them may turn
+// up, unless the pixel is sampled as clutter.
+TEST(AccuracyReasons, WhatMayGoOnTurningUpIsSaid) {
+  for (const bool clutter_switch : {false, true}) {
+    ShapeField field = two_surfaces([](double x, double y) {
+      const double dx = 12.0 * x - std::floor(12.0 * x) - 0.5, dy = 12.0 * y - std::floor(12.0 * y) - 0.5;
+      return static_cast<sampling::Label>(std::hypot(dx, dy) < 0.36);
+    });
+    Rendering render = three_by_three(3);
+    render.options.max_probe_rounds = 1;
+    render.options.clutter_switch = clutter_switch;
+    EXPECT_EQ((render(field).reasons[4] & bit(Reason::structure)) != 0, !clutter_switch) << clutter_switch;
+  }
+}
+
 TEST(AccuracyReasons, NoneWhereTheLimitIsKept) {
   ShapeField field = noise();
   Rendering render = three_by_three(3);

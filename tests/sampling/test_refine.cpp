@@ -63,13 +63,13 @@ struct Outcome {
   int covered = 0, pixels = 0, agreeing = 0, counted = 0;
 };
 
-/// From twice the half-width to it, against from the start.
-Outcome refine(double size_px, double sigma, double half_width, int trials) {
+/// From twice the half-width to it, against from the start. Truth is that of plain pixels.
+Outcome refine(double size_px, double sigma, double half_width, int trials,
+               const sampling::PixelFootprint& footprint = sampling::PixelFootprint::box(1.0)) {
   Outcome outcome;
   for (int trial = 0; trial < trials; ++trial) {
     const auto seed = static_cast<std::uint64_t>(trial + 1);
     const FixedTolerance loose(2.0 * half_width), tight(half_width);
-    const auto footprint = sampling::PixelFootprint::box(1.0);
     const int drivers[1] = {0};
     sampling::TileProblem problem;
     problem.tile = problem.image = {0, 0, 4, 4};
@@ -125,6 +125,15 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Refine,
                                          std::array{2.3, 0.5, 0.05},    // noise within them
                                          std::array{0.17, 0.0, 0.1},    // clutter
                                          std::array{0.17, 0.5, 0.1}));  // noisy clutter
+
+// Under a PSF values are kept with their places, of pixels beyond the tile too.
+TEST(RefineUnderAPsf, GoesOnWhereItWas) {
+  constexpr int kTrials = 6;
+  const Outcome outcome = refine(2.3, 0.5, 0.05, kTrials, gaussian(0.6, 1.5));
+  EXPECT_LE(outcome.rays, 1.15 * outcome.direct_rays);
+  EXPECT_GE(outcome.agreeing, 0.95 * outcome.pixels);
+  EXPECT_EQ(outcome.counted, kTrials);
+}
 
 /// Normal values, an end at `first` times the tolerance and then at the tolerance: share of the intervals
 /// that hold. `remembered`: the second run's looks follow the first one's; else it takes its first look for

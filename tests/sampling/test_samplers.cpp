@@ -265,6 +265,14 @@ TEST(AdaptiveSampler, OnlyDriversAreJudged) {
   EXPECT_GT(total_samples(render(AdaptiveSampler({}), field, problem)), 9u);
 }
 
+TEST(AdaptiveSampler, TheHaloHoldsTwoSubElementsAlongBothSides) {
+  for (const auto& [x, y] : {std::pair{1, 4}, {4, 1}, {2, 5}, {3, 3}}) {
+    const int halo = AdaptiveSampler({.sub_elements_x = x, .sub_elements_y = y, .max_samples = 64}).halo_px();
+    EXPECT_GE(halo * std::min(x, y), 2) << x << " x " << y;
+    EXPECT_LT((halo - 1) * std::min(x, y), 2) << x << " x " << y;  // and no pixel more
+  }
+}
+
 TEST(AdaptiveSampler, RefusesNonsense) {
   EXPECT_THROW(AdaptiveSampler({.sub_elements_x = 0}), std::invalid_argument);
   EXPECT_THROW(AdaptiveSampler({.max_samples = 8}), std::invalid_argument);

@@ -10,6 +10,7 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
+#include "render/glints.h"
 #include "session/parts.h"
 
 namespace ifov::session {
@@ -29,7 +30,8 @@ class WideView : public testing::Test {
                         const std::string& sampling = R"({"grid": {"elements": [1, 1]}})") const {
     return io::parse_document(
         format(
-            R"({{"ifov": 1, "scene": {{"materials": {{"soot": {{"reflectance": {}, "temperature": "300 K"}}}},
+            R"({{"ifov": 1, "scene": {{"materials": {{"soot": {{"reflectance": {}, "temperature": "300 K"}},
+                     "chrome": {{"reflectance": 0.5, "scattering": "mirror", "temperature": "300 K"}}}},
                    "objects": [{{"plane": {{}}, "material": "soot"}}{}]}},
                    "light": {{"sun": {{"point": {{"zenith": "35 deg", "azimuth": "130 deg"}}}}}},
                    "atmosphere": {{"profile": "mid-latitude summer"}},
@@ -93,6 +95,31 @@ TEST_F(WideView, HighGroundHasLessAirBeforeIt) {
   EXPECT_GT(high[2 * kMiddle], 0.4f * flat[2 * kMiddle]);
   // Of 300 K seen through less air that is colder.
   EXPECT_GT(high[2 * kMiddle + 1], 1.01f * flat[2 * kMiddle + 1]);
+}
+
+// A mirror ball sends rho E R^2 / 4 every way, and as much of the glint is seen as the air before it lets through.
+TEST_F(WideView, GlintsAreSeenThroughTheAirBeforeThem) {
+  constexpr double kRadius_m = 20.0, kReflectance = 0.5;
+  const char* ball = R"(, {"sphere": {"center": ["30 m", "10 m", "900 m"], "radius": "20 m"}, "material": "chrome"})";
+  const Session session = Session::load(document(kWide, ball), nullptr);
+  const render::SpectralScene& scene = *session.parts().spectral_scene;
+  const sensor::Camera& camera = *session.parts().camera;
+  sampling::TileResult tile;
+  tile.reset({0, 0, camera.width_px(), camera.height_px()}, 2);
+  render::Glints(scene, camera, 0.5, 1).add_to(sampling::PixelFootprint::box(1.0), nullptr, tile);
+  double total = 0.0;
+  for (std::size_t at = 0; at < tile.mean.size(); at += 2) total += static_cast<double>(tile.mean[at]);
+
+  const math::Vec3 to_sensor = math::Point3{0.0, 0.0, 4000.0} - math::Point3{30.0, 10.0, 900.0};
+  const auto place = scene.view_table()->at(math::normalized(to_sensor), 915.0);
+  std::vector<float> nodes(scene.node_count()), scratch(scene.stride()), channels(scene.stride());
+  const float* sun = scene.sun_irradiance(915.0, scratch.data());
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+    for (std::size_t k = 0; k < place.count; ++k) nodes[n] += place.weight[k] * place.transmittance[k][n] * sun[n];
+  scene.nodes().to_channels(nodes.data(), channels.data());
+  const double pixel_sr = 0.01;  // 1 mm at 10 mm
+  const double intensity = kReflectance * static_cast<double>(channels[0]) * kRadius_m * kRadius_m / 4.0;
+  EXPECT_NEAR(total, intensity / (pixel_sr * math::dot(to_sensor, to_sensor)), 0.03 * total);
 }
 
 // Paths draw the sky by direction; its irradiance was integrated by the solver of the air.

@@ -4,7 +4,7 @@ namespace ifov::sampling {
 
 namespace {
 
-/// Passes of tracing before the tracer leaves a pixel as it is.
+/// Passes of tracing in which borders are made sharper.
 constexpr int kMaxPasses = 24;
 
 }  // namespace
@@ -30,17 +30,15 @@ EdgeTracer::EdgeTracer(const Lattice& lattice, RayLedger& ledger, LabelTable& ta
       edge_lists_(allowed_variance_.size()) {}
 
 void EdgeTracer::settle() {
-  for (int pass = 0; pass < kMaxPasses; ++pass) {
+  for (int pass = 0;; ++pass) {
     grow();
-    sharpen();
+    // What there is then is verified to its end: that splits cells, but opens none that was verified.
+    if (pass < kMaxPasses) sharpen();
     if (!new_cells_.empty()) continue;
     if (tentative_.empty() && open_junctions_.empty()) return;
     verify_junctions();
     verify();
   }
-  grow();
-  verify_junctions();
-  verify();
 }
 
 /// What the lattice did not announce may turn out while tracing: a pixel that has cost this much is clutter.

@@ -1,0 +1,82 @@
+#include "render/object_seeds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/world_builder.h"
+#include "sampling/random.h"
+#include "sensor/orthographic_camera.h"
+
+namespace ifov {
+namespace {
+
+constexpr int kSide = 32;
+
+/// Pixels of 1 m, straight down; scene point (x, y) is image point (kSide / 2 + x, kSide / 2 - y).
+sensor::OrthographicCamera camera() {
+  sensor::OrthographicCamera::Settings settings;
+  settings.width_px = settings.height_px = kSide;
+  settings.start_height_m = 100.0;
+  return sensor::OrthographicCamera(settings);
+}
+
+void place(geometry::WorldBuilder& builder, geometry::Shape shape, math::Point3 at) {
+  const geometry::ShapeId id = builder.add_shape(std::move(shape));
+  builder.place(id, math::Transform::translation(at - math::Point3{}),
+                std::vector<std::uint32_t>(builder.slot_count(id), 0));
+}
+
+TEST(ObjectSeeds, TilesGetThoseOfTheirOwnAndOfTheirMargin) {
+  geometry::WorldBuilder builder;
+  std::vector<sampling::FocalPoint> images;
+  for (std::uint64_t k = 0; k < 200; ++k) {
+    const double x = kSide * sampling::unit_double(sampling::hash(k, 1));
+    const double y = kSide * sampling::unit_double(sampling::hash(k, 2));
+    place(builder, geometry::Sphere{{}, 0.1}, {x - 0.5 * kSide, 0.5 * kSide - y, 1.0});
+    images.push_back({x, y});
+  }
+  const auto world = builder.build(1);
+  const render::ObjectSeeds seeds(*world, 1, camera(), 1.5);
+  for (const sampling::PixelRect tile : {sampling::PixelRect{0, 0, 8, 8}, {8, 16, 24, 20}, {30, 30, 32, 32}}) {
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t k = 0; k < images.size(); ++k)
+      if (images[k].x_px >= tile.x0 - 1.5 && images[k].x_px < tile.x1 + 1.5 && images[k].y_px >= tile.y0 - 1.5 &&
+          images[k].y_px < tile.y1 + 1.5)
+        expected.push_back(k);
+    const render::ObjectSeeds::Near near = seeds.near(tile, 1.5);
+    std::vector<std::uint32_t> found = near.objects;
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, expected);
+    for (std::size_t k = 0; k < near.objects.size(); ++k)
+      EXPECT_NEAR(near.points[k].x_px, images[near.objects[k]].x_px, 1e-9);
+  }
+}
+
+/// Points in a band across the image, 20 m long, that was cut into strips of 0.1 m and these into two triangles each.
+std::size_t seeds_in_band(int strips) {
+  geometry::TriangleMesh mesh;
+  for (int k = 0; k <= strips; ++k) {
+    mesh.vertices_m.push_back({-10.0, 0.1 * k, 0.0});
+    mesh.vertices_m.push_back({10.0, 0.1 * k, 0.0});
+  }
+  for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(strips); ++k) {
+    mesh.triangles.push_back({2 * k, 2 * k + 1, 2 * k + 3});
+    mesh.triangles.push_back({2 * k, 2 * k + 3, 2 * k + 2});
+  }
+  geometry::WorldBuilder builder;
+  place(builder, std::move(mesh), {0.3, 0.1, 1.0});
+  const auto world = builder.build(1);
+  const render::ObjectSeeds::Near near = render::ObjectSeeds(*world, 1, camera(), 1.5).near({0, 0, kSide, kSide}, 1.5);
+  return static_cast<std::size_t>(std::count(near.objects.begin(), near.objects.end(), sampling::Field::kNoObject));
+}
+
+// A strip is sought all along, three times in a pixel; what only was cut into strips meets the lattice anyway.
+TEST(ObjectSeeds, StripsAreSoughtAndWhatWasCutIntoThemIsNot) {
+  EXPECT_GE(seeds_in_band(1), 2u * 57u);
+  EXPECT_EQ(seeds_in_band(8), 0u);
+}
+
+}  // namespace
+}  // namespace ifov
