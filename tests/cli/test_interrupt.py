@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from program import LONG, PROGRAM, Folder
+from program import DOME, LONG, PROGRAM, Folder, run
 
 
 class Terminal:
@@ -107,6 +107,20 @@ class Interrupt(unittest.TestCase):
                 self.assertIn("ended: stopped on request", (folder / "run.log").read_text())
             finally:
                 terminal.close()
+
+    def test_a_time_limit_ends_loading_as_well(self):
+        air = DOME.replace('"monochromatic": {"at": "8.5 um"}',
+                           '"series": {"gaussian": {"from": "0.4 um", "to": "2.5 um", "count": 400, "fwhm": "10 nm"}}')
+        air = air.replace('"sensor":', '"light": {"sun": {"disc": {"zenith": "40 deg", "azimuth": "120 deg"}}},\n'
+                                       '"atmosphere": {"profile": "tropical"}, "sensor":')
+        air = air.replace('"accuracy": {"error": "0.1 K", "channel": "B"}', '"single": {}')
+        with Folder(air=air) as folder:
+            begin = time.monotonic()
+            done = run("render", "air.json", "--no-cache", "--time-limit", "0.4s", cwd=folder)
+            self.assertLess(time.monotonic() - begin, 1.4)
+            self.assertEqual(done.returncode, 4, done.stderr)
+            self.assertIn("\nifov: the time limit came before the scene was loaded; nothing is rendered\n", done.stderr)
+            self.assertEqual(os.listdir(folder), ["air.json"])
 
     def test_a_second_ctrl_c_ends_at_once(self):
         with Folder(long=LONG) as folder:
