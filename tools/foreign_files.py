@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Gives files that others made to every reader of the program that their kind may be given to.
 
-For each file small documents that use it are checked, and rendered where they are taken. A find is a crash, a hang, exit
-code 3, more than 5 s of processor time, more than 512 MiB of memory, 8 KB of words, or an error that does not say where.
+For each file small documents that use it are checked, and rendered where they are taken. A find is a crash, a hang,
+exit code 3, more than 5 s of processor time, more than 512 MiB of memory, 8 KB of words, or an error that does not say
+where.
 See docs/developer/testing.md."""
 
 import argparse
@@ -32,7 +33,8 @@ BASE = {
               "objects": [{"plane": {}, "material": "ground"}]},
     "light": {"sun": {"point": {"zenith": "40 deg", "azimuth": "120 deg"}}, "sky": {"temperature": "250 K"}},
     "sensor": {"camera": {"orthographic": {"gsd": "1 m", "pixels": [8, 6]}},
-               "channels": [{"name": "red", "monochromatic": {"at": "0.65 um"}}, {"name": "T", "monochromatic": {"at": "10 um"}}]},
+               "channels": [{"name": "red", "monochromatic": {"at": "0.65 um"}},
+                            {"name": "T", "monochromatic": {"at": "10 um"}}]},
     "sampling": {"accuracy": {"error": "5 %", "max_samples": 200}},
     "output": {"formats": ["envi", "png"], "products": ["half_width", "abundance"]},
 }
@@ -97,7 +99,8 @@ TEXTS = {
     "ECOSTRESS spectrum": spectrum(lambda file: {"ecostress": file}),
     "USGS spectrum": spectrum(lambda file: {"usgs": file}),
     "DIRSIG spectrum": spectrum(lambda file: {"ems": file}),
-    "channel": lambda file: ("sensor.channels", [{"name": "red", "tabulated": {"file": file, "wavelength_unit": "nm"}}]),
+    "channel": lambda file: ("sensor.channels",
+                             [{"name": "red", "tabulated": {"file": file, "wavelength_unit": "nm"}}]),
     "rows of copies": lambda file: copies({"csv": file}),
     "weather": lambda file: ("weather", {"file": file, "date": "2024-06-21"}),
     "atmosphere": lambda file: ("atmosphere", {"imported": {"files": [file]}}),
@@ -118,7 +121,8 @@ SPECTRA = {
 KINDS = [
     ({".obj", ".ply", ".gltf", ".glb"}, MESHES),
     ({".json", ".geojson"}, JSONS),
-    ({".tif", ".tiff", ".nc", ".bmp", ".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".grd", ".gif", ".jp2", ".webp"}, RASTERS),
+    ({".tif", ".tiff", ".nc", ".grd", ".jp2", ".pgm", ".ppm"}, RASTERS),
+    ({".bmp", ".png", ".jpg", ".jpeg", ".gif", ".webp"}, RASTERS),
     ({".img", ".hdr", ".asc", ".dem", ".bil"}, {**RASTERS, **TEXTS, **SPECTRA}),
     ({".asd", ".sli", ".ifovinst"}, SPECTRA),
     ({".csv", ".tsv", ".txt", ".dat", ".epw", ".ems", ".mat", ".atm", ".spc"}, TEXTS),
@@ -127,7 +131,7 @@ KINDS = [
 
 
 def uses(file):
-    """What the file may be given to, by the ending of its name; one that tells nothing, to whatever does not look at it."""
+    """What the file may be given to, by its ending; one that tells nothing: whatever does not look at it."""
     for endings, readers in KINDS:
         if file.suffix.lower() in endings:
             return readers
@@ -159,8 +163,8 @@ def try_file(program, file, limits):
             for command in (["check", given], ["render", given, "--output", "out", "--threads", "1", "--restart"]):
                 ended = running.run([program, *command, "--no-cache"], folder, limits)
                 faults = running.faults(ended, limits)
-                rows.append((file, reader, command[0], ended.code, round(ended.processor_s, 3), round(ended.resident_mib),
-                             "; ".join(faults)))
+                rows.append((file, reader, command[0], ended.code, round(ended.processor_s, 3),
+                             round(ended.resident_mib), "; ".join(faults)))
                 if ended.code not in (0, 6) or reader == "document":  # a document of theirs may ask for anything
                     break
             shutil.rmtree(folder / "out", ignore_errors=True)
@@ -181,13 +185,15 @@ def different(folders):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folders", nargs="+", type=pathlib.Path, help="files, or folders of them")
-    parser.add_argument("--program", type=pathlib.Path, default=pathlib.Path(os.environ.get("IFOV_PROGRAM", ROOT / "build" / "ifov")))
+    program = pathlib.Path(os.environ.get("IFOV_PROGRAM", ROOT / "build" / "ifov"))
+    parser.add_argument("--program", type=pathlib.Path, default=program)
     parser.add_argument("--jobs", type=int, default=1, help="files at a time")
     parser.add_argument("--table", type=pathlib.Path, help="a CSV file of all runs")
     options = parser.parse_args()
     limits = running.Limits(address_mib=None)  # memory is judged by what is in use
     files, counts, rows = list(different(options.folders)), collections.Counter(), []
-    with (concurrent.futures.ThreadPoolExecutor(options.jobs) as pool, open(options.table or os.devnull, "w", newline="") as table):
+    with (concurrent.futures.ThreadPoolExecutor(options.jobs) as pool,
+          open(options.table or os.devnull, "w", newline="") as table):
         csv.writer(table).writerow(("file", "reader", "command", "exit code", "processor s", "MiB", "faults"))
         for tried in pool.map(lambda file: try_file(options.program.resolve(), file, limits), files):
             for row in tried:
@@ -198,7 +204,8 @@ def main():
             table.flush()
             rows += tried
     found = {row[0] for row in rows if row[-1]}
-    print(f"files: {len(files)}; runs: {len(rows)};", ", ".join(f"{what}: {count}" for what, count in sorted(counts.items())))
+    told = ", ".join(f"{what}: {count}" for what, count in sorted(counts.items()))
+    print(f"files: {len(files)}; runs: {len(rows)};", told)
     for what, place in (("processor time", 4), ("memory", 5)):
         print(f"most {what}:", *max(rows, key=lambda row: row[place])[:6])
     print(f"finds: {len(found)} files")

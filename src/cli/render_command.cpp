@@ -25,7 +25,7 @@
 namespace ifov::cli {
 namespace {
 
-/// The run sets aside what products take, by what they usually take; those that come a little later are still waited for.
+/// The run sets aside what products usually take; those that come a little later are still waited for.
 constexpr std::chrono::milliseconds kLastProducts(200);
 
 struct RenderArguments {
