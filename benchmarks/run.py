@@ -13,7 +13,8 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 from drivers import (  # noqa: E402
-    atmosphere, bookkeeping, channels, cluster, documents, honesty, instances, micro, mitsuba, rami, refine, runs, speed, start, stream, studies,
+    atmosphere, bookkeeping, channels, cluster, documents, honesty, instances, micro, mitsuba, rami, refine, runs,
+    signals, speed, start, stream, studies,
 )
 from drivers.figures import Context, show  # noqa: E402
 
@@ -28,6 +29,7 @@ GROUPS = {
     "channels": channels.run,
     "refine": refine.run,
     "runs": runs.run,
+    "signals": signals.run,
     "bookkeeping": bookkeeping.run,
     "rami": rami.run,
     "honesty": honesty.run,

@@ -10,7 +10,7 @@
 namespace ifov::cli {
 namespace {
 
-constexpr std::chrono::milliseconds kLook(20), kGrace(600);
+constexpr std::chrono::milliseconds kLook(20), kGrace(400);
 
 [[noreturn]] void end(ExitCode code, const std::string& message) {
   std::fprintf(stderr, "\n%s\n", message.c_str());
@@ -48,7 +48,7 @@ void Patience::watch() {
     const Clock::time_point now = Clock::now();
     if (cancel_.cancelled() && !asked) asked = now;
     if (asked && now - *asked > kGrace) end(ExitCode::stopped, message_);
-    if (deadline_ && now - *deadline_ > kGrace) end(ExitCode::unmet, limit_message_);
+    if (deadline_ && now >= *deadline_) end(ExitCode::unmet, limit_message_);  // nobody else looks at it until over()
     wake_.wait_for(lock, kLook);
   }
 }

@@ -12,8 +12,9 @@
 namespace ifov::cli {
 
 /// Work looks at its CancelToken between pieces, and some pieces take long (a tree of a million triangles, a wide PSF).
-/// Where it has not stopped by itself in a good half of a second, this ends the process. Nothing is lost by that: files
-/// bear their names only when they are whole, and finished tiles are on disk.
+/// Where it has not stopped by itself in 0.4 s, this ends the process, which leaves time for the system to take its
+/// memory back within the second that is promised, also on a busy machine. Nothing is lost by that: files bear their
+/// names only when they are whole, and finished tiles are on disk.
 class Patience {
  public:
   using Clock = std::chrono::steady_clock;
@@ -24,7 +25,7 @@ class Patience {
   Patience(const Patience&) = delete;
   Patience& operator=(const Patience&) = delete;
 
-  /// Until over(), the process also ends a little after this moment, with ExitCode::unmet and `message`.
+  /// Until over(), the process also ends at this moment, with ExitCode::unmet and `message`.
   void limit(Clock::time_point deadline, std::string message);
   void over();
 

@@ -25,6 +25,9 @@
 namespace ifov::cli {
 namespace {
 
+/// The run sets aside what products usually take; those that come a little later are still waited for.
+constexpr std::chrono::milliseconds kLastProducts(200);
+
 struct RenderArguments {
   std::string document, output, log, tiles, time_limit;
   DocumentArguments input;
@@ -129,6 +132,11 @@ ExitCode render(const RenderArguments& arguments) {
     options.output_folder = arguments.output;
     request.deadline = deadline;
     if (patience) patience->over();
+    if (patience && deadline && !arguments.dry_run)
+      patience->limit(*deadline + kLastProducts,
+                      format("ifov: the time limit came before the products were whole; unfinished ones carry the ending "
+                             ".part{}",
+                             arguments.no_state ? "" : ", and --resume goes on with what is finished"));
     if (!arguments.tiles.empty()) request.share = read_share(arguments.tiles);
     options.cancel = &cancel;
     options.progress = &console;

@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from program import LONG, PROGRAM, Folder
+from program import DOME, LONG, PROGRAM, Folder, run
 
 
 class Terminal:
@@ -107,6 +107,34 @@ class Interrupt(unittest.TestCase):
                 self.assertIn("ended: stopped on request", (folder / "run.log").read_text())
             finally:
                 terminal.close()
+
+    def test_a_time_limit_ends_loading_as_well(self):
+        air = DOME.replace('"monochromatic": {"at": "8.5 um"}',
+                           '"series": {"gaussian": {"from": "0.4 um", "to": "2.5 um", "count": 400, "fwhm": "10 nm"}}')
+        air = air.replace('"sensor":', '"light": {"sun": {"disc": {"zenith": "40 deg", "azimuth": "120 deg"}}},\n'
+                                       '"atmosphere": {"profile": "tropical"}, "sensor":')
+        air = air.replace('"accuracy": {"error": "0.1 K", "channel": "B"}', '"single": {}')
+        with Folder(air=air) as folder:
+            begin = time.monotonic()
+            done = run("render", "air.json", "--no-cache", "--time-limit", "0.4s", cwd=folder)
+            self.assertLess(time.monotonic() - begin, 1.4)
+            self.assertEqual(done.returncode, 4, done.stderr)
+            self.assertIn("\nifov: the time limit came before the scene was loaded; nothing is rendered\n", done.stderr)
+            self.assertEqual(os.listdir(folder), ["air.json"])
+
+    def test_a_time_limit_ends_writing_as_well(self):
+        large = DOME.replace('[3, 3]', '[2048, 2048]').replace('["envi", "png"]', '["envi", "geotiff", "netcdf"]')
+        large = large.replace('"monochromatic": {"at": "8.5 um"}',
+                              '"series": {"gaussian": {"from": "8 um", "to": "12 um", "count": 60, "fwhm": "0.1 um"}}')
+        large = large.replace('"accuracy": {"error": "0.1 K", "channel": "B"}', '"single": {}')
+        with Folder(large=large) as folder:
+            begin = time.monotonic()
+            done = run("render", "large.json", "--no-cache", "--time-limit", "2s", cwd=folder)
+            self.assertLess(time.monotonic() - begin, 3.0)
+            self.assertEqual(done.returncode, 4, done.stderr)
+            self.assertIn("\nifov: the time limit came before the products were whole; unfinished ones carry the ending .part, and "
+                          "--resume goes on with what is finished\n", done.stderr)
+            self.assertEqual([name for name in os.listdir(folder / "large.out") if ".part" not in name], [])
 
     def test_a_second_ctrl_c_ends_at_once(self):
         with Folder(long=LONG) as folder:
