@@ -133,7 +133,8 @@ TEST(Studies, AliasingWritesItsFiles) {
   StudyOptions options = few(1);
   options.output_folder = kFolder / "ifov_aliasing";
   const StudyOutcome outcome = find_study("aliasing")->run(options);
-  ASSERT_EQ(outcome.files.size(), 3u);
+  // Figures, page, document; the chart, its images, samples and errors by four ways, and a plot, each as SVG and PDF.
+  ASSERT_EQ(outcome.files.size(), 3u + 2u * (1u + 4u * 3u + 1u));
   for (const auto& file : outcome.files) EXPECT_GT(std::filesystem::file_size(file), 1000u) << file;
   EXPECT_NE(outcome.table.find("grid_10_rms"), std::string::npos);
   EXPECT_EQ(outcome.all_met, outcome.table.find("  NO\n") == std::string::npos);
