@@ -8,10 +8,12 @@
 
 namespace ifov::session {
 
-/// A map draped from above and the size of its cells.
+/// A map draped from above, the size of its cells, and where it lies in the scene.
 struct MapScale {
   std::string path;
   double cell_width_m = 0.0, cell_height_m = 0.0;
+  double west_m = 0.0, north_m = 0.0, width_m = 0.0, height_m = 0.0;
+  bool repeats = false;  ///< goes on beyond its edges
   friend bool operator==(const MapScale&, const MapScale&) = default;
 };
 

@@ -11,7 +11,9 @@ namespace ifov::session {
 materials::MapGrid TextureAssembly::grid(const io::RasterDocument& source, const io::Raster& raster) {
   const materials::MapGrid grid = grid_of(source, raster, frame_);
   if (grid.by == materials::MapBy::place) {
-    const MapScale scale{source.file.path, grid.cell_width_m, grid.cell_height_m};
+    const MapScale scale{source.file.path, grid.cell_width_m,           grid.cell_height_m,
+                         grid.west_m,      grid.north_m,                grid.width * grid.cell_width_m,
+                         grid.height * grid.cell_height_m, grid.tiling != materials::Tiling::edge};
     if (std::find(scales_.begin(), scales_.end(), scale) == scales_.end()) scales_.push_back(scale);
   }
   return grid;

@@ -64,6 +64,8 @@ def classes(names, file="classes.asc"):
 TEXT = json.dumps(GOOD, indent=1)
 
 MISTAKES = [
+    ("classes of another frame", classes({"5": "lawn"}, "elsewhere.asc"), WARNING,
+     "map '.*elsewhere.asc' covers x 440000 to 440048 m, .*, and all of the scene lies at x .*: everything gets the value of its nearest cell"),
     # Materials and spectra files.
     ("a reflectance that is a name", changed(MATERIALS + ".lawn.reflectance", "grass"), ERROR, 'the text "grass", expected a number between 0 and 1'),
     ("a percentage of emissivity", changed(MATERIALS + ".lawn", {"emissivity": 95, "temperature": "22 degC"}), ERROR, "95 % is 0.95"),

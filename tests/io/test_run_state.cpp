@@ -305,6 +305,27 @@ TEST(RunState, ValuesThatTheCubesHoldAreNotHeldTwice) {
       << words.text;
 }
 
+TEST(RunState, AStopWithoutCloseLosesNoTileThatWasPut) {
+  const ScratchFolder folder("stopped");
+  RunPlan plan = plan_of(kImage);
+  plan.geotiff = plan.report = false;
+  const auto grid = plan.grid();
+  std::size_t next = 0;
+  for (int start = 0; start < 8; ++start) {
+    StateAndCubes run(folder.path(), plan, start == 0 ? RunStart::fresh : RunStart::resume);
+    EXPECT_EQ(run.read(plan), next);
+    for (std::size_t k = 0; k < std::min(next + 2, grid.size()); ++k) {
+      sampling::TileResult tile = kImage.tile(grid[k]);
+      tile.drop_variances();
+      run.products.write(tile);
+      if (k >= next) run.state.put(static_cast<std::uint32_t>(k), tile);
+    }
+    next = std::min(next + 2, grid.size());  // packs are being written while the state goes
+  }
+  StateAndCubes run(folder.path(), plan, RunStart::resume);
+  EXPECT_EQ(run.read(plan), grid.size());
+}
+
 TEST(RunState, TheDiskIsForetoldWithoutValuesHeldTwice) {
   RunPlan plan = plan_of(SyntheticImage{4096, 4096, 210});
   plan.tile_px = 64;

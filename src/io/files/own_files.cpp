@@ -55,13 +55,13 @@ OwnFile::OwnFile(const fs::path& path)
   if (file_ && (fstat(file_.number(), &info) != 0 || !S_ISREG(info.st_mode))) file_.reset();
 }
 
-void OwnFile::read_at(std::uint64_t offset, void* to, std::size_t bytes) const {
+void read_whole(const Descriptor& file, const fs::path& path, std::uint64_t offset, void* to, std::size_t bytes) {
   auto* into = static_cast<char*>(to);
   while (bytes > 0) {
-    const ssize_t got = pread(file_.number(), into, bytes, static_cast<off_t>(offset));
+    const ssize_t got = pread(file.number(), into, bytes, static_cast<off_t>(offset));
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0)
-      throw EnvironmentError(format("{}: cannot be read at byte {}: {}", path_.string(), offset,
+      throw EnvironmentError(format("{}: cannot be read at byte {}: {}", path.string(), offset,
                                     got < 0 ? file_reason(errno) : "the file ends"));
     into += got;
     offset += static_cast<std::uint64_t>(got);

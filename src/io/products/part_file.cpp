@@ -214,17 +214,7 @@ bool PartFile::write_block(std::uint64_t offset, const void* block, std::size_t 
 }
 
 void PartFile::read_at(std::uint64_t offset, void* data, std::size_t bytes) const {
-  char* to = static_cast<char*>(data);
-  while (bytes > 0) {
-    const ssize_t got = pread(file_.number(), to, bytes, static_cast<off_t>(offset));
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0)
-      throw EnvironmentError(format("{}: cannot be read at byte {}: {}", part_path_.string(), offset,
-                                    got < 0 ? std::strerror(errno) : "the file ends"));
-    to += got;
-    offset += static_cast<std::uint64_t>(got);
-    bytes -= static_cast<std::size_t>(got);
-  }
+  read_whole(file_, part_path_, offset, data, bytes);
 }
 
 void PartFile::sync() {

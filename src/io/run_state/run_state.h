@@ -80,10 +80,10 @@ class RunState {
   LogSink* log_;
   std::filesystem::path path_;
   std::unique_ptr<RunLock> lock_;
-  std::unique_ptr<TileStore> store_;
   TileIndex index_;
   Cubes cubes_;
   std::vector<HeldPack> held_;  ///< of read() and the store's thread
+  std::unique_ptr<TileStore> store_;  ///< the last member: its thread ends before what it uses does
 };
 
 /// The folder of a run's state, and the plan in it.

@@ -24,6 +24,8 @@ std::string range_text(double low, double high, const char* unit) {
   return high - low <= 1e-3 * std::abs(high) ? format("{:.4g} {}", high, unit) : format("{:.4g} to {:.4g} {}", low, high, unit);
 }
 
+std::string metres(double value) { return std::abs(value) < 1e4 ? format("{:.5g}", value) : format("{:.0f}", value); }
+
 std::string scene_line(const Session::Parts& parts) {
   const geometry::World& world = *parts.scene.world;
   const double up_m = on_map(parts) ? parts.map_offset_m.z : 0.0;
@@ -111,7 +113,7 @@ std::string by_channel(const Session::Parts& parts, Text text) {
 
 std::string area_text(const Session::Parts& parts, SceneLook::Range x_m, SceneLook::Range y_m) {
   if (!on_map(parts))
-    return format("x {:.5g} to {:.5g} m, y {:.5g} to {:.5g} m", x_m.low, x_m.high, y_m.low, y_m.high);
+    return format("x {} to {} m, y {} to {} m", metres(x_m.low), metres(x_m.high), metres(y_m.low), metres(y_m.high));
   const math::Vec3 o = parts.map_offset_m;
   return format("east {:.1f} to {:.1f} m, north {:.1f} to {:.1f} m (map)", x_m.low + o.x, x_m.high + o.x, y_m.low + o.y,
                 y_m.high + o.y);

@@ -151,6 +151,22 @@ void warn_of_shared_places(const Session::Parts& parts, const SceneLook& look, L
   }
 }
 
+/// Maps that lie where nothing is: their outermost cells would cover everything.
+void warn_of_maps(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+  if (look.x_m.low > look.x_m.high) return;
+  SceneLook::Range x = look.x_m, y = look.y_m;
+  const geometry::World::Bounds b = parts.scene.world->bounds();
+  x = {std::min(x.low, b.low_m.x), std::max(x.high, b.high_m.x)};
+  y = {std::min(y.low, b.low_m.y), std::max(y.high, b.high_m.y)};
+  for (const MapScale& map : parts.map_scales) {
+    const double east_m = map.west_m + map.width_m, south_m = map.north_m - map.height_m;
+    if (map.repeats || (map.west_m < x.high && east_m > x.low && south_m < y.high && map.north_m > y.low)) continue;
+    log.warn(format("map '{}' covers {}, and all of the scene lies at {}: everything gets the value of its nearest cell. Are these "
+                    "coordinates of another frame?",
+                    map.path, area_text(parts, {map.west_m, east_m}, {south_m, map.north_m}), area_text(parts, x, y)));
+  }
+}
+
 /// Degrees where metres of a map are expected.
 void warn_of_degrees(const Session::Parts& parts, LogSink& log) {
   const io::OriginDocument& origin = parts.document.scene.origin;
@@ -190,6 +206,7 @@ void warn_of_places(const Session::Parts& parts, const SceneLook& look, LogSink&
   warn_of_far_objects(parts, look, log);
   warn_of_objects_out_of_view(parts, look, log);
   warn_of_sizes(parts, look, log);
+  warn_of_maps(parts, look, log);
   warn_of_shared_places(parts, look, log);
 }
 
