@@ -143,6 +143,25 @@ TEST(ProductWriter, TilesOfUnequalRowsAreWrittenSegmentBySegment) {
   expect_all_cubes(image, folder.path());
 }
 
+TEST(BilCube, TellsUpToWhichLineItIsWritten) {
+  const SyntheticImage image{20, 12, 5};
+  const ScratchFolder folder("lines");
+  BilCube cube(folder.path() / "x.img", image.width, image.height, image.channels, BilCube::Values::real);
+  const auto write = [&](sampling::PixelRect tile) { cube.write(tile, std::span<const float>(image.tile(tile).mean)); };
+  write({0, 4, 20, 8});
+  EXPECT_EQ(cube.lines_written(), 0) << "what lies before is missing";
+  write({0, 0, 8, 4});
+  EXPECT_EQ(cube.lines_written(), 0) << "half a strip waits in memory";
+  write({8, 0, 20, 4});
+  EXPECT_EQ(cube.lines_written(), 8);
+  write({0, 8, 8, 12});
+  cube.flush();
+  EXPECT_EQ(cube.lines_written(), 8) << "a part of the last strip is missing";
+  write({8, 8, 20, 12});
+  cube.flush();
+  EXPECT_EQ(cube.lines_written(), 12);
+}
+
 TEST(BilCube, BoundedMemoryHoldsWhatComesInAnyOrder) {
   for (const int width : {256, 100}) {
     const SyntheticImage image{width, 70, 5};
@@ -159,6 +178,7 @@ TEST(BilCube, BoundedMemoryHoldsWhatComesInAnyOrder) {
       });
     for (auto& worker : workers) worker.join();
     cube.flush();
+    EXPECT_EQ(cube.lines_written(), image.height) << "in pieces or whole";
     const RasterView view = cube.view();
     std::vector<float> line(static_cast<std::size_t>(width));
     for (int y = 0; y < image.height; ++y)

@@ -8,76 +8,20 @@
 #include <thread>
 
 #include "core/error.h"
-#include "io/products/part_file.h"
+#include "io/run_of_tiles.h"
 #include "io/run_state/run_state.h"
 #include "io/run_state/tile_packs.h"
-#include "io/synthetic_image.h"
 
 namespace ifov::io {
 namespace {
 
+using test::expect_same;
+using test::kImage;
+using test::message_of;
+using test::plan_of;
 using test::read_all;
 using test::ScratchFolder;
-using test::SyntheticImage;
-
-constexpr int kTile_px = 8;
-const SyntheticImage kImage{37, 23, 5};
-
-RunPlan plan_of(const SyntheticImage& image) {
-  RunPlan plan;
-  plan.identity = image.identity();
-  plan.build = "0123456789abcdef (glibc 2.36)";
-  plan.instruction_set = "x86-64-v3";
-  plan.files = {{"city.ply", 100, 7, {1, 2}}, {"spectra/grass.txt", 20, 8, {3, 4}}};
-  plan.image = image.info();
-  plan.image.map_x_m = 0.1 + 0.2;  // needs all its digits
-  plan.tile_px = kTile_px;
-  plan.judged = plan.knows_errors = true;
-  plan.notes = {"floor of the accuracy: \"0.001\""};
-  plan.geotiff = plan.report = true;
-  plan.quicklook_channels = {4, 2, 0};
-  return plan;
-}
-
-/// What was said.
-class Words final : public LogSink {
- public:
-  void info(const std::string& message) override { text += "info: " + message + "\n"; }
-  void warn(const std::string& message) override { text += "warning: " + message + "\n"; }
-  std::string text;
-};
-
-template <class Error, class Action>
-std::string message_of(Action&& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-void expect_same(const sampling::TileResult& a, const sampling::TileResult& b) {
-  EXPECT_EQ(a.columns, b.columns);
-  EXPECT_EQ(a.mean, b.mean);
-  EXPECT_EQ(a.variance_geometry, b.variance_geometry);
-  EXPECT_EQ(a.variance_path, b.variance_path);
-  EXPECT_EQ(a.half_width, b.half_width);
-  EXPECT_EQ(a.samples, b.samples);
-  EXPECT_EQ(a.label_rays, b.label_rays);
-  EXPECT_EQ(a.radiance_evaluations, b.radiance_evaluations);
-  EXPECT_EQ(a.reasons, b.reasons);
-  EXPECT_EQ(a.worst_ratio, b.worst_ratio);
-  EXPECT_EQ(a.missable_fraction, b.missable_fraction);
-  ASSERT_EQ(a.abundances.size(), b.abundances.size());
-  EXPECT_EQ(std::memcmp(a.abundances.data(), b.abundances.data(),
-                        a.abundances.size() * sizeof(sampling::Abundance)),
-            0);
-  EXPECT_EQ(a.halo_samples, b.halo_samples);
-  EXPECT_EQ(a.rays.primary, b.rays.primary);
-  EXPECT_EQ(a.rays.shadow, b.rays.shadow);
-  EXPECT_EQ(a.rays.bounce, b.rays.bounce);
-}
+using test::Words;
 
 /// All tiles of the image into a new state, and no further.
 void fill(const std::filesystem::path& folder, const RunPlan& plan, std::size_t most = 1000) {
@@ -179,190 +123,6 @@ TEST(TileRecord, AnyFlippedBitIsNoticed) {
       record[byte] ^= std::byte{static_cast<unsigned char>(1 << bit)};
     }
   }
-}
-
-TEST(TileRecord, MayLeaveItsValuesToTheCubes) {
-  const RunPlan plan = plan_of(kImage);
-  const auto grid = plan.grid();
-  sampling::TileResult tile = kImage.tile(grid[7]);
-  const auto split = [&](const std::vector<std::byte>& record, TileHeader& header) {
-    std::memcpy(&header, record.data(), sizeof header);
-    return std::span(record).subspan(sizeof header);
-  };
-  TileHeader header;
-  auto record = encode_tile(tile, {7, 11, plan.key(), 2.5});
-  EXPECT_TRUE(without_values(header, split(record, header)).empty()) << "no cube holds variances";
-
-  tile.drop_variances();
-  record = encode_tile(tile, {7, 11, plan.key(), 2.5});
-  auto rest = without_values(header, split(record, header));
-  EXPECT_LT(rest.size(), record.size() - 8 * tile.mean.size());
-  const auto payload = split(rest, header);
-  EXPECT_EQ(header.record_bytes(), rest.size());
-  EXPECT_EQ(fault_of(header, {plan.key(), kImage.channels, grid}), "");
-  sampling::TileResult back;
-  const ReadValues give = [&](sampling::TileResult& to, const auto& is_right) {
-    EXPECT_FALSE(is_right());
-    to.mean = tile.mean, to.half_width = tile.half_width;
-    return is_right();
-  };
-  ASSERT_EQ(decode_tile(header, payload, give, back), "");
-  expect_same(tile, back);
-  EXPECT_EQ(back.border_share, tile.border_share);
-  const ReadValues give_others = [&](sampling::TileResult& to, const auto& is_right) {
-    to.mean = tile.mean, to.half_width = tile.half_width;
-    to.half_width[5] += 1e-6f;
-    return is_right();
-  };
-  EXPECT_EQ(decode_tile(header, payload, give_others, back), "the values of tile 7 are in the cubes no more");
-  EXPECT_EQ(decode_tile(header, payload, {}, back), "the values of tile 7 are in the cubes no more");
-  EXPECT_TRUE(without_values(header, payload).empty()) << "they are out already";
-}
-
-/// A state and the cubes that hold its values.
-struct StateAndCubes {
-  StateAndCubes(const std::filesystem::path& folder, const RunPlan& plan, RunStart start, LogSink* log = nullptr)
-      : products(options_of(plan, folder, start), plan.identity), state(folder, plan, start, log) {
-    products.begin(plan.image);
-    state.use({[this](sampling::TileResult& tile, const auto& is_right) { return products.read_values(tile, is_right); },
-               [this] { return products.lines_written(); }});
-  }
-  static ProductOptions options_of(const RunPlan& plan, const std::filesystem::path& folder, RunStart start) {
-    ProductOptions options = plan.products(folder);
-    options.go_on = start == RunStart::resume;
-    return options;
-  }
-  /// How many tiles there are, each compared.
-  std::size_t read(const RunPlan& plan) {
-    std::size_t tiles = 0;
-    state.read([&](const sampling::TileResult& tile) {
-      sampling::TileResult expected = kImage.tile(tile.tile);
-      expected.drop_variances();
-      expect_same(tile, expected);
-      ++tiles;
-    });
-    EXPECT_LE(tiles, plan.grid().size());
-    return tiles;
-  }
-  ProductWriter products;
-  RunState state;
-};
-
-std::uint64_t bytes_of_packs(const std::filesystem::path& folder) {
-  std::uint64_t bytes = 0;
-  for (const auto& pack : packs_in(state_folder(folder) / "tiles")) bytes += std::filesystem::file_size(pack);
-  return bytes;
-}
-
-TEST(RunState, ValuesThatTheCubesHoldAreNotHeldTwice) {
-  const ScratchFolder folder("values");
-  RunPlan plan = plan_of(kImage);
-  plan.geotiff = plan.report = false;
-  ASSERT_TRUE(plan.leaves_values_to_cubes());
-  const auto grid = plan.grid();
-  const auto tile_of = [&](std::size_t k) {
-    sampling::TileResult tile = kImage.tile(grid[k]);
-    tile.drop_variances();
-    return tile;
-  };
-  {
-    StateAndCubes run(folder.path(), plan, RunStart::fresh);
-    run.read(plan);
-    for (std::size_t k = 0; k + 2 < grid.size(); ++k) {
-      run.products.write(tile_of(k));
-      run.state.put(static_cast<std::uint32_t>(k), tile_of(k));
-    }
-    run.state.close();
-    EXPECT_GE(run.products.lines_written(), 16);
-  }
-  const std::uint64_t values = 8u * kImage.channels * kImage.width * kImage.height;
-  EXPECT_LT(bytes_of_packs(folder.path()), state_bytes(plan, false) - values / 2);
-  EXPECT_LT(state_bytes(plan, true), state_bytes(plan, false));
-  {
-    StateAndCubes run(folder.path(), plan, RunStart::resume);
-    EXPECT_EQ(run.read(plan), grid.size() - 2);
-    for (std::size_t k = 0; k < grid.size(); ++k) run.products.write(tile_of(k));
-    for (std::size_t k = grid.size() - 2; k < grid.size(); ++k) run.state.put(static_cast<std::uint32_t>(k), tile_of(k));
-    run.state.close();
-    RunOutcome outcome;
-    run.products.finish(outcome);
-  }
-  {  // the cubes were published, as when a time limit has come
-    StateAndCubes run(folder.path(), plan, RunStart::resume);
-    EXPECT_EQ(run.read(plan), grid.size());
-  }
-  Words words;
-  const std::filesystem::path cube = folder.path() / "image_radiance.img";
-  {
-    std::fstream file(cube, std::ios::binary | std::ios::in | std::ios::out);
-    file.seekp(4 * 3);  // pixel 3 of the first line
-    file.write("\0\0\0\0", 4);
-  }
-  StateAndCubes run(folder.path(), plan, RunStart::resume, &words);
-  EXPECT_EQ(run.read(plan), grid.size() - 1);
-  EXPECT_NE(words.text.find("000000.tiles: the values of tile 0 are in the cubes no more: it is computed again"),
-            std::string::npos)
-      << words.text;
-}
-
-TEST(RunState, AStopWithoutCloseLosesNoTileThatWasPut) {
-  const ScratchFolder folder("stopped");
-  RunPlan plan = plan_of(kImage);
-  plan.geotiff = plan.report = false;
-  const auto grid = plan.grid();
-  std::size_t next = 0;
-  for (int start = 0; start < 8; ++start) {
-    StateAndCubes run(folder.path(), plan, start == 0 ? RunStart::fresh : RunStart::resume);
-    EXPECT_EQ(run.read(plan), next);
-    for (std::size_t k = 0; k < std::min(next + 2, grid.size()); ++k) {
-      sampling::TileResult tile = kImage.tile(grid[k]);
-      tile.drop_variances();
-      run.products.write(tile);
-      if (k >= next) run.state.put(static_cast<std::uint32_t>(k), tile);
-    }
-    next = std::min(next + 2, grid.size());  // packs are being written while the state goes
-  }
-  StateAndCubes run(folder.path(), plan, RunStart::resume);
-  EXPECT_EQ(run.read(plan), grid.size());
-}
-
-TEST(RunState, TheDiskIsForetoldWithoutValuesHeldTwice) {
-  RunPlan plan = plan_of(SyntheticImage{4096, 4096, 210});
-  plan.tile_px = 64;
-  plan.geotiff = false;
-  const double image = 4.0 * 210 * 4096 * 4096;
-  const double products = static_cast<double>(product_bytes(plan).all());
-  EXPECT_LE((products + static_cast<double>(state_bytes(plan, true))) / image, 2.2);
-  EXPECT_GT((products + static_cast<double>(state_bytes(plan, false))) / image, 4.0);
-  plan.cubes.add(Product::standard_error);
-  EXPECT_FALSE(plan.leaves_values_to_cubes()) << "variances lie in no cube";
-  EXPECT_EQ(state_bytes(plan, true), state_bytes(plan, false));
-}
-
-TEST(PartFile, IsGoneOnWithOnlyWhereNobodyElseHasIt) {
-  const ScratchFolder folder("go_on");
-  const std::filesystem::path path = folder.path() / "cube.img", part = folder.path() / "cube.img.part",
-                              other = folder.path() / "of_somebody";
-  std::ofstream(part) << "0123456789";
-  {
-    PartFile file(path, PartFile::Left::go_on);
-    file.reserve(8);
-    file.write_at(2, "xy", 2);
-    file.discard();  // an earlier start has begun it
-  }
-  EXPECT_EQ(read_all(part), "01xy4567");
-  std::filesystem::create_hard_link(part, other);
-  {
-    PartFile file(path, PartFile::Left::go_on);
-    file.write_at(0, "ab", 2);
-  }
-  EXPECT_EQ(read_all(other), "01xy4567");
-  EXPECT_EQ(read_all(part), "ab");
-  std::filesystem::remove(part);
-  std::filesystem::create_symlink(other, part);
-  { PartFile file(path, PartFile::Left::go_on); }
-  EXPECT_EQ(read_all(other), "01xy4567");
-  EXPECT_FALSE(std::filesystem::is_symlink(part));
 }
 
 TEST(RunState, GivesBackEveryTileOnce) {

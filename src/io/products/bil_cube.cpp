@@ -210,7 +210,6 @@ void BilCube::write_strip(Strip& strip) {
     for (std::size_t k = 0; k < pieces.size(); ++k)
       pieces[k] = {strip.buffer.get() + value_bytes_ * k * product(stride_), value_bytes_ * product(width_) * (rows / pieces.size())};
     file_.write_at(value_bytes_ * product(strip.y0, width_, bands_), pieces);
-    note_written(strip);
     scan_written(strip);
   } else {
     std::sort(strip.extents.begin(), strip.extents.end());
@@ -223,6 +222,7 @@ void BilCube::write_strip(Strip& strip) {
     }
   }
   const std::lock_guard lock(mutex_);
+  note_written(strip);
   if (spare_bytes_ != strip.bytes) spares_.clear();
   spare_bytes_ = strip.bytes;
   const std::size_t sent = in_background(strip.bytes) ? strip.bytes : 0;
@@ -241,11 +241,14 @@ void BilCube::write_segments(const Strip& strip, int x0, int x1) {
     }
 }
 
+/// Pieces of a strip may come one by one, where memory is short.
 void BilCube::note_written(const Strip& strip) {
-  const std::lock_guard lock(mutex_);
-  written_[strip.y0] = strip.y1;
-  while (!written_.empty() && written_.begin()->first <= lines_written_) {
-    lines_written_ = std::max<int>(lines_written_, written_.begin()->second);
+  written_[{strip.y0, strip.y1}] += strip.pixels;
+  while (!written_.empty()) {
+    const auto& [rows, pixels] = *written_.begin();
+    const auto [y0, y1] = rows;
+    if (y0 != lines_written_ || pixels < static_cast<std::int64_t>(width_) * (y1 - y0)) return;
+    lines_written_ = y1;
     written_.erase(written_.begin());
   }
 }

@@ -100,7 +100,7 @@ class BilCube {
   void send(Strip strip);
   void write_strip(Strip& strip);
   void write_segments(const Strip& strip, int x0, int x1);
-  void note_written(const Strip& strip);
+  void note_written(const Strip& strip);  // under the lock
   bool scan_in_turn(const Strip& strip);
   void scan_written(const Strip& strip);
   void scan_file(int line_end);
@@ -119,7 +119,7 @@ class BilCube {
   std::vector<Buffer> spares_;  // of strips that were written: fresh pages cost more than filling them
   std::size_t spare_bytes_ = 0;
 
-  std::map<int, int> written_;        // whole strips in the file, [y0, y1), before which lines are missing
+  std::map<std::pair<int, int>, std::int64_t> written_;  // pixels in the file of [y0, y1), of or before which some are missing
   std::atomic<int> lines_written_{0};
 
   std::mutex scan_mutex_;

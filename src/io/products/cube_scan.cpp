@@ -23,6 +23,15 @@ bool all_finite(std::span<const float> values) {
   return others == 0;
 }
 
+std::optional<HalfWidthParts> parts_of(const std::optional<render::AirHalfWidth>& air, const ChannelStatistics& s) {
+  if (!air || !std::isfinite(s.mean) || !std::isfinite(s.mean_half_width)) return std::nullopt;
+  HalfWidthParts parts;
+  parts.nodes = air->of_nodes(s.mean);
+  parts.air = air->of(s.mean) - parts.nodes;
+  parts.sampling = std::max(0.0, s.mean_half_width - air->of(s.mean));
+  return parts;
+}
+
 }  // namespace
 
 void BandFigures::add(std::span<const float> values) {
@@ -89,19 +98,6 @@ void CubeScan::take(const std::byte* line, std::size_t stride_bytes) {
   }
   ++lines_;
 }
-
-namespace {
-
-std::optional<HalfWidthParts> parts_of(const std::optional<render::AirHalfWidth>& air, const ChannelStatistics& s) {
-  if (!air || !std::isfinite(s.mean) || !std::isfinite(s.mean_half_width)) return std::nullopt;
-  HalfWidthParts parts;
-  parts.nodes = air->of_nodes(s.mean);
-  parts.air = air->of(s.mean) - parts.nodes;
-  parts.sampling = std::max(0.0, s.mean_half_width - air->of(s.mean));
-  return parts;
-}
-
-}  // namespace
 
 std::vector<ChannelStatistics> channel_statistics(const render::ImageInfo& image, const CubeScan& radiance,
                                                   const CubeScan* half_width) {

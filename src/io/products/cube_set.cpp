@@ -47,7 +47,8 @@ CubeSet::CubeSet(const std::filesystem::path& stem, ProductSet selection, const 
     : stem_(stem), selection_(possible_products(selection, info)), info_(info), acquisition_(acquisition) {
   std::uint64_t bytes = further_bytes;
   for (const CubeSize& size : cube_sizes(selection_, info)) bytes += size.bytes();
-  require_space(stem.parent_path(), bytes);
+  // What an earlier start has reserved is not asked for again; reserve() says where the rest is not there.
+  require_space(stem.parent_path(), left == PartFile::Left::go_on ? 0 : bytes);
   try {
     for (std::size_t i = 0; i < kProductCount; ++i) {
       const auto product = static_cast<Product>(i);
