@@ -1,8 +1,8 @@
 #include "radiometry/spectrum.h"
 
-#include <iterator>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "core/error.h"
@@ -91,13 +91,22 @@ Spectrum Spectrum::complement() const {
 Spectrum sum(const Spectrum& a, const Spectrum& b) {
   if (a.is_constant()) return b.mapped([&](double value) { return value + a.values().front(); });
   if (b.is_constant()) return sum(b, a);
+  // One that is an error outside its range bounds the sum; the others are asked beyond theirs.
+  double first_um = std::min(a.first_um(), b.first_um()), last_um = std::max(a.last_um(), b.last_um());
+  OutsideRange outside = a.outside();
+  for (const Spectrum* s : {&a, &b}) {
+    if (s->outside() != OutsideRange::error) continue;
+    first_um = std::max(first_um, s->first_um());
+    last_um = std::min(last_um, s->last_um());
+    outside = OutsideRange::error;
+  }
+  if (first_um > last_um) return a;
   std::vector<double> wavelength_um, values;
   std::set_union(a.wavelength_um().begin(), a.wavelength_um().end(), b.wavelength_um().begin(), b.wavelength_um().end(),
                  std::back_inserter(wavelength_um));
-  const double first_um = std::max(a.first_um(), b.first_um()), last_um = std::min(a.last_um(), b.last_um());
   std::erase_if(wavelength_um, [&](double um) { return um < first_um || um > last_um; });
   for (const double um : wavelength_um) values.push_back(a.at(um) + b.at(um));
-  return {std::move(wavelength_um), std::move(values), a.outside(), a.name()};
+  return {std::move(wavelength_um), std::move(values), outside, a.name()};
 }
 
 Spectrum Spectrum::with_outside(OutsideRange outside) const {

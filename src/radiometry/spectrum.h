@@ -52,7 +52,7 @@ class Spectrum {
   std::string name_;
 };
 
-/// Of both, where both are given; linear between the points of either.
+/// Of both, where both can be asked; linear between the points of either. The first alone where there is no such wavelength.
 Spectrum sum(const Spectrum& a, const Spectrum& b);
 
 /// Integral over [first_um, last_um] of the product of some spectra, exact for up to

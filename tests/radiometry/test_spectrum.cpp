@@ -75,5 +75,24 @@ TEST(Spectrum, AWeightNeedsAnIntegral) {
             "a spectrum cannot weigh a mean: it needs a range and a positive integral");
 }
 
+TEST(Spectrum, SumsWhereBothAreGiven) {
+  const Spectrum a({0.4, 0.6, 1.0}, {0.1, 0.3, 0.3}), b({0.5, 0.8, 2.0}, {0.2, 0.5, 0.1});
+  const Spectrum both = sum(a, b);
+  EXPECT_DOUBLE_EQ(both.first_um(), 0.5);
+  EXPECT_DOUBLE_EQ(both.last_um(), 1.0);
+  for (const double um : {0.5, 0.55, 0.6, 0.7, 0.8, 0.93, 1.0}) {
+    EXPECT_DOUBLE_EQ(both.at(um), a.at(um) + b.at(um)) << um;
+    EXPECT_DOUBLE_EQ(sum(b, a).at(um), both.at(um));
+  }
+  EXPECT_DOUBLE_EQ(sum(a, Spectrum::constant(0.25)).at(0.5), 0.45);
+  EXPECT_DOUBLE_EQ(sum(Spectrum::constant(0.25), a).at(0.5), 0.45);
+  // A reflectance to 14 um and a transmittance that is known to go on as it ends, such as 0.
+  const Spectrum wide({0.4, 14.0}, {0.1, 0.1}), ends({0.4, 2.5}, {0.3, 0.05}, OutsideRange::extend);
+  EXPECT_DOUBLE_EQ(sum(wide, ends).at(10.0), 0.15);
+  EXPECT_DOUBLE_EQ(sum(ends, wide).at(10.0), 0.15);
+  const Spectrum far({8.0, 12.0}, {0.7, 0.8});
+  for (const double um : {0.55, 0.8}) EXPECT_DOUBLE_EQ(sum(a, far).at(um), a.at(um));
+}
+
 }  // namespace
 }  // namespace ifov::radiometry
