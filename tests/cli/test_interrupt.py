@@ -43,6 +43,12 @@ class Terminal:
         os.close(self._screen)
 
 
+def single_rays_in(channels):
+    """The dome by one ray a pixel, in a series of Gaussian channels."""
+    text = DOME.replace('"monochromatic": {"at": "8.5 um"}', f'"series": {{"gaussian": {channels}}}')
+    return text.replace('"accuracy": {"error": "0.1 K", "channel": "B"}', '"single": {}')
+
+
 class Interrupt(unittest.TestCase):
     def test_the_bar_tells_rate_and_time_left(self):
         with Folder(long=LONG) as folder:
@@ -109,11 +115,9 @@ class Interrupt(unittest.TestCase):
                 terminal.close()
 
     def test_a_time_limit_ends_loading_as_well(self):
-        air = DOME.replace('"monochromatic": {"at": "8.5 um"}',
-                           '"series": {"gaussian": {"from": "0.4 um", "to": "2.5 um", "count": 400, "fwhm": "10 nm"}}')
+        air = single_rays_in('{"from": "0.4 um", "to": "2.5 um", "count": 400, "fwhm": "10 nm"}')
         air = air.replace('"sensor":', '"light": {"sun": {"disc": {"zenith": "40 deg", "azimuth": "120 deg"}}},\n'
                                        '"atmosphere": {"profile": "tropical"}, "sensor":')
-        air = air.replace('"accuracy": {"error": "0.1 K", "channel": "B"}', '"single": {}')
         with Folder(air=air) as folder:
             begin = time.monotonic()
             done = run("render", "air.json", "--no-cache", "--time-limit", "0.4s", cwd=folder)
@@ -123,10 +127,8 @@ class Interrupt(unittest.TestCase):
             self.assertEqual(os.listdir(folder), ["air.json"])
 
     def test_a_time_limit_ends_writing_as_well(self):
-        large = DOME.replace('[3, 3]', '[2048, 2048]').replace('["envi", "png"]', '["envi", "geotiff", "netcdf"]')
-        large = large.replace('"monochromatic": {"at": "8.5 um"}',
-                              '"series": {"gaussian": {"from": "8 um", "to": "12 um", "count": 60, "fwhm": "0.1 um"}}')
-        large = large.replace('"accuracy": {"error": "0.1 K", "channel": "B"}', '"single": {}')
+        large = single_rays_in('{"from": "8 um", "to": "12 um", "count": 60, "fwhm": "0.1 um"}')
+        large = large.replace('[3, 3]', '[2048, 2048]').replace('["envi", "png"]', '["envi", "geotiff", "netcdf"]')
         with Folder(large=large) as folder:
             begin = time.monotonic()
             done = run("render", "large.json", "--no-cache", "--time-limit", "2s", cwd=folder)
