@@ -81,7 +81,7 @@ class GeometryAssembly {
     } else if (const auto* scatter = std::get_if<io::ScatterShape>(&object.shape)) {
       place_scatter(object, *scatter, scene_from_document);
     } else {
-      const BuiltShape shape = shapes_.build(object);
+      const BuiltShape shape = shapes_.build(object, ShapeAssembly::Use::object);
       std::vector<std::uint32_t> materials;
       for (const std::string& slot : shape.slot_names)
         materials.push_back(coverings_.covering(*object.material, slot, object.temperature));
@@ -161,7 +161,7 @@ class GeometryAssembly {
       if (object.temperature)
         for (BuiltPrototype::Slot& slot : own) slot.temperature = &object.temperature;
     } else {
-      const BuiltShape shape = shapes_.build(object);
+      const BuiltShape shape = shapes_.build(object, ShapeAssembly::Use::part_of_prototype);
       part.what = shape.id;
       part.prototype_from_part = part.prototype_from_part * shape.object_from_shape;
       for (const std::string& slot : shape.slot_names) own.push_back({&object, slot, &object.temperature});

@@ -76,7 +76,7 @@ const io::Raster& RasterStore::read(const std::string& path) {
 std::span<const float> band_of(const io::Raster& raster, int band, const std::string& path) {
   if (band < 1 || band > raster.bands)
     throw InputError(format("the raster '{}' has no band {}; it has {}", path, band, raster.bands));
-  const std::size_t cells = static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
+  const std::size_t cells = raster.cells();
   return {raster.values.data() + static_cast<std::size_t>(band - 1) * cells, cells};
 }
 

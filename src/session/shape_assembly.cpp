@@ -34,7 +34,8 @@ void warn_of_y_up(const std::string& path, const geometry::World::Bounds& b, Log
 
 }  // namespace
 
-BuiltShape ShapeAssembly::build(const io::ObjectDocument& object) {
+BuiltShape ShapeAssembly::build(const io::ObjectDocument& object, Use use) {
+  use_ = use;
   return std::visit([&](const auto& s) { return shape(s); }, object.shape);
 }
 
@@ -92,7 +93,7 @@ BuiltShape ShapeAssembly::shape(const io::MeshShape& s) {
 BuiltShape ShapeAssembly::shape(const io::TerrainShape& s) {
   // Its coordinates are about the scene's origin; the object's transform is meant for those of the document.
   return with_position(document_, s.file.position, [&]() -> BuiltShape {
-    return {s.as_grid ? builder_.add_height_field(assemble_height_field(s, frame_, log_))
+    return {is_traced_in_raster(s, frame_, use_ == Use::part_of_prototype) ? builder_.add_height_field(assemble_height_field(s, frame_, log_))
                       : builder_.add_body(assemble_terrain(s, frame_, cache_, log_)),
             math::Transform::translation(document_.scene.origin.offset_m),
             {""}};

@@ -27,8 +27,9 @@ class ShapeAssembly {
                 io::SceneCache* cache, LogSink* log)
       : document_(document), frame_(frame), builder_(builder), cache_(cache), log_(log) {}
 
+  enum class Use { object, part_of_prototype };
   /// Throws InputError for what is no shape: copies, scattered copies and cities.
-  BuiltShape build(const io::ObjectDocument& object);
+  BuiltShape build(const io::ObjectDocument& object, Use use);
 
  private:
   BuiltShape shape(const io::PlaneShape& s);
@@ -51,6 +52,7 @@ class ShapeAssembly {
   io::SceneCache* cache_;
   LogSink* log_;
   std::map<std::string, BuiltShape> meshes_;
+  Use use_ = Use::object;  // of the shape that is being built
 };
 
 }  // namespace ifov::session

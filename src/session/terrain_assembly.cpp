@@ -7,6 +7,7 @@
 
 #include "geometry/terrain_mesh.h"
 #include "io/raster/elevation.h"
+#include "io/raster/raster.h"
 #include "session/mesh_cache.h"
 
 namespace ifov::session {
@@ -92,6 +93,15 @@ MeshSource source_of(const io::TerrainShape& s, const MapFrame& frame) {
 }
 
 }  // namespace
+
+bool is_traced_in_raster(const io::TerrainShape& source, const MapFrame& frame, bool in_prototype) {
+  using Form = io::TerrainShape::Form;
+  if (source.form || in_prototype || source.detail_m > 0.0) return source.form == Form::grid;
+  constexpr std::size_t kLargeMesh_cells = 1'000'000;  // some 300 MB of triangles and their tree
+  const io::RasterFrame raster = io::read_raster_frame(source.file.path);
+  return raster.cells() > kLargeMesh_cells &&
+         (source.placement || frame.transform_from(raster.projection, source.file.path) == nullptr);
+}
 
 std::shared_ptr<const geometry::HeightField> assemble_height_field(const io::TerrainShape& source,
                                                                    const MapFrame& frame, LogSink* log) {

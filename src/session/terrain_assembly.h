@@ -17,6 +17,10 @@ namespace ifov::session {
 geometry::Body assemble_terrain(const io::TerrainShape& source, const MapFrame& frame, io::SceneCache* cache,
                                 LogSink* log);
 
+/// Whether a terrain is traced in its raster: where its document says so and, where it says nothing, where that is
+/// possible and a mesh would be large. `in_prototype`: among the objects of a prototype, which only a mesh can be.
+bool is_traced_in_raster(const io::TerrainShape& source, const MapFrame& frame, bool in_prototype);
+
 /// The same for a terrain that is traced in its raster; read anew in every run, since there is nothing to
 /// make of it.
 std::shared_ptr<const geometry::HeightField> assemble_height_field(const io::TerrainShape& source,

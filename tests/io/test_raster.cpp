@@ -36,6 +36,22 @@ TEST(Raster, ABarePictureHasNoMap) {
   EXPECT_FLOAT_EQ(raster.at(0, 1, 0), 3.0f);
 }
 
+TEST(Raster, OneBandOfSeveral) {
+  const ScratchFile file("p.ppm", std::string("P6\n2 1\n255\n") + "\x01\x02\x03\x04\x05\x06");
+  const Raster green = read_band(file.path(), 2, 2);
+  EXPECT_EQ(green.bands, 1);
+  EXPECT_EQ(green.values, (std::vector<float>{2.0f, 5.0f}));
+  EXPECT_EQ(green.units.size(), 1u);
+  EXPECT_EQ(read_raster(file.path()).values, (std::vector<float>{1.0f, 4.0f, 2.0f, 5.0f, 3.0f, 6.0f}));
+  for (const int band : {0, 4})
+    EXPECT_EQ(test::input_error(file.path(), [&](const auto& p) { read_band(p, band); }),
+              "FILE has no band " + std::to_string(band) + "; it has 3");
+  const RasterFrame frame = read_raster_frame(file.path());
+  EXPECT_EQ(frame.cells(), 2u);
+  EXPECT_EQ(frame.bands, 3);
+  EXPECT_FALSE(frame.geotransform.has_value());
+}
+
 TEST(Raster, SizeIsCheckedFirst) {
   const ScratchFile file("grid.asc", kGrid);
   EXPECT_EQ(test::input_error(file.path(), [](const std::filesystem::path& p) { read_raster(p, 5); }),

@@ -265,6 +265,28 @@ TEST_F(MapsAndTerrain, ATerrainMayBeTracedInItsRaster) {
   expect_in("terrain.form' is the text \"tin\", expected 'mesh' or 'grid'", load_error(scene(R"(, "form": "tin")")));
 }
 
+TEST_F(MapsAndTerrain, LargeRastersAreTracedAsTheyLieWherePossible) {
+  constexpr int kSide = 1001;
+  write("dem.bil", std::string(4 * kSide * kSide, '\0'));  // flat: even so large a mesh is quickly made
+  write("dem.hdr", format("NROWS {}\nNCOLS {}\nNBANDS 1\nNBITS 32\nPIXELTYPE FLOAT\nBYTEORDER I\nLAYOUT BIL\nULXMAP 0\n"
+                          "ULYMAP 1000\nXDIM 1\nYDIM 1\n", kSide, kSide));
+  const auto words_of = [&](const std::string& more, bool in_prototype) {
+    const std::string terrain = format(R"({{"terrain": {{"file": "dem.bil"{}}}, "material": "a"}})", more);
+    Messages log;
+    load(format(R"({{"materials": {{"a": {{"reflectance": 0.1}}}}, {}}})",
+                in_prototype ? format(R"("prototypes": {{"land": [{}]}}, "objects": [{{"instance": {{"of": "land"}}}}])", terrain)
+                             : format(R"("objects": [{}])", terrain)),
+         &log);
+    return log.text;
+  };
+  const std::string traced = "terrain 'dem.bil': 1001 x 1001 heights, traced as a grid of 2000000 triangles",
+                    meshed = "triangles, largest height error 0 m";
+  expect_in(traced, words_of("", false));
+  expect_in(meshed, words_of("", true));
+  expect_in(meshed, words_of(R"(, "form": "mesh")", false));
+  expect_in(meshed, words_of(R"(, "detail": "1 cm")", false));
+}
+
 TEST_F(MapsAndTerrain, DegreesNeedAReference) {
   write_grid("dem.asc", 8.7, 49.4, 0.001, 3, 3, "1 2 3\n4 5 6\n7 8 9");
   write("dem.prj",

@@ -98,7 +98,8 @@ struct TerrainShape {
   std::optional<double> unit_m;  ///< metres per unit of the heights; none: as the file says
   bool fill = false;             ///< cells without a height are filled; else they are holes
   bool smooth = true;
-  bool as_grid = false;          ///< traced in its raster, every height; else meshed
+  enum class Form { mesh, grid };  ///< grid: traced in its raster, every height
+  std::optional<Form> form;        ///< none: as suits the raster, see docs/formats/terrain.md
 };
 
 }  // namespace ifov::io

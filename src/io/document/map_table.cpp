@@ -147,9 +147,11 @@ Kind<TerrainShape> terrain_kind() {
                     "inverse of their distance")
       .with_default("smooth", &TerrainShape::smooth, boolean(), "true",
                     "slopes, as light sees them, change smoothly from height to height; else each triangle is flat")
-      .with_default("form", &TerrainShape::as_grid, choice<bool>({{"mesh", false}, {"grid", true}}), "\"mesh\"",
-                    "a mesh of triangles, or the raster itself with every height (`detail` 0 and the scene's own `crs`): "
-                    "4 bytes a cell and nothing to build");
+      .optional("form", &TerrainShape::form,
+                choice<TerrainShape::Form>({{"mesh", TerrainShape::Form::mesh}, {"grid", TerrainShape::Form::grid}}),
+                "a mesh of triangles, or the raster itself with every height (`detail` 0 and the scene's own `crs`): "
+                "4 bytes a cell and nothing to build; without it the raster itself, where that is possible and it has "
+                "more than a million cells");
   return record.kind();
 }
 

@@ -32,15 +32,12 @@ double metres_per(const std::string& unit, const std::string& name) {
 
 Elevation read_elevation(const std::filesystem::path& path, int band, std::optional<double> unit_m,
                          UnknownHeights unknown) {
-  Raster raster = read_raster(path);
+  Raster raster = read_band(path, band);
   const std::string name = path.string();
-  if (band < 1 || band > raster.bands)
-    throw InputError(format("{} has no band {}; it has {}", name, band, raster.bands));
-  const std::size_t cells = static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
-  const double factor = unit_m ? *unit_m : metres_per(raster.units[static_cast<std::size_t>(band - 1)], name);
-  Elevation terrain{raster.width, raster.height, {}, 0, false, raster.geotransform, std::move(raster.projection)};
-  const auto first = raster.values.begin() + static_cast<std::ptrdiff_t>(cells) * (band - 1);
-  terrain.height_m.assign(first, first + static_cast<std::ptrdiff_t>(cells));
+  const std::size_t cells = raster.cells();
+  const double factor = unit_m ? *unit_m : metres_per(raster.units[0], name);
+  Elevation terrain{raster.width, raster.height, std::move(raster.values), 0, false, raster.geotransform,
+                    std::move(raster.projection)};
   for (std::size_t k = 0; k < cells; ++k) {
     float& value = terrain.height_m[k];
     const float number = value;

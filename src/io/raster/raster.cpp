@@ -83,6 +83,67 @@ void scale(GDALRasterBandH band, std::optional<double> nodata, std::span<float> 
       value = static_cast<float>(factor * static_cast<double>(value) + offset);
 }
 
+/// A file that is open, and GDAL kept quiet meanwhile.
+class RasterFile {
+ public:
+  explicit RasterFile(const std::filesystem::path& path) : name_(path.string()) {
+    const InputFile readable(path);  // says why where it is not
+    dataset_.reset(GDALOpenEx(gdal_input_name(path).c_str(),
+                              GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, kDrivers, nullptr, nullptr));
+    if (!dataset_ && (path.extension() == ".jp2" || path.extension() == ".j2k"))
+      fail(name_, "JPEG 2000 is not read; turn it into a GeoTIFF first: gdal_translate a.jp2 a.tif");
+    if (!dataset_)
+      fail(name_, format("not a raster of a kind that is read ({}): {}", raster_driver_list(), gdal_.message()));
+    frame_.width = GDALGetRasterXSize(dataset_.get());
+    frame_.height = GDALGetRasterYSize(dataset_.get());
+    frame_.bands = GDALGetRasterCount(dataset_.get());
+    if (frame_.width < 1 || frame_.height < 1 || frame_.bands < 1) fail(name_, "the raster has no pixels");
+    std::array<double, 6> transform{};
+    if (GDALGetGeoTransform(dataset_.get(), transform.data()) == CE_None) frame_.geotransform = transform;
+    if (const char* wkt = GDALGetProjectionRef(dataset_.get())) frame_.projection = wkt;
+  }
+
+  const RasterFrame& frame() const { return frame_; }
+
+  /// `count` bands from number `first`, counted from 1.
+  Raster read(int first, int count, std::size_t max_values) const {
+    Raster raster{frame_, {}, {}, {}};
+    raster.bands = count;
+    const std::size_t cells = frame_.cells(), values = cells * static_cast<std::size_t>(count);
+    if (cells > max_values / static_cast<std::size_t>(count))
+      fail(name_, format("a raster of {} x {} x {} numbers is larger than the {} that are read", frame_.width,
+                         frame_.height, count, max_values));
+    check_blocks(dataset_.get(), name_, cells * static_cast<std::size_t>(frame_.bands));
+    check_text(dataset_.get(), name_, values);
+    check_end(dataset_.get(), name_, values, gdal_);
+    raster.values.resize(values);
+    for (int k = 0; k < count; ++k)
+      read_band(first + k, raster, {raster.values.data() + static_cast<std::size_t>(k) * cells, cells});
+    return raster;
+  }
+
+ private:
+  void read_band(int band, Raster& raster, std::span<float> values) const {
+    const GDALRasterBandH handle = GDALGetRasterBand(dataset_.get(), band);
+    if (GDALDataTypeIsComplex(GDALGetRasterDataType(handle)))
+      fail(name_, "found complex numbers; expected real ones");
+    if (GDALRasterIO(handle, GF_Read, 0, 0, frame_.width, frame_.height, values.data(), frame_.width, frame_.height,
+                     GDT_Float32, 0, 0) != CE_None)
+      fail(name_, format("the raster is damaged: {}", gdal_.message()));
+    int has_nodata = 0;
+    const double nodata = GDALGetRasterNoDataValue(handle, &has_nodata);
+    if (has_nodata != 0 && !raster.nodata) raster.nodata = nodata;
+    const char* unit = GDALGetRasterUnitType(handle);
+    raster.units.emplace_back(unit != nullptr ? unit : "");
+    scale(handle, has_nodata != 0 ? std::optional<double>(nodata) : std::nullopt, values);
+  }
+
+  std::string name_;
+  QuietGdal gdal_;
+  Dataset dataset_;
+  RasterFrame frame_;
+};
+
 }  // namespace
 
 std::string raster_driver_list() {
@@ -93,51 +154,22 @@ std::string raster_driver_list() {
 }
 
 Raster read_raster(const std::filesystem::path& path, std::size_t max_values) {
-  const std::string name = path.string();
-  const InputFile readable(path);  // says why where it is not
   prepare_gdal();
-  const QuietGdal gdal;
-  const Dataset dataset(GDALOpenEx(gdal_input_name(path).c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                                   kDrivers, nullptr, nullptr));
-  if (!dataset && (path.extension() == ".jp2" || path.extension() == ".j2k"))
-    fail(name, "JPEG 2000 is not read; turn it into a GeoTIFF first: gdal_translate a.jp2 a.tif");
-  if (!dataset)
-    fail(name, format("not a raster of a kind that is read ({}): {}", raster_driver_list(), gdal.message()));
+  const RasterFile file(path);
+  return file.read(1, file.frame().bands, max_values);
+}
 
-  Raster raster;
-  raster.width = GDALGetRasterXSize(dataset.get());
-  raster.height = GDALGetRasterYSize(dataset.get());
-  raster.bands = GDALGetRasterCount(dataset.get());
-  if (raster.width < 1 || raster.height < 1 || raster.bands < 1) fail(name, "the raster has no pixels");
-  const std::size_t width = static_cast<std::size_t>(raster.width),
-                    height = static_cast<std::size_t>(raster.height);
-  const std::size_t bands = static_cast<std::size_t>(raster.bands);
-  if (width * height > max_values / bands)
-    fail(name, format("a raster of {} x {} x {} numbers is larger than the {} that are read", raster.width,
-                      raster.height, raster.bands, max_values));
-  check_blocks(dataset.get(), name, width * height * bands);
-  check_text(dataset.get(), name, width * height * bands);
-  check_end(dataset.get(), name, width * height * bands, gdal);
-  raster.values.resize(width * height * bands);
-  for (int band = 0; band < raster.bands; ++band) {
-    const GDALRasterBandH handle = GDALGetRasterBand(dataset.get(), band + 1);
-    if (GDALDataTypeIsComplex(GDALGetRasterDataType(handle)))
-      fail(name, "found complex numbers; expected real ones");
-    float* values = raster.values.data() + static_cast<std::size_t>(band) * width * height;
-    if (GDALRasterIO(handle, GF_Read, 0, 0, raster.width, raster.height, values, raster.width, raster.height,
-                     GDT_Float32, 0, 0) != CE_None)
-      fail(name, format("the raster is damaged: {}", gdal.message()));
-    int has_nodata = 0;
-    const double nodata = GDALGetRasterNoDataValue(handle, &has_nodata);
-    if (has_nodata != 0 && !raster.nodata) raster.nodata = nodata;
-    const char* unit = GDALGetRasterUnitType(handle);
-    raster.units.emplace_back(unit != nullptr ? unit : "");
-    scale(handle, has_nodata != 0 ? std::optional<double>(nodata) : std::nullopt, {values, width * height});
-  }
-  std::array<double, 6> transform{};
-  if (GDALGetGeoTransform(dataset.get(), transform.data()) == CE_None) raster.geotransform = transform;
-  if (const char* wkt = GDALGetProjectionRef(dataset.get())) raster.projection = wkt;
-  return raster;
+Raster read_band(const std::filesystem::path& path, int band, std::size_t max_values) {
+  prepare_gdal();
+  const RasterFile file(path);
+  if (band < 1 || band > file.frame().bands)
+    throw InputError(format("{} has no band {}; it has {}", path.string(), band, file.frame().bands));
+  return file.read(band, 1, max_values);
+}
+
+RasterFrame read_raster_frame(const std::filesystem::path& path) {
+  prepare_gdal();
+  return RasterFile(path).frame();
 }
 
 }  // namespace ifov::io
