@@ -6,7 +6,7 @@
 
 namespace ifov::render {
 
-std::vector<AirHalfWidth> air_half_widths(const SpectralScene& scene,
+std::vector<AirHalfWidth> air_half_widths(const transport::SpectralScene& scene,
                                           const atmosphere::SensorAtmosphere& atmosphere) {
   std::vector<AirHalfWidth> all;
   constexpr double kGrey = 0.2, kGrey_k = 288.15;

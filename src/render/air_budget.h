@@ -5,13 +5,13 @@
 
 #include "render/accuracy_tolerance.h"
 #include "render/air_half_width.h"
-#include "render/spectral_scene.h"
 #include "sampling/tile.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::render {
 
 /// By channel; empty where the atmosphere does not know its errors.
-std::vector<AirHalfWidth> air_half_widths(const SpectralScene& scene,
+std::vector<AirHalfWidth> air_half_widths(const transport::SpectralScene& scene,
                                           const atmosphere::SensorAtmosphere& atmosphere);
 
 /// Widens a tile's intervals by what the air may be wrong by, and judges its pixels anew by what was asked

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "radiometry/spectrum_block.h"
-#include "render/surface_lobe.h"
 #include "sampling/quantiles.h"
+#include "transport/surface_lobe.h"
 
 namespace ifov::render {
 
@@ -21,13 +21,13 @@ constexpr std::size_t kBatch = 4096;
 
 }  // namespace
 
-bool Glints::in(const SpectralScene& scene) {
+bool Glints::in(const transport::SpectralScene& scene) {
   if (scene.sun_mirrors() == nullptr) return false;
   const geometry::SurfaceSurvey& survey = scene.sun_mirrors()->survey();
   return !survey.rounds.empty() || !survey.smooths.empty();
 }
 
-Glints::Glints(const SpectralScene& scene, const sensor::Camera& camera, double margin_px, std::uint64_t seed)
+Glints::Glints(const transport::SpectralScene& scene, const sensor::Camera& camera, double margin_px, std::uint64_t seed)
     : scene_(scene), camera_(camera), channels_(scene.nodes().channel_count()) {
   const geometry::SurfaceSurvey& survey = scene.sun_mirrors()->survey();
   const scene::Sun& sun = *scene.scene().sun;
@@ -114,8 +114,8 @@ std::uint32_t Glints::row_of(const geometry::SurfacePoint& hit, const scene::Res
         share[n] += part.weight * scene_.materials().reflectance(part.material)[n];
   const float* sun = scene_.sun_irradiance(hit.position_m.z, work.row(0));
   float* light = work.row(1);
-  const ViewTable* table = scene_.view_table();
-  std::optional<ViewTable::Place> place;
+  const transport::ViewTable* table = scene_.view_table();
+  std::optional<transport::ViewTable::Place> place;
   if (table != nullptr) place = table->at(towards_sensor, hit.position_m.z);
   for (std::size_t n = 0; n < share.size(); ++n) {
     double through = scene_.has_view_path() ? scene_.view_transmittance()[n] : 1.0;

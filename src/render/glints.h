@@ -5,9 +5,9 @@
 
 #include "render/accuracy_tolerance.h"
 #include "render/glint_search.h"
-#include "render/spectral_scene.h"
 #include "sampling/tile.h"
 #include "sensor/camera.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::render {
 
@@ -19,10 +19,10 @@ class Glints {
  public:
   /// Whether glints are to be found in a scene: it has curved mirrors under a Sun, once each (of a periodic scene the
   /// copies are not searched, and its pixels are marked instead).
-  static bool in(const SpectralScene& scene);
+  static bool in(const transport::SpectralScene& scene);
 
   /// Traces all of them. Keeps a reference to the scene. `margin_px`: a footprint's half width.
-  Glints(const SpectralScene& scene, const sensor::Camera& camera, double margin_px, std::uint64_t seed);
+  Glints(const transport::SpectralScene& scene, const sensor::Camera& camera, double margin_px, std::uint64_t seed);
 
   /// Into the means of a tile that has channels alone, with the error of their shares in each pixel; `tolerance` may be
   /// null.
@@ -41,7 +41,7 @@ class Glints {
   void trace(std::vector<GlintPoint>& points);
   std::uint32_t row_of(const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface, math::Vec3 towards_sensor);
 
-  const SpectralScene& scene_;
+  const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
   std::size_t channels_;
   std::vector<Light> lights_;  // by row of the image

@@ -101,7 +101,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   if (drivers.empty())
     for (std::size_t c = 0; c < job.scene.nodes().channel_count(); ++c) drivers.push_back(static_cast<int>(c));
 
-  TransportOptions transport = job.transport;
+  transport::TransportOptions transport = job.transport;
   transport.sought_only = true;
   std::optional<Glints> glints;
   if (transport.maximum_scatterings != 0 && Glints::in(job.scene))

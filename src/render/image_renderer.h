@@ -17,12 +17,12 @@ namespace ifov::render {
 
 /// All that an image depends on. Keeps references; they must outlive the job.
 struct RenderJob {
-  const SpectralScene& scene;
+  const transport::SpectralScene& scene;
   const sensor::Camera& camera;
   const sampling::PixelFootprint& footprint;
   const sampling::PixelSampler& sampler;
   const AccuracyTolerance* tolerance = nullptr;
-  TransportOptions transport{};
+  transport::TransportOptions transport{};
   LabelDetail label_detail = LabelDetail::sun_state;
   std::uint64_t seed = 1;
   int tile_px = 64;

@@ -5,7 +5,7 @@
 
 namespace ifov::render {
 
-std::vector<NodeHalfWidth> node_half_widths(const SpectralScene& scene) {
+std::vector<NodeHalfWidth> node_half_widths(const transport::SpectralScene& scene) {
   constexpr double kDarkShare = 0.01, kWarm_k = 300.0;  // as the nodes' checks have it (NodeDemands)
   const radiometry::SpectralNodes& nodes = scene.nodes();
   std::vector<double> white = scene.white_reflected(), warm(nodes.channel_count());

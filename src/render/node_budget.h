@@ -6,13 +6,13 @@
 
 #include "render/accuracy_tolerance.h"
 #include "render/node_half_width.h"
-#include "render/spectral_scene.h"
 #include "sampling/tile.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::render {
 
 /// By channel, of the errors that the nodes' own checks found.
-std::vector<NodeHalfWidth> node_half_widths(const SpectralScene& scene);
+std::vector<NodeHalfWidth> node_half_widths(const transport::SpectralScene& scene);
 
 /// Widens a tile's intervals by what the nodes may be wrong by wherever that is more than NodeHalfWidth::kNegligible of
 /// what was asked for (everywhere, where nothing was), and judges those pixels anew. `tolerance` may be null.

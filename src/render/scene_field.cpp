@@ -16,15 +16,15 @@ constexpr std::size_t kGroup = 512;
 
 }  // namespace
 
-SceneField::SceneField(const SpectralScene& scene, const sensor::Camera& camera, TransportOptions transport,
+SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Camera& camera, transport::TransportOptions transport,
                        LabelDetail detail)
-    : scene_(scene), camera_(camera), detail_(detail), tracer_(scene, transport), light_(scene),
+    : scene_(scene), camera_(camera), detail_(detail), tracer_(scene, transport), light_(scene), air_(scene),
       truth_(scene::truth_materials(scene.scene())),
       blends_(scene.scene(), truth_, static_cast<int>(scene.nodes().channel_count())),
       map_detail_(scene.scene(), camera),
       unseen_(scene, blends_.first_column() + blends_.count()),
-      mirror_light_(detail == LabelDetail::sun_state ? MirrorLight::find(scene, tracer_.sun_images(), transport.mirror_reflections) : nullptr) {
-  if (scene.scene().sun) disc_points_ = fixed_disc_points(scene.scene().sun->direction, scene.scene().sun->half_angle_rad);
+      mirror_light_(detail == LabelDetail::sun_state ? transport::MirrorLight::find(scene, tracer_.sun_images(), transport.mirror_reflections) : nullptr) {
+  if (scene.scene().sun) disc_points_ = transport::fixed_disc_points(scene.scene().sun->direction, scene.scene().sun->half_angle_rad);
   const std::vector<materials::Material>& materials = scene.scene().materials;
   for (std::uint32_t m = 0; m < materials.size(); ++m)
     sunlight_.push_back({scene.brightest(m) > 0.0 && !materials::scattering(materials[m].scattering).is_delta(),
@@ -80,10 +80,12 @@ void SceneField::values(std::span<const sampling::PathRequest> requests, std::sp
       keys_[k] = {requests[first + k].sequence, requests[first + k].index};
     }
     camera_.rays(points_, rays_);
-    const PathRecord& paths = tracer_.trace(rays_, keys_, hits_, counts_);
+    const transport::PathRecord& paths = tracer_.trace(rays_, keys_, hits_, counts_);
     for (std::size_t k = 0; k < count; ++k) {
       float* row = values.data() + (first + k) * row_length;
-      scene_.nodes().to_channels(light_.radiance(paths, k), row);
+      float* radiance = light_.radiance(paths, k);
+      air_.apply(paths.paths[k], radiance);
+      scene_.nodes().to_channels(radiance, row);
       if (blends_.count() > 0) blends_.write_shares(hits_[k], row);
       unseen_.write(paths.paths[k], row);
     }

@@ -4,13 +4,14 @@
 
 #include "render/blend_columns.h"
 #include "render/map_detail.h"
-#include "render/mirror_light.h"
-#include "render/path_light.h"
-#include "render/path_tracer.h"
 #include "render/surface_label.h"
 #include "render/unseen_light.h"
 #include "sampling/field.h"
 #include "sensor/camera.h"
+#include "transport/mirror_light.h"
+#include "transport/path_light.h"
+#include "transport/path_tracer.h"
+#include "transport/view_air.h"
 
 namespace ifov::render {
 
@@ -24,7 +25,7 @@ enum class LabelDetail {
 class SceneField final : public sampling::Field {
  public:
   /// Keeps references to all; they must outlive this.
-  SceneField(const SpectralScene& scene, const sensor::Camera& camera, TransportOptions transport,
+  SceneField(const transport::SpectralScene& scene, const sensor::Camera& camera, transport::TransportOptions transport,
              LabelDetail detail);
 
   /// The channels, then the shares of materials that are mixed somewhere (BlendColumns), then light that is not sought
@@ -63,16 +64,17 @@ class SceneField final : public sampling::Field {
   void label_hits(std::span<const geometry::SurfacePoint> hits, LabelDetail detail,
                   std::span<sampling::Label> labels);
 
-  const SpectralScene& scene_;
+  const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
   LabelDetail detail_;
-  PathTracer tracer_;
-  PathLight light_;
+  transport::PathTracer tracer_;
+  transport::PathLight light_;
+  transport::ViewAir air_;
   scene::TruthMaterials truth_;
   BlendColumns blends_;
   MapDetail map_detail_;
   UnseenLight unseen_;
-  std::unique_ptr<MirrorLight> mirror_light_;  // null where mirrors throw none
+  std::unique_ptr<transport::MirrorLight> mirror_light_;  // null where mirrors throw none
   struct Sunlight {
     bool shows, passes;  ///< whether it is seen where it falls on a material, and from behind
   };
@@ -81,7 +83,7 @@ class SceneField final : public sampling::Field {
   sampling::RayCounts counts_;
   std::vector<sampling::FocalPoint> points_;
   std::vector<math::Ray> rays_, sun_rays_;
-  std::vector<PathKey> keys_;
+  std::vector<transport::PathKey> keys_;
   std::vector<geometry::SurfacePoint> hits_;
   std::vector<std::uint8_t> blocked_;
   std::vector<std::uint32_t> owner_;  // of each group of sun rays: index of its hit

@@ -4,7 +4,7 @@
 
 namespace ifov::render {
 
-UnseenLight::UnseenLight(const SpectralScene& scene, int column) : column_(column) {
+UnseenLight::UnseenLight(const transport::SpectralScene& scene, int column) : column_(column) {
   if (scene.sun_mirrors() == nullptr || !scene.sun_mirrors()->may_hide()) return;
   count_ = 1;
   const radiometry::SpectralNodes& nodes = scene.nodes();

@@ -3,31 +3,24 @@
 #include <vector>
 
 #include "render/accuracy_tolerance.h"
-#include "render/path_record.h"
-#include "render/spectral_scene.h"
 #include "sampling/tile.h"
+#include "transport/path_record.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::render {
 
 /// Sunlight that may arrive by ways that are not sought: by mirrors that bend onto other surfaces (caustics), by more
 /// flat mirrors in turn than are sought, and by several mirrors to the sensor of which one bends. How much is told
-/// from a Sun as wide as a third of the sky with the same irradiance, which paths find: in a column of its own behind all
+/// by paths that find a wider Sun (transport::WideSun): in a column of its own behind all
 /// others, in parts of the Sun's irradiance (1/sr), in the node where most comes back. It marks pixels; it never enters
 /// a radiance.
 class UnseenLight {
  public:
-  /// The wide Sun: all directions at an angle with this cosine or less from its middle, pi steradians.
-  static constexpr double kLeastCosine = 0.5;
-  /// Its radiance in a direction over the Sun's irradiance, 1/sr.
-  static float radiance(const scene::Scene& scene, math::Vec3 direction) {
-    return direction.z > 0.0 && math::dot(direction, scene.sun->direction) > kLeastCosine ? 0.31830989f : 0.0f;
-  }
-
   /// Takes a column only where such ways exist. `column` is the first that is free.
-  UnseenLight(const SpectralScene& scene, int column);
+  UnseenLight(const transport::SpectralScene& scene, int column);
 
   int count() const { return count_; }
-  void write(const PathRecord::Path& path, float* columns) const {
+  void write(const transport::PathRecord::Path& path, float* columns) const {
     if (count_ > 0) columns[column_] = path.unseen;
   }
 

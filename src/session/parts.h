@@ -33,7 +33,7 @@ struct Session::Parts {
   std::unique_ptr<sampling::PixelFootprint> footprint;
   std::unique_ptr<sensor::PsfWings> wings;  ///< null where the PSF has none
   double psf_cut = 0.0;                     ///< share of its energy that stands neither in the footprint nor in wings
-  std::unique_ptr<render::SpectralScene> spectral_scene;
+  std::unique_ptr<transport::SpectralScene> spectral_scene;
   std::unique_ptr<render::ChannelBrightness> brightness;
   std::vector<render::AirHalfWidth> air;     ///< by channel; empty without a modelled atmosphere
   std::vector<render::NodeHalfWidth> node_errors;  ///< by channel; empty with a modelled one, whose error holds that

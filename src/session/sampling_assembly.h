@@ -8,8 +8,8 @@
 #include "io/document/document.h"
 #include "radiometry/channel.h"
 #include "render/accuracy_tolerance.h"
-#include "render/spectral_scene.h"
 #include "sampling/tile.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::session {
 

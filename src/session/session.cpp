@@ -5,8 +5,6 @@
 #include <mutex>
 
 #include "core/version.h"
-#include "render/emitter_mirrors.h"
-#include "render/emitters.h"
 #include "sampling/region_interval.h"
 #include "session/air_statements.h"
 #include "session/atmosphere_assembly.h"
@@ -16,13 +14,15 @@
 #include "session/node_tolerance.h"
 #include "session/parts.h"
 #include "session/scene_assembly.h"
-#include "session/sensor_assembly.h"
 #include "session/sense/place_lines.h"
 #include "session/sense/sense_warnings.h"
+#include "session/sensor_assembly.h"
 #include "session/statements.h"
 #include "session/surroundings_assembly.h"
 #include "session/weather_assembly.h"
 #include "session/with_position.h"
+#include "transport/emitter_mirrors.h"
+#include "transport/emitters.h"
 
 namespace ifov::session {
 
@@ -84,13 +84,13 @@ void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options
     parts.atmosphere = assemble_atmosphere(
         parts, surfaces, demands, {options.threads, kept, atmosphere_progress(options), log});
     parts.nodes = &parts.atmosphere->nodes();
-    parts.spectral_scene = std::make_unique<render::SpectralScene>(scene, *parts.atmosphere);
+    parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.atmosphere);
     return;
   }
   if (parts.document.atmosphere.imported) {
     parts.imported = assemble_imported(parts, surfaces, demands, log);
     parts.nodes = &parts.imported->nodes();
-    parts.spectral_scene = std::make_unique<render::SpectralScene>(scene, *parts.imported);
+    parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.imported);
     return;
   }
   const radiometry::Spectrum sun = scene.sun ? scene.sun->irradiance : radiometry::Spectrum();
@@ -98,19 +98,19 @@ void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options
       radiometry::SpectralNodes::build(parts.channels, sun, surfaces, demands,
                                        scene.sky.radiance ? &*scene.sky.radiance : nullptr));
   parts.nodes = parts.own_nodes.get();
-  parts.spectral_scene = std::make_unique<render::SpectralScene>(scene, *parts.nodes);
+  parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.nodes);
 }
 
-void tell_of_emitters(const render::SpectralScene& scene, LogSink& log) {
-  const render::Emitters* emitters = scene.emitters();
+void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log) {
+  const transport::Emitters* emitters = scene.emitters();
   if (emitters == nullptr) return;
   if (emitters->count() > 0)
     log.info(format("emitters: faces that outshine the scene and whose light is sought: {}", emitters->count()));
   if (emitters->leaves_some())
     log.warn(format("light of some surfaces that outshine the scene is found by chance alone: it is not sought from planes "
                     "and terrain, nor from more than {} faces",
-                    render::Emitters::kMost));
-  if (emitters->count() > 0 && render::EmitterMirrors::leave_some(scene.scene()))
+                    transport::Emitters::kMost));
+  if (emitters->count() > 0 && transport::EmitterMirrors::leave_some(scene.scene()))
     log.warn("light of surfaces that outshine the scene is sought by way of one flat mirror, not of bent ones or of several "
              "in turn: what those throw of it on other surfaces is found by chance alone, and pixels near them may be less "
              "sure than they say");

@@ -5,9 +5,9 @@
 
 #include "radiometry/planck.h"
 #include "render/image_renderer.h"
-#include "render/small_scene.h"
 #include "sampling/grid_sampler.h"
 #include "sensor/orthographic_camera.h"
+#include "transport/small_scene.h"
 
 namespace ifov {
 namespace {
@@ -138,7 +138,7 @@ TEST(Blend, AbundancesAreTheSharesByArea) {
   scene.scene().coverings[bright].patterns.push_back(std::make_shared<FixedBlend>(
       std::vector<scene::Constituent>{{bright, bright, 0.3, 0.0}, {dark, dark, 0.7, 0.0}}));
   scene.sky(1.0);
-  const render::SpectralScene& spectral = scene.build();
+  const transport::SpectralScene& spectral = scene.build();
   sensor::OrthographicCamera::Settings settings;
   settings.width_px = settings.height_px = 1;
   settings.gsd_m = 1.0;

@@ -7,10 +7,10 @@
 #include <map>
 #include <numbers>
 
-#include "render/small_scene.h"
 #include "sampling/random.h"
 #include "sensor/frame_camera.h"
 #include "sensor/orthographic_camera.h"
+#include "transport/small_scene.h"
 
 namespace ifov {
 namespace {
@@ -31,7 +31,7 @@ sensor::OrthographicCamera nadir_camera() {
 }
 
 /// What the glints of a scene add to an image, with errors.
-sampling::TileResult glints_in(const render::SpectralScene& scene, const sensor::Camera& camera, std::uint64_t seed = 1) {
+sampling::TileResult glints_in(const transport::SpectralScene& scene, const sensor::Camera& camera, std::uint64_t seed = 1) {
   sampling::TileResult tile;
   tile.reset({0, 0, camera.width_px(), camera.height_px()}, 1);
   const render::Glints glints(scene, camera, 0.5, seed);
@@ -190,7 +190,7 @@ TEST(Glints, ImagesPathsLeaveThemOutAndOthersFindThem) {
   const math::Ray ray{math::Point3{kRadius * half.x, kRadius * half.y, 50.0}, {0.0, 0.0, -1.0}};
   EXPECT_NEAR(scene.radiance(ray, 4).mean, kMirror * kIrradiance / (std::numbers::pi * std::pow(std::sin(kHalfAngle), 2)),
               1e-3 * scene.radiance(ray, 4).mean);
-  render::TransportOptions apart;
+  transport::TransportOptions apart;
   apart.sought_only = true;
   EXPECT_EQ(scene.radiance(ray, 4, 1, apart).mean, 0.0);
 }

@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <mutex>
 
-#include "render/small_scene.h"
 #include "render/tile_grid.h"
 #include "sampling/single_sampler.h"
 #include "sensor/orthographic_camera.h"
+#include "transport/small_scene.h"
 
 namespace ifov {
 namespace {
@@ -37,7 +37,7 @@ constexpr int kSide = 48, kTile = 8;
 std::vector<int> order_of(int threads, std::span<const int> wanted) {
   SmallScene scene;
   scene.place(geometry::Plane{}, scene.material(0.5, 300.0));
-  const render::SpectralScene& spectral = scene.build();
+  const transport::SpectralScene& spectral = scene.build();
   sensor::OrthographicCamera::Settings settings;
   settings.width_px = settings.height_px = kSide;
   settings.gsd_m = 1.0;

@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "render/image_renderer.h"
-#include "render/small_scene.h"
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "sampling/random.h"
 #include "sensor/orthographic_camera.h"
+#include "transport/small_scene.h"
 
 namespace ifov {
 namespace {
@@ -26,7 +26,7 @@ struct OneTile final : render::TileSink {
 };
 
 /// One tile of `side` pixels about (x, y), at an error of 1 %.
-sampling::TileResult image_of(const render::SpectralScene& scene, int side, double gsd_m, double x, double y,
+sampling::TileResult image_of(const transport::SpectralScene& scene, int side, double gsd_m, double x, double y,
                               std::uint64_t seed) {
   sensor::OrthographicCamera::Settings settings;
   settings.width_px = settings.height_px = side;

@@ -98,7 +98,7 @@ TEST_F(NodeBudget, KnowsWhatTheSearchCouldNotKeep) {
     made.sun = scene::Sun{{0.0, 0.0, 1.0}, 0.0, radiometry::Spectrum::constant(1000.0)};
     return made;
   }();
-  const SpectralScene spectral(scene, nodes);
+  const transport::SpectralScene spectral(scene, nodes);
   const std::vector<NodeHalfWidth> found = node_half_widths(spectral);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_DOUBLE_EQ(found[0].relative, nodes.worst_error());

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "render/small_scene.h"
 #include "sensor/orthographic_camera.h"
+#include "transport/small_scene.h"
 
 namespace ifov {
 namespace {

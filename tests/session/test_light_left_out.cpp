@@ -174,7 +174,7 @@ class WarmMixture : public testing::Test {
 /// What the channel shows of what the mixture emits, by nodes, over integration in small steps.
 double shown(const Session& session, const radiometry::SpectralNodes& nodes, double temperature_k, double to_um) {
   const Session::Parts& parts = session.parts();
-  const render::SpectralScene spectral(parts.scene, nodes);
+  const transport::SpectralScene spectral(parts.scene, nodes);
   const math::Ray ray{{0.5, 0.5, 10.0}, {0.0, 0.0, -1.0}};
   geometry::SurfacePoint hit;
   parts.scene.world->intersect({&ray, 1}, {&hit, 1});

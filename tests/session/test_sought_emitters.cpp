@@ -6,8 +6,8 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
-#include "render/emitters.h"
 #include "session/parts.h"
+#include "transport/emitters.h"
 
 namespace ifov::session {
 namespace {

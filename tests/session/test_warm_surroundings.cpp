@@ -38,7 +38,7 @@ Session plain(const char* surroundings) {
 
 /// Of the channel, at the sensor: path as the renderer has it, and the surface in the sky as it has it.
 double at_sensor(const Session& session, std::size_t channel) {
-  const render::SpectralScene& scene = *session.parts().spectral_scene;
+  const transport::SpectralScene& scene = *session.parts().spectral_scene;
   const radiometry::SpectralNodes& nodes = scene.nodes();
   std::vector<double> planck(nodes.node_count());
   nodes.planck(kGround_k, std::span<double>(planck));

@@ -102,7 +102,7 @@ TEST_F(WideView, GlintsAreSeenThroughTheAirBeforeThem) {
   constexpr double kRadius_m = 20.0, kReflectance = 0.5;
   const char* ball = R"(, {"sphere": {"center": ["30 m", "10 m", "900 m"], "radius": "20 m"}, "material": "chrome"})";
   const Session session = Session::load(document(kWide, ball), nullptr);
-  const render::SpectralScene& scene = *session.parts().spectral_scene;
+  const transport::SpectralScene& scene = *session.parts().spectral_scene;
   const sensor::Camera& camera = *session.parts().camera;
   sampling::TileResult tile;
   tile.reset({0, 0, camera.width_px(), camera.height_px()}, 2);
@@ -130,7 +130,7 @@ TEST_F(WideView, LevelGroundReflectsTheIrradianceOfSunAndSky) {
   const std::vector<float> seen = image(grey, 8);
   for (std::size_t pixel = 0; pixel < 64; ++pixel) mean += static_cast<double>(seen[2 * pixel]) / 64.0;
   const Session session = Session::load(grey, nullptr);
-  const render::SpectralScene& scene = *session.parts().spectral_scene;
+  const transport::SpectralScene& scene = *session.parts().spectral_scene;
   const double expected = 0.4 * scene.white_reflected()[0] + scene.path_radiance()[0];
   EXPECT_NEAR(mean / expected, 1.0, 1e-3);
 }

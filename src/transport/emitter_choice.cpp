@@ -1,0 +1,137 @@
+#include "transport/emitter_choice.h"
+
+#include <algorithm>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include "materials/scattering.h"
+
+namespace ifov::transport {
+
+namespace {
+
+/// The value that half of the weight lies at or below.
+double median(std::vector<std::pair<double, double>> value_and_weight) {
+  std::sort(value_and_weight.begin(), value_and_weight.end());
+  double whole = 0.0, below = 0.0;
+  for (const auto& [value, weight] : value_and_weight) whole += weight;
+  for (const auto& [value, weight] : value_and_weight)
+    if ((below += weight) >= 0.5 * whole) return value;
+  return 0.0;
+}
+
+}  // namespace
+
+EmitterChoice::EmitterChoice(const SpectralScene& scene)
+    : scene_(scene),
+      wanted_(scene.scene().coverings.size(), false),
+      mapped_(scene.scene().coverings.size(), false),
+      brightest_(scene.scene().coverings.size(), 0.0),
+      unit_(scene.nodes().channel_count(), 0.0) {
+  if (!scene.scene().world) return;
+  list_surfaces();
+  find_contrasts();
+}
+
+std::vector<double> EmitterChoice::channels(const float* nodes) const {
+  std::vector<double> means(scene_.nodes().channel_count(), 0.0);
+  for (std::size_t c = 0; c < means.size(); ++c)
+    for (std::size_t n = scene_.nodes().first_node(c); n < scene_.nodes().first_node(c + 1); ++n)
+      means[c] += scene_.nodes().node_weight(n) * static_cast<double>(nodes[n]);
+  return means;
+}
+
+void EmitterChoice::list_surfaces() {
+  const scene::Scene& scene = scene_.scene();
+  std::vector<float> row(scene_.node_count());
+  const auto add = [&](std::uint32_t covering, std::uint32_t material, double coldest_k, double hottest_k) {
+    Surface surface;
+    surface.covering = covering;
+    surface.scatters = scene_.brightest(material) > 0.0 &&
+                       !materials::scattering(scene.materials[material].scattering).is_delta();
+    const auto emitted = [&](double temperature_k) {
+      std::fill(row.begin(), row.end(), 0.0f);
+      if (temperature_k > 0.0) scene_.nodes().planck(temperature_k, std::span<float>(row));
+      for (std::size_t n = 0; n < row.size(); ++n) row[n] *= scene_.materials().emissivity(material)[n];
+      return channels(row.data());
+    };
+    surface.hottest = emitted(hottest_k);
+    surface.coldest = coldest_k == hottest_k ? surface.hottest : emitted(coldest_k);
+    for (std::size_t n = 0; n < row.size(); ++n)
+      row[n] = scene_.materials().reflectance(material)[n] + scene_.materials().transmittance(material)[n];
+    surface.albedo = channels(row.data());
+    surfaces_.push_back(std::move(surface));
+  };
+  for (std::uint32_t c = 0; c < scene.coverings.size(); ++c) {
+    const scene::Covering& covering = scene.coverings[c];
+    mapped_[c] = covering.classes || !covering.temperatures.empty() || !covering.patterns.empty();
+    for (std::size_t k = 0; k < covering.states.size(); ++k) {
+      const scene::SurfaceState& state = scene.states[covering.states[k]];
+      const auto* map = covering.temperatures.empty() ? nullptr : covering.temperatures[k].get();
+      if (map != nullptr)
+        add(c, state.material, map->minimum_k(), map->maximum_k());
+      else
+        add(c, state.material, state.temperature_k, state.temperature_k);
+    }
+    for (const auto& pattern : covering.patterns) {
+      const auto range = pattern->temperatures();
+      if (!range) continue;
+      std::vector<std::uint32_t> mixed = pattern->mixed_materials();
+      if (mixed.empty()) {
+        mixed.resize(scene.materials.size());
+        std::iota(mixed.begin(), mixed.end(), 0u);
+      }
+      for (const std::uint32_t material : mixed) add(c, material, range->coldest_k, range->hottest_k);
+    }
+  }
+}
+
+void EmitterChoice::find_contrasts() {
+  for (const Surface& s : surfaces_)
+    for (std::size_t c = 0; c < unit_.size(); ++c) unit_[c] = std::max(unit_[c], s.hottest[c]);
+  // A white surface that faces the Sun, under the sky.
+  std::vector<double> lit = channels(scene_.sky_radiance());
+  if (scene_.scene().sun && scene_.scene().sun->direction.z > 0.0) {
+    const std::vector<double> sun = channels(scene_.sun_irradiance());
+    for (std::size_t c = 0; c < lit.size(); ++c) lit[c] += sun[c] / std::numbers::pi;
+  }
+  // Areas are asked for where the coldest surface alone would do.
+  std::vector<double> areas;
+  for (std::size_t c = 0; c < unit_.size(); ++c) {
+    double coldest = unit_[c];
+    for (const Surface& s : surfaces_) coldest = std::min(coldest, s.coldest[c]);
+    if (!(unit_[c] > kContrast * std::max(lit[c], coldest))) continue;
+    if (areas.empty()) areas = scene_.scene().world->surface_areas_m2(wanted_.size());
+    std::vector<std::size_t> parts(wanted_.size(), 0);
+    for (const Surface& s : surfaces_) ++parts[s.covering];
+    std::vector<std::pair<double, double>> levels;
+    for (const Surface& s : surfaces_)
+      levels.emplace_back(s.coldest[c], areas[s.covering] / static_cast<double>(parts[s.covering]));
+    const double usual = std::max(lit[c], median(std::move(levels)));
+    for (const Surface& s : surfaces_) {
+      if (!(s.hottest[c] > kContrast * usual) || areas[s.covering] <= 0.0) continue;
+      for (const Surface& r : surfaces_)
+        if (r.scatters && areas[r.covering] > 0.0 &&
+            r.albedo[c] * s.hottest[c] > kShown * (r.coldest[c] + r.albedo[c] * lit[c]))
+          wanted_[s.covering] = any_ = true;
+    }
+  }
+  for (const Surface& s : surfaces_) {
+    double mean = 0.0;
+    for (std::size_t c = 0; c < unit_.size(); ++c)
+      if (unit_[c] > 0.0) mean += s.hottest[c] / unit_[c] / static_cast<double>(unit_.size());
+    brightest_[s.covering] = std::max(brightest_[s.covering], mean);
+  }
+}
+
+double EmitterChoice::brightness(const float* emission) const {
+  if (emission == nullptr) return 0.0;
+  const std::vector<double> means = channels(emission);
+  double mean = 0.0;
+  for (std::size_t c = 0; c < unit_.size(); ++c)
+    if (unit_[c] > 0.0) mean += means[c] / unit_[c] / static_cast<double>(unit_.size());
+  return mean;
+}
+
+}  // namespace ifov::transport

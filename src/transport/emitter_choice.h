@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/surface_piece.h"
+#include "transport/spectral_scene.h"
+
+namespace ifov::transport {
+
+/// Which coverings of a scene emit so much more than the rest of it, in some channel, that scattered paths alone would find
+/// their light by luck. A covering is sought where it may be brighter than `kContrast` times both the light that falls on
+/// the scene (a white surface under Sun and sky) and the emission of the median surface, by area; and where some surface
+/// that scatters would show at least `kShown` of its own radiance and that light more if it saw nothing else.
+struct EmitterChoice {
+  static constexpr double kContrast = 20.0;
+  static constexpr double kShown = 0.1;
+
+  explicit EmitterChoice(const SpectralScene& scene);
+
+  bool any() const { return any_; }
+  const geometry::WantedMaterials& wanted() const { return wanted_; }  ///< by covering
+  /// Whether what a covering emits changes from point to point.
+  bool mapped(std::uint32_t covering) const { return mapped_[covering]; }
+  /// A scale of radiance over the channels, for a row of emission in nodes: the mean of shares of the brightest.
+  double brightness(const float* emission) const;
+  /// At most, of a covering.
+  double brightest(std::uint32_t covering) const { return brightest_[covering]; }
+
+ private:
+  std::vector<double> channels(const float* nodes) const;
+  void list_surfaces();
+  void find_contrasts();
+
+  /// What a covering may be somewhere.
+  struct Surface {
+    std::uint32_t covering = 0;
+    std::vector<double> hottest, coldest, albedo;  // by channel
+    bool scatters = false;
+  };
+  const SpectralScene& scene_;
+  bool any_ = false;
+  geometry::WantedMaterials wanted_;
+  std::vector<bool> mapped_;
+  std::vector<double> brightest_;
+  std::vector<Surface> surfaces_;
+  std::vector<double> unit_;  // radiance of brightness 1, by channel
+};
+
+}  // namespace ifov::transport

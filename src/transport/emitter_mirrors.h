@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "geometry/surface_point.h"
+#include "scene/scene.h"
+#include "transport/emitter_shape.h"
+
+namespace ifov::transport {
+
+/// The planes of a scene's flat mirrors: through each of them a surface sees what shines as if it stood mirrored behind
+/// the plane, and light is sought from emitters by way of one of them.
+class EmitterMirrors {
+ public:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+  /// So many planes are told apart; where there are more, none is sought by.
+  static constexpr std::size_t kMost = 64;
+
+  /// Null where there are no flat mirrors, too many, or copies of a periodic scene.
+  static std::unique_ptr<const EmitterMirrors> find(const scene::Scene& scene);
+
+  /// Whether light of emitters may come by mirrors in ways that are not sought: bent ones, several in turn, planes that
+  /// are not told apart.
+  static bool leave_some(const scene::Scene& scene);
+
+  std::size_t count() const { return planes_.size(); }
+  /// The plane of a mirror that was met; kNone for one that bends, or a relief.
+  std::uint32_t plane_of(const geometry::SurfacePoint& hit, math::Vec3 reflecting_normal) const;
+  /// The receiver on the other side of a plane: light that leaves it straight is light that leaves the true one by way of
+  /// the mirror.
+  Receiver behind(std::uint32_t plane, const Receiver& receiver) const;
+  math::Vec3 mirrored(std::uint32_t plane, math::Vec3 direction) const;
+
+ private:
+  struct Plane {
+    math::Vec3 normal;
+    double offset_m;  // normal . p
+  };
+  std::vector<Plane> planes_;
+  std::vector<bool> bends_;  // by covering
+};
+
+}  // namespace ifov::transport

@@ -1,0 +1,261 @@
+#include "transport/emitter_shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "sampling/projected_polygon.h"
+#include "sampling/warp.h"
+
+namespace ifov::transport {
+
+using geometry::PieceKind;
+using math::Point3;
+using math::Vec3;
+using sampling::Point2;
+using std::numbers::pi;
+
+namespace {
+
+/// What a side counts that is hidden by its own body unless one is within it.
+constexpr double kHiddenSide = 1e-3;
+
+/// Flat pieces whose size is a smaller part of their distance, and of their height above the horizon, are sampled by
+/// area: their parts are seen alike to that part, and projected solid angles would lose digits.
+constexpr double kFar = 0.01;
+
+struct Corners {
+  std::array<Vec3, 4> at;
+  std::size_t count = 0;
+  operator std::span<const Vec3>() const { return {at.data(), count}; }
+};
+
+Corners corners_of(PieceKind kind, const math::Transform& map, Point3 from_m) {
+  const Vec3 a = map.origin_m() - from_m, x = map.column_x(), y = map.column_y();
+  if (kind == PieceKind::triangle) return {{a, a + x, a + y, {}}, 3};
+  return {{a, a + x, a + x + y, a + y}, 4};
+}
+
+}  // namespace
+
+double highest_cosine(Vec3 normal, Vec3 to, double radius_m) {
+  const double distance2 = math::dot(to, to);
+  if (distance2 <= radius_m * radius_m) return 1.0;
+  const double distance = std::sqrt(distance2);
+  const double cosine = math::dot(normal, to) / distance, sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+  const double sine_of = radius_m / distance, cosine_of = std::sqrt(1.0 - sine_of * sine_of);
+  return cosine >= cosine_of ? 1.0 : std::max(0.0, cosine * cosine_of + sine * sine_of);
+}
+
+EmitterShape::EmitterShape(const geometry::SurfacePiece& piece, bool closed)
+    : kind_(piece.kind),
+      closed_(closed),
+      solid_(piece.solid),
+      scene_from_unit_(piece.scene_from_unit),
+      unit_from_scene_(piece.scene_from_unit.inverse()) {
+  const math::Transform& map = scene_from_unit_;
+  const Vec3 x = map.column_x(), y = map.column_y(), z = map.column_z();
+  const Vec3 across = math::cross(x, y);
+  const double stretch = geometry::area_m2(piece);
+  const double a = math::length(x), b = math::length(y), c = math::length(z);
+  switch (kind_) {
+    case Kind::triangle:
+      centre_m_ = map(Point3{1.0 / 3.0, 1.0 / 3.0, 0.0});
+      radius_m_ = std::max({math::length(map.origin_m() - centre_m_), math::length(map(Point3{1.0, 0.0, 0.0}) - centre_m_),
+                            math::length(map(Point3{0.0, 1.0, 0.0}) - centre_m_)});
+      break;
+    case Kind::parallelogram:
+      centre_m_ = map(Point3{0.5, 0.5, 0.0});
+      radius_m_ = 0.5 * std::max(math::length(x + y), math::length(x - y));
+      break;
+    case Kind::tube:
+      centre_m_ = map(Point3{0.0, 0.0, 0.5});
+      radius_m_ = 0.5 * c + std::hypot(a, b);
+      break;
+    default:
+      centre_m_ = map.origin_m();
+      radius_m_ = kind_ == Kind::disk ? std::hypot(a, b) : std::sqrt(a * a + b * b + c * c);
+      break;
+  }
+  flat_ = straight() || kind_ == Kind::disk;
+  area_m2_ = flat_ ? stretch : 0.25 * stretch;
+  if (flat_) normal_ = math::length(across) > 0.0 ? math::normalized(across) : Vec3{0.0, 0.0, 1.0};
+  const double skew = std::max({std::abs(math::dot(x, y)), std::abs(math::dot(y, z)), std::abs(math::dot(z, x))});
+  scale_ = std::max({a, b, c});
+  round_ = (kind_ == Kind::ball || kind_ == Kind::dome) && skew < 1e-9 * scale_ * scale_ &&
+           std::min({a, b, c}) > (1.0 - 1e-9) * scale_;
+  if (round_) radius_m_ = scale_;
+}
+
+double EmitterShape::self_hiding(Point3 at_m) const {
+  if (!solid_ && !closed_) return 1.0;
+  if (math::dot(at_m - centre_m_, normal_) > 0.0) return 1.0;
+  if (closed_) return kHiddenSide;
+  // Within the solid, whose other end lies along -z of the face's own frame.
+  const Point3 p = unit_from_scene_(at_m);
+  const bool within = kind_ == Kind::disk ? p.x * p.x + p.y * p.y <= 1.0 && p.z >= -1.0
+                                          : p.x >= 0.0 && p.x <= 1.0 && p.y >= 0.0 && p.y <= 1.0 && p.z >= -2.0;
+  return within ? 1.0 : kHiddenSide;
+}
+
+bool EmitterShape::far(const Receiver& receiver) const {
+  const Vec3 to = centre_m_ - receiver.at_m;
+  return radius_m_ < kFar * math::dot(to, receiver.normal);
+}
+
+double EmitterShape::reach_sr(const Receiver& receiver) const {
+  if (kind_ == Kind::ball || kind_ == Kind::dome) return reach_of_ball(receiver);
+  const double hiding = self_hiding(receiver.at_m);
+  if (!straight() || far(receiver)) return hiding * reach_by_area(receiver);
+  return hiding * sampling::ProjectedPolygon(corners_of(kind_, scene_from_unit_, receiver.at_m), receiver.normal)
+                      .projected_solid_angle_sr();
+}
+
+double EmitterShape::reach_by_area(const Receiver& receiver) const {
+  const Vec3 to = centre_m_ - receiver.at_m;
+  const double distance2 = std::max(math::dot(to, to), 0.25 * radius_m_ * radius_m_);
+  const double facing = flat_ ? highest_cosine(normal_, math::dot(normal_, to) < 0.0 ? -to : to, straight() ? 0.0 : radius_m_) : 1.0;
+  return area_m2_ * facing * highest_cosine(receiver.normal, to, straight() ? 0.0 : radius_m_) / distance2;
+}
+
+double EmitterShape::by_area(const Receiver& receiver, Vec3 direction) const {
+  const double across = math::dot(direction, normal_);
+  const double distance = math::dot(centre_m_ - receiver.at_m, normal_) / across;
+  return distance > 0.0 ? distance * distance / (area_m2_ * std::abs(across)) : 0.0;
+}
+
+AimedDirection EmitterShape::aim(const Receiver& receiver, Point2 u) const {
+  if (kind_ == Kind::ball || kind_ == Kind::dome) return aim_at_ball(receiver, u);
+  if (kind_ == Kind::tube) return aim_at_tube(receiver, u);
+  AimedDirection aimed;
+  if (straight() && !far(receiver)) {
+    const sampling::ProjectedPolygon seen(corners_of(kind_, scene_from_unit_, receiver.at_m), receiver.normal);
+    if (seen.projected_solid_angle_sr() <= 0.0) return aimed;
+    aimed.direction = seen.sample(u);
+    aimed.density = std::max(0.0, math::dot(aimed.direction, receiver.normal)) / seen.projected_solid_angle_sr();
+    return aimed;
+  }
+  Point2 p = u;
+  if (kind_ == Kind::disk)
+    p = sampling::uniform_disk(u);
+  else if (kind_ == Kind::triangle && u.x + u.y > 1.0)
+    p = {1.0 - u.x, 1.0 - u.y};
+  aimed.direction = math::normalized(scene_from_unit_(Point3{p.x, p.y, 0.0}) - receiver.at_m);
+  aimed.density = by_area(receiver, aimed.direction);
+  return aimed;
+}
+
+double EmitterShape::density(const Receiver& receiver, Vec3 direction, double distance_m) const {
+  if (kind_ == Kind::ball || kind_ == Kind::dome) return density_of_ball(receiver, direction);
+  if (kind_ == Kind::tube) return density_of_tube(receiver, direction, distance_m);
+  if (!straight() || far(receiver)) return by_area(receiver, direction);
+  const double area =
+      sampling::ProjectedPolygon(corners_of(kind_, scene_from_unit_, receiver.at_m), receiver.normal)
+          .projected_solid_angle_sr();
+  return area > 0.0 ? std::max(0.0, math::dot(direction, receiver.normal)) / area : 0.0;
+}
+
+// A ball in the frame where it is a sphere of radius 1: the cone of directions that meet it has the sine 1 / distance. A
+// linear map A takes directions w to A w / |A w| and solid angles to |det A| / |A w|^3 of themselves.
+
+double EmitterShape::reach_of_ball(const Receiver& receiver) const {
+  const Vec3 from = unit_from_scene_(receiver.at_m) - Point3{};
+  const double distance2 = math::dot(from, from);
+  if (distance2 <= 1.0) return 0.0;
+  const Vec3 towards = math::normalized(centre_m_ - receiver.at_m);
+  double sine2 = 1.0 / distance2;
+  if (!round_) {
+    const Vec3 mapped = unit_from_scene_(towards);
+    sine2 = std::min(1.0, sine2 * std::abs(unit_from_scene_.determinant()) / std::pow(math::length(mapped), 3.0));
+  }
+  // A cap that the horizon cuts goes down to nothing as its last part sets.
+  const double sine = round_ ? std::sqrt(sine2)
+                             : std::min(1.0, radius_m_ / math::length(centre_m_ - receiver.at_m));
+  const double cosine = math::dot(towards, receiver.normal);
+  if (cosine <= -sine) return 0.0;
+  return pi * sine2 * (cosine >= sine ? cosine : (cosine + sine) * (cosine + sine) / (4.0 * sine));
+}
+
+AimedDirection EmitterShape::aim_at_ball(const Receiver& receiver, Point2 u) const {
+  const Vec3 from = unit_from_scene_(receiver.at_m) - Point3{};
+  const double distance = math::length(from);
+  AimedDirection aimed;
+  if (distance <= 1.0) return aimed;
+  const double half_angle = std::asin(1.0 / distance);
+  if (round_) {
+    const Vec3 axis = math::normalized(centre_m_ - receiver.at_m);
+    aimed.direction = sampling::SolarDisc(half_angle).sample(axis, receiver.normal, u).direction;
+  } else {
+    aimed.direction = math::normalized(
+        scene_from_unit_(sampling::UniformCone(half_angle).sample(-from / distance, u)));
+  }
+  aimed.density = density_of_ball(receiver, aimed.direction);
+  return aimed;
+}
+
+double EmitterShape::density_of_ball(const Receiver& receiver, Vec3 direction) const {
+  const Vec3 from = unit_from_scene_(receiver.at_m) - Point3{};
+  const double distance = math::length(from);
+  if (distance <= 1.0) return 0.0;
+  const double half_angle = std::asin(1.0 / distance);
+  if (round_) {
+    // That it is within the cone is known: it met the ball.
+    const sampling::SolarDisc disc(half_angle);
+    const Vec3 axis = math::normalized(centre_m_ - receiver.at_m);
+    return disc.uncut(axis, receiver.normal) ? std::max(0.0, math::dot(receiver.normal, direction)) /
+                                                   disc.projected_solid_angle_sr(axis, receiver.normal)
+                                             : 1.0 / disc.solid_angle_sr();
+  }
+  const double stretch = math::length(unit_from_scene_(direction));
+  return std::abs(unit_from_scene_.determinant()) / (stretch * stretch * stretch) /
+         sampling::UniformCone(half_angle).solid_angle_sr();
+}
+
+namespace {
+
+/// The azimuths of a tube of radius 1 that face a point: all of them from within.
+struct FacingAzimuths {
+  double middle = 0.0, half = pi;
+  explicit FacingAzimuths(Point3 from) {
+    const double away = std::hypot(from.x, from.y);
+    if (away <= 1.0) return;
+    middle = std::atan2(from.y, from.x);
+    half = std::acos(1.0 / away);
+  }
+};
+
+/// Area vector of a tube's surface per radian and unit of height.
+Vec3 tube_area(const math::Transform& map, double azimuth) {
+  return math::cross(map.column_y() * std::cos(azimuth) - map.column_x() * std::sin(azimuth), map.column_z());
+}
+
+}  // namespace
+
+AimedDirection EmitterShape::aim_at_tube(const Receiver& receiver, Point2 u) const {
+  const FacingAzimuths facing(unit_from_scene_(receiver.at_m));
+  const double azimuth = facing.middle + (2.0 * u.x - 1.0) * facing.half;
+  const Vec3 to = scene_from_unit_(Point3{std::cos(azimuth), std::sin(azimuth), u.y}) - receiver.at_m;
+  AimedDirection aimed;
+  const double distance = math::length(to);
+  if (!(distance > 0.0)) return aimed;
+  aimed.direction = to / distance;
+  aimed.density = distance * distance /
+                  (2.0 * facing.half * std::abs(math::dot(tube_area(scene_from_unit_, azimuth), aimed.direction)));
+  if (!std::isfinite(aimed.density)) aimed.density = 0.0;
+  return aimed;
+}
+
+double EmitterShape::density_of_tube(const Receiver& receiver, Vec3 direction, double distance_m) const {
+  const FacingAzimuths facing(unit_from_scene_(receiver.at_m));
+  const Point3 met = unit_from_scene_(receiver.at_m + direction * distance_m);
+  const double azimuth = std::atan2(met.y, met.x);
+  if (facing.half < pi && std::abs(std::remainder(azimuth - facing.middle, 2.0 * pi)) > facing.half) return 0.0;
+  const double density =
+      distance_m * distance_m /
+      (2.0 * facing.half * std::abs(math::dot(tube_area(scene_from_unit_, azimuth), direction)));
+  return std::isfinite(density) ? density : 0.0;
+}
+
+}  // namespace ifov::transport

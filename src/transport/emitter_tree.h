@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "transport/emitter_shape.h"
+
+namespace ifov::transport {
+
+/// A piece that light is sought from.
+struct Emitter {
+  EmitterShape shape;
+  double power = 0.0;  ///< radiance times area, in a unit that all emitters share
+  double radiance = 0.0;
+  std::int32_t column = 0, row = 0;  ///< of a periodic world: the copy, from the object's own place
+};
+
+/// Picks one of many emitters for a receiver with a chance about in proportion to what each would send there if nothing
+/// stood between: a binary tree whose nodes know the power, the bounding sphere and the cone of normals of what is in
+/// them, and leaves of a few emitters that are weighed one by one (Conty Estevez and Kulla 2018, "Importance sampling of
+/// many lights with adaptive tree splitting", without the splitting). So among a few emitters the chances are as good as
+/// EmitterShape::reach_sr.
+class EmitterTree {
+ public:
+  /// Keeps a view of the emitters, which must outlive it unmoved; at least one.
+  explicit EmitterTree(std::span<const Emitter> emitters);
+
+  struct Choice {
+    std::uint32_t emitter = 0;
+    double chance = 0.0;  ///< 0: nothing can reach the receiver
+    double rest = 0.0;    ///< where `u` lies within the emitter's share, [0, 1): a number as good as `u`
+  };
+  /// `u` in [0, 1).
+  Choice choose(const Receiver& receiver, double u) const;
+
+  /// Of choose() for an emitter.
+  double chance(const Receiver& receiver, std::uint32_t emitter) const;
+
+  /// About what all of them would send there.
+  double reach(const Receiver& receiver) const { return importance(nodes_[0], receiver); }
+
+ private:
+  static constexpr std::size_t kInLeaf = 6;
+  struct Node {
+    math::Point3 centre_m;
+    double radius_m = 0.0;
+    double power = 0.0;
+    math::Vec3 axis;              ///< of the cone of normals
+    double widest_cosine = -1.0;  ///< of its half-angle; -1: any direction
+    bool one_sided = false;       ///< of closed meshes: the other side counts little
+    std::uint32_t parent = 0, first = 0, count = 0;  ///< of a leaf: within order_; else `first` of two nodes, count 0
+  };
+  struct Weights {
+    double of[kInLeaf];
+    double sum = 0.0;
+  };
+  void build(std::uint32_t node, std::uint32_t first, std::uint32_t count);
+  void describe(Node& node, std::uint32_t first, std::uint32_t count) const;
+  double importance(const Node& node, const Receiver& receiver) const;
+  Weights weights(const Node& leaf, const Receiver& receiver) const;
+
+  std::span<const Emitter> emitters_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> leaf_of_;  ///< by emitter
+};
+
+}  // namespace ifov::transport

@@ -1,0 +1,221 @@
+#include "transport/emitters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ifov::transport {
+
+using geometry::PieceKind;
+using geometry::SurfacePiece;
+using geometry::SurfacePoint;
+using math::Point3;
+using math::Vec3;
+
+namespace {
+
+/// Of a piece that a map covers, the least part of what its covering may emit that it is taken to emit: what lies between
+/// the points that are looked at.
+constexpr double kLeastPart = 0.01;
+
+/// Points of a unit shape at which a mapped piece is looked at, with a direction in which they are looked at.
+struct Look {
+  Point3 at;
+  Vec3 along;
+};
+std::vector<Look> looks_at(PieceKind kind) {
+  const Vec3 down{0.0, 0.0, -1.0};
+  std::vector<Look> looks;
+  switch (kind) {
+    case PieceKind::triangle:
+      return {{{1.0 / 3.0, 1.0 / 3.0, 0.0}, down},
+              {{0.6, 0.2, 0.0}, down},
+              {{0.2, 0.6, 0.0}, down},
+              {{0.2, 0.2, 0.0}, down}};
+    case PieceKind::parallelogram:
+      for (int k = 0; k < 16; ++k) looks.push_back({{0.125 + 0.25 * (k % 4), 0.125 + 0.25 * (k / 4), 0.0}, down});
+      return looks;
+    case PieceKind::disk:
+      for (const double x : {-0.5, 0.0, 0.5})
+        for (const double y : {-0.5, 0.0, 0.5}) looks.push_back({{x, y, 0.0}, down});
+      return looks;
+    case PieceKind::tube:
+      for (int k = 0; k < 8; ++k) {
+        const double x = std::cos(0.785398 * k), y = std::sin(0.785398 * k);
+        looks.push_back({{x, y, 0.25 + 0.5 * (k % 2)}, {-x, -y, 0.0}});
+      }
+      return looks;
+    default:
+      for (int k = 0; k < 12; ++k) {
+        const double z = kind == PieceKind::dome ? 0.1 + 0.4 * (k / 6) : -0.6 + 0.6 * (k / 4);
+        const double r = std::sqrt(1.0 - z * z), x = r * std::cos(2.4 * k), y = r * std::sin(2.4 * k);
+        looks.push_back({{x, y, z}, {-x, -y, -z}});
+      }
+      return looks;
+  }
+}
+
+bool is_of(const SurfacePiece& piece, const SurfacePoint& hit) {
+  return hit.hit() && hit.instance == piece.object && hit.primitive == piece.primitive && hit.patch == piece.patch;
+}
+
+/// The mean of what a mapped piece emits, by rays that are sent at it from close by.
+double looked_at(const SpectralScene& scene, const EmitterChoice& choice, const SurfacePiece& piece) {
+  constexpr double kNear = 1e-3;
+  std::vector<math::Ray> rays;
+  const math::Transform& map = piece.scene_from_unit;
+  const double size = std::sqrt(geometry::area_m2(piece));
+  for (const Look& look : looks_at(piece.kind)) {
+    Vec3 along = map(look.along);
+    if (look.along.z == -1.0 && piece.kind != PieceKind::ball) along = math::cross(map.column_y(), map.column_x());
+    along = math::normalized(along);
+    rays.push_back({map(look.at) - kNear * size * along, along});
+  }
+  std::vector<SurfacePoint> hits(rays.size());
+  scene.scene().world->intersect(rays, hits);
+  radiometry::SpectrumBlock scratch(2, scene.node_count());
+  double sum = 0.0;
+  for (const SurfacePoint& hit : hits)
+    if (is_of(piece, hit)) sum += choice.brightness(scene.emission(scene.scene().resolve(hit), scratch.row(0)));
+  return std::max(sum / static_cast<double>(rays.size()), kLeastPart * choice.brightest(piece.material));
+}
+
+/// Whether triangles of one object close on themselves, judged by the sum of their area vectors.
+class Closure {
+ public:
+  void add(const SurfacePiece& piece) {
+    const Vec3 area = math::cross(piece.scene_from_unit.column_x(), piece.scene_from_unit.column_y());
+    sum_ = sum_ + area;
+    whole_ += math::length(area);
+    ++count_;
+  }
+  bool closed() const { return count_ >= 4 && math::length(sum_) < 1e-3 * whole_; }
+
+ private:
+  Vec3 sum_{};
+  double whole_ = 0.0;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<const Emitters> Emitters::find(const SpectralScene& scene) {
+  if (scene.scene().world == nullptr) return nullptr;  // spectra alone
+  const EmitterChoice choice(scene);
+  if (!choice.any()) return nullptr;
+  std::unique_ptr<Emitters> emitters(new Emitters());
+  emitters->take(scene, choice);
+  emitters->finish();
+  return emitters;
+}
+
+void Emitters::take(const SpectralScene& scene, const EmitterChoice& choice) {
+  const geometry::World& world = *scene.scene().world;
+  wanted_ = choice.wanted();
+  if (const auto period = world.period()) {
+    repeats_ = true;
+    period_ = *period;
+  }
+  std::vector<SurfacePiece> pieces;
+  std::vector<double> area(wanted_.size(), 0.0);
+  bool too_many = false;
+  const std::size_t most = repeats_ ? kMost / 9 : kMost;
+  world.visit_surfaces(wanted_, [&](const SurfacePiece& piece) {
+    const double part = geometry::area_m2(piece);
+    area[piece.material] += part;
+    if (!(part > 0.0)) return;
+    if (pieces.size() < most)
+      pieces.push_back(piece);
+    else
+      too_many = true;
+  });
+  const std::vector<double> whole = world.surface_areas_m2(wanted_.size());
+  for (std::size_t c = 0; c < wanted_.size(); ++c)
+    leaves_some_ = leaves_some_ || (wanted_[c] && area[c] < 0.99 * whole[c]);
+  if (too_many) {
+    pieces.clear();
+    leaves_some_ = true;
+  }
+  for (std::size_t first = 0; first < pieces.size();) {
+    std::size_t last = first;
+    Closure closure;
+    for (; last < pieces.size() && pieces[last].object == pieces[first].object; ++last)
+      if (pieces[last].kind == PieceKind::triangle) closure.add(pieces[last]);
+    for (; first < last; ++first) {
+      const SurfacePiece& piece = pieces[first];
+      const double radiance = choice.mapped(piece.material) ? looked_at(scene, choice, piece)
+                                                            : choice.brightest(piece.material);
+      add(piece, piece.kind == PieceKind::triangle && closure.closed(), radiance);
+    }
+  }
+}
+
+void Emitters::add(const SurfacePiece& piece, bool closed, double radiance) {
+  const auto put = [&](const SurfacePiece& placed, std::int32_t column, std::int32_t row) {
+    Emitter emitter{EmitterShape(placed, closed), 0.0, radiance, column, row};
+    emitter.power = radiance * emitter.shape.area_m2();
+    emitters_.push_back(emitter);
+    names_.push_back({piece.object, piece.primitive, piece.patch, column, row});
+  };
+  if (!repeats_) return put(piece, 0, 0);
+  const Point3 centre = EmitterShape(piece, closed).centre_m();
+  const int home_column = static_cast<int>(std::floor(centre.x / period_.x_m));
+  const int home_row = static_cast<int>(std::floor(centre.y / period_.y_m));
+  for (int column = -1 - home_column; column <= 1 - home_column; ++column)
+    for (int row = -1 - home_row; row <= 1 - home_row; ++row) {
+      SurfacePiece placed = piece;
+      placed.scene_from_unit =
+          math::Transform::translation({column * period_.x_m, row * period_.y_m, 0.0}) * piece.scene_from_unit;
+      put(placed, column, row);
+    }
+}
+
+void Emitters::finish() {
+  by_name_.resize(emitters_.size());
+  std::iota(by_name_.begin(), by_name_.end(), 0u);
+  std::sort(by_name_.begin(), by_name_.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return names_[a] < names_[b]; });
+  if (!emitters_.empty()) tree_ = std::make_unique<EmitterTree>(emitters_);
+}
+
+Emitters::Home Emitters::at_home(const Receiver& receiver) const {
+  Home home{receiver, 0, 0};
+  if (!repeats_) return home;
+  home.column = static_cast<std::int32_t>(std::floor(receiver.at_m.x / period_.x_m));
+  home.row = static_cast<std::int32_t>(std::floor(receiver.at_m.y / period_.y_m));
+  home.receiver.at_m = receiver.at_m - Vec3{home.column * period_.x_m, home.row * period_.y_m, 0.0};
+  return home;
+}
+
+Emitters::Aim Emitters::aim(const Receiver& receiver, sampling::Point2 u) const {
+  Aim aim;
+  const Home home = at_home(receiver);
+  const EmitterTree::Choice choice = tree_->choose(home.receiver, u.x);
+  if (!(choice.chance > 0.0)) return aim;
+  const AimedDirection aimed = emitters_[choice.emitter].shape.aim(home.receiver, {choice.rest, u.y});
+  aim.direction = aimed.direction;
+  aim.density = choice.chance * aimed.density;
+  aim.emitter = choice.emitter;
+  aim.column = home.column;
+  aim.row = home.row;
+  return aim;
+}
+
+bool Emitters::is(const Aim& aim, const SurfacePoint& hit) const {
+  const Name& name = names_[aim.emitter];
+  return hit.hit() && hit.instance == name.object && hit.primitive == name.primitive && hit.patch == name.patch &&
+         hit.copy_column == name.column + aim.column && hit.copy_row == name.row + aim.row;
+}
+
+double Emitters::density(const Receiver& receiver, Vec3 direction, const SurfacePoint& hit) const {
+  if (!hit.hit() || !wanted_[hit.material]) return 0.0;
+  const Home home = at_home(receiver);
+  const Name name{hit.instance, hit.primitive, hit.patch, hit.copy_column - home.column, hit.copy_row - home.row};
+  const auto found = std::lower_bound(by_name_.begin(), by_name_.end(), name,
+                                      [&](std::uint32_t a, const Name& b) { return names_[a] < b; });
+  if (found == by_name_.end() || names_[*found] != name) return 0.0;
+  const double chance = tree_->chance(home.receiver, *found);
+  return chance > 0.0 ? chance * emitters_[*found].shape.density(home.receiver, direction, hit.distance_m) : 0.0;
+}
+
+}  // namespace ifov::transport

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "geometry/surface_point.h"
+#include "transport/emitter_choice.h"
+#include "transport/emitter_tree.h"
+#include "transport/spectral_scene.h"
+
+namespace ifov::transport {
+
+/// What of a scene light is sought from by next-event estimation: the pieces of surface that EmitterChoice names. Each is
+/// drawn from by EmitterTree and EmitterShape; what paths find by scattering is weighed against that by density().
+/// In a world that repeats, the copies in the receiver's own cell and the eight around it are sought, others are found.
+class Emitters {
+ public:
+  /// More pieces than this are not sought.
+  static constexpr std::size_t kMost = 1 << 20;
+
+  /// Null where there is nothing to seek. Keeps no reference to the scene.
+  static std::unique_ptr<const Emitters> find(const SpectralScene& scene);
+
+  /// 0 where all that there is is left out.
+  std::size_t count() const { return emitters_.size(); }
+  /// Whether some of what ought to be sought is not: on planes and height fields, or of too many pieces.
+  bool leaves_some() const { return leaves_some_; }
+
+  /// A direction in which an emitter may be seen; density 0: none. Emitters share out `u.x`, so that points that are well
+  /// spread over the unit square are so over all that is sought together.
+  struct Aim {
+    math::Vec3 direction;   ///< unit
+    double density = 0.0;   ///< 1/sr, of this emitter in this direction
+    std::uint32_t emitter = 0;
+    std::int32_t column = 0, row = 0;  ///< of the receiver's cell
+  };
+  Aim aim(const Receiver& receiver, sampling::Point2 u) const;
+
+  /// Whether what a ray met is what was aimed at.
+  bool is(const Aim& aim, const geometry::SurfacePoint& hit) const;
+
+  /// Of aim() for what a ray from the receiver met in a direction; 0 where that is not sought.
+  double density(const Receiver& receiver, math::Vec3 direction, const geometry::SurfacePoint& hit) const;
+
+  /// About what emitters send to a receiver, in a unit of its own.
+  double reach(const Receiver& receiver) const { return tree_->reach(at_home(receiver).receiver); }
+
+ private:
+  struct Name {
+    std::uint32_t object, primitive, patch;
+    std::int32_t column, row;
+    friend auto operator<=>(const Name&, const Name&) = default;
+  };
+  struct Home {
+    Receiver receiver;  // moved to the first cell
+    std::int32_t column = 0, row = 0;
+  };
+  Emitters() = default;
+  void take(const SpectralScene& scene, const EmitterChoice& choice);
+  void add(const geometry::SurfacePiece& piece, bool closed, double radiance);
+  void finish();
+  Home at_home(const Receiver& receiver) const;
+
+  geometry::World::Period period_;
+  bool repeats_ = false, leaves_some_ = false;
+  geometry::WantedMaterials wanted_;
+  std::vector<Emitter> emitters_;
+  std::vector<Name> names_;             // by emitter
+  std::vector<std::uint32_t> by_name_;  // emitters, sorted by name
+  std::unique_ptr<EmitterTree> tree_;
+};
+
+}  // namespace ifov::transport

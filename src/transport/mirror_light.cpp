@@ -1,0 +1,115 @@
+#include "transport/mirror_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sampling/random.h"
+#include "sampling/warp.h"
+
+namespace ifov::transport {
+
+namespace {
+
+/// Of the Sun's irradiance: less is no light.
+constexpr double kLeast = 1.0 / 64.0;
+
+}  // namespace
+
+std::vector<math::Vec3> fixed_disc_points(math::Vec3 towards_sun, double half_angle_rad) {
+  if (half_angle_rad <= 0.0) return {towards_sun};
+  constexpr double kRim = 0.97;
+  const sampling::TangentFrame frame(towards_sun);
+  const double sine = kRim * std::sin(half_angle_rad);
+  std::vector<math::Vec3> points;
+  for (int k = 0; k < 3; ++k) {
+    const double turn = 2.0 * std::numbers::pi * k / 3.0;
+    points.push_back(math::normalized(
+        frame.to_world({sine * std::cos(turn), sine * std::sin(turn), std::sqrt(1.0 - sine * sine)})));
+  }
+  return points;
+}
+
+std::unique_ptr<MirrorLight> MirrorLight::find(const SpectralScene& scene, const SunImages& images,
+                                               int reflections) {
+  const SunMirrors* mirrors = scene.sun_mirrors();
+  if (mirrors == nullptr || reflections <= 0) return nullptr;
+  if (images.images().empty() && mirrors->rounds().empty()) return nullptr;
+  return std::unique_ptr<MirrorLight>(new MirrorLight(scene, images));
+}
+
+MirrorLight::MirrorLight(const SpectralScene& scene, const SunImages& images)
+    : scene_(scene), mirrors_(*scene.sun_mirrors()), images_(images), tracer_(scene, mirrors_, images_) {
+  for (const SunImages::Image& image : images_.images()) {
+    if (disc_points_.size() == kMostImages) break;
+    disc_points_.push_back(fixed_disc_points(image.direction, scene.scene().sun->half_angle_rad));
+  }
+}
+
+void MirrorLight::ask(std::uint32_t owner, const geometry::SurfacePoint& hit, math::Vec3 outward) {
+  const std::size_t before = ways_.size();
+  const auto send = [&](Way way, math::Vec3 direction) {
+    way.asked = static_cast<std::uint32_t>(asked_.size());
+    way.ray = {hit.position_m + hit.offset_m * outward, direction};
+    ways_.push_back(way);
+  };
+  const double slope = std::tan(scene_.scene().sun->half_angle_rad);
+  for (std::uint32_t k = 0; k < disc_points_.size(); ++k) {
+    const SunImages::Image& image = images_.images()[k];
+    if (!may_meet(image.bounds, hit.position_m, image.direction, slope)) continue;
+    for (std::uint32_t p = 0; p < disc_points_[k].size(); ++p) {
+      if (!(math::dot(disc_points_[k][p], outward) > 0.0)) continue;
+      Way way;
+      way.image = k;
+      send(way, disc_points_[k][p]);
+    }
+  }
+  const math::Vec3 towards_sun = scene_.scene().sun->direction;
+  for (const RoundMirror& round : mirrors_.rounds()) {
+    const auto image = round.image(hit.position_m, towards_sun);
+    if (!image) continue;
+    Way way;
+    way.light = math::dot(image->direction, outward) / image->spread;
+    if (!(way.light > kLeast)) continue;
+    way.object = round.object();
+    way.at = image->at;
+    way.towards_sun = towards_sun;
+    send(way, image->direction);
+  }
+  if (ways_.size() > before) asked_.push_back({owner, 0.0, {}});
+}
+
+void MirrorLight::trace(sampling::RayCounts& counts) {
+  tracer_.trace(
+      ways_, counts,
+      [&](Way& way, const geometry::SurfacePoint&, const scene::ResolvedSurface& surface) {
+        double share = 0.0;
+        for (const scene::Constituent& part : surface)
+          if (is_mirror(scene_.scene(), part)) share += part.weight * scene_.brightest(part.material);
+        way.light *= share;
+      },
+      [&](const Way& way) {
+        Asked& point = asked_[way.asked];
+        if (way.image == MirrorWay::kRound)
+          point.round_light += way.light;
+        else
+          ++point.seen[way.image];
+      });
+}
+
+MirrorLight::State MirrorLight::state_of(const Asked& point) const {
+  State state;
+  std::uint64_t images = 0;
+  for (std::size_t k = 0; k < disc_points_.size(); ++k) {
+    if (point.seen[k] == 0) continue;
+    const bool whole = point.seen[k] == disc_points_[k].size();
+    images += sampling::hash(k, whole);
+    state.uneven = state.uneven || !whole;
+  }
+  const int step = point.round_light > kLeast ? 1 + std::ilogb(point.round_light / kLeast) : 0;
+  state.uneven = state.uneven || step != 0;
+  if (step != 0 || images != 0) state.bits = sampling::hash(images, static_cast<std::uint64_t>(step)) | 1;
+  return state;
+}
+
+}  // namespace ifov::transport

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "transport/mirror_ways.h"
+
+namespace ifov::transport {
+
+/// Three points near the rim of the Sun's disc about a direction, or that itself for a point Sun. They tell "all of it
+/// is seen" from "none" and "some"; where they are wrong labels are, which costs rays and nothing else.
+std::vector<math::Vec3> fixed_disc_points(math::Vec3 towards_sun, double half_angle_rad);
+
+/// What sunlight mirrors throw on surfaces, for labels: so that the rims of such light, and the gradients in it, are
+/// found like those of shadows. Of flat mirrors it says which images of which points of the disc are seen, of round
+/// ones how bright all are together, in steps of two.
+class MirrorLight {
+ public:
+  /// Null where no mirror throws the Sun, or nothing is sought by way of mirrors (`reflections` 0). Keeps references to the
+  /// scene and to the Sun's images in its flat mirrors.
+  static std::unique_ptr<MirrorLight> find(const SpectralScene& scene, const SunImages& images, int reflections);
+  MirrorLight(const MirrorLight&) = delete;
+  MirrorLight& operator=(const MirrorLight&) = delete;
+
+  /// A surface point where `outward` is the side that light must come to.
+  void ask(std::uint32_t owner, const geometry::SurfacePoint& hit, math::Vec3 outward);
+  /// The state of each point that was asked for and that mirrors throw some light on: add(owner, state, uneven), the
+  /// same 64 bits for points of the same state; `uneven` where light of one state differs from place to place.
+  template <class Add>
+  void answer(sampling::RayCounts& counts, const Add& add) {
+    trace(counts);
+    for (const Asked& point : asked_)
+      if (const State state = state_of(point); state.bits != 0) add(point.owner, state.bits, state.uneven);
+    asked_.clear();
+  }
+
+ private:
+  static constexpr std::size_t kMostImages = 24;  // in flat mirrors, that are judged
+  struct Way : MirrorWay {
+    std::uint32_t asked = 0;
+    double light = 0.0;  // of a round mirror
+  };
+  struct Asked {
+    std::uint32_t owner = 0;
+    double round_light = 0.0;  // in parts of the Sun's irradiance
+    std::array<std::uint8_t, kMostImages> seen{};  // points of the disc, by image
+  };
+  MirrorLight(const SpectralScene& scene, const SunImages& images);
+  void trace(sampling::RayCounts& counts);
+  struct State {
+    std::uint64_t bits = 0;
+    bool uneven = false;
+  };
+  State state_of(const Asked& point) const;
+
+  const SpectralScene& scene_;
+  const SunMirrors& mirrors_;
+  const SunImages& images_;
+  std::vector<std::vector<math::Vec3>> disc_points_;  // by image
+  MirrorTracer tracer_;
+  std::vector<Way> ways_;
+  std::vector<Asked> asked_;
+};
+
+}  // namespace ifov::transport

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "radiometry/spectrum_block.h"
+#include "transport/path_record.h"
+#include "transport/spectral_scene.h"
+
+namespace ifov::transport {
+
+/// The light of recorded paths, one whole path after the other: its own rows stay in the first-level cache.
+/// An object serves one thread.
+class PathLight {
+ public:
+  /// Keeps a reference to the scene, which must outlive this.
+  explicit PathLight(const SpectralScene& scene);
+
+  /// Radiance that path k brings to where its first segment ends, in nodes: what the surface there sends, or the sky,
+  /// before the air of that segment (ViewAir). The row is the caller's until the next call.
+  float* radiance(const PathRecord& record, std::size_t k);
+
+ private:
+  enum Row { kSum, kThroughput, kEmission, kEmissionPart, kSunFactor, kBounceFactor, kSun, kSkyShare, kDimmed,
+             kSoughtFactor, kWay, kRows };
+  float* row(Row r) { return rows_.row(r); }
+  void add_first(const PathRecord& record, const PathVertex& vertex);
+  void add_later(const PathRecord& record, const PathVertex& vertex);
+  const float* emission(const PathRecord& record, const PathVertex& vertex);
+  const float* sun_factor(const PathRecord& record, const PathVertex& vertex);
+  /// `sun` the vertex's sun_factor() if that is known, else null.
+  const float* bounce_factor(const PathRecord& record, const PathVertex& vertex, const float* sun);
+  void add_sought(const PathRecord& record, const PathVertex& vertex, const float* throughput);
+  void add_escaped(const PathRecord::Path& path);
+  /// Sunlight by way of mirrors; `throughput` null: 1.
+  void add_mirrored(const PathRecord& record, const PathVertex& vertex, const float* throughput);
+
+  const SpectralScene& scene_;
+  std::size_t n_;
+  radiometry::SpectrumBlock rows_;
+};
+
+}  // namespace ifov::transport

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "math/vec3.h"
+#include "scene/resolved_surface.h"
+#include "transport/surface_lobe.h"
+
+namespace ifov::transport {
+
+/// A surface that a path met, as far as its light is concerned. Rows are in spectral nodes.
+struct PathVertex {
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+  std::uint32_t next = kNone;       ///< the next of the same path
+  std::uint32_t mixed = kNone;      ///< index into PathRecord::mixed, whose rows have to be computed
+  const float* emission = nullptr;  ///< null: nothing, or that of `mixed`
+  const float* sun_factor = nullptr;     ///< what is made of sunlight; null: of `mixed`
+  const float* bounce_factor = nullptr;  ///< what is made of the light of the path's next segment; null: of `mixed`
+  float sun_weight = 0.0f;     ///< of factor times solar irradiance; 0: none arrives
+  float bounce_weight = 0.0f;  ///< of the factor, chances included; 0: the path ends here
+  bool sun_through = false, bounce_through = false;  ///< transmitted, not reflected
+  bool sought_through = false;
+  float emission_weight = 1.0f;  ///< share of its own emission that the ray which came here counts; the rest was sought
+  float sought_weight = 0.0f;    ///< of factor times emission of an emitter that was sought from here; 0: none was seen
+  const float* sought_factor = nullptr;    ///< null: of `mixed`
+  const float* sought_emission = nullptr;  ///< null: of `sought_mixed`
+  std::uint32_t sought_mixed = kNone;      ///< index into PathRecord::mixed
+  std::uint32_t mirrored = kNone;  ///< index into PathRecord::mirrored: sunlight that came by way of mirrors
+  double height_m = 0.0;
+};
+
+/// What paths did between the sensor and the light, without a spectrum: all that rays and chance decide.
+struct PathRecord {
+  struct Path {
+    std::uint32_t first = PathVertex::kNone, last = PathVertex::kNone;  ///< of its vertices
+    math::Vec3 towards_sensor;
+    double seen_height_m = 0.0;      ///< of what the first segment met
+    bool met = false;                ///< the first segment met something
+    bool escaped = false;            ///< its last segment met nothing
+    bool escaped_sees_sun = false;   ///< no sunlight was sent for where that segment starts
+    math::Vec3 escaped_direction;
+    double escaped_from_m = 0.0;     ///< height at which that segment starts
+    float brightest = 1.0f;  ///< at least the throughput in any node; kept where there are mirrors (SunMirrors)
+    float unseen = 0.0f;     ///< of the Sun's irradiance, 1/sr: what may come by ways that are not sought (WideSun)
+  };
+  /// Materials side by side, or a temperature from a map.
+  struct Mixed {
+    scene::ResolvedSurface surface;
+    SurfaceLobe lobe;
+  };
+  /// Light that reached a vertex by way of mirrors: the Sun's, or an emitter's.
+  struct Mirrored {
+    static constexpr std::size_t kMost = 8;
+    std::uint32_t next = PathVertex::kNone;  ///< of the same vertex
+    float weight = 0.0f;                     ///< of the factors' product with the Sun's irradiance, or the emission
+    bool through = false;                    ///< transmitted by the vertex, not reflected
+    std::uint8_t count = 0;                  ///< of mirrors
+    struct Factor {
+      const float* row = nullptr;                ///< null: of `mixed`
+      std::uint32_t mixed = PathVertex::kNone;
+    };
+    Factor surface;                          ///< of the vertex
+    std::array<Factor, kMost> mirrors;
+    double height_m = 0.0;                   ///< of the mirror that sees the Sun
+    bool emitted = false;                    ///< not sunlight, but:
+    const float* emission = nullptr;         ///< null: of `emission_mixed`
+    std::uint32_t emission_mixed = PathVertex::kNone;
+  };
+  std::vector<Path> paths;
+  std::vector<PathVertex> vertices;
+  std::vector<Mixed> mixed;
+  std::vector<Mirrored> mirrored;
+
+  void start(std::size_t count) {
+    paths.assign(count, {});
+    vertices.clear();
+    mixed.clear();
+    mirrored.clear();
+  }
+  void add(std::uint32_t path, const PathVertex& vertex) {
+    const auto index = static_cast<std::uint32_t>(vertices.size());
+    vertices.push_back(vertex);
+    Path& p = paths[path];
+    if (p.last == PathVertex::kNone)
+      p.first = index;
+    else
+      vertices[p.last].next = index;
+    p.last = index;
+  }
+};
+
+}  // namespace ifov::transport

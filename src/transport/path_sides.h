@@ -1,0 +1,41 @@
+#pragma once
+
+#include <algorithm>
+
+#include "geometry/surface_point.h"
+#include "math/vec3.h"
+#include "transport/path_tracer.h"
+
+namespace ifov::transport {
+
+/// A shading normal is bent back until the viewer stands at least this far above its horizon (a cosine):
+/// nobody sees a surface from behind.
+inline constexpr double kLeastCosine = 1e-3;
+
+inline math::Vec3 mirrored(math::Vec3 direction, math::Vec3 normal) {
+  return direction - 2.0 * math::dot(direction, normal) * normal;
+}
+
+/// The surface as seen along a path: normals on the viewer's side.
+struct PathTracer::Sides {
+  math::Vec3 outgoing;  // towards the viewer
+  math::Vec3 outward;   // geometric normal
+  math::Normal3 shading;
+  bool bent = false;  // the two differ
+
+  Sides(math::Vec3 towards_viewer, const geometry::SurfacePoint& hit, math::Normal3 shading_normal)
+      : outgoing(towards_viewer),
+        outward((hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector()),
+        shading(hit.front ? shading_normal : -shading_normal) {
+    const math::Vec3 s = shading.as_vector();
+    bent = s.x != outward.x || s.y != outward.y || s.z != outward.z;
+    if (!bent) return;
+    const double seen = math::dot(s, outgoing);
+    if (seen < kLeastCosine) {
+      const double along = std::max(1e-9, math::dot(outward, outgoing));
+      shading = math::as_normal(math::normalized(s + (kLeastCosine - seen) / along * outward));
+    }
+  }
+};
+
+}  // namespace ifov::transport

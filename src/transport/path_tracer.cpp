@@ -1,0 +1,95 @@
+#include "transport/path_tracer.h"
+
+#include <algorithm>
+
+#include "math/vec3.h"
+#include "transport/wide_sun.h"
+
+namespace ifov::transport {
+
+PathTracer::PathTracer(const SpectralScene& scene, TransportOptions options) : scene_(scene), options_(options) {
+  if (scene.scene().sun) disc_.emplace(scene.scene().sun->half_angle_rad);
+  if (options.seek_emitters && scene.emitters() != nullptr && scene.emitters()->count() > 0) emitters_ = scene.emitters();
+  if (scene.sky_dome() != nullptr && !scene.sky_dome()->sampler().empty()) sky_ = &scene.sky_dome()->sampler();
+  if (emitters_ != nullptr && options.mirror_reflections > 0) emitter_mirrors_ = scene.emitter_mirrors();
+  mirrors_ = scene.sun_mirrors();
+  if (mirrors_ != nullptr) {
+    images_ = SunImages(*mirrors_, scene.scene().sun->direction, options.mirror_reflections);
+    mirror_tracer_.emplace(scene, *mirrors_, images_);
+  }
+}
+
+const PathRecord& PathTracer::trace(std::span<const math::Ray> rays, std::span<const PathKey> keys,
+                                    std::span<geometry::SurfacePoint> first_hits, sampling::RayCounts& counts) {
+  counts.primary += rays.size();
+  record_.start(rays.size());
+  paths_.resize(rays.size());
+  for (std::size_t k = 0; k < rays.size(); ++k) paths_[k] = {rays[k], keys[k], static_cast<std::uint32_t>(k), true, {}, {}};
+  for (int depth = 0; !paths_.empty(); ++depth) {
+    trace_segment(counts, depth);
+    if (depth == 0) {
+      std::copy(hits_.begin(), hits_.end(), first_hits.begin());
+      for (std::size_t k = 0; k < rays.size(); ++k) {
+        PathRecord::Path& path = record_.paths[k];
+        path.towards_sensor = -rays[k].direction;
+        path.met = hits_[k].hit();
+        path.seen_height_m = path.met ? hits_[k].position_m.z : 0.0;
+      }
+    }
+    advance(depth, counts);
+  }
+  return record_;
+}
+
+void PathTracer::trace_segment(sampling::RayCounts& counts, int depth) {
+  rays_.resize(paths_.size());
+  hits_.resize(paths_.size());
+  for (std::size_t k = 0; k < paths_.size(); ++k) rays_[k] = paths_[k].ray;
+  scene_.scene().world->intersect(rays_, hits_);
+  if (depth > 0) counts.bounce += rays_.size();
+}
+
+void PathTracer::advance(int depth, sampling::RayCounts& counts) {
+  scatters_.clear();
+  shadow_rays_.clear();
+  seeks_.clear();
+  seek_rays_.clear();
+  mirror_seeks_.clear();
+  mirror_rays_.clear();
+  unseen_rays_.clear();
+  for (std::size_t k = 0; k < paths_.size(); ++k) {
+    if (hits_[k].hit())
+      scatter(paths_[k], static_cast<std::uint32_t>(k), scene_.scene().resolve(hits_[k]), depth);
+    else
+      escape(paths_[k]);
+  }
+
+  blocked_.resize(shadow_rays_.size());
+  if (!shadow_rays_.empty()) scene_.scene().world->occluded(shadow_rays_, blocked_);
+  counts.shadow += shadow_rays_.size();
+  if (!unseen_rays_.empty()) trace_unseen_rays(counts);
+  if (!mirror_rays_.empty()) trace_mirror_rays(counts);
+
+  if (!seeks_.empty()) trace_seeks(counts);
+  if (!mirror_seeks_.empty()) trace_mirror_seeks(counts);
+
+  next_paths_.clear();
+  for (Scatter& event : scatters_) {
+    const Path& path = paths_[event.path];
+    if (event.shadow == kNone || blocked_[event.shadow] != 0) event.vertex.sun_weight = 0.0f;
+    record_.add(path.number, event.vertex);
+    if (event.vertex.bounce_weight > 0.0f) next_paths_.push_back({event.next, path.key, path.number, event.next_sees_sun, event.left, event.next_way});
+  }
+  paths_.swap(next_paths_);
+}
+
+void PathTracer::escape(const Path& path) {
+  PathRecord::Path& record = record_.paths[path.number];
+  record.escaped = true;
+  record.escaped_sees_sun = path.sees_sun;
+  record.escaped_direction = path.ray.direction;
+  record.escaped_from_m = path.ray.origin_m.z;
+  if (path.way.unseen) record.unseen += record.brightest * WideSun::radiance(scene_.scene(), path.ray.direction);
+}
+
+}  // namespace ifov::transport

@@ -1,0 +1,212 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "materials/scattering.h"
+#include "math/ray.h"
+#include "sampling/field.h"
+#include "sampling/warp.h"
+#include "transport/emitter_mirrors.h"
+#include "transport/emitters.h"
+#include "transport/mirror_ways.h"
+#include "transport/path_record.h"
+#include "transport/spectral_scene.h"
+#include "transport/sun_mirrors.h"
+#include "transport/surface_lobe.h"
+
+namespace ifov::transport {
+
+/// The random numbers of a path: element `index` of the scrambled sequence `sequence`.
+struct PathKey {
+  std::uint64_t sequence = 0;
+  std::uint32_t index = 0;
+};
+
+struct TransportOptions {
+  /// Surfaces a path may scatter at: 0 emission and sky only, 1 adds direct sun; negative: no limit, paths end by
+  /// Russian roulette without bias.
+  int maximum_scatterings = -1;
+  /// Whether light is sought from the scene's emitters, if it has any; the mean is the same without.
+  bool seek_emitters = true;
+  /// Sunlight is sought by way of so many flat mirrors in turn, at most SunImages::kMostReflections; 0: none.
+  int mirror_reflections = 8;
+  /// Two kinds of sunlight are left out that paths otherwise find by chance, seldom and bright: glints on curved mirrors
+  /// that the sensor sees directly, which are added apart (Glints), and what reaches a surface that scatters by mirrors
+  /// that are not sought, which is marked (UnseenLight).
+  bool sought_only = false;
+};
+
+/// Finds paths, breadth first: a batch advances together, one bounce at a time, so that the ray tracer sees large
+/// batches. Next-event estimation to the Sun (uniform in projected solid angle of its disc) and to what outshines the
+/// scene (Emitters), scattering for sky and other emission; the estimate is unbiased (Kajiya 1986). No decision needs a spectrum, only the highest factors of a
+/// surface: what a path met is recorded, and PathLight makes radiance of it in all spectral nodes.
+/// An object serves one thread.
+class PathTracer {
+ public:
+  /// Keeps a reference to the scene, which must outlive this.
+  PathTracer(const SpectralScene& scene, TransportOptions options);
+  PathTracer(const PathTracer&) = delete;
+  PathTracer& operator=(const PathTracer&) = delete;
+
+  /// The Sun's images in flat mirrors that are sought; none where there are no mirrors or no Sun.
+  const SunImages& sun_images() const { return images_; }
+
+  /// The paths of rays from the sensor; the record holds until the next call. `first_hits` receives what each ray met.
+  /// Adds shadow and bounce rays to `counts`.
+  const PathRecord& trace(std::span<const math::Ray> rays, std::span<const PathKey> keys,
+                          std::span<geometry::SurfacePoint> first_hits, sampling::RayCounts& counts);
+
+ private:
+  struct Sides;
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  /// What next-event estimation to emitters has to know of a scattered ray.
+  struct Departure {
+    Receiver receiver;
+    double density = 0.0;      // of the ray's direction, 1/sr, choice of the side included
+    double seek_chance = 0.0;  // that emitters were sought on this side; 0: they were not
+    double mirror_chance = 0.0;  // that they were sought by way of a certain plane of mirrors
+    bool unfolded = false;       // the receiver stands behind the mirror that the path has come by
+  };
+  /// The mirrors that a path came by since the sensor or the last surface where sunlight was sought.
+  struct Way {
+    std::array<std::uint16_t, SunImages::kMostReflections> facings{};
+    std::uint8_t reflections = 0;
+    bool from_sensor = true;
+    bool flat = true;     // all of them have a facing
+    bool unseen = false;  // sunlight by this way is found by chance alone
+  };
+  struct Path {
+    math::Ray ray;
+    PathKey key;
+    std::uint32_t number = 0;  // in the record
+    bool sees_sun = true;      // no next-event estimation was made for this segment
+    Departure left;            // where it left the surface before
+    Way way;
+  };
+  struct Scatter {  // a path that scatters at this depth
+    std::uint32_t path = 0;
+    std::uint32_t shadow = kNone;  // index of its shadow ray
+    PathVertex vertex;             // sunlight as if nothing blocked it
+    math::Ray next;
+    bool next_sees_sun = false;
+    Departure left;
+    std::uint32_t seek = kNone;    // index of its ray to an emitter
+    double seek_reflected = -1.0;  // chance that one was sought for what is reflected; below 0: none was sought
+    Way next_way;
+  };
+  struct Seek {  // a ray that was sent to an emitter
+    Emitters::Aim aim;
+    double weight = 0.0;  // what the sought emission counts if it is seen
+  };
+  struct MirrorSeek {  // a ray that was sent to an emitter by way of a flat mirror
+    Emitters::Aim aim;
+    std::uint32_t event = 0;
+    std::uint32_t plane = 0;
+    math::Ray ray;
+    PathRecord::Mirrored light;
+  };
+  /// Where the Sun's light may reach a surface from, and what is made of it there.
+  struct SunRay {
+    math::Ray ray;
+    double weight = 0.0;  // 0: none
+    bool through = false;
+  };
+  struct MirrorRay : MirrorWay {
+    std::uint32_t event = 0;  // index into scatters_
+    PathRecord::Mirrored light;
+  };
+  /// A ray towards mirrors by way of which no sunlight is sought.
+  struct UnseenRay {
+    std::uint32_t event = 0;
+    float weight = 0.0f;
+    math::Ray ray;
+  };
+  void trace_segment(sampling::RayCounts& counts, int depth);
+  void advance(int depth, sampling::RayCounts& counts);
+  void escape(const Path& path);
+  PathVertex vertex_of(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe);
+  /// What becomes of a path at a surface: an event is added, of no weights where it ends there without sunlight.
+  void scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface, int depth);
+  void send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, sampling::Point2 u,
+                   Scatter& event);
+  /// `towards_sun` the middle of the disc, or of an image of it.
+  SunRay sun_ray(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
+                 math::Vec3 towards_sun, sampling::Point2 u) const;
+  /// Light from a direction, its weight the cosine and what a sampled direction counts.
+  SunRay light_ray(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, math::Vec3 direction,
+                   double weight_sr) const;
+
+  // By way of mirrors (path_tracer_mirrors.cpp).
+  void send_to_images(const Path& path, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
+                      const Sides& sides, const geometry::SurfacePoint& hit, int depth, sampling::Point2 u);
+  void send_to_rounds(const Path& path, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
+                      const Sides& sides, const geometry::SurfacePoint& hit, int depth, sampling::Point2 u);
+  void send_by_mirrors(MirrorRay way, const SunRay& light, double weight, const scene::ResolvedSurface& surface);
+  void send_to_unseen(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
+                      const geometry::SurfacePoint& hit, int depth);
+  /// Along which mirrors the path goes on, and whether it may meet the Sun there.
+  void note_way(const Path& path, const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
+                Scatter& event);
+  void trace_mirror_rays(sampling::RayCounts& counts);
+  void trace_unseen_rays(sampling::RayCounts& counts);
+  /// Direction, side and weight of the continued path, before any roulette; false where it ends.
+  bool bounce(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, sampling::Point2 u,
+              Scatter& event) const;
+  /// Sends a ray to an emitter.
+  void seek(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, const PathKey& key, int depth,
+            Scatter& event);
+  void trace_seeks(sampling::RayCounts& counts);
+  /// The same by way of flat mirrors.
+  void seek_by_mirrors(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, const Sides& sides,
+                       const geometry::SurfacePoint& hit, const PathKey& key, int depth, Scatter& event);
+  void trace_mirror_seeks(sampling::RayCounts& counts);
+  bool shows_mirror(const scene::ResolvedSurface& surface) const;
+  /// What a mirror leaves of light.
+  PathRecord::Mirrored::Factor mirror_factor(const scene::ResolvedSurface& surface);
+  /// The chance of one plane to be sought by from one surface.
+  double mirror_chance() const;
+  /// Notes how the next ray leaves: by reflection or not, sides chosen with a chance.
+  void leave(const SurfaceLobe& lobe, const Sides& sides, bool through, double chance, Scatter& event) const;
+  /// Share of what a path's ray met that is not sought from where it comes from: all or nothing, by the maximum heuristic.
+  float unsought(const Path& path, const geometry::SurfacePoint& hit) const;
+  /// Scattered by the lobe from a direction on a side, BRDF times cosine; and the density with which bounce() takes it,
+  /// the choice of the side not included.
+  static double scattered(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through);
+  double bounce_density(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through) const;
+  double sky_share(const materials::Scattering& scattering, math::Normal3 lobe, bool bent) const;
+  materials::ScatterSample sample_bounce(const materials::Scattering& scattering, math::Vec3 viewer, math::Normal3 lobe,
+                                         bool bent, sampling::Point2 u) const;
+  sampling::LightSample sample_sun(math::Vec3 towards_sun, math::Vec3 normal, bool either_side,
+                                   sampling::Point2 u) const;
+
+  const SpectralScene& scene_;
+  TransportOptions options_;
+  std::optional<sampling::SolarDisc> disc_;
+  const SkySampler* sky_ = nullptr;      // of a sky that is not uniform
+  const Emitters* emitters_ = nullptr;  // null: none are sought
+  PathRecord record_;
+  std::vector<Path> paths_, next_paths_;
+  std::vector<math::Ray> rays_, shadow_rays_;
+  std::vector<geometry::SurfacePoint> hits_;
+  std::vector<Scatter> scatters_;
+  std::vector<std::uint8_t> blocked_;
+  std::vector<Seek> seeks_;
+  std::vector<math::Ray> seek_rays_;
+  std::vector<geometry::SurfacePoint> seek_hits_;
+  const SunMirrors* mirrors_ = nullptr;  // null: there are none, or no Sun
+  SunImages images_;
+  std::optional<MirrorTracer> mirror_tracer_;
+  const EmitterMirrors* emitter_mirrors_ = nullptr;  // null where nothing is sought by way of mirrors
+  std::vector<MirrorSeek> mirror_seeks_;
+  std::vector<MirrorRay> mirror_rays_;
+  std::vector<UnseenRay> unseen_rays_;
+  std::vector<std::uint32_t> seen_images_;
+  std::vector<std::uint8_t> hidden_;
+};
+
+}  // namespace ifov::transport

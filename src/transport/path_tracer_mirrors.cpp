@@ -1,0 +1,243 @@
+// Sunlight by way of mirrors: sought through the Sun's images in flat ones, and how much may come by other ways.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "materials/scattering.h"
+#include "sampling/sequence.h"
+#include "transport/path_sides.h"
+#include "transport/path_tracer.h"
+#include "transport/wide_sun.h"
+
+namespace ifov::transport {
+
+namespace {
+
+/// Rays towards mirrors by way of which nothing is sought, from the first surface that scatters; others send one.
+constexpr std::uint64_t kUnseenRays = 4;
+/// What cannot bring more than this, in parts of the Sun's irradiance per steradian, is not looked for.
+constexpr double kNegligible = 1e-6;
+
+/// Rays that a surface sends to the Sun's images in flat mirrors, and to those in round ones; where there are more
+/// images, some are picked by chance.
+constexpr std::size_t kMostImageRays = 8;
+
+// What random choices are keyed by, beside their path and depth.
+constexpr std::uint64_t kImageChoice = 0x696d616765ull, kUnseenChoice = 0x756e7365656eull,
+                        kRoundChoice = 0x726f756e64ull;
+
+double choice(const PathKey& key, int depth, std::uint64_t purpose, std::uint64_t number) {
+  return sampling::unit_double(sampling::hash(key.sequence, key.index, static_cast<std::uint64_t>(depth) << 8 | number,
+                                              purpose));
+}
+
+}  // namespace
+
+void PathTracer::send_to_images(const Path& path, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
+                                const Sides& sides, const geometry::SurfacePoint& hit, int depth, sampling::Point2 u) {
+  if (images_.reflections() == 0) return;
+  if (options_.maximum_scatterings >= 0 && depth + 1 >= options_.maximum_scatterings) return;
+  const bool transmits = lobe.highest_transmittance > 0.0;
+  const double slope = 1.01 * std::tan(scene_.scene().sun->half_angle_rad);
+  const std::span<const SunImages::Image> images = images_.images();
+  seen_images_.clear();
+  for (std::uint32_t k = 0; k < images.size(); ++k)
+    if ((transmits || math::dot(images[k].direction, sides.outward) > -slope) &&
+        may_meet(images[k].bounds, hit.position_m, images[k].direction, slope))
+      seen_images_.push_back(k);
+  const std::size_t seen = seen_images_.size(), rays = std::min(seen, kMostImageRays);
+  for (std::size_t k = 0; k < rays; ++k) {
+    std::size_t picked = k;
+    if (rays < seen) {
+      const double place = (static_cast<double>(k) + choice(path.key, depth, kImageChoice, k)) *
+                           static_cast<double>(seen) / static_cast<double>(rays);
+      picked = std::min(seen - 1, static_cast<std::size_t>(place));
+    }
+    MirrorRay way;
+    way.image = seen_images_[picked];
+    send_by_mirrors(way, sun_ray(lobe, sides, hit, images[way.image].direction, u),
+                    static_cast<double>(seen) / static_cast<double>(rays), surface);
+  }
+}
+
+void PathTracer::send_to_rounds(const Path& path, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
+                                const Sides& sides, const geometry::SurfacePoint& hit, int depth, sampling::Point2 u) {
+  const std::span<const RoundMirror> rounds = mirrors_->rounds();
+  if (rounds.empty() || options_.mirror_reflections == 0) return;
+  if (options_.maximum_scatterings >= 0 && depth + 1 >= options_.maximum_scatterings) return;
+  const scene::Sun& sun = *scene_.scene().sun;
+  // One point of the disc for all: its images differ.
+  math::Vec3 towards_sun = sun.direction;
+  double weight = 1.0;
+  if (sun.half_angle_rad > 0.0) {
+    const sampling::UniformCone disc(sun.half_angle_rad);
+    const double sine = std::sin(sun.half_angle_rad);
+    towards_sun = disc.sample(sun.direction, u);
+    weight = disc.solid_angle_sr() / (std::numbers::pi * sine * sine);
+  }
+  std::array<double, SunMirrors::kMostRounds> share{};
+  double all = 0.0;
+  for (std::size_t k = 0; k < rounds.size(); ++k) all += share[k] = rounds[k].share_of_view(hit.position_m);
+  const std::size_t rays = std::min(rounds.size(), kMostImageRays);
+  double passed = 0.0;
+  std::size_t picked = 0;
+  for (std::size_t k = 0; k < rays; ++k) {
+    double chance = 1.0;
+    if (rays == rounds.size()) {
+      picked = k;
+    } else {
+      const double place = (static_cast<double>(k) + choice(path.key, depth, kRoundChoice, k)) * all /
+                           static_cast<double>(rays);
+      while (picked + 1 < rounds.size() && place >= passed + share[picked]) passed += share[picked++];
+      chance = static_cast<double>(rays) * share[picked] / all;
+    }
+    const std::optional<RoundMirror::Image> image = rounds[picked].image(hit.position_m, towards_sun);
+    if (!image) continue;
+    const bool behind = math::dot(sides.outward, image->direction) < 0.0;
+    const double cosine = (behind ? -1.0 : 1.0) * math::dot(sides.shading.as_vector(), image->direction);
+    MirrorRay way;
+    way.object = rounds[picked].object();
+    way.at = image->at;
+    way.towards_sun = towards_sun;
+    send_by_mirrors(way, light_ray(lobe, sides, hit, image->direction, cosine * weight / image->spread), 1.0 / chance,
+                    surface);
+  }
+}
+
+void PathTracer::send_by_mirrors(MirrorRay way, const SunRay& light, double weight,
+                                 const scene::ResolvedSurface& surface) {
+  if (light.weight <= 0.0) return;
+  way.event = static_cast<std::uint32_t>(scatters_.size() - 1);
+  way.ray = light.ray;
+  way.light.weight = static_cast<float>(light.weight * weight);
+  way.light.through = light.through;
+  way.light.surface.mixed = scatters_.back().vertex.mixed;
+  if (way.light.surface.mixed == PathVertex::kNone) {
+    const std::uint32_t material = surface.constituents[0].material;
+    way.light.surface.row =
+        light.through ? scene_.materials().transmittance(material) : scene_.materials().reflectance(material);
+  }
+  mirror_rays_.push_back(way);
+}
+
+void PathTracer::trace_mirror_rays(sampling::RayCounts& counts) {
+  mirror_tracer_->trace(
+      mirror_rays_, counts,
+      [&](MirrorRay& way, const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface) {
+        way.light.mirrors[way.light.count++] = mirror_factor(surface);
+        way.light.height_m = hit.position_m.z;
+      },
+      [&](MirrorRay& way) {
+        PathVertex& vertex = scatters_[way.event].vertex;
+        way.light.next = vertex.mirrored;
+        vertex.mirrored = static_cast<std::uint32_t>(record_.mirrored.size());
+        record_.mirrored.push_back(way.light);
+      });
+}
+
+void PathTracer::note_way(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
+                          const geometry::SurfacePoint& hit, Scatter& event) {
+  const double highest = event.vertex.bounce_through ? lobe.highest_transmittance : lobe.highest_reflectance;
+  Way& way = event.next_way;
+  if (!lobe.scattering->is_delta()) {
+    way = {};
+    way.from_sensor = false;
+  } else {
+    way = path.way;
+    const std::uint32_t facing = event.vertex.bounce_through
+                                     ? SunMirrors::kNone
+                                     : mirrors_->facing_of(hit, sides.shading.as_vector());
+    way.flat = way.flat && facing != SunMirrors::kNone;
+    if (way.flat && way.reflections < way.facings.size())
+      way.facings[way.reflections] = static_cast<std::uint16_t>(facing);
+    if (way.reflections < 255) ++way.reflections;
+    if (way.from_sensor) {
+      const bool apart = options_.sought_only && way.reflections == 1 && mirrors_->glints_by_shape(hit);
+      event.next_sees_sun = way.flat || !apart;
+      way.unseen = !way.flat && !apart;
+    } else {
+      const bool sought = way.flat ? way.reflections <= images_.reflections() &&
+                                         images_.image_of({way.facings.data(), way.reflections}) != SunMirrors::kNone
+                                   : way.reflections == 1 && options_.mirror_reflections > 0 &&
+                                         !event.vertex.bounce_through && mirrors_->sought_round(hit);
+      event.next_sees_sun = !sought && !options_.sought_only;
+      // What bends and is met first is looked for by send_to_unseen.
+      way.unseen = !sought && (way.unseen || way.flat || way.reflections > 1);
+    }
+  }
+  record_.paths[path.number].brightest *= static_cast<float>(highest) * event.vertex.bounce_weight;
+}
+
+void PathTracer::send_to_unseen(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
+                                const geometry::SurfacePoint& hit, int depth) {
+  const std::span<const geometry::SurfaceSurvey::Ball> groups = mirrors_->groups();
+  if (groups.empty()) return;
+  std::array<double, SunMirrors::kMostGroups> chance{};
+  double all = 0.0;
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    const double apart = math::length(groups[k].centre_m - hit.position_m), radius = groups[k].radius_m;
+    chance[k] = apart > radius ? radius * radius / (apart * apart) : 1.0;
+    all += chance[k];
+  }
+  if (all <= 0.0) return;
+  const std::uint64_t rays = path.way.from_sensor ? kUnseenRays : 1;
+  for (std::uint64_t k = 0; k < rays; ++k) {
+    const auto random = [&](std::uint64_t number) { return choice(path.key, depth, kUnseenChoice, 3 * k + number); };
+    double place = random(0) * all;
+    std::size_t picked = 0;
+    while (picked + 1 < groups.size() && place >= chance[picked]) place -= chance[picked++];
+    const math::Vec3 towards = groups[picked].centre_m - hit.position_m;
+    const double apart = math::length(towards), sine = groups[picked].radius_m / std::max(apart, 1e-300);
+    const bool inside = sine >= 1.0;
+    const sampling::UniformCone cone(inside ? 0.5 * std::numbers::pi : std::asin(sine));
+    const math::Vec3 direction = cone.sample(inside ? sides.outward : towards / apart, {random(1), random(2)});
+    const bool through = math::dot(direction, sides.outward) < 0.0;
+    const double highest = through ? lobe.highest_transmittance : lobe.highest_reflectance;
+    const math::Vec3 normal = through ? -sides.shading.as_vector() : sides.shading.as_vector();
+    const double cosine = math::dot(normal, direction);
+    if (highest <= 0.0 || cosine <= 0.0) continue;
+    const double weight =
+        lobe.scattering->evaluate(through ? normal : sides.outgoing, direction, math::as_normal(normal)) * cosine *
+        cone.solid_angle_sr() * all / chance[picked] * highest *
+        static_cast<double>(record_.paths[path.number].brightest) / static_cast<double>(rays);
+    if (!(weight > kNegligible)) continue;
+    const math::Vec3 outward = through ? -sides.outward : sides.outward;
+    unseen_rays_.push_back({static_cast<std::uint32_t>(scatters_.size() - 1), static_cast<float>(weight),
+                            {hit.position_m + hit.offset_m * outward, direction}});
+  }
+}
+
+void PathTracer::trace_unseen_rays(sampling::RayCounts& counts) {
+  rays_.resize(unseen_rays_.size());
+  hits_.resize(unseen_rays_.size());
+  for (std::size_t k = 0; k < unseen_rays_.size(); ++k) rays_[k] = unseen_rays_[k].ray;
+  scene_.scene().world->intersect(rays_, hits_);
+  counts.shadow += rays_.size();
+  std::size_t kept = 0;
+  rays_.clear();
+  for (std::size_t k = 0; k < unseen_rays_.size(); ++k) {
+    UnseenRay& unseen = unseen_rays_[k];
+    const geometry::SurfacePoint& hit = hits_[k];
+    if (!hit.hit()) continue;
+    const scene::ResolvedSurface surface = scene_.scene().resolve(hit);
+    double highest = 0.0;
+    for (const scene::Constituent& part : surface)
+      if (is_mirror(scene_.scene(), part)) highest += part.weight * scene_.brightest(part.material);
+    const math::Vec3 normal = surface.shading_normal.as_vector();
+    if (highest <= 0.0 || mirrors_->facing_of(hit, normal) != SunMirrors::kNone || mirrors_->sought_round(hit)) continue;
+    const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
+    const float arrives = WideSun::radiance(scene_.scene(), mirrored(unseen.ray.direction, normal));
+    if (arrives <= 0.0f) continue;
+    rays_.push_back({hit.position_m + hit.offset_m * outward, scene_.scene().sun->direction});
+    unseen.weight *= static_cast<float>(highest) * arrives;
+    unseen_rays_[kept++] = unseen;
+  }
+  hidden_.resize(rays_.size());
+  if (!rays_.empty()) scene_.scene().world->occluded(rays_, hidden_);
+  counts.shadow += rays_.size();
+  for (std::size_t k = 0; k < kept; ++k)
+    if (hidden_[k] == 0)
+      record_.paths[paths_[scatters_[unseen_rays_[k].event].path].number].unseen += unseen_rays_[k].weight;
+}
+
+}  // namespace ifov::transport

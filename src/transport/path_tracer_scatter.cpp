@@ -1,0 +1,207 @@
+// What a path does at a surface: light sought from the Sun, and where it goes on.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "materials/scattering.h"
+#include "math/vec3.h"
+#include "sampling/sequence.h"
+#include "transport/path_sides.h"
+#include "transport/path_tracer.h"
+
+namespace ifov::transport {
+
+namespace {
+
+/// Surfaces a path scatters at before it may be ended by chance.
+constexpr int kCertainScatterings = 3;
+
+/// What the random choice between shapes at a surface is keyed by, beside its path and depth.
+constexpr std::uint64_t kShapeChoice = 0x7368617065ull;
+
+/// Share of the directions that a level surface draws from the sky.
+constexpr double kMostSkySamples = 0.6;
+
+}  // namespace
+
+PathVertex PathTracer::vertex_of(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe) {
+  PathVertex vertex;
+  if (surface.count > 1 || surface.constituents[0].mapped_temperature_k > 0.0) {
+    vertex.mixed = static_cast<std::uint32_t>(record_.mixed.size());
+    record_.mixed.push_back({surface, lobe});
+  } else {
+    vertex.emission = scene_.emission(surface, nullptr);
+  }
+  return vertex;
+}
+
+void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface,
+                         int depth) {
+  const double choice =
+      surface.count > 1
+          ? sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth, kShapeChoice))
+          : 0.0;
+  const SurfaceLobe lobe = surface_lobe(scene_, surface, choice);
+  const geometry::SurfacePoint& hit = hits_[path_index];
+  Scatter& event = scatters_.emplace_back();
+  event.path = path_index;
+  event.vertex = vertex_of(surface, lobe);
+  event.vertex.height_m = hit.position_m.z;
+  if (path.left.seek_chance > 0.0) event.vertex.emission_weight = unsought(path, hit);
+  if (depth == options_.maximum_scatterings || lobe.highest_reflectance + lobe.highest_transmittance <= 0.0) return;
+
+  const Sides sides(-path.ray.direction, hit, surface.shading_normal);
+  const std::uint32_t pair = 1u + 2u * static_cast<std::uint32_t>(depth);
+  if (scene_.scene().sun && !lobe.scattering->is_delta()) {
+    const sampling::Point2 u = sampling::sequence_point(path.key.sequence, path.key.index, pair);
+    send_to_sun(lobe, sides, hit, u, event);
+    if (mirrors_ != nullptr) {
+      send_to_images(path, surface, lobe, sides, hit, depth, u);
+      send_to_rounds(path, surface, lobe, sides, hit, depth, u);
+      send_to_unseen(path, lobe, sides, hit, depth);
+    }
+  }
+  PathVertex& vertex = event.vertex;
+  if (emitters_ != nullptr && depth + 1 != options_.maximum_scatterings && !lobe.scattering->is_delta())
+    seek(lobe, sides, hit, path.key, depth, event);
+  const bool by_mirrors = emitter_mirrors_ != nullptr && (options_.maximum_scatterings < 0 || depth + 2 <= options_.maximum_scatterings);
+  if (by_mirrors && !lobe.scattering->is_delta()) seek_by_mirrors(surface, lobe, sides, hit, path.key, depth, event);
+  if (depth + 1 != options_.maximum_scatterings &&
+      bounce(lobe, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair + 1u), event) &&
+      depth + 1 >= kCertainScatterings) {
+    const double highest = vertex.bounce_through ? lobe.highest_transmittance : lobe.highest_reflectance;
+    const double chance = std::min(1.0, highest * vertex.bounce_weight);
+    const bool survives =
+        sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth)) < chance;
+    vertex.bounce_weight = survives ? static_cast<float>(vertex.bounce_weight / chance) : 0.0f;
+  }
+  if (by_mirrors && vertex.bounce_weight > 0.0f) {
+    if (!lobe.scattering->is_delta()) {
+      event.left.mirror_chance = lobe.highest_transmittance > 0.0 ? 0.0 : mirror_chance();
+    } else if (path.left.mirror_chance > 0.0 && !vertex.bounce_through) {
+      // The next segment is seen from behind the mirror.
+      const std::uint32_t plane = emitter_mirrors_->plane_of(hit, surface.shading_normal.as_vector());
+      if (plane != EmitterMirrors::kNone)
+        event.left = {emitter_mirrors_->behind(plane, path.left.receiver), path.left.density, path.left.mirror_chance, 0.0, true};
+    }
+  }
+  if (mirrors_ != nullptr && vertex.bounce_weight > 0.0f) note_way(path, lobe, sides, hit, event);
+  if (vertex.mixed != PathVertex::kNone) return;
+  const std::uint32_t material = surface.constituents[0].material;
+  const auto factor = [&](bool through) {
+    return through ? scene_.materials().transmittance(material) : scene_.materials().reflectance(material);
+  };
+  vertex.sun_factor = factor(vertex.sun_through);
+  vertex.sought_factor = factor(vertex.sought_through);
+  vertex.bounce_factor = factor(vertex.bounce_through);
+}
+
+void PathTracer::send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
+                             sampling::Point2 u, Scatter& event) {
+  const SunRay light = sun_ray(lobe, sides, hit, scene_.scene().sun->direction, u);
+  if (light.weight <= 0.0) return;
+  event.vertex.sun_weight = static_cast<float>(light.weight);
+  event.vertex.sun_through = light.through;
+  event.shadow = static_cast<std::uint32_t>(shadow_rays_.size());
+  shadow_rays_.push_back(light.ray);
+}
+
+PathTracer::SunRay PathTracer::sun_ray(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
+                                       math::Vec3 towards_sun, sampling::Point2 u) const {
+  const bool transmits = lobe.highest_transmittance > 0.0;
+  const bool behind = transmits && math::dot(sides.outward, towards_sun) < 0.0;
+  const math::Vec3 lit_side = behind ? -sides.shading.as_vector() : sides.shading.as_vector();
+  const sampling::LightSample light = sample_sun(towards_sun, lit_side, transmits && !sides.bent, u);
+  return light_ray(lobe, sides, hit, light.direction, light.weight_sr);
+}
+
+PathTracer::SunRay PathTracer::light_ray(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
+                                         math::Vec3 direction, double weight_sr) const {
+  const double height = math::dot(direction, sides.outward);
+  const bool through = lobe.highest_transmittance > 0.0 && height < 0.0;
+  if (weight_sr <= 0.0 || (through ? height >= 0.0 : height <= 0.0)) return {};
+
+  // Light that a bent normal would take from below the surface comes mirrored from above it.
+  const math::Vec3 normal = through ? -sides.shading.as_vector() : sides.shading.as_vector();
+  const math::Vec3 viewer =
+      through ? normal : sides.outgoing;  // what is let through looks alike from everywhere
+  const math::Normal3 axis = math::as_normal(normal);
+  double weight = weight_sr * lobe.scattering->evaluate(viewer, direction, axis);
+  if (sides.bent) {
+    const math::Vec3 image = mirrored(direction, sides.outward);
+    const double own = math::dot(normal, direction), below = math::dot(normal, image);
+    if (own > 0.0 && below > 0.0)
+      weight += weight_sr * lobe.scattering->evaluate(viewer, image, axis) * below / own;
+  }
+  return {{hit.position_m + (through ? -hit.offset_m : hit.offset_m) * sides.outward, direction},
+          weight,
+          through};
+}
+
+bool PathTracer::bounce(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
+                        sampling::Point2 u, Scatter& event) const {
+  // The side is chosen so that no node's weight outgrows the sum of the two highest factors.
+  double chance = 1.0;
+  bool through = false;
+  if (lobe.highest_transmittance > 0.0) {
+    chance = lobe.highest_reflectance / (lobe.highest_reflectance + lobe.highest_transmittance);
+    through = !(u.x < chance);
+    u.x = through ? (u.x - chance) / (1.0 - chance) : u.x / chance;
+    if (through) chance = 1.0 - chance;
+  }
+  const math::Vec3 outward = through ? -sides.outward : sides.outward;
+  const math::Normal3 axis = through ? -sides.shading : sides.shading;
+  const math::Vec3 viewer = through ? axis.as_vector() : sides.outgoing;
+  materials::ScatterSample sample = sample_bounce(*lobe.scattering, viewer, axis, sides.bent, u);
+  if (sides.bent && math::dot(sample.incoming, outward) < 0.0)
+    sample.incoming = mirrored(sample.incoming, outward);
+  if (!(sample.weight > 0.0) || !(math::dot(sample.incoming, outward) > 0.0)) return false;
+  event.vertex.bounce_weight = static_cast<float>(sample.weight / chance);
+  event.vertex.bounce_through = through;
+  event.next = {hit.position_m + hit.offset_m * outward, sample.incoming};
+  event.next_sees_sun = lobe.scattering->is_delta();
+  if (emitters_ != nullptr) leave(lobe, sides, through, chance, event);
+  return true;
+}
+
+/// Under a sky that is brighter here than there, some directions are drawn from the sky and all weigh by the
+/// density of both (Veach and Guibas 1995, one sample, balance heuristic): those that see the sky weigh
+/// almost alike.
+materials::ScatterSample PathTracer::sample_bounce(const materials::Scattering& scattering, math::Vec3 viewer,
+                                                   math::Normal3 lobe, bool bent, sampling::Point2 u) const {
+  const double share = sky_share(scattering, lobe, bent);
+  if (share == 0.0) return scattering.sample(viewer, lobe, u.x, u.y);
+  materials::ScatterSample sample;
+  if (u.x < share)
+    sample.incoming = sky_->sample({u.x / share, u.y});
+  else
+    sample = scattering.sample(viewer, lobe, (u.x - share) / (1.0 - share), u.y);
+  const double cosine = math::dot(lobe.as_vector(), sample.incoming);
+  sample.pdf =
+      (1.0 - share) * scattering.pdf(viewer, sample.incoming, lobe) + share * sky_->density(sample.incoming);
+  sample.weight = cosine > 0.0 && sample.pdf > 0.0
+                      ? scattering.evaluate(viewer, sample.incoming, lobe) * cosine / sample.pdf
+                      : 0.0;
+  return sample;
+}
+
+double PathTracer::sky_share(const materials::Scattering& scattering, math::Normal3 lobe, bool bent) const {
+  const double height = lobe.as_vector().z;
+  return sky_ == nullptr || bent || scattering.is_delta() || height <= 0.0 ? 0.0 : kMostSkySamples * height * height;
+}
+
+sampling::LightSample PathTracer::sample_sun(math::Vec3 towards_sun, math::Vec3 normal, bool either_side,
+                                             sampling::Point2 u) const {
+  // Weights are relative to the irradiance of a surface that faces the Sun.
+  const scene::Sun& sun = *scene_.scene().sun;
+  if (sun.half_angle_rad <= 0.0) return {towards_sun, std::max(0.0, math::dot(towards_sun, normal))};
+  sampling::LightSample sample = disc_->sample(towards_sun, normal, u);
+  const double sine = std::sin(sun.half_angle_rad);
+  // Cut by the horizon, the disc is sampled whole: what is below lights the other side.
+  if (either_side && !disc_->uncut(towards_sun, normal))
+    sample.weight_sr = disc_->solid_angle_sr() * std::abs(math::dot(sample.direction, normal));
+  sample.weight_sr /= std::numbers::pi * sine * sine;
+  return sample;
+}
+
+}  // namespace ifov::transport

@@ -1,0 +1,65 @@
+#include "transport/sky/sky_dome.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ifov::transport {
+namespace {
+
+/// Index of the interval that holds x, and the share of its upper end.
+std::pair<std::size_t, double> place(const std::vector<double>& nodes, double x) {
+  const auto above = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, x);
+  const std::size_t low = static_cast<std::size_t>(above - nodes.begin()) - 1;
+  return {low, std::clamp((x - nodes[low]) / (nodes[low + 1] - nodes[low]), 0.0, 1.0)};
+}
+
+}  // namespace
+
+SkyDome::SkyDome(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towards_sun,
+                 const std::vector<double>& ground_radiance)
+    : towards_sun_(towards_sun),
+      zenith_rad_(atmosphere.sky_directions().zenith_rad),
+      azimuth_rad_(atmosphere.sky_directions().azimuth_rad),
+      rows_(zenith_rad_.size() * azimuth_rad_.size(), atmosphere.node_count()) {
+  for (std::size_t z = 0; z < zenith_rad_.size(); ++z)
+    for (std::size_t a = 0; a < azimuth_rad_.size(); ++a)
+      for (std::size_t n = 0; n < atmosphere.node_count(); ++n)
+        rows_.row(z * azimuth_rad_.size() + a)[n] =
+            static_cast<float>(atmosphere.sky(z, a, n) + ground_radiance[n] * atmosphere.groundlit_sky(z, n));
+  make_sampler(atmosphere.node_count());
+}
+
+/// A cell between directions of the table is as bright as the mean of its corners; nodes count by their share of their
+/// own sky's irradiance.
+void SkyDome::make_sampler(std::size_t nodes) {
+  const std::size_t rings = zenith_rad_.size() - 1, azimuths = azimuth_rad_.size() - 1;
+  const auto corners = [&](std::size_t z, std::size_t a, std::size_t n) {
+    return 0.25 * (row(z, a)[n] + row(z, a + 1)[n] + row(z + 1, a)[n] + row(z + 1, a + 1)[n]);
+  };
+  std::vector<double> brightness(rings * azimuths, 0.0);
+  for (std::size_t n = 0; n < nodes; ++n) {
+    double all = 0.0;
+    for (std::size_t z = 0; z < rings; ++z)
+      for (std::size_t a = 0; a < azimuths; ++a)
+        all += corners(z, a, n) * (std::pow(std::sin(zenith_rad_[z + 1]), 2) - std::pow(std::sin(zenith_rad_[z]), 2));
+    if (!(all > 0.0)) continue;
+    for (std::size_t z = 0; z < rings; ++z)
+      for (std::size_t a = 0; a < azimuths; ++a) brightness[z * azimuths + a] += corners(z, a, n) / all;
+  }
+  if (std::any_of(brightness.begin(), brightness.end(), [](double b) { return b > 0.0; }))
+    sampler_ = SkySampler(zenith_rad_, azimuth_rad_, towards_sun_, brightness);
+}
+
+SkyDome::Corners SkyDome::at(math::Vec3 direction) const {
+  const double zenith = std::acos(std::clamp(direction.z, 0.0, 1.0));
+  const double along = direction.x * towards_sun_.x + direction.y * towards_sun_.y;
+  const double across = direction.x * towards_sun_.y - direction.y * towards_sun_.x;
+  const double azimuth = std::atan2(std::abs(across), along);
+  const auto [z, above] = place(zenith_rad_, zenith);
+  const auto [a, beyond] = place(azimuth_rad_, azimuth);
+  return {{row(z, a), row(z, a + 1), row(z + 1, a), row(z + 1, a + 1)},
+          {static_cast<float>((1.0 - above) * (1.0 - beyond)), static_cast<float>((1.0 - above) * beyond),
+           static_cast<float>(above * (1.0 - beyond)), static_cast<float>(above * beyond)}};
+}
+
+}  // namespace ifov::transport

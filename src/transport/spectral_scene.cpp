@@ -1,0 +1,218 @@
+#include "transport/spectral_scene.h"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+#include "transport/emitter_mirrors.h"
+#include "transport/emitters.h"
+
+namespace ifov::transport {
+
+SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::SpectralNodes& nodes)
+    : scene_(scene),
+      nodes_(nodes),
+      materials_(scene.materials, nodes),
+      emission_(scene.states.size(), nodes.node_count()),
+      light_(kLightRows, nodes.node_count()) {
+  emit_surfaces();
+  if (scene.sun) {
+    const radiometry::Spectrum* product[] = {&scene.sun->irradiance, &scene.sun->transmittance};
+    nodes.average_source(product, light_.values(kSunIrradiance));
+  }
+  sky_of_scene();
+  light_surroundings();
+  find_mirrors();
+
+  if (scene.view_path.transmittance || scene.view_path.radiance) {
+    has_view_path_ = true;
+    nodes.average_surface(scene.view_path.transmittance.value_or(radiometry::Spectrum::constant(1.0)),
+                          light_.values(kViewTransmittance));
+    if (scene.view_path.radiance) nodes.average_source(*scene.view_path.radiance, light_.values(kViewRadiance));
+  }
+  find_emitters();
+}
+
+SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::SensorAtmosphere& air)
+    : scene_(scene),
+      nodes_(air.nodes()),
+      materials_(scene.materials, nodes_),
+      emission_(scene.states.size(), nodes_.node_count()),
+      light_(kLightRows, nodes_.node_count()),
+      has_view_path_(true) {
+  emit_surfaces();
+  radiometry::SpectrumBlock emitted(1, node_count());
+  emit(scene.surroundings, emitted.row(0));
+  const std::vector<double> ground = couple(air, air.sky_irradiance(), emitted.values(0));
+  const math::Vec3 towards_sun = scene.sun ? scene.sun->direction : math::Vec3{1.0, 0.0, 0.0};
+  dome_.emplace(air, towards_sun, ground);
+  if (!air.sights().single()) view_table_.emplace(air, towards_sun, ground);
+  light_heights(air);
+  light_surroundings();
+  find_emitters();
+  find_mirrors();
+}
+
+SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::ImportedAtmosphere& air)
+    : scene_(scene),
+      nodes_(air.nodes()),
+      materials_(scene.materials, nodes_),
+      emission_(scene.states.size(), nodes_.node_count()),
+      light_(kLightRows, nodes_.node_count()),
+      has_view_path_(true) {
+  emit_surfaces();
+  std::vector<double> sky = air.sky_irradiance();
+  if (!air.has_sky()) {
+    sky_of_scene();
+    for (std::size_t n = 0; n < node_count(); ++n) sky[n] = std::numbers::pi * light_.row(kSky)[n];
+  }
+  couple(air, sky, std::vector<float>(node_count(), 0.0f));
+  light_surroundings();
+  find_emitters();
+  find_mirrors();
+}
+
+template <class Air>
+std::vector<double> SpectralScene::couple(const Air& air, std::span<const double> sky_irradiance,
+                                          std::span<const float> emitted) {
+  const float* albedo = materials_.reflectance(scene_.surroundings.material);
+  const double sine = scene_.sun ? std::max(0.0, scene_.sun->direction.z) : 0.0;
+  std::vector<double> ground(node_count());
+  for (std::size_t n = 0; n < node_count(); ++n) {
+    const double direct = air.sun_irradiance()[n] * sine;
+    const double back = air.spherical_albedo()[n];
+    const double all =
+        (direct + sky_irradiance[n] + std::numbers::pi * back * emitted[n]) / (1.0 - albedo[n] * back);
+    ground[n] = emitted[n] + albedo[n] * all / std::numbers::pi;
+    light_.row(kSunIrradiance)[n] = static_cast<float>(air.sun_irradiance()[n]);
+    light_.row(kSky)[n] = static_cast<float>((all - direct) / std::numbers::pi);
+    light_.row(kViewTransmittance)[n] = static_cast<float>(air.view_transmittance()[n]);
+    light_.row(kViewRadiance)[n] =
+        static_cast<float>(air.view_radiance()[n] + ground[n] * air.diffuse_transmittance()[n]);
+  }
+  return ground;
+}
+
+void SpectralScene::light_heights(const atmosphere::SensorAtmosphere& air) {
+  const std::vector<double>& heights_km = air.sights().height().known();
+  if (heights_km.size() < 2) return;
+  for (const double height : heights_km) heights_m_.push_back(1e3 * height);
+  sun_rows_.resize(heights_km.size(), node_count());
+  sky_rows_.resize(heights_km.size(), node_count());
+  for (std::size_t h = 0; h < heights_km.size(); ++h)
+    for (std::size_t n = 0; n < node_count(); ++n) {
+      const double ground = air.sky_at_height(0)[n];
+      sun_rows_.row(h)[n] = static_cast<float>(air.sun_at_height(h)[n]);
+      sky_rows_.row(h)[n] = ground > 0.0 ? static_cast<float>(air.sky_at_height(h)[n] / ground) : 1.0f;
+    }
+}
+
+const float* SpectralScene::between_heights(const radiometry::SpectrumBlock& rows, double height_m,
+                                            float* scratch) const {
+  const auto above = std::upper_bound(heights_m_.begin() + 1, heights_m_.end() - 1, height_m);
+  const std::size_t low = static_cast<std::size_t>(above - heights_m_.begin()) - 1;
+  const float share = static_cast<float>(
+      std::clamp((height_m - heights_m_[low]) / (heights_m_[low + 1] - heights_m_[low]), 0.0, 1.0));
+  const float *a = rows.row(low), *b = rows.row(low + 1);
+  for (std::size_t n = 0; n < stride(); ++n) scratch[n] = a[n] + share * (b[n] - a[n]);
+  return scratch;
+}
+
+const float* SpectralScene::sun_irradiance(double height_m, float* scratch) const {
+  return heights_m_.empty() ? sun_irradiance() : between_heights(sun_rows_, height_m, scratch);
+}
+
+const float* SpectralScene::sky_share(double height_m, float* scratch) const {
+  return between_heights(sky_rows_, height_m, scratch);
+}
+
+void SpectralScene::sky_of_scene() {
+  if (scene_.sky.radiance)
+    nodes_.average_source(*scene_.sky.radiance, light_.values(kSky));
+  else if (scene_.sky.temperature_k)
+    nodes_.planck(*scene_.sky.temperature_k, light_.values(kSky));
+}
+
+void SpectralScene::emit(const scene::SurfaceState& state, float* row) const {
+  if (state.temperature_k <= 0.0) return;
+  std::vector<float> planck(node_count());
+  nodes_.planck(state.temperature_k, std::span<float>(planck));
+  const float* emissivity = materials_.emissivity(state.material);
+  for (std::size_t n = 0; n < planck.size(); ++n) row[n] = emissivity[n] * planck[n];
+}
+
+void SpectralScene::find_emitters() {
+  emitters_ = Emitters::find(*this);
+  if (emitters_ != nullptr && emitters_->count() > 0) emitter_mirrors_ = EmitterMirrors::find(scene_);
+}
+
+void SpectralScene::find_mirrors() {
+  const geometry::SurfaceSurvey* survey = scene_.sun && scene_.world != nullptr ? scene_.world->survey() : nullptr;
+  if (survey != nullptr) mirrors_.emplace(scene_, *survey);
+}
+
+void SpectralScene::emit_surfaces() {
+  for (std::size_t s = 0; s < scene_.states.size(); ++s) emit(scene_.states[s], emission_.row(s));
+  constexpr double kBeyond_k = 0.5;  // beyond what maps hold, so that the table's ends are not met
+  if (const std::optional<scene::TemperatureRange> range = scene_.mapped_temperatures())
+    planck_ = std::make_unique<radiometry::PlanckTable>(nodes_, std::max(0.5 * range->coldest_k, range->coldest_k - kBeyond_k),
+                                                        range->hottest_k + kBeyond_k);
+}
+
+void SpectralScene::light_surroundings() {
+  float* around = light_.row(kSurroundings);
+  emit(scene_.surroundings, around);
+  const float* reflectance = materials_.reflectance(scene_.surroundings.material);
+  const double sine = scene_.sun ? std::max(0.0, scene_.sun->direction.z) : 0.0;
+  for (std::size_t n = 0; n < node_count(); ++n)
+    around[n] += reflectance[n] * (light_.row(kSunIrradiance)[n] * static_cast<float>(sine / std::numbers::pi) +
+                                   light_.row(kSky)[n]);
+}
+
+const float* SpectralScene::emission(const scene::Constituent& constituent, float* scratch) const {
+  if (constituent.mapped_temperature_k <= 0.0)
+    return scene_.states[constituent.state].temperature_k > 0.0 ? emission_.row(constituent.state) : nullptr;
+  planck_->row(constituent.mapped_temperature_k, scratch);
+  const float* emissivity = materials_.emissivity(constituent.material);
+  for (std::size_t n = 0; n < stride(); ++n) scratch[n] *= emissivity[n];
+  return scratch;
+}
+
+const float* SpectralScene::emission(const scene::ResolvedSurface& surface, float* scratch) const {
+  if (surface.count == 1) return emission(surface.constituents[0], scratch);
+  float* part = scratch + stride();
+  bool any = false;
+  for (const scene::Constituent& constituent : surface) {
+    const float* row = emission(constituent, part);
+    if (row == nullptr) continue;
+    const float weight = static_cast<float>(constituent.weight);
+    if (any)
+      for (std::size_t n = 0; n < stride(); ++n) scratch[n] += weight * row[n];
+    else
+      for (std::size_t n = 0; n < stride(); ++n) scratch[n] = weight * row[n];
+    any = true;
+  }
+  return any ? scratch : nullptr;
+}
+
+std::vector<double> SpectralScene::white_reflected() const {
+  const double sine = scene_.sun ? std::max(0.0, scene_.sun->direction.z) : 0.0;
+  std::vector<double> white(nodes_.channel_count(), 0.0);
+  for (std::size_t c = 0; c < white.size(); ++c)
+    for (std::size_t n = nodes_.first_node(c); n < nodes_.first_node(c + 1); ++n) {
+      const double reflected = light_.row(kSunIrradiance)[n] * sine / std::numbers::pi + light_.row(kSky)[n];
+      white[c] += nodes_.node_weight(n) * reflected * (has_view_path_ ? view_transmittance()[n] : 1.0f);
+    }
+  return white;
+}
+
+std::vector<double> SpectralScene::path_radiance() const {
+  std::vector<double> path(nodes_.channel_count(), 0.0);
+  if (!has_view_path_) return path;
+  for (std::size_t c = 0; c < path.size(); ++c)
+    for (std::size_t n = nodes_.first_node(c); n < nodes_.first_node(c + 1); ++n)
+      path[c] += nodes_.node_weight(n) * view_radiance()[n];
+  return path;
+}
+
+}  // namespace ifov::transport

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "atmosphere/imported_atmosphere.h"
+#include "materials/spectral_materials.h"
+#include "radiometry/planck_table.h"
+#include "radiometry/spectral_nodes.h"
+#include "radiometry/spectrum_block.h"
+#include "scene/scene.h"
+#include "transport/sky/sky_dome.h"
+#include "transport/sun_mirrors.h"
+#include "transport/view_table.h"
+
+namespace ifov::transport {
+
+class EmitterMirrors;
+class Emitters;
+
+/// The scene's spectra as rows over the spectral nodes of a sensor: what a path multiplies and adds.
+class SpectralScene {
+ public:
+  /// Keeps references to both; they must outlive this.
+  SpectralScene(const scene::Scene& scene, const radiometry::SpectralNodes& nodes);
+  /// With an atmosphere in place of the scene's uniform sky and its tables of transmittance and path radiance. Light
+  /// that goes back and forth between air and ground counts once, over ground as the scene's surroundings.
+  SpectralScene(const scene::Scene& scene, const atmosphere::SensorAtmosphere& atmosphere);
+  /// With what another code computed, under a uniform sky of its irradiance; where it has none, under the scene's own.
+  SpectralScene(const scene::Scene& scene, const atmosphere::ImportedAtmosphere& atmosphere);
+
+  const scene::Scene& scene() const { return scene_; }
+  const radiometry::SpectralNodes& nodes() const { return nodes_; }
+  std::size_t node_count() const { return nodes_.node_count(); }
+  std::size_t stride() const { return light_.stride(); }
+
+  const materials::SpectralMaterials& materials() const { return materials_; }
+  /// Null where the Sun lights no mirror.
+  const SunMirrors* sun_mirrors() const { return mirrors_ ? &*mirrors_ : nullptr; }
+
+  /// What of the light that meets a material goes on in any node, at most; 0 marks a black surface, which ends paths.
+  double brightest(std::uint32_t material) const {
+    return materials_.maximum_reflectance(material) + materials_.maximum_transmittance(material);
+  }
+
+  /// Emitted radiance of a resolved surface, W m-2 sr-1 um-1; null where it emits nothing. `scratch` (2 stride()
+  /// floats, 64-byte aligned) is used where the row is not kept: for a temperature from a map, and for blends.
+  const float* emission(const scene::ResolvedSurface& surface, float* scratch) const;
+
+  /// Irradiance on a surface that faces the Sun (zero without one).
+  const float* sun_irradiance() const { return light_.row(kSunIrradiance); }
+  /// Of a uniform sky; under an atmosphere the mean over the sky, weighted as a level surface sees it.
+  const float* sky_radiance() const { return light_.row(kSky); }
+  const SkyDome* sky_dome() const { return dome_ ? &*dome_ : nullptr; }  ///< null: the sky is uniform
+  const float* surroundings_radiance() const { return light_.row(kSurroundings); }
+  bool has_view_path() const { return has_view_path_; }
+  const float* view_transmittance() const { return light_.row(kViewTransmittance); }
+  const float* view_radiance() const { return light_.row(kViewRadiance); }
+  /// Null where the two hold for all lines of sight and heights.
+  const ViewTable* view_table() const { return view_table_ ? &*view_table_ : nullptr; }
+
+  /// Null where no surface outshines the others so much that its light has to be sought.
+  const Emitters* emitters() const { return emitters_.get(); }
+  /// The planes of mirrors by way of which it is sought; null where there are none, or nothing to seek.
+  const EmitterMirrors* emitter_mirrors() const { return emitter_mirrors_.get(); }
+
+  /// Whether sunlight and skylight change with the height of what they fall on.
+  bool light_by_height() const { return !heights_m_.empty(); }
+  /// As sun_irradiance at a height; written to `scratch` (stride() floats, 64-byte aligned) where it changes.
+  const float* sun_irradiance(double height_m, float* scratch) const;
+  /// How much brighter than at the ground the sky is there.
+  const float* sky_share(double height_m, float* scratch) const;
+
+  /// By channel: radiance of a level white Lambertian under Sun and sky, through the view path's transmittance.
+  std::vector<double> white_reflected() const;
+  /// What the path to the sensor adds, by channel, W m-2 sr-1 um-1.
+  std::vector<double> path_radiance() const;
+
+ private:
+  const float* emission(const scene::Constituent& constituent, float* scratch) const;
+  void emit_surfaces();
+  void find_emitters();
+  void find_mirrors();
+  void emit(const scene::SurfaceState& state, float* row) const;
+  void light_surroundings();
+  void light_heights(const atmosphere::SensorAtmosphere& air);
+  const float* between_heights(const radiometry::SpectrumBlock& rows, double height_m, float* scratch) const;
+  void sky_of_scene();
+  /// Rows of Sun, sky and view path over ground as the scene's surroundings; returns that ground's radiance.
+  /// `emitted`: by that ground, where the air's own light does not hold what it scatters of it already.
+  template <class Air>
+  std::vector<double> couple(const Air& air, std::span<const double> sky_irradiance, std::span<const float> emitted);
+
+  enum LightRow { kSunIrradiance, kSky, kSurroundings, kViewTransmittance, kViewRadiance, kLightRows };
+  const scene::Scene& scene_;
+  const radiometry::SpectralNodes& nodes_;
+  materials::SpectralMaterials materials_;
+  radiometry::SpectrumBlock emission_;  // by state
+  radiometry::SpectrumBlock light_;     // by LightRow
+  std::unique_ptr<radiometry::PlanckTable> planck_;  // only where a temperature map needs it
+  std::optional<SkyDome> dome_;
+  std::optional<ViewTable> view_table_;
+  std::vector<double> heights_m_;                  // rising from 0; empty: all is as at the ground
+  radiometry::SpectrumBlock sun_rows_, sky_rows_;  // by height
+  bool has_view_path_ = false;
+  std::shared_ptr<const Emitters> emitters_;
+  std::shared_ptr<const EmitterMirrors> emitter_mirrors_;
+  std::optional<SunMirrors> mirrors_;
+};
+
+}  // namespace ifov::transport

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "transport/path_record.h"
+#include "transport/spectral_scene.h"
+
+namespace ifov::transport {
+
+/// What the air between a sensor and what its rays meet makes of the light of their paths.
+class ViewAir {
+ public:
+  /// Keeps a reference to the scene, which must outlive this.
+  explicit ViewAir(const SpectralScene& scene) : scene_(scene) {}
+
+  /// Turns radiance at the far end of the first segment, in nodes (stride() floats), into radiance at the sensor. What
+  /// comes from the sky of an atmosphere is left as it is: it holds the air already.
+  void apply(const PathRecord::Path& path, float* radiance) const;
+
+ private:
+  const SpectralScene& scene_;
+};
+
+}  // namespace ifov::transport

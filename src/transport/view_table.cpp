@@ -1,0 +1,88 @@
+#include "transport/view_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ifov::transport {
+namespace {
+
+/// Steepest slope of a line of sight that the table is asked for, tan 85 degrees: flatter ones are on its
+/// rim.
+constexpr double kLeastRise = 0.0872;
+
+}  // namespace
+
+ViewTable::ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towards_sun,
+                     const std::vector<double>& ground_radiance) {
+  const double level = std::hypot(towards_sun.x, towards_sun.y);
+  if (level > 0.0) sun_x_ = towards_sun.x / level, sun_y_ = towards_sun.y / level;
+  const atmosphere::SightGrid& grid = atmosphere.sights();
+  axes_ = {grid.height().wanted(), grid.along().wanted(), grid.across().wanted()};
+  const std::size_t nodes = atmosphere.node_count();
+  transmittance_.resize(axes_[0].size() * axes_[1].size() * axes_[2].size(), nodes);
+  radiance_.resize(transmittance_.rows(), nodes);
+  std::vector<double> through(nodes), added(nodes);
+  std::size_t row = 0;
+  for (const double height : axes_[0])
+    for (const double along : axes_[1])
+      for (const double across : axes_[2]) {
+        const std::vector<double> weight = grid.weights(height, along, across);
+        std::fill(through.begin(), through.end(), 0.0);
+        std::fill(added.begin(), added.end(), 0.0);
+        for (std::size_t line = 0; line < weight.size(); ++line) {
+          if (weight[line] == 0.0) continue;
+          const atmosphere::SensorAtmosphere::Sight sight = atmosphere.sight(line);
+          for (std::size_t n = 0; n < nodes; ++n) {
+            through[n] += weight[line] * sight.transmittance[n];
+            added[n] +=
+                weight[line] * (sight.radiance[n] + ground_radiance[n] * sight.diffuse_transmittance[n]);
+          }
+        }
+        for (std::size_t n = 0; n < nodes; ++n) {
+          transmittance_.row(row)[n] = static_cast<float>(std::max(0.0, through[n]));
+          radiance_.row(row)[n] = static_cast<float>(std::max(0.0, added[n]));
+        }
+        ++row;
+      }
+}
+
+ViewTable::Place ViewTable::at(math::Vec3 towards_sensor, double height_m) const {
+  const double rise = std::max(towards_sensor.z, kLeastRise);
+  const std::array<double, 3> wanted{1e-3 * height_m,
+                                     (towards_sensor.x * sun_x_ + towards_sensor.y * sun_y_) / rise,
+                                     std::abs(towards_sensor.x * sun_y_ - towards_sensor.y * sun_x_) / rise};
+  const std::array<std::size_t, 3> stride{axes_[1].size() * axes_[2].size(), axes_[2].size(), 1};
+  // Along which axes the cell's far end is met first.
+  std::array<std::pair<double, std::size_t>, 3> ahead;
+  std::size_t active = 0, corner = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::vector<double>& places = axes_[axis];
+    if (places.size() == 1) continue;
+    const auto above = std::upper_bound(places.begin() + 1, places.end() - 1, wanted[axis]);
+    const std::size_t low = static_cast<std::size_t>(above - places.begin()) - 1;
+    corner += low * stride[axis];
+    ahead[active++] = {std::clamp((wanted[axis] - places[low]) / (places[low + 1] - places[low]), 0.0, 1.0),
+                       stride[axis]};
+  }
+  // Three at most: the farthest ahead first.
+  const auto order = [&](std::size_t a, std::size_t b) {
+    if (b < active && ahead[a].first < ahead[b].first) std::swap(ahead[a], ahead[b]);
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  Place place;
+  double left = 1.0;
+  for (std::size_t k = 0; k <= active; ++k) {
+    const double next = k < active ? ahead[k].first : 0.0;
+    place.transmittance[k] = transmittance_.row(corner);
+    place.radiance[k] = radiance_.row(corner);
+    place.weight[k] = static_cast<float>(left - next);
+    left = next;
+    if (k < active) corner += ahead[k].second;
+  }
+  place.count = active + 1;
+  return place;
+}
+
+}  // namespace ifov::transport

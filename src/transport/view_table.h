@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "atmosphere/sensor/sensor_atmosphere.h"
+#include "math/vec3.h"
+#include "radiometry/spectrum_block.h"
+
+namespace ifov::transport {
+
+/// What the air between surfaces and the sensor does, by line of sight and height of the surface, in spectral
+/// nodes: linear in the simplices of a fine grid of slopes and heights (Kuhn's division of each cell), which
+/// takes 2 to 4 rows.
+class ViewTable {
+ public:
+  /// `ground_radiance`: of the ground around the scene, by node, whose light the air scatters into the path.
+  ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towards_sun,
+            const std::vector<double>& ground_radiance);
+
+  struct Place {
+    std::size_t count = 0;
+    std::array<const float*, 4> transmittance{}, radiance{};
+    std::array<float, 4> weight{};
+  };
+  /// `towards_sensor` is a unit vector that points up. Beyond the table its rim holds.
+  Place at(math::Vec3 towards_sensor, double height_m) const;
+
+ private:
+  double sun_x_ = 0.0, sun_y_ = 1.0;         // horizontal direction of the Sun, unit
+  std::array<std::vector<double>, 3> axes_;  // height in km, along, across
+  radiometry::SpectrumBlock transmittance_, radiance_;
+};
+
+}  // namespace ifov::transport
