@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 namespace ifov::benchmarks {
 
@@ -57,8 +58,11 @@ math::Vec3 cone_direction(math::Vec3 axis, double half_angle_rad, Chance& chance
 PlainTracer::PlainTracer(const scene::Scene& scene, const PlainSpectra& spectra, const sensor::Camera& camera,
                          const PlainFootprint& footprint, PlainHints hints)
     : scene_(scene), spectra_(spectra), camera_(camera), footprint_(footprint), hints_(std::move(hints)) {
-  for (std::uint32_t m = 0; m < scene.materials.size(); ++m)
+  for (std::uint32_t m = 0; m < scene.materials.size(); ++m) {
     if (scene.materials[m].name == "lamp") lamp_ = m;
+    if (!scene.materials[m].bsdf->is_separable())
+      throw std::logic_error("the plain tracer knows Lambert's law and mirrors alone");
+  }
   if (lamp_ != geometry::kNoMaterial) {
     lamp_radiance_.resize(spectra.columns());
     spectra.add_emission(lamp_, scene.materials[lamp_].temperature_k.value_or(0.0), 1.0,
@@ -161,7 +165,7 @@ void PlainTracer::trace(math::Ray ray, double weight, Chance& chance, Light& lig
     const double most_let_through = *std::max_element(transmittance.begin(), transmittance.end());
     if (most_reflected + most_let_through <= 0.0) return;
 
-    if (scene_.materials[part.material].scattering == materials::ScatteringKind::mirror) {
+    if (scene_.materials[part.material].bsdf->is_delta()) {
       for (std::size_t c = 0; c < columns; ++c) throughput[c] *= reflectance[c];
       ray = {hit.position_m + hit.offset_m * side, mirror_image(ray.direction, side)};
       mirror_before = true;

@@ -69,7 +69,7 @@ void SunPhotons::follow(math::Ray ray, std::size_t ball, double power, Chance& c
     const geometry::SurfacePoint hit = nearest(scene_, ray);
     if (!hit.hit()) return;
     const scene::Constituent part = pick_constituent(scene_.resolve(hit), chance);
-    const bool mirror = scene_.materials[part.material].scattering == materials::ScatteringKind::mirror;
+    const bool mirror = scene_.materials[part.material].bsdf->is_delta();
     if (surfaces == 0) {
       // Each mirror belongs to the first ball that holds it.
       const auto first = std::find_if(hints_.around_mirrors.begin(), hints_.around_mirrors.end(),

@@ -1,9 +1,12 @@
 #include "materials/material.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "core/error.h"
+#include "materials/bsdf/hemisphere.h"
 
 namespace ifov::materials {
 
@@ -38,16 +41,31 @@ void check_sum(const Material& material, const radiometry::Spectrum& transmittan
   }
 }
 
+/// A model may be such that parameters in their ranges reflect more than what arrives.
+void check_energy(const Material& material) {
+  constexpr double kCosines[] = {1.0, 0.7, 0.4, 0.2, 0.1}, kRounding = 1e-3;
+  for (const double cosine : kCosines) {
+    radiometry::Spectrum whole = directional_hemispherical(*material.bsdf, Side::reflected, cosine);
+    if (material.bsdf->may_transmit())
+      whole = radiometry::sum(whole, directional_hemispherical(*material.bsdf, Side::transmitted, cosine));
+    if (whole.maximum() > 1.0 + kRounding)
+      throw InputError(format("material '{}': of light that comes {:.0f} deg from the normal it sends back {:.4g} times as "
+                              "much; its parameters belong to no passive surface",
+                              material.name, std::acos(cosine) * 180.0 / std::numbers::pi, whole.maximum()));
+  }
+}
+
 }  // namespace
 
 void check(const Material& material) {
   check_fraction(material, material.reflectance, "reflectance");
   if (material.transmittance) {
     check_fraction(material, *material.transmittance, "transmittance");
-    if (material.scattering != ScatteringKind::lambertian)
+    if (!material.bsdf->may_transmit())
       throw InputError(format("material '{}': only \"lambertian\" scattering can have a transmittance", material.name));
     check_sum(material, *material.transmittance);
   }
+  if (!material.bsdf->is_separable()) check_energy(material);
   if (material.temperature_k && !(*material.temperature_k > 0.0))
     throw InputError(format("material '{}': a temperature must be above 0 K; found {:g} K", material.name,
                             *material.temperature_k));

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
-#include "materials/scattering.h"
+#include "materials/bsdf/lambertian.h"
 #include "radiometry/spectrum.h"
 
 namespace ifov::materials {
@@ -14,7 +15,9 @@ struct Material {
   std::string name;
   /// Directional-hemispherical reflectance, 0 to 1.
   radiometry::Spectrum reflectance;
-  ScatteringKind scattering = ScatteringKind::lambertian;
+  /// How it spreads light; never null. Where it is not separable, reflectance and transmittance are its bihemispherical
+  /// ones, for whoever needs one number by wavelength.
+  std::shared_ptr<const Bsdf> bsdf = Lambertian::shared();
   /// Kelvin. None: the surface does not emit (a reflective-only scene), unless a temperature map says
   /// otherwise.
   std::optional<double> temperature_k = std::nullopt;
@@ -28,7 +31,7 @@ struct Material {
 };
 
 /// Throws InputError, naming the material, where a reflectance or transmittance leaves [0, 1] or their sum exceeds 1
-/// by more than 1e-9, where anything but a Lambertian transmits, or where a temperature is not above 0 K.
+/// by more than 1e-9, where a model transmits that cannot, or where a temperature is not above 0 K.
 void check(const Material& material);
 
 }  // namespace ifov::materials

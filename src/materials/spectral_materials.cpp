@@ -22,12 +22,17 @@ SpectralMaterials::SpectralMaterials(std::span<const Material> materials,
     nodes.average_surface(material.reflectance.complement(), emissivity);
     maximum_reflectance_.push_back(highest(reflectance_.values(m)));
     maximum_transmittance_.push_back(0.0f);
+    directional_.push_back(material.bsdf->is_separable() ? nullptr : std::make_unique<NodeBsdf>(material.bsdf, nodes));
+    if (const NodeBsdf* model = directional_.back().get()) {
+      maximum_reflectance_.back() = static_cast<float>(model->highest_reflectance());
+      maximum_transmittance_.back() = static_cast<float>(model->highest_transmittance());
+    }
     if (!material.transmittance) continue;
     const std::span<float> transmittance = transmittance_.values(transmittance_row_[m]);
     nodes.average_surface(*material.transmittance, transmittance);
     for (std::size_t n = 0; n < emissivity.size(); ++n)
       emissivity[n] = std::max(0.0f, emissivity[n] - transmittance[n]);
-    maximum_transmittance_.back() = highest(transmittance);
+    if (directional_.back() == nullptr) maximum_transmittance_.back() = highest(transmittance);
   }
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "materials/bsdf/node_bsdf.h"
 #include "materials/material.h"
 #include "radiometry/spectral_nodes.h"
 #include "radiometry/spectrum_block.h"
@@ -24,7 +26,10 @@ class SpectralMaterials {
     return transmittance_.row(transmittance_row_[material]);
   }
   const float* emissivity(std::uint32_t material) const { return emissivity_.row(material); }
-  /// Largest value over the nodes (for Russian roulette).
+  /// A material whose model is not separable: all of its rows depend on direction, and those above are bihemispherical.
+  /// Null for the others.
+  const NodeBsdf* directional(std::uint32_t material) const { return directional_[material].get(); }
+  /// Largest value over the nodes, and directions (for Russian roulette).
   float maximum_reflectance(std::uint32_t material) const { return maximum_reflectance_[material]; }
   float maximum_transmittance(std::uint32_t material) const { return maximum_transmittance_[material]; }
 
@@ -33,6 +38,7 @@ class SpectralMaterials {
   radiometry::SpectrumBlock transmittance_;  // row 0: of the opaque ones
   std::vector<std::uint32_t> transmittance_row_;
   std::vector<float> maximum_reflectance_, maximum_transmittance_;
+  std::vector<std::unique_ptr<const NodeBsdf>> directional_;
 };
 
 }  // namespace ifov::materials

@@ -91,22 +91,35 @@ Spectrum Spectrum::complement() const {
 Spectrum sum(const Spectrum& a, const Spectrum& b) {
   if (a.is_constant()) return b.mapped([&](double value) { return value + a.values().front(); });
   if (b.is_constant()) return sum(b, a);
-  // One that is an error outside its range bounds the sum; the others are asked beyond theirs.
-  double first_um = std::min(a.first_um(), b.first_um()), last_um = std::max(a.last_um(), b.last_um());
-  OutsideRange outside = a.outside();
-  for (const Spectrum* s : {&a, &b}) {
+  const Spectrum* const both[] = {&a, &b};
+  CommonWavelengths common = common_wavelengths(both);
+  if (common.um.empty()) return a;
+  std::vector<double> values;
+  for (const double um : common.um) values.push_back(a.at(um) + b.at(um));
+  return {std::move(common.um), std::move(values), common.outside, a.name()};
+}
+
+CommonWavelengths common_wavelengths(std::span<const Spectrum* const> spectra) {
+  CommonWavelengths common;
+  double first_um = std::numeric_limits<double>::infinity(), last_um = -first_um, bound_first_um = last_um, bound_last_um = first_um;
+  bool any = false, bounded = false;
+  for (const Spectrum* s : spectra) {
+    if (s->is_constant()) continue;
+    if (!any) common.outside = s->outside();
+    any = true;
+    first_um = std::min(first_um, s->first_um());
+    last_um = std::max(last_um, s->last_um());
     if (s->outside() != OutsideRange::error) continue;
-    first_um = std::max(first_um, s->first_um());
-    last_um = std::min(last_um, s->last_um());
-    outside = OutsideRange::error;
+    bounded = true;
+    bound_first_um = std::max(bound_first_um, s->first_um());
+    bound_last_um = std::min(bound_last_um, s->last_um());
   }
-  if (first_um > last_um) return a;
-  std::vector<double> wavelength_um, values;
-  std::set_union(a.wavelength_um().begin(), a.wavelength_um().end(), b.wavelength_um().begin(), b.wavelength_um().end(),
-                 std::back_inserter(wavelength_um));
-  std::erase_if(wavelength_um, [&](double um) { return um < first_um || um > last_um; });
-  for (const double um : wavelength_um) values.push_back(a.at(um) + b.at(um));
-  return {std::move(wavelength_um), std::move(values), outside, a.name()};
+  if (bounded) {
+    first_um = bound_first_um, last_um = bound_last_um;
+    common.outside = OutsideRange::error;
+  }
+  if (any && first_um <= last_um) common.um = merged_wavelengths_um(spectra, first_um, last_um);
+  return common;
 }
 
 Spectrum Spectrum::with_outside(OutsideRange outside) const {

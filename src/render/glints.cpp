@@ -7,7 +7,7 @@
 
 #include "radiometry/spectrum_block.h"
 #include "sampling/quantiles.h"
-#include "transport/surface_lobe.h"
+#include "transport/mirror_ways.h"
 
 namespace ifov::render {
 
@@ -109,7 +109,7 @@ std::uint32_t Glints::row_of(const geometry::SurfacePoint& hit, const scene::Res
   radiometry::SpectrumBlock work(2, scene_.node_count());
   std::vector<double> share(scene_.node_count(), 0.0);
   for (const scene::Constituent& part : surface)
-    if (scene_.scene().materials[part.material].scattering == materials::ScatteringKind::mirror)
+    if (transport::is_mirror(scene_.scene(), part))
       for (std::size_t n = 0; n < share.size(); ++n)
         share[n] += part.weight * scene_.materials().reflectance(part.material)[n];
   const float* sun = scene_.sun_irradiance(hit.position_m.z, work.row(0));

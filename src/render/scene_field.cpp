@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "materials/scattering.h"
 #include "sampling/warp.h"
 
 namespace ifov::render {
@@ -27,7 +26,7 @@ SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Came
   if (scene.scene().sun) disc_points_ = transport::fixed_disc_points(scene.scene().sun->direction, scene.scene().sun->half_angle_rad);
   const std::vector<materials::Material>& materials = scene.scene().materials;
   for (std::uint32_t m = 0; m < materials.size(); ++m)
-    sunlight_.push_back({scene.brightest(m) > 0.0 && !materials::scattering(materials[m].scattering).is_delta(),
+    sunlight_.push_back({scene.brightest(m) > 0.0 && !materials[m].bsdf->is_delta(),
                          scene.materials().maximum_transmittance(m) > 0.0f});
 }
 

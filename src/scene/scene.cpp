@@ -14,7 +14,7 @@ bool Covering::bends_normals() const {
 
 std::vector<bool> Scene::mirror_coverings() const {
   const auto is_mirror = [&](std::uint32_t material) {
-    return materials[material].scattering == materials::ScatteringKind::mirror;
+    return materials[material].bsdf->is_delta();
   };
   std::vector<bool> mirrors;
   for (const Covering& covering : coverings) {

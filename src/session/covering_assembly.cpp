@@ -4,29 +4,33 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <stdexcept>
 
 #include "io/raster/fill_unknown.h"
+#include "materials/bsdf/hemisphere.h"
 #include "session/spectrum_assembly.h"
 #include "session/with_position.h"
 
 namespace ifov::session {
-namespace {
-
-materials::ScatteringKind scattering_of(io::Scattering scattering) {
-  switch (scattering) {
-    case io::Scattering::lambertian: return materials::ScatteringKind::lambertian;
-    case io::Scattering::mirror: return materials::ScatteringKind::mirror;
-  }
-  throw std::logic_error("a material scatters in no known way");
-}
-
-}  // namespace
-
 CoveringAssembly::CoveringAssembly(const io::Document& document, const MapFrame& frame, scene::Scene& scene,
                                    LogSink* log)
     : document_(document), scene_(scene), log_(log), textures_(document, frame, log) {
   add_materials();
+}
+
+void CoveringAssembly::assemble_scattering(const io::MaterialDocument& source, materials::Material& material) const {
+  materials::BsdfInputs inputs{material.reflectance, {}};
+  for (const auto& [key, value] : source.scattering.values) {
+    if (const double* number = std::get_if<double>(&value))
+      inputs.values.emplace_back(key, *number);
+    else
+      inputs.values.emplace_back(key, assemble_spectrum(document_, std::get<io::SpectrumDocument>(value),
+                                                        format("{} of {}", key, source.name)));
+  }
+  material.bsdf = materials::bsdf_model(source.scattering.model).make(inputs);
+  materials::check(material);
+  if (!material.bsdf->is_separable())
+    material.reflectance = materials::directional_hemispherical(*material.bsdf, materials::Side::reflected,
+                                                                materials::kBihemispherical);
 }
 
 void CoveringAssembly::add_materials() {
@@ -35,7 +39,6 @@ void CoveringAssembly::add_materials() {
   for (const io::MaterialDocument& source : document_.scene.materials) {
     materials::Material material;
     material.name = source.name;
-    material.scattering = scattering_of(source.scattering);
     if (source.transmittance)
       material.transmittance = assemble_spectrum(document_, *source.transmittance,
                                                  format("transmittance of {}", source.name));
@@ -45,7 +48,7 @@ void CoveringAssembly::add_materials() {
       const radiometry::Spectrum spectrum =
           assemble_spectrum(document_, curve, format("{}{}", what, source.name));
       material.reflectance = source.is_emissivity ? spectrum.complement() : spectrum;
-      with_position(document_, source.position, [&] { materials::check(material); });
+      with_position(document_, source.position, [&] { assemble_scattering(source, material); });
     };
     take(source.spectrum, source.further_curves.empty() ? "" : "curve 1 of ");
     scene_.materials.push_back(material);

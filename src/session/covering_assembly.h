@@ -47,6 +47,8 @@ class CoveringAssembly {
   using Pattern = std::shared_ptr<const scene::Pattern>;
 
   void add_materials();
+  /// The model of a material whose reflectance is known.
+  void assemble_scattering(const io::MaterialDocument& source, materials::Material& material) const;
   std::uint32_t material_index(const std::string& name) const;
   Surface surface_of(const io::DocumentName& material, const std::optional<io::TemperatureDocument>& temperature);
   std::shared_ptr<const materials::TemperatureMap> temperature_map(const io::TemperatureMap& map);

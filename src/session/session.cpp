@@ -1,3 +1,4 @@
+#include "materials/bsdf/hemisphere.h"
 #include "session/session.h"
 
 #include <algorithm>
@@ -57,6 +58,16 @@ std::function<void(std::size_t, std::size_t)> atmosphere_progress(const LoadOpti
   };
 }
 
+/// What a model makes of light at some angles, and of what: nodes have to hold all of it.
+void add_directional(const materials::Bsdf& bsdf, std::vector<radiometry::Spectrum>& surfaces) {
+  constexpr double kCosines[] = {1.0, 0.5, 0.1};
+  surfaces.insert(surfaces.end(), bsdf.spectra().begin(), bsdf.spectra().end());
+  for (const double cosine : kCosines)
+    for (const materials::Side side : {materials::Side::reflected, materials::Side::transmitted})
+      if (side == materials::Side::reflected || bsdf.may_transmit())
+        surfaces.push_back(materials::directional_hemispherical(bsdf, side, cosine));
+}
+
 /// Spectral nodes for what light can do in the scene (how often it is reflected, and how hot surfaces are), behind the
 /// atmosphere where one is modelled.
 void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept) {
@@ -64,6 +75,7 @@ void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options
   std::vector<radiometry::Spectrum> surfaces;
   for (const materials::Material& material : scene.materials) {
     surfaces.push_back(material.reflectance);
+    if (!material.bsdf->is_separable()) add_directional(*material.bsdf, surfaces);
     if (!material.transmittance) continue;
     surfaces.push_back(*material.transmittance);
     // What a leaf emits is what it neither reflects nor transmits.

@@ -52,37 +52,22 @@ Ground ground_in_view(const scene::Scene& scene, const sensor::Camera& camera) {
 }
 
 radiometry::Spectrum mean_reflectance(const scene::Scene& scene, const Ground& ground) {
-  std::vector<const radiometry::Spectrum*> tables;
-  double constant = 0.0, first_um = 0.0, last_um = 1e300;
-  for (const auto& [material, area] : ground.share) {
-    const radiometry::Spectrum& reflectance = scene.materials[material].reflectance;
-    if (reflectance.is_constant()) {
-      constant += area / ground.area * reflectance.values()[0];
-      continue;
-    }
-    tables.push_back(&reflectance);
-    // Beyond a table that ends, nothing is known of the mean; one that goes on does so.
-    if (reflectance.outside() != radiometry::OutsideRange::error) continue;
-    first_um = std::max(first_um, reflectance.first_um());
-    last_um = std::min(last_um, reflectance.last_um());
-  }
-  if (tables.empty()) return radiometry::Spectrum::constant(std::clamp(constant, 0.0, 1.0));
-  const bool bounded = last_um < 1e300;
-  double low_um = 1e300, high_um = 0.0;
-  for (const radiometry::Spectrum* table : tables) {
-    low_um = std::min(low_um, table->first_um());
-    high_um = std::max(high_um, table->last_um());
-  }
-  const std::vector<double> wavelengths_um =
-      radiometry::merged_wavelengths_um(tables, std::max(first_um, low_um), std::min(last_um, high_um));
-  std::vector<double> values(wavelengths_um.size(), 0.0);
-  for (std::size_t k = 0; k < values.size(); ++k) {
+  std::vector<const radiometry::Spectrum*> spectra;
+  for (const auto& [material, area] : ground.share) spectra.push_back(&scene.materials[material].reflectance);
+  const auto mean_at = [&](double um) {
+    double mean = 0.0;
     for (const auto& [material, area] : ground.share)
-      values[k] += area / ground.area * scene.materials[material].reflectance.at(wavelengths_um[k]);
-    values[k] = std::clamp(values[k], 0.0, 1.0);
+      mean += area / ground.area * scene.materials[material].reflectance.at(um);
+    return std::clamp(mean, 0.0, 1.0);
+  };
+  radiometry::CommonWavelengths common = radiometry::common_wavelengths(spectra);
+  if (common.um.empty()) {
+    constexpr double kAny_um = 1.0;
+    return radiometry::Spectrum::constant(mean_at(kAny_um));
   }
-  return {wavelengths_um, std::move(values),
-          bounded ? radiometry::OutsideRange::error : radiometry::OutsideRange::extend, "mean reflectance of the ground"};
+  std::vector<double> values;
+  for (const double um : common.um) values.push_back(mean_at(um));
+  return {std::move(common.um), std::move(values), common.outside, "mean reflectance of the ground"};
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "materials/scattering.h"
 
 namespace ifov::transport {
 
@@ -49,7 +48,7 @@ void EmitterChoice::list_surfaces() {
     Surface surface;
     surface.covering = covering;
     surface.scatters = scene_.brightest(material) > 0.0 &&
-                       !materials::scattering(scene.materials[material].scattering).is_delta();
+                       !scene.materials[material].bsdf->is_delta();
     const auto emitted = [&](double temperature_k) {
       std::fill(row.begin(), row.end(), 0.0f);
       if (temperature_k > 0.0) scene_.nodes().planck(temperature_k, std::span<float>(row));

@@ -73,10 +73,11 @@ double looked_at(const SpectralScene& scene, const EmitterChoice& choice, const 
   }
   std::vector<SurfacePoint> hits(rays.size());
   scene.scene().world->intersect(rays, hits);
-  radiometry::SpectrumBlock scratch(2, scene.node_count());
+  radiometry::SpectrumBlock scratch(3, scene.node_count());
   double sum = 0.0;
-  for (const SurfacePoint& hit : hits)
-    if (is_of(piece, hit)) sum += choice.brightness(scene.emission(scene.scene().resolve(hit), scratch.row(0)));
+  for (std::size_t k = 0; k < hits.size(); ++k)
+    if (is_of(piece, hits[k]))
+      sum += choice.brightness(scene.emission(scene.scene().resolve(hits[k]), -rays[k].direction, scratch.row(0)));
   return std::max(sum / static_cast<double>(rays.size()), kLeastPart * choice.brightest(piece.material));
 }
 

@@ -30,7 +30,7 @@ bool reflect(MirrorWay& way, const SunMirrors& mirrors, const geometry::SurfaceP
 
 /// Whether a constituent reflects as a mirror.
 inline bool is_mirror(const scene::Scene& scene, const scene::Constituent& part) {
-  return scene.materials[part.material].scattering == materials::ScatteringKind::mirror;
+  return scene.materials[part.material].bsdf->is_delta();
 }
 
 /// Traces ways until they reach the Sun or do not. An object serves one thread.

@@ -10,6 +10,7 @@
 namespace ifov::transport {
 
 PathLight::PathLight(const SpectralScene& scene) : scene_(scene), n_(scene.stride()) {
+  static_assert(kMoreWork == kWork + 1);  // which directional rows are worked out in
   rows_.resize(kRows, scene.node_count());
 }
 
@@ -66,7 +67,7 @@ void PathLight::add_later(const PathRecord& record, const PathVertex& vertex) {
   if (vertex.sun_weight > 0.0f) {
     factor = sun_factor(record, vertex);
     const float* sun = scene_.sun_irradiance(vertex.height_m, row(kSun));
-    if (goes_on && vertex.sun_through == vertex.bounce_through) {
+    if (goes_on && vertex.sun_through == vertex.bounce_through && !is_directional(record, vertex)) {
       rows::add_and_scale(sum, throughput, factor, sun, vertex.sun_weight, vertex.bounce_weight, n_);
       return;
     }
@@ -80,11 +81,13 @@ void PathLight::add_sought(const PathRecord& record, const PathVertex& vertex, c
   const float* factor = vertex.sought_factor;
   if (vertex.mixed != PathVertex::kNone) {
     const PathRecord::Mixed& mixed = record.mixed[vertex.mixed];
-    factor = lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.sought_through, row(kSoughtFactor));
+    factor = lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.sought_through,
+                         mixed.events == PathVertex::kNone ? nullptr : &record.events[mixed.events].sought, row(kSoughtFactor),
+                         row(kWork));
   }
   const float* emitted = vertex.sought_emission;
   if (vertex.sought_mixed != PathVertex::kNone)
-    emitted = scene_.emission(record.mixed[vertex.sought_mixed].surface, row(kEmission));
+    emitted = emission(record.mixed[vertex.sought_mixed]);
   if (emitted == nullptr) return;
   if (throughput != nullptr)
     rows::add_scaled_product(row(kSum), throughput, factor, emitted, vertex.sought_weight, n_);
@@ -94,21 +97,28 @@ void PathLight::add_sought(const PathRecord& record, const PathVertex& vertex, c
 
 const float* PathLight::emission(const PathRecord& record, const PathVertex& vertex) {
   if (vertex.mixed == PathVertex::kNone) return vertex.emission;
-  static_assert(kEmissionPart == kEmission + 1);  // which a blend's emission is worked out in
-  return scene_.emission(record.mixed[vertex.mixed].surface, row(kEmission));
+  return emission(record.mixed[vertex.mixed]);
+}
+
+const float* PathLight::emission(const PathRecord::Mixed& mixed) {
+  static_assert(kEmissionPart == kEmission + 1 && kEmissionWork == kEmission + 2);  // which rows are worked out in
+  return scene_.emission(mixed.surface, mixed.outgoing, row(kEmission));
 }
 
 const float* PathLight::sun_factor(const PathRecord& record, const PathVertex& vertex) {
   if (vertex.mixed == PathVertex::kNone) return vertex.sun_factor;
   const PathRecord::Mixed& mixed = record.mixed[vertex.mixed];
-  return lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.sun_through, row(kSunFactor));
+  return lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.sun_through,
+                     mixed.events == PathVertex::kNone ? nullptr : &record.events[mixed.events].sun, row(kSunFactor), row(kWork));
 }
 
 const float* PathLight::bounce_factor(const PathRecord& record, const PathVertex& vertex, const float* sun) {
   if (vertex.mixed == PathVertex::kNone) return vertex.bounce_factor;
-  if (sun != nullptr && vertex.sun_through == vertex.bounce_through) return sun;
   const PathRecord::Mixed& mixed = record.mixed[vertex.mixed];
-  return lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.bounce_through, row(kBounceFactor));
+  const bool directional = mixed.events != PathVertex::kNone;
+  if (sun != nullptr && vertex.sun_through == vertex.bounce_through && !directional) return sun;
+  return lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.bounce_through,
+                     directional ? &record.events[mixed.events].bounce : nullptr, row(kBounceFactor), row(kWork));
 }
 
 void PathLight::add_mirrored(const PathRecord& record, const PathVertex& vertex, const float* throughput) {
@@ -117,7 +127,8 @@ void PathLight::add_mirrored(const PathRecord& record, const PathVertex& vertex,
     const float* values = factor.row;
     if (values == nullptr) {
       const PathRecord::Mixed& mixed = record.mixed[factor.mixed];
-      values = lobe_factor(scene_, mixed.surface, mixed.lobe, through, row(kDimmed));
+      const LobeEvent* event = factor.event == PathVertex::kNone ? nullptr : &record.way_events[factor.event];
+      values = lobe_factor(scene_, mixed.surface, mixed.lobe, through, event, row(kDimmed), row(kWork));
     }
     for (std::size_t i = 0; i < n_; ++i) way[i] *= values[i];
   };
@@ -129,7 +140,7 @@ void PathLight::add_mirrored(const PathRecord& record, const PathVertex& vertex,
     else
       source = light.emission_mixed == PathVertex::kNone
                    ? light.emission
-                   : scene_.emission(record.mixed[light.emission_mixed].surface, row(kEmission));
+                   : emission(record.mixed[light.emission_mixed]);
     if (source == nullptr) continue;
     rows::set_scaled(way, source, light.weight, n_);
     times(light.surface, light.through);

@@ -18,12 +18,16 @@ class PathLight {
   float* radiance(const PathRecord& record, std::size_t k);
 
  private:
-  enum Row { kSum, kThroughput, kEmission, kEmissionPart, kSunFactor, kBounceFactor, kSun, kSkyShare, kDimmed,
-             kSoughtFactor, kWay, kRows };
+  enum Row { kSum, kThroughput, kEmission, kEmissionPart, kEmissionWork, kSunFactor, kBounceFactor, kSun, kSkyShare, kDimmed,
+             kSoughtFactor, kWay, kWork, kMoreWork, kRows };
   float* row(Row r) { return rows_.row(r); }
   void add_first(const PathRecord& record, const PathVertex& vertex);
   void add_later(const PathRecord& record, const PathVertex& vertex);
   const float* emission(const PathRecord& record, const PathVertex& vertex);
+  const float* emission(const PathRecord::Mixed& mixed);
+  static bool is_directional(const PathRecord& record, const PathVertex& vertex) {
+    return vertex.mixed != PathVertex::kNone && record.mixed[vertex.mixed].events != PathVertex::kNone;
+  }
   const float* sun_factor(const PathRecord& record, const PathVertex& vertex);
   /// `sun` the vertex's sun_factor() if that is known, else null.
   const float* bounce_factor(const PathRecord& record, const PathVertex& vertex, const float* sun);

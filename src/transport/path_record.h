@@ -45,10 +45,17 @@ struct PathRecord {
     float brightest = 1.0f;  ///< at least the throughput in any node; kept where there are mirrors (SunMirrors)
     float unseen = 0.0f;     ///< of the Sun's irradiance, 1/sr: what may come by ways that are not sought (WideSun)
   };
-  /// Materials side by side, or a temperature from a map.
+  /// A surface whose rows are not kept: materials side by side, a temperature from a map, or a model that depends on
+  /// direction.
   struct Mixed {
     scene::ResolvedSurface surface;
     SurfaceLobe lobe;
+    math::Vec3 outgoing;                        ///< towards where the path comes from
+    std::uint32_t events = PathVertex::kNone;  ///< index into PathRecord::events; none where the lobe is separable
+  };
+  /// Of one surface, by what light met it.
+  struct Events {
+    LobeEvent sun, sought, bounce;
   };
   /// Light that reached a vertex by way of mirrors: the Sun's, or an emitter's.
   struct Mirrored {
@@ -60,6 +67,7 @@ struct PathRecord {
     struct Factor {
       const float* row = nullptr;                ///< null: of `mixed`
       std::uint32_t mixed = PathVertex::kNone;
+      std::uint32_t event = PathVertex::kNone;   ///< index into PathRecord::way_events
     };
     Factor surface;                          ///< of the vertex
     std::array<Factor, kMost> mirrors;
@@ -71,12 +79,16 @@ struct PathRecord {
   std::vector<Path> paths;
   std::vector<PathVertex> vertices;
   std::vector<Mixed> mixed;
+  std::vector<Events> events;
+  std::vector<LobeEvent> way_events;  ///< at surfaces that mirrors light
   std::vector<Mirrored> mirrored;
 
   void start(std::size_t count) {
     paths.assign(count, {});
     vertices.clear();
     mixed.clear();
+    events.clear();
+    way_events.clear();
     mirrored.clear();
   }
   void add(std::uint32_t path, const PathVertex& vertex) {

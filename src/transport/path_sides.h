@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/surface_point.h"
 #include "math/vec3.h"
@@ -22,6 +23,24 @@ struct PathTracer::Sides {
   math::Vec3 outward;   // geometric normal
   math::Normal3 shading;
   bool bent = false;  // the two differ
+
+  /// An event towards the viewer, without the direction that light comes from.
+  materials::BsdfEvent view(const materials::Bsdf& bsdf, bool through) const {
+    materials::BsdfEvent event{outgoing, {}, shading, {}, through ? materials::Side::transmitted : materials::Side::reflected};
+    if (!bsdf.is_isotropic()) event.tangent = tangent();
+    return event;
+  }
+  materials::BsdfEvent event(const materials::Bsdf& bsdf, bool through, math::Vec3 incoming) const {
+    materials::BsdfEvent event = view(bsdf, through);
+    event.incoming = incoming;
+    return event;
+  }
+  /// East, along the surface; north where the surface faces east or west.
+  math::Vec3 tangent() const {
+    const math::Vec3 n = shading.as_vector();
+    const math::Vec3 along = std::abs(n.x) < 0.999 ? math::Vec3{1.0, 0.0, 0.0} : math::Vec3{0.0, 1.0, 0.0};
+    return math::normalized(along - math::dot(along, n) * n);
+  }
 
   Sides(math::Vec3 towards_viewer, const geometry::SurfacePoint& hit, math::Normal3 shading_normal)
       : outgoing(towards_viewer),

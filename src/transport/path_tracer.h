@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "materials/scattering.h"
 #include "math/ray.h"
 #include "sampling/field.h"
 #include "sampling/warp.h"
@@ -129,7 +128,11 @@ class PathTracer {
   void trace_segment(sampling::RayCounts& counts, int depth);
   void advance(int depth, sampling::RayCounts& counts);
   void escape(const Path& path);
-  PathVertex vertex_of(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe);
+  PathVertex vertex_of(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, math::Vec3 outgoing);
+  /// Index of a surface whose rows are not kept.
+  std::uint32_t add_mixed(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, math::Vec3 outgoing);
+  /// Where a vertex keeps its events; null where its lobe is separable.
+  PathRecord::Events* events_of(const PathVertex& vertex);
   /// What becomes of a path at a surface: an event is added, of no weights where it ends there without sunlight.
   void scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface, int depth);
   void send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, sampling::Point2 u,
@@ -146,7 +149,8 @@ class PathTracer {
                       const Sides& sides, const geometry::SurfacePoint& hit, int depth, sampling::Point2 u);
   void send_to_rounds(const Path& path, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
                       const Sides& sides, const geometry::SurfacePoint& hit, int depth, sampling::Point2 u);
-  void send_by_mirrors(MirrorRay way, const SunRay& light, double weight, const scene::ResolvedSurface& surface);
+  void send_by_mirrors(MirrorRay way, const SunRay& light, double weight, const scene::ResolvedSurface& surface,
+                       const SurfaceLobe& lobe, const Sides& sides);
   void send_to_unseen(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
                       const geometry::SurfacePoint& hit, int depth);
   /// Along which mirrors the path goes on, and whether it may meet the Sun there.
@@ -156,7 +160,7 @@ class PathTracer {
   void trace_unseen_rays(sampling::RayCounts& counts);
   /// Direction, side and weight of the continued path, before any roulette; false where it ends.
   bool bounce(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, sampling::Point2 u,
-              Scatter& event) const;
+              Scatter& event);
   /// Sends a ray to an emitter.
   void seek(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, const PathKey& key, int depth,
             Scatter& event);
@@ -168,19 +172,26 @@ class PathTracer {
   bool shows_mirror(const scene::ResolvedSurface& surface) const;
   /// What a mirror leaves of light.
   PathRecord::Mirrored::Factor mirror_factor(const scene::ResolvedSurface& surface);
+  /// What the surface of an event makes of light that reaches it by way of mirrors.
+  PathRecord::Mirrored::Factor surface_factor(const scene::ResolvedSurface& surface, const PathVertex& vertex,
+                                              const LobeEvent& event, bool through);
   /// The chance of one plane to be sought by from one surface.
   double mirror_chance() const;
   /// Notes how the next ray leaves: by reflection or not, sides chosen with a chance.
   void leave(const SurfaceLobe& lobe, const Sides& sides, bool through, double chance, Scatter& event) const;
   /// Share of what a path's ray met that is not sought from where it comes from: all or nothing, by the maximum heuristic.
   float unsought(const Path& path, const geometry::SurfacePoint& hit) const;
-  /// Scattered by the lobe from a direction on a side, BRDF times cosine; and the density with which bounce() takes it,
-  /// the choice of the side not included.
+  /// The event of light from a direction that reaches a surface geometrically: of irradiance on the shading normal's
+  /// plane, or of radiance, weighed by cosines.
+  static LobeEvent arriving(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through);
+  static LobeEvent scattering(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through);
+  /// Scattered by the lobe from a direction on a side, shape times cosine (1 of a directional one, whose event holds the
+  /// cosine); and the density with which bounce() takes it, the choice of the side not included.
   static double scattered(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through);
   double bounce_density(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through) const;
-  double sky_share(const materials::Scattering& scattering, math::Normal3 lobe, bool bent) const;
-  materials::ScatterSample sample_bounce(const materials::Scattering& scattering, math::Vec3 viewer, math::Normal3 lobe,
-                                         bool bent, sampling::Point2 u) const;
+  double sky_share(const materials::Bsdf& bsdf, const materials::BsdfEvent& view, bool bent) const;
+  materials::BsdfSample sample_bounce(const materials::Bsdf& bsdf, const materials::BsdfEvent& view, bool bent,
+                                      sampling::Point2 u) const;
   sampling::LightSample sample_sun(math::Vec3 towards_sun, math::Vec3 normal, bool either_side,
                                    sampling::Point2 u) const;
 

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "materials/scattering.h"
 #include "sampling/sequence.h"
 #include "transport/path_sides.h"
 #include "transport/path_tracer.h"
@@ -56,7 +55,7 @@ void PathTracer::send_to_images(const Path& path, const scene::ResolvedSurface& 
     MirrorRay way;
     way.image = seen_images_[picked];
     send_by_mirrors(way, sun_ray(lobe, sides, hit, images[way.image].direction, u),
-                    static_cast<double>(seen) / static_cast<double>(rays), surface);
+                    static_cast<double>(seen) / static_cast<double>(rays), surface, lobe, sides);
   }
 }
 
@@ -100,23 +99,18 @@ void PathTracer::send_to_rounds(const Path& path, const scene::ResolvedSurface& 
     way.at = image->at;
     way.towards_sun = towards_sun;
     send_by_mirrors(way, light_ray(lobe, sides, hit, image->direction, cosine * weight / image->spread), 1.0 / chance,
-                    surface);
+                    surface, lobe, sides);
   }
 }
 
 void PathTracer::send_by_mirrors(MirrorRay way, const SunRay& light, double weight,
-                                 const scene::ResolvedSurface& surface) {
+                                 const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, const Sides& sides) {
   if (light.weight <= 0.0) return;
   way.event = static_cast<std::uint32_t>(scatters_.size() - 1);
   way.ray = light.ray;
   way.light.weight = static_cast<float>(light.weight * weight);
   way.light.through = light.through;
-  way.light.surface.mixed = scatters_.back().vertex.mixed;
-  if (way.light.surface.mixed == PathVertex::kNone) {
-    const std::uint32_t material = surface.constituents[0].material;
-    way.light.surface.row =
-        light.through ? scene_.materials().transmittance(material) : scene_.materials().reflectance(material);
-  }
+  way.light.surface = surface_factor(surface, scatters_.back().vertex, lobe.directional ? arriving(lobe, sides, light.ray.direction, light.through) : LobeEvent{}, light.through);
   mirror_rays_.push_back(way);
 }
 
@@ -139,7 +133,7 @@ void PathTracer::note_way(const Path& path, const SurfaceLobe& lobe, const Sides
                           const geometry::SurfacePoint& hit, Scatter& event) {
   const double highest = event.vertex.bounce_through ? lobe.highest_transmittance : lobe.highest_reflectance;
   Way& way = event.next_way;
-  if (!lobe.scattering->is_delta()) {
+  if (!lobe.bsdf->is_delta()) {
     way = {};
     way.from_sensor = false;
   } else {
@@ -165,7 +159,7 @@ void PathTracer::note_way(const Path& path, const SurfaceLobe& lobe, const Sides
       way.unseen = !sought && (way.unseen || way.flat || way.reflections > 1);
     }
   }
-  record_.paths[path.number].brightest *= static_cast<float>(highest) * event.vertex.bounce_weight;
+  record_.paths[path.number].brightest *= static_cast<float>(highest * lobe.shape_scale()) * event.vertex.bounce_weight;
 }
 
 void PathTracer::send_to_unseen(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
@@ -197,7 +191,7 @@ void PathTracer::send_to_unseen(const Path& path, const SurfaceLobe& lobe, const
     const double cosine = math::dot(normal, direction);
     if (highest <= 0.0 || cosine <= 0.0) continue;
     const double weight =
-        lobe.scattering->evaluate(through ? normal : sides.outgoing, direction, math::as_normal(normal)) * cosine *
+        lobe.bsdf->shape(sides.event(*lobe.bsdf, through, direction)) * lobe.shape_scale() * cosine *
         cone.solid_angle_sr() * all / chance[picked] * highest *
         static_cast<double>(record_.paths[path.number].brightest) / static_cast<double>(rays);
     if (!(weight > kNegligible)) continue;

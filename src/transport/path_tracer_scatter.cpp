@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "materials/scattering.h"
 #include "math/vec3.h"
 #include "sampling/sequence.h"
 #include "transport/path_sides.h"
@@ -24,15 +23,29 @@ constexpr double kMostSkySamples = 0.6;
 
 }  // namespace
 
-PathVertex PathTracer::vertex_of(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe) {
+std::uint32_t PathTracer::add_mixed(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, math::Vec3 outgoing) {
+  record_.mixed.push_back({surface, lobe, outgoing, PathVertex::kNone});
+  return static_cast<std::uint32_t>(record_.mixed.size() - 1);
+}
+
+PathVertex PathTracer::vertex_of(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, math::Vec3 outgoing) {
   PathVertex vertex;
-  if (surface.count > 1 || surface.constituents[0].mapped_temperature_k > 0.0) {
-    vertex.mixed = static_cast<std::uint32_t>(record_.mixed.size());
-    record_.mixed.push_back({surface, lobe});
-  } else {
-    vertex.emission = scene_.emission(surface, nullptr);
+  if (!scene_.is_mixed(surface)) {
+    vertex.emission = scene_.emission(surface, outgoing, nullptr);
+    return vertex;
+  }
+  vertex.mixed = add_mixed(surface, lobe, outgoing);
+  if (lobe.directional) {
+    record_.mixed.back().events = static_cast<std::uint32_t>(record_.events.size());
+    record_.events.emplace_back();
   }
   return vertex;
+}
+
+PathRecord::Events* PathTracer::events_of(const PathVertex& vertex) {
+  if (vertex.mixed == PathVertex::kNone) return nullptr;
+  const std::uint32_t events = record_.mixed[vertex.mixed].events;
+  return events == PathVertex::kNone ? nullptr : &record_.events[events];
 }
 
 void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface,
@@ -45,14 +58,14 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
   const geometry::SurfacePoint& hit = hits_[path_index];
   Scatter& event = scatters_.emplace_back();
   event.path = path_index;
-  event.vertex = vertex_of(surface, lobe);
+  event.vertex = vertex_of(surface, lobe, -path.ray.direction);
   event.vertex.height_m = hit.position_m.z;
   if (path.left.seek_chance > 0.0) event.vertex.emission_weight = unsought(path, hit);
   if (depth == options_.maximum_scatterings || lobe.highest_reflectance + lobe.highest_transmittance <= 0.0) return;
 
   const Sides sides(-path.ray.direction, hit, surface.shading_normal);
   const std::uint32_t pair = 1u + 2u * static_cast<std::uint32_t>(depth);
-  if (scene_.scene().sun && !lobe.scattering->is_delta()) {
+  if (scene_.scene().sun && !lobe.bsdf->is_delta()) {
     const sampling::Point2 u = sampling::sequence_point(path.key.sequence, path.key.index, pair);
     send_to_sun(lobe, sides, hit, u, event);
     if (mirrors_ != nullptr) {
@@ -62,21 +75,21 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
     }
   }
   PathVertex& vertex = event.vertex;
-  if (emitters_ != nullptr && depth + 1 != options_.maximum_scatterings && !lobe.scattering->is_delta())
+  if (emitters_ != nullptr && depth + 1 != options_.maximum_scatterings && !lobe.bsdf->is_delta())
     seek(lobe, sides, hit, path.key, depth, event);
   const bool by_mirrors = emitter_mirrors_ != nullptr && (options_.maximum_scatterings < 0 || depth + 2 <= options_.maximum_scatterings);
-  if (by_mirrors && !lobe.scattering->is_delta()) seek_by_mirrors(surface, lobe, sides, hit, path.key, depth, event);
+  if (by_mirrors && !lobe.bsdf->is_delta()) seek_by_mirrors(surface, lobe, sides, hit, path.key, depth, event);
   if (depth + 1 != options_.maximum_scatterings &&
       bounce(lobe, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair + 1u), event) &&
       depth + 1 >= kCertainScatterings) {
     const double highest = vertex.bounce_through ? lobe.highest_transmittance : lobe.highest_reflectance;
-    const double chance = std::min(1.0, highest * vertex.bounce_weight);
+    const double chance = std::min(1.0, highest * vertex.bounce_weight * lobe.shape_scale());
     const bool survives =
         sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth)) < chance;
     vertex.bounce_weight = survives ? static_cast<float>(vertex.bounce_weight / chance) : 0.0f;
   }
   if (by_mirrors && vertex.bounce_weight > 0.0f) {
-    if (!lobe.scattering->is_delta()) {
+    if (!lobe.bsdf->is_delta()) {
       event.left.mirror_chance = lobe.highest_transmittance > 0.0 ? 0.0 : mirror_chance();
     } else if (path.left.mirror_chance > 0.0 && !vertex.bounce_through) {
       // The next segment is seen from behind the mirror.
@@ -100,6 +113,7 @@ void PathTracer::send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const 
                              sampling::Point2 u, Scatter& event) {
   const SunRay light = sun_ray(lobe, sides, hit, scene_.scene().sun->direction, u);
   if (light.weight <= 0.0) return;
+  if (PathRecord::Events* events = events_of(event.vertex)) events->sun = arriving(lobe, sides, light.ray.direction, light.through);
   event.vertex.sun_weight = static_cast<float>(light.weight);
   event.vertex.sun_through = light.through;
   event.shadow = static_cast<std::uint32_t>(shadow_rays_.size());
@@ -122,24 +136,38 @@ PathTracer::SunRay PathTracer::light_ray(const SurfaceLobe& lobe, const Sides& s
   if (weight_sr <= 0.0 || (through ? height >= 0.0 : height <= 0.0)) return {};
 
   // Light that a bent normal would take from below the surface comes mirrored from above it.
-  const math::Vec3 normal = through ? -sides.shading.as_vector() : sides.shading.as_vector();
-  const math::Vec3 viewer =
-      through ? normal : sides.outgoing;  // what is let through looks alike from everywhere
-  const math::Normal3 axis = math::as_normal(normal);
-  double weight = weight_sr * lobe.scattering->evaluate(viewer, direction, axis);
-  if (sides.bent) {
-    const math::Vec3 image = mirrored(direction, sides.outward);
-    const double own = math::dot(normal, direction), below = math::dot(normal, image);
-    if (own > 0.0 && below > 0.0)
-      weight += weight_sr * lobe.scattering->evaluate(viewer, image, axis) * below / own;
+  materials::BsdfEvent event = sides.event(*lobe.bsdf, through, direction);
+  double weight = weight_sr * lobe.bsdf->shape(event);
+  if (sides.bent && !lobe.directional) {
+    const double own = event.incoming_cosine();
+    event.incoming = mirrored(direction, sides.outward);
+    const double below = event.incoming_cosine();
+    if (own > 0.0 && below > 0.0) weight += weight_sr * lobe.bsdf->shape(event) * below / own;
   }
   return {{hit.position_m + (through ? -hit.offset_m : hit.offset_m) * sides.outward, direction},
           weight,
           through};
 }
 
+LobeEvent PathTracer::arriving(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through) {
+  LobeEvent event = scattering(lobe, sides, direction, through);
+  event.image_weight = event.weight > 0.0f ? event.image_weight / event.weight : 0.0f;
+  event.weight = 1.0f;
+  return event;
+}
+
+LobeEvent PathTracer::scattering(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through) {
+  LobeEvent event{sides.event(*lobe.bsdf, through, direction), {}, 0.0f, 0.0f};
+  event.weight = static_cast<float>(std::max(0.0, event.event.incoming_cosine()));
+  if (!sides.bent) return event;
+  materials::BsdfEvent other = event.event;
+  event.image = other.incoming = mirrored(direction, sides.outward);
+  event.image_weight = static_cast<float>(std::max(0.0, other.incoming_cosine()));
+  return event;
+}
+
 bool PathTracer::bounce(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
-                        sampling::Point2 u, Scatter& event) const {
+                        sampling::Point2 u, Scatter& event) {
   // The side is chosen so that no node's weight outgrows the sum of the two highest factors.
   double chance = 1.0;
   bool through = false;
@@ -150,16 +178,19 @@ bool PathTracer::bounce(const SurfaceLobe& lobe, const Sides& sides, const geome
     if (through) chance = 1.0 - chance;
   }
   const math::Vec3 outward = through ? -sides.outward : sides.outward;
-  const math::Normal3 axis = through ? -sides.shading : sides.shading;
-  const math::Vec3 viewer = through ? axis.as_vector() : sides.outgoing;
-  materials::ScatterSample sample = sample_bounce(*lobe.scattering, viewer, axis, sides.bent, u);
+  const materials::BsdfEvent view = sides.view(*lobe.bsdf, through);
+  materials::BsdfSample sample = sample_bounce(*lobe.bsdf, view, sides.bent, u);
+  if (PathRecord::Events* events = events_of(event.vertex)) {
+    events->bounce.event = view;
+    events->bounce.event.incoming = sample.incoming;
+  }
   if (sides.bent && math::dot(sample.incoming, outward) < 0.0)
     sample.incoming = mirrored(sample.incoming, outward);
   if (!(sample.weight > 0.0) || !(math::dot(sample.incoming, outward) > 0.0)) return false;
   event.vertex.bounce_weight = static_cast<float>(sample.weight / chance);
   event.vertex.bounce_through = through;
   event.next = {hit.position_m + hit.offset_m * outward, sample.incoming};
-  event.next_sees_sun = lobe.scattering->is_delta();
+  event.next_sees_sun = lobe.bsdf->is_delta();
   if (emitters_ != nullptr) leave(lobe, sides, through, chance, event);
   return true;
 }
@@ -167,27 +198,26 @@ bool PathTracer::bounce(const SurfaceLobe& lobe, const Sides& sides, const geome
 /// Under a sky that is brighter here than there, some directions are drawn from the sky and all weigh by the
 /// density of both (Veach and Guibas 1995, one sample, balance heuristic): those that see the sky weigh
 /// almost alike.
-materials::ScatterSample PathTracer::sample_bounce(const materials::Scattering& scattering, math::Vec3 viewer,
-                                                   math::Normal3 lobe, bool bent, sampling::Point2 u) const {
-  const double share = sky_share(scattering, lobe, bent);
-  if (share == 0.0) return scattering.sample(viewer, lobe, u.x, u.y);
-  materials::ScatterSample sample;
+materials::BsdfSample PathTracer::sample_bounce(const materials::Bsdf& bsdf, const materials::BsdfEvent& view, bool bent,
+                                                sampling::Point2 u) const {
+  const double share = sky_share(bsdf, view, bent);
+  if (share == 0.0) return bsdf.sample(view, u.x, u.y);
+  materials::BsdfSample sample;
   if (u.x < share)
     sample.incoming = sky_->sample({u.x / share, u.y});
   else
-    sample = scattering.sample(viewer, lobe, (u.x - share) / (1.0 - share), u.y);
-  const double cosine = math::dot(lobe.as_vector(), sample.incoming);
-  sample.pdf =
-      (1.0 - share) * scattering.pdf(viewer, sample.incoming, lobe) + share * sky_->density(sample.incoming);
-  sample.weight = cosine > 0.0 && sample.pdf > 0.0
-                      ? scattering.evaluate(viewer, sample.incoming, lobe) * cosine / sample.pdf
-                      : 0.0;
+    sample = bsdf.sample(view, (u.x - share) / (1.0 - share), u.y);
+  materials::BsdfEvent event = view;
+  event.incoming = sample.incoming;
+  const double cosine = event.incoming_cosine();
+  sample.pdf = (1.0 - share) * bsdf.pdf(event) + share * sky_->density(sample.incoming);
+  sample.weight = cosine > 0.0 && sample.pdf > 0.0 ? bsdf.shape(event) * cosine / sample.pdf : 0.0;
   return sample;
 }
 
-double PathTracer::sky_share(const materials::Scattering& scattering, math::Normal3 lobe, bool bent) const {
-  const double height = lobe.as_vector().z;
-  return sky_ == nullptr || bent || scattering.is_delta() || height <= 0.0 ? 0.0 : kMostSkySamples * height * height;
+double PathTracer::sky_share(const materials::Bsdf& bsdf, const materials::BsdfEvent& view, bool bent) const {
+  const double height = view.side == materials::Side::reflected ? view.normal.z : -view.normal.z;
+  return sky_ == nullptr || bent || bsdf.is_delta() || height <= 0.0 ? 0.0 : kMostSkySamples * height * height;
 }
 
 sampling::LightSample PathTracer::sample_sun(math::Vec3 towards_sun, math::Vec3 normal, bool either_side,

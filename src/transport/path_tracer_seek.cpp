@@ -1,7 +1,7 @@
 // Light that is sought from emitters, and its balance with what scattered rays find.
 #include <algorithm>
 
-#include "materials/scattering.h"
+#include "materials/bsdf/mirror.h"
 #include "math/vec3.h"
 #include "sampling/sequence.h"
 #include "transport/path_sides.h"
@@ -19,28 +19,31 @@ constexpr std::size_t kMostPlanes = 4;
 }  // namespace
 
 double PathTracer::scattered(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through) {
-  const math::Normal3 axis = through ? -sides.shading : sides.shading;
-  const math::Vec3 viewer = through ? axis.as_vector() : sides.outgoing;
-  const double own = std::max(0.0, math::dot(axis, direction));
-  double light = own > 0.0 ? own * lobe.scattering->evaluate(viewer, direction, axis) : 0.0;
+  materials::BsdfEvent event = sides.event(*lobe.bsdf, through, direction);
+  if (lobe.directional) {
+    const LobeEvent kept = scattering(lobe, sides, direction, through);
+    return kept.weight > 0.0f || kept.image_weight > 0.0f ? 1.0 : 0.0;
+  }
+  const double own = std::max(0.0, event.incoming_cosine());
+  double light = own > 0.0 ? own * lobe.bsdf->shape(event) : 0.0;
   if (sides.bent) {
     // What the bent normal would take from below the surface comes mirrored from above it.
-    const math::Vec3 image = mirrored(direction, sides.outward);
-    const double below = math::dot(axis, image);
-    if (below > 0.0) light += below * lobe.scattering->evaluate(viewer, image, axis);
+    event.incoming = mirrored(direction, sides.outward);
+    const double below = event.incoming_cosine();
+    if (below > 0.0) light += below * lobe.bsdf->shape(event);
   }
   return light;
 }
 
 double PathTracer::bounce_density(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction,
                                   bool through) const {
-  const math::Normal3 axis = through ? -sides.shading : sides.shading;
-  const math::Vec3 viewer = through ? axis.as_vector() : sides.outgoing;
-  const double share = sky_share(*lobe.scattering, axis, sides.bent);
-  double density = (1.0 - share) * lobe.scattering->pdf(viewer, direction, axis);
+  materials::BsdfEvent event = sides.event(*lobe.bsdf, through, direction);
+  const double share = sky_share(*lobe.bsdf, event, sides.bent);
+  double density = (1.0 - share) * lobe.bsdf->pdf(event);
   if (share > 0.0) density += share * sky_->density(direction);
-  if (sides.bent) density += lobe.scattering->pdf(viewer, mirrored(direction, sides.outward), axis);
-  return density;
+  if (!sides.bent) return density;
+  event.incoming = mirrored(direction, sides.outward);
+  return density + lobe.bsdf->pdf(event);
 }
 
 void PathTracer::seek(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
@@ -72,6 +75,7 @@ void PathTracer::seek(const SurfaceLobe& lobe, const Sides& sides, const geometr
   if (!(density > found)) return;
   seek.weight = scattered(lobe, sides, seek.aim.direction, through) / density;
   if (!(seek.weight > 0.0)) return;
+  if (PathRecord::Events* events = events_of(event.vertex)) events->sought = scattering(lobe, sides, seek.aim.direction, through);
   event.vertex.sought_through = through;
   event.seek = static_cast<std::uint32_t>(seeks_.size());
   seeks_.push_back(seek);
@@ -81,7 +85,7 @@ void PathTracer::seek(const SurfaceLobe& lobe, const Sides& sides, const geometr
 void PathTracer::leave(const SurfaceLobe& lobe, const Sides& sides, bool through, double chance,
                        Scatter& event) const {
   event.left = {};
-  if (lobe.scattering->is_delta() || event.seek_reflected < 0.0) return;
+  if (lobe.bsdf->is_delta() || event.seek_reflected < 0.0) return;
   event.left.receiver = {event.next.origin_m, through ? -sides.outward : sides.outward};
   event.left.density = chance * bounce_density(lobe, sides, event.next.direction, through);
   event.left.seek_chance = through ? 1.0 - event.seek_reflected : event.seek_reflected;
@@ -107,12 +111,11 @@ void PathTracer::trace_seeks(sampling::RayCounts& counts) {
     PathVertex& vertex = event.vertex;
     vertex.sought_weight = static_cast<float>(seek.weight);
     const scene::ResolvedSurface surface = scene_.scene().resolve(hit);
-    if (surface.count > 1 || surface.constituents[0].mapped_temperature_k > 0.0) {
-      vertex.sought_mixed = static_cast<std::uint32_t>(record_.mixed.size());
-      record_.mixed.push_back({surface, SurfaceLobe{}});
-    } else {
-      vertex.sought_emission = scene_.emission(surface, nullptr);
-    }
+    const math::Vec3 outgoing = -seek.aim.direction;
+    if (scene_.is_mixed(surface))
+      vertex.sought_mixed = add_mixed(surface, SurfaceLobe{}, outgoing);
+    else
+      vertex.sought_emission = scene_.emission(surface, outgoing, nullptr);
   }
 }
 
@@ -150,9 +153,7 @@ void PathTracer::seek_by_mirrors(const scene::ResolvedSurface& surface, const Su
     if (!(seek.light.weight > 0.0f)) continue;
     seek.event = static_cast<std::uint32_t>(scatters_.size() - 1);
     seek.ray = {receiver.at_m, direction};
-    seek.light.surface.mixed = event.vertex.mixed;
-    if (seek.light.surface.mixed == PathVertex::kNone)
-      seek.light.surface.row = scene_.materials().reflectance(surface.constituents[0].material);
+    seek.light.surface = surface_factor(surface, event.vertex, lobe.directional ? scattering(lobe, sides, direction, false) : LobeEvent{}, false);
     mirror_seeks_.push_back(seek);
   }
 }
@@ -186,12 +187,11 @@ void PathTracer::trace_mirror_seeks(sampling::RayCounts& counts) {
     if (!emitters_->is(seek.aim, hit)) continue;
     const scene::ResolvedSurface surface = scene_.scene().resolve(hit);
     seek.light.emitted = true;
-    if (surface.count > 1 || surface.constituents[0].mapped_temperature_k > 0.0) {
-      seek.light.emission_mixed = static_cast<std::uint32_t>(record_.mixed.size());
-      record_.mixed.push_back({surface, SurfaceLobe{}});
-    } else {
-      seek.light.emission = scene_.emission(surface, nullptr);
-    }
+    const math::Vec3 outgoing = -seek.ray.direction;
+    if (scene_.is_mixed(surface))
+      seek.light.emission_mixed = add_mixed(surface, SurfaceLobe{}, outgoing);
+    else
+      seek.light.emission = scene_.emission(surface, outgoing, nullptr);
     PathVertex& vertex = scatters_[seek.event].vertex;
     seek.light.next = vertex.mirrored;
     vertex.mirrored = static_cast<std::uint32_t>(record_.mirrored.size());
@@ -209,11 +209,23 @@ PathRecord::Mirrored::Factor PathTracer::mirror_factor(const scene::ResolvedSurf
   if (surface.count == 1) {
     factor.row = scene_.materials().reflectance(surface.constituents[0].material);
   } else {
-    factor.mixed = static_cast<std::uint32_t>(record_.mixed.size());
     SurfaceLobe lobe;
-    lobe.kind = materials::ScatteringKind::mirror;
-    lobe.scattering = &materials::scattering(lobe.kind);
-    record_.mixed.push_back({surface, lobe});
+    lobe.bsdf = materials::Mirror::shared().get();
+    factor.mixed = add_mixed(surface, lobe, {});
+  }
+  return factor;
+}
+
+PathRecord::Mirrored::Factor PathTracer::surface_factor(const scene::ResolvedSurface& surface, const PathVertex& vertex,
+                                                        const LobeEvent& event, bool through) {
+  PathRecord::Mirrored::Factor factor;
+  factor.mixed = vertex.mixed;
+  if (vertex.mixed == PathVertex::kNone) {
+    const std::uint32_t material = surface.constituents[0].material;
+    factor.row = through ? scene_.materials().transmittance(material) : scene_.materials().reflectance(material);
+  } else if (record_.mixed[vertex.mixed].lobe.directional) {
+    factor.event = static_cast<std::uint32_t>(record_.way_events.size());
+    record_.way_events.push_back(event);
   }
   return factor;
 }

@@ -1,6 +1,7 @@
 #include "transport/spectral_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -152,7 +153,17 @@ void SpectralScene::find_mirrors() {
 }
 
 void SpectralScene::emit_surfaces() {
-  for (std::size_t s = 0; s < scene_.states.size(); ++s) emit(scene_.states[s], emission_.row(s));
+  bool directional = false;
+  for (std::size_t s = 0; s < scene_.states.size(); ++s) {
+    emit(scene_.states[s], emission_.row(s));
+    directional = directional || materials_.directional(scene_.states[s].material) != nullptr;
+  }
+  if (directional) {
+    black_.resize(scene_.states.size(), node_count());
+    for (std::size_t s = 0; s < scene_.states.size(); ++s)
+      if (scene_.states[s].temperature_k > 0.0 && materials_.directional(scene_.states[s].material) != nullptr)
+        nodes_.planck(scene_.states[s].temperature_k, black_.values(s));
+  }
   constexpr double kBeyond_k = 0.5;  // beyond what maps hold, so that the table's ends are not met
   if (const std::optional<scene::TemperatureRange> range = scene_.mapped_temperatures())
     planck_ = std::make_unique<radiometry::PlanckTable>(nodes_, std::max(0.5 * range->coldest_k, range->coldest_k - kBeyond_k),
@@ -169,21 +180,34 @@ void SpectralScene::light_surroundings() {
                                    light_.row(kSky)[n]);
 }
 
-const float* SpectralScene::emission(const scene::Constituent& constituent, float* scratch) const {
-  if (constituent.mapped_temperature_k <= 0.0)
-    return scene_.states[constituent.state].temperature_k > 0.0 ? emission_.row(constituent.state) : nullptr;
-  planck_->row(constituent.mapped_temperature_k, scratch);
-  const float* emissivity = materials_.emissivity(constituent.material);
+const float* SpectralScene::emission(const scene::Constituent& constituent, double cosine, float* scratch,
+                                     float* work) const {
+  const double own_k = scene_.states[constituent.state].temperature_k;
+  const materials::NodeBsdf* model = materials_.directional(constituent.material);
+  if (constituent.mapped_temperature_k <= 0.0 && model == nullptr)
+    return own_k > 0.0 ? emission_.row(constituent.state) : nullptr;
+  const float* __restrict emissivity = materials_.emissivity(constituent.material);
+  if (model != nullptr) {
+    model->emissivity(cosine, work);
+    emissivity = work;
+  }
+  if (constituent.mapped_temperature_k > 0.0) {
+    planck_->row(constituent.mapped_temperature_k, scratch);
+  } else {
+    if (!(own_k > 0.0)) return nullptr;
+    std::copy_n(black_.row(constituent.state), stride(), scratch);
+  }
   for (std::size_t n = 0; n < stride(); ++n) scratch[n] *= emissivity[n];
   return scratch;
 }
 
-const float* SpectralScene::emission(const scene::ResolvedSurface& surface, float* scratch) const {
-  if (surface.count == 1) return emission(surface.constituents[0], scratch);
-  float* part = scratch + stride();
+const float* SpectralScene::emission(const scene::ResolvedSurface& surface, math::Vec3 outgoing, float* scratch) const {
+  const double cosine = std::abs(math::dot(surface.shading_normal, outgoing));
+  float *part = scratch + stride(), *work = part + stride();
+  if (surface.count == 1) return emission(surface.constituents[0], cosine, scratch, work);
   bool any = false;
   for (const scene::Constituent& constituent : surface) {
-    const float* row = emission(constituent, part);
+    const float* row = emission(constituent, cosine, part, work);
     if (row == nullptr) continue;
     const float weight = static_cast<float>(constituent.weight);
     if (any)

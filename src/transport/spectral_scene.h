@@ -45,9 +45,15 @@ class SpectralScene {
     return materials_.maximum_reflectance(material) + materials_.maximum_transmittance(material);
   }
 
-  /// Emitted radiance of a resolved surface, W m-2 sr-1 um-1; null where it emits nothing. `scratch` (2 stride()
-  /// floats, 64-byte aligned) is used where the row is not kept: for a temperature from a map, and for blends.
-  const float* emission(const scene::ResolvedSurface& surface, float* scratch) const;
+  /// Whether the rows of a surface have to be computed: materials side by side, a temperature from a map, or a model that
+  /// depends on direction.
+  bool is_mixed(const scene::ResolvedSurface& surface) const {
+    return surface.count > 1 || surface.constituents[0].mapped_temperature_k > 0.0 ||
+           materials_.directional(surface.constituents[0].material) != nullptr;
+  }
+  /// Emitted radiance of a resolved surface towards a direction (unit, away from it), W m-2 sr-1 um-1; null where it emits
+  /// nothing. `scratch` (3 stride() floats, 64-byte aligned) is used where the surface is_mixed().
+  const float* emission(const scene::ResolvedSurface& surface, math::Vec3 outgoing, float* scratch) const;
 
   /// Irradiance on a surface that faces the Sun (zero without one).
   const float* sun_irradiance() const { return light_.row(kSunIrradiance); }
@@ -79,7 +85,7 @@ class SpectralScene {
   std::vector<double> path_radiance() const;
 
  private:
-  const float* emission(const scene::Constituent& constituent, float* scratch) const;
+  const float* emission(const scene::Constituent& constituent, double cosine, float* scratch, float* work) const;
   void emit_surfaces();
   void find_emitters();
   void find_mirrors();
@@ -97,7 +103,8 @@ class SpectralScene {
   const scene::Scene& scene_;
   const radiometry::SpectralNodes& nodes_;
   materials::SpectralMaterials materials_;
-  radiometry::SpectrumBlock emission_;  // by state
+  radiometry::SpectrumBlock emission_;  // by state; towards all sides alike
+  radiometry::SpectrumBlock black_;     // by state, of directional materials: a black body of its temperature
   radiometry::SpectrumBlock light_;     // by LightRow
   std::unique_ptr<radiometry::PlanckTable> planck_;  // only where a temperature map needs it
   std::optional<SkyDome> dome_;

@@ -1,15 +1,17 @@
 #include "transport/surface_lobe.h"
 
+#include <algorithm>
+
 namespace ifov::transport {
 
 namespace {
 
-materials::ScatteringKind kind_of(const SpectralScene& scene, const scene::Constituent& constituent) {
-  return scene.scene().materials[constituent.material].scattering;
+const materials::Bsdf* bsdf_of(const SpectralScene& scene, const scene::Constituent& constituent) {
+  return scene.scene().materials[constituent.material].bsdf.get();
 }
 
-/// The shape of the constituent that the choice falls on, and the chance of all constituents of that shape.
-void choose_shape(const SpectralScene& scene, const scene::ResolvedSurface& surface, double whole, double choice,
+/// The model of the constituent that the choice falls on, and the chance of all constituents of that model.
+void choose_model(const SpectralScene& scene, const scene::ResolvedSurface& surface, double whole, double choice,
                   SurfaceLobe& lobe) {
   double passed = 0.0;
   const scene::Constituent* chosen = nullptr;
@@ -20,16 +22,35 @@ void choose_shape(const SpectralScene& scene, const scene::ResolvedSurface& surf
     passed += share;
     if (choice * whole < passed) break;
   }
-  lobe.kind = kind_of(scene, *chosen);
+  lobe.bsdf = bsdf_of(scene, *chosen);
+  lobe.directional = scene.materials().directional(chosen->material) != nullptr;
   lobe.chance = 0.0;
   bool alone = true;
   for (const scene::Constituent& c : surface) {
-    if (kind_of(scene, c) == lobe.kind)
+    if (bsdf_of(scene, c) == lobe.bsdf)
       lobe.chance += c.weight * scene.brightest(c.material) / whole;
     else
       alone = alone && scene.brightest(c.material) <= 0.0;
   }
   if (alone) lobe.chance = 1.0;
+}
+
+const float* directional_row(const materials::NodeBsdf& model, const LobeEvent& event, std::size_t n, float* row,
+                             float* other) {
+  materials::BsdfEvent one = event.event;
+  if (event.weight > 0.0f) {
+    model.evaluate(one, row);
+    if (event.weight != 1.0f)
+      for (std::size_t k = 0; k < n; ++k) row[k] *= event.weight;
+  } else {
+    std::fill_n(row, n, 0.0f);
+  }
+  if (event.image_weight > 0.0f) {
+    one.incoming = event.image;
+    model.evaluate(one, other);
+    for (std::size_t k = 0; k < n; ++k) row[k] += event.image_weight * other[k];
+  }
+  return row;
 }
 
 }  // namespace
@@ -39,8 +60,8 @@ SurfaceLobe surface_lobe(const SpectralScene& scene, const scene::ResolvedSurfac
   SurfaceLobe lobe;
   if (surface.count == 1) {
     const scene::Constituent& c = surface.constituents[0];
-    lobe.kind = kind_of(scene, c);
-    lobe.scattering = &materials::scattering(lobe.kind);
+    lobe.bsdf = bsdf_of(scene, c);
+    lobe.directional = materials.directional(c.material) != nullptr;
     lobe.highest_reflectance = materials.maximum_reflectance(c.material);
     lobe.highest_transmittance = materials.maximum_transmittance(c.material);
     return lobe;
@@ -48,10 +69,9 @@ SurfaceLobe surface_lobe(const SpectralScene& scene, const scene::ResolvedSurfac
   double whole = 0.0;
   for (const scene::Constituent& c : surface) whole += c.weight * scene.brightest(c.material);
   if (whole <= 0.0) return lobe;
-  choose_shape(scene, surface, whole, choice, lobe);
-  lobe.scattering = &materials::scattering(lobe.kind);
+  choose_model(scene, surface, whole, choice, lobe);
   for (const scene::Constituent& c : surface) {
-    if (kind_of(scene, c) != lobe.kind) continue;
+    if (bsdf_of(scene, c) != lobe.bsdf) continue;
     const double weight = c.weight / lobe.chance;
     lobe.highest_reflectance += weight * materials.maximum_reflectance(c.material);
     lobe.highest_transmittance += weight * materials.maximum_transmittance(c.material);
@@ -60,19 +80,21 @@ SurfaceLobe surface_lobe(const SpectralScene& scene, const scene::ResolvedSurfac
 }
 
 const float* lobe_factor(const SpectralScene& scene, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
-                         bool through, float* scratch) {
+                         bool through, const LobeEvent* event, float* scratch, float* work) {
   const materials::SpectralMaterials& materials = scene.materials();
-  const auto row = [&](std::uint32_t material) {
+  const std::size_t n = scene.stride();
+  const auto row = [&](std::uint32_t material, float* own, float* other) -> const float* {
+    if (const materials::NodeBsdf* model = materials.directional(material))
+      return directional_row(*model, *event, n, own, other);
     return through ? materials.transmittance(material) : materials.reflectance(material);
   };
-  if (surface.count == 1) return row(surface.constituents[0].material);
-  const std::size_t n = scene.stride();
+  if (surface.count == 1) return row(surface.constituents[0].material, scratch, work);
   bool any = false;
   for (const scene::Constituent& c : surface) {
-    if (kind_of(scene, c) != lobe.kind) continue;
+    if (bsdf_of(scene, c) != lobe.bsdf) continue;
     if (through && materials.maximum_transmittance(c.material) <= 0.0f) continue;
     const float w = static_cast<float>(c.weight / lobe.chance);
-    const float* __restrict from = row(c.material);
+    const float* __restrict from = row(c.material, work, work + n);
     if (any)
       for (std::size_t k = 0; k < n; ++k) scratch[k] += w * from[k];
     else

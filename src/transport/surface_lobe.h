@@ -1,27 +1,42 @@
 #pragma once
 
-#include "materials/scattering.h"
+#include <numbers>
+
+#include "materials/bsdf/bsdf.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::transport {
 
-/// What a resolved surface does with the light that meets it: constituents of one shape, added up.
+/// What a resolved surface does with the light that meets it: constituents of one model, added up.
 struct SurfaceLobe {
-  const materials::Scattering* scattering = nullptr;
-  materials::ScatteringKind kind{};
-  double chance = 1.0;                 ///< of that shape; its factors are divided by it
+  const materials::Bsdf* bsdf = nullptr;
+  bool directional = false;            ///< the model is not separable: events are kept
+  double chance = 1.0;                 ///< of that model; its factors are divided by it
   double highest_reflectance = 0.0;    ///< at least the largest factor in any node
   double highest_transmittance = 0.0;  ///< 0: opaque
+
+  /// What weights of a directional lobe, whose shape is 1, are multiplied by where chances are made of them without a row:
+  /// as if it were Lambertian.
+  double shape_scale() const { return directional ? std::numbers::inv_pi : 1.0; }
 };
 
-/// Constituents of one shape are added up, weighed by area: no chance is in it. Where they have unlike shapes
-/// (a mirror in a meadow), `choice` in [0, 1) picks one shape in proportion to weight and brightness, and its factors
+/// Constituents whose model is the same object are added up, weighed by area: no chance is in it. Where they have unlike
+/// models (a mirror in a meadow), `choice` in [0, 1) picks one in proportion to weight and brightness, and its factors
 /// are divided by that chance: right in the mean, and never above 1 in sum.
 SurfaceLobe surface_lobe(const SpectralScene& scene, const scene::ResolvedSurface& surface, double choice);
 
-/// The lobe's spectral factor, reflectance or (`through`) transmittance; in `scratch` (stride() floats, 64-byte
-/// aligned) where the surface has several constituents.
+/// An event at a surface as a path keeps it where rows depend on direction. Under a shading normal light may have come
+/// from either of two directions, one of which is the other mirrored by the surface: their BSDFs add up with weights.
+struct LobeEvent {
+  materials::BsdfEvent event;
+  math::Vec3 image;  ///< the other direction
+  float weight = 1.0f, image_weight = 0.0f;
+};
+
+/// The lobe's spectral factor, reflectance or (`through`) transmittance, or the BSDF of an event where the model is not
+/// separable; `event` is null where none was kept, and then the lobe's model is separable. In `scratch` (stride()
+/// floats, 64-byte aligned) where the row is not kept; `work` has twice as many.
 const float* lobe_factor(const SpectralScene& scene, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
-                         bool through, float* scratch);
+                         bool through, const LobeEvent* event, float* scratch, float* work);
 
 }  // namespace ifov::transport

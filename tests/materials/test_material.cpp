@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "materials/bsdf/mirror.h"
 #include "materials/draped_map.h"
 #include "materials/material.h"
 
@@ -18,7 +19,7 @@ std::string message_of(const Action& action) {
 }
 
 TEST(Material, IsChecked) {
-  Material m{"roof", radiometry::Spectrum({0.4, 0.7}, {0.2, 1.2}), ScatteringKind::lambertian, {}};
+  Material m{"roof", radiometry::Spectrum({0.4, 0.7}, {0.2, 1.2}), Lambertian::shared(), {}};
   EXPECT_EQ(message_of([&] { check(m); }),
             "material 'roof': reflectance must lie between 0 and 1; it reaches from 0.2 to 1.2");
   m.reflectance = radiometry::Spectrum::constant(0.5);
@@ -29,7 +30,7 @@ TEST(Material, IsChecked) {
 }
 
 TEST(Material, LeavesLetThroughNoMoreThanIsLeft) {
-  Material m{"leaf", radiometry::Spectrum({0.4, 0.7, 1.0}, {0.1, 0.2, 0.6}), ScatteringKind::lambertian};
+  Material m{"leaf", radiometry::Spectrum({0.4, 0.7, 1.0}, {0.1, 0.2, 0.6}), Lambertian::shared()};
   m.transmittance = radiometry::Spectrum({0.5, 0.9}, {0.2, 0.5});
   EXPECT_NO_THROW(check(m));
   m.transmittance = radiometry::Spectrum({0.5, 0.9}, {0.2, 0.75});
@@ -40,7 +41,7 @@ TEST(Material, LeavesLetThroughNoMoreThanIsLeft) {
   EXPECT_EQ(message_of([&] { check(m); }),
             "material 'leaf': transmittance must lie between 0 and 1; it reaches from -0.1 to -0.1");
   m.transmittance = radiometry::Spectrum::constant(0.1);
-  m.scattering = ScatteringKind::mirror;
+  m.bsdf = Mirror::shared();
   EXPECT_EQ(message_of([&] { check(m); }),
             "material 'leaf': only \"lambertian\" scattering can have a transmittance");
 }

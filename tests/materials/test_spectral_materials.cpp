@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "materials/bsdf/mirror.h"
 #include "materials/spectral_materials.h"
 #include "radiometry/solar_spectrum.h"
 
@@ -12,9 +13,9 @@ using radiometry::Spectrum;
 TEST(SpectralMaterials, KirchhoffHoldsInEveryNode) {
   const std::vector<Material> materials{
       {"edge", Spectrum({0.3, 0.68, 0.72, 5.0, 14.0}, {0.05, 0.05, 0.5, 0.1, 0.02}),
-       ScatteringKind::lambertian, 300.0},
-      {"black", Spectrum::constant(0.0), ScatteringKind::lambertian, {}},
-      {"mirror", Spectrum::constant(0.9), ScatteringKind::mirror, 250.0}};
+       Lambertian::shared(), 300.0},
+      {"black", Spectrum::constant(0.0), Lambertian::shared(), {}},
+      {"mirror", Spectrum::constant(0.9), Mirror::shared(), 250.0}};
   const std::vector<Channel> channels{Channel::top_hat("red edge", 0.65, 0.75),
                                       Channel::monochromatic("m", 8.5)};
   const std::vector<Spectrum> surfaces{materials[0].reflectance};

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "materials/bsdf/mirror.h"
 #include "radiometry/planck.h"
 #include "render/image_renderer.h"
 #include "sampling/grid_sampler.h"
@@ -71,7 +72,7 @@ TEST(Blend, ReflectanceAndEmissionAreSharesOfTheParts) {
 SmallScene::Estimate meadow_with_mirrors(double mirror_share, double mirror_reflectance) {
   SmallScene scene;
   const std::uint32_t meadow = scene.material(0.4);
-  const std::uint32_t mirror = scene.material(mirror_reflectance, 0.0, materials::ScatteringKind::mirror);
+  const std::uint32_t mirror = scene.material(mirror_reflectance, 0.0, materials::Mirror::shared());
   scene.place(geometry::Plane{}, meadow);
   // A hot plate overhead that only the mirrors show whole.
   scene.place(geometry::Disk{{0.0, 0.0, 20.0}, 1.0}, scene.material(0.0, 400.0));
@@ -95,7 +96,7 @@ TEST(Blend, UnlikeShapesAreRightInTheMean) {
 SmallScene::Estimate furnace(std::shared_ptr<const scene::Pattern> bump, bool whole_weights) {
   SmallScene scene;
   const std::uint32_t wall = scene.material(0.8, 300.0), other = scene.material(0.3, 300.0);
-  const std::uint32_t mirror = scene.material(0.6, 300.0, materials::ScatteringKind::mirror);
+  const std::uint32_t mirror = scene.material(0.6, 300.0, materials::Mirror::shared());
   scene.place(geometry::Box{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}}, wall);
   auto& patterns = scene.scene().coverings[wall].patterns;
   patterns.push_back(std::make_shared<FixedBlend>(std::vector<scene::Constituent>{

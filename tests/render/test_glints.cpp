@@ -1,4 +1,5 @@
 // The Sun's glints on curved mirrors, against closed forms.
+#include "materials/bsdf/mirror.h"
 #include "render/glints.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ using test::SmallScene;
 
 constexpr double kMirror = 0.8, kIrradiance = 1000.0, kHalfAngle = 0.00465, kRadius = 0.7, kGsd = 0.5;
 constexpr int kSide = 8;
-constexpr auto kMirrorKind = materials::ScatteringKind::mirror;
+const auto kMirrorKind = materials::Mirror::shared();
 const math::Vec3 kSun{0.6, 0.2, 1.0};
 
 sensor::OrthographicCamera nadir_camera() {

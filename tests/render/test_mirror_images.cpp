@@ -5,6 +5,7 @@
 #include <mutex>
 #include <numbers>
 
+#include "materials/bsdf/mirror.h"
 #include "render/image_renderer.h"
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "sampling/random.h"
@@ -17,7 +18,7 @@ namespace {
 using test::SmallScene;
 
 constexpr double kGround = 0.3, kMirror = 0.8, kIrradiance = 1000.0, kHalfAngle = 0.00465, kSky = 40.0;
-constexpr auto kMirrorKind = materials::ScatteringKind::mirror;
+const auto kMirrorKind = materials::Mirror::shared();
 
 struct OneTile final : render::TileSink {
   void begin(const render::ImageInfo&) override {}

@@ -1,3 +1,4 @@
+#include "materials/bsdf/mirror.h"
 #include "render/scene_field.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ TEST(SceneField, LabelsTellGroundThatAMirrorLights) {
   test::SmallScene scene;
   scene.place(geometry::Plane{}, scene.material(0.3));
   scene.place(geometry::Polygon{{{0.0, -90.0, 0.0}, {0.0, 90.0, 0.0}, {0.0, 90.0, 10.0}, {0.0, -90.0, 10.0}}},
-              scene.material(0.8, 0.0, materials::ScatteringKind::mirror));
+              scene.material(0.8, 0.0, materials::Mirror::shared()));
   scene.sun({1.0, 0.0, 2.0}, 1000.0, 0.00465);
   sensor::OrthographicCamera::Settings settings;
   settings.width_px = settings.height_px = 20;

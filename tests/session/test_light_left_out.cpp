@@ -180,8 +180,8 @@ double shown(const Session& session, const radiometry::SpectralNodes& nodes, dou
   parts.scene.world->intersect({&ray, 1}, {&hit, 1});
   const scene::ResolvedSurface surface = parts.scene.resolve(hit);
   EXPECT_EQ(surface.count, 2u);
-  radiometry::SpectrumBlock scratch(2, nodes.node_count());
-  const float* emitted = spectral.emission(surface, scratch.row(0));
+  radiometry::SpectrumBlock scratch(3, nodes.node_count());
+  const float* emitted = spectral.emission(surface, -ray.direction, scratch.row(0));
   float found = 0.0f;
   nodes.to_channels(emitted, &found);
   double expected = 0.0;

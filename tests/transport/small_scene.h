@@ -19,11 +19,11 @@ class SmallScene {
   static constexpr double kWavelength_um = 10.0;
 
   std::uint32_t material(double reflectance, double temperature_k = 0.0,
-                         materials::ScatteringKind kind = materials::ScatteringKind::lambertian) {
+                         const std::shared_ptr<const materials::Bsdf>& bsdf = materials::Lambertian::shared()) {
     materials::Material material;
     material.name = format("m{}", scene_.materials.size());
     material.reflectance = radiometry::Spectrum::constant(reflectance);
-    material.scattering = kind;
+    material.bsdf = bsdf;
     const auto index = static_cast<std::uint32_t>(scene_.materials.size());
     scene_.materials.push_back(material);
     scene_.states.push_back({index, temperature_k});

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "materials/bsdf/mirror.h"
 #include "transport/small_scene.h"
 
 namespace ifov {
@@ -10,7 +11,7 @@ namespace {
 
 using test::SmallScene;
 
-constexpr auto kMirrorKind = materials::ScatteringKind::mirror;
+const auto kMirrorKind = materials::Mirror::shared();
 constexpr double kGround = 0.5, kMirror = 0.8;
 
 math::Ray down_on(double x, double y) { return {{x, y, 0.02}, {0.0, 0.0, -1.0}}; }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <numbers>
 
+#include "materials/bsdf/mirror.h"
 #include "geometry/periodic_world.h"
 #include "radiometry/planck.h"
 #include "transport/emitters.h"
@@ -177,7 +178,7 @@ std::vector<Case> cases() {
   list.push_back({"seen in a mirror", [=](SmallScene& s) {
                     ground(s);
                     s.place(geometry::Polygon{{{1.0, -3.0, 0.0}, {1.0, -3.0, 5.0}, {1.0, 3.0, 5.0}, {1.0, 3.0, 0.0}}},
-                            s.material(0.9, 0.0, materials::ScatteringKind::mirror));
+                            s.material(0.9, 0.0, materials::Mirror::shared()));
                     s.place(geometry::Sphere{{-1.0, 0.5, 1.5}, 0.5}, s.material(0.3, 600.0));
                   }, towards({1.0, 0.0, 0.5}, {-2.0, -0.5, 0.4})});
   list.push_back({"periodic", [](SmallScene& s) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "materials/bsdf/mirror.h"
 #include "transport/small_scene.h"
 
 namespace ifov {
@@ -12,7 +13,7 @@ namespace {
 using test::SmallScene;
 
 constexpr double kGround = 0.4, kMirror = 0.8, kIrradiance = 1000.0, kHalfAngle = 0.00465;
-constexpr auto kMirrorKind = materials::ScatteringKind::mirror;
+const auto kMirrorKind = materials::Mirror::shared();
 
 /// A rectangle in a plane of constant x, seen from both sides.
 geometry::Polygon wall(double x, double y0, double y1, double height) {

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <string>
 
+#include "materials/bsdf/mirror.h"
 #include "radiometry/planck.h"
 #include "transport/small_scene.h"
 
@@ -33,7 +34,7 @@ TEST(PathTracer, FurnaceWithMirrorsAndLambertiansReturnsPlanck) {
   SmallScene scene;
   scene.place(kRoom, scene.material(0.5, 300.0));
   scene.place(geometry::Sphere{{0.3, 0.4, -0.6}, 0.3},
-              scene.material(0.7, 300.0, materials::ScatteringKind::mirror));
+              scene.material(0.7, 300.0, materials::Mirror::shared()));
   scene.build();
   const double expected = radiometry::planck_w_m2_sr_um(SmallScene::kWavelength_um, 300.0);
   const auto estimate = scene.radiance(kInsideRoom, 1 << 16);
@@ -87,7 +88,7 @@ TEST(PathTracer, HotDiskOverheadGivesItsViewFactor) {
 
 TEST(PathTracer, MirrorShowsWhatItFaces) {
   SmallScene scene;
-  scene.place(geometry::Plane{}, scene.material(0.9, 0.0, materials::ScatteringKind::mirror));
+  scene.place(geometry::Plane{}, scene.material(0.9, 0.0, materials::Mirror::shared()));
   scene.place(geometry::Box{{-5.0, -5.0, 10.0}, {5.0, 5.0, 11.0}}, scene.material(0.0, 350.0));
   scene.build();
   const auto estimate = scene.radiance({{-0.5, 0.0, 1.0}, math::normalized({0.5, 0.0, -1.0})}, 16);

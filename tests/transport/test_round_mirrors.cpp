@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "materials/bsdf/mirror.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
 #include "transport/round_mirror.h"
@@ -118,7 +119,7 @@ TEST(RoundMirror, EndsAreMindedAndStretchedShapesAreNot) {
 }
 
 constexpr double kGround = 0.4, kMirror = 0.8, kIrradiance = 1000.0;
-constexpr auto kMirrorKind = materials::ScatteringKind::mirror;
+const auto kMirrorKind = materials::Mirror::shared();
 
 /// A ball, a can, half a ball and a leaf on the ground, under a Sun so wide that paths find it by chance.
 SmallScene::Estimate among_rounds(int reflections, std::uint32_t paths, math::Ray ray, double half_angle = 0.4) {

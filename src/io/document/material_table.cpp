@@ -43,10 +43,8 @@ Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind() {
       .one("emissivity", store(true), curves(SpectrumOf::emissivity), "spectral emissivity, likewise")
       .optional("temperature", &MaterialDocument::temperature, temperature_kind(),
                 "without one, here or on the object, a surface emits nothing")
-      .with_default(
-          "scattering", &MaterialDocument::scattering,
-          choice<Scattering>({{"lambertian", Scattering::lambertian}, {"mirror", Scattering::mirror}}),
-          "\"lambertian\"", "how the surface reflects")
+      .with_default("scattering", &MaterialDocument::scattering, scattering_kind(), "\"lambertian\"",
+                    "how the surface reflects: a model by its name or, with its parameters, as an object")
       .optional("texture", &MaterialDocument::texture, texture_kind(), "picks among several curves")
       .optional("relief", &MaterialDocument::relief, relief_kind(), "bumps that light sees")
       .optional("transmittance", &MaterialDocument::transmittance, spectrum_kind(SpectrumOf::transmittance),

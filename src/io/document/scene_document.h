@@ -30,7 +30,11 @@ struct OriginDocument {
   SourcePosition position;
 };
 
-enum class Scattering { lambertian, mirror };
+/// A model of materials::bsdf_models() with its parameters.
+struct ScatteringDocument {
+  std::string model = "lambertian";
+  std::vector<std::pair<std::string, std::variant<double, SpectrumDocument>>> values;  ///< by key; angles in radians
+};
 
 struct MaterialDocument {
   std::string name;
@@ -41,7 +45,7 @@ struct MaterialDocument {
   std::optional<TextureDocument> texture;
   std::optional<ReliefDocument> relief;
   std::optional<TemperatureDocument> temperature;  ///< absent here and on the object: 0 K, emits nothing
-  Scattering scattering = Scattering::lambertian;
+  ScatteringDocument scattering;
   SourcePosition position;
 };
 

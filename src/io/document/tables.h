@@ -12,6 +12,7 @@ Kind<double> um_per_unit_kind();  ///< "um" or "nm", as micrometres per unit
 
 Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind();
 Kind<TemperatureDocument> temperature_kind();
+Kind<ScatteringDocument> scattering_kind();
 Kind<std::vector<ObjectDocument>> objects_kind();
 Kind<SceneDocument> scene_kind();
 

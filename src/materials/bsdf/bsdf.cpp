@@ -1,0 +1,44 @@
+#include "materials/bsdf/bsdf.h"
+
+#include <numbers>
+#include <stdexcept>
+
+#include "math/frame.h"
+#include "sampling/warp.h"
+
+namespace ifov::materials {
+namespace {
+
+math::Normal3 axis_of(const BsdfEvent& event) {
+  return event.side == Side::reflected ? event.normal : -event.normal;
+}
+
+}  // namespace
+
+BsdfSample Bsdf::sample(const BsdfEvent& view, double u1, double u2) const {
+  const math::Vec3 local = sampling::cosine_hemisphere({u1, u2});
+  BsdfEvent event = view;
+  event.incoming = math::frame_from_normal(axis_of(view)).outer_from_local(local);
+  return {event.incoming, is_separable() ? 1.0 : std::numbers::pi, local.z / std::numbers::pi};
+}
+
+double Bsdf::pdf(const BsdfEvent& event) const {
+  const double cosine = event.incoming_cosine();
+  return cosine > 0.0 ? cosine / std::numbers::pi : 0.0;
+}
+
+UnitSquarePoint Bsdf::invert(const BsdfEvent& event) const {
+  const math::Vec3 local = math::frame_from_normal(axis_of(event)).local_from_outer(event.incoming);
+  const sampling::Point2 u = sampling::cosine_hemisphere_inverse(local);
+  return {u.x, u.y};
+}
+
+double Bsdf::shape(const BsdfEvent& event) const {
+  return event.incoming_cosine() > 0.0 && event.outgoing_cosine() > 0.0 ? 1.0 : 0.0;
+}
+
+void Bsdf::evaluate(const BsdfEvent&, ParameterRows, std::size_t, float*) const {
+  throw std::logic_error("a separable BSDF has no rows of its own");
+}
+
+}  // namespace ifov::materials

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "math/vec3.h"
+#include "radiometry/spectrum.h"
+
+namespace ifov::materials {
+
+enum class Side : std::uint8_t { reflected, transmitted };
+
+/// Light that meets a surface from one direction and leaves it in another. All vectors are unit vectors; both
+/// directions point away from the surface. The normal is on the side of `outgoing`; `incoming` is on the same side
+/// where light is reflected, on the other where it is transmitted.
+struct BsdfEvent {
+  math::Vec3 outgoing;
+  math::Vec3 incoming;
+  math::Normal3 normal;
+  math::Vec3 tangent;  ///< along the surface; zero unless the model has a direction (Bsdf::is_isotropic)
+  Side side = Side::reflected;
+
+  double outgoing_cosine() const { return math::dot(normal, outgoing); }
+  /// Above 0 where `incoming` is on the event's side.
+  double incoming_cosine() const { return (side == Side::reflected ? 1.0 : -1.0) * math::dot(normal, incoming); }
+};
+
+/// A direction drawn for light that leaves a surface towards `outgoing`.
+struct BsdfSample {
+  math::Vec3 incoming;  ///< unit, from the surface towards where the light comes from
+  double weight = 0.0;  ///< shape x cosine / pdf; 0 where nothing is scattered
+  double pdf = 0.0;     ///< per steradian; 0 for a delta
+};
+
+/// The two numbers from which a direction was drawn.
+struct UnitSquarePoint {
+  double u1 = 0.0, u2 = 0.0;
+};
+
+/// Spectral parameters of a model as rows over wavelengths or nodes.
+using ParameterRows = std::span<const float* const>;
+
+/// How a surface spreads light: a bidirectional scattering distribution function (Nicodemus et al. 1977) with its
+/// parameters, immutable and shared between threads. Reciprocal.
+///
+/// Of a separable model the BSDF is factor(wavelength) x shape(event): the factor is the material's reflectance or
+/// transmittance, and the directional-hemispherical reflectance of the shape is 1. Constituents of one surface whose
+/// model is the same object are then added up before light is spread. Any other model gives its BSDF by event, in all
+/// wavelengths at once (evaluate()); its shape() is 1 where it may scatter, and materials work out its
+/// directional-hemispherical reflectance, so that emissivity is 1 less that (Kirchhoff).
+class Bsdf {
+ public:
+  virtual ~Bsdf() = default;
+
+  /// All light leaves at the angle at which it came: sample() gives the only direction, shape() and pdf() are 0. Such a
+  /// model is separable.
+  virtual bool is_delta() const { return false; }
+  virtual bool is_separable() const { return false; }
+  virtual bool is_isotropic() const { return true; }
+  virtual bool may_transmit() const { return false; }
+
+  /// Draws `incoming` for all else of the view, on its side. Unless overridden, in proportion to the cosine.
+  virtual BsdfSample sample(const BsdfEvent& view, double u1, double u2) const;
+  /// Density with which sample() draws `incoming`, 1/sr.
+  virtual double pdf(const BsdfEvent& event) const;
+  /// The numbers from which sample() draws `incoming`.
+  virtual UnitSquarePoint invert(const BsdfEvent& event) const;
+  /// 1/sr for a separable model, else 1; 0 where either direction is not on its side of the surface.
+  virtual double shape(const BsdfEvent& event) const;
+
+  /// What evaluate() needs in the wavelengths of its row; none of a separable model.
+  virtual std::span<const radiometry::Spectrum> spectra() const { return {}; }
+  /// BSDF, 1/sr, in `count` wavelengths, for an event whose directions are on their sides. `parameters` are the rows of
+  /// spectra(), in their order. Never called of a separable model.
+  virtual void evaluate(const BsdfEvent& event, ParameterRows parameters, std::size_t count, float* bsdf) const;
+};
+
+}  // namespace ifov::materials

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "materials/bsdf/bsdf.h"
+
+namespace ifov::materials {
+
+/// A parameter of a model, as documents state it.
+struct BsdfParameter {
+  enum class Form {
+    number,
+    angle,     ///< "20 deg" in documents, radians here
+    spectrum,  ///< numbers from 0 to 1 by wavelength
+  };
+  std::string_view key, doc;
+  Form form = Form::number;
+  double low = 0.0, high = 1.0;  ///< of a number, or an angle in degrees
+  std::string_view default_json = {};  ///< empty: the document has to give it
+};
+
+/// What a model is made of: the material's own spectra, and the model's parameters by key.
+struct BsdfInputs {
+  using Value = std::variant<double, radiometry::Spectrum>;
+  radiometry::Spectrum reflectance;
+  std::vector<std::pair<std::string, Value>> values;
+
+  /// Throw std::logic_error where the model has declared no such parameter of this form.
+  double number(std::string_view key) const;
+  const radiometry::Spectrum& spectrum(std::string_view key) const;
+};
+
+/// A model of the registry: whoever reads documents, explains them or makes materials asks this.
+struct BsdfModel {
+  std::string_view key;  ///< in documents
+  std::string_view doc;
+  std::vector<BsdfParameter> parameters;
+  /// Throws InputError where the inputs contradict each other.
+  std::shared_ptr<const Bsdf> (*make)(const BsdfInputs& inputs);
+
+  /// Whether its name alone says all: it has no parameters, or each has a default.
+  bool needs_parameters() const;
+};
+
+/// All models, in the order in which they are listed. A new one is a pair of files beside these, and a row in
+/// bsdf_models.cpp.
+std::span<const BsdfModel* const> bsdf_models();
+/// Throws InputError, with the choices, where there is none of that key.
+const BsdfModel& bsdf_model(std::string_view key);
+
+}  // namespace ifov::materials

@@ -1,0 +1,47 @@
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "core/error.h"
+#include "materials/bsdf/bsdf_model.h"
+#include "materials/bsdf/lambertian.h"
+#include "materials/bsdf/mirror.h"
+#include "materials/bsdf/oren_nayar.h"
+
+namespace ifov::materials {
+namespace {
+
+constexpr std::array kModels{&Lambertian::kModel, &Mirror::kModel, &OrenNayar::kModel};
+
+template <class Value>
+const Value& value_of(const BsdfInputs& inputs, std::string_view key) {
+  for (const auto& [known, value] : inputs.values)
+    if (known == key)
+      if (const Value* found = std::get_if<Value>(&value)) return *found;
+  throw std::logic_error(format("a BSDF model asks for '{}', which it has not declared", key));
+}
+
+}  // namespace
+
+double BsdfInputs::number(std::string_view key) const { return value_of<double>(*this, key); }
+
+const radiometry::Spectrum& BsdfInputs::spectrum(std::string_view key) const {
+  return value_of<radiometry::Spectrum>(*this, key);
+}
+
+bool BsdfModel::needs_parameters() const {
+  return std::any_of(parameters.begin(), parameters.end(), [](const BsdfParameter& p) { return p.default_json.empty(); });
+}
+
+std::span<const BsdfModel* const> bsdf_models() { return kModels; }
+
+const BsdfModel& bsdf_model(std::string_view key) {
+  std::string keys;
+  for (const BsdfModel* model : kModels) {
+    if (model->key == key) return *model;
+    keys += (keys.empty() ? "'" : ", '") + std::string(model->key) + "'";
+  }
+  throw InputError(format("there is no scattering model '{}'; there are {}", key, keys));
+}
+
+}  // namespace ifov::materials

@@ -1,0 +1,56 @@
+#include "materials/bsdf/node_bsdf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/parallel.h"
+#include "materials/bsdf/hemisphere.h"
+
+namespace ifov::materials {
+namespace {
+
+constexpr std::size_t kAngles = 33;
+constexpr double kLeastCosine = 1e-3;  // of the last angle, where nothing is seen from
+
+double cosine_of(std::size_t angle) {
+  return std::max(kLeastCosine, static_cast<double>(angle) / static_cast<double>(kAngles - 1));
+}
+
+}  // namespace
+
+NodeBsdf::NodeBsdf(std::shared_ptr<const Bsdf> bsdf, const radiometry::SpectralNodes& nodes)
+    : bsdf_(std::move(bsdf)),
+      parameters_(std::max<std::size_t>(1, bsdf_->spectra().size()), nodes.node_count()),
+      emissivity_(kAngles, nodes.node_count()) {
+  for (std::size_t k = 0; k < bsdf_->spectra().size(); ++k) {
+    nodes.average_surface(bsdf_->spectra()[k], parameters_.values(k));
+    pointers_.push_back(parameters_.row(k));
+  }
+  radiometry::SpectrumBlock reflected(kAngles, nodes.node_count()), transmitted(kAngles, nodes.node_count());
+  parallel_for(kAngles, 0, [&](std::int64_t index) {
+    const auto k = static_cast<std::size_t>(index);
+    const double cosine = cosine_of(k);
+    directional_hemispherical(*bsdf_, Side::reflected, pointers_, nodes.node_count(), cosine, reflected.row(k));
+    if (bsdf_->may_transmit())
+      directional_hemispherical(*bsdf_, Side::transmitted, pointers_, nodes.node_count(), cosine, transmitted.row(k));
+    for (std::size_t n = 0; n < nodes.node_count(); ++n)
+      emissivity_.row(k)[n] = std::max(0.0f, 1.0f - reflected.row(k)[n] - transmitted.row(k)[n]);
+  });
+  for (std::size_t k = 0; k < kAngles; ++k)
+    for (std::size_t n = 0; n < nodes.node_count(); ++n) {
+      highest_[0] = std::max(highest_[0], static_cast<double>(reflected.row(k)[n]));
+      highest_[1] = std::max(highest_[1], static_cast<double>(transmitted.row(k)[n]));
+    }
+}
+
+void NodeBsdf::emissivity(double cosine, float* row) const {
+  const double place = std::clamp(cosine, 0.0, 1.0) * static_cast<double>(kAngles - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), kAngles - 2);
+  const float share = static_cast<float>(place - static_cast<double>(below));
+  const float* __restrict a = emissivity_.row(below);
+  const float* __restrict b = emissivity_.row(below + 1);
+  for (std::size_t n = 0; n < emissivity_.stride(); ++n) row[n] = a[n] + share * (b[n] - a[n]);
+}
+
+}  // namespace ifov::materials

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "materials/bsdf/bsdf.h"
+#include "radiometry/spectral_nodes.h"
+#include "radiometry/spectrum_block.h"
+
+namespace ifov::materials {
+
+/// A model that is not separable in the nodes of a sensor. Rows have SpectrumBlock::stride() floats.
+class NodeBsdf {
+ public:
+  NodeBsdf(std::shared_ptr<const Bsdf> bsdf, const radiometry::SpectralNodes& nodes);
+
+  const Bsdf& model() const { return *bsdf_; }
+  /// 1/sr.
+  void evaluate(const BsdfEvent& event, float* row) const {
+    bsdf_->evaluate(event, pointers_, parameters_.stride(), row);
+  }
+  /// Towards a direction of this cosine above the surface: 1 - reflectance - transmittance of light from there (Kirchhoff),
+  /// linear between 33 angles.
+  void emissivity(double cosine, float* row) const;
+  /// Largest directional-hemispherical values in any node and at any of those angles.
+  double highest_reflectance() const { return highest_[0]; }
+  double highest_transmittance() const { return highest_[1]; }
+
+ private:
+  std::shared_ptr<const Bsdf> bsdf_;
+  radiometry::SpectrumBlock parameters_;
+  std::vector<const float*> pointers_;
+  radiometry::SpectrumBlock emissivity_;  // by angle
+  double highest_[2] = {0.0, 0.0};        // by Side
+};
+
+}  // namespace ifov::materials
