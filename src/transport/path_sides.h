@@ -25,13 +25,13 @@ struct PathTracer::Sides {
   bool bent = false;  // the two differ
 
   /// An event towards the viewer, without the direction that light comes from.
-  materials::BsdfEvent view(const materials::Bsdf& bsdf, bool through) const {
+  materials::BsdfEvent view(const SurfaceLobe& lobe, bool through) const {
     materials::BsdfEvent event{outgoing, {}, shading, {}, through ? materials::Side::transmitted : materials::Side::reflected};
-    if (!bsdf.is_isotropic()) event.tangent = tangent();
+    if (!lobe.isotropic) event.tangent = tangent();
     return event;
   }
-  materials::BsdfEvent event(const materials::Bsdf& bsdf, bool through, math::Vec3 incoming) const {
-    materials::BsdfEvent event = view(bsdf, through);
+  materials::BsdfEvent event(const SurfaceLobe& lobe, bool through, math::Vec3 incoming) const {
+    materials::BsdfEvent event = view(lobe, through);
     event.incoming = incoming;
     return event;
   }

@@ -191,7 +191,7 @@ void PathTracer::send_to_unseen(const Path& path, const SurfaceLobe& lobe, const
     const double cosine = math::dot(normal, direction);
     if (highest <= 0.0 || cosine <= 0.0) continue;
     const double weight =
-        lobe.bsdf->shape(sides.event(*lobe.bsdf, through, direction)) * lobe.shape_scale() * cosine *
+        lobe.bsdf->shape(sides.event(lobe, through, direction)) * lobe.shape_scale() * cosine *
         cone.solid_angle_sr() * all / chance[picked] * highest *
         static_cast<double>(record_.paths[path.number].brightest) / static_cast<double>(rays);
     if (!(weight > kNegligible)) continue;

@@ -136,7 +136,7 @@ PathTracer::SunRay PathTracer::light_ray(const SurfaceLobe& lobe, const Sides& s
   if (weight_sr <= 0.0 || (through ? height >= 0.0 : height <= 0.0)) return {};
 
   // Light that a bent normal would take from below the surface comes mirrored from above it.
-  materials::BsdfEvent event = sides.event(*lobe.bsdf, through, direction);
+  materials::BsdfEvent event = sides.event(lobe, through, direction);
   double weight = weight_sr * lobe.bsdf->shape(event);
   if (sides.bent && !lobe.directional) {
     const double own = event.incoming_cosine();
@@ -157,7 +157,7 @@ LobeEvent PathTracer::arriving(const SurfaceLobe& lobe, const Sides& sides, math
 }
 
 LobeEvent PathTracer::scattering(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through) {
-  LobeEvent event{sides.event(*lobe.bsdf, through, direction), {}, 0.0f, 0.0f};
+  LobeEvent event{sides.event(lobe, through, direction), {}, 0.0f, 0.0f};
   event.weight = static_cast<float>(std::max(0.0, event.event.incoming_cosine()));
   if (!sides.bent) return event;
   materials::BsdfEvent other = event.event;
@@ -178,7 +178,7 @@ bool PathTracer::bounce(const SurfaceLobe& lobe, const Sides& sides, const geome
     if (through) chance = 1.0 - chance;
   }
   const math::Vec3 outward = through ? -sides.outward : sides.outward;
-  const materials::BsdfEvent view = sides.view(*lobe.bsdf, through);
+  const materials::BsdfEvent view = sides.view(lobe, through);
   materials::BsdfSample sample = sample_bounce(*lobe.bsdf, view, sides.bent, u);
   if (PathRecord::Events* events = events_of(event.vertex)) {
     events->bounce.event = view;

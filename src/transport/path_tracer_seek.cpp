@@ -19,7 +19,7 @@ constexpr std::size_t kMostPlanes = 4;
 }  // namespace
 
 double PathTracer::scattered(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through) {
-  materials::BsdfEvent event = sides.event(*lobe.bsdf, through, direction);
+  materials::BsdfEvent event = sides.event(lobe, through, direction);
   if (lobe.directional) {
     const LobeEvent kept = scattering(lobe, sides, direction, through);
     return kept.weight > 0.0f || kept.image_weight > 0.0f ? 1.0 : 0.0;
@@ -37,7 +37,7 @@ double PathTracer::scattered(const SurfaceLobe& lobe, const Sides& sides, math::
 
 double PathTracer::bounce_density(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction,
                                   bool through) const {
-  materials::BsdfEvent event = sides.event(*lobe.bsdf, through, direction);
+  materials::BsdfEvent event = sides.event(lobe, through, direction);
   const double share = sky_share(*lobe.bsdf, event, sides.bent);
   double density = (1.0 - share) * lobe.bsdf->pdf(event);
   if (share > 0.0) density += share * sky_->density(direction);

@@ -10,6 +10,12 @@ const materials::Bsdf* bsdf_of(const SpectralScene& scene, const scene::Constitu
   return scene.scene().materials[constituent.material].bsdf.get();
 }
 
+void describe(const SpectralScene& scene, std::uint32_t material, SurfaceLobe& lobe) {
+  lobe.bsdf = scene.scene().materials[material].bsdf.get();
+  lobe.directional = scene.materials().directional(material) != nullptr;
+  lobe.isotropic = !lobe.directional || lobe.bsdf->is_isotropic();
+}
+
 /// The model of the constituent that the choice falls on, and the chance of all constituents of that model.
 void choose_model(const SpectralScene& scene, const scene::ResolvedSurface& surface, double whole, double choice,
                   SurfaceLobe& lobe) {
@@ -22,8 +28,7 @@ void choose_model(const SpectralScene& scene, const scene::ResolvedSurface& surf
     passed += share;
     if (choice * whole < passed) break;
   }
-  lobe.bsdf = bsdf_of(scene, *chosen);
-  lobe.directional = scene.materials().directional(chosen->material) != nullptr;
+  describe(scene, chosen->material, lobe);
   lobe.chance = 0.0;
   bool alone = true;
   for (const scene::Constituent& c : surface) {
@@ -60,8 +65,7 @@ SurfaceLobe surface_lobe(const SpectralScene& scene, const scene::ResolvedSurfac
   SurfaceLobe lobe;
   if (surface.count == 1) {
     const scene::Constituent& c = surface.constituents[0];
-    lobe.bsdf = bsdf_of(scene, c);
-    lobe.directional = materials.directional(c.material) != nullptr;
+    describe(scene, c.material, lobe);
     lobe.highest_reflectance = materials.maximum_reflectance(c.material);
     lobe.highest_transmittance = materials.maximum_transmittance(c.material);
     return lobe;

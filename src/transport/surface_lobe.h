@@ -11,6 +11,7 @@ namespace ifov::transport {
 struct SurfaceLobe {
   const materials::Bsdf* bsdf = nullptr;
   bool directional = false;            ///< the model is not separable: events are kept
+  bool isotropic = true;               ///< the model has no direction: events need no tangent
   double chance = 1.0;                 ///< of that model; its factors are divided by it
   double highest_reflectance = 0.0;    ///< at least the largest factor in any node
   double highest_transmittance = 0.0;  ///< 0: opaque

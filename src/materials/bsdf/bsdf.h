@@ -57,6 +57,7 @@ class Bsdf {
   /// model is separable.
   virtual bool is_delta() const { return false; }
   virtual bool is_separable() const { return false; }
+  /// A separable model is isotropic.
   virtual bool is_isotropic() const { return true; }
   virtual bool may_transmit() const { return false; }
 

@@ -13,6 +13,8 @@ const std::shared_ptr<const Bsdf>& Lambertian::shared() {
   return object;
 }
 
-double Lambertian::shape(const BsdfEvent& event) const { return Bsdf::shape(event) / std::numbers::pi; }
+double Lambertian::shape(const BsdfEvent& event) const {
+  return event.incoming_cosine() > 0.0 && event.outgoing_cosine() > 0.0 ? std::numbers::inv_pi : 0.0;
+}
 
 }  // namespace ifov::materials
