@@ -73,6 +73,7 @@ class PlantedFaults(unittest.TestCase):
             ("cairo/cairo.h", "io"),
             ("cairo.h", "io"),
             ("json/json.h", "io"),
+            ("rapidjson/reader.h", "io"),
             ("CLI/CLI.hpp", "cli"),
             ("erfa.h", "geodesy"),
             ("tbb/parallel_for.h", "core, geometry"),
