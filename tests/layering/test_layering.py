@@ -72,7 +72,6 @@ class PlantedFaults(unittest.TestCase):
             ("gdal_priv.h", "io"),
             ("cairo/cairo.h", "io"),
             ("cairo.h", "io"),
-            ("json/json.h", "io"),
             ("rapidjson/reader.h", "io"),
             ("CLI/CLI.hpp", "cli"),
             ("erfa.h", "geodesy"),
