@@ -2,8 +2,6 @@
 //   bench_cluster costs DOCUMENT TILE...     what each tile takes, one thread, for these sizes of tiles
 //   mpirun -n 2 bench_cluster messages       what asking for tiles takes while the first rank computes
 //   bench_cluster simulate FILE              efficiency of many ranks; FILE: see simulate()
-#include <json/json.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -11,13 +9,16 @@
 #include <cstdio>
 #include <ctime>
 #include <exception>
-#include <fstream>
 #include <numeric>
 #include <thread>
 
 #include "cluster/tile_server.h"
 #include "core/format.h"
 #include "io/document/document.h"
+#include "io/document/json_adapter.h"
+#include "io/document/json_view.h"
+#include "io/document/json_writer.h"
+#include "io/files/input_file.h"
 #include "session/parts.h"
 #include "simulation.h"
 
@@ -28,10 +29,11 @@ using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-void print(const Json::Value& value) {
-  Json::StreamWriterBuilder writer;
-  writer["indentation"] = "";
-  std::printf("%s\n", Json::writeString(writer, value).c_str());
+/// `content` writes one value.
+void print(auto&& content) {
+  io::JsonWriter json(io::JsonWriter::Look::compact);
+  content(json);
+  std::printf("%s\n", json.written().c_str());
 }
 
 /// Of this thread: others that take the core do not count.
@@ -46,10 +48,10 @@ class CostSink final : public render::TileSink {
   void begin(const render::ImageInfo&) override {}
   void write(const sampling::TileResult&) override {
     const double now_s = processor_s();
-    seconds.append(now_s - last_s_);
+    seconds.push_back(now_s - last_s_);
     last_s_ = now_s;
   }
-  Json::Value seconds = Json::arrayValue;
+  std::vector<double> seconds;
 
  private:
   double last_s_ = processor_s();
@@ -57,8 +59,7 @@ class CostSink final : public render::TileSink {
 
 void measure_costs(const std::string& file, const std::vector<int>& sizes) {
   const session::Session session = session::Session::load(io::read_document(file), nullptr);
-  Json::Value result = Json::arrayValue;
-  for (const int size : sizes) {
+  const auto write_costs = [&](io::JsonWriter& json, int size) {
     render::RenderJob job = session.parts().job();
     job.tile_px = size;
     const int columns = (job.camera.width_px() + size - 1) / size, rows = (job.camera.height_px() + size - 1) / size;
@@ -70,13 +71,15 @@ void measure_costs(const std::string& file, const std::vector<int>& sizes) {
     control.threads = 1;
     control.tile_order = order;
     render::render_image(job, control, sink);
-    Json::Value row;
-    row["tile_px"] = size;
-    row["columns"] = columns;
-    row["seconds"] = sink.seconds;
-    result.append(row);
-  }
-  print(result);
+    json.member("tile_px", size);
+    json.member("columns", columns);
+    json.member("seconds", sink.seconds);
+  };
+  print([&](io::JsonWriter& json) {
+    json.list([&] {
+      for (const int size : sizes) json.object([&] { write_costs(json, size); });
+    });
+  });
 }
 
 constexpr int kRoundTrips = 1000, kBurst = 5000;
@@ -114,11 +117,13 @@ void ask_for_tiles(cluster::World& world) {
   asking.join();
   const double service_s = since(begin) / kBurst;
   std::sort(trips.begin(), trips.end());
-  Json::Value result;
-  result["round_trip_s"] = std::accumulate(trips.begin(), trips.end(), 0.0) / kRoundTrips;
-  result["round_trip_99_s"] = trips[kRoundTrips * 99 / 100];
-  result["service_s"] = service_s;
-  print(result);
+  print([&](io::JsonWriter& json) {
+    json.object([&] {
+      json.member("round_trip_s", std::accumulate(trips.begin(), trips.end(), 0.0) / kRoundTrips);
+      json.member("round_trip_99_s", trips[kRoundTrips * 99 / 100]);
+      json.member("service_s", service_s);
+    });
+  });
   cluster::Parcel farewell;
   put(farewell, {cluster::Fault::Kind::none, {}});
   farewell.put(0);
@@ -149,40 +154,44 @@ int measure_messages() {
 /// {"round_trip_s": .., "service_s": .., "copies": k, "ranks": [..], "images": as of measure_costs()}; each image stands k
 /// times beside and above itself.
 int simulate(const std::string& file) {
-  std::ifstream stream(file);
-  Json::Value input;
-  stream >> input;
-  const bench::MessageTimes messages{input["round_trip_s"].asDouble(), input["service_s"].asDouble()};
-  const int copies = input["copies"].asInt();
+  const io::DocumentTree tree = io::parse_json(io::read_input(file), file);
+  const io::JsonView input(tree);
+  const bench::MessageTimes messages{input["round_trip_s"].number(), input["service_s"].number()};
+  const int copies = input["copies"].small_integer();
   std::vector<bench::TileCosts> images;
   double least_s = 1e300;
-  for (const Json::Value& image : input["images"]) {
-    const int columns = image["columns"].asInt();
-    const int rows = static_cast<int>(image["seconds"].size()) / columns;
+  for (const io::JsonView& image : input["images"].items()) {
+    const std::vector<io::JsonView> seconds = image["seconds"].items();
+    const int columns = image["columns"].small_integer();
+    const int rows = static_cast<int>(seconds.size()) / columns;
     bench::TileCosts tiles{columns * copies, {}};
     for (int y = 0; y < rows * copies; ++y)
       for (int x = 0; x < columns * copies; ++x)
-        tiles.seconds.push_back(image["seconds"][static_cast<unsigned>(y % rows * columns + x % columns)].asDouble());
+        tiles.seconds.push_back(seconds[static_cast<unsigned>(y % rows * columns + x % columns)].number());
     least_s = std::min(least_s, std::accumulate(tiles.seconds.begin(), tiles.seconds.end(), 0.0));
     images.push_back(std::move(tiles));
   }
-  Json::Value result = Json::arrayValue;
   const std::pair<const char*, bench::Scheduling> kinds[] = {{"shares", bench::Scheduling::shares},
                                                              {"rows", bench::Scheduling::rows},
                                                              {"schedule", bench::Scheduling::schedule}};
-  for (std::size_t k = 0; k < images.size(); ++k)
-    for (const auto& [name, kind] : kinds)
-      for (const Json::Value& ranks : input["ranks"]) {
-        Json::Value row;
-        row["tile_px"] = input["images"][static_cast<unsigned>(k)]["tile_px"];
-        row["scheduling"] = name;
-        row["ranks"] = ranks;
-        row["makespan_s"] = bench::makespan_s(images[k], ranks.asInt(), messages, kind);
-        // What small tiles cost more, for what lies beyond their rims, counts too.
-        row["efficiency"] = least_s / (ranks.asInt() * row["makespan_s"].asDouble());
-        result.append(row);
-      }
-  print(result);
+  const std::vector<io::JsonView> described = input["images"].items();
+  const auto write_row = [&](io::JsonWriter& json, std::size_t k, const auto& kind, int ranks) {
+    const double makespan_s = bench::makespan_s(images[k], ranks, messages, kind.second);
+    json.member("tile_px", described[k]["tile_px"].integer());
+    json.member("scheduling", kind.first);
+    json.member("ranks", ranks);
+    json.member("makespan_s", makespan_s);
+    // What small tiles cost more, for what lies beyond their rims, counts too.
+    json.member("efficiency", least_s / (ranks * makespan_s));
+  };
+  print([&](io::JsonWriter& json) {
+    json.list([&] {
+      for (std::size_t k = 0; k < images.size(); ++k)
+        for (const auto& kind : kinds)
+          for (const io::JsonView& ranks : input["ranks"].items())
+            json.object([&] { write_row(json, k, kind, ranks.small_integer()); });
+    });
+  });
   return 0;
 }
 

@@ -7,8 +7,6 @@
 namespace ifov::cli {
 namespace {
 
-using Type = io::DocumentNode::Type;
-
 io::DocumentTree parsed(const std::filesystem::path& path) {
   io::JsonRules rules;
   rules.comments = false;
@@ -16,19 +14,6 @@ io::DocumentTree parsed(const std::filesystem::path& path) {
 }
 
 }  // namespace
-
-Record Record::operator[](const std::string& key) const {
-  return Record(node_ != nullptr && node_->type() == Type::object ? node_->find(key) : nullptr);
-}
-
-std::string Record::text() const { return node_ != nullptr && node_->type() == Type::text ? node_->text() : "?"; }
-
-std::vector<Record> Record::items() const {
-  std::vector<Record> all;
-  if (node_ == nullptr || node_->type() != Type::list) return all;
-  for (const io::DocumentNode& item : node_->items()) all.emplace_back(&item);
-  return all;
-}
 
 RunRecordFile::RunRecordFile(const std::filesystem::path& path) : tree_(parsed(path)) {
   if (root()["program"]["name"].text() == "ifov") return;

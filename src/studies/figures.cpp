@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/format.h"
+#include "io/document/json_writer.h"
 #include "studies/html_page.h"
 
 namespace ifov::studies {
@@ -39,32 +40,24 @@ bool FigureTable::all_met() const {
 
 namespace {
 
-std::string json_text(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    quoted += c;
-  }
-  return quoted + '"';
-}
-
 std::string verdict(const Figure& figure) { return !figure.ok ? "" : *figure.ok ? "ok" : "NO"; }
 
 }  // namespace
 
 std::string FigureTable::json() const {
-  std::string out = "{\n";
-  for (std::size_t k = 0; k < figures_.size(); ++k) {
-    const Figure& f = figures_[k];
-    out += format("  {}: {{\"value\": {}, \"unit\": {}, \"must\": {}, \"ok\": {}, \"meaning\": {}}}{}\n",
-                  json_text(f.name), std::isfinite(f.value) ? format("{:.9g}", f.value) : "null",
-                  json_text(f.unit), json_text(f.must),
-                  !f.ok   ? "null"
-                  : *f.ok ? "true"
-                          : "false",
-                  json_text(f.meaning), k + 1 < figures_.size() ? "," : "");
-  }
-  return out + "}\n";
+  io::JsonWriter json(io::JsonWriter::Look::indented);
+  json.object([&] {
+    for (const Figure& f : figures_)
+      json.object(f.name, [&] {
+        json.member("value", f.value);
+        json.member("unit", f.unit);
+        json.member("must", f.must);
+        json.key("ok");
+        f.ok ? json.value(*f.ok) : json.null();
+        json.member("meaning", f.meaning);
+      });
+  });
+  return json.written();
 }
 
 std::string FigureTable::text() const {

@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <json/json.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -7,10 +6,11 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 #include <thread>
 
 #include "core/error.h"
+#include "io/document/json_adapter.h"
+#include "io/document/json_view.h"
 #include "io/products/bil_cube.h"
 #include "io/products/envi_reader.h"
 #include "io/products/quality_classes.h"
@@ -227,12 +227,11 @@ TEST(ProductWriter, RunRecordHoldsFiguresAndChecksums) {
   options.geotiff = true;
   write_image(image, options, image.tiles(8));
 
-  Json::Value root;
-  std::istringstream text(test::read_all(folder.path() / "demo_run.json"));
-  text >> root;
-  EXPECT_EQ(root["document"]["text"].asString(), image.identity().document_text);
-  EXPECT_EQ(root["seed"].asUInt64(), 42u);
-  EXPECT_EQ(root["cost"]["samples"]["halo"].asUInt64(), 5 * image.tiles(8).size());
+  const DocumentTree record = parse_json(test::read_all(folder.path() / "demo_run.json"), "run.json");
+  const JsonView root(record);
+  EXPECT_EQ(root["document"]["text"].text(), image.identity().document_text);
+  EXPECT_EQ(root["seed"].natural(), 42u);
+  EXPECT_EQ(root["cost"]["samples"]["halo"].natural(), 5 * image.tiles(8).size());
   double sum = 0.0, squares = 0.0, widest = 0.0;
   std::uint64_t samples = 0, converged = 0;
   for (int y = 0; y < image.height; ++y)
@@ -244,26 +243,26 @@ TEST(ProductWriter, RunRecordHoldsFiguresAndChecksums) {
       converged += image.ratio(x, y) <= 1.0f;
     }
   const double n = image.width * image.height, mean = sum / n;
-  EXPECT_NEAR(root["channels"][2]["mean"].asDouble(), mean, 1e-7 * mean);
-  EXPECT_NEAR(root["channels"][2]["standard_deviation"].asDouble(), std::sqrt(squares / n - mean * mean),
+  EXPECT_NEAR(root["channels"].items()[2]["mean"].number(), mean, 1e-7 * mean);
+  EXPECT_NEAR(root["channels"].items()[2]["standard_deviation"].number(), std::sqrt(squares / n - mean * mean),
               1e-5);
-  EXPECT_NEAR(root["channels"][2]["largest_half_width"].asDouble(), widest, 1e-7 * widest);
-  EXPECT_EQ(root["cost"]["samples"]["total"].asUInt64(), samples);
-  EXPECT_EQ(root["cost"]["rays"]["primary"].asUInt64(), samples);
-  EXPECT_EQ(root["accuracy"]["pixels_converged"].asUInt64(), converged);
-  const Json::Value& by_reason = root["accuracy"]["pixels_by_reason"];
-  EXPECT_EQ(by_reason.size(), sampling::kReasonNames.size());
-  EXPECT_EQ(by_reason["samples"].asUInt64(), root["accuracy"]["pixels"].asUInt64() - converged);
-  EXPECT_GT(by_reason["unseen light"].asUInt64(), 0u);
-  EXPECT_LT(by_reason["unseen light"].asUInt64(), by_reason["samples"].asUInt64());
-  EXPECT_EQ(by_reason["air"].asUInt64(), 0u);
-  ASSERT_EQ(root["files"].size(), 13u);  // nine cubes, GeoTIFF, style, picture, report
-  for (const auto& file : root["files"]) {
-    const std::string bytes = test::read_all(folder.path() / file["name"].asString());
+  EXPECT_NEAR(root["channels"].items()[2]["largest_half_width"].number(), widest, 1e-7 * widest);
+  EXPECT_EQ(root["cost"]["samples"]["total"].natural(), samples);
+  EXPECT_EQ(root["cost"]["rays"]["primary"].natural(), samples);
+  EXPECT_EQ(root["accuracy"]["pixels_converged"].natural(), converged);
+  const JsonView by_reason = root["accuracy"]["pixels_by_reason"];
+  for (const std::string_view name : sampling::kReasonNames) EXPECT_TRUE(by_reason[name].is_number()) << name;
+  EXPECT_EQ(by_reason["samples"].natural(), root["accuracy"]["pixels"].natural() - converged);
+  EXPECT_GT(by_reason["unseen light"].natural(), 0u);
+  EXPECT_LT(by_reason["unseen light"].natural(), by_reason["samples"].natural());
+  EXPECT_EQ(by_reason["air"].natural(), 0u);
+  ASSERT_EQ(root["files"].items().size(), 13u);  // nine cubes, GeoTIFF, style, picture, report
+  for (const JsonView& file : root["files"].items()) {
+    const std::string bytes = test::read_all(folder.path() / file["name"].text());
     Sha256 whole;
     whole.update(bytes.data(), bytes.size());
-    EXPECT_EQ(file["bytes"].asUInt64(), bytes.size());
-    EXPECT_EQ(file["sha256"].asString(), whole.digest()) << file["name"];
+    EXPECT_EQ(file["bytes"].natural(), bytes.size());
+    EXPECT_EQ(file["sha256"].text(), whole.digest()) << file["name"].text();
   }
 }
 
@@ -286,11 +285,11 @@ TEST(ProductWriter, HalfWidthsAreSaidByWhatMakesThem) {
   EXPECT_GT(s.parts->sampling, 0.0);
   const std::string page = test::read_all(folder.path() / "demo_report.html");
   EXPECT_NE(page.find("<th>Mean by sampling</th><th>by the air</th><th>by nodes</th>"), std::string::npos);
-  Json::Value root;
-  std::istringstream(test::read_all(folder.path() / "demo_run.json")) >> root;
-  EXPECT_FALSE(root["channels"][0].isMember("mean_half_width_parts"));
-  EXPECT_NEAR(root["channels"][1]["mean_half_width_parts"]["nodes"].asDouble(), s.parts->nodes, 1e-6);
-  EXPECT_NEAR(root["channels"][1]["air_half_width"]["nodes"]["surface"].asDouble(), 0.001, 1e-9);
+  const DocumentTree tree = parse_json(test::read_all(folder.path() / "demo_run.json"), "json");
+  const JsonView root(tree);
+  EXPECT_FALSE(root["channels"].items()[0]["mean_half_width_parts"].is_there());
+  EXPECT_NEAR(root["channels"].items()[1]["mean_half_width_parts"]["nodes"].number(), s.parts->nodes, 1e-6);
+  EXPECT_NEAR(root["channels"].items()[1]["air_half_width"]["nodes"]["surface"].number(), 0.001, 1e-9);
 }
 
 TEST(ProductWriter, ValuesThatAreNotFiniteAreCounted) {

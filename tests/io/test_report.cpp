@@ -1,11 +1,12 @@
 #include <gtest/gtest.h>
-#include <json/json.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
 
 #include "core/format.h"
+#include "io/document/json_adapter.h"
+#include "io/document/json_view.h"
 #include "io/report/report.h"
 #include "io/report/report_data.h"
 #include "io/synthetic_image.h"
@@ -89,15 +90,15 @@ TEST(Base64, PublishedExamples) {  // RFC 4648, section 10
 TEST(Report, EmbeddedValuesComeBackWithinHalfACode) {
   const SyntheticImage image{13, 9, 4};
   const std::string page = make_report(record_of(image), views(image));
-  Json::Value meta;
-  std::istringstream(element(page, "meta")) >> meta;
-  EXPECT_EQ(meta["width"].asInt(), 13);
-  EXPECT_EQ(meta["step"].asInt(), 1);
+  const DocumentTree tree = parse_json(element(page, "meta"), "json");
+  const JsonView meta(tree);
+  EXPECT_EQ(meta["width"].small_integer(), 13);
+  EXPECT_EQ(meta["step"].small_integer(), 1);
   const std::string codes = decoded(element(page, "radiance"));
   ASSERT_EQ(codes.size(), 2u * 13 * 9 * 4);
   for (int c = 0; c < 4; ++c) {
-    const double low = meta["rasters"]["radiance"]["low"][c].asDouble(),
-                 high = meta["rasters"]["radiance"]["high"][c].asDouble();
+    const double low = meta["rasters"]["radiance"]["low"].items()[static_cast<std::size_t>(c)].number(),
+                 high = meta["rasters"]["radiance"]["high"].items()[static_cast<std::size_t>(c)].number();
     for (int y = 0; y < 9; ++y)
       for (int x = 0; x < 13; ++x) {
         const std::size_t at = 2 * static_cast<std::size_t>((c * 9 + y) * 13 + x);
@@ -124,14 +125,14 @@ TEST(Report, NeedsNoNetworkAndCannotBeBrokenByItsDocument) {
 TEST(Report, LargeImagesAreThinnedAndThePageSaysSo) {
   const SyntheticImage image{200, 120, 10};
   const std::string page = make_report(record_of(image), views(image), 100000);
-  Json::Value meta;
-  std::istringstream(element(page, "meta")) >> meta;
-  const int step = meta["step"].asInt();
+  const DocumentTree tree = parse_json(element(page, "meta"), "json");
+  const JsonView meta(tree);
+  const int step = meta["step"].small_integer();
   EXPECT_GT(step, 1);
   EXPECT_LE(decoded(element(page, "radiance")).size() + decoded(element(page, "half_width")).size(), 100000u);
   EXPECT_NE(page.find("Preview: every " + std::to_string(step)), std::string::npos);
   double pixels = 0.0;  // histograms are of the whole image all the same
-  for (const auto& n : meta["histograms"]["samples"]["counts"]) pixels += n.asDouble();
+  for (const JsonView& n : meta["histograms"]["samples"]["counts"].items()) pixels += n.number();
   EXPECT_EQ(pixels, 200.0 * 120.0);
 }
 

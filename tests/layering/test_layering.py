@@ -72,7 +72,7 @@ class PlantedFaults(unittest.TestCase):
             ("gdal_priv.h", "io"),
             ("cairo/cairo.h", "io"),
             ("cairo.h", "io"),
-            ("json/json.h", "io"),
+            ("rapidjson/reader.h", "io"),
             ("CLI/CLI.hpp", "cli"),
             ("erfa.h", "geodesy"),
             ("tbb/parallel_for.h", "core, geometry"),

@@ -21,16 +21,14 @@ TEST(FigureTable, JudgesAndWrites) {
   EXPECT_FALSE(table.all_met());
   EXPECT_EQ(table.json(),
             "{\n"
-            "  \"seconds\": {\"value\": 1.5, \"unit\": \"s\", \"must\": \"\", \"ok\": null, \"meaning\": "
-            "\"time taken\"},\n"
-            "  \"samples\": {\"value\": 180, \"unit\": \"samples\", \"must\": \"<= 185\", \"ok\": true, "
-            "\"meaning\": "
-            "\"to \\\"0.1 C\\\"\"},\n"
-            "  \"grid\": {\"value\": 15876, \"unit\": \"samples\", \"must\": \"= 15876\", \"ok\": true, "
-            "\"meaning\": \"of "
-            "the grid\"},\n"
-            "  \"found\": {\"value\": 0.5, \"unit\": \"\", \"must\": \">= 1\", \"ok\": false, \"meaning\": "
-            "\"share\"}\n"
+            "  \"seconds\": {\n    \"value\": 1.5,\n    \"unit\": \"s\",\n    \"must\": \"\",\n    \"ok\": null,\n"
+            "    \"meaning\": \"time taken\"\n  },\n"
+            "  \"samples\": {\n    \"value\": 180,\n    \"unit\": \"samples\",\n    \"must\": \"<= 185\",\n    \"ok\": true,\n"
+            "    \"meaning\": \"to \\\"0.1 C\\\"\"\n  },\n"
+            "  \"grid\": {\n    \"value\": 15876,\n    \"unit\": \"samples\",\n    \"must\": \"= 15876\",\n    \"ok\": true,\n"
+            "    \"meaning\": \"of the grid\"\n  },\n"
+            "  \"found\": {\n    \"value\": 0.5,\n    \"unit\": \"\",\n    \"must\": \">= 1\",\n    \"ok\": false,\n"
+            "    \"meaning\": \"share\"\n  }\n"
             "}\n");
   EXPECT_NE(table.text().find("samples           180  samples  <= 185   ok\n"), std::string::npos)
       << table.text();

@@ -6,7 +6,6 @@
 #include "core/names.h"
 #include "io/atmosphere/format_guess.h"
 #include "io/atmosphere/spectral_table.h"
-#include "io/document/json_text.h"
 
 namespace ifov::io {
 namespace {
@@ -71,8 +70,8 @@ std::string path_csv(const atmosphere::ImportedPath& path) {
   for (const auto quantity : quantities) text += format(",{}", atmosphere::name_of(quantity));
   text += "\n";
   for (std::size_t i = 0; i < path.wavelength_um().size(); ++i) {
-    text += json_number(path.wavelength_um()[i]);
-    for (const auto quantity : quantities) text += format(",{}", json_number(path.column(quantity)[i]));
+    text += format("{}", path.wavelength_um()[i]);
+    for (const auto quantity : quantities) text += format(",{}", path.column(quantity)[i]);
     text += "\n";
   }
   return text;

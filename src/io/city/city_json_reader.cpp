@@ -11,7 +11,6 @@
 #include "core/names.h"
 #include "io/city/city_geometry.h"
 #include "io/document/json_adapter.h"
-#include "io/document/json_text.h"
 #include "io/files/input_file.h"
 #include "io/mesh/gltf_reader.h"
 
@@ -30,7 +29,7 @@ constexpr double kLargestCoordinate = 1e9;
 std::string lod_of(const DocumentNode& geometry) {
   const DocumentNode* lod = geometry.find("lod");
   if (lod == nullptr) return {};
-  if (lod->type() == Type::number) return json_number(lod->number());
+  if (lod->type() == Type::number) return format("{}", lod->number());
   return word_of(*lod);
 }
 
@@ -179,7 +178,7 @@ class Reader {
       if (member.type() == Type::text)
         attributes.emplace_back(member.key(), member.text());
       else if (member.type() == Type::number)
-        attributes.emplace_back(member.key(), json_number(member.number()));
+        attributes.emplace_back(member.key(), format("{}", member.number()));
       else if (member.type() == Type::boolean)
         attributes.emplace_back(member.key(), member.boolean() ? "true" : "false");
     }

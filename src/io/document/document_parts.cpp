@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "core/format.h"
-#include "io/document/json_text.h"
+#include "io/document/json_writer.h"
 #include "io/files/input_file.h"
 
 namespace ifov::io {

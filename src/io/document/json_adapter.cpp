@@ -1,188 +1,219 @@
 #include "io/document/json_adapter.h"
 
-#include <json/reader.h>
-#include <json/value.h>
+#include <rapidjson/reader.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <utility>
 
 #include "core/format.h"
-#include "io/document/json_tokens.h"
+#include "io/document/json_mistake.h"
+#include "io/document/node_builder.h"
 
 namespace ifov::io {
-
-/// Copies the library's values into nodes that know their place.
-class NodeBuilder {
- public:
-  NodeBuilder(const DocumentSource& source, const JsonTokens& tokens) : source_(source), tokens_(tokens) {}
-
-  std::unique_ptr<const DocumentNode> build(const Json::Value& value) const {
-    auto root = std::unique_ptr<DocumentNode>(new DocumentNode());
-    fill(*root, value);
-    root->read_ = true;
-    return root;
-  }
-
- private:
-  // Children are allocated before they are filled, so that pointers to parents stay valid.
-  void fill(DocumentNode& node, const Json::Value& value) const {
-    node.source_ = &source_;
-    node.offset_ = static_cast<std::size_t>(value.getOffsetStart());
-    const auto key = tokens_.key_of_value.find(node.offset_);
-    node.key_offset_ = key == tokens_.key_of_value.end() ? node.offset_ : key->second;
-    switch (value.type()) {
-      case Json::nullValue:
-        break;
-      case Json::booleanValue:
-        node.type_ = DocumentNode::Type::boolean;
-        node.boolean_ = value.asBool();
-        break;
-      case Json::intValue:
-      case Json::uintValue:
-      case Json::realValue:
-        fill_number(node, value);
-        break;
-      case Json::stringValue:
-        node.type_ = DocumentNode::Type::text;
-        node.text_ = value.asString();
-        break;
-      case Json::arrayValue:
-        node.type_ = DocumentNode::Type::list;
-        fill_items(node, value);
-        break;
-      case Json::objectValue:
-        node.type_ = DocumentNode::Type::object;
-        fill_members(node, value);
-        break;
-    }
-  }
-
-  void fill_number(DocumentNode& node, const Json::Value& value) const {
-    node.type_ = DocumentNode::Type::number;
-    node.number_ = value.asDouble();
-    if (!std::isfinite(node.number_)) {
-      throw source_.error(source_.position(node.offset_), "this number is too large");
-    }
-    node.is_integer_ = value.type() == Json::intValue || (value.type() == Json::uintValue && value.isInt64());
-    if (node.is_integer_) node.integer_ = value.asInt64();
-  }
-
-  void fill_items(DocumentNode& node, const Json::Value& value) const {
-    reserve_children(node, value.size());
-    for (Json::ArrayIndex i = 0; i < value.size(); ++i) {
-      DocumentNode& child = node.children_[i];
-      child.parent_ = &node;
-      child.index_ = i;
-      fill(child, value[i]);
-    }
-  }
-
-  void fill_members(DocumentNode& node, const Json::Value& value) const {
-    std::vector<std::pair<std::ptrdiff_t, std::string>> order;
-    for (const std::string& name : value.getMemberNames()) {
-      order.emplace_back(value[name].getOffsetStart(), name);
-    }
-    std::sort(order.begin(), order.end());
-    reserve_children(node, order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      DocumentNode& child = node.children_[i];
-      child.parent_ = &node;
-      child.key_ = order[i].second;
-      fill(child, value[child.key_]);
-    }
-  }
-
-  static void reserve_children(DocumentNode& node, std::size_t count) {
-    node.children_.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) node.children_.push_back(DocumentNode());
-  }
-
-  const DocumentSource& source_;
-  const JsonTokens& tokens_;
-};
-
 namespace {
 
-Json::CharReaderBuilder strict_reader(const JsonRules& rules) {
-  Json::CharReaderBuilder builder;
-  Json::CharReaderBuilder::strictMode(&builder.settings_);
-  builder["allowComments"] = rules.comments;
-  builder["collectComments"] = false;
-  builder["strictRoot"] = false;
-  builder["allowTrailingCommas"] = false;
-  builder["rejectDupKeys"] = rules.unique_keys;
-  builder["skipBom"] = false;
-  builder["stackLimit"] = rules.max_depth + 2;
-  return builder;
-}
+/// A text as RapidJSON reads it: a NUL ends it only where it ends. Strings are parsed "in situ", because only then does the
+/// library tell where they begin; what they mean is put elsewhere, so that the text stays as it is.
+class JsonStream {
+ public:
+  using Ch = char;
 
-/// The library's sentences in the words of this program's messages.
-std::string plain_words(const std::string& what) {
-  static const std::pair<const char*, const char*> kWords[] = {
-      {"Missing ',' or ']' in array declaration", "expected ',' or ']' after a value of a list"},
-      {"Missing ',' or '}' in object declaration", "expected ',' or '}' after a value of an object"},
-      {"Missing '}' or object member name",
-       "expected a key in double quotes or '}' (no comma may stand before a closing bracket)"},
-      {"Missing ':' after object member name", "expected ':' after the key"},
-      {"Syntax error: value, object or array expected",
-       "expected a value (no comma may stand before a closing bracket)"},
-      {"Extra non-whitespace after JSON value", "expected nothing more after the end of the document"},
-  };
-  for (const auto& [theirs, ours] : kWords) {
-    if (what == theirs) return ours;
+  explicit JsonStream(const std::string& text)
+      : text_(text), decoded_(std::make_unique_for_overwrite<char[]>(text.size() + 1)) {}
+
+  char Peek() const {
+    const char c = text_[at_];
+    return c == '\0' && at_ < text_.size() ? '\1' : c;
   }
-  const std::string_view twice = "Duplicate key: ";
-  if (what.starts_with(twice)) return format("the key {} is given twice", what.substr(twice.size()));
-  return format("not valid JSON: {}", what);
+  char Take() {
+    const char c = Peek();
+    if (at_ < text_.size()) ++at_;
+    return c;
+  }
+  std::size_t Tell() const { return at_; }
+
+  char* PutBegin() {
+    if (at_ > 0 && text_[at_ - 1] == '"') string_begin_ = at_ - 1;  // numbers pass here too
+    return put_ = decoded_.get();
+  }
+  void Put(char c) { *put_++ = c; }
+  std::size_t PutEnd(const char* begin) const { return static_cast<std::size_t>(put_ - begin); }
+
+  std::size_t string_begin() const { return string_begin_; }
+
+ private:
+  const std::string& text_;
+  std::unique_ptr<char[]> decoded_;  ///< one string at a time, never longer than it is written
+  char* put_ = nullptr;
+  std::size_t at_ = 0, string_begin_ = 0;
+};
+
+/// Takes what is validated and needed no more.
+struct Nowhere {
+  void Put(char) {}
+};
+
+/// The library's events, with where the values begin.
+class Events {
+ public:
+  using Ch = char;
+
+  Events(const JsonStream& stream, const std::string& text, NodeBuilder& builder)
+      : stream_(stream), text_(text), builder_(builder) {}
+
+  bool Null() { return builder_.null(begin(4)), read(); }
+  bool Bool(bool value) { return builder_.boolean(begin(value ? 4 : 5), value), read(); }
+  bool RawNumber(const char*, unsigned length, bool) {
+    return builder_.number(begin(length), std::string_view(text_).substr(begin(length), length)), read();
+  }
+  bool String(const char* value, unsigned length, bool) {
+    return builder_.text(stream_.string_begin(), string({value, length})), read();
+  }
+  bool Key(const char* name, unsigned length, bool) {
+    return builder_.key(stream_.string_begin(), string({name, length})), read();
+  }
+  // An iterative reader takes the bracket after the event.
+  bool StartObject() { return builder_.begin(stream_.Tell(), false), read(); }
+  bool StartArray() { return builder_.begin(stream_.Tell(), true), read(); }
+  bool EndObject(unsigned) { return builder_.end(), read(); }
+  bool EndArray(unsigned) { return builder_.end(), read(); }
+
+  // With numbers as they are written, these do not come.
+  bool Int(int) { return false; }
+  bool Uint(unsigned) { return false; }
+  bool Int64(std::int64_t) { return false; }
+  bool Uint64(std::uint64_t) { return false; }
+  bool Double(double) { return false; }
+
+  std::size_t end_of_last() const { return end_of_last_; }
+
+ private:
+  std::size_t begin(std::size_t length) const { return stream_.Tell() - length; }
+  bool read() {
+    end_of_last_ = stream_.Tell();
+    return true;
+  }
+
+  /// RapidJSON 1.1 takes the second half of a surrogate pair for a character of its own, which UTF-8 has not.
+  std::string_view string(std::string_view value) const {
+    for (std::size_t at = value.find('\xED'); at != std::string_view::npos; at = value.find('\xED', at + 1))
+      if (static_cast<unsigned char>(value[at + 1]) >= 0xA0) fail_at_half();
+    return value;
+  }
+
+  [[noreturn]] void fail_at_half() const {
+    std::size_t at = stream_.string_begin();
+    for (;;) {
+      at = text_.find('\\', at);
+      const char first = text_[at + 2] | 0x20, second = text_[at + 3] | 0x20;
+      const bool is_surrogate = text_[at + 1] == 'u' && first == 'd' && second >= '8' && (second <= '9' || second >= 'a');
+      if (is_surrogate && second >= 'c') builder_.fail(at, "half of a surrogate pair; both halves must be written");
+      at += is_surrogate ? 12 : 2;
+    }
+  }
+
+  const JsonStream& stream_;
+  const std::string& text_;
+  NodeBuilder& builder_;
+  std::size_t end_of_last_ = 0;
+};
+
+struct Words {
+  JsonMistake::In in;
+  std::string_view expected;
+};
+
+/// The library's reasons in the words of this program's messages.
+Words words_of(rapidjson::ParseErrorCode code) {
+  using In = JsonMistake::In;
+  switch (code) {
+    case rapidjson::kParseErrorDocumentRootNotSingular:
+      return {In::between, "expected nothing more after the end of the document"};
+    case rapidjson::kParseErrorObjectMissName:
+      return {In::between, "expected a key in double quotes or '}' (no comma may stand before a closing bracket)"};
+    case rapidjson::kParseErrorObjectMissColon:
+      return {In::between, "expected ':' after the key"};
+    case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
+      return {In::between, "expected ',' or '}' after a value of an object"};
+    case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
+      return {In::between, "expected ',' or ']' after a value of a list"};
+    case rapidjson::kParseErrorNumberMissFraction:
+    case rapidjson::kParseErrorNumberMissExponent:
+      return {In::number, {}};
+    case rapidjson::kParseErrorStringMissQuotationMark:
+      return {In::text, {}};
+    case rapidjson::kParseErrorStringEscapeInvalid:
+      return {In::escape, "unknown escape; a backslash itself is written '\\\\'"};
+    case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex:
+      return {In::escape, "'\\u' needs four hexadecimal digits"};
+    case rapidjson::kParseErrorStringUnicodeSurrogateInvalid:
+      return {In::escape, "half of a surrogate pair; both halves must be written"};
+    case rapidjson::kParseErrorUnspecificSyntaxError:
+      return {In::comment, {}};
+    default:
+      return {In::value, "expected a value (no comma may stand before a closing bracket)"};
+  }
 }
 
-/// JsonCpp reports text: "* Line 3, Column 5\n  What is wrong.\n...". The first error counts.
-InputError syntax_error(const DocumentSource& source, const JsonTokens& tokens, const std::string& report) {
-  std::size_t line = 1, column = 1;
-  const auto number_after = [&](std::string_view word, std::size_t from, std::size_t& value) {
-    const std::size_t at = report.find(word, from);
-    if (at == std::string::npos) return from;
-    const char* begin = report.data() + at + word.size();
-    const auto result = std::from_chars(begin, report.data() + report.size(), value);
-    return static_cast<std::size_t>(result.ptr - report.data());
-  };
-  std::size_t at = number_after("Line ", 0, line);
-  at = number_after("Column ", at, column);
-  const std::size_t begin = std::min(report.find_first_not_of(" \n", at), report.size());
-  std::string what = report.substr(begin, std::min(report.find('\n', begin), report.size()) - begin);
-  if (what.ends_with('.')) what.pop_back();
-  std::size_t offset = 0;
-  for (std::size_t i = 1; i < line; ++i)
-    offset = std::min(source.text().find('\n', offset) + 1, source.text().size());
-  offset += column - 1;
-  if (offset >= tokens.end && !tokens.still_open.empty())
-    return source.error(source.position(tokens.end),
-                        format("the file ends here, within {}", tokens.still_open));
-  return source.error(source.position(offset), plain_words(what));
+/// Whether the text ends within a character that may be right so far.
+bool is_cut_character(std::string_view rest) {
+  const auto lead = static_cast<unsigned char>(rest.front());
+  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  return lead >= 0xC2 && lead <= 0xF4 && rest.size() < length && std::all_of(rest.begin() + 1, rest.end(), continues);
+}
+
+constexpr std::string_view kNotUtf8 = "the text is not UTF-8 here";
+
+/// In comments as well, which the library passes over. Returns where the text ends, or a character begins that its end cuts:
+/// what that character stood in says more.
+std::size_t require_utf8(const std::string& text, const NodeBuilder& builder) {
+  JsonStream stream(text);
+  Nowhere nowhere;
+  while (stream.Tell() < text.size()) {
+    const std::size_t begin = stream.Tell();
+    if (rapidjson::UTF8<>::Validate(stream, nowhere)) continue;
+    if (stream.Tell() == text.size() && is_cut_character(std::string_view(text).substr(begin))) return begin;
+    builder.fail(begin, kNotUtf8);
+  }
+  return text.size();
+}
+
+template <unsigned flags>
+void read(const std::string& text, std::size_t sound_end, NodeBuilder& builder) {
+  JsonStream stream(text);
+  Events events(stream, text, builder);
+  rapidjson::Reader reader;
+  // Iterative, so that no depth of nesting takes the stack.
+  constexpr unsigned kFlags = flags | rapidjson::kParseIterativeFlag | rapidjson::kParseInsituFlag |
+                              rapidjson::kParseNumbersAsStringsFlag;
+  const rapidjson::ParseResult result = reader.Parse<kFlags>(stream, events);
+  if (!result.IsError()) return;
+  if (result.Code() == rapidjson::kParseErrorNumberTooBig) builder.fail(result.Offset(), "this number is too large");
+  const Words words = words_of(result.Code());
+  const bool in_text = words.in == JsonMistake::In::text || words.in == JsonMistake::In::escape;
+  if (result.Offset() >= sound_end && sound_end < text.size() && !in_text && builder.still_open().empty())
+    builder.fail(sound_end, kNotUtf8);
+  explain({words.in, result.Offset(), words.expected, stream.string_begin(), events.end_of_last()}, text, builder);
 }
 
 }  // namespace
 
 DocumentTree parse_json(std::string text, const std::string& file_name, const JsonRules& rules) {
-  DocumentTree tree;
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-  auto source = std::make_shared<const DocumentSource>(std::move(text), file_name);
-  const JsonTokens tokens = scan_json(*source, rules);
-  const std::unique_ptr<Json::CharReader> reader(strict_reader(rules).newCharReader());
-  Json::Value root;
-  std::string report;
-  const std::string& bytes = source->text();
-  try {
-    if (!reader->parse(bytes.data(), bytes.data() + bytes.size(), &root, &report)) {
-      throw syntax_error(*source, tokens, report);
-    }
-  } catch (const Json::Exception& error) {
-    throw source->error({}, format("not valid JSON: {}", error.what()));
-  }
-  tree.root = NodeBuilder(*source, tokens).build(root);
-  tree.source = std::move(source);
+  DocumentTree tree;
+  tree.source = std::make_shared<const DocumentSource>(std::move(text), file_name);
+  const std::string& bytes = tree.source->text();
+  if (bytes.size() > rules.max_bytes)
+    throw tree.source->error(
+        {}, format("the document has {} bytes, more than the {} allowed", bytes.size(), rules.max_bytes));
+  NodeBuilder builder(*tree.source, rules);
+  const std::size_t sound_end = require_utf8(bytes, builder);
+  if (rules.comments)
+    read<rapidjson::kParseCommentsFlag>(bytes, sound_end, builder);
+  else
+    read<rapidjson::kParseNoFlags>(bytes, sound_end, builder);
+  if (sound_end < bytes.size()) builder.fail(sound_end, kNotUtf8);
+  tree.root = builder.root();
   return tree;
 }
 

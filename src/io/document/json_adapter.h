@@ -8,7 +8,7 @@ namespace ifov::io {
 
 struct JsonRules {
   bool comments = true;     ///< allow // and /* */
-  bool unique_keys = true;  ///< a key twice in one object is an error
+  bool unique_keys = true;  ///< a key twice in one object is an error; else both are members
   int max_depth = 64;       ///< nesting of lists and objects
   std::size_t max_bytes = 16U << 20U;
   std::size_t max_values = 2'000'000;

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/format.h"
-#include "io/document/json_text.h"
+#include "io/document/json_writer.h"
 #include "io/document/kind.h"
 #include "io/document/record_walk.h"
 
@@ -35,46 +34,13 @@ bool is_file(const std::string& name) {
   return std::filesystem::is_regular_file(name, ignored);
 }
 
-class Writer {
- public:
-  Writer(const FileNames& names, const std::string& file_name)
-      : names_(names), folder_(std::filesystem::path(file_name).parent_path()) {}
-
-  std::string text(const DocumentNode& node) const {
-    switch (node.type()) {
-      case Type::null:
-        return "null";
-      case Type::boolean:
-        return node.boolean() ? "true" : "false";
-      case Type::number:
-        return node.is_integer() ? format("{}", node.integer()) : json_number(node.number());
-      case Type::text:
-        return json_string(name_of(node));
-      case Type::list: {
-        std::vector<std::string> items;
-        for (const DocumentNode& item : node.items()) items.push_back(text(item));
-        return json_list(items);
-      }
-      case Type::object: {
-        JsonMembers members;
-        for (const DocumentNode& member : node.members()) members.emplace_back(member.key(), text(member));
-        return json_object(members);
-      }
-    }
-    return {};
-  }
-
- private:
-  std::string name_of(const DocumentNode& node) const {
-    const auto found = names_.find(&node);
-    if (found == names_.end() || std::filesystem::path(node.text()).is_absolute() || !is_file(found->second))
-      return node.text();
-    return std::filesystem::path(found->second).lexically_relative(folder_.empty() ? "." : folder_).string();
-  }
-
-  const FileNames& names_;
-  std::filesystem::path folder_;
-};
+/// Of a file that is there, the name from the folder of the whole text.
+std::string name_of(const DocumentNode& node, const FileNames& names, const std::filesystem::path& folder) {
+  const auto found = names.find(&node);
+  if (found == names.end() || std::filesystem::path(node.text()).is_absolute() || !is_file(found->second))
+    return node.text();
+  return std::filesystem::path(found->second).lexically_relative(folder.empty() ? "." : folder).string();
+}
 
 }  // namespace
 
@@ -94,7 +60,10 @@ std::vector<std::string> existing_files(const FileNames& names) {
 }
 
 std::string whole_text(const DocumentNode& root, const std::string& file_name, const FileNames& names) {
-  return json_indented(Writer(names, file_name).text(root));
+  const std::filesystem::path folder = std::filesystem::path(file_name).parent_path();
+  JsonWriter json(JsonWriter::Look::indented);
+  json.node(root, [&](const DocumentNode& node) { return name_of(node, names, folder); });
+  return json.written();
 }
 
 }  // namespace ifov::io

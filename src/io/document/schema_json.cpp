@@ -3,7 +3,8 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
-#include "io/document/json_text.h"
+#include "io/document/json_adapter.h"
+#include "io/document/json_writer.h"
 #include "io/document/record_walk.h"
 
 namespace ifov::io {
@@ -18,137 +19,124 @@ std::string definition_name(std::string name) {
   return name;
 }
 
-std::string schema_of(const ValueDescription& value);
+/// The members of a schema, each time of the object that is being written.
+void write_schema(JsonWriter& json, const ValueDescription& value);
 
-void add_bounds(JsonMembers& members, const ValueDescription& value) {
-  if (value.minimum)
-    members.emplace_back(value.above_minimum ? "exclusiveMinimum" : "minimum", json_number(*value.minimum));
-  if (value.maximum)
-    members.emplace_back(value.below_maximum ? "exclusiveMaximum" : "maximum", json_number(*value.maximum));
+void write_bounds(JsonWriter& json, const ValueDescription& value) {
+  if (value.minimum) json.member(value.above_minimum ? "exclusiveMinimum" : "minimum", *value.minimum);
+  if (value.maximum) json.member(value.below_maximum ? "exclusiveMaximum" : "maximum", *value.maximum);
 }
 
-std::string schema_of_text(const ValueDescription& value) {
-  JsonMembers members{{"type", json_string("string")}};
-  if (!value.pattern.empty()) members.emplace_back("pattern", json_string(value.pattern));
-  if (!value.choices.empty()) {
-    std::vector<std::string> words;
-    for (const std::string& word : value.choices) words.push_back(json_string(word));
-    members.emplace_back("enum", json_list(words));
-  }
-  return json_object(members);
-}
-
-std::string schema_of_list(const ValueDescription& value) {
-  return json_object({{"type", json_string("array")},
-                      {"items", schema_of(*value.items)},
-                      {"minItems", format("{}", value.min_count)},
-                      {"maxItems", format("{}", value.max_count)}});
-}
-
-std::string schema_of_map(const ValueDescription& value) {
+void write_map(JsonWriter& json, const ValueDescription& value) {
   const std::string pattern = value.pattern.empty() ? "^.+$" : value.pattern;
-  return json_object({{"type", json_string("object")},
-                      {"propertyNames", json_object({{"pattern", json_string(pattern)}})},
-                      {"maxProperties", format("{}", value.max_count)},
-                      {"additionalProperties", schema_of(*value.items)}});
+  json.member("type", "object");
+  json.object("propertyNames", [&] { json.member("pattern", pattern); });
+  json.member("maxProperties", value.max_count);
+  json.object("additionalProperties", [&] { write_schema(json, *value.items); });
 }
 
-std::string schema_of_alternatives(const ValueDescription& value) {
-  std::vector<std::string> schemas;
-  for (const ValueDescriptionPtr& one : value.alternatives) schemas.push_back(schema_of(*one));
-  return json_object({{"anyOf", json_list(schemas)}});
-}
-
-std::string schema_of(const ValueDescription& value) {
-  JsonMembers members;
+void write_schema(JsonWriter& json, const ValueDescription& value) {
   switch (value.form) {
     case Form::boolean:
-      return json_object({{"type", json_string("boolean")}});
+      return json.member("type", "boolean");
     case Form::integer:
     case Form::number:
-      members.emplace_back("type", json_string(value.form == Form::integer ? "integer" : "number"));
-      add_bounds(members, value);
-      return json_object(members);
+      json.member("type", value.form == Form::integer ? "integer" : "number");
+      return write_bounds(json, value);
     case Form::text:
-      return schema_of_text(value);
+      json.member("type", "string");
+      if (!value.pattern.empty()) json.member("pattern", value.pattern);
+      if (!value.choices.empty()) json.member("enum", value.choices);
+      return;
     case Form::list:
-      return schema_of_list(value);
+      json.member("type", "array");
+      json.object("items", [&] { write_schema(json, *value.items); });
+      json.member("minItems", value.min_count);
+      return json.member("maxItems", value.max_count);
     case Form::map:
-      return schema_of_map(value);
+      return write_map(json, value);
     case Form::record:
-      return json_object({{"$ref", json_string("#/definitions/" + definition_name(value.name))}});
+      return json.member("$ref", "#/definitions/" + definition_name(value.name));
     case Form::alternatives:
-      return schema_of_alternatives(value);
+      return json.list("anyOf", [&] {
+        for (const ValueDescriptionPtr& one : value.alternatives) json.object([&] { write_schema(json, *one); });
+      });
   }
   throw std::logic_error("unknown form of value");
 }
 
-std::string required_keys(const std::vector<std::string>& keys) {
-  std::vector<std::string> quoted;
-  for (const std::string& key : keys) quoted.push_back(json_string(key));
-  return json_list(quoted);
-}
+void write_required(JsonWriter& json, const std::vector<std::string>& keys) { json.member("required", keys); }
 
 /// Exactly one of the keys of a group, or at most one.
-std::string schema_of_group(const ValueDescription& record, int group, bool required) {
-  std::vector<std::string> cases;
-  for (const FieldDescription& field : record.fields) {
-    if (field.group == group) cases.push_back(json_object({{"required", required_keys({field.key})}}));
-  }
-  if (!required) cases.push_back(json_object({{"not", json_object({{"anyOf", json_list(cases)}})}}));
-  return json_object({{"oneOf", json_list(cases)}});
+void write_group(JsonWriter& json, const ValueDescription& record, int group, bool required) {
+  const auto write_cases = [&] {
+    for (const FieldDescription& field : record.fields)
+      if (field.group == group) json.object([&] { write_required(json, {field.key}); });
+  };
+  json.list("oneOf", [&] {
+    write_cases();
+    if (!required) json.object([&] { json.object("not", [&] { json.list("anyOf", write_cases); }); });
+  });
 }
 
-std::string schema_of_field(const FieldDescription& field) {
-  const std::string description = json_string(format("{} ({})", field.doc, field.value->short_name));
-  const std::string value = schema_of(*field.value);
-  JsonMembers members{{"description", description}};
-  if (!field.default_json.empty()) members.emplace_back("default", field.default_json);
+void write_field(JsonWriter& json, const FieldDescription& field) {
+  json.member("description", format("{} ({})", field.doc, field.value->short_name));
+  if (!field.default_json.empty()) {
+    json.key("default");
+    json.node(*parse_json(field.default_json, "default of " + field.key).root);
+  }
   // Draft 7 ignores what stands beside a $ref.
-  if (field.value->form == Form::record) {
-    members.emplace_back("allOf", json_list({value}));
-    return json_object(members);
-  }
-  std::string merged = json_object(members);
-  merged.pop_back();
-  return merged + "," + value.substr(1);
+  if (field.value->form == Form::record)
+    json.list("allOf", [&] { json.object([&] { write_schema(json, *field.value); }); });
+  else
+    write_schema(json, *field.value);
 }
 
-std::string definition_of(const ValueDescription& record) {
-  JsonMembers properties, dependencies,
-      members{{"type", json_string("object")}, {"description", json_string(record.doc)}};
-  std::vector<std::string> required, groups;
-  for (const FieldDescription& field : record.fields) {
-    properties.emplace_back(field.key, schema_of_field(field));
+void write_definition(JsonWriter& json, const ValueDescription& record) {
+  json.member("type", "object");
+  json.member("description", record.doc);
+  json.object("properties", [&] {
+    for (const FieldDescription& field : record.fields)
+      json.object(field.key, [&] { write_field(json, field); });
+  });
+  json.member("additionalProperties", false);
+  std::vector<std::string> required;
+  for (const FieldDescription& field : record.fields)
     if (field.required) required.push_back(field.key);
-  }
-  for (std::size_t i = 0; i < record.group_required.size(); ++i) {
-    groups.push_back(schema_of_group(record, static_cast<int>(i), record.group_required[i]));
-  }
-  for (const auto& [key, other] : record.needs) dependencies.emplace_back(key, required_keys({other}));
-  members.emplace_back("properties", json_object(properties));
-  members.emplace_back("additionalProperties", "false");
-  if (!required.empty()) members.emplace_back("required", required_keys(required));
-  if (!groups.empty()) members.emplace_back("allOf", json_list(groups));
-  if (!dependencies.empty()) members.emplace_back("dependencies", json_object(dependencies));
-  return json_object(members);
+  if (!required.empty()) write_required(json, required);
+  if (!record.group_required.empty())
+    json.list("allOf", [&] {
+      for (std::size_t i = 0; i < record.group_required.size(); ++i)
+        json.object([&] { write_group(json, record, static_cast<int>(i), record.group_required[i]); });
+    });
+  if (!record.needs.empty())
+    json.object("dependencies", [&] {
+      for (const auto& [key, other] : record.needs) json.member(key, std::vector<std::string>{other});
+    });
 }
 
 }  // namespace
 
 std::string schema_json() {
   const ValueDescription& document = document_description();
-  JsonMembers definitions;
-  for (const ValueDescription* record : records_within(document)) {
-    definitions.emplace_back(definition_name(record->name), definition_of(*record));
-  }
-  // What a document that includes others may leave out, only the program can say.
-  const std::string including = json_object({{"type", json_string("object")}, {"required", required_keys({"include"})}});
-  return json_indented(json_object({{"$schema", json_string("http://json-schema.org/draft-07/schema#")},
-                                    {"title", json_string("ifov document")},
-                                    {"if", including},
-                                    {"else", json_object({{"allOf", json_list({schema_of(document)})}})},
-                                    {"definitions", json_object(definitions)}}));
+  JsonWriter json(JsonWriter::Look::indented);
+  json.object([&] {
+    json.member("$schema", "http://json-schema.org/draft-07/schema#");
+    json.member("title", "ifov document");
+    // What a document that includes others may leave out, only the program can say.
+    json.object("if", [&] {
+      json.member("type", "object");
+      write_required(json, {"include"});
+    });
+    json.object("else", [&] {
+      json.list("allOf", [&] { json.object([&] { write_schema(json, document); }); });
+    });
+    json.object("definitions", [&] {
+      for (const ValueDescription* record : records_within(document))
+        json.object(definition_name(record->name), [&] { write_definition(json, *record); });
+    });
+  });
+  return json.written();
 }
 
 }  // namespace ifov::io

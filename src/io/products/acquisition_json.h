@@ -1,13 +1,13 @@
 #pragma once
 
-#include <json/json.h>
-
+#include "io/document/json_view.h"
+#include "io/document/json_writer.h"
 #include "io/products/acquisition.h"
 
 namespace ifov::io {
 
-/// The key "acquisition" of a run record, which docs/formats/products.md describes.
-Json::Value to_value(const Acquisition& acquisition);
-Acquisition acquisition_of(const Json::Value& value);
+/// The members of the key "acquisition" of a run record, which docs/formats/products.md describes.
+void write_members(JsonWriter& json, const Acquisition& acquisition);
+Acquisition acquisition_of(const JsonView& view);
 
 }  // namespace ifov::io

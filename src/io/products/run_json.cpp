@@ -1,151 +1,157 @@
 #include "io/products/run_json.h"
 
-#include <json/json.h>
+#include <map>
 
-#include <cmath>
-
+#include "io/document/json_writer.h"
 #include "io/products/acquisition_json.h"
 #include "io/products/map_info.h"
 
 namespace ifov::io {
 namespace {
 
-Json::Value number(double value) { return std::isfinite(value) ? Json::Value(value) : Json::Value(); }
-Json::Value count(std::uint64_t value) { return Json::Value(static_cast<Json::UInt64>(value)); }
+// Keys stand in alphabetical order.
 
-Json::Value system_value(const render::ImageInfo& info) {
-  const MapSystem system = map_system(info);
-  Json::Value v;
-  v["name"] = system.name;
-  v["epsg"] = system.epsg > 0 ? Json::Value(system.epsg) : Json::Value();
-  v["wkt"] = system.wkt;
-  return v;
+void write_accuracy(JsonWriter& json, const RunRecord& record) {
+  const auto& s = record.statistics;
+  json.member("asked", record.identity.accuracy_asked);
+  json.member("confidence", record.identity.confidence);
+  json.member("detection", record.outcome.detection_statement);
+  json.member("largest_missable_fraction", s.largest_missable_fraction);
+  json.member("pixels", s.pixels);
+  json.object("pixels_by_reason", [&] {
+    std::map<std::string_view, std::uint64_t> counts;
+    for (std::size_t r = 0; r < s.reasons.size(); ++r) counts[sampling::kReasonNames[r]] = s.reasons[r];
+    for (const auto& [name, pixels] : counts) json.member(name, pixels);
+  });
+  json.member("pixels_converged", s.converged);
+  json.member("reached", record.outcome.accuracy_statement);
+  json.member("worst_ratio", s.worst_ratio);
 }
 
-Json::Value image(const render::ImageInfo& info) {
-  Json::Value v;
-  v["width_px"] = info.width_px;
-  v["height_px"] = info.height_px;
-  v["radiance_unit"] = info.radiance_unit;
-  v["footprint_px"] = number(info.footprint_px);
+void write_air(JsonWriter& json, const render::AirHalfWidth& air) {
+  json.object("nodes", [&] {
+    json.member("path", air.nodes_path);
+    json.member("sky", air.nodes_sky);
+    json.member("surface", air.nodes_surface);
+  });
+  json.member("of_grey_surface", air.of(air.grey_radiance));
+  json.member("path", air.path);
+  json.member("path_radiance", air.path_radiance);
+  json.member("sky", air.sky);
+  json.member("surface", air.surface);
+  json.member("white_in_sky", air.white_in_sky);
+}
+
+void write_channel(JsonWriter& json, const render::ChannelInfo& channel, const ChannelStatistics& s) {
+  if (channel.air) json.object("air_half_width", [&] { write_air(json, *channel.air); });
+  json.member("centre_um", channel.centre_um);
+  json.member("fwhm_um", channel.fwhm_um);
+  json.member("largest_half_width", s.largest_half_width);
+  json.member("maximum", s.maximum);
+  json.member("mean", s.mean);
+  json.member("mean_half_width", s.mean_half_width);
+  if (s.parts)
+    json.object("mean_half_width_parts", [&] {
+      json.member("air", s.parts->air);
+      json.member("nodes", s.parts->nodes);
+      json.member("sampling", s.parts->sampling);
+    });
+  json.member("minimum", s.minimum);
+  json.member("name", channel.name);
+  json.member("not_finite", s.not_finite);
+  json.member("standard_deviation", s.standard_deviation);
+}
+
+void write_cost(JsonWriter& json, const RunRecord& record) {
+  const auto& s = record.statistics;
+  json.member("elapsed_s", record.outcome.elapsed_s);
+  json.object("rays", [&] {
+    json.member("bounce", s.rays.bounce);
+    json.member("primary", s.rays.primary);
+    json.member("shadow", s.rays.shadow);
+    json.member("total", s.rays.total());
+  });
+  json.object("samples", [&] {
+    json.member("fewest_in_a_pixel", s.fewest_samples);
+    json.member("halo", s.halo_samples);
+    json.member("label_rays", s.label_rays);
+    json.member("most_in_a_pixel", s.most_samples);
+    json.member("probes", s.probe_samples);
+    json.member("radiance_evaluations", s.radiance_evaluations);
+    json.member("seeds", s.seed_samples);
+    json.member("total", s.samples);
+  });
+  json.member("threads", record.outcome.threads);
+}
+
+void write_map(JsonWriter& json, const render::ImageInfo& info, bool has_system) {
   if (info.has_map) {
-    v["map"]["upper_left_x_m"] = info.map_x_m;
-    v["map"]["upper_left_y_m"] = info.map_y_m;
-    v["map"]["gsd_m"] = info.gsd_m;
-    v["map"]["rotation_rad"] = info.map_rotation_rad;
+    json.member("gsd_m", info.gsd_m);
+    json.member("rotation_rad", info.map_rotation_rad);
   }
-  if (!info.map_projection.empty() && info.map_projection != "Arbitrary") v["map"]["system"] = system_value(info);
-  v["materials"] = Json::arrayValue;
-  for (const auto& name : info.materials) v["materials"].append(name);
-  return v;
-}
-
-Json::Value channels(const RunRecord& record) {
-  Json::Value list = Json::arrayValue;
-  for (std::size_t c = 0; c < record.image.channels.size(); ++c) {
-    const auto& channel = record.image.channels[c];
-    const auto& s = record.statistics.channels.at(c);
-    Json::Value v;
-    v["name"] = channel.name;
-    v["centre_um"] = number(channel.centre_um);
-    v["fwhm_um"] = number(channel.fwhm_um);
-    v["minimum"] = number(s.minimum);
-    v["maximum"] = number(s.maximum);
-    v["mean"] = number(s.mean);
-    v["standard_deviation"] = number(s.standard_deviation);
-    v["mean_half_width"] = number(s.mean_half_width);
-    v["largest_half_width"] = number(s.largest_half_width);
-    if (s.parts) {
-      v["mean_half_width_parts"]["sampling"] = number(s.parts->sampling);
-      v["mean_half_width_parts"]["air"] = number(s.parts->air);
-      v["mean_half_width_parts"]["nodes"] = number(s.parts->nodes);
-    }
-    if (channel.air) {
-      v["air_half_width"]["path"] = number(channel.air->path);
-      v["air_half_width"]["surface"] = number(channel.air->surface);
-      v["air_half_width"]["sky"] = number(channel.air->sky);
-      v["air_half_width"]["path_radiance"] = number(channel.air->path_radiance);
-      v["air_half_width"]["white_in_sky"] = number(channel.air->white_in_sky);
-      v["air_half_width"]["nodes"]["path"] = number(channel.air->nodes_path);
-      v["air_half_width"]["nodes"]["surface"] = number(channel.air->nodes_surface);
-      v["air_half_width"]["nodes"]["sky"] = number(channel.air->nodes_sky);
-      v["air_half_width"]["of_grey_surface"] = number(channel.air->of(channel.air->grey_radiance));
-    }
-    v["not_finite"] = count(s.not_finite);
-    list.append(v);
+  if (has_system)
+    json.object("system", [&] {
+      const MapSystem system = map_system(info);
+      json.key("epsg");
+      system.epsg > 0 ? json.value(system.epsg) : json.null();
+      json.member("name", system.name);
+      json.member("wkt", system.wkt);
+    });
+  if (info.has_map) {
+    json.member("upper_left_x_m", info.map_x_m);
+    json.member("upper_left_y_m", info.map_y_m);
   }
-  return list;
 }
 
-Json::Value cost(const RunRecord& record) {
-  const auto& s = record.statistics;
-  Json::Value v;
-  v["elapsed_s"] = number(record.outcome.elapsed_s);
-  v["threads"] = record.outcome.threads;
-  v["samples"]["total"] = count(s.samples);
-  v["samples"]["fewest_in_a_pixel"] = s.fewest_samples;
-  v["samples"]["most_in_a_pixel"] = s.most_samples;
-  v["samples"]["label_rays"] = count(s.label_rays);
-  v["samples"]["radiance_evaluations"] = count(s.radiance_evaluations);
-  v["samples"]["seeds"] = count(s.seed_samples);
-  v["samples"]["probes"] = count(s.probe_samples);
-  v["samples"]["halo"] = count(s.halo_samples);
-  v["rays"]["primary"] = count(s.rays.primary);
-  v["rays"]["shadow"] = count(s.rays.shadow);
-  v["rays"]["bounce"] = count(s.rays.bounce);
-  v["rays"]["total"] = count(s.rays.total());
-  return v;
+void write_image(JsonWriter& json, const render::ImageInfo& info) {
+  const bool has_system = !info.map_projection.empty() && info.map_projection != "Arbitrary";
+  json.member("footprint_px", info.footprint_px);
+  json.member("height_px", info.height_px);
+  if (info.has_map || has_system) json.object("map", [&] { write_map(json, info, has_system); });
+  json.member("materials", info.materials);
+  json.member("radiance_unit", info.radiance_unit);
+  json.member("width_px", info.width_px);
 }
 
-Json::Value accuracy(const RunRecord& record) {
-  const auto& s = record.statistics;
-  Json::Value v;
-  v["asked"] = record.identity.accuracy_asked;
-  v["confidence"] = number(record.identity.confidence);
-  v["reached"] = record.outcome.accuracy_statement;
-  v["detection"] = record.outcome.detection_statement;
-  v["pixels"] = count(s.pixels);
-  v["pixels_converged"] = count(s.converged);
-  v["pixels_by_reason"] = Json::objectValue;
-  for (std::size_t r = 0; r < s.reasons.size(); ++r)
-    v["pixels_by_reason"][std::string(sampling::kReasonNames[r])] = count(s.reasons[r]);
-  v["worst_ratio"] = number(s.worst_ratio);
-  v["largest_missable_fraction"] = number(s.largest_missable_fraction);
-  return v;
+void write_files(JsonWriter& json, const RunRecord& record) {
+  for (const auto& file : record.files)
+    json.object([&] {
+      json.member("bytes", file.bytes);
+      json.member("name", file.path.filename().string());
+      json.member("sha256", file.sha256);
+      json.member("what", file.what);
+    });
 }
 
 }  // namespace
 
 std::string to_json(const RunRecord& record) {
-  Json::Value root;
-  root["program"]["name"] = "ifov";
-  root["program"]["version"] = record.identity.version;
-  root["document"]["path"] = record.identity.document_path;
-  root["document"]["text"] = record.identity.document_text;
-  root["seed"] = count(record.identity.seed);
-  root["sampler"] = record.identity.sampler;
-  root["accuracy"] = accuracy(record);
-  root["date"] = record.outcome.date;
-  root["acquisition"] = to_value(record.identity.acquisition);
-  root["image"] = image(record.image);
-  root["channels"] = channels(record);
-  root["cost"] = cost(record);
-  root["notes"] = Json::arrayValue;
-  for (const auto& note : record.outcome.notes) root["notes"].append(note);
-  root["files"] = Json::arrayValue;
-  for (const auto& file : record.files) {
-    Json::Value v;
-    v["name"] = file.path.filename().string();
-    v["what"] = file.what;
-    v["bytes"] = count(file.bytes);
-    v["sha256"] = file.sha256;
-    root["files"].append(v);
-  }
-  Json::StreamWriterBuilder writer;
-  writer["indentation"] = "  ";
-  writer["emitUTF8"] = true;
-  writer["precision"] = 9;
-  return Json::writeString(writer, root) + "\n";
+  const RunIdentity& identity = record.identity;
+  JsonWriter json(JsonWriter::Look::indented);
+  json.object([&] {
+    json.object("accuracy", [&] { write_accuracy(json, record); });
+    json.object("acquisition", [&] { write_members(json, identity.acquisition); });
+    json.list("channels", [&] {
+      for (std::size_t c = 0; c < record.image.channels.size(); ++c)
+        json.object([&] { write_channel(json, record.image.channels[c], record.statistics.channels.at(c)); });
+    });
+    json.object("cost", [&] { write_cost(json, record); });
+    json.member("date", record.outcome.date);
+    json.object("document", [&] {
+      json.member("path", identity.document_path);
+      json.member("text", identity.document_text);
+    });
+    json.list("files", [&] { write_files(json, record); });
+    json.object("image", [&] { write_image(json, record.image); });
+    json.member("notes", record.outcome.notes);
+    json.object("program", [&] {
+      json.member("name", "ifov");
+      json.member("version", identity.version);
+    });
+    json.member("sampler", identity.sampler);
+    json.member("seed", identity.seed);
+  });
+  return json.written();
 }
 
 }  // namespace ifov::io

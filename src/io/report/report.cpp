@@ -1,11 +1,10 @@
 #include "io/report/report.h"
 
-#include <json/json.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/format.h"
+#include "io/document/json_writer.h"
 #include "io/products/picture.h"
 #include "io/products/product_headers.h"
 #include "io/report/report_data.h"
@@ -17,29 +16,16 @@
 namespace ifov::io {
 namespace {
 
-Json::Value list(const std::vector<double>& values) {
-  Json::Value result = Json::arrayValue;
-  for (const double v : values) result.append(std::isfinite(v) ? Json::Value(v) : Json::Value());
-  return result;
-}
-
-Json::Value as_json(const Histogram& h) {
-  Json::Value v;
-  v["edges"] = list(h.edges);
-  v["counts"] = Json::arrayValue;
-  for (const std::size_t n : h.counts) v["counts"].append(static_cast<Json::UInt64>(n));
-  v["logarithmic"] = h.logarithmic;
-  return v;
+void write_histogram(JsonWriter& json, const Histogram& h) {
+  json.member("edges", h.edges);
+  json.member("counts", h.counts);
+  json.member("logarithmic", h.logarithmic);
 }
 
 /// JSON inside a script element must not close it.
-std::string embedded_json(const Json::Value& value) {
-  Json::StreamWriterBuilder writer;
-  writer["indentation"] = "";
-  writer["emitUTF8"] = true;
-  writer["precision"] = 9;
+std::string embedded(const std::string& json) {
   std::string safe;
-  for (const char c : Json::writeString(writer, value)) {
+  for (const char c : json) {
     if (c == '<')
       safe += "\\u003c";
     else
@@ -270,64 +256,85 @@ class Page {
 
   std::string data() const {
     std::string elements;
-    Json::Value meta;
-    meta["rasters"] = Json::objectValue;
-    const auto embed = [&](const char* id, const RasterView& raster, int bands) {
-      if (!raster) return;
-      const QuantisedRaster q = quantise(raster, bands, step_);
-      meta["width"] = q.width;
-      meta["height"] = q.height;
-      meta["rasters"][id]["low"] = list(q.low);
-      meta["rasters"][id]["high"] = list(q.high);
-      elements += data_element(id, q.codes);
-    };
-    embed("radiance", input_.radiance, bands_);
-    embed("half_width", input_.half_width, bands_);
-    embed("samples", input_.samples, 1);
-    embed("quality", input_.quality, 4);
-    embed("reasons", input_.reasons, 1);
-    add_reasons(meta);
+    JsonWriter json(JsonWriter::Look::compact);
+    json.object([&] { write_members(json, elements); });
+    return format("<script type=\"application/json\" id=\"meta\">{}</script>\n", embedded(json.written())) + elements +
+           colour_element("colours-seq", sequential_colours()) + colour_element("colours-heat", heat_colours());
+  }
 
-    meta["step"] = step_;
-    meta["unit"] = shown_unit(record_.image.radiance_unit);
-    meta["judged"] = judged_;
+  void write_members(JsonWriter& json, std::string& elements) const {
+    int width = 0, height = 0;
+    json.object("rasters", [&] {
+      const auto embed = [&](const char* id, const RasterView& raster, int bands) {
+        if (!raster) return;
+        const QuantisedRaster q = quantise(raster, bands, step_);
+        width = q.width;
+        height = q.height;
+        json.object(id, [&] {
+          json.member("low", q.low);
+          json.member("high", q.high);
+        });
+        elements += data_element(id, q.codes);
+      };
+      embed("radiance", input_.radiance, bands_);
+      embed("half_width", input_.half_width, bands_);
+      embed("samples", input_.samples, 1);
+      embed("quality", input_.quality, 4);
+      embed("reasons", input_.reasons, 1);
+    });
+    json.member("width", width);
+    json.member("height", height);
+    json.member("step", step_);
+    write_reasons(json);
+    json.member("unit", shown_unit(record_.image.radiance_unit));
+    json.member("judged", judged_);
     const sampling::RegionRule rule = record_.identity.sampler == "accuracy"
                                           ? sampling::RegionRule::of_accuracy(record_.image.footprint_px)
                                           : sampling::RegionRule::all_common();
-    meta["region"]["shared"] = rule.shared;
-    meta["region"]["commonBorders"] = rule.common_borders;
-    meta["region"]["commonPaths"] = rule.common_paths;
-    meta["channels"] = Json::arrayValue;
-    for (int c = 0; c < bands_; ++c) {
-      const auto& channel = record_.image.channels[static_cast<std::size_t>(c)];
-      Json::Value v;
-      v["name"] = channel.name;
-      v["um"] = channel.centre_um;
-      v["thermal"] = is_thermal(record_.image, c);
-      if (channel.air) {
-        v["air"]["path"] = channel.air->path;
-        v["air"]["surface"] = channel.air->surface;
-        v["air"]["sky"] = channel.air->sky;
-        v["air"]["path_radiance"] = channel.air->path_radiance;
-        v["air"]["white_in_sky"] = channel.air->white_in_sky;
-      }
-      meta["channels"].append(v);
-    }
-    meta["first"] = picture_.front();
-    meta["rgb"] = Json::arrayValue;
-    meta["rgbRanges"] = Json::arrayValue;
-    if (picture_.size() == 3) {
-      for (const int c : picture_) meta["rgb"].append(c);
-      for (const Range& range : colour_ranges(input_.radiance, record_.image, picture_))
-        meta["rgbRanges"].append(list({range.low, range.high}));
-    }
+    json.object("region", [&] {
+      json.member("shared", rule.shared);
+      json.member("commonBorders", rule.common_borders);
+      json.member("commonPaths", rule.common_paths);
+    });
+    json.list("channels", [&] {
+      for (int c = 0; c < bands_; ++c) json.object([&] { write_channel(json, c); });
+    });
+    write_picture(json);
     constexpr int kBins = 40;
-    meta["histograms"]["samples"] =
-        input_.samples ? as_json(histogram(input_.samples, 0, kBins, true)) : as_json({});
-    meta["histograms"]["error"] = judged_ ? as_json(histogram(input_.quality, 1, kBins)) : as_json({});
-    return format("<script type=\"application/json\" id=\"meta\">{}</script>\n", embedded_json(meta)) +
-           elements + colour_element("colours-seq", sequential_colours()) +
-           colour_element("colours-heat", heat_colours());
+    json.object("histograms", [&] {
+      json.object("samples", [&] {
+        write_histogram(json, input_.samples ? histogram(input_.samples, 0, kBins, true) : Histogram());
+      });
+      json.object("error", [&] {
+        write_histogram(json, judged_ ? histogram(input_.quality, 1, kBins) : Histogram());
+      });
+    });
+  }
+
+  void write_channel(JsonWriter& json, int c) const {
+    const auto& channel = record_.image.channels[static_cast<std::size_t>(c)];
+    json.member("name", channel.name);
+    json.member("um", channel.centre_um);
+    json.member("thermal", is_thermal(record_.image, c));
+    if (!channel.air) return;
+    json.object("air", [&] {
+      json.member("path", channel.air->path);
+      json.member("surface", channel.air->surface);
+      json.member("sky", channel.air->sky);
+      json.member("path_radiance", channel.air->path_radiance);
+      json.member("white_in_sky", channel.air->white_in_sky);
+    });
+  }
+
+  void write_picture(JsonWriter& json) const {
+    json.member("first", picture_.front());
+    const bool is_rgb = picture_.size() == 3;
+    json.member("rgb", is_rgb ? picture_ : std::vector<int>());
+    json.list("rgbRanges", [&] {
+      if (!is_rgb) return;
+      for (const Range& range : colour_ranges(input_.radiance, record_.image, picture_))
+        json.value(std::vector<double>{range.low, range.high});
+    });
   }
 
   const RunRecord& record_;

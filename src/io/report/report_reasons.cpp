@@ -1,6 +1,7 @@
 #include "io/report/report_reasons.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <vector>
 
@@ -41,24 +42,23 @@ std::string reasons_section(const RunRecord& record) {
          "</section>\n";
 }
 
-void add_reasons(Json::Value& meta) {
+void write_reasons(JsonWriter& json) {
   const auto colour = [](std::size_t quality_class) {
     const Rgb c = class_colours()[quality_class];
-    Json::Value list = Json::arrayValue;
-    for (const int part : {c.r, c.g, c.b}) list.append(part);
-    return list;
+    return std::array<int, 3>{c.r, c.g, c.b};
   };
-  meta["reasons"] = Json::arrayValue;
-  for (std::size_t r = 0; r < sampling::kReasonNames.size(); ++r) {
-    Json::Value v;
-    v["name"] = std::string(sampling::kReasonNames[r]);
-    v["words"] = std::string(sampling::words_of(static_cast<sampling::Reason>(r)));
-    v["colour"] = colour(r + 1);
-    meta["reasons"].append(v);
-  }
-  meta["gravity"] = Json::arrayValue;
-  for (const sampling::Reason reason : sampling::reasons_by_gravity()) meta["gravity"].append(static_cast<int>(reason));
-  meta["convergedColour"] = colour(0);
+  json.list("reasons", [&] {
+    for (std::size_t r = 0; r < sampling::kReasonNames.size(); ++r)
+      json.object([&] {
+        json.member("name", sampling::kReasonNames[r]);
+        json.member("words", sampling::words_of(static_cast<sampling::Reason>(r)));
+        json.member("colour", colour(r + 1));
+      });
+  });
+  std::vector<int> gravity;
+  for (const sampling::Reason reason : sampling::reasons_by_gravity()) gravity.push_back(static_cast<int>(reason));
+  json.member("gravity", gravity);
+  json.member("convergedColour", colour(0));
 }
 
 }  // namespace ifov::io

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <json/json.h>
-
 #include <string>
 
+#include "io/document/json_writer.h"
 #include "io/products/run_record.h"
 
 namespace ifov::io {
@@ -12,6 +11,6 @@ namespace ifov::io {
 std::string reasons_section(const RunRecord& record);
 
 /// Names, words and colours of the reasons and their order of gravity, for the page's script.
-void add_reasons(Json::Value& meta);
+void write_reasons(JsonWriter& json);
 
 }  // namespace ifov::io

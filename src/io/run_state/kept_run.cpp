@@ -1,8 +1,9 @@
 #include "io/run_state/kept_run.h"
 
-#include <json/json.h>
+#include <algorithm>
 
 #include "core/error.h"
+#include "io/document/json_adapter.h"
 #include "io/run_state/tile_packs.h"
 
 namespace ifov::io {
@@ -25,18 +26,55 @@ bool KeptTiles::read(std::size_t index, sampling::TileResult& tile) {
   return false;
 }
 
-bool differ_in_error_alone(const std::string& one, const std::string& other) {
-  const auto without_error = [](const std::string& text) {
-    Json::Value root;
-    std::string errors;
-    const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder().newCharReader());
-    if (!reader->parse(text.data(), text.data() + text.size(), &root, &errors) || !root.isObject())
-      throw EnvironmentError("the document of a kept run cannot be read");
-    Json::Value& sampling = root["sampling"];
-    if (sampling.isObject() && sampling["accuracy"].isObject()) sampling["accuracy"].removeMember("error");
-    return root;
+namespace {
+
+using Type = DocumentNode::Type;
+
+DocumentTree document_of(const std::string& text) {
+  JsonRules rules;
+  rules.max_bytes = rules.max_values = text.size();
+  try {
+    DocumentTree tree = parse_json(text, "", rules);
+    if (tree.root->type() == Type::object) return tree;
+  } catch (const InputError&) {
+  }
+  throw EnvironmentError("the document of a kept run cannot be read");
+}
+
+bool counts(const DocumentNode& member) { return member.key() != "error" || member.path() != "sampling.accuracy.error"; }
+
+/// Members may stand in any order.
+bool alike(const DocumentNode& one, const DocumentNode& other) {
+  if (one.type() != other.type()) return false;
+  switch (one.type()) {
+    case Type::null:
+      return true;
+    case Type::boolean:
+      return one.boolean() == other.boolean();
+    case Type::number:
+      if (one.is_integer() && other.is_integer()) return one.integer() == other.integer();
+      return one.is_integer() == other.is_integer() && one.number() == other.number();
+    case Type::text:
+      return one.text() == other.text();
+    case Type::list:
+      return std::equal(one.items().begin(), one.items().end(), other.items().begin(), other.items().end(), alike);
+    case Type::object:
+      break;
+  }
+  const auto count = [](const DocumentNode& node) {
+    return std::count_if(node.members().begin(), node.members().end(), counts);
   };
-  return without_error(one) == without_error(other);
+  return count(one) == count(other) &&
+         std::all_of(one.members().begin(), one.members().end(), [&](const DocumentNode& member) {
+           const DocumentNode* same = other.find(member.key());
+           return !counts(member) || (same != nullptr && alike(member, *same));
+         });
+}
+
+}  // namespace
+
+bool differ_in_error_alone(const std::string& one, const std::string& other) {
+  return alike(*document_of(one).root, *document_of(other).root);
 }
 
 }  // namespace ifov::io

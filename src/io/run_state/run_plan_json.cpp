@@ -1,8 +1,9 @@
-#include <json/json.h>
-
 #include <algorithm>
 
 #include "core/error.h"
+#include "io/document/json_adapter.h"
+#include "io/document/json_view.h"
+#include "io/document/json_writer.h"
 #include "io/files/own_files.h"
 #include "io/products/acquisition_json.h"
 #include "io/products/sha256.h"
@@ -11,25 +12,15 @@
 namespace ifov::io {
 namespace {
 
-constexpr int kFormat = 3;
-
-Json::Value count(std::uint64_t value) { return Json::Value(static_cast<Json::UInt64>(value)); }
+constexpr int kFormat = 4;
 
 std::string hex(std::uint64_t value) { return format("{:016x}", value); }
 std::uint64_t from_hex(const std::string& text) { return std::stoull(text, nullptr, 16); }
 
-std::string text_of(const Json::Value& value, const char* indentation) {
-  Json::StreamWriterBuilder writer;
-  writer["indentation"] = indentation;
-  writer["emitUTF8"] = true;
-  writer["precision"] = 17;
-  return Json::writeString(writer, value);
-}
-
-std::string checksum_of(const Json::Value& state) {
-  const std::string text = text_of(state, "");
+/// Of the state without white space, so that it can be told from the state as it was read.
+std::string checksum_of(const std::string& compact) {
   Sha256 sum;
-  sum.update(text.data(), text.size());
+  sum.update(compact.data(), compact.size());
   return sum.digest();
 }
 
@@ -44,150 +35,165 @@ constexpr std::pair<const char*, double render::AirHalfWidth::*> kAirKeys[] = {
     {"nodes_sky", &render::AirHalfWidth::nodes_sky},
     {"grey_radiance", &render::AirHalfWidth::grey_radiance}};
 
-Json::Value image_value(const render::ImageInfo& image) {
-  Json::Value v;
-  v["width_px"] = image.width_px;
-  v["height_px"] = image.height_px;
-  v["radiance_unit"] = image.radiance_unit;
-  v["footprint_px"] = image.footprint_px;
-  v["channels"] = Json::arrayValue;
-  for (const auto& channel : image.channels) {
-    Json::Value c;
-    c["name"] = channel.name;
-    c["centre_um"] = channel.centre_um;
-    c["fwhm_um"] = channel.fwhm_um;
-    if (channel.air)
-      for (const auto& [key, member] : kAirKeys) c["air"][key] = (*channel.air).*member;
-    v["channels"].append(c);
-  }
-  v["materials"] = Json::arrayValue;
-  for (const auto& name : image.materials) v["materials"].append(name);
-  if (image.has_map) {
-    v["map"]["x_m"] = image.map_x_m;
-    v["map"]["y_m"] = image.map_y_m;
-    v["map"]["gsd_m"] = image.gsd_m;
-    v["map"]["rotation_rad"] = image.map_rotation_rad;
-  }
-  v["map_system"] = image.map_projection;
-  return v;
+void write_members(JsonWriter& json, const render::ImageInfo& image) {
+  json.member("width_px", image.width_px);
+  json.member("height_px", image.height_px);
+  json.member("radiance_unit", image.radiance_unit);
+  json.member("footprint_px", image.footprint_px);
+  json.list("channels", [&] {
+    for (const auto& channel : image.channels)
+      json.object([&] {
+        json.member("name", channel.name);
+        json.member("centre_um", channel.centre_um);
+        json.member("fwhm_um", channel.fwhm_um);
+        if (channel.air)
+          json.object("air", [&] {
+            for (const auto& [key, member] : kAirKeys) json.member(key, (*channel.air).*member);
+          });
+      });
+  });
+  json.member("materials", image.materials);
+  if (image.has_map)
+    json.object("map", [&] {
+      json.member("x_m", image.map_x_m);
+      json.member("y_m", image.map_y_m);
+      json.member("gsd_m", image.gsd_m);
+      json.member("rotation_rad", image.map_rotation_rad);
+    });
+  json.member("map_system", image.map_projection);
 }
 
-render::ImageInfo image_of(const Json::Value& v) {
+render::ImageInfo image_of(const JsonView& v) {
   render::ImageInfo image;
-  image.width_px = v["width_px"].asInt();
-  image.height_px = v["height_px"].asInt();
-  image.radiance_unit = v["radiance_unit"].asString();
-  image.footprint_px = v["footprint_px"].asDouble();
-  for (const Json::Value& c : v["channels"]) {
-    image.channels.push_back({c["name"].asString(), c["centre_um"].asDouble(), c["fwhm_um"].asDouble()});
-    if (!c.isMember("air")) continue;
+  image.width_px = v["width_px"].small_integer();
+  image.height_px = v["height_px"].small_integer();
+  image.radiance_unit = v["radiance_unit"].text();
+  image.footprint_px = v["footprint_px"].number();
+  for (const JsonView& c : v["channels"].items()) {
+    image.channels.push_back({c["name"].text(), c["centre_um"].number(), c["fwhm_um"].number()});
+    if (!c["air"].is_there()) continue;
     render::AirHalfWidth& air = image.channels.back().air.emplace();
-    for (const auto& [key, member] : kAirKeys) air.*member = c["air"][key].asDouble();
+    for (const auto& [key, member] : kAirKeys) air.*member = c["air"][key].number();
   }
-  for (const Json::Value& name : v["materials"]) image.materials.push_back(name.asString());
-  if (v.isMember("map")) {
-    const Json::Value& map = v["map"];
+  for (const JsonView& name : v["materials"].items()) image.materials.push_back(name.text());
+  if (const JsonView map = v["map"]; map.is_there()) {
     image.has_map = true;
-    image.map_x_m = map["x_m"].asDouble();
-    image.map_y_m = map["y_m"].asDouble();
-    image.gsd_m = map["gsd_m"].asDouble();
-    image.map_rotation_rad = map["rotation_rad"].asDouble();
+    image.map_x_m = map["x_m"].number();
+    image.map_y_m = map["y_m"].number();
+    image.gsd_m = map["gsd_m"].number();
+    image.map_rotation_rad = map["rotation_rad"].number();
   }
-  image.map_projection = v["map_system"].asString();
+  image.map_projection = v["map_system"].text();
   return image;
 }
 
-Json::Value state_value(const RunPlan& plan) {
-  Json::Value v;
-  const RunIdentity& identity = plan.identity;
-  v["program"]["version"] = identity.version;
-  v["program"]["build"] = plan.build;
-  v["instruction_set"] = plan.instruction_set;
-  v["document"]["path"] = identity.document_path;
-  v["document"]["text"] = identity.document_text;
-  v["seed"] = count(identity.seed);
-  v["sampler"] = identity.sampler;
-  v["accuracy"]["asked"] = identity.accuracy_asked;
-  v["accuracy"]["confidence"] = identity.confidence;
-  v["accuracy"]["judged"] = plan.judged;
-  v["accuracy"]["knows_errors"] = plan.knows_errors;
-  v["accuracy"]["error"] = plan.error;
-  v["accuracy"]["unit"] = plan.error_unit;
-  v["refining"]["keeps_memory"] = plan.keeps_memory;
-  v["refining"]["base"] = hex(plan.base);
-  v["refining"]["from"] = Json::arrayValue;
-  for (const std::string& accuracy : plan.refined_from) v["refining"]["from"].append(accuracy);
-  v["tile_px"] = plan.tile_px;
-  v["share"]["number"] = plan.share.number;
-  v["share"]["count"] = plan.share.count;
-  v["image"] = image_value(plan.image);
-  v["files"] = Json::arrayValue;
-  for (const FileStamp& file : plan.files) {
-    Json::Value f;
-    f["path"] = file.path;
-    f["bytes"] = count(file.bytes);
-    f["time_ns"] = static_cast<Json::Int64>(file.time_ns);
-    f["xxh3_128"] = hex(file.hash[1]) + hex(file.hash[0]);
-    v["files"].append(f);
-  }
-  v["notes"] = Json::arrayValue;
-  for (const std::string& note : plan.notes) v["notes"].append(note);
-  v["acquisition"] = to_value(identity.acquisition);
-  v["products"]["name"] = plan.name;
-  v["products"]["cubes"] = Json::arrayValue;
+void write_products(JsonWriter& json, const RunPlan& plan) {
+  std::vector<std::string_view> cubes;
   for (std::size_t k = 0; k < kProductCount; ++k)
-    if (plan.cubes.has(static_cast<Product>(k))) v["products"]["cubes"].append(std::string(kProductNames[k]));
-  v["products"]["geotiff"] = plan.geotiff;
-  v["products"]["netcdf"] = plan.netcdf;
-  v["products"]["quicklook"] = plan.quicklook;
-  v["products"]["report"] = plan.report;
-  v["products"]["quicklook_channels"] = Json::arrayValue;
-  for (const int channel : plan.quicklook_channels) v["products"]["quicklook_channels"].append(channel);
-  return v;
+    if (plan.cubes.has(static_cast<Product>(k))) cubes.push_back(kProductNames[k]);
+  json.member("name", plan.name);
+  json.member("cubes", cubes);
+  json.member("geotiff", plan.geotiff);
+  json.member("netcdf", plan.netcdf);
+  json.member("quicklook", plan.quicklook);
+  json.member("report", plan.report);
+  json.member("quicklook_channels", plan.quicklook_channels);
 }
 
-RunPlan plan_of(const Json::Value& v) {
+void write_members(JsonWriter& json, const RunPlan& plan) {
+  const RunIdentity& identity = plan.identity;
+  json.object("program", [&] {
+    json.member("version", identity.version);
+    json.member("build", plan.build);
+  });
+  json.member("instruction_set", plan.instruction_set);
+  json.object("document", [&] {
+    json.member("path", identity.document_path);
+    json.member("text", identity.document_text);
+  });
+  json.member("seed", identity.seed);
+  json.member("sampler", identity.sampler);
+  json.object("accuracy", [&] {
+    json.member("asked", identity.accuracy_asked);
+    json.member("confidence", identity.confidence);
+    json.member("judged", plan.judged);
+    json.member("knows_errors", plan.knows_errors);
+    json.member("error", plan.error);
+    json.member("unit", plan.error_unit);
+  });
+  json.object("refining", [&] {
+    json.member("keeps_memory", plan.keeps_memory);
+    json.member("base", hex(plan.base));
+    json.member("from", plan.refined_from);
+  });
+  json.member("tile_px", plan.tile_px);
+  json.object("share", [&] {
+    json.member("number", plan.share.number);
+    json.member("count", plan.share.count);
+  });
+  json.object("image", [&] { write_members(json, plan.image); });
+  json.list("files", [&] {
+    for (const FileStamp& file : plan.files)
+      json.object([&] {
+        json.member("path", file.path);
+        json.member("bytes", file.bytes);
+        json.member("time_ns", file.time_ns);
+        json.member("xxh3_128", hex(file.hash[1]) + hex(file.hash[0]));
+      });
+  });
+  json.member("notes", plan.notes);
+  json.object("acquisition", [&] { write_members(json, identity.acquisition); });
+  json.object("products", [&] { write_products(json, plan); });
+}
+
+std::string compact_state(const RunPlan& plan) {
+  JsonWriter json(JsonWriter::Look::compact);
+  json.object([&] { write_members(json, plan); });
+  return json.written();
+}
+
+RunPlan plan_of(const JsonView& v) {
   RunPlan plan;
-  plan.identity = {v["program"]["version"].asString(),
-                   v["document"]["path"].asString(),
-                   v["document"]["text"].asString(),
-                   v["seed"].asUInt64(),
-                   v["sampler"].asString(),
-                   v["accuracy"]["asked"].asString(),
-                   v["accuracy"]["confidence"].asDouble(),
+  plan.identity = {v["program"]["version"].text(),
+                   v["document"]["path"].text(),
+                   v["document"]["text"].text(),
+                   v["seed"].natural(),
+                   v["sampler"].text(),
+                   v["accuracy"]["asked"].text(),
+                   v["accuracy"]["confidence"].number(),
                    acquisition_of(v["acquisition"])};
-  plan.build = v["program"]["build"].asString();
-  plan.instruction_set = v["instruction_set"].asString();
-  plan.judged = v["accuracy"]["judged"].asBool();
-  plan.knows_errors = v["accuracy"]["knows_errors"].asBool();
-  plan.error = v["accuracy"]["error"].asDouble();
-  plan.error_unit = v["accuracy"]["unit"].asString();
-  plan.keeps_memory = v["refining"]["keeps_memory"].asBool();
-  plan.base = from_hex(v["refining"]["base"].asString());
-  for (const Json::Value& accuracy : v["refining"]["from"]) plan.refined_from.push_back(accuracy.asString());
-  plan.tile_px = v["tile_px"].asInt();
-  plan.share = {v["share"]["number"].asInt(), v["share"]["count"].asInt()};
+  plan.build = v["program"]["build"].text();
+  plan.instruction_set = v["instruction_set"].text();
+  plan.judged = v["accuracy"]["judged"].boolean();
+  plan.knows_errors = v["accuracy"]["knows_errors"].boolean();
+  plan.error = v["accuracy"]["error"].number();
+  plan.error_unit = v["accuracy"]["unit"].text();
+  plan.keeps_memory = v["refining"]["keeps_memory"].boolean();
+  plan.base = from_hex(v["refining"]["base"].text());
+  for (const JsonView& accuracy : v["refining"]["from"].items()) plan.refined_from.push_back(accuracy.text());
+  plan.tile_px = v["tile_px"].small_integer();
+  plan.share = {v["share"]["number"].small_integer(), v["share"]["count"].small_integer()};
   plan.image = image_of(v["image"]);
-  for (const Json::Value& f : v["files"]) {
-    const std::string hash = f["xxh3_128"].asString();
-    plan.files.push_back({f["path"].asString(),
-                          f["bytes"].asUInt64(),
-                          f["time_ns"].asInt64(),
+  for (const JsonView& f : v["files"].items()) {
+    const std::string hash = f["xxh3_128"].text();
+    plan.files.push_back({f["path"].text(),
+                          f["bytes"].natural(),
+                          f["time_ns"].integer(),
                           {from_hex(hash.substr(16)), from_hex(hash.substr(0, 16))}});
   }
-  for (const Json::Value& note : v["notes"]) plan.notes.push_back(note.asString());
-  plan.name = v["products"]["name"].asString();
+  for (const JsonView& note : v["notes"].items()) plan.notes.push_back(note.text());
+  plan.name = v["products"]["name"].text();
   plan.cubes = {};
-  for (const Json::Value& name : v["products"]["cubes"]) {
-    const auto found = std::find(kProductNames.begin(), kProductNames.end(), name.asString());
+  for (const JsonView& name : v["products"]["cubes"].items()) {
+    const auto found = std::find(kProductNames.begin(), kProductNames.end(), name.text());
     if (found != kProductNames.end()) plan.cubes.add(static_cast<Product>(found - kProductNames.begin()));
   }
-  plan.geotiff = v["products"]["geotiff"].asBool();
-  plan.netcdf = v["products"]["netcdf"].asBool();
-  plan.quicklook = v["products"]["quicklook"].asBool();
-  plan.report = v["products"]["report"].asBool();
-  for (const Json::Value& channel : v["products"]["quicklook_channels"])
-    plan.quicklook_channels.push_back(channel.asInt());
+  plan.geotiff = v["products"]["geotiff"].boolean();
+  plan.netcdf = v["products"]["netcdf"].boolean();
+  plan.quicklook = v["products"]["quicklook"].boolean();
+  plan.report = v["products"]["report"].boolean();
+  for (const JsonView& channel : v["products"]["quicklook_channels"].items())
+    plan.quicklook_channels.push_back(channel.small_integer());
   return plan;
 }
 
@@ -200,11 +206,13 @@ bool is_sound(const RunPlan& plan) {
 }  // namespace
 
 std::string to_json(const RunPlan& plan) {
-  Json::Value root;
-  root["format"] = kFormat;
-  root["state"] = state_value(plan);
-  root["sha256"] = checksum_of(root["state"]);
-  return text_of(root, "  ") + "\n";
+  JsonWriter json(JsonWriter::Look::indented);
+  json.object([&] {
+    json.member("format", kFormat);
+    json.member("sha256", checksum_of(compact_state(plan)));
+    json.object("state", [&] { write_members(json, plan); });
+  });
+  return json.written();
 }
 
 RunPlan plan_in(const std::string& text, const std::string& name) {
@@ -212,24 +220,26 @@ RunPlan plan_in(const std::string& text, const std::string& name) {
       format("{}: it is damaged; what it belongs to cannot be known, so its tiles cannot be "
              "used: start anew with --restart",
              name));
+  JsonRules rules;
+  rules.comments = false;
+  rules.max_bytes = rules.max_values = text.size();
   try {
-    Json::CharReaderBuilder builder;
-    Json::CharReaderBuilder::strictMode(&builder.settings_);
-    const std::unique_ptr<Json::CharReader> reader(builder.newCharReader());
-    Json::Value root;
-    std::string errors;
-    if (!reader->parse(text.data(), text.data() + text.size(), &root, &errors) || !root.isObject())
-      throw damaged;
-    if (root["format"].isInt() && root["format"].asInt() != kFormat)
+    const DocumentTree tree = parse_json(text, name, rules);
+    const JsonView root(tree);
+    if (const JsonView found = root["format"]; found.is_number() && found.integer() != kFormat)
       throw EnvironmentError(
           format("{}: it is of format {}, this program reads format {}: go on with the program that "
                  "wrote it, or start anew with --restart",
-                 name, root["format"].asInt(), kFormat));
-    if (!root["sha256"].isString() || root["sha256"].asString() != checksum_of(root["state"])) throw damaged;
+                 name, found.integer(), kFormat));
+    const DocumentNode* state = tree.root->type() == DocumentNode::Type::object ? tree.root->find("state") : nullptr;
+    if (state == nullptr) throw damaged;
+    JsonWriter compact(JsonWriter::Look::compact);
+    compact.node(*state);
+    if (root["sha256"].text() != checksum_of(compact.written())) throw damaged;
     const RunPlan plan = plan_of(root["state"]);
     if (!is_sound(plan)) throw damaged;
     return plan;
-  } catch (const Json::Exception&) {
+  } catch (const InputError&) {
     throw damaged;
   } catch (const std::logic_error&) {  // a hash that is no number
     throw damaged;

@@ -1,11 +1,11 @@
 #include "io/run_state/scene_files.h"
 
-#include <json/json.h>
-
 #include <algorithm>
-#include <memory>
 
+#include "core/error.h"
 #include "core/parallel.h"
+#include "io/document/json_adapter.h"
+#include "io/document/json_view.h"
 #include "io/files/input_file.h"
 
 namespace ifov::io {
@@ -15,16 +15,15 @@ namespace {
 std::vector<std::filesystem::path> buffers_of(const std::filesystem::path& gltf) {
   std::vector<std::filesystem::path> buffers;
   const std::string text = read_input(gltf);
-  Json::Value root;
-  std::string errors;
-  const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder().newCharReader());
-  if (!reader->parse(text.data(), text.data() + text.size(), &root, &errors) || !root.isObject() ||
-      !root["buffers"].isArray())
-    return buffers;
-  for (const Json::Value& buffer : root["buffers"]) {
-    const Json::Value uri = buffer.isObject() ? buffer["uri"] : Json::Value();
-    if (uri.isString() && !uri.asString().starts_with("data:"))
-      buffers.push_back(gltf.parent_path() / uri.asString());
+  JsonRules rules;
+  rules.max_bytes = rules.max_values = text.size();
+  try {
+    const DocumentTree tree = parse_json(text, gltf.string(), rules);
+    for (const JsonView& buffer : JsonView(tree)["buffers"].items()) {
+      const std::string uri = buffer["uri"].text("data:");
+      if (!uri.starts_with("data:")) buffers.push_back(gltf.parent_path() / uri);
+    }
+  } catch (const InputError&) {
   }
   return buffers;
 }

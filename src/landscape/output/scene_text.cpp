@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/format.h"
+#include "io/document/json_writer.h"
 #include "landscape/output/material_table.h"
 
 namespace ifov::landscape {
@@ -34,7 +35,7 @@ std::string point_text(double x_m, double y_m, double z_m) {
   return format("[{}, {}, {}]", metres(x_m), metres(y_m), metres(z_m));
 }
 
-std::string mesh_text(const std::string& file) { return format("\"mesh\": {{\"file\": \"{}\"}}", file); }
+std::string mesh_text(const std::string& file) { return format("\"mesh\": {{\"file\": {}}}", io::json_string(file)); }
 
 std::string transform_text(const Stand& stand, double z_m) {
   return format("\"transform\": {{\"translate\": {}, \"rotate\": {{\"angle\": \"{} deg\"}}}}",
@@ -43,13 +44,13 @@ std::string transform_text(const Stand& stand, double z_m) {
 
 std::string SceneText::material(const std::string& name) {
   if (known_.insert(name).second) materials_.push_back(material_text(name, folder_));
-  return format("\"{}\"", name);
+  return io::json_string(name);
 }
 
 std::string SceneText::slots(const std::vector<std::pair<std::string, std::string>>& materials) {
   std::string text;
   for (const auto& [slot, name] : materials)
-    text += format("{}\"{}\": {}", text.empty() ? "" : ", ", slot, material(name));
+    text += format("{}{}: {}", text.empty() ? "" : ", ", io::json_string(slot), material(name));
   return format("{{\"slots\": {{{}}}}}", text);
 }
 
@@ -60,7 +61,7 @@ void SceneText::prototype(const std::string& name, const std::vector<std::string
     text += "        " + objects[k] + (is_comment || k + 1 == objects.size() ? "" : ",") + "\n";
   }
   text.pop_back();
-  prototypes_.push_back(format("\"{}\": [\n{}]", name, text));
+  prototypes_.push_back(format("{}: [\n{}]", io::json_string(name), text));
 }
 
 std::string SceneText::document(std::string_view title, const SceneLight& light) const {
