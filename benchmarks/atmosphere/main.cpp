@@ -14,7 +14,8 @@
 #include "core/format.h"
 #include "io/document/document.h"
 #include "scene/forest.h"
-#include "session/parts.h"
+#include "session/loaded/parts.h"
+#include "session/session.h"
 #include "studies/atmosphere/table_speed.h"
 
 namespace {

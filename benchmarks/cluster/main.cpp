@@ -15,11 +15,12 @@
 #include "cluster/tile_server.h"
 #include "core/format.h"
 #include "io/document/document.h"
-#include "io/document/json_adapter.h"
-#include "io/document/json_view.h"
-#include "io/document/json_writer.h"
 #include "io/files/input_file.h"
-#include "session/parts.h"
+#include "io/json/json_adapter.h"
+#include "io/json/json_view.h"
+#include "io/json/json_writer.h"
+#include "session/loaded/parts.h"
+#include "session/session.h"
 #include "simulation.h"
 
 namespace {

@@ -9,7 +9,8 @@
 #include "honesty/plain_reference.h"
 #include "honesty/plain_tracer.h"
 #include "honesty/sun_photons.h"
-#include "session/parts.h"
+#include "session/loaded/parts.h"
+#include "session/session.h"
 
 namespace ifov::benchmarks {
 

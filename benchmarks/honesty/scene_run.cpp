@@ -13,7 +13,8 @@
 #include "io/document/document.h"
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "scene/forest.h"
-#include "session/parts.h"
+#include "session/loaded/parts.h"
+#include "session/session.h"
 
 namespace ifov::benchmarks {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "honesty/interval_statistics.h"
-#include "sampling/accuracy/options.h"
+#include "sampling/accuracy/basis/options.h"
 
 namespace ifov::benchmarks {
 

@@ -5,7 +5,8 @@
 #include <string>
 
 #include "sampling/tile.h"
-#include "session/parts.h"
+#include "session/loaded/parts.h"
+#include "session/session.h"
 
 namespace ifov::benchmarks {
 

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "core/format.h"
-#include "geometry/world_builder.h"
+#include "geometry/world/world_builder.h"
 #include "io/instances/instance_file.h"
 #include "io/instances/instance_writer.h"
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/world_builder.h"
+#include "geometry/world/world_builder.h"
 
 namespace {
 

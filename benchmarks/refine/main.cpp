@@ -13,7 +13,8 @@
 #include "core/error.h"
 #include "io/document/document.h"
 #include "render/tile_grid.h"
-#include "session/parts.h"
+#include "session/loaded/parts.h"
+#include "session/session.h"
 
 namespace {
 

@@ -16,7 +16,8 @@
 #include "io/document/document.h"
 #include "render/scene_field.h"
 #include "sampling/region_interval.h"
-#include "session/parts.h"
+#include "session/loaded/parts.h"
+#include "session/session.h"
 
 namespace {
 

@@ -19,7 +19,7 @@
 
 #include "core/format.h"
 #include "core/parallel.h"
-#include "geometry/world_builder.h"
+#include "geometry/world/world_builder.h"
 
 namespace {
 

@@ -3,11 +3,11 @@
 #include <numbers>
 
 #include "cli/command.h"
-#include "cli/console.h"
 #include "cli/document_arguments.h"
 #include "cli/inputs_below.h"
 #include "cli/interrupt.h"
-#include "cli/say.h"
+#include "cli/terminal/console.h"
+#include "cli/terminal/say.h"
 #include "core/error.h"
 #include "core/format.h"
 #include "io/products/part_file.h"

@@ -1,10 +1,10 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
-#include "cli/console.h"
 #include "cli/document_arguments.h"
 #include "cli/inputs_below.h"
-#include "cli/say.h"
+#include "cli/terminal/console.h"
+#include "cli/terminal/say.h"
 #include "core/error.h"
 #include "core/format.h"
 #include "io/document/document.h"

@@ -7,7 +7,7 @@
 #include "cli/faults.h"
 #include "cli/ranks.h"
 #include "cli/run_commands.h"
-#include "cli/say.h"
+#include "cli/terminal/say.h"
 #include "core/error.h"
 #include "core/format.h"
 #include "core/machine_memory.h"

@@ -1,11 +1,11 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
-#include "cli/say.h"
+#include "cli/terminal/say.h"
 #include "core/error.h"
 #include "core/format.h"
 #include "core/names.h"
-#include "io/document/quantity.h"
+#include "io/document/schema/quantity.h"
 #include "landscape/landscapes.h"
 
 namespace ifov::cli {

@@ -2,7 +2,7 @@
 #include <numeric>
 
 #include "cli/command.h"
-#include "cli/say.h"
+#include "cli/terminal/say.h"
 #include "core/error.h"
 #include "core/names.h"
 #include "io/library/material_library.h"

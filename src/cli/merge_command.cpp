@@ -1,9 +1,9 @@
 #include <CLI/CLI.hpp>
 
-#include "cli/console.h"
 #include "cli/run_commands.h"
 #include "cli/run_summary.h"
-#include "session/merge.h"
+#include "cli/terminal/console.h"
+#include "session/runs/merge.h"
 
 namespace ifov::cli {
 namespace {

@@ -8,12 +8,12 @@
 #include <filesystem>
 
 #include "cli/command.h"
-#include "cli/console.h"
 #include "cli/inputs_below.h"
 #include "cli/interrupt.h"
 #include "cli/patience.h"
-#include "cli/say.h"
-#include "cli/terminal_picture.h"
+#include "cli/terminal/console.h"
+#include "cli/terminal/say.h"
+#include "cli/terminal/terminal_picture.h"
 #include "core/error.h"
 #include "core/format.h"
 #include "io/products/part_file.h"

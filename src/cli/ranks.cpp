@@ -1,5 +1,5 @@
 #include "cli/ranks.h"
-#include "cli/say.h"
+#include "cli/terminal/say.h"
 
 #include <chrono>
 

@@ -3,24 +3,24 @@
 #include <cstdio>
 
 #include "cli/command.h"
-#include "cli/console.h"
 #include "cli/document_arguments.h"
 #include "cli/duration.h"
 #include "cli/inputs_below.h"
 #include "cli/interrupt.h"
 #include "cli/patience.h"
 #include "cli/preview_command.h"
-#include "cli/progress_line.h"
 #include "cli/ranks.h"
 #include "cli/run_summary.h"
-#include "cli/say.h"
+#include "cli/terminal/console.h"
+#include "cli/terminal/progress_line.h"
+#include "cli/terminal/say.h"
 #include "core/error.h"
 #include "core/format.h"
 #include "io/document/document.h"
-#include "session/forecast.h"
-#include "session/helper.h"
-#include "session/run.h"
-#include "session/team.h"
+#include "session/runs/forecast.h"
+#include "session/runs/helper.h"
+#include "session/runs/run.h"
+#include "session/runs/team.h"
 
 namespace ifov::cli {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "cli/progress_line.h"
-#include "cli/say.h"
+#include "cli/terminal/progress_line.h"
+#include "cli/terminal/say.h"
 #include "core/format.h"
 
 namespace ifov::cli {

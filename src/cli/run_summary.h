@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "cli/exit_code.h"
-#include "session/run.h"
+#include "session/runs/run.h"
 
 namespace ifov::cli {
 

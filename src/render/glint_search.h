@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "geometry/surface_survey.h"
+#include "geometry/world/surface_survey.h"
 #include "sampling/field.h"
 #include "sensor/camera.h"
 

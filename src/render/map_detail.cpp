@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sampling/accuracy/polygon.h"
+#include "sampling/accuracy/edges/polygon.h"
 
 namespace ifov::render {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/format.h"
-#include "session/parts.h"
+#include "session/loaded/parts.h"
 
 namespace ifov::session {
 namespace {
@@ -39,7 +39,7 @@ std::string air_error_note(std::span<const render::AirHalfWidth> air) {
       100.0 * low, 100.0 * high);
 }
 
-void warn_of_air_errors(const Session::Parts& parts, LogSink& log) {
+void warn_of_air_errors(const Parts& parts, LogSink& log) {
   if (parts.air.empty() || !parts.tolerance) return;
   constexpr std::size_t kNamed = 4;
   std::size_t count = 0;

@@ -5,7 +5,7 @@
 
 #include "core/run_control.h"
 #include "render/air_half_width.h"
-#include "session/session.h"
+#include "session/loaded/parts.h"
 
 namespace ifov::session {
 
@@ -14,6 +14,6 @@ std::string air_error_note(std::span<const render::AirHalfWidth> air);
 
 /// Says which judged channels the air leaves too little of what is asked for, and what may be asked for
 /// instead.
-void warn_of_air_errors(const Session::Parts& parts, LogSink& log);
+void warn_of_air_errors(const Parts& parts, LogSink& log);
 
 }  // namespace ifov::session

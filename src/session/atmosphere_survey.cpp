@@ -7,11 +7,11 @@
 
 #include "core/names.h"
 #include "geodesy/sun_position.h"
-#include "geometry/world_builder.h"
-#include "session/atmosphere_assembly.h"
-#include "session/light_assembly.h"
-#include "session/sensor_assembly.h"
-#include "session/with_position.h"
+#include "geometry/world/world_builder.h"
+#include "session/assembly/air/atmosphere_assembly.h"
+#include "session/assembly/shared/with_position.h"
+#include "session/assembly/whole/light_assembly.h"
+#include "session/assembly/whole/sensor_assembly.h"
 
 namespace ifov::session {
 namespace {

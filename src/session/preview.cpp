@@ -10,12 +10,13 @@
 #include "core/format.h"
 #include "core/parallel.h"
 #include "core/version.h"
-#include "io/products/product_headers.h"
+#include "io/product_parts/product_headers.h"
 #include "io/products/quicklook.h"
 #include "render/scene_field.h"
 #include "sampling/hash.h"
-#include "session/parts.h"
-#include "session/sensor_assembly.h"
+#include "session/assembly/whole/sensor_assembly.h"
+#include "session/loaded/parts.h"
+#include "session/session.h"
 
 namespace ifov::session {
 namespace {
@@ -43,7 +44,7 @@ std::vector<io::ChannelDocument> shown_channels(const io::Document& document) {
 
 class Painter {
  public:
-  Painter(const Session::Parts& parts, const PreviewOptions& options)
+  Painter(const Parts& parts, const PreviewOptions& options)
       : parts_(parts),
         options_(options),
         width_(parts.camera->width_px()),
@@ -127,7 +128,7 @@ class Painter {
     }
   }
 
-  const Session::Parts& parts_;
+  const Parts& parts_;
   const PreviewOptions& options_;
   int width_, height_;
   std::size_t channels_;
@@ -163,7 +164,7 @@ io::Document for_preview(io::Document document, int longest_px) {
 }
 
 Preview make_preview(const Session& session, const PreviewOptions& options) {
-  const Session::Parts& parts = session.parts();
+  const Parts& parts = session.parts();
   Painter painter(parts, options);
   painter.paint();
   const int width = parts.camera->width_px(), height = parts.camera->height_px();

@@ -8,20 +8,20 @@
 #include "core/version.h"
 #include "sampling/region_interval.h"
 #include "session/air_statements.h"
-#include "session/atmosphere_assembly.h"
-#include "session/atmosphere_cache.h"
-#include "session/imported_assembly.h"
-#include "session/light_warnings.h"
-#include "session/node_tolerance.h"
-#include "session/parts.h"
-#include "session/scene_assembly.h"
+#include "session/assembly/air/atmosphere_assembly.h"
+#include "session/assembly/air/atmosphere_cache.h"
+#include "session/assembly/air/imported_assembly.h"
+#include "session/assembly/air/node_tolerance.h"
+#include "session/assembly/air/weather_assembly.h"
+#include "session/assembly/shared/with_position.h"
+#include "session/assembly/whole/scene_assembly.h"
+#include "session/assembly/whole/sensor_assembly.h"
+#include "session/assembly/whole/surroundings_assembly.h"
+#include "session/loaded/parts.h"
+#include "session/sense/light_warnings.h"
 #include "session/sense/place_lines.h"
 #include "session/sense/sense_warnings.h"
-#include "session/sensor_assembly.h"
 #include "session/statements.h"
-#include "session/surroundings_assembly.h"
-#include "session/weather_assembly.h"
-#include "session/with_position.h"
 #include "transport/emitter_mirrors.h"
 #include "transport/emitters.h"
 
@@ -30,7 +30,7 @@ namespace ifov::session {
 namespace {
 
 /// The footprint of a pixel, and what of its PSF lies beyond.
-void place_response(Session::Parts& parts) {
+void place_response(Parts& parts) {
   const std::unique_ptr<sensor::Psf> psf = assemble_psf(parts.document);
   const double fill_factor = parts.document.sensor.fill_factor;
   parts.footprint = std::make_unique<sampling::PixelFootprint>(sensor::make_footprint(psf.get(), fill_factor));
@@ -70,7 +70,7 @@ void add_directional(const materials::Bsdf& bsdf, std::vector<radiometry::Spectr
 
 /// Spectral nodes for what light can do in the scene (how often it is reflected, and how hot surfaces are), behind the
 /// atmosphere where one is modelled.
-void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept) {
+void build_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept) {
   const scene::Scene& scene = parts.scene;
   std::vector<radiometry::Spectrum> surfaces;
   for (const materials::Material& material : scene.materials) {
@@ -84,8 +84,10 @@ void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options
   if (scene.sun) surfaces.push_back(scene.sun->transmittance);
   if (scene.view_path.transmittance) surfaces.push_back(*scene.view_path.transmittance);
 
+  const render::AccuracyRequest* request = parts.plan.request ? &*parts.plan.request : nullptr;
+  const AirSubject subject{parts.document, scene, *parts.camera, parts.channels, request};
   radiometry::NodeDemands demands;
-  demands.tolerance = node_tolerance(parts, demands.tolerance);
+  demands.tolerance = node_tolerance(scene, parts.channels, request, demands.tolerance);
   if (const std::optional<int>& depth = parts.document.sampling.max_depth)
     demands.reflections = std::clamp(*depth, 1, demands.reflections);
   const scene::TemperatureRange emitted = scene.temperatures().value_or(scene::TemperatureRange{});
@@ -94,13 +96,13 @@ void build_nodes(Session::Parts& parts, LogSink* log, const LoadOptions& options
   demands.all_glow = parts.document.atmosphere.modelled && scene.all_emit();
   if (parts.document.atmosphere.modelled) {
     parts.atmosphere = assemble_atmosphere(
-        parts, surfaces, demands, {options.threads, kept, atmosphere_progress(options), log});
+        subject, surfaces, demands, {options.threads, kept, atmosphere_progress(options), log});
     parts.nodes = &parts.atmosphere->nodes();
     parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.atmosphere);
     return;
   }
   if (parts.document.atmosphere.imported) {
-    parts.imported = assemble_imported(parts, surfaces, demands, log);
+    parts.imported = assemble_imported(subject, surfaces, demands, log);
     parts.nodes = &parts.imported->nodes();
     parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.imported);
     return;
@@ -150,7 +152,7 @@ class KeptWarnings final : public LogSink {
 };
 
 /// Whether the document can mean what was loaded.
-void make_sense(Session::Parts& parts, LogSink& log) {
+void make_sense(Parts& parts, LogSink& log) {
   const SceneLook look = look_at(parts);
   parts.places = place_lines(parts, look);
   for (const std::string& line : parts.places) log.info(line);
@@ -162,7 +164,7 @@ void make_sense(Session::Parts& parts, LogSink& log) {
 
 }  // namespace
 
-render::RenderJob Session::Parts::job(const SamplingPlan& sampling, const render::AccuracyTolerance* limits) const {
+render::RenderJob Parts::job(const SamplingPlan& sampling, const render::AccuracyTolerance* limits) const {
   render::RenderJob job{*spectral_scene, *camera, *footprint, *sampling.sampler};
   job.tolerance = limits;
   job.wings = wings.get();
@@ -179,7 +181,7 @@ render::RenderJob Session::Parts::job(const SamplingPlan& sampling, const render
   return job;
 }
 
-std::unique_ptr<render::AccuracyTolerance> Session::Parts::tolerance_of(const SamplingPlan& sampling) const {
+std::unique_ptr<render::AccuracyTolerance> Parts::tolerance_of(const SamplingPlan& sampling) const {
   if (!sampling.request) return nullptr;
   auto limits = std::make_unique<render::AccuracyTolerance>(
       *sampling.request, *brightness, spectral_scene->white_reflected(),

@@ -14,6 +14,8 @@ struct Document;
 
 namespace ifov::session {
 
+struct Parts;
+
 struct RunOptions {
   int threads = 0;                      ///< 0: all cores
   std::filesystem::path output_folder;  ///< empty: as the document says, else beside it
@@ -63,7 +65,7 @@ class Session {
   RunSummary render(const RunOptions& options) const;
 
   /// The parts, for studies and benchmarks that need them in memory.
-  struct Parts;
+  using Parts = session::Parts;
   const Parts& parts() const { return *parts_; }
 
  private:

@@ -6,11 +6,11 @@
 #include <limits>
 
 #include "session/air_statements.h"
-#include "session/weather_assembly.h"
+#include "session/assembly/air/weather_assembly.h"
 
 namespace ifov::session {
 
-std::string describe(const Session::Parts& parts) {
+std::string describe(const Parts& parts) {
   std::string text = format("scene: {} objects, {} triangles, {} materials\n", parts.scene.world->object_count(),
                             parts.scene.world->triangle_count(), parts.document.scene.materials.size());
   const bool sky = parts.scene.sky.radiance || parts.scene.sky.temperature_k || parts.atmosphere ||
@@ -53,7 +53,7 @@ std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals, 
   return text;
 }
 
-std::vector<std::string> notes(const Session::Parts& parts) {
+std::vector<std::string> notes(const Parts& parts) {
   std::vector<std::string> lines;
   if (parts.tolerance && (parts.plan.request->unit == render::ErrorUnit::percent ||
                           parts.plan.request->unit == render::ErrorUnit::kelvin)) {

@@ -8,12 +8,12 @@
 #include "io/run_state/run_plan.h"
 #include "render/tile_sink.h"
 #include "sampling/reason_words.h"
-#include "session/parts.h"
+#include "session/loaded/parts.h"
 
 namespace ifov::session {
 
 /// What was loaded, a few lines for people.
-std::string describe(const Session::Parts& parts);
+std::string describe(const Parts& parts);
 
 /// What was asked for, what was reached, and where it was not and why; `reasons` counts the pixels that are done and not
 /// converged, `why_gaps` says why pixels are not done, where some are not.
@@ -21,7 +21,7 @@ std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals, 
                                const std::string& why_gaps);
 
 /// Floors and assumptions that enter the result.
-std::vector<std::string> notes(const Session::Parts& parts);
+std::vector<std::string> notes(const Parts& parts);
 
 /// Passes tiles on and keeps what is needed to say what could have been missed.
 class DetectionTally final : public render::TileSink {

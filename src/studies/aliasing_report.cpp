@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/format.h"
-#include "studies/html_page.h"
-#include "studies/report_plot.h"
+#include "studies/common/html_page.h"
+#include "studies/common/report_plot.h"
 
 namespace ifov::studies {
 

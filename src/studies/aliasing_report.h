@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "studies/chart_scene.h"
-#include "studies/figures.h"
-#include "studies/image_store.h"
-#include "studies/report_figures.h"
+#include "studies/common/figures.h"
+#include "studies/common/image_store.h"
+#include "studies/common/report_figures.h"
 
 namespace ifov::studies {
 

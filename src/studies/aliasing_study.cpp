@@ -7,7 +7,7 @@
 
 #include "core/format.h"
 #include "studies/aliasing_report.h"
-#include "studies/study_progress.h"
+#include "studies/common/study_progress.h"
 
 namespace ifov::studies {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/format.h"
-#include "studies/image_store.h"
-#include "studies/scene_renderer.h"
+#include "studies/common/image_store.h"
+#include "studies/common/scene_renderer.h"
 
 namespace ifov::studies {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "io/document/document.h"
-#include "studies/figures.h"
-#include "studies/studies.h"
+#include "studies/common/figures.h"
+#include "studies/common/study_options.h"
 
 namespace ifov::studies {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "studies/common/study_document.h"
 #include "studies/resolution_chart.h"
-#include "studies/study_document.h"
 
 namespace ifov::studies {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "studies/exact_area.h"
-#include "studies/study_document.h"
+#include "studies/common/exact_area.h"
+#include "studies/common/study_document.h"
 
 namespace ifov::studies {
 

@@ -6,7 +6,7 @@
 
 #include "core/format.h"
 #include "sampling/accuracy/accuracy_sampler.h"
-#include "studies/html_page.h"
+#include "studies/common/html_page.h"
 #include "studies/thermal_scene.h"
 
 namespace ifov::studies {

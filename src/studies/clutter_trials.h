@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "studies/clutter_scene.h"
-#include "studies/figures.h"
-#include "studies/studies.h"
+#include "studies/common/figures.h"
+#include "studies/common/study_options.h"
 
 namespace ifov::studies {
 

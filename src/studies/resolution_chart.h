@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "studies/exact_area.h"
+#include "studies/common/exact_area.h"
 
 namespace ifov::studies {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "studies/studies.h"
-#include "studies/study_progress.h"
+#include "studies/common/study_options.h"
+#include "studies/common/study_progress.h"
 #include "studies/thermal_trials.h"
 
 namespace ifov::studies {

@@ -7,7 +7,7 @@
 
 #include "core/format.h"
 #include "io/report/report_data.h"
-#include "studies/html_page.h"
+#include "studies/common/html_page.h"
 #include "studies/scatter_script.h"
 
 namespace ifov::studies {

@@ -1,7 +1,7 @@
 #include "studies/studies.h"
 
 #include "studies/aliasing_study.h"
-#include "studies/atmosphere_study.h"
+#include "studies/atmosphere/atmosphere_study.h"
 #include "studies/suburb_study.h"
 #include "studies/thermal_study.h"
 

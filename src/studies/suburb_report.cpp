@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "core/format.h"
-#include "studies/html_page.h"
+#include "studies/common/html_page.h"
+#include "studies/common/report_plot.h"
+#include "studies/common/spectral_projection.h"
 #include "studies/scatter_panels.h"
-#include "studies/spectral_projection.h"
-#include "studies/report_plot.h"
 
 namespace ifov::studies {
 

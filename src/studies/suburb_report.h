@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "studies/report_figures.h"
+#include "studies/common/report_figures.h"
 #include "studies/suburb_study.h"
 
 namespace ifov::studies {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/document/document.h"
-#include "studies/studies.h"
+#include "studies/common/study_options.h"
 
 namespace ifov::studies {
 

@@ -9,8 +9,8 @@
 #include "core/format.h"
 #include "io/document/document.h"
 #include "studies/channel_cost.h"
-#include "studies/scene_renderer.h"
-#include "studies/study_document.h"
+#include "studies/common/scene_renderer.h"
+#include "studies/common/study_document.h"
 #include "studies/suburb_report.h"
 #include "studies/suburb_scene.h"
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "studies/figures.h"
-#include "studies/image_store.h"
-#include "studies/material_counts.h"
-#include "studies/studies.h"
+#include "studies/common/figures.h"
+#include "studies/common/image_store.h"
+#include "studies/common/material_counts.h"
+#include "studies/common/study_options.h"
 
 namespace ifov::studies {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/format.h"
-#include "studies/html_page.h"
-#include "studies/report_plot.h"
+#include "studies/common/html_page.h"
+#include "studies/common/report_plot.h"
 
 namespace ifov::studies {
 

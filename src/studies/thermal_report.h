@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "studies/clutter_trials.h"
-#include "studies/figures.h"
-#include "studies/report_figures.h"
+#include "studies/common/figures.h"
+#include "studies/common/report_figures.h"
 #include "studies/sampling_sweep.h"
 
 namespace ifov::studies {

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <string>
 
-#include "studies/exact_area.h"
-#include "studies/study_document.h"
-#include "studies/texture_map.h"
+#include "studies/common/exact_area.h"
+#include "studies/common/study_document.h"
+#include "studies/common/texture_map.h"
 
 namespace ifov::studies {
 

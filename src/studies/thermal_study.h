@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studies/studies.h"
+#include "studies/common/study_options.h"
 
 namespace ifov::studies {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "studies/studies.h"
-#include "studies/study_progress.h"
+#include "studies/common/study_options.h"
+#include "studies/common/study_progress.h"
 #include "studies/thermal_scene.h"
 
 namespace ifov::studies {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/surface_survey.h"
 #include "geometry/world.h"
+#include "geometry/world/surface_survey.h"
 
 namespace ifov::transport {
 

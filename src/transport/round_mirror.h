@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "geometry/surface_survey.h"
+#include "geometry/world/surface_survey.h"
 #include "math/vec3.h"
 
 namespace ifov::transport {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "geometry/surface_survey.h"
 #include "geometry/world.h"
+#include "geometry/world/surface_survey.h"
 #include "scene/scene.h"
 #include "transport/round_mirror.h"
 

@@ -13,7 +13,7 @@
 
 #include "core/parallel.h"
 #include "geometry/mesh_chunks.h"
-#include "geometry/world_builder.h"
+#include "geometry/world/world_builder.h"
 #include "scene_maker.h"
 
 namespace ifov::geometry {

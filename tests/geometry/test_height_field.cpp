@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "geometry/height_field.h"
-#include "geometry/world_builder.h"
+#include "geometry/world/world_builder.h"
 #include "scene_maker.h"
 
 namespace ifov::geometry {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/error.h"
-#include "geometry/prototype_plan.h"
-#include "geometry/world_builder.h"
+#include "geometry/world/prototype_plan.h"
+#include "geometry/world/world_builder.h"
 #include "scene_maker.h"
 
 namespace ifov::geometry {

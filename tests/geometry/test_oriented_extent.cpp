@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "geometry/world_builder.h"
+#include "geometry/world/world_builder.h"
 #include "math/transform.h"
 
 namespace ifov::geometry {

@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "geometry/periodic_world.h"
-#include "geometry/world_builder.h"
+#include "geometry/world/world_builder.h"
 #include "sampling/random.h"
 
 namespace ifov::geometry {

@@ -1,10 +1,10 @@
-#include "geometry/surface_survey.h"
+#include "geometry/world/surface_survey.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "geometry/world_builder.h"
+#include "geometry/world/world_builder.h"
 
 namespace ifov::geometry {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "geometry/world_builder.h"
+#include "geometry/world/world_builder.h"
 #include "scene_maker.h"
 
 namespace ifov::geometry {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/world_builder.h"
+#include "geometry/world/world_builder.h"
 #include "scene_maker.h"
 
 namespace ifov::geometry {

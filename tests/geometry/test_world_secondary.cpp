@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "geometry/world_builder.h"
+#include "geometry/world/world_builder.h"
 #include "math/frame.h"
 #include "scene_maker.h"
 

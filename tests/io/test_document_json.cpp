@@ -10,7 +10,7 @@
 #include <string>
 
 #include "../support/truth_data.h"
-#include "io/document/json_adapter.h"
+#include "io/json/json_adapter.h"
 
 namespace ifov::io {
 namespace {

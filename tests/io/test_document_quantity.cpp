@@ -4,7 +4,7 @@
 #include <limits>
 #include <regex>
 
-#include "io/document/quantity.h"
+#include "io/document/schema/quantity.h"
 
 namespace ifov::io {
 namespace {

@@ -4,8 +4,8 @@
 #include <iterator>
 
 #include "io/document/document.h"
-#include "io/document/json_adapter.h"
-#include "io/document/record_walk.h"
+#include "io/document/reading/record_walk.h"
+#include "io/json/json_adapter.h"
 
 namespace ifov::io {
 namespace {

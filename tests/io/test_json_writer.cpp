@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "io/document/json_adapter.h"
-#include "io/document/json_view.h"
-#include "io/document/json_writer.h"
+#include "io/json/json_adapter.h"
+#include "io/json/json_view.h"
+#include "io/json/json_writer.h"
 
 namespace ifov::io {
 namespace {

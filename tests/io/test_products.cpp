@@ -9,12 +9,12 @@
 #include <thread>
 
 #include "core/error.h"
-#include "io/document/json_adapter.h"
-#include "io/document/json_view.h"
+#include "io/json/json_adapter.h"
+#include "io/json/json_view.h"
+#include "io/product_parts/quality_classes.h"
+#include "io/product_parts/sha256.h"
 #include "io/products/bil_cube.h"
 #include "io/products/envi_reader.h"
-#include "io/products/quality_classes.h"
-#include "io/products/sha256.h"
 #include "io/synthetic_image.h"
 
 namespace ifov::io {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/products/colour_map.h"
-#include "io/products/picture.h"
-#include "io/products/product_headers.h"
+#include "io/product_parts/colour_map.h"
+#include "io/product_parts/picture.h"
+#include "io/product_parts/product_headers.h"
 #include "io/products/quicklook.h"
 #include "io/synthetic_image.h"
 #include "radiometry/planck.h"

@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "core/error.h"
+#include "io/product_parts/map_info.h"
 #include "io/products/image_region.h"
-#include "io/products/map_info.h"
 #include "io/products/region_means.h"
 #include "io/synthetic_image.h"
 

@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "core/format.h"
-#include "io/document/json_adapter.h"
-#include "io/document/json_view.h"
+#include "io/json/json_adapter.h"
+#include "io/json/json_view.h"
 #include "io/report/report.h"
 #include "io/report/report_data.h"
 #include "io/synthetic_image.h"

@@ -86,9 +86,37 @@ def violations(source, rules):
             continue
         declared = declared_rooms(folder)
         for file in sorted(folder.rglob("*")):
-            if file.suffix in (".h", ".hpp", ".cpp", ".cc", ".inl"):
+            if file.suffix in SOURCES:
                 found += file_violations(file, source, room, declared, rules)
     return found
+
+
+SOURCES = (".h", ".hpp", ".cpp", ".cc", ".inl")
+MOST_FILES = 40
+
+
+def crowded_folders(source):
+    """Folders with more files than a person looks through, as 'folder: count files'."""
+    folders = sorted(path for path in source.rglob("*") if path.is_dir())
+    counts = {folder: sum(1 for file in folder.iterdir() if file.is_file()) for folder in folders}
+    return [f"{folder.relative_to(source)}: {count} files" for folder, count in counts.items() if count > MOST_FILES]
+
+
+def folder_circles(source):
+    """Sets of folders whose files include each other in a circle, each as 'a, b, c'; a room's own files are a folder of
+    their own beside its sub-folders."""
+    reaches = {}
+    for file in source.rglob("*"):
+        if file.suffix in SOURCES:
+            own = str(file.parent.relative_to(source))
+            targets = {header.rpartition("/")[0] for quote, header in INCLUDE.findall(file.read_text()) if quote == '"'}
+            reaches.setdefault(own, set()).update(targets - {own})
+    for over in list(reaches):  # all that is reached, folder by folder (Warshall)
+        for reached in reaches.values():
+            if over in reached:
+                reached |= reaches[over]
+    circles = {frozenset(b for b in reached if a in reaches.get(b, ())) for a, reached in reaches.items()}
+    return sorted(", ".join(sorted(circle)) for circle in circles if len(circle) > 1)
 
 
 def file_violations(file, source, room, declared, rules):

@@ -9,7 +9,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 sys.path.insert(0, str(HERE))
 
-from layering import read_rules, violations, without_comments_and_strings  # noqa: E402
+from layering import crowded_folders, folder_circles, read_rules, violations, without_comments_and_strings  # noqa: E402
 
 RULES = read_rules((ROOT / "docs/developer/architecture.md").read_text())
 
@@ -24,6 +24,25 @@ class SourceTree(unittest.TestCase):
     def test_source_keeps_the_rules(self):
         found = violations(ROOT / "src", RULES)
         self.assertEqual(found, [], "\n" + "\n".join(found))
+
+
+    def test_folders_are_read_in_one_sitting_and_have_an_order(self):
+        self.assertEqual(crowded_folders(ROOT / "src"), [])
+        self.assertEqual(folder_circles(ROOT / "src"), [])
+
+
+class PlantedFolders(unittest.TestCase):
+    def test_a_circle_of_folders_is_found(self):
+        with tempfile.TemporaryDirectory() as name:
+            source = pathlib.Path(name)
+            for path, target in (("io/a/x.h", "io/b/y.h"), ("io/b/y.h", "io/z.h"), ("io/z.h", "io/a/x.h"), ("io/c/w.h", "io/a/x.h")):
+                (source / path).parent.mkdir(parents=True, exist_ok=True)
+                (source / path).write_text(f'#include "{target}"\n')
+            self.assertEqual(folder_circles(source), ["io, io/a, io/b"])
+            self.assertEqual(crowded_folders(source), [])
+            for k in range(40):
+                (source / f"io/c/{k}.h").write_text("")
+            self.assertEqual(crowded_folders(source), ["io/c: 41 files"])
 
 
 class PlantedFaults(unittest.TestCase):

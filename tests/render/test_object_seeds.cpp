@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/world_builder.h"
+#include "geometry/world/world_builder.h"
 #include "sampling/random.h"
 #include "sensor/orthographic_camera.h"
 

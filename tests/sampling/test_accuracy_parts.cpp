@@ -4,12 +4,12 @@
 #include <numbers>
 
 #include "accuracy_scenes.h"
-#include "sampling/accuracy/bracket.h"
-#include "sampling/accuracy/chord.h"
+#include "sampling/accuracy/basis/flat_map.h"
+#include "sampling/accuracy/basis/lattice.h"
+#include "sampling/accuracy/basis/small_vector.h"
 #include "sampling/accuracy/clutter.h"
-#include "sampling/accuracy/flat_map.h"
-#include "sampling/accuracy/lattice.h"
-#include "sampling/accuracy/small_vector.h"
+#include "sampling/accuracy/edges/bracket.h"
+#include "sampling/accuracy/edges/chord.h"
 #include "sampling/accuracy/spread.h"
 
 namespace ifov::sampling {

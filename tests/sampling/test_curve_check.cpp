@@ -1,4 +1,4 @@
-#include "sampling/accuracy/curve_check.h"
+#include "sampling/accuracy/edges/curve_check.h"
 
 #include <gtest/gtest.h>
 

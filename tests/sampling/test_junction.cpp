@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "accuracy_scenes.h"
-#include "sampling/accuracy/junction.h"
+#include "sampling/accuracy/edges/junction.h"
 
 namespace ifov::test {
 namespace {

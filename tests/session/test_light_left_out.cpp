@@ -9,7 +9,8 @@
 #include "core/format.h"
 #include "io/document/document.h"
 #include "radiometry/planck.h"
-#include "session/parts.h"
+#include "session/loaded/parts.h"
+#include "session/session.h"
 #include "session/statements.h"
 
 namespace ifov::session {

@@ -12,7 +12,8 @@
 #include "core/format.h"
 #include "io/document/document.h"
 #include "math/ray.h"
-#include "session/parts.h"
+#include "session/loaded/parts.h"
+#include "session/session.h"
 #include "session/statements.h"
 #include "support/truth_data.h"
 

@@ -1,4 +1,4 @@
-#include "session/probing.h"
+#include "session/runs/probing.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include "core/error.h"
 #include "core/format.h"
 #include "io/document/document.h"
-#include "session/parts.h"
+#include "session/loaded/parts.h"
 
 namespace ifov {
 namespace {

@@ -6,7 +6,8 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
-#include "session/parts.h"
+#include "session/loaded/parts.h"
+#include "session/session.h"
 #include "transport/emitters.h"
 
 namespace ifov::session {

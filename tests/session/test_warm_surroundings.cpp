@@ -11,8 +11,9 @@
 #include "core/format.h"
 #include "io/document/document.h"
 #include "radiometry/planck.h"
-#include "session/atmosphere_assembly.h"
-#include "session/parts.h"
+#include "session/assembly/air/atmosphere_assembly.h"
+#include "session/loaded/parts.h"
+#include "session/session.h"
 
 namespace ifov::session {
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "sampling/random.h"
-#include "studies/exact_area.h"
+#include "studies/common/exact_area.h"
 
 namespace ifov::studies {
 namespace {

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "io/synthetic_image.h"
-#include "studies/figures.h"
-#include "studies/report_figures.h"
+#include "studies/common/figures.h"
+#include "studies/common/report_figures.h"
 
 namespace ifov::studies {
 namespace {

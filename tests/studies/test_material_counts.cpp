@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "studies/material_counts.h"
+#include "studies/common/material_counts.h"
 
 namespace ifov::studies {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sampling/random.h"
-#include "studies/spectral_projection.h"
+#include "studies/common/spectral_projection.h"
 
 namespace ifov::studies {
 namespace {

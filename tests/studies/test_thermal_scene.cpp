@@ -4,7 +4,7 @@
 
 #include "io/document/document.h"
 #include "radiometry/planck.h"
-#include "studies/texture_map.h"
+#include "studies/common/texture_map.h"
 #include "studies/thermal_scene.h"
 
 namespace ifov::studies {

@@ -13,7 +13,7 @@
 
 #include "core/parallel.h"
 #include "geometry/periodic_world.h"
-#include "geometry/world_builder.h"
+#include "geometry/world/world_builder.h"
 #include "math/frame.h"
 #include "radiometry/spectral_nodes.h"
 #include "sampling/sequence.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/format.h"
-#include "geometry/world_builder.h"
+#include "geometry/world/world_builder.h"
 #include "radiometry/spectral_nodes.h"
 #include "scene/scene.h"
 #include "transport/path_light.h"

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "geometry/world_builder.h"
+#include "geometry/world/world_builder.h"
 #include "sampling/warp.h"
 #include "transport/emitter_shape.h"
 #include "transport/emitter_tree.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/city/city_model.h"
-#include "io/document/node.h"
+#include "io/json/node.h"
 #include "math/transform.h"
 
 namespace ifov::io {

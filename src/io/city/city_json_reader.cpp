@@ -10,8 +10,8 @@
 #include "core/error.h"
 #include "core/names.h"
 #include "io/city/city_geometry.h"
-#include "io/document/json_adapter.h"
 #include "io/files/input_file.h"
+#include "io/json/json_adapter.h"
 #include "io/mesh/gltf_reader.h"
 
 namespace ifov::io {

@@ -10,14 +10,14 @@
 
 #include "geodesy/utc_time.h"
 #include "io/document/atmosphere_document.h"
-#include "io/document/document_override.h"
-#include "io/document/document_source.h"
 #include "io/document/light_document.h"
 #include "io/document/output_document.h"
 #include "io/document/sampling_document.h"
 #include "io/document/scene_document.h"
 #include "io/document/sensor_document.h"
 #include "io/document/weather_document.h"
+#include "io/json/document_override.h"
+#include "io/json/document_source.h"
 
 namespace ifov::io {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/document/document_values.h"
-#include "io/products/product_kinds.h"
+#include "io/product_parts/product_kinds.h"
 
 namespace ifov::io {
 

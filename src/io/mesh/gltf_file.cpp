@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/error.h"
-#include "io/document/json_adapter.h"
 #include "io/files/input_file.h"
+#include "io/json/json_adapter.h"
 
 namespace ifov::io {
 namespace {

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "io/product_parts/raster_view.h"
 #include "io/products/cube_scan.h"
 #include "io/products/part_file.h"
-#include "io/products/raster_view.h"
 #include "sampling/tile.h"
 
 namespace ifov::io {

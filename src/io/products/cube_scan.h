@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "io/products/run_record.h"
-#include "io/products/sha256.h"
+#include "io/product_parts/run_record.h"
+#include "io/product_parts/sha256.h"
 
 namespace ifov::io {
 

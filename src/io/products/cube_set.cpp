@@ -8,9 +8,9 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "io/files/own_files.h"
+#include "io/product_parts/product_headers.h"
+#include "io/product_parts/quality_classes.h"
 #include "io/products/cube_values.h"
-#include "io/products/product_headers.h"
-#include "io/products/quality_classes.h"
 
 namespace ifov::io {
 namespace {

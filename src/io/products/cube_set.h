@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "io/product_parts/cube_kinds.h"
+#include "io/product_parts/run_record.h"
 #include "io/products/bil_cube.h"
-#include "io/products/cube_kinds.h"
-#include "io/products/run_record.h"
 
 namespace ifov::io {
 

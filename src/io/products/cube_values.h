@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "io/products/acquisition.h"
+#include "io/product_parts/acquisition.h"
 #include "render/tile_sink.h"
 
 namespace ifov::io {

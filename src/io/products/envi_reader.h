@@ -6,8 +6,8 @@
 #include <string>
 
 #include "io/files/input_file.h"
-#include "io/products/envi_header.h"
-#include "io/products/raster_view.h"
+#include "io/product_parts/envi_header.h"
+#include "io/product_parts/raster_view.h"
 
 namespace ifov::io {
 

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "io/products/raster_view.h"
+#include "io/product_parts/raster_view.h"
 
 namespace ifov::io {
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "core/error.h"
+#include "io/product_parts/map_info.h"
+#include "io/product_parts/product_headers.h"
 #include "io/products/gdal_view.h"
-#include "io/products/map_info.h"
-#include "io/products/product_headers.h"
 #include "io/raster/gdal_setup.h"
 
 namespace ifov::io {

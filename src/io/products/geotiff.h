@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
+#include "io/product_parts/raster_view.h"
+#include "io/product_parts/run_record.h"
 #include "io/products/part_file.h"
-#include "io/products/raster_view.h"
-#include "io/products/run_record.h"
 
 namespace ifov::io {
 

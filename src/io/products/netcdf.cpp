@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "io/products/cube_kinds.h"
+#include "io/product_parts/cube_kinds.h"
 #include "io/products/netcdf_map.h"
 
 namespace ifov::io {

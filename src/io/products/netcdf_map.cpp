@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "io/products/map_info.h"
+#include "io/product_parts/map_info.h"
 
 namespace ifov::io {
 namespace {

@@ -19,7 +19,7 @@
 #include "core/error.h"
 #include "io/files/file_reasons.h"
 #include "io/files/own_files.h"
-#include "io/products/sha256.h"
+#include "io/product_parts/sha256.h"
 
 namespace ifov::io {
 namespace {

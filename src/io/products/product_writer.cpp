@@ -7,13 +7,13 @@
 #include <thread>
 
 #include "core/error.h"
+#include "io/product_parts/map_info.h"
+#include "io/product_parts/run_json.h"
 #include "io/products/cube_set.h"
 #include "io/products/geotiff.h"
-#include "io/products/map_info.h"
 #include "io/products/netcdf.h"
 #include "io/products/qgis_style.h"
 #include "io/products/quicklook.h"
-#include "io/products/run_json.h"
 #include "io/report/report.h"
 
 namespace ifov::io {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "io/products/product_kinds.h"
-#include "io/products/run_record.h"
+#include "io/product_parts/product_kinds.h"
+#include "io/product_parts/run_record.h"
 #include "render/tile_sink.h"
 
 namespace ifov::io {

@@ -1,8 +1,8 @@
 #include "io/products/qgis_style.h"
 
 #include "core/format.h"
-#include "io/products/picture.h"
-#include "io/products/product_headers.h"
+#include "io/product_parts/picture.h"
+#include "io/product_parts/product_headers.h"
 
 namespace ifov::io {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "io/products/raster_view.h"
-#include "io/products/run_record.h"
+#include "io/product_parts/raster_view.h"
+#include "io/product_parts/run_record.h"
 
 namespace ifov::io {
 

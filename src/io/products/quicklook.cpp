@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "core/error.h"
-#include "io/products/picture.h"
-#include "io/products/product_headers.h"
+#include "io/product_parts/picture.h"
+#include "io/product_parts/product_headers.h"
 
 namespace ifov::io {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/format.h"
-#include "io/document/json_writer.h"
-#include "io/products/picture.h"
-#include "io/products/product_headers.h"
+#include "io/json/json_writer.h"
+#include "io/product_parts/picture.h"
+#include "io/product_parts/product_headers.h"
 #include "io/report/report_data.h"
 #include "io/report/report_page.h"
 #include "io/report/report_reasons.h"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/products/raster_view.h"
+#include "io/product_parts/raster_view.h"
 
 namespace ifov::io {
 

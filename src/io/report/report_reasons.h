@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "io/document/json_writer.h"
-#include "io/products/run_record.h"
+#include "io/json/json_writer.h"
+#include "io/product_parts/run_record.h"
 
 namespace ifov::io {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "io/document/json_adapter.h"
+#include "io/json/json_adapter.h"
 #include "io/run_state/tile_packs.h"
 
 namespace ifov::io {

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/format.h"
-#include "io/products/cube_kinds.h"
+#include "io/product_parts/cube_kinds.h"
 
 namespace ifov::io {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "io/product_parts/run_record.h"
 #include "io/products/product_writer.h"
-#include "io/products/run_record.h"
 #include "io/scene_cache/file_stamp.h"
 #include "render/tile_grid.h"
 #include "render/tile_sink.h"

@@ -1,12 +1,12 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "io/document/json_adapter.h"
-#include "io/document/json_view.h"
-#include "io/document/json_writer.h"
 #include "io/files/own_files.h"
-#include "io/products/acquisition_json.h"
-#include "io/products/sha256.h"
+#include "io/json/json_adapter.h"
+#include "io/json/json_view.h"
+#include "io/json/json_writer.h"
+#include "io/product_parts/acquisition_json.h"
+#include "io/product_parts/sha256.h"
 #include "io/run_state/run_plan.h"
 
 namespace ifov::io {

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "io/files/own_files.h"
-#include "io/products/cube_kinds.h"
+#include "io/product_parts/cube_kinds.h"
 #include "io/products/geotiff.h"
 #include "io/products/netcdf.h"
 #include "io/products/part_file.h"

@@ -4,9 +4,9 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "io/document/json_adapter.h"
-#include "io/document/json_view.h"
 #include "io/files/input_file.h"
+#include "io/json/json_adapter.h"
+#include "io/json/json_view.h"
 
 namespace ifov::io {
 namespace {

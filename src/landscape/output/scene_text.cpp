@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/format.h"
-#include "io/document/json_writer.h"
+#include "io/json/json_writer.h"
 #include "landscape/output/material_table.h"
 
 namespace ifov::landscape {

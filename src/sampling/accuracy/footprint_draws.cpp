@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sampling/accuracy/ray_ledger.h"
+#include "sampling/accuracy/basis/ray_ledger.h"
 #include "sampling/accuracy/source_domain.h"
 #include "sampling/accuracy/stopping.h"
 #include "sampling/sequence.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sampling/accuracy/options.h"
+#include "sampling/accuracy/basis/options.h"
 #include "sampling/tile.h"
 
 namespace ifov::sampling {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sampling/accuracy/edge_tracer.h"
+#include "sampling/accuracy/edges/edge_tracer.h"
 #include "sampling/accuracy/pixel_model.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/tile.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "sampling/accuracy/small_vector.h"
+#include "sampling/accuracy/basis/small_vector.h"
 
 namespace ifov::sampling {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "sampling/accuracy/edge_tracer.h"
-#include "sampling/accuracy/small_vector.h"
+#include "sampling/accuracy/basis/small_vector.h"
+#include "sampling/accuracy/edges/edge_tracer.h"
 
 namespace ifov::sampling {
 

@@ -4,15 +4,15 @@
 #include <span>
 #include <vector>
 
+#include "sampling/accuracy/basis/tile_memory.h"
 #include "sampling/accuracy/block_sums.h"
 #include "sampling/accuracy/clutter_round.h"
-#include "sampling/accuracy/edge_tracer.h"
+#include "sampling/accuracy/edges/edge_tracer.h"
 #include "sampling/accuracy/lattice_values.h"
-#include "sampling/accuracy/probing.h"
 #include "sampling/accuracy/leaf_integrator.h"
+#include "sampling/accuracy/probing.h"
 #include "sampling/accuracy/spread.h"
 #include "sampling/accuracy/stopping.h"
-#include "sampling/accuracy/tile_memory.h"
 
 namespace ifov::sampling {
 

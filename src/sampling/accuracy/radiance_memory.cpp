@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sampling/accuracy/basis/tile_memory.h"
 #include "sampling/accuracy/radiance.h"
-#include "sampling/accuracy/tile_memory.h"
 
 namespace ifov::sampling {
 

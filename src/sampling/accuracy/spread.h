@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "sampling/accuracy/label_table.h"
-#include "sampling/accuracy/lattice.h"
+#include "sampling/accuracy/basis/label_table.h"
+#include "sampling/accuracy/basis/lattice.h"
 #include "sampling/accuracy/lattice_values.h"
 
 namespace ifov::sampling {

@@ -5,15 +5,15 @@
 #include <optional>
 #include <vector>
 
+#include "sampling/accuracy/basis/tile_memory.h"
 #include "sampling/accuracy/detection.h"
-#include "sampling/accuracy/edge_tracer.h"
+#include "sampling/accuracy/edges/edge_tracer.h"
 #include "sampling/accuracy/leaf_integrator.h"
 #include "sampling/accuracy/output_sums.h"
 #include "sampling/accuracy/probing.h"
 #include "sampling/accuracy/radiance.h"
 #include "sampling/accuracy/spread.h"
 #include "sampling/accuracy/stopping.h"
-#include "sampling/accuracy/tile_memory.h"
 #include "sampling/tile.h"
 
 namespace ifov::sampling {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/format.h"
-#include "session/parts.h"
+#include "session/loaded/parts.h"
 
 namespace ifov::session {
 namespace {
@@ -14,7 +14,7 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kBrightness_um = 3.0;  // from here on channels speak in kelvins
 constexpr std::size_t kNamed = 4;       // channels in a line
 
-bool on_map(const Session::Parts& parts) { return parts.document.scene.origin.has_map_offset || !parts.document.scene.origin.crs.empty(); }
+bool on_map(const Parts& parts) { return parts.document.scene.origin.has_map_offset || !parts.document.scene.origin.crs.empty(); }
 
 std::string line(const char* what, const std::string& text) { return format("{:<10} {}", what, text); }
 
@@ -26,7 +26,7 @@ std::string range_text(double low, double high, const char* unit) {
 
 std::string metres(double value) { return std::abs(value) < 1e4 ? format("{:.5g}", value) : format("{:.0f}", value); }
 
-std::string scene_line(const Session::Parts& parts) {
+std::string scene_line(const Parts& parts) {
   const geometry::World& world = *parts.scene.world;
   const double up_m = on_map(parts) ? parts.map_offset_m.z : 0.0;
   bool bounded = false;
@@ -46,7 +46,7 @@ std::string scene_line(const Session::Parts& parts) {
 }
 
 struct CameraText {
-  const Session::Parts& parts;
+  const Parts& parts;
   std::string operator()(const io::OrthographicCamera& c) const {
     std::string text = format("orthographic, {} x {} pixels of {:g} m", c.width_px, c.height_px, c.gsd_m);
     if (c.view_zenith_rad > 0.0)
@@ -64,7 +64,7 @@ struct CameraText {
   }
 };
 
-std::string sees_line(const Session::Parts& parts, const SceneLook& look) {
+std::string sees_line(const Parts& parts, const SceneLook& look) {
   if (look.distance_m.low > look.distance_m.high) return "nothing but sky";
   std::string text = area_text(parts, look.x_m, look.y_m);
   text += format("; a pixel covers {}", range_text(look.gsd_m.low, look.gsd_m.high, "m"));
@@ -89,7 +89,7 @@ std::string in_view_line(const SceneLook& look) {
                 inside / of * static_cast<double>(look.objects), look.objects);
 }
 
-std::string sun_line(const Session::Parts& parts) {
+std::string sun_line(const Parts& parts) {
   const auto& sun = parts.scene.sun;
   if (!sun) return "none";
   const double azimuth = std::atan2(sun->direction.x, sun->direction.y) * kDegrees;
@@ -99,7 +99,7 @@ std::string sun_line(const Session::Parts& parts) {
 
 /// One text for each of the first channels and the last.
 template <class Text>
-std::string by_channel(const Session::Parts& parts, Text text) {
+std::string by_channel(const Parts& parts, Text text) {
   const std::size_t count = parts.channels.size();
   std::string all;
   for (std::size_t c = 0; c < count; ++c) {
@@ -111,7 +111,7 @@ std::string by_channel(const Session::Parts& parts, Text text) {
 
 }  // namespace
 
-std::string area_text(const Session::Parts& parts, SceneLook::Range x_m, SceneLook::Range y_m) {
+std::string area_text(const Parts& parts, SceneLook::Range x_m, SceneLook::Range y_m) {
   if (!on_map(parts))
     return format("x {} to {} m, y {} to {} m", metres(x_m.low), metres(x_m.high), metres(y_m.low), metres(y_m.high));
   const math::Vec3 o = parts.map_offset_m;
@@ -119,7 +119,7 @@ std::string area_text(const Session::Parts& parts, SceneLook::Range x_m, SceneLo
                 y_m.high + o.y);
 }
 
-std::vector<std::string> place_lines(const Session::Parts& parts, const SceneLook& look) {
+std::vector<std::string> place_lines(const Parts& parts, const SceneLook& look) {
   std::vector<std::string> lines;
   lines.push_back(line("extent:", scene_line(parts)));
   lines.push_back(line("camera:", std::visit(CameraText{parts}, parts.document.sensor.camera.model)));

@@ -9,9 +9,9 @@ namespace ifov::session {
 
 /// Where the scene, the camera and the Sun are, what of the scene is in the picture, what lights it and what some
 /// thousand rays see: lines of two columns for people. Map coordinates where the scene's origin has some.
-std::vector<std::string> place_lines(const Session::Parts& parts, const SceneLook& look);
+std::vector<std::string> place_lines(const Parts& parts, const SceneLook& look);
 
 /// "x -20 to 20 m, y -15 to 15 m", on the map "east 440012 to 440052 m, north ... (map)".
-std::string area_text(const Session::Parts& parts, SceneLook::Range x_m, SceneLook::Range y_m);
+std::string area_text(const Parts& parts, SceneLook::Range x_m, SceneLook::Range y_m);
 
 }  // namespace ifov::session

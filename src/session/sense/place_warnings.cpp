@@ -5,8 +5,8 @@
 
 #include "core/format.h"
 #include "core/names.h"
-#include "session/acquisition_assembly.h"
-#include "session/parts.h"
+#include "session/loaded/acquisition_assembly.h"
+#include "session/loaded/parts.h"
 #include "session/sense/place_lines.h"
 #include "session/sense/sense_warnings.h"
 
@@ -35,7 +35,7 @@ double backs_about(const geometry::World& world, math::Point3 place) {
          static_cast<double>(hits.size());
 }
 
-void warn_of_camera(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+void warn_of_camera(const Parts& parts, const SceneLook& look, LogSink& log) {
   const geometry::World& world = *parts.scene.world;
   const double top_m = world.heights().high_m;
   const math::Vec3 offset_m = parts.document.scene.origin.offset_m;
@@ -66,7 +66,7 @@ void warn_of_camera(const Session::Parts& parts, const SceneLook& look, LogSink&
                   place ? "'position' and where it looks" : "'center'"));
 }
 
-void warn_of_objects_out_of_view(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+void warn_of_objects_out_of_view(const Parts& parts, const SceneLook& look, LogSink& log) {
   if (look.sky_share >= 1.0) return;
   std::size_t whole = 0;
   std::string names;
@@ -85,7 +85,7 @@ void warn_of_objects_out_of_view(const Session::Parts& parts, const SceneLook& l
 }
 
 /// Copies so far away that their coordinates must be of another frame.
-void warn_of_far_objects(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+void warn_of_far_objects(const Parts& parts, const SceneLook& look, LogSink& log) {
   const geometry::World& world = *parts.scene.world;
   if (look.x_m.low > look.x_m.high) return;
   const math::Point3 middle{0.5 * (look.x_m.low + look.x_m.high), 0.5 * (look.y_m.low + look.y_m.high), 0.0};
@@ -115,7 +115,7 @@ void warn_of_far_objects(const Session::Parts& parts, const SceneLook& look, Log
   }
 }
 
-void warn_of_sizes(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+void warn_of_sizes(const Parts& parts, const SceneLook& look, LogSink& log) {
   if (look.x_m.low > look.x_m.high) return;
   constexpr double kMuchLarger = 100.0, kMuchSmaller = 0.02, kKilometre_m = 1000.0;
   const double across_m = std::max({look.x_m.high - look.x_m.low, look.y_m.high - look.y_m.low, look.gsd_m.high});
@@ -136,7 +136,7 @@ void warn_of_sizes(const Session::Parts& parts, const SceneLook& look, LogSink& 
   }
 }
 
-void warn_of_shared_places(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+void warn_of_shared_places(const Parts& parts, const SceneLook& look, LogSink& log) {
   constexpr double kNoticed = 0.001;
   std::vector<SceneLook::Shared> shared = look.shared;
   std::sort(shared.begin(), shared.end(), [](const auto& a, const auto& b) { return a.share > b.share; });
@@ -152,7 +152,7 @@ void warn_of_shared_places(const Session::Parts& parts, const SceneLook& look, L
 }
 
 /// Maps that lie where nothing is: their outermost cells would cover everything.
-void warn_of_maps(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+void warn_of_maps(const Parts& parts, const SceneLook& look, LogSink& log) {
   if (look.x_m.low > look.x_m.high) return;
   SceneLook::Range x = look.x_m, y = look.y_m;
   const geometry::World::Bounds b = parts.scene.world->bounds();
@@ -168,7 +168,7 @@ void warn_of_maps(const Session::Parts& parts, const SceneLook& look, LogSink& l
 }
 
 /// Degrees where metres of a map are expected.
-void warn_of_degrees(const Session::Parts& parts, LogSink& log) {
+void warn_of_degrees(const Parts& parts, LogSink& log) {
   const io::OriginDocument& origin = parts.document.scene.origin;
   if (!origin.has_map_offset) return;
   if (std::abs(origin.offset_m.x) <= 180.0 && std::abs(origin.offset_m.y) <= 90.0 &&
@@ -179,7 +179,7 @@ void warn_of_degrees(const Session::Parts& parts, LogSink& log) {
 }
 
 /// Two places for one origin: the Sun follows the first, the map the second.
-void warn_of_two_origins(const Session::Parts& parts, LogSink& log) {
+void warn_of_two_origins(const Parts& parts, LogSink& log) {
   constexpr double kRadius_m = 6371008.8, kNoticed_m = 5000.0, kDegree = std::numbers::pi / 180.0;
   const io::OriginDocument& origin = parts.document.scene.origin;
   if (!origin.geographic || !origin.has_map_offset) return;
@@ -199,7 +199,7 @@ void warn_of_two_origins(const Session::Parts& parts, LogSink& log) {
 
 }  // namespace
 
-void warn_of_places(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+void warn_of_places(const Parts& parts, const SceneLook& look, LogSink& log) {
   warn_of_degrees(parts, log);
   warn_of_two_origins(parts, log);
   warn_of_camera(parts, look, log);

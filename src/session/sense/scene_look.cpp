@@ -8,7 +8,7 @@
 
 #include "render/scene_field.h"
 #include "sampling/hash.h"
-#include "session/parts.h"
+#include "session/loaded/parts.h"
 
 namespace ifov::session {
 namespace {
@@ -31,7 +31,7 @@ std::vector<sampling::FocalPoint> grid_of(const sensor::Camera& camera, int acro
   return points;
 }
 
-void see(const Session::Parts& parts, std::span<const sampling::FocalPoint> points, SceneLook& look) {
+void see(const Parts& parts, std::span<const sampling::FocalPoint> points, SceneLook& look) {
   const geometry::World& world = *parts.scene.world;
   std::vector<math::Ray> rays(points.size());
   parts.camera->rays(points, rays);
@@ -69,7 +69,7 @@ void see(const Session::Parts& parts, std::span<const sampling::FocalPoint> poin
   for (const auto& [pair, share] : pairs) look.shared.push_back({pair.first, pair.second, share});
 }
 
-void measure(const Session::Parts& parts, std::span<const sampling::FocalPoint> points, SceneLook& look) {
+void measure(const Parts& parts, std::span<const sampling::FocalPoint> points, SceneLook& look) {
   render::SceneField field(*parts.spectral_scene, *parts.camera, parts.job().transport, render::LabelDetail::material);
   std::vector<sampling::PathRequest> requests;
   for (const sampling::FocalPoint& point : points)
@@ -82,7 +82,7 @@ void measure(const Session::Parts& parts, std::span<const sampling::FocalPoint> 
       include(look.radiance[c], static_cast<double>(values[k * static_cast<std::size_t>(field.stride()) + c]));
 }
 
-void light(const Session::Parts& parts, SceneLook& look) {
+void light(const Parts& parts, SceneLook& look) {
   const radiometry::SpectralNodes& nodes = *parts.nodes;
   const double sine = parts.scene.sun ? std::max(0.0, parts.scene.sun->direction.z) : 0.0;
   for (std::size_t c = 0; c < nodes.channel_count(); ++c) {
@@ -105,7 +105,7 @@ bool in_frame(const sensor::Camera& camera, const geometry::World::PlacedObject&
          point.y_px - reach_px < camera.height_px();
 }
 
-void count(const Session::Parts& parts, SceneLook& look) {
+void count(const Parts& parts, SceneLook& look) {
   const geometry::World& world = *parts.scene.world;
   look.objects = world.object_count();
   for (std::size_t d = 0; d < parts.placed.document_objects(); ++d) {
@@ -120,7 +120,7 @@ void count(const Session::Parts& parts, SceneLook& look) {
 
 }  // namespace
 
-SceneLook look_at(const Session::Parts& parts) {
+SceneLook look_at(const Parts& parts) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   constexpr SceneLook::Range kEmpty{kInfinity, -kInfinity};
   SceneLook look;

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "session/sense/placed_objects.h"
-#include "session/session.h"
+#include "session/assembly/geometry/placed_objects.h"
+#include "session/loaded/parts.h"
 
 namespace ifov::session {
 
@@ -32,6 +32,6 @@ struct SceneLook {
   std::vector<Shared> shared;
 };
 
-SceneLook look_at(const Session::Parts& parts);
+SceneLook look_at(const Parts& parts);
 
 }  // namespace ifov::session

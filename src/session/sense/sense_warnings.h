@@ -6,13 +6,13 @@
 namespace ifov::session {
 
 /// What is most likely not meant, with what to do: where things and the camera are.
-void warn_of_places(const Session::Parts& parts, const SceneLook& look, LogSink& log);
+void warn_of_places(const Parts& parts, const SceneLook& look, LogSink& log);
 /// The same of numbers: temperatures, wavelengths, light, accuracies.
-void warn_of_values(const Session::Parts& parts, const SceneLook& look, LogSink& log);
+void warn_of_values(const Parts& parts, const SceneLook& look, LogSink& log);
 /// Throws InputError where nothing shines in any channel.
-void require_light(const Session::Parts& parts, const SceneLook& look);
+void require_light(const Parts& parts, const SceneLook& look);
 
 /// Things that stand in the air or lie under the ground.
-void warn_of_standing(const Session::Parts& parts, LogSink& log);
+void warn_of_standing(const Parts& parts, LogSink& log);
 
 }  // namespace ifov::session

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/format.h"
-#include "session/parts.h"
+#include "session/loaded/parts.h"
 #include "session/sense/sense_warnings.h"
 
 namespace ifov::session {
@@ -38,7 +38,7 @@ struct Standing {
   std::optional<double> under_m;  ///< by so much ground lies above its highest point
 };
 
-Standing look_about(const Session::Parts& parts, std::uint32_t placed) {
+Standing look_about(const Parts& parts, std::uint32_t placed) {
   const geometry::World& world = *parts.scene.world;
   const geometry::World::PlacedObject object = world.object(placed);
   double half_m = 0.0;
@@ -64,7 +64,7 @@ Standing look_about(const Session::Parts& parts, std::uint32_t placed) {
 
 }  // namespace
 
-void warn_of_standing(const Session::Parts& parts, LogSink& log) {
+void warn_of_standing(const Parts& parts, LogSink& log) {
   if (parts.scene.world->storage().chunks > 0) return;
   bool has_ground = false;
   for (std::size_t d = 0; d < parts.placed.document_objects(); ++d) has_ground = has_ground || is_ground(parts.document, d);

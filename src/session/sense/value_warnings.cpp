@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "core/format.h"
-#include "session/parts.h"
+#include "session/assembly/shared/with_position.h"
+#include "session/loaded/parts.h"
 #include "session/sense/sense_warnings.h"
-#include "session/with_position.h"
 
 namespace ifov::session {
 namespace {
@@ -22,27 +22,27 @@ std::string named(const std::vector<std::string>& names) {
 
 /// Channels of which something holds.
 template <class Is>
-std::vector<std::string> channels_that(const Session::Parts& parts, Is is) {
+std::vector<std::string> channels_that(const Parts& parts, Is is) {
   std::vector<std::string> names;
   for (std::size_t c = 0; c < parts.channels.size(); ++c)
     if (is(c)) names.push_back(parts.channels[c].name);
   return names;
 }
 
-bool dark(const Session::Parts& parts, const SceneLook& look, std::size_t c) {
+bool dark(const Parts& parts, const SceneLook& look, std::size_t c) {
   const std::vector<double> path = parts.spectral_scene->path_radiance();
   return !(look.sun[c].high > kNothing) && !(look.sky[c].high > kNothing) && !(look.radiance[c].high > kNothing) &&
          !(path[c] > kNothing);
 }
 
-void warn_of_dark_channels(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+void warn_of_dark_channels(const Parts& parts, const SceneLook& look, LogSink& log) {
   const std::vector<std::string> names = channels_that(parts, [&](std::size_t c) { return dark(parts, look, c); });
   if (!names.empty())
     log.warn(format("nothing shines in {}: neither Sun nor sky has light there, and nothing that is seen emits; the radiance will be 0",
                     named(names)));
 }
 
-void warn_of_hot_sky(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+void warn_of_hot_sky(const Parts& parts, const SceneLook& look, LogSink& log) {
   constexpr double kHot_k = 325.0, kPi = 3.14159265358979323846;
   if (!parts.scene.sky.radiance || parts.atmosphere) return;
   double hottest_k = 0.0;
@@ -58,7 +58,7 @@ void warn_of_hot_sky(const Session::Parts& parts, const SceneLook& look, LogSink
                     hottest_k, named(names)));
 }
 
-void warn_of_temperatures(const Session::Parts& parts, LogSink& log) {
+void warn_of_temperatures(const Parts& parts, LogSink& log) {
   constexpr double kCold_k = 150.0;
   const auto look = [&](const std::optional<io::TemperatureDocument>& source, const std::string& of) {
     const double* fixed_k = source ? std::get_if<double>(&source->value) : nullptr;
@@ -75,7 +75,7 @@ void warn_of_temperatures(const Session::Parts& parts, LogSink& log) {
                     mapped->coldest_k, mapped->hottest_k));
 }
 
-void warn_of_wavelengths(const Session::Parts& parts, LogSink& log) {
+void warn_of_wavelengths(const Parts& parts, LogSink& log) {
   constexpr double kLongest_um = 100.0, kShortest_um = 0.2;
   const auto at = [&](std::size_t c) { return parts.channels[c].centre_um; };
   const std::vector<std::string> far = channels_that(parts, [&](std::size_t c) { return at(c) > kLongest_um; });
@@ -86,7 +86,7 @@ void warn_of_wavelengths(const Session::Parts& parts, LogSink& log) {
     log.warn(format("the wavelengths of {} are below {:g} um: are they um?", named(near), kShortest_um));
 }
 
-void warn_of_kelvins(const Session::Parts& parts, LogSink& log) {
+void warn_of_kelvins(const Parts& parts, LogSink& log) {
   if (!parts.plan.request || parts.plan.request->unit != render::ErrorUnit::kelvin || !parts.tolerance) return;
   const std::vector<std::string> names = channels_that(parts, [&](std::size_t c) {
     return parts.tolerance->judged(static_cast<int>(c)) && parts.channels[c].centre_um < kThermal_um;
@@ -98,7 +98,7 @@ void warn_of_kelvins(const Session::Parts& parts, LogSink& log) {
 }
 
 /// Gases that no air on Earth holds so much, or so little, of. None at all is meant.
-void warn_of_air(const Session::Parts& parts, LogSink& log) {
+void warn_of_air(const Parts& parts, LogSink& log) {
   if (!parts.document.atmosphere.modelled) return;
   const atmosphere::ProfileDescription& air = parts.document.atmosphere.modelled->description.air;
   const auto check = [&](const char* name, const std::optional<double>& value, double low, double high, const char* unit, const char* usual) {
@@ -114,7 +114,7 @@ void warn_of_air(const Session::Parts& parts, LogSink& log) {
 
 }  // namespace
 
-void require_light(const Session::Parts& parts, const SceneLook& look) {
+void require_light(const Parts& parts, const SceneLook& look) {
   const io::LightDocument& light = parts.document.light;
   // Who writes "sky": {"none": {}} means a dark scene.
   if (light.sky_position.line > 0) return;
@@ -126,7 +126,7 @@ void require_light(const Session::Parts& parts, const SceneLook& look) {
       "'light' a 'sun' and a 'sky', the document an 'atmosphere', or materials a 'temperature'");
 }
 
-void warn_of_values(const Session::Parts& parts, const SceneLook& look, LogSink& log) {
+void warn_of_values(const Parts& parts, const SceneLook& look, LogSink& log) {
   warn_of_dark_channels(parts, look, log);
   warn_of_hot_sky(parts, look, log);
   warn_of_temperatures(parts, log);

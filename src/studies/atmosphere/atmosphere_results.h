@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "studies/figures.h"
-#include "studies/studies.h"
-#include "studies/report_plot.h"
+#include "studies/common/figures.h"
+#include "studies/common/report_plot.h"
+#include "studies/common/study_options.h"
 
 namespace ifov::studies {
 

@@ -7,7 +7,7 @@
 #include "atmosphere/sensor/channel_light.h"
 #include "core/format.h"
 #include "radiometry/solar_spectrum.h"
-#include "studies/study_document.h"
+#include "studies/common/study_document.h"
 
 namespace ifov::studies {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/studies.h"
+#include "studies/common/study_options.h"
 
 namespace ifov::studies {
 

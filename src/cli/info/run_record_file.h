@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+#include "io/json/json_view.h"
+
+namespace ifov::cli {
+
+using Record = io::JsonView;
+
+/// The record of a run (NAME_run.json).
+class RunRecordFile {
+ public:
+  /// EnvironmentError where it cannot be read, InputError where it is none.
+  explicit RunRecordFile(const std::filesystem::path& path);
+  Record root() const { return Record(tree_); }
+
+ private:
+  io::DocumentTree tree_;
+};
+
+}  // namespace ifov::cli

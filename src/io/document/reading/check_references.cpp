@@ -1,0 +1,207 @@
+#include "io/document/reading/check_references.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <set>
+
+#include "core/format.h"
+#include "core/names.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr std::size_t kDeepest = 64;
+
+template <class T>
+std::vector<std::string> names_of(const std::vector<T>& things) {
+  std::vector<std::string> names;
+  for (const T& thing : things) names.push_back(thing.name);
+  return names;
+}
+
+class ReferenceCheck {
+ public:
+  explicit ReferenceCheck(const Document& document)
+      : document_(document),
+        materials_(names_of(document.scene.materials)),
+        prototypes_(names_of(document.scene.prototypes)),
+        channels_(names_of(document.sensor.channels)) {}
+
+  void run() const {
+    for (const ObjectDocument& object : document_.scene.objects) check(object);
+    for (const PrototypeDocument& prototype : document_.scene.prototypes) {
+      for (const ObjectDocument& object : prototype.objects) {
+        check(object);
+        if (std::holds_alternative<CityShape>(object.shape))
+          throw document_error(document_, object.shape_position, "a prototype cannot hold a city");
+        if (std::holds_alternative<ScatterShape>(object.shape))
+          throw document_error(document_, object.shape_position, "a prototype cannot hold a scatter");
+      }
+    }
+    check_nesting();
+    check_channel_names();
+    if (const auto* adaptive = std::get_if<AdaptiveSampling>(&document_.sampling.method))
+      check(adaptive->channel);
+    if (const auto* accuracy = std::get_if<AccuracySampling>(&document_.sampling.method))
+      check(accuracy->channel);
+    for (const DocumentName& channel : document_.output.quicklook_channels)
+      require("channel", channel, channels_);
+    check_direction(document_.light.sun, "Sun");
+    check_moon();
+    check_sky();
+    check_psf();
+  }
+
+ private:
+  void require(std::string_view what, const DocumentName& reference,
+               const std::vector<std::string>& names) const {
+    if (std::find(names.begin(), names.end(), reference.name) != names.end()) return;
+    const std::string hint = did_you_mean(reference.name, names);
+    const std::string list =
+        names.empty() ? "none is declared" : format("declared: {}", list_names(names, "and"));
+    throw document_error(document_, reference.position,
+                         format("there is no {} '{}'{} ({})", what, reference.name, hint, list));
+  }
+
+  void check(const std::optional<DocumentName>& channel) const {
+    if (channel) require("channel", *channel, channels_);
+  }
+
+  void check(const ObjectDocument& object) const {
+    if (const DocumentName* of = copied_by(object)) require("prototype", *of, prototypes_);
+    if (const auto* scatter = std::get_if<ScatterShape>(&object.shape)) check(*scatter);
+    if (!object.material) return;
+    if (const auto* name = std::get_if<DocumentName>(&object.material->value)) {
+      require("material", *name, materials_);
+    } else if (const auto* map = std::get_if<MaterialMap>(&object.material->value)) {
+      for (const auto& [number, material] : map->classes) require("material", material, materials_);
+    } else if (const auto* mixture = std::get_if<MixtureDocument>(&object.material->value)) {
+      for (const DocumentName& material : mixture->materials) require("material", material, materials_);
+    } else if (const auto* slots = std::get_if<MaterialSlots>(&object.material->value)) {
+      for (const auto& [slot, material] : slots->slots) require("material", material, materials_);
+      if (!std::holds_alternative<MeshShape>(object.shape) && !std::holds_alternative<CityShape>(object.shape)) {
+        throw document_error(document_, object.material->position,
+                             "only a mesh and a city have 'slots', the names of materials in their files");
+      }
+    }
+  }
+
+  void check(const ScatterShape& scatter) const {
+    for (const ScatterShape::Kin& kin : scatter.of) require("prototype", kin.prototype, prototypes_);
+    if (!scatter.on) return;
+    std::vector<std::string> grounds;
+    for (const ObjectDocument& object : document_.scene.objects)
+      if (!object.name.empty() && object.material && std::find(grounds.begin(), grounds.end(), object.name) == grounds.end())
+        grounds.push_back(object.name);
+    require("object with a shape of its own", *scatter.on, grounds);
+  }
+
+  /// No prototype may hold itself: depth first, each prototype once.
+  void check_nesting() const {
+    enum class State { unseen, open, done };
+    std::map<std::string, State> states;
+    std::vector<std::string> path;
+    const std::function<void(const PrototypeDocument&)> descend = [&](const PrototypeDocument& prototype) {
+      states[prototype.name] = State::open;
+      path.push_back(prototype.name);
+      if (path.size() > kDeepest)
+        throw document_error(document_, prototype.position,
+                             format("prototypes are nested more than {} deep", kDeepest));
+      for (const ObjectDocument& object : prototype.objects) {
+        const DocumentName* of = copied_by(object);
+        if (of == nullptr || states[of->name] == State::done) continue;
+        if (states[of->name] == State::open) {
+          std::string loop;
+          for (auto at = std::find(path.begin(), path.end(), of->name); at != path.end(); ++at)
+            loop += format("'{}' holds ", *at);
+          throw document_error(document_, of->position,
+                               format("the prototype '{}' holds itself: {}'{}'", of->name, loop, of->name));
+        }
+        for (const PrototypeDocument& inner : document_.scene.prototypes)
+          if (inner.name == of->name) descend(inner);
+      }
+      path.pop_back();
+      states[prototype.name] = State::done;
+    };
+    for (const PrototypeDocument& prototype : document_.scene.prototypes)
+      if (states[prototype.name] == State::unseen) descend(prototype);
+  }
+
+  static const DocumentName* copied_by(const ObjectDocument& object) {
+    if (const auto* one = std::get_if<InstanceShape>(&object.shape)) return &one->of;
+    if (const auto* many = std::get_if<InstancesShape>(&object.shape)) return &many->of;
+    return nullptr;
+  }
+
+  void check_channel_names() const {
+    std::set<std::string> seen;
+    for (const ChannelDocument& channel : document_.sensor.channels) {
+      if (!seen.insert(channel.name).second) {
+        throw document_error(
+            document_, channel.position,
+            format("two channels are named '{}'; give one a 'name' of its own", channel.name));
+      }
+    }
+  }
+
+  template <class Source>
+  void check_direction(const std::optional<Source>& source, const char* body) const {
+    if (!source || source->direction || (document_.time && document_.scene.origin.geographic)) return;
+    throw document_error(
+        document_, source->position,
+        format("the {} has no direction: give 'zenith' and 'azimuth', or {}", body,
+               document_.time ? "the scene's 'origin' with 'latitude' and 'longitude'"
+               : document_.scene.origin.geographic
+                   ? "the document's 'time'"
+                   : "the document's 'time' and the scene's 'origin' with 'latitude' and 'longitude'"));
+  }
+
+  void check_moon() const {
+    const std::optional<MoonDocument>& moon = document_.light.moon;
+    if (!moon) return;
+    check_direction(moon, "Moon");
+    if (!moon->phase_angle_rad && !document_.time)
+      throw document_error(document_, moon->position,
+                           "the Moon has no phase: give 'phase_angle', or the document's 'time'");
+    const std::string maker =
+        document_.atmosphere.imported ? "imported" : document_.atmosphere.sky_maker();
+    if (!maker.empty() && maker != "profile")
+      throw document_error(
+          document_, moon->position,
+          format("the atmosphere's '{}' says what light the Sun gives, not the Moon: leave out 'moon', or name a "
+                 "'profile'",
+                 maker));
+  }
+
+  void check_sky() const {
+    const std::string maker = document_.atmosphere.sky_maker();
+    if (maker.empty()) return;
+    const LightDocument& light = document_.light;
+    if (!std::holds_alternative<NoSky>(light.sky))
+      throw document_error(document_, light.sky_position,
+                           format("the sky follows from the atmosphere's '{0}': leave out 'sky', or '{0}'", maker));
+    if (maker != "profile" && light.sun && light.sun->irradiance)
+      throw document_error(document_, light.sun->position,
+                           format("the Sun's light follows from the atmosphere's '{0}': leave out 'spectrum', or '{0}'",
+                                  maker));
+  }
+
+  void check_psf() const {
+    const SensorDocument& sensor = document_.sensor;
+    const bool frame = std::holds_alternative<FrameCamera>(sensor.camera.model);
+    if (!std::holds_alternative<AiryPsf>(sensor.psf) || frame) return;
+    throw document_error(
+        document_, sensor.psf_position,
+        "an Airy PSF needs a 'frame' camera, whose focal length and pitch give its size in pixels");
+  }
+
+  const Document& document_;
+  std::vector<std::string> materials_, prototypes_, channels_;
+};
+
+}  // namespace
+
+void check_references(const Document& document) { ReferenceCheck(document).run(); }
+
+}  // namespace ifov::io

@@ -1,0 +1,65 @@
+#include "io/document/document.h"
+
+#include "io/document/reading/check_references.h"
+#include "io/document/reading/named_files.h"
+#include "io/document/tables/tables.h"
+#include "io/json/document_parts.h"
+
+namespace ifov::io {
+namespace {
+
+const Kind<Document>& table() {
+  static const Kind<Document> kind = document_kind();
+  return kind;
+}
+
+/// A section that was not written stands where the document begins.
+void place_defaults(Document& document, const SourcePosition& root) {
+  for (SourcePosition* position :
+       {&document.light.position, &document.atmosphere.position, &document.sampling.position,
+        &document.output.position, &document.scene.origin.position, &document.sensor.psf_position}) {
+    if (position->file.starts_with("default of ") || position->line == 0) *position = root;
+  }
+}
+
+}  // namespace
+
+Document parse_document(std::string text, const std::string& file_name, std::span<const DocumentOverride> overrides) {
+  const DocumentParts parts = put_together(std::move(text), file_name, overrides);
+  Document document = table().read(*parts.root);
+  reject_unread(*parts.root);
+  place_defaults(document, parts.root->position());
+  document.file_name = file_name;
+  document.sources = parts.sources;
+  const auto names = file_names(*parts.root);
+  document.files = existing_files(names);
+  document.files.insert(document.files.end(), parts.included.begin(), parts.included.end());
+  if (parts.is_one_text)
+    document.text = std::shared_ptr<const std::string>(parts.sources.front(), &parts.sources.front()->text());
+  else
+    document.text = std::make_shared<const std::string>(whole_text(*parts.root, file_name, names));
+  if (!document.output.folder.empty()) {
+    document.output.folder = parts.sources.front()->resolve(document.output.folder);
+  } else {
+    const std::size_t slash = file_name.find_last_of('/');
+    const std::size_t dot = file_name.find_last_of('.');
+    const bool has_extension =
+        dot != std::string::npos && dot > 0 && (slash == std::string::npos || dot > slash + 1);
+    document.output.folder = file_name.substr(0, has_extension ? dot : std::string::npos) + ".out";
+  }
+  check_references(document);
+  return document;
+}
+
+Document read_document(const std::string& path, std::span<const DocumentOverride> overrides) {
+  return parse_document(read_document_text(path), path, overrides);
+}
+
+InputError document_error(const Document& document, const SourcePosition& position,
+                          std::string_view message) {
+  for (const auto& source : document.sources)
+    if (source->file_name() == position.file) return source->error(position, message);
+  return located_error({}, document.file_name, position, message);
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "io/document/document_values.h"
+#include "io/document/schema/quantity.h"
+#include "io/document/schema/value_description.h"
+#include "io/json/node.h"
+#include "math/vec3.h"
+
+namespace ifov::io {
+
+/// How a value of a document is described and read as a V. `read` throws InputError.
+template <class V>
+struct Kind {
+  ValueDescriptionPtr description;
+  std::function<V(const DocumentNode&)> read;
+};
+
+/// Allowed numbers, in the unit named (a spelling of the dimension; empty for plain numbers).
+struct Range {
+  std::optional<double> minimum, maximum;
+  bool above_minimum = false;
+  bool below_maximum = false;
+  std::string_view unit;
+
+  static Range at_least(double low, std::string_view unit = {}) { return {low, {}, false, false, unit}; }
+  static Range above(double low, std::string_view unit = {}) { return {low, {}, true, false, unit}; }
+  static Range between(double low, double high, std::string_view unit = {}) {
+    return {low, high, false, false, unit};
+  }
+};
+
+Kind<bool> boolean();
+Kind<std::int64_t> long_integer(std::int64_t least, std::int64_t most);
+Kind<int> integer(int least, int most);
+Kind<double> number(const Range& range = {});
+
+/// A text such as "1 m"; the result is in the unit that the dimension's comment names.
+Kind<double> quantity(const Dimension& dimension, const Range& range = {});
+
+/// A number such as 0.002, or a text such as "0.2 %".
+Kind<double> fraction(const Range& range);
+
+/// Any text that is not empty, at most 200 bytes, without control characters.
+Kind<std::string> label();
+Kind<std::string> text_like(std::string pattern, std::string expected, std::string short_name);
+
+/// A name of something declared elsewhere in the document: "a material".
+Kind<DocumentName> name_of(const std::string& what);
+Kind<DocumentFile> file();
+
+/// Three coordinates with units; displacements likewise.
+Kind<math::Point3> point();
+Kind<math::Vec3> displacement();
+
+/// Three plain numbers, not all zero.
+Kind<math::Vec3> direction();
+
+/// The text of a node that must be one; fails with what the description expects.
+const std::string& text_of(const DocumentNode& node, const ValueDescription& description);
+
+/// Reads a quantity and checks its range; `expected` is for the message.
+double read_quantity(const DocumentNode& node, const Dimension& dimension, const Range& range,
+                     std::string_view expected);
+
+/// Fails unless the node is a list (an object) with a count within the description's bounds.
+void check_list(const DocumentNode& node, const ValueDescription& description);
+void check_map(const DocumentNode& node, const ValueDescription& description);
+
+ValueDescriptionPtr list_description(ValueDescriptionPtr items, std::size_t least, std::size_t most);
+ValueDescriptionPtr map_description(ValueDescriptionPtr items, const std::string& of_what, std::size_t most);
+ValueDescriptionPtr choice_description(std::vector<std::string> names);
+std::size_t choice_index(const DocumentNode& node, const ValueDescription& description);
+
+/// One of a few words.
+template <class E>
+Kind<E> choice(const std::vector<std::pair<std::string, E>>& words) {
+  std::vector<std::string> names;
+  std::vector<E> values;
+  for (const auto& [name, value] : words) {
+    names.push_back(name);
+    values.push_back(value);
+  }
+  auto description = choice_description(std::move(names));
+  return {description, [description, values](const DocumentNode& node) {
+            return values[choice_index(node, *description)];
+          }};
+}
+
+template <class V>
+Kind<std::vector<V>> list(const Kind<V>& item, std::size_t least, std::size_t most) {
+  auto description = list_description(item.description, least, most);
+  return {description, [description, read = item.read](const DocumentNode& node) {
+            check_list(node, *description);
+            std::vector<V> values;
+            values.reserve(node.items().size());
+            for (const DocumentNode& child : node.items()) values.push_back(read(child));
+            return values;
+          }};
+}
+
+template <class V, std::size_t N>
+Kind<std::array<V, N>> tuple(const Kind<V>& item) {
+  auto description = list_description(item.description, N, N);
+  return {description, [description, read = item.read](const DocumentNode& node) {
+            check_list(node, *description);
+            std::array<V, N> values{};
+            for (std::size_t i = 0; i < N; ++i) values[i] = read(node.items()[i]);
+            return values;
+          }};
+}
+
+/// An object whose keys the user chooses; `of_what` names them: "materials".
+template <class V>
+Kind<std::vector<std::pair<std::string, V>>> map_of(const Kind<V>& item, const std::string& of_what,
+                                                    std::size_t most) {
+  auto description = map_description(item.description, of_what, most);
+  return {description, [description, read = item.read](const DocumentNode& node) {
+            check_map(node, *description);
+            std::vector<std::pair<std::string, V>> values;
+            for (const DocumentNode& child : node.members()) {
+              child.mark_read();
+              values.emplace_back(child.key(), read(child));
+            }
+            return values;
+          }};
+}
+
+/// The same value read as another type.
+template <class W, class V, class Convert>
+Kind<W> converted(const Kind<V>& kind, Convert convert) {
+  return {kind.description,
+          [read = kind.read, convert](const DocumentNode& node) -> W { return convert(read(node)); }};
+}
+
+}  // namespace ifov::io

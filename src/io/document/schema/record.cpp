@@ -1,0 +1,138 @@
+#include "io/document/schema/record.h"
+
+#include <algorithm>
+
+#include "core/format.h"
+#include "core/names.h"
+
+namespace ifov::io {
+namespace {
+
+using Form = ValueDescription::Form;
+using Type = DocumentNode::Type;
+
+std::vector<std::string> keys_of(const ValueDescription& record, int group) {
+  std::vector<std::string> keys;
+  for (const FieldDescription& field : record.fields) {
+    if (field.group == group) keys.push_back(field.key);
+  }
+  return keys;
+}
+
+void reject_unknown(const DocumentNode& node, const std::vector<std::string>& known) {
+  for (const DocumentNode& member : node.members()) {
+    if (std::find(known.begin(), known.end(), member.key()) != known.end()) continue;
+    const std::string hint = did_you_mean(member.key(), known);
+    member.fail_at_key(format("unknown key '{}' in {}{} Known keys: {}", member.key(), node.title(),
+                              hint.empty() ? "." : hint, list_names(known, "and")));
+  }
+}
+
+bool has_key(const DocumentNode& node, const std::string& key) {
+  const auto& members = node.members();
+  return std::any_of(members.begin(), members.end(), [&](const DocumentNode& m) { return m.key() == key; });
+}
+
+void check_group(const DocumentNode& node, const std::vector<std::string>& keys, bool required) {
+  const DocumentNode* first = nullptr;
+  for (const DocumentNode& member : node.members()) {
+    if (std::find(keys.begin(), keys.end(), member.key()) == keys.end()) continue;
+    if (first != nullptr) {
+      member.fail_at_key(format("'{}' cannot stand beside '{}': {} takes only one of {}", member.key(),
+                                first->key(), node.title(), list_names(keys)));
+    }
+    first = &member;
+  }
+  if (required && first == nullptr) {
+    node.fail(keys.size() == 1 ? format("{} lacks the key {}", node.title(), list_names(keys))
+                               : format("{} needs exactly one of {}", node.title(), list_names(keys)));
+  }
+}
+
+}  // namespace
+
+void check_members(const DocumentNode& node, const ValueDescription& record) {
+  if (node.type() != Type::object) node.fail_expected(record.expected);
+  std::vector<std::string> known;
+  for (const FieldDescription& field : record.fields) known.push_back(field.key);
+  reject_unknown(node, known);
+  for (const FieldDescription& field : record.fields) {
+    if (field.required && !has_key(node, field.key)) {
+      node.fail(format("{} lacks the key '{}': {}", node.title(), field.key, field.value->expected));
+    }
+  }
+  for (std::size_t i = 0; i < record.group_required.size(); ++i) {
+    check_group(node, keys_of(record, static_cast<int>(i)), record.group_required[i]);
+  }
+  for (const auto& [key, other] : record.needs) {
+    if (has_key(node, key) && !has_key(node, other)) {
+      node.fail(format("'{}' needs the key '{}' beside it in {}", key, other, node.title()));
+    }
+  }
+}
+
+int find_case(const DocumentNode& node, const ValueDescription& cases,
+              const std::vector<std::vector<std::string>>& tags, int fallback) {
+  if (node.type() != Type::object) node.fail_expected(cases.expected);
+  int found = -1;
+  std::string found_key;
+  std::vector<std::string> all_tags, all_keys;
+  for (const std::vector<std::string>& keys : tags) all_tags.insert(all_tags.end(), keys.begin(), keys.end());
+  for (const DocumentNode& member : node.members()) {
+    for (std::size_t i = 0; i < tags.size(); ++i) {
+      if (std::find(tags[i].begin(), tags[i].end(), member.key()) == tags[i].end()) continue;
+      if (found >= 0 && found != static_cast<int>(i)) {
+        member.fail_at_key(
+            format("'{}' cannot stand beside '{}' in {}", member.key(), found_key, node.title()));
+      }
+      found = static_cast<int>(i);
+      found_key = member.key();
+    }
+  }
+  if (found >= 0) return found;
+  if (fallback >= 0) return fallback;
+  for (const ValueDescriptionPtr& record : cases.alternatives) {
+    for (const FieldDescription& field : record->fields) {
+      if (std::find(all_keys.begin(), all_keys.end(), field.key) == all_keys.end())
+        all_keys.push_back(field.key);
+    }
+  }
+  reject_unknown(node, all_keys);
+  node.fail(format("{} needs exactly one of {}", node.title(), list_names(all_tags)));
+}
+
+ValueDescriptionPtr cases_description(std::vector<ValueDescriptionPtr> cases) {
+  ValueDescription d;
+  d.form = Form::alternatives;
+  for (const ValueDescriptionPtr& one : cases) {
+    if (d.expected.find(one->expected) == std::string::npos) {
+      d.expected += format("{}{}", d.expected.empty() ? "" : ", or ", one->expected);
+    }
+    d.short_name += format("{}{}", d.short_name.empty() ? "" : ", or ", one->short_name);
+  }
+  d.alternatives = std::move(cases);
+  return std::make_shared<const ValueDescription>(std::move(d));
+}
+
+bool has_form(const DocumentNode& node, const ValueDescription& description) {
+  switch (description.form) {
+    case Form::boolean:
+      return node.type() == Type::boolean;
+    case Form::integer:
+    case Form::number:
+      return node.type() == Type::number;
+    case Form::text:
+      return node.type() == Type::text;
+    case Form::list:
+      return node.type() == Type::list;
+    case Form::map:
+    case Form::record:
+      return node.type() == Type::object;
+    case Form::alternatives:
+      return std::any_of(description.alternatives.begin(), description.alternatives.end(),
+                         [&](const ValueDescriptionPtr& one) { return has_form(node, *one); });
+  }
+  return false;
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,157 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "io/document/schema/kind.h"
+#include "io/json/json_adapter.h"
+
+namespace ifov::io {
+
+/// Fails unless the node is an object with known keys, all required ones, and of each group of keys that
+/// exclude each other exactly (or at most) one.
+void check_members(const DocumentNode& node, const ValueDescription& record);
+
+/// Index of the one case whose tags the node has; `fallback` where it has none (-1: an error that lists the
+/// tags).
+int find_case(const DocumentNode& node, const ValueDescription& cases,
+              const std::vector<std::vector<std::string>>& tags, int fallback);
+
+ValueDescriptionPtr cases_description(std::vector<ValueDescriptionPtr> cases);
+
+/// The table of an object's keys: written once, it reads a T, and describes it for schema and reference.
+template <class T>
+class Record {
+ public:
+  Record(std::string name, std::string doc) {
+    description_.form = ValueDescription::Form::record;
+    description_.expected = "an object";
+    description_.short_name = name;
+    description_.name = std::move(name);
+    description_.doc = std::move(doc);
+  }
+
+  /// A target is a pointer to a member, or a function (T&, V).
+  template <class V, class Target>
+  Record& required(std::string key, Target target, const Kind<V>& kind, std::string doc) {
+    return add({std::move(key), std::move(doc), kind.description, true, {}, -1}, target, kind);
+  }
+
+  template <class V, class Target>
+  Record& optional(std::string key, Target target, const Kind<V>& kind, std::string doc) {
+    return add({std::move(key), std::move(doc), kind.description, false, {}, -1}, target, kind);
+  }
+
+  /// Without the key, the value is what this JSON text would have given.
+  template <class V, class Target>
+  Record& with_default(std::string key, Target target, const Kind<V>& kind, std::string json,
+                       std::string doc) {
+    const DocumentTree tree = parse_json(json, "default of " + key);
+    defaults_.push_back([target, value = kind.read(*tree.root)](T& record) { store(record, target, value); });
+    return add({std::move(key), std::move(doc), kind.description, false, std::move(json), -1}, target, kind);
+  }
+
+  /// The cases that follow exclude each other: exactly one of them is given (at most one).
+  Record& exactly_one() { return group(true); }
+  Record& at_most_one() { return group(false); }
+
+  template <class V, class Target>
+  Record& one(std::string key, Target target, const Kind<V>& kind, std::string doc) {
+    const int group = static_cast<int>(description_.group_required.size()) - 1;
+    return add({std::move(key), std::move(doc), kind.description, false, {}, group}, target, kind);
+  }
+
+  /// `key` is given only beside `other`.
+  Record& needs(std::string key, std::string other) {
+    description_.needs.emplace_back(std::move(key), std::move(other));
+    return *this;
+  }
+
+  /// Called after all keys are read: (const T&, const DocumentNode&).
+  Record& check(std::function<void(const T&, const DocumentNode&)> condition) {
+    checks_.push_back(std::move(condition));
+    return *this;
+  }
+
+  Kind<T> kind() const {
+    auto description = std::make_shared<const ValueDescription>(description_);
+    return {description, [description, readers = readers_, defaults = defaults_,
+                          checks = checks_](const DocumentNode& node) {
+              check_members(node, *description);
+              T record{};
+              if constexpr (requires { record.position = node.position(); })
+                record.position = node.position();
+              for (const auto& set_default : defaults) set_default(record);
+              for (std::size_t i = 0; i < readers.size(); ++i) {
+                const DocumentNode* member = node.find(description->fields[i].key);
+                if (member != nullptr) readers[i](record, *member);
+              }
+              for (const auto& condition : checks) condition(record, node);
+              return record;
+            }};
+  }
+
+ private:
+  template <class Target, class V>
+  static void store(T& record, const Target& target, V value) {
+    if constexpr (std::is_member_object_pointer_v<Target>) {
+      record.*target = std::move(value);
+    } else {
+      target(record, std::move(value));
+    }
+  }
+
+  template <class Target, class V>
+  Record& add(FieldDescription field, Target target, const Kind<V>& kind) {
+    description_.fields.push_back(std::move(field));
+    readers_.push_back([target, read = kind.read](T& record, const DocumentNode& node) {
+      store(record, target, read(node));
+    });
+    return *this;
+  }
+
+  Record& group(bool required) {
+    description_.group_required.push_back(required);
+    return *this;
+  }
+
+  ValueDescription description_;
+  std::vector<std::function<void(T&, const DocumentNode&)>> readers_;
+  std::vector<std::function<void(T&)>> defaults_;
+  std::vector<std::function<void(const T&, const DocumentNode&)>> checks_;
+};
+
+/// Whether the node's JSON type is one that the description takes.
+bool has_form(const DocumentNode& node, const ValueDescription& description);
+
+/// A value that may be written in forms of different JSON types, chosen by the type found.
+template <class W>
+Kind<W> either(const Kind<W>& first, const Kind<W>& second) {
+  auto description = cases_description({first.description, second.description});
+  return {description, [description, first, second](const DocumentNode& node) {
+            if (has_form(node, *first.description)) return first.read(node);
+            if (has_form(node, *second.description)) return second.read(node);
+            node.fail_expected(description->expected);
+          }};
+}
+
+/// One of several objects, told apart by the keys (tags) that only they have.
+template <class W>
+Kind<W> tagged(const std::vector<std::pair<std::vector<std::string>, Kind<W>>>& cases, int fallback = -1) {
+  std::vector<ValueDescriptionPtr> descriptions;
+  std::vector<std::vector<std::string>> tags;
+  for (const auto& [keys, kind] : cases) {
+    descriptions.push_back(kind.description);
+    tags.push_back(keys);
+  }
+  auto description = cases_description(std::move(descriptions));
+  return {description, [description, tags, cases, fallback](const DocumentNode& node) {
+            const int index = find_case(node, *description, tags, fallback);
+            return cases[static_cast<std::size_t>(index)].second.read(node);
+          }};
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,118 @@
+#include "io/document/schema/record.h"
+#include "io/document/tables/tables.h"
+
+namespace ifov::io {
+namespace {
+
+/// Keys for where it stands, both or neither.
+template <class Source>
+void with_direction(Record<Source>& record, const std::string& body) {
+  const auto direction = [](Source& s) -> CelestialDirection& {
+    return s.direction ? *s.direction : s.direction.emplace();
+  };
+  record
+      .optional(
+          "zenith", [direction](Source& s, double v) { direction(s).zenith_rad = v; },
+          quantity(kAngle, Range::between(0.0, 90.0, "deg")),
+          "zenith angle; without it the " + body + " stands where time and place put it")
+      .optional(
+          "azimuth", [direction](Source& s, double v) { direction(s).azimuth_rad = v; },
+          quantity(kAngle, Range::between(-360.0, 360.0, "deg")), "of the " + body + ", clockwise from north")
+      .needs("zenith", "azimuth")
+      .needs("azimuth", "zenith");
+}
+
+Record<SunDocument> sun_record(const std::string& name, const std::string& doc) {
+  Record<SunDocument> record(name, doc);
+  with_direction(record, "Sun");
+  record
+      .optional("distance", &SunDocument::distance_au, quantity(kSunDistance, Range::between(0.5, 2.0, "au")),
+                "of the Sun; without it from the document's time, else 1 au")
+      .optional("spectrum", &SunDocument::irradiance, spectrum_kind(SpectrumOf::irradiance),
+                "irradiance at 1 au; without it a built-in solar spectrum");
+  return record;
+}
+
+Kind<SunDocument> sun_kind() {
+  Record<SunDocument> disc =
+      sun_record("disc sun", "The Sun as a disc of uniform brightness; shadows have penumbrae.");
+  disc.with_default("diameter", &SunDocument::diameter_rad,
+                    quantity(kAngle, Range::between(0.01, 10.0, "deg")), "\"0.53 deg\"", "angular diameter");
+  const auto point = sun_record("point sun", "The Sun as a point; shadows are sharp.");
+  Record<SunDocument> record("sun", "Direct sunlight.");
+  const auto store = [](SunDocument& sun, SunDocument model) { sun = std::move(model); };
+  record.exactly_one()
+      .one("disc", store, disc.kind(), "the Sun as a disc")
+      .one("point", store, point.kind(), "the Sun as a point");
+  return record.kind();
+}
+
+Kind<MoonDocument> moon_kind() {
+  Record<MoonDocument> record(
+      "moon",
+      "Moonlight, where the Sun is below the horizon or left out: the solar spectrum, dimmed by phase and "
+      "distance.");
+  with_direction(record, "Moon");
+  record.optional(
+      "phase_angle", &MoonDocument::phase_angle_rad, quantity(kAngle, Range::between(0.0, 180.0, "deg")),
+      "at the Moon, between Sun and scene: 0 is full, 90 half; without it from the document's time");
+  return record.kind();
+}
+
+struct SkyEntry {
+  std::variant<NoSky, SkyTemperature, SkyRadiance> sky;
+  SourcePosition position;
+};
+
+Kind<SkyEntry> sky_kind() {
+  Record<SkyEntry> record("sky", "The same in every direction above the horizon.");
+  record.exactly_one()
+      .one("none", &SkyEntry::sky, Record<NoSky>("no sky", "No light from the sky.").kind(), "a black sky")
+      .one(
+          "temperature", [](SkyEntry& e, double k) { e.sky = SkyTemperature{k}; },
+          quantity(kTemperature, Range::at_least(0.0, "K")), "a blackbody of this temperature")
+      .one(
+          "radiance", [](SkyEntry& e, SpectrumDocument s) { e.sky = SkyRadiance{std::move(s)}; },
+          spectrum_kind(SpectrumOf::radiance), "spectral radiance");
+  return record.kind();
+}
+
+Kind<SurroundingsDocument> surroundings_kind() {
+  const auto store = [](bool is_emissivity) {
+    return [is_emissivity](SurroundingsDocument& s, SpectrumDocument spectrum) {
+      s.is_emissivity = is_emissivity;
+      s.spectrum = std::move(spectrum);
+    };
+  };
+  Record<SurroundingsDocument> record(
+      "surroundings",
+      "What rays meet that leave the scene below the horizon: a Lambertian surface "
+      "lit by Sun and sky.");
+  record.exactly_one()
+      .one("reflectance", store(false), spectrum_kind(SpectrumOf::reflectance), "spectral reflectance")
+      .one("emissivity", store(true), spectrum_kind(SpectrumOf::emissivity), "spectral emissivity")
+      .optional("temperature", &SurroundingsDocument::temperature_k,
+                quantity(kTemperature, Range::at_least(0.0, "K")), "without one they emit nothing");
+  return record.kind();
+}
+
+}  // namespace
+
+Kind<LightDocument> light_kind() {
+  Record<LightDocument> record("light", "What shines on the scene. Warm surfaces always emit.");
+  record.optional("sun", &LightDocument::sun, sun_kind(), "without it no sunlight")
+      .optional("moon", &LightDocument::moon, moon_kind(), "without it no moonlight")
+      .optional(
+          "sky",
+          [](LightDocument& light, SkyEntry entry) {
+            light.sky = std::move(entry.sky);
+            light.sky_position = entry.position;
+          },
+          sky_kind(), "without it a black sky")
+      .optional("surroundings", &LightDocument::surroundings, surroundings_kind(),
+                "without them the mean of the ground in the picture where an atmosphere is modelled or imported, else "
+                "black and cold");
+  return record.kind();
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,67 @@
+#include "core/format.h"
+#include "io/document/schema/record.h"
+#include "io/document/tables/map_tables.h"
+#include "io/document/tables/tables.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr std::size_t kMostMaterials = 10000;
+constexpr std::size_t kMostCurves = 100000;
+
+}  // namespace
+
+Kind<TemperatureDocument> temperature_kind() {
+  const Kind<double> constant = quantity(kTemperature, Range::at_least(0.0, "K"));
+  const Kind<TemperatureDocument> uniform{constant.description,
+                                          [read = constant.read](const DocumentNode& node) {
+                                            return TemperatureDocument{read(node), node.position()};
+                                          }};
+  Record<TemperatureDocument> mapped("mapped temperature", "A temperature that differs from place to place.");
+  mapped.required("map", &TemperatureDocument::value, temperature_map_kind(), "the raster");
+  return either(uniform, mapped.kind());
+}
+
+Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind() {
+  const auto curves = [](SpectrumOf quantity) {
+    const Kind<SpectrumDocument> spectrum = spectrum_kind(quantity);
+    return either(converted<std::vector<SpectrumDocument>>(
+                      spectrum, [](SpectrumDocument one) { return std::vector<SpectrumDocument>{std::move(one)}; }),
+                  list(spectrum, 2, kMostCurves));
+  };
+  const auto store = [](bool is_emissivity) {
+    return [is_emissivity](MaterialDocument& material, std::vector<SpectrumDocument> values) {
+      material.is_emissivity = is_emissivity;
+      material.spectrum = std::move(values[0]);
+      values.erase(values.begin());
+      material.further_curves = std::move(values);
+    };
+  };
+  Record<MaterialDocument> record("material", "A surface: reflectance, transmittance (0 unless given) and emissivity sum to 1.");
+  record.exactly_one()
+      .one("reflectance", store(false), curves(SpectrumOf::reflectance), "spectral reflectance, or several curves for a texture to pick from")
+      .one("emissivity", store(true), curves(SpectrumOf::emissivity), "spectral emissivity, likewise")
+      .optional("temperature", &MaterialDocument::temperature, temperature_kind(),
+                "without one, here or on the object, a surface emits nothing")
+      .with_default("scattering", &MaterialDocument::scattering, scattering_kind(), "\"lambertian\"",
+                    "how the surface reflects: a model by its name or, with its parameters, as an object")
+      .optional("texture", &MaterialDocument::texture, texture_kind(), "picks among several curves")
+      .optional("relief", &MaterialDocument::relief, relief_kind(), "bumps that light sees")
+      .optional("transmittance", &MaterialDocument::transmittance, spectrum_kind(SpectrumOf::transmittance),
+                "of a thin leaf, the same from both sides: what leaves the other side, spread as Lambert's law says; "
+                "emissivity is then 1 - reflectance - transmittance")
+      .check([](const MaterialDocument& material, const DocumentNode& node) {
+        const char* key = material.is_emissivity ? "emissivity" : "reflectance";
+        if (material.transmittance && material.is_emissivity)
+          node.given("transmittance").fail_at_key("give the 'reflectance' of a material with a transmittance, not its "
+                                                  "emissivity, which follows from both");
+        if (!material.further_curves.empty() && !material.texture)
+          node.given(key).fail_at_key("several curves need a 'texture' that picks among them");
+        if (material.texture && material.further_curves.empty())
+          node.given("texture").fail_at_key(
+              format("a texture picks among several curves; give a list of them as '{}'", key));
+      });
+  return map_of(record.kind(), "materials", kMostMaterials);
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,112 @@
+#include "io/document/schema/record.h"
+#include "io/document/tables/map_tables.h"
+#include "io/document/tables/shape_tables.h"
+#include "io/document/tables/tables.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr std::size_t kMostObjects = 1000000;
+
+Kind<TransformDocument> transform_kind() {
+  struct Rotation {
+    math::Vec3 axis;
+    double angle_rad = 0.0;
+  };
+  Record<Rotation> rotation("rotation", "Right-handed, about an axis through the object's origin.");
+  rotation.with_default("axis", &Rotation::axis, direction(), "[0, 0, 1]", "its axis, any length")
+      .required("angle", &Rotation::angle_rad, quantity(kAngle), "its angle");
+  const Kind<double> factor = number(Range::above(0.0));
+  const auto uniform = converted<math::Vec3>(factor, [](double s) { return math::Vec3{s, s, s}; });
+  const auto by_axis = converted<math::Vec3>(tuple<double, 3>(factor), [](const std::array<double, 3>& s) {
+    return math::Vec3{s[0], s[1], s[2]};
+  });
+  Record<TransformDocument> record("transform", "First scale, then rotate, then translate.");
+  record
+      .optional("translate", &TransformDocument::translate_m, displacement(),
+                "shift to the east, north and up")
+      .optional(
+          "rotate",
+          [](TransformDocument& t, Rotation r) {
+            t.rotation_axis = r.axis;
+            t.rotation_rad = r.angle_rad;
+          },
+          rotation.kind(), "rotation")
+      .with_default("scale", &TransformDocument::scale, either(uniform, by_axis), "1",
+                    "factor on all coordinates, or on each");
+  return record.kind();
+}
+
+void add_keys_of_all(Record<ObjectDocument>& record) {
+  record.optional("name", &ObjectDocument::name, label(), "for messages and reports")
+      .optional("temperature", &ObjectDocument::temperature, temperature_kind(), "instead of the material's")
+      .optional("seed", &ObjectDocument::seed, boolean(),
+                "send a ray at it where it is smaller than a pixel; decided by its shape if not given");
+}
+
+void add_common_keys(Record<ObjectDocument>& record) {
+  record.optional("transform", &ObjectDocument::transform, transform_kind(), "where the shape goes");
+  add_keys_of_all(record);
+}
+
+template <class Shape>
+void add_shape(Record<ObjectDocument>& record, const std::string& key, const Kind<Shape>& kind) {
+  const Kind<std::pair<ShapeDocument, SourcePosition>> located{
+      kind.description, [read = kind.read](const DocumentNode& node) {
+        return std::pair<ShapeDocument, SourcePosition>(read(node), node.key_position());
+      }};
+  record.one(
+      key,
+      [](ObjectDocument& object, std::pair<ShapeDocument, SourcePosition> shape) {
+        object.shape = std::move(shape.first);
+        object.shape_position = std::move(shape.second);
+      },
+      located, kind.description->doc);
+}
+
+Kind<ObjectDocument> shape_object_kind() {
+  Record<ObjectDocument> record("object", "A shape with a material.");
+  record.exactly_one();
+  add_shape(record, "plane", plane_kind());
+  add_shape(record, "box", box_kind());
+  add_shape(record, "sphere", sphere_kind());
+  add_shape(record, "hemisphere", hemisphere_kind());
+  add_shape(record, "cylinder", cylinder_kind());
+  add_shape(record, "disk", disk_kind());
+  add_shape(record, "polygon", polygon_kind());
+  add_shape(record, "mesh", mesh_kind());
+  add_shape(record, "city", city_kind());
+  add_shape(record, "terrain", terrain_kind());
+  record.required("material", &ObjectDocument::material, binding_kind(), "what it is made of");
+  add_common_keys(record);
+  return record.kind();
+}
+
+Kind<ObjectDocument> instance_object_kind() {
+  Record<ObjectDocument> record("copies", "Copies of a prototype, whose objects bring their materials.");
+  record.exactly_one();
+  add_shape(record, "instance", instance_kind());
+  add_shape(record, "instances", instances_kind());
+  add_common_keys(record);
+  return record.kind();
+}
+
+Kind<ObjectDocument> scatter_object_kind() {
+  Record<ObjectDocument> record("scattered copies", "Copies of prototypes at random places of the scene.");
+  record.exactly_one();
+  add_shape(record, "scatter", scatter_kind());
+  add_keys_of_all(record);
+  return record.kind();
+}
+
+}  // namespace
+
+Kind<std::vector<ObjectDocument>> objects_kind() {
+  const Kind<ObjectDocument> shape = shape_object_kind();
+  const int without_tag = 2;
+  const auto any =
+      tagged<ObjectDocument>({{{"instance", "instances"}, instance_object_kind()}, {{"scatter"}, scatter_object_kind()}, {{}, shape}}, without_tag);
+  return list(any, 1, kMostObjects);
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "core/format.h"
+#include "io/document/schema/record.h"
+#include "io/document/tables/tables.h"
+
+namespace ifov::io {
+namespace {
+
+struct Quicklook {
+  std::vector<DocumentName> channels;
+};
+
+/// A document from somewhere else must not choose where on this machine files appear: only who starts the program may.
+/// The name as written: it lies beside the document that is rendered, whichever of those that it includes gives it.
+Kind<std::string> folder_kind() {
+  const Kind<DocumentFile> any = file();
+  ValueDescription d = *any.description;
+  d.expected = "the name of a folder beside the document or below it; 'ifov render --output FOLDER' writes anywhere";
+  d.short_name = "folder name";
+  d.pattern = "^(?!/)(?!(.*/)?\\.\\.(/|$))[^\\u0000]+$";
+  auto description = std::make_shared<const ValueDescription>(std::move(d));
+  return {description, [description, read = any.read](const DocumentNode& node) {
+            const std::filesystem::path path = text_of(node, *description);
+            if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end())
+              node.fail_expected(description->expected);
+            read(node);
+            return path.string();
+          }};
+}
+
+Kind<std::vector<ProductFormat>> formats_kind() {
+  const auto formats = list(choice<ProductFormat>({{"envi", ProductFormat::envi},
+                                                   {"geotiff", ProductFormat::geotiff},
+                                                   {"netcdf", ProductFormat::netcdf},
+                                                   {"png", ProductFormat::png},
+                                                   {"html", ProductFormat::html}}),
+                            1, 5);
+  return formats;
+}
+
+/// Only what is a good file name everywhere.
+Kind<std::string> name_kind() {
+  ValueDescription d;
+  d.expected = "letters, digits, '-' and '_', of which the first is no '-', at most 100";
+  d.short_name = "name of files";
+  d.pattern = "^[A-Za-z0-9_][A-Za-z0-9_-]{0,99}$";
+  auto description = std::make_shared<const ValueDescription>(std::move(d));
+  return {description, [description](const DocumentNode& node) {
+            const std::string name = text_of(node, *description);
+            const auto plain = [](char c) {
+              return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+            };
+            if (name.empty() || name.size() > 100 || name.front() == '-' || !std::all_of(name.begin(), name.end(), plain))
+              node.fail_expected(description->expected);
+            return name;
+          }};
+}
+
+/// Cubes by their names; "all" for every one.
+Kind<ProductSet> products_kind() {
+  std::vector<std::pair<std::string, int>> words;
+  for (std::size_t k = 0; k < kProductCount; ++k) words.emplace_back(kProductNames[k], static_cast<int>(k));
+  words.emplace_back("all", -1);
+  const std::size_t most = words.size();
+  return converted<ProductSet>(list(choice<int>(words), 1, most), [](const std::vector<int>& names) {
+    ProductSet products;
+    for (const int name : names) {
+      if (name < 0) return ProductSet::all();
+      products.add(static_cast<Product>(name));
+    }
+    return products;
+  });
+}
+
+Kind<Quicklook> quicklook_kind() {
+  Record<Quicklook> record("quick-look", "The picture for the eye.");
+  record
+      .required("channels", &Quicklook::channels, list(name_of("a channel"), 1, 3),
+                "one channel for grey, or three for red, green and blue")
+      .check([](const Quicklook& quicklook, const DocumentNode& node) {
+        if (quicklook.channels.size() == 2) {
+          node.find("channels")
+              ->fail(format("{} has two channels: a picture has one, or three for red, green and blue",
+                            node.given("channels").title()));
+        }
+      });
+  return record.kind();
+}
+
+}  // namespace
+
+Kind<OutputDocument> output_kind() {
+  Record<OutputDocument> record("output", "What is written, and where.");
+  record
+      .optional(
+          "folder", &OutputDocument::folder, folder_kind(),
+          "folder of the products, relative to the document; the document's name with '.out' if not given")
+      .with_default("name", &OutputDocument::name, name_kind(), "\"image\"", "begins the name of every product")
+      .with_default("formats", &OutputDocument::formats, formats_kind(), "[\"envi\", \"png\", \"html\"]",
+                    "kinds of products; the ENVI cubes and the run record are always written")
+      .optional("products", &OutputDocument::products, products_kind(),
+                "ENVI cubes beside the radiance, which is always written; if not given, those of the samples, the quality, the "
+                "abundances and half_width, and of frame cameras location")
+      .optional(
+          "quicklook",
+          [](OutputDocument& output, Quicklook quicklook) {
+            output.quicklook_channels = std::move(quicklook.channels);
+          },
+          quicklook_kind(), "channels of the picture; chosen if not given");
+  return record.kind();
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,52 @@
+#include "io/document/schema/record.h"
+#include "io/document/tables/tables.h"
+
+namespace ifov::io {
+namespace {
+
+struct PsfEntry {
+  decltype(SensorDocument::psf) psf;
+  SourcePosition position;
+};
+
+Kind<PsfEntry> psf_kind() {
+  const Range positive_px = Range::above(0.0, "px");
+  Record<GaussianPsf> gaussian("Gaussian PSF", "A bell.");
+  gaussian.required("sigma", &GaussianPsf::sigma_px, quantity(kPixels, positive_px),
+                    "its standard deviation");
+  Record<AiryPsf> airy("Airy PSF", "Diffraction of a circular aperture; with a frame camera.");
+  airy.required("aperture", &AiryPsf::aperture_m, quantity(kLength, Range::above(0.0, "m")), "diameter")
+      .required("wavelength", &AiryPsf::wavelength_um, quantity(kWavelength, Range::above(0.0, "um")),
+                "for which it is computed");
+  Record<KernelPsf> kernel("kernel PSF", "An image of the PSF, its centre at the pixel's centre.");
+  kernel.required("file", &KernelPsf::file, file(), "the image")
+      .required("samples_per_pixel", &KernelPsf::samples_per_pixel, number(Range::above(0.0)),
+                "samples of the image along one side of a pixel");
+  Record<PsfEntry> record("PSF", "Point spread function of the optics.");
+  record.exactly_one()
+      .one("none", &PsfEntry::psf, Record<NoPsf>("no PSF", "Optics without blur.").kind(), "no blur")
+      .one("gaussian", &PsfEntry::psf, gaussian.kind(), "a bell")
+      .one("airy", &PsfEntry::psf, airy.kind(), "diffraction")
+      .one("kernel", &PsfEntry::psf, kernel.kind(), "from an image");
+  return record.kind();
+}
+
+}  // namespace
+
+Kind<SensorDocument> sensor_kind() {
+  Record<SensorDocument> record("sensor", "What measures.");
+  record.required("camera", &SensorDocument::camera, camera_kind(), "geometry of the image")
+      .required("channels", &SensorDocument::channels, channels_kind(), "spectral channels")
+      .optional(
+          "psf",
+          [](SensorDocument& sensor, PsfEntry entry) {
+            sensor.psf = std::move(entry.psf);
+            sensor.psf_position = std::move(entry.position);
+          },
+          psf_kind(), "blur of the optics; none if not given")
+      .with_default("fill_factor", &SensorDocument::fill_factor, fraction({0.0, 1.0, true, false, {}}), "1",
+                    "sensitive share of a detector element's area, a centred square");
+  return record.kind();
+}
+
+}  // namespace ifov::io

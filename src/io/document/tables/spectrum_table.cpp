@@ -1,0 +1,280 @@
+#include "core/error.h"
+#include "io/document/schema/record.h"
+#include "io/document/tables/tables.h"
+#include "io/library/material_library.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr std::size_t kMostTableRows = 100000;
+
+template <class Source>
+struct Entry {
+  Source source;
+  OutsideRange outside = OutsideRange::error;
+  std::optional<std::array<double, 2>> range_um;
+  SourcePosition position;
+};
+
+/// The key that all tables share, and the entry as a spectrum.
+template <class Source>
+Kind<SpectrumDocument> finished(Record<Entry<Source>>& record, SpectrumOf quantity_of) {
+  record.with_default(
+      "outside", &Entry<Source>::outside,
+      choice<OutsideRange>({{"error", OutsideRange::error}, {"extend", OutsideRange::extend}}), "\"error\"",
+      "wavelengths beyond the table: an error, or the end values repeated");
+  return converted<SpectrumDocument>(record.kind(), [quantity_of](Entry<Source> entry) {
+    return SpectrumDocument{std::move(entry.source), quantity_of, entry.range_um, entry.outside,
+                            std::move(entry.position)};
+  });
+}
+
+/// The same for what is read from a file.
+template <class Source>
+Kind<SpectrumDocument> finished_file(Record<Entry<Source>>& record, SpectrumOf quantity_of) {
+  record
+      .optional("range", &Entry<Source>::range_um,
+                tuple<double, 2>(quantity(kWavelength, Range::above(0.0, "um"))),
+                "first and last wavelength that count; what is noise beyond them is not looked at")
+      .check([](const Entry<Source>& entry, const DocumentNode& node) {
+        if (entry.range_um && !((*entry.range_um)[0] < (*entry.range_um)[1]))
+          node.given("range").fail(format("{} does not rise", node.given("range").title()));
+      });
+  return finished(record, quantity_of);
+}
+
+/// The dimension of a spectrum's values; null for fractions, which have no unit.
+const Dimension* dimension_of(SpectrumOf quantity) {
+  if (quantity == SpectrumOf::radiance) return &kRadiance;
+  return quantity == SpectrumOf::irradiance ? &kIrradiance : nullptr;
+}
+
+std::string name_for(std::string_view form, SpectrumOf quantity) {
+  if (quantity == SpectrumOf::radiance) return format("{} of radiance", form);
+  return quantity == SpectrumOf::irradiance ? format("{} of irradiance", form) : std::string(form);
+}
+
+Kind<double> value_kind(SpectrumOf quantity_of) {
+  const Dimension* dimension = dimension_of(quantity_of);
+  if (dimension == nullptr) return number(Range::between(0.0, 1.0));
+  return quantity(*dimension, Range::at_least(0.0, dimension->units[0].spelling));
+}
+
+Kind<double> unit_factor_kind(const Dimension& dimension) {
+  std::vector<std::pair<std::string, double>> words;
+  for (const Unit& unit : dimension.units) words.emplace_back(unit.spelling, unit.factor);
+  return choice<double>(words);
+}
+
+Kind<SpectrumDocument> constant_kind(SpectrumOf quantity_of) {
+  const Kind<double> value = value_kind(quantity_of);
+  return {value.description, [read = value.read, quantity_of](const DocumentNode& node) {
+            return SpectrumDocument{
+                ConstantSpectrum{read(node)}, quantity_of, {}, OutsideRange::error, node.position()};
+          }};
+}
+
+Kind<SpectrumDocument> csv_kind(SpectrumOf quantity_of) {
+  using Csv = Entry<CsvSpectrum>;
+  Record<Csv> record(
+      name_for("CSV spectrum", quantity_of),
+      "Columns of numbers with the wavelength first; separators and lines of text at the top are "
+      "recognised.");
+  record
+      .required(
+          "csv", [](Csv& e, DocumentFile f) { e.source.file = std::move(f); }, file(), "the file")
+      .required(
+          "wavelength_unit", [](Csv& e, double um) { e.source.um_per_unit = um; }, um_per_unit_kind(),
+          "unit of the wavelength column")
+      .with_default(
+          "column", [](Csv& e, int column) { e.source.column = column; }, integer(2, 100000), "2",
+          "column of the values, counted from 1")
+      .with_default(
+          "scale", [](Csv& e, double scale) { e.source.scale = scale; }, number(Range::above(0.0)), "1",
+          "factor on the values; 0.01 where they are percent");
+  if (const Dimension* dimension = dimension_of(quantity_of)) {
+    record.required(
+        "unit", [](Csv& e, double factor) { e.source.scale *= factor; }, unit_factor_kind(*dimension),
+        "unit of the values");
+  }
+  return finished_file(record, quantity_of);
+}
+
+Kind<SpectrumDocument> ecostress_kind(SpectrumOf quantity_of) {
+  using Ecostress = Entry<EcostressSpectrum>;
+  const auto one = converted<std::vector<DocumentFile>>(
+      file(), [](DocumentFile f) { return std::vector<DocumentFile>{std::move(f)}; });
+  Record<Ecostress> record(
+      "ECOSTRESS spectrum",
+      "A spectrum file of the ECOSTRESS library, or a vswir and a tir file that are joined.");
+  record.required(
+      "ecostress", [](Ecostress& e, std::vector<DocumentFile> f) { e.source.files = std::move(f); },
+      either(one, list(file(), 1, 2)), "the file, or two of them");
+  return finished_file(record, quantity_of);
+}
+
+Kind<SpectrumDocument> usgs_kind(SpectrumOf quantity_of) {
+  using Usgs = Entry<UsgsSpectrum>;
+  Record<Usgs> record("USGS spectrum",
+                      "A spectrum file of the USGS spectral library, version 6 (.asc) or 7.");
+  record
+      .required(
+          "usgs", [](Usgs& e, DocumentFile f) { e.source.file = std::move(f); }, file(), "the file")
+      .optional(
+          "wavelengths", [](Usgs& e, DocumentFile f) { e.source.wavelengths = std::move(f); }, file(),
+          "the file of wavelengths that belongs to it; not for version 6");
+  return finished_file(record, quantity_of);
+}
+
+Kind<SpectrumDocument> asd_kind(SpectrumOf quantity_of) {
+  using Asd = Entry<AsdSpectrum>;
+  Record<Asd> record("ASD spectrum",
+                     "A file of an ASD field spectrometer: reflectance, or counts with a white reference.");
+  record.required(
+      "asd", [](Asd& e, DocumentFile f) { e.source.file = std::move(f); }, file(), "the file");
+  return finished_file(record, quantity_of);
+}
+
+using Selector = std::variant<int, std::string>;
+
+/// A number that counts from 1, or a name.
+Kind<Selector> selector() {
+  return either(converted<Selector>(integer(1, 1000000), [](int n) { return Selector(n); }),
+                converted<Selector>(label(), [](std::string n) { return Selector(std::move(n)); }));
+}
+
+Kind<SpectrumDocument> sli_kind(SpectrumOf quantity_of) {
+  using Sli = Entry<SliSpectrum>;
+  Record<Sli> record("ENVI library spectrum",
+                     "A spectrum of an ENVI spectral library, in the quantity that is asked for.");
+  record
+      .required(
+          "sli", [](Sli& e, DocumentFile f) { e.source.file = std::move(f); }, file(),
+          "the data or the header; the other lies beside it")
+      .required(
+          "spectrum", [](Sli& e, Selector which) { e.source.which = std::move(which); }, selector(),
+          "which of its spectra: a name, or a number that counts from 1")
+      .with_default(
+          "scale", [](Sli& e, double scale) { e.source.scale = scale; }, number(Range::above(0.0)), "1",
+          "factor on the values, beyond the header's own");
+  return finished_file(record, quantity_of);
+}
+
+Kind<SpectrumDocument> ems_kind(SpectrumOf quantity_of) {
+  using Ems = Entry<EmsSpectrum>;
+  Record<Ems> record("DIRSIG spectrum",
+                     "A curve of a DIRSIG emissivity file; its weights by angle are not used.");
+  record
+      .required(
+          "ems", [](Ems& e, DocumentFile f) { e.source.file = std::move(f); }, file(), "the file")
+      .with_default(
+          "curve", [](Ems& e, int curve) { e.source.curve = curve; }, integer(1, 1000000), "1",
+          "which of its curves, counted from 1");
+  return finished_file(record, quantity_of);
+}
+
+/// Calls find(); what it finds wrong becomes an error at the node.
+template <class Find>
+auto at_node(const DocumentNode& node, const Find& find) {
+  try {
+    return find();
+  } catch (const InputError& error) {
+    node.fail(error.what());
+  }
+}
+
+Kind<SpectrumDocument> library_kind(SpectrumOf quantity_of) {
+  using Library = Entry<LibrarySource>;
+  Record<Library> record(
+      "library spectrum",
+      "A curve of the embedded library; `ifov materials` lists what there is. Emissivity is 1 - "
+      "reflectance - transmittance.");
+  record
+      .required(
+          "library", [](Library& e, std::string name) { e.source.material = std::move(name); }, label(),
+          "name of the material")
+      .with_default(
+          "curve", [](Library&, const Selector&) {}, selector(), "1",
+          "which of its curves: a number that counts from 1, or a name");
+  const Kind<SpectrumDocument> entry = finished(record, quantity_of);
+  return {entry.description, [entry, quantity_of](const DocumentNode& node) {
+            SpectrumDocument spectrum = entry.read(node);
+            LibrarySource& source = std::get<LibrarySource>(spectrum.source);
+            const LibraryMaterial& material = at_node(node.given("library"), [&]() -> const LibraryMaterial& {
+              return material_library().find(source.material);
+            });
+            if (const DocumentNode* curve = node.find("curve")) {
+              source.curve = at_node(*curve, [&] {
+                return curve->type() == DocumentNode::Type::number
+                           ? material.curve_numbered(static_cast<int>(curve->number()))
+                           : material.curve_named(curve->text());
+              });
+            }
+            if (quantity_of == SpectrumOf::transmittance && !material.curves[source.curve].transmittance)
+              node.fail(format("the library has no transmittance of '{}'", material.name));
+            return spectrum;
+          }};
+}
+
+Kind<TableSpectrum> table_kind(SpectrumOf quantity_of) {
+  Record<TableSpectrum> record(name_for("table of a spectrum", quantity_of),
+                               "As many values as wavelengths, linear in between.");
+  record
+      .required("wavelength", &TableSpectrum::wavelength_um,
+                list(quantity(kWavelength, Range::above(0.0, "um")), 1, kMostTableRows), "rising wavelengths")
+      .required("values", &TableSpectrum::values, list(value_kind(quantity_of), 1, kMostTableRows),
+                "one value for each wavelength")
+      .check([](const TableSpectrum& table, const DocumentNode& node) {
+        if (table.values.size() != table.wavelength_um.size()) {
+          node.given("values").fail(format("{} has {} values for {} wavelengths", node.title(),
+                                           table.values.size(), table.wavelength_um.size()));
+        }
+        for (std::size_t i = 1; i < table.wavelength_um.size(); ++i) {
+          if (table.wavelength_um[i] > table.wavelength_um[i - 1]) continue;
+          const DocumentNode& late = node.given("wavelength").items()[i];
+          late.fail(format("{} does not rise above the wavelength before it", late.title()));
+        }
+      });
+  return record.kind();
+}
+
+Kind<SpectrumDocument> written_table_kind(SpectrumOf quantity_of) {
+  using Table = Entry<TableSpectrum>;
+  Record<Table> record(name_for("table spectrum", quantity_of), "A spectrum written in the document.");
+  record.required("table", &Table::source, table_kind(quantity_of), "wavelengths and values");
+  return finished(record, quantity_of);
+}
+
+Kind<SpectrumDocument> joined_kind(const Kind<SpectrumDocument>& part, SpectrumOf quantity_of) {
+  using Joined = Entry<JoinedSpectrum>;
+  Record<Joined> record(
+      "joined spectrum",
+      "A visible-to-shortwave and a thermal spectrum of one sample, in either order: the thermal one "
+      "counts from its first wavelength on, a gap is bridged by a straight line.");
+  record.required(
+      "join", [](Joined& e, std::vector<SpectrumDocument> parts) { e.source.parts = std::move(parts); },
+      list(part, 2, 2), "the two");
+  return finished(record, quantity_of);
+}
+
+}  // namespace
+
+Kind<double> um_per_unit_kind() { return choice<double>({{"um", 1.0}, {"nm", 1e-3}}); }
+
+Kind<SpectrumDocument> spectrum_kind(SpectrumOf quantity_of) {
+  using Case = std::pair<std::vector<std::string>, Kind<SpectrumDocument>>;
+  const bool of_samples = quantity_of == SpectrumOf::reflectance || quantity_of == SpectrumOf::emissivity ||
+                          quantity_of == SpectrumOf::transmittance;
+  std::vector<Case> cases{{{"csv"}, csv_kind(quantity_of)}, {{"table"}, written_table_kind(quantity_of)}};
+  if (of_samples) {
+    cases.insert(cases.end(), {Case{{"ecostress"}, ecostress_kind(quantity_of)},
+                               Case{{"usgs"}, usgs_kind(quantity_of)}, Case{{"asd"}, asd_kind(quantity_of)},
+                               Case{{"sli"}, sli_kind(quantity_of)}, Case{{"ems"}, ems_kind(quantity_of)}});
+    const Kind<SpectrumDocument> joined = joined_kind(tagged(cases), quantity_of);
+    cases.push_back({{"join"}, joined});
+    cases.push_back({{"library"}, library_kind(quantity_of)});
+  }
+  return either(constant_kind(quantity_of), tagged(cases));
+}
+
+}  // namespace ifov::io

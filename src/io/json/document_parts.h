@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/json/document_override.h"
+#include "io/json/json_adapter.h"
+
+namespace ifov::io {
+
+/// A document with what it includes and what the command line puts in place of its values.
+///
+/// Objects are put together key by key; of anything else the including document's value counts, and a null there takes
+/// the key away. An override comes last and replaces the whole value. Values keep the place where they were written, so
+/// messages name the right file and paths are relative to the file that names them.
+struct DocumentParts {
+  std::vector<std::shared_ptr<const DocumentSource>> sources;  ///< the document, what it includes, overrides
+  std::vector<std::string> included;                           ///< the files, as found
+  std::unique_ptr<const DocumentNode> root;
+  bool is_one_text = true;  ///< nothing included, nothing replaced
+};
+
+/// Throws InputError with the place of the `include` for files that include each other, more than 256 of them, or text
+/// beyond the limits of JsonRules; EnvironmentError where one cannot be read.
+DocumentParts put_together(std::string text, const std::string& file_name, std::span<const DocumentOverride> overrides);
+
+/// The text of a file, at most `max_bytes`; EnvironmentError, InputError as read_document.
+std::string read_document_text(const std::string& path, std::size_t max_bytes = JsonRules().max_bytes);
+
+}  // namespace ifov::io

@@ -1,0 +1,95 @@
+#include "io/product_parts/product_headers.h"
+
+#include <cctype>
+#include <cmath>
+
+#include "core/format.h"
+#include "io/product_parts/map_info.h"
+
+namespace ifov::io {
+namespace {
+
+void add_acquisition(EnviHeader& header, const Acquisition& acquisition) {
+  if (!acquisition.time.empty()) header.other["acquisition time"] = acquisition.time;
+  if (!acquisition.light || acquisition.light->is_moon) return;
+  header.other["sun elevation"] = format("{:.6g}", 90.0 - acquisition.light->zenith_deg);
+  header.other["sun azimuth"] = format("{:.6g}", acquisition.light->azimuth_deg);
+}
+
+/// The corners of an image that no map info fits, as ENVI's "geo points": x, y, latitude, longitude.
+void add_corners(EnviHeader& header, const Acquisition& acquisition) {
+  const double right = header.samples + 1, low = header.lines + 1, corners[][2] = {{1, 1}, {right, 1}, {right, low}, {1, low}};
+  std::string points;
+  for (std::size_t k = 0; k < acquisition.footprint.size() && k < 4; ++k) {
+    const auto& corner = acquisition.footprint[k];
+    if (!corner || !corner->place) return;
+    points += format("{}{:g}, {:g}, {:.9f}, {:.9f}", k > 0 ? ", " : "", corners[k][0], corners[k][1], corner->place->latitude_deg,
+                     corner->place->longitude_deg);
+  }
+  if (!points.empty()) header.other["geo points"] = points;
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+}  // namespace
+
+EnviHeader cube_header(const CubeKind& kind, const render::ImageInfo& info, const RunIdentity& identity,
+                       const std::string& statement) {
+  EnviHeader header;
+  header.samples = info.width_px;
+  header.lines = info.height_px;
+  header.data_type = kind.type;
+  header.data_units = kind.unit.empty() ? info.radiance_unit : kind.unit;
+  header.description = format("{}, made by ifov {} from {}\nseed {}, sampler {}", kind.what, identity.version,
+                              identity.document_path, identity.seed, identity.sampler);
+  if (!identity.accuracy_asked.empty()) header.description += "\naccuracy asked: " + identity.accuracy_asked;
+  if (!statement.empty()) header.description += "\naccuracy reached: " + statement;
+
+  if (kind.spectral) {
+    header.bands = static_cast<int>(info.channels.size());
+    header.wavelength_units = "Micrometers";
+    for (const auto& channel : info.channels) {
+      header.band_names.push_back(channel.name);
+      header.wavelength.push_back(channel.centre_um);
+      header.fwhm.push_back(channel.fwhm_um);
+    }
+    for (const int channel : picture_channels(info)) header.default_bands.push_back(channel + 1);
+  } else {
+    header.bands = static_cast<int>(kind.band_names.size());
+    header.band_names = kind.band_names;
+  }
+  if (info.has_map) {
+    header.map_info = envi_map_info(info);
+    header.coordinate_system = esri_coordinate_system_text(info);
+  }
+  if (!info.has_map) add_corners(header, identity.acquisition);
+  add_acquisition(header, identity.acquisition);
+  if (kind.type == EnviType::float32 || kind.type == EnviType::float64) header.other["data ignore value"] = "nan";
+  if (kind.spectral)
+    header.other["z plot titles"] = format("Wavelength (Micrometers), {} ({})", capitalised(kind.what), header.data_units);
+  return header;
+}
+
+std::string shown_unit(const std::string& unit) {
+  return unit == "W m-2 sr-1 um-1" ? "W/(m\u00b2 sr \u00b5m)" : unit;
+}
+
+std::vector<int> picture_channels(const render::ImageInfo& info) {
+  std::vector<int> chosen;
+  for (const double wanted_um : {0.66, 0.56, 0.48}) {
+    int best = -1;
+    double distance_um = 0.06;
+    for (std::size_t c = 0; c < info.channels.size(); ++c) {
+      const double d = std::abs(info.channels[c].centre_um - wanted_um);
+      if (d < distance_um) best = static_cast<int>(c), distance_um = d;
+    }
+    if (best >= 0 && (chosen.empty() || chosen.back() != best)) chosen.push_back(best);
+  }
+  if (chosen.size() == 3) return chosen;
+  return {static_cast<int>(info.channels.size()) / 2};
+}
+
+}  // namespace ifov::io

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "sampling/accuracy/edges/chord.h"
+#include "sampling/field.h"
+
+namespace ifov::sampling {
+
+/// Area between curve and chord that a refused curve may hide, as a share of chord^2.
+constexpr double kRefusedShare = 0.12;
+/// Share of the allowed standard error below which a curve that fails verification is not worth more rays.
+constexpr double kLooseCurve = 0.05;
+/// A corner is looked for between these multiples of the predicted distance from the chord.
+constexpr double kCornerNear = 0.4, kCornerFar = 1.5;
+
+struct CurveEnds {
+  Point2 a, b;
+};
+
+/// One tentative curve on its way through verification. Its middle is looked for on a line through the
+/// chord's middle; beyond the curve on that line the label is `far`, before it `near`.
+struct CurveCheck {
+  enum class Stage { middle, far_side, bisect, legs, done };
+  std::uint32_t cell = 0;
+  Stage stage = Stage::middle;
+  CurveEnds ends;
+  Point2 centre, normal;
+  double chord = 0.0, least = 0.0, most = 0.0, tolerance = 0.0, predicted = 0.0;
+  double low = 0.0, high = 0.0, blur = 0.0;
+  std::uint32_t far = 0, near = 0;
+  bool smooth = false, beyond_wrong = false, has_apex = false, corner = false, confirmed = false, measured = false;
+  Point2 apex;
+  std::size_t first_point = 0;
+
+  double middle() const { return 0.5 * (low + high); }
+
+  /// From an arc to two legs that meet at the apex.
+  void try_corner() {
+    const Point2 to_apex = apex - centre;
+    const double height = length(to_apex);
+    if (dot(to_apex, normal) < 0.0) std::swap(far, near);
+    normal = (1.0 / height) * to_apex;
+    predicted = height;
+    least = kCornerNear * height;
+    most = kCornerFar * height;
+    corner = true;
+    has_apex = false;
+    confirmed = measured = false;
+    stage = Stage::middle;
+  }
+
+  /// What to look at next.
+  void add_points(std::vector<FocalPoint>& points) const {
+    const auto on_line = [&](double t) { add(points, centre + t * normal); };
+    switch (stage) {
+      case Stage::middle:
+        on_line(predicted + tolerance);
+        on_line(predicted - tolerance);
+        break;
+      case Stage::far_side:
+        on_line(beyond_wrong ? high : low);
+        break;
+      case Stage::bisect:
+        on_line(middle());
+        break;
+      case Stage::legs:
+        add_leg_points(points);
+        break;
+      case Stage::done:
+        break;
+    }
+  }
+
+ private:
+  static void add(std::vector<FocalPoint>& points, Point2 p) { points.push_back({p.x, p.y}); }
+
+  /// Next to the curve at a quarter of the way from each end, on either side: far, near, far, near.
+  void add_leg_points(std::vector<FocalPoint>& points) const {
+    for (const Point2 end : {ends.a, ends.b}) {
+      Point2 foot, across;
+      double margin = tolerance;
+      if (corner) {
+        const Point2 tip = centre + middle() * normal, leg = tip - end;
+        const double reach = length(leg);
+        foot = 0.5 * (tip + end);
+        across = reach > 0.0 ? Point2{-leg.y / reach, leg.x / reach} : normal;
+        if (dot(across, normal) < 0.0) across = -1.0 * across;
+        margin = std::max(margin, blur);
+      } else {
+        foot = 0.5 * (centre + end) + (0.75 * middle()) * normal;
+        across = normal;
+        margin = std::max(margin, 0.15 * std::abs(middle()));
+      }
+      add(points, foot + margin * across);
+      add(points, foot - margin * across);
+    }
+  }
+};
+
+}  // namespace ifov::sampling

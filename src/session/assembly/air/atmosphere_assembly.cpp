@@ -1,0 +1,159 @@
+#include "session/assembly/air/atmosphere_assembly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/format.h"
+#include "session/assembly/air/node_tolerance.h"
+#include "session/assembly/shared/with_position.h"
+
+namespace ifov::session {
+namespace {
+
+/// The error that the nodes of a channel may leave, and how many they are at most: every node is a column that all paths
+/// carry, so that sensors of few channels can afford more of them and be nearer to what is asked for.
+constexpr double kNodeTolerance = 5e-3, kFinest = 5e-4;
+constexpr std::size_t kMostColumns = 256, kUsualNodes = 8, kMostNodes = 32;
+constexpr double kAboveAllAir_km = 100.0;
+
+void warn(const AirSubject& subject, const atmosphere::AtmosphereColumn& column,
+          const atmosphere::SensorAtmosphere& air, LogSink& log) {
+  for (const std::string& remark : column.remarks()) log.warn(format("atmosphere: {}", remark));
+  const std::string narrow = narrow_channels(subject.channels, air.unresolved_channels());
+  if (!narrow.empty()) log.warn(narrow);
+}
+
+}  // namespace
+
+void check_channels(const io::Document& document, std::span<const radiometry::Channel> channels) {
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const radiometry::Channel& channel = channels[c];
+    const bool line = channel.is_monochromatic();
+    const double first_um = line ? channel.centre_um : channel.response.first_um(),
+                 last_um = line ? channel.centre_um : channel.response.last_um();
+    if (first_um >= kShortest_um && last_um <= kLongest_um) continue;
+    throw io::document_error(
+        document, document.sensor.channels[c].position,
+        format("the channel '{}' reaches from {:.4g} to {:.4g} um, and the modelled atmosphere from {:g} to {:g} um",
+               channel.name, first_um, last_um, kShortest_um, kLongest_um));
+  }
+}
+
+atmosphere::AtmosphereColumn assemble_column(const io::Document& document) {
+  atmosphere::AtmosphereDescription description = document.atmosphere.modelled->description;
+  if (!description.air.ground_altitude_km && description.air.levels.empty())
+    description.air.ground_altitude_km = std::max(0.0, 1e-3 * document.scene.origin.height_m);
+  return atmosphere::AtmosphereColumn(description);
+}
+
+atmosphere::SensorGeometry sensor_geometry(const io::Document& document, const sensor::Camera& camera,
+                                           const std::optional<scene::Sun>& sun, double ground_km) {
+  atmosphere::SensorGeometry geometry;
+  const sampling::FocalPoint centre{0.5 * camera.width_px(), 0.5 * camera.height_px()};
+  math::Ray ray;
+  camera.rays({&centre, 1}, {&ray, 1});
+  const math::Vec3 up = -ray.direction;
+  geometry.view_zenith_rad = std::acos(std::clamp(up.z, -1.0, 1.0));
+  if (!(geometry.view_zenith_rad <= kLowestView_rad))
+    throw io::document_error(
+        document, document.sensor.camera.position,
+        format("under a modelled atmosphere the camera must look down, at most {:.0f} degrees from the nadir; the middle "
+               "of its image looks {:.1f} degrees away",
+               kLowestView_rad * 180.0 / std::numbers::pi, geometry.view_zenith_rad * 180.0 / std::numbers::pi));
+  if (sun && sun->direction.z > 0.0) {
+    const math::Vec3 towards = sun->direction;
+    geometry.sun_zenith_rad = std::acos(std::clamp(towards.z, -1.0, 1.0));
+    geometry.view_azimuth_rad = std::atan2(up.x, up.y) - std::atan2(towards.x, towards.y);
+  }
+  const std::optional<math::Point3> position_m = camera.pose().position_m;
+  geometry.sensor_altitude_km = position_m ? ground_km + 1e-3 * position_m->z : kAboveAllAir_km;
+  if (document.atmosphere.modelled->sensor_altitude_km)
+    geometry.sensor_altitude_km = *document.atmosphere.modelled->sensor_altitude_km;
+  if (!(geometry.sensor_altitude_km > ground_km))
+    throw InputError(format("the sensor stands at {:g} km, not above the ground at {:g} km",
+                            geometry.sensor_altitude_km, ground_km));
+  return geometry;
+}
+
+atmosphere::SightRange sight_range(const sensor::Camera& camera, const std::optional<scene::Sun>& sun,
+                                   double highest_m) {
+  constexpr int kPoints = 17;
+  constexpr double kMargin_px = 4.0;  // of what samplers look at beyond the image
+  std::vector<sampling::FocalPoint> points;
+  for (int j = 0; j < kPoints; ++j)
+    for (int i = 0; i < kPoints; ++i)
+      points.push_back({-kMargin_px + (camera.width_px() + 2.0 * kMargin_px) * i / (kPoints - 1),
+                        -kMargin_px + (camera.height_px() + 2.0 * kMargin_px) * j / (kPoints - 1)});
+  std::vector<math::Ray> rays(points.size());
+  camera.rays(points, rays);
+  math::Vec3 towards = sun ? sun->direction : math::Vec3{1.0, 0.0, 0.0};
+  const double level = std::hypot(towards.x, towards.y);
+  towards = level > 0.0 ? (1.0 / level) * math::Vec3{towards.x, towards.y, 0.0} : math::Vec3{0.0, 1.0, 0.0};
+  const double steepest = std::tan(kLowestView_rad);
+  constexpr double kFar = 1e300;
+  atmosphere::SightRange range{kFar, -kFar, kFar, -kFar, 1e-3 * std::max(0.0, highest_m)};
+  bool left = false, right = false;
+  for (const math::Ray& ray : rays) {
+    const math::Vec3 up = -ray.direction;
+    const double flat = std::hypot(up.x, up.y);
+    const double scale = up.z > 0.0 && flat < steepest * up.z ? 1.0 / up.z : steepest / std::max(flat, 1e-12);
+    const double along = scale * (up.x * towards.x + up.y * towards.y),
+                 across = scale * (up.x * towards.y - up.y * towards.x);
+    range.along_low = std::min(range.along_low, along);
+    range.along_high = std::max(range.along_high, along);
+    range.across_low = std::min(range.across_low, std::abs(across));
+    range.across_high = std::max(range.across_high, std::abs(across));
+    left = left || across < 0.0;
+    right = right || across > 0.0;
+  }
+  if (left && right) range.across_low = 0.0;
+  return range;
+}
+
+std::string narrow_channels(std::span<const radiometry::Channel> channels, const std::vector<std::size_t>& narrow) {
+  if (narrow.empty()) return {};
+  std::string names;
+  constexpr std::size_t kNamed = 4;
+  for (std::size_t k = 0; k < std::min(kNamed, narrow.size()); ++k)
+    names += format("{}'{}'", k == 0 ? "" : ", ", channels[narrow[k]].name);
+  if (narrow.size() > kNamed) names += format(" and {} more", narrow.size() - kNamed);
+  return format("channels narrower than the {:g} cm-1 that the atmosphere's band model resolves: {}; their absorption "
+                "is that of a channel of this width (wider channels, or spectra from a line-by-line code under "
+                "'tabulated', are right)",
+                atmosphere::kResolution_cm1, names);
+}
+
+std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(const AirSubject& subject,
+                                                                  std::span<const radiometry::Spectrum> surfaces,
+                                                                  radiometry::NodeDemands demands,
+                                                                  const AtmosphereWork& work) {
+  const io::Document& document = subject.document;
+  check_channels(document, subject.channels);
+  return with_position(document, document.atmosphere.position, [&] {
+    const atmosphere::AtmosphereColumn column = assemble_column(document);
+    atmosphere::SensorAtmosphere::Inputs inputs;
+    inputs.channels = subject.channels;
+    if (subject.scene.sun) inputs.solar_irradiance = subject.scene.sun->irradiance;
+    inputs.surfaces = surfaces;
+    inputs.demands = demands;
+    inputs.demands.most_nodes = std::clamp(kMostColumns / subject.channels.size(), kUsualNodes, kMostNodes);
+    inputs.demands.tolerance = inputs.demands.most_nodes > kUsualNodes
+                                   ? std::max(kFinest, node_tolerance(subject.scene, subject.channels, subject.request, kNodeTolerance))
+                                   : kNodeTolerance;
+    inputs.geometry = sensor_geometry(document, subject.camera, subject.scene.sun,
+                                      column.levels().altitude_km.front());
+    inputs.sights.emplace(sight_range(subject.camera, subject.scene.sun, subject.scene.world->heights().high_m),
+                          column.levels());
+    inputs.with_errors = true;
+    inputs.ground = subject.scene.materials[subject.scene.surroundings.material].reflectance;
+    inputs.threads = work.threads;
+    inputs.kept = work.kept;
+    inputs.progress = work.progress;
+    auto air = std::make_unique<atmosphere::SensorAtmosphere>(column, inputs);
+    if (work.log != nullptr) warn(subject, column, *air, *work.log);
+    return air;
+  });
+}
+
+}  // namespace ifov::session

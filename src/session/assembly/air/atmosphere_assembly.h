@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "atmosphere/sensor/sensor_atmosphere.h"
+#include "core/run_control.h"
+#include "session/assembly/air/air_subject.h"
+
+namespace ifov::session {
+
+/// Lines of sight closer to the horizon than this are not those of a plane-parallel atmosphere.
+inline constexpr double kLowestView_rad = 80.0 * std::numbers::pi / 180.0;
+
+/// Where the tables of the modelled atmosphere begin and end.
+inline constexpr double kShortest_um = 0.2, kLongest_um = 50.0;
+
+/// Throws InputError at the first of the sensor's channels that reaches beyond these.
+void check_channels(const io::Document& document, std::span<const radiometry::Channel> channels);
+
+/// The air that a document with a modelled atmosphere describes. Throws InputError.
+atmosphere::AtmosphereColumn assemble_column(const io::Document& document);
+
+/// Sun and sensor over ground at this altitude. Throws InputError, at the place in the document.
+atmosphere::SensorGeometry sensor_geometry(const io::Document& document, const sensor::Camera& camera,
+                                           const std::optional<scene::Sun>& sun, double ground_km);
+
+/// The lines of sight of an image, over surfaces up to this height.
+atmosphere::SightRange sight_range(const sensor::Camera& camera, const std::optional<scene::Sun>& sun,
+                                   double highest_m);
+
+/// The warning about channels (by index) that are narrower than the band model resolves; empty without any.
+std::string narrow_channels(std::span<const radiometry::Channel> channels, const std::vector<std::size_t>& narrow);
+
+/// How an atmosphere is worked out; the pointers may be null.
+struct AtmosphereWork {
+  int threads = 0;
+  atmosphere::KeptSolutions* kept = nullptr;
+  std::function<void(std::size_t, std::size_t)> progress;  ///< solutions done, of how many; may throw
+  LogSink* log = nullptr;
+};
+
+/// The document's modelled atmosphere as the channels of its sensor see it from its camera. `surfaces` and `demands`
+/// as for radiometry::SpectralNodes::build. Throws InputError, at the place in the document.
+std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(const AirSubject& subject,
+                                                                  std::span<const radiometry::Spectrum> surfaces,
+                                                                  radiometry::NodeDemands demands,
+                                                                  const AtmosphereWork& work);
+
+}  // namespace ifov::session

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <memory>
+
+#include "atmosphere/imported_atmosphere.h"
+#include "core/run_control.h"
+#include "session/assembly/air/air_subject.h"
+
+namespace ifov::session {
+
+/// The document's imported runs as the channels of its sensor see them. `surfaces` and `demands` as for
+/// radiometry::SpectralNodes::build. Throws InputError, at the place in the document.
+std::unique_ptr<atmosphere::ImportedAtmosphere> assemble_imported(
+    const AirSubject& subject, std::span<const radiometry::Spectrum> surfaces,
+    radiometry::NodeDemands demands, LogSink* log);
+
+}  // namespace ifov::session

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/run_control.h"
+#include "geometry/world/world_builder.h"
+#include "io/document/document.h"
+#include "math/transform.h"
+#include "session/assembly/shared/map_frame.h"
+#include "session/assembly/surfaces/covering_assembly.h"
+
+namespace ifov::session {
+
+/// Reads the city model of an object and places each of its buildings, roads and so on as an object of its
+/// own. `scene_from_document` takes map coordinates (after the object's transform) to the scene. Coordinates
+/// in another projection than the scene's are taken over where both are stated. Tells `log` (may be null)
+/// what was read and what was left out. Throws InputError.
+void place_city(const io::Document& document, const io::ObjectDocument& object,
+                const math::Transform& scene_from_document, const MapFrame& frame,
+                CoveringAssembly& coverings, geometry::WorldBuilder& builder, LogSink* log);
+
+}  // namespace ifov::session

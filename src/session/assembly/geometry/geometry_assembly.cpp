@@ -1,0 +1,225 @@
+#include "session/assembly/geometry/geometry_assembly.h"
+
+#include <compare>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "geometry/world/world_builder.h"
+#include "io/instances/instance_csv.h"
+#include "io/instances/instance_file.h"
+#include "session/assembly/geometry/city_assembly.h"
+#include "session/assembly/geometry/mesh_cache.h"
+#include "session/assembly/geometry/scatter_assembly.h"
+#include "session/assembly/geometry/shape_assembly.h"
+#include "session/assembly/shared/with_position.h"
+
+namespace ifov::session {
+namespace {
+
+/// A prototype with, for each of its slots, what covers it.
+struct BuiltPrototype {
+  struct Slot {
+    const io::ObjectDocument* object;
+    std::string name;
+    const std::optional<io::TemperatureDocument>* temperature;  ///< the outermost that is given
+    friend auto operator<=>(const Slot&, const Slot&) = default;
+  };
+  geometry::ShapeId id;
+  std::vector<Slot> slots;
+};
+
+/// The slots of a prototype while its parts are put together. Parts that are covered by the same share one: copies of
+/// copies of copies would have more slots than there is memory.
+class SlotList {
+ public:
+  std::uint32_t number(const BuiltPrototype::Slot& slot) {
+    const auto [known, is_new] = numbers_.emplace(slot, static_cast<std::uint32_t>(slots_.size()));
+    if (is_new) slots_.push_back(slot);
+    return known->second;
+  }
+  std::vector<BuiltPrototype::Slot> take() && { return std::move(slots_); }
+
+ private:
+  std::map<BuiltPrototype::Slot, std::uint32_t> numbers_;
+  std::vector<BuiltPrototype::Slot> slots_;
+};
+
+class GeometryAssembly {
+ public:
+  GeometryAssembly(const io::Document& document, CoveringAssembly& coverings, const MapFrame& frame,
+                   LogSink* log, io::SceneCache* cache)
+      : document_(document),
+        coverings_(coverings),
+        frame_(frame),
+        log_(log),
+        cache_(cache),
+        shapes_(document, frame, builder_, cache, log) {}
+
+  std::unique_ptr<geometry::World> assemble(PlacedObjects& placed) {
+    const math::Transform scene_from_document =
+        math::Transform::translation(-document_.scene.origin.offset_m);
+    for (const io::ObjectDocument& object : document_.scene.objects) {
+      placed.begin(builder_.object_count());
+      with_position(document_, object.position, [&] { place(object, scene_from_document); });
+    }
+    placed.end(builder_.object_count());
+    geometry::BuildOptions options;
+    options.surveyed = coverings_.mirrors();
+    return builder_.build(options);
+  }
+
+ private:
+  void place(const io::ObjectDocument& object, const math::Transform& scene_from_document) {
+    const math::Transform scene_from_object = scene_from_document * transform_of(object.transform);
+    if (const io::DocumentName* of = copied_by(object)) {
+      place_copies(object, prototype(of->name), scene_from_object);
+    } else if (std::holds_alternative<io::CityShape>(object.shape)) {
+      place_city(document_, object, scene_from_object, frame_, coverings_, builder_, log_);
+    } else if (const auto* scatter = std::get_if<io::ScatterShape>(&object.shape)) {
+      place_scatter(object, *scatter, scene_from_document);
+    } else {
+      const BuiltShape shape = shapes_.build(object, ShapeAssembly::Use::object);
+      std::vector<std::uint32_t> materials;
+      for (const std::string& slot : shape.slot_names)
+        materials.push_back(coverings_.covering(*object.material, slot, object.temperature));
+      builder_.place(shape.id, scene_from_object * shape.object_from_shape, materials,
+                     object.seed.value_or(true));
+    }
+  }
+
+  void place_copies(const io::ObjectDocument& object, const BuiltPrototype& built,
+                    const math::Transform& scene_from_object) {
+    const std::vector<std::uint32_t> materials = materials_of(object, built);
+    const bool seed = object.seed.value_or(true);
+    if (const auto list = list_of(object))
+      builder_.place_many(built.id, scene_from_object, list, materials, seed);
+    else
+      builder_.place(built.id, scene_from_object, materials, seed);
+  }
+
+  std::vector<std::uint32_t> materials_of(const io::ObjectDocument& object, const BuiltPrototype& built) {
+    std::vector<std::uint32_t> materials;
+    for (const BuiltPrototype::Slot& slot : built.slots)
+      materials.push_back(coverings_.covering(*slot.object->material, slot.name,
+                                              object.temperature ? object.temperature : *slot.temperature));
+    return materials;
+  }
+
+  void place_scatter(const io::ObjectDocument& object, const io::ScatterShape& scatter,
+                     const math::Transform& scene_from_document) {
+    const geometry::World* carrier = scatter.on ? &ground(scatter.on->name, scene_from_document) : nullptr;
+    std::vector<std::vector<io::Instance>> copies = scatter_copies(document_, scatter, frame_, carrier, log_);
+    for (std::size_t k = 0; k < copies.size(); ++k) {
+      if (copies[k].empty()) continue;
+      const BuiltPrototype& built = prototype(scatter.of[k].prototype.name);
+      builder_.place_many(built.id, scene_from_document,
+                          std::make_shared<io::InstanceList>(std::move(copies[k])),
+                          materials_of(object, built), object.seed.value_or(true));
+    }
+  }
+
+  /// The objects of a name on their own, for what stands on them.
+  const geometry::World& ground(const std::string& name, const math::Transform& scene_from_document) {
+    std::unique_ptr<geometry::World>& world = grounds_[name];
+    if (world) return *world;
+    GeometryAssembly alone(document_, coverings_, frame_, nullptr, cache_);
+    for (const io::ObjectDocument& object : document_.scene.objects)
+      if (object.name == name && object.material)
+        with_position(document_, object.position, [&] { alone.place(object, scene_from_document); });
+    world = alone.builder_.build();
+    return *world;
+  }
+
+  const BuiltPrototype& prototype(const std::string& name) {
+    const auto known = prototypes_.find(name);
+    if (known != prototypes_.end()) return known->second;
+    BuiltPrototype built;
+    SlotList slots;
+    std::vector<geometry::Part> parts;
+    for (const io::PrototypeDocument& source : document_.scene.prototypes) {
+      if (source.name != name) continue;
+      for (const io::ObjectDocument& object : source.objects)
+        with_position(document_, object.position, [&] { parts.push_back(part_of(object, slots)); });
+    }
+    built.slots = std::move(slots).take();
+    built.id = builder_.add_prototype(parts);
+    return prototypes_.emplace(name, std::move(built)).first->second;
+  }
+
+  /// An object of a prototype; its slots are added to those of the prototype.
+  geometry::Part part_of(const io::ObjectDocument& object, SlotList& slots) {
+    geometry::Part part{{}, transform_of(object.transform), {}};
+    std::vector<BuiltPrototype::Slot> own;
+    if (const io::DocumentName* of = copied_by(object)) {
+      const BuiltPrototype& inner = prototype(of->name);
+      part.what = inner.id;
+      part.list = list_of(object);
+      own = inner.slots;
+      if (object.temperature)
+        for (BuiltPrototype::Slot& slot : own) slot.temperature = &object.temperature;
+    } else {
+      const BuiltShape shape = shapes_.build(object, ShapeAssembly::Use::part_of_prototype);
+      part.what = shape.id;
+      part.prototype_from_part = part.prototype_from_part * shape.object_from_shape;
+      for (const std::string& slot : shape.slot_names) own.push_back({&object, slot, &object.temperature});
+    }
+    for (const BuiltPrototype::Slot& slot : own) part.slots.push_back(slots.number(slot));
+    return part;
+  }
+
+  /// The prototype that an object copies, or null.
+  static const io::DocumentName* copied_by(const io::ObjectDocument& object) {
+    if (const auto* one = std::get_if<io::InstanceShape>(&object.shape)) return &one->of;
+    if (const auto* many = std::get_if<io::InstancesShape>(&object.shape)) return &many->of;
+    return nullptr;
+  }
+
+  /// Where its copies stand; null: there is one.
+  std::shared_ptr<const geometry::Placings> list_of(const io::ObjectDocument& object) const {
+    const auto* many = std::get_if<io::InstancesShape>(&object.shape);
+    if (many == nullptr) return nullptr;
+    const auto file = many->binary ? many->binary : many->csv;
+    if (file) {
+      const auto list = with_position(document_, file->position, [&]() -> std::shared_ptr<const geometry::Placings> {
+        if (many->binary) return std::make_shared<io::InstanceFile>(file->path);
+        return cached_instances(cache_, {file->path}, [&] { return io::read_instance_csv(file->path); });
+      });
+      if (list->count() == 0 && log_ != nullptr)
+        log_->warn(format("'{}' holds no copies: nothing is placed", file->path));
+      return list;
+    }
+    std::vector<io::Instance> list;
+    for (const math::Point3& at : many->at_m) list.push_back({at});
+    return std::make_shared<io::InstanceList>(std::move(list));
+  }
+
+  static math::Transform transform_of(const io::TransformDocument& source) {
+    math::Transform transform = math::Transform::translation(source.translate_m);
+    if (source.rotation_rad != 0.0)
+      transform = transform * math::Transform::rotation(source.rotation_axis, source.rotation_rad);
+    return transform * math::Transform::scaling(source.scale);
+  }
+
+  const io::Document& document_;
+  CoveringAssembly& coverings_;
+  const MapFrame& frame_;
+  LogSink* log_;
+  io::SceneCache* cache_;
+  geometry::WorldBuilder builder_;
+  ShapeAssembly shapes_;
+  std::map<std::string, BuiltPrototype> prototypes_;
+  std::map<std::string, std::unique_ptr<geometry::World>> grounds_;
+};
+
+}  // namespace
+
+std::unique_ptr<geometry::World> assemble_geometry(const io::Document& document, CoveringAssembly& coverings,
+                                                   const MapFrame& frame, LogSink* log,
+                                                   io::SceneCache* cache, PlacedObjects& placed) {
+  return GeometryAssembly(document, coverings, frame, log, cache).assemble(placed);
+}
+
+}  // namespace ifov::session

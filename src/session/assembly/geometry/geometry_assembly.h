@@ -1,0 +1,22 @@
+#pragma once
+
+#include <memory>
+
+#include "core/run_control.h"
+#include "geometry/world.h"
+#include "io/document/document.h"
+#include "io/scene_cache/scene_cache.h"
+#include "session/assembly/geometry/placed_objects.h"
+#include "session/assembly/shared/map_frame.h"
+#include "session/assembly/surfaces/covering_assembly.h"
+
+namespace ifov::session {
+
+/// All that stands in a document's scene, about its origin; what covers it is asked of `coverings`. Meshes
+/// and lists are kept in `cache` from run to run; it and `log` may be null. Throws InputError with the place
+/// in the document. `placed` takes down which of its objects stand for which of the document's.
+std::unique_ptr<geometry::World> assemble_geometry(const io::Document& document, CoveringAssembly& coverings,
+                                                   const MapFrame& frame, LogSink* log,
+                                                   io::SceneCache* cache, PlacedObjects& placed);
+
+}  // namespace ifov::session

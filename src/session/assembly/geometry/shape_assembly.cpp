@@ -1,0 +1,117 @@
+#include "session/assembly/geometry/shape_assembly.h"
+
+#include <cmath>
+#include <variant>
+
+#include "core/error.h"
+#include "io/mesh/mesh_reader.h"
+#include "session/assembly/geometry/mesh_cache.h"
+#include "session/assembly/geometry/terrain_assembly.h"
+#include "session/assembly/shared/with_position.h"
+
+namespace ifov::session {
+namespace {
+
+math::Transform turn_z_to(math::Vec3 axis) {
+  const math::Vec3 to = math::normalized(axis);
+  const math::Vec3 about = math::cross({0.0, 0.0, 1.0}, to);
+  const double sine = math::length(about);
+  if (sine < 1e-12) return to.z > 0.0 ? math::Transform() : math::Transform::rotation({1.0, 0.0, 0.0}, M_PI);
+  return math::Transform::rotation(about, std::atan2(sine, to.z));
+}
+
+/// A thing that stands on y = 0 and reaches below z = 0 was most likely drawn with y up.
+void warn_of_y_up(const std::string& path, const geometry::World::Bounds& b, LogSink& log) {
+  constexpr double kOnGround = 0.01, kBelow = 0.1;
+  const math::Vec3 size = b.high_m - b.low_m;
+  if (!(size.y > 0.0) || !(size.z > 0.0) || std::abs(b.low_m.y) > kOnGround * size.y) return;
+  constexpr double kFlat = 0.02;  // waves of a water that begins at y = 0
+  if (size.z < kFlat * size.y) return;
+  if (b.low_m.z > -kBelow * size.z || b.high_m.z < kBelow * size.z || std::abs(b.low_m.x) <= kOnGround * size.x) return;
+  log.warn(format("mesh '{}' stands on y = 0 and reaches {:.3g} below z = 0: if its y points up, say \"up\": \"y\"",
+                  std::filesystem::path(path).filename().string(), -b.low_m.z));
+}
+
+}  // namespace
+
+BuiltShape ShapeAssembly::build(const io::ObjectDocument& object, Use use) {
+  use_ = use;
+  return std::visit([&](const auto& s) { return shape(s); }, object.shape);
+}
+
+BuiltShape ShapeAssembly::shape(const io::PlaneShape& s) {
+  return {builder_.add_shape(geometry::Plane{s.height_m}), {}, {""}};
+}
+
+BuiltShape ShapeAssembly::shape(const io::BoxShape& s) {
+  return {builder_.add_shape(geometry::Box{s.low_m, s.high_m}), {}, {""}};
+}
+
+BuiltShape ShapeAssembly::shape(const io::SphereShape& s) {
+  return {builder_.add_shape(geometry::Sphere{s.centre_m, s.radius_m}), {}, {""}};
+}
+
+BuiltShape ShapeAssembly::shape(const io::HemisphereShape& s) {
+  return {builder_.add_shape(geometry::Hemisphere{s.centre_m, s.radius_m}), {}, {""}};
+}
+
+BuiltShape ShapeAssembly::shape(const io::CylinderShape& s) {
+  const geometry::Cylinder upright{{}, s.radius_m, math::length(s.axis_m), s.capped};
+  return {builder_.add_shape(upright),
+          math::Transform::translation({s.base_m.x, s.base_m.y, s.base_m.z}) * turn_z_to(s.axis_m),
+          {""}};
+}
+
+BuiltShape ShapeAssembly::shape(const io::DiskShape& s) {
+  return {builder_.add_shape(geometry::Disk{{}, s.radius_m}),
+          math::Transform::translation({s.centre_m.x, s.centre_m.y, s.centre_m.z}) * turn_z_to(s.normal),
+          {""}};
+}
+
+BuiltShape ShapeAssembly::shape(const io::PolygonShape& s) {
+  return {builder_.add_shape(geometry::Polygon{s.vertices_m}), {}, {""}};
+}
+
+BuiltShape ShapeAssembly::shape(const io::MeshShape& s) {
+  const bool y_is_up = s.y_is_up.value_or(io::format_has_y_up(s.file.path));
+  const std::string key = format("{}|{}|{}", s.file.path, s.unit_m, y_is_up);
+  const auto known = meshes_.find(key);
+  if (known != meshes_.end()) return known->second;
+  return with_position(document_, s.file.position, [&] {
+    geometry::Body body =
+        cached_mesh(cache_, {{s.file.path}, ""}, [&] { return io::read_mesh(s.file.path, log_); });
+    if (!y_is_up && log_ != nullptr) warn_of_y_up(s.file.path, body.bounds, *log_);
+    std::vector<std::string> slots = body.mesh.slot_names;
+    if (slots.empty()) slots = {""};
+    math::Transform object_from_file = math::Transform::scaling({s.unit_m, s.unit_m, s.unit_m});
+    if (y_is_up) object_from_file = object_from_file * math::Transform::rotation({1.0, 0.0, 0.0}, 0.5 * M_PI);
+    const BuiltShape built{builder_.add_body(std::move(body)), object_from_file, std::move(slots)};
+    return meshes_.emplace(key, built).first->second;
+  });
+}
+
+BuiltShape ShapeAssembly::shape(const io::TerrainShape& s) {
+  // Its coordinates are about the scene's origin; the object's transform is meant for those of the document.
+  return with_position(document_, s.file.position, [&]() -> BuiltShape {
+    return {is_traced_in_raster(s, frame_, use_ == Use::part_of_prototype) ? builder_.add_height_field(assemble_height_field(s, frame_, log_))
+                      : builder_.add_body(assemble_terrain(s, frame_, cache_, log_)),
+            math::Transform::translation(document_.scene.origin.offset_m),
+            {""}};
+  });
+}
+
+BuiltShape ShapeAssembly::shape(const io::CityShape&) { throw InputError("a prototype cannot hold a city"); }
+
+BuiltShape ShapeAssembly::shape(const io::InstanceShape&) {
+  throw InputError("a copy of a prototype is not a shape");
+}
+
+BuiltShape ShapeAssembly::shape(const io::InstancesShape&) {
+  throw InputError("copies of a prototype are not a shape");
+}
+
+BuiltShape ShapeAssembly::shape(const io::ScatterShape&) {
+  throw InputError("copies of prototypes are not a shape");
+}
+
+}  // namespace ifov::session

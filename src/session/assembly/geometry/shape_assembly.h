@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/run_control.h"
+#include "geometry/world/world_builder.h"
+#include "io/document/document.h"
+#include "io/scene_cache/scene_cache.h"
+#include "session/assembly/shared/map_frame.h"
+
+namespace ifov::session {
+
+/// A shape that the builder knows, in the frame of the object that asked for it.
+struct BuiltShape {
+  geometry::ShapeId id;
+  math::Transform object_from_shape;
+  std::vector<std::string> slot_names;
+};
+
+/// Turns shapes of documents into shapes of a builder; the file of a mesh is read once.
+class ShapeAssembly {
+ public:
+  /// `cache` and `log` may be null.
+  ShapeAssembly(const io::Document& document, const MapFrame& frame, geometry::WorldBuilder& builder,
+                io::SceneCache* cache, LogSink* log)
+      : document_(document), frame_(frame), builder_(builder), cache_(cache), log_(log) {}
+
+  enum class Use { object, part_of_prototype };
+  /// Throws InputError for what is no shape: copies, scattered copies and cities.
+  BuiltShape build(const io::ObjectDocument& object, Use use);
+
+ private:
+  BuiltShape shape(const io::PlaneShape& s);
+  BuiltShape shape(const io::BoxShape& s);
+  BuiltShape shape(const io::SphereShape& s);
+  BuiltShape shape(const io::HemisphereShape& s);
+  BuiltShape shape(const io::CylinderShape& s);
+  BuiltShape shape(const io::DiskShape& s);
+  BuiltShape shape(const io::PolygonShape& s);
+  BuiltShape shape(const io::MeshShape& s);
+  BuiltShape shape(const io::TerrainShape& s);
+  BuiltShape shape(const io::CityShape&);
+  BuiltShape shape(const io::InstanceShape&);
+  BuiltShape shape(const io::InstancesShape&);
+  BuiltShape shape(const io::ScatterShape&);
+
+  const io::Document& document_;
+  const MapFrame& frame_;
+  geometry::WorldBuilder& builder_;
+  io::SceneCache* cache_;
+  LogSink* log_;
+  std::map<std::string, BuiltShape> meshes_;
+  Use use_ = Use::object;  // of the shape that is being built
+};
+
+}  // namespace ifov::session

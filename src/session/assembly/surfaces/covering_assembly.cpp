@@ -1,0 +1,266 @@
+#include "session/assembly/surfaces/covering_assembly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "io/raster/fill_unknown.h"
+#include "materials/bsdf/hemisphere.h"
+#include "session/assembly/shared/spectrum_assembly.h"
+#include "session/assembly/shared/with_position.h"
+
+namespace ifov::session {
+CoveringAssembly::CoveringAssembly(const io::Document& document, const MapFrame& frame, scene::Scene& scene,
+                                   LogSink* log)
+    : document_(document), scene_(scene), log_(log), textures_(document, frame, log) {
+  add_materials();
+}
+
+void CoveringAssembly::assemble_scattering(const io::MaterialDocument& source, materials::Material& material) const {
+  materials::BsdfInputs inputs{material.reflectance, {}};
+  for (const auto& [key, value] : source.scattering.values) {
+    if (const double* number = std::get_if<double>(&value))
+      inputs.values.emplace_back(key, *number);
+    else
+      inputs.values.emplace_back(key, assemble_spectrum(document_, std::get<io::SpectrumDocument>(value),
+                                                        format("{} of {}", key, source.name)));
+  }
+  material.bsdf = materials::bsdf_model(source.scattering.model).make(inputs);
+  materials::check(material);
+  if (!material.bsdf->is_separable())
+    material.reflectance = materials::directional_hemispherical(*material.bsdf, materials::Side::reflected,
+                                                                materials::kBihemispherical);
+}
+
+void CoveringAssembly::add_materials() {
+  std::vector<materials::Material> further;
+  const auto first = static_cast<std::uint32_t>(document_.scene.materials.size());
+  for (const io::MaterialDocument& source : document_.scene.materials) {
+    materials::Material material;
+    material.name = source.name;
+    if (source.transmittance)
+      material.transmittance = assemble_spectrum(document_, *source.transmittance,
+                                                 format("transmittance of {}", source.name));
+    if (source.temperature)
+      if (const double* fixed_k = std::get_if<double>(&source.temperature->value)) material.temperature_k = *fixed_k;
+    const auto take = [&](const io::SpectrumDocument& curve, const std::string& what) {
+      const radiometry::Spectrum spectrum =
+          assemble_spectrum(document_, curve, format("{}{}", what, source.name));
+      material.reflectance = source.is_emissivity ? spectrum.complement() : spectrum;
+      with_position(document_, source.position, [&] { assemble_scattering(source, material); });
+    };
+    take(source.spectrum, source.further_curves.empty() ? "" : "curve 1 of ");
+    scene_.materials.push_back(material);
+    first_further_.push_back(first + static_cast<std::uint32_t>(further.size()));
+    material.curve_of = static_cast<std::uint32_t>(scene_.materials.size() - 1);
+    for (std::size_t k = 0; k < source.further_curves.size(); ++k) {
+      take(source.further_curves[k], format("curve {} of ", k + 2));
+      further.push_back(material);
+    }
+  }
+  scene_.materials.insert(scene_.materials.end(), further.begin(), further.end());
+}
+
+std::uint32_t CoveringAssembly::covering(const io::MaterialBinding& binding, const std::string& slot_name,
+                                         const std::optional<io::TemperatureDocument>& temperature) {
+  scene::Covering covering;
+  std::vector<Surface> surfaces;
+  if (const auto* name = std::get_if<io::DocumentName>(&binding.value)) {
+    surfaces.push_back(surface_of(*name, temperature));
+  } else if (const auto* slots = std::get_if<io::MaterialSlots>(&binding.value)) {
+    const auto found = std::find_if(slots->slots.begin(), slots->slots.end(),
+                                    [&](const auto& slot) { return slot.first == slot_name; });
+    if (found == slots->slots.end()) {
+      std::string names;
+      for (const auto& slot : slots->slots) names += (names.empty() ? "'" : ", '") + slot.first + "'";
+      throw io::document_error(document_, binding.position,
+                               format("no material for slot '{}' of the mesh; the slots given are {}", slot_name,
+                                      names.empty() ? "none" : names));
+    }
+    surfaces.push_back(surface_of(found->second, temperature));
+  } else if (const auto* map = std::get_if<io::MaterialMap>(&binding.value)) {
+    with_position(document_, binding.position, [&] { covering.classes = class_map(*map); });
+    for (const auto& entry : map->classes) surfaces.push_back(surface_of(entry.second, temperature));
+  } else {
+    const io::MixtureDocument& source = std::get<io::MixtureDocument>(binding.value);
+    for (const io::DocumentName& material : source.materials) surfaces.push_back(surface_of(material, temperature));
+    with_position(document_, binding.position, [&] { covering.patterns.push_back(mixture(source, surfaces)); });
+    covering.states.push_back(surfaces[0].state);
+  }
+  if (covering.states.empty())
+    for (const Surface& surface : surfaces) {
+      covering.states.push_back(surface.state);
+      covering.temperatures.push_back(surface.temperature);
+    }
+  add_patterns(covering, surfaces);
+  return add(std::move(covering));
+}
+
+void CoveringAssembly::add_patterns(scene::Covering& covering, const std::vector<Surface>& surfaces) {
+  std::vector<Pattern> reliefs, textures;
+  const auto append = [](std::vector<Pattern>& list, const Pattern& pattern) {
+    if (std::find(list.begin(), list.end(), pattern) == list.end()) list.push_back(pattern);
+  };
+  for (const Surface& surface : surfaces) {
+    const io::MaterialDocument& source = document_.scene.materials[surface.material];
+    if (source.relief) {
+      Pattern& relief = patterns_[format("relief {}", surface.material)];
+      if (!relief)
+        relief = std::make_shared<scene::ReliefPattern>(textures_.relief(surface.material), surface.material);
+      append(reliefs, relief);
+    }
+    if (source.texture) {
+      Pattern& texture = patterns_[format("texture {}", surface.state)];
+      if (!texture) {
+        std::vector<radiometry::Spectrum> spectra;
+        std::vector<scene::TexturePattern::Curve> curves;
+        for (std::size_t c = 0; c <= source.further_curves.size(); ++c) {
+          const std::uint32_t material =
+              c == 0 ? surface.material : first_further_[surface.material] + static_cast<std::uint32_t>(c - 1);
+          spectra.push_back(scene_.materials[material].reflectance);
+          curves.push_back({state({material, surface.fixed_k}), material});
+        }
+        texture = std::make_shared<scene::TexturePattern>(textures_.texture(surface.material, spectra), surface.state,
+                                                          std::move(curves));
+      }
+      append(textures, texture);
+    }
+  }
+  // Relief goes by the document's material, which a texture replaces by the curve that it picks.
+  covering.patterns.insert(covering.patterns.end(), reliefs.begin(), reliefs.end());
+  covering.patterns.insert(covering.patterns.end(), textures.begin(), textures.end());
+}
+
+std::shared_ptr<const materials::ClassMap> CoveringAssembly::class_map(const io::MaterialMap& map) {
+  std::string classes_text;
+  for (const auto& entry : map.classes) classes_text += format("{}{}", classes_text.empty() ? "" : ", ", entry.first);
+  std::shared_ptr<const materials::ClassMap>& shared = class_maps_[key_of(map.raster, classes_text)];
+  if (shared) return shared;
+  const io::Raster& raster = textures_.read(map.raster);
+  std::vector<std::uint16_t> classes(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height));
+  for (int row = 0; row < raster.height; ++row)
+    for (int column = 0; column < raster.width; ++column) {
+      const float value = raster.at(0, row, column);
+      const auto found = std::lower_bound(
+          map.classes.begin(), map.classes.end(), value,
+          [](const auto& entry, float v) { return static_cast<double>(entry.first) < static_cast<double>(v); });
+      if (found == map.classes.end() || static_cast<double>(found->first) != static_cast<double>(value))
+        throw InputError(format("class {} at row {}, column {} of '{}' has no material; the classes given are {}",
+                                value, row + 1, column + 1, map.raster.file.path, classes_text));
+      classes[static_cast<std::size_t>(row) * static_cast<std::size_t>(raster.width) +
+              static_cast<std::size_t>(column)] = static_cast<std::uint16_t>(found - map.classes.begin());
+    }
+  shared = std::make_shared<materials::ClassMap>(textures_.grid(map.raster, raster), std::move(classes));
+  return shared;
+}
+
+CoveringAssembly::Pattern CoveringAssembly::mixture(const io::MixtureDocument& source,
+                                                    const std::vector<Surface>& surfaces) {
+  const std::string& path = source.raster.file.path;
+  std::shared_ptr<const materials::MixtureMap>& map =
+      mixture_maps_[key_of(source.raster, format("{}", surfaces.size()))];
+  if (!map) {
+    const io::Raster& raster = textures_.read(source.raster);
+    if (static_cast<std::size_t>(raster.bands) != surfaces.size())
+      throw InputError(format("'{}' has {} bands; 'materials' names {}", path, raster.bands, surfaces.size()));
+    try {
+      map = std::make_shared<materials::MixtureMap>(textures_.grid(source.raster, raster), surfaces.size(),
+                                                    raster.values);
+    } catch (const InputError& error) {
+      throw InputError(format("'{}': {}", path, error.what()));
+    }
+    const materials::MixtureMap::Report& report = map->report();
+    const std::string name = std::filesystem::path(path).filename().string();
+    if (log_ != nullptr && report.rescaled > 0)
+      log_->warn(format("mixture '{}': the fractions of {} of {} cells sum to something else than 1 ({:.3g} to {:.3g}) "
+                        "and are rescaled",
+                        name, report.rescaled, map->grid().cell_count(), report.lowest_sum, report.highest_sum));
+    if (log_ != nullptr && report.shortened > 0)
+      log_->warn(format("mixture '{}': {} of {} cells hold more than {} materials; the largest stay, and up to {:.3g} % "
+                        "of a cell goes to them",
+                        name, report.shortened, map->grid().cell_count(), materials::MixtureMap::kMost,
+                        100.0 * report.largest_loss));
+  }
+  std::string key = format("mixture {}", static_cast<const void*>(map.get()));
+  std::vector<scene::MixturePattern::Part> parts;
+  for (const Surface& surface : surfaces) {
+    key += format("|{}|{}", surface.state, static_cast<const void*>(surface.temperature.get()));
+    parts.push_back({surface.state, surface.material, surface.temperature});
+  }
+  Pattern& pattern = patterns_[key];
+  if (!pattern) pattern = std::make_shared<scene::MixturePattern>(map, std::move(parts));
+  return pattern;
+}
+
+CoveringAssembly::Surface CoveringAssembly::surface_of(const io::DocumentName& material,
+                                                       const std::optional<io::TemperatureDocument>& temperature) {
+  Surface surface;
+  surface.material = material_index(material.name);
+  const std::optional<io::TemperatureDocument>& source =
+      temperature ? temperature : document_.scene.materials[surface.material].temperature;
+  if (source) {
+    if (const double* fixed_k = std::get_if<double>(&source->value))
+      surface.fixed_k = *fixed_k;
+    else
+      with_position(document_, source->position,
+                    [&] { surface.temperature = temperature_map(std::get<io::TemperatureMap>(source->value)); });
+  }
+  surface.state = state({surface.material, surface.fixed_k});
+  return surface;
+}
+
+std::shared_ptr<const materials::TemperatureMap> CoveringAssembly::temperature_map(const io::TemperatureMap& map) {
+  std::shared_ptr<const materials::TemperatureMap>& shared =
+      temperature_maps_[key_of(map.raster, format("{}", map.offset_k))];
+  if (shared) return shared;
+  const io::Raster& raster = textures_.read(map.raster);
+  const std::span<const float> numbers = band_of(raster, 1, map.raster.file.path);
+  std::vector<float> temperature_k;
+  std::size_t unknown = 0;
+  for (const float number : numbers) {
+    const bool missing = !std::isfinite(number) || (raster.nodata && number == static_cast<float>(*raster.nodata));
+    unknown += missing;
+    temperature_k.push_back(missing ? std::numeric_limits<float>::quiet_NaN() : number + static_cast<float>(map.offset_k));
+  }
+  const std::string& path = map.raster.file.path;
+  if (unknown == numbers.size()) throw InputError(format("'{}': no cell has a temperature", path));
+  if (unknown > 0) {
+    io::fill_unknown(temperature_k, raster.width, raster.height, path);
+    if (log_ != nullptr)
+      log_->warn(format("temperature map '{}': {} of {} cells hold no number and take the mean of their nearest neighbours",
+                        std::filesystem::path(path).filename().string(), unknown, numbers.size()));
+  }
+  try {
+    shared = std::make_shared<materials::TemperatureMap>(textures_.grid(map.raster, raster), std::move(temperature_k));
+  } catch (const InputError& error) {
+    throw InputError(format("'{}': {}. If it stands for cells without a temperature, declare it as the file's nodata value "
+                            "(gdal_edit.py -a_nodata)", path, error.what()));
+  }
+  return shared;
+}
+
+std::uint32_t CoveringAssembly::material_index(const std::string& name) const {
+  for (std::size_t m = 0; m < document_.scene.materials.size(); ++m)
+    if (document_.scene.materials[m].name == name) return static_cast<std::uint32_t>(m);
+  throw InputError(format("there is no material '{}'", name));
+}
+
+std::uint32_t CoveringAssembly::state(scene::SurfaceState wanted) {
+  const auto found = std::find(scene_.states.begin(), scene_.states.end(), wanted);
+  const auto index = static_cast<std::uint32_t>(found - scene_.states.begin());
+  if (found == scene_.states.end()) scene_.states.push_back(wanted);
+  return index;
+}
+
+std::uint32_t CoveringAssembly::add(scene::Covering covering) {
+  const bool mapped = std::any_of(covering.temperatures.begin(), covering.temperatures.end(),
+                                  [](const auto& map) { return map != nullptr; });
+  if (!mapped) covering.temperatures.clear();
+  for (std::size_t k = 0; k < scene_.coverings.size(); ++k)
+    if (scene_.coverings[k] == covering) return static_cast<std::uint32_t>(k);
+  scene_.coverings.push_back(std::move(covering));
+  return static_cast<std::uint32_t>(scene_.coverings.size() - 1);
+}
+
+}  // namespace ifov::session

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/run_control.h"
+#include "io/document/document.h"
+#include "scene/map_patterns.h"
+#include "scene/scene.h"
+#include "session/assembly/shared/map_scale.h"
+#include "session/assembly/shared/raster_assembly.h"
+#include "session/assembly/surfaces/texture_assembly.h"
+
+namespace ifov::session {
+
+/// Turns the materials, maps and temperatures of a document into the scene's materials, states and coverings. Each
+/// file is read once, each map made once.
+class CoveringAssembly {
+ public:
+  /// Reads all materials into the scene: those of the document in its order, then the further curves of textured ones.
+  /// Keeps all references; `log` may be null.
+  CoveringAssembly(const io::Document& document, const MapFrame& frame, scene::Scene& scene, LogSink* log);
+
+  /// Index of the covering for a binding on one slot of an object (`slot_name` as in a mesh file, else empty);
+  /// `temperature` replaces the materials' own.
+  std::uint32_t covering(const io::MaterialBinding& binding, const std::string& slot_name,
+                         const std::optional<io::TemperatureDocument>& temperature);
+
+  /// By covering made so far: whether any of its materials is a mirror; empty where none is.
+  std::vector<bool> mirrors() const { return scene_.mirror_coverings(); }
+
+  /// How large the cells of the maps are that were made so far.
+  const std::vector<MapScale>& map_scales() const { return textures_.map_scales(); }
+
+ private:
+  /// A material at its temperature.
+  struct Surface {
+    std::uint32_t state = 0, material = 0;
+    double fixed_k = 0.0;
+    std::shared_ptr<const materials::TemperatureMap> temperature;
+  };
+  using Pattern = std::shared_ptr<const scene::Pattern>;
+
+  void add_materials();
+  /// The model of a material whose reflectance is known.
+  void assemble_scattering(const io::MaterialDocument& source, materials::Material& material) const;
+  std::uint32_t material_index(const std::string& name) const;
+  Surface surface_of(const io::DocumentName& material, const std::optional<io::TemperatureDocument>& temperature);
+  std::shared_ptr<const materials::TemperatureMap> temperature_map(const io::TemperatureMap& map);
+  std::uint32_t state(scene::SurfaceState wanted);
+  std::shared_ptr<const materials::ClassMap> class_map(const io::MaterialMap& map);
+  Pattern mixture(const io::MixtureDocument& source, const std::vector<Surface>& surfaces);
+  void add_patterns(scene::Covering& covering, const std::vector<Surface>& surfaces);
+  std::uint32_t add(scene::Covering covering);
+
+  const io::Document& document_;
+  scene::Scene& scene_;
+  LogSink* log_;
+  TextureAssembly textures_;
+  std::vector<std::uint32_t> first_further_;  ///< by material of the document: the first of its further curves
+  std::map<std::string, std::shared_ptr<const materials::TemperatureMap>> temperature_maps_;
+  std::map<std::string, std::shared_ptr<const materials::ClassMap>> class_maps_;
+  std::map<std::string, std::shared_ptr<const materials::MixtureMap>> mixture_maps_;
+  std::map<std::string, Pattern> patterns_;
+};
+
+}  // namespace ifov::session

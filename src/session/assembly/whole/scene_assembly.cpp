@@ -1,0 +1,54 @@
+#include "session/assembly/whole/scene_assembly.h"
+
+#include "geometry/periodic_world.h"
+#include "session/assembly/geometry/geometry_assembly.h"
+#include "session/assembly/shared/map_frame.h"
+#include "session/assembly/shared/with_position.h"
+#include "session/assembly/surfaces/covering_assembly.h"
+#include "session/assembly/whole/light_assembly.h"
+
+namespace ifov::session {
+namespace {
+
+/// What stands in the scene and how it is kept.
+std::string describe(const geometry::World& world) {
+  const geometry::World::Storage kept = world.storage();
+  std::string text = format("scene: {} objects, {} triangles, {:.1f} MB", world.object_count(), world.triangle_count(),
+                            static_cast<double>(kept.bytes) / 1e6);
+  if (kept.instances > 0)
+    text += format("; {} instances of {} triangles{}", kept.instances, kept.stored_triangles,
+                   kept.instance_table ? " in a table" : "");
+  if (kept.chunks > 0) text += format("; {} chunks of large meshes, each built when a ray comes near", kept.chunks);
+  if (kept.prototypes_apart > 0)
+    text += format("; {} prototypes of prototypes stand part by part", kept.prototypes_apart);
+  return text;
+}
+
+}  // namespace
+
+AssembledScene assemble_scene(const io::Document& document, LogSink* log, io::SceneCache* cache) {
+  AssembledScene assembled;
+  scene::Scene& scene = assembled.scene;
+  const MapFrame frame(document);
+  assembled.map_offset_m = frame.offset_m();
+  CoveringAssembly coverings(document, frame, scene, log);
+  scene.world = assemble_geometry(document, coverings, frame, log, cache, assembled.placed);
+  assembled.map_scales = coverings.map_scales();
+  if (document.scene.periodic) {
+    const io::PeriodicDocument& periodic = *document.scene.periodic;
+    geometry::PeriodicWorld::Cell cell{-0.5 * periodic.width_m, -0.5 * periodic.height_m, periodic.width_m,
+                                       periodic.height_m};
+    if (periodic.low_left_m) {
+      cell.west_m = (*periodic.low_left_m)[0] - document.scene.origin.offset_m.x;
+      cell.south_m = (*periodic.low_left_m)[1] - document.scene.origin.offset_m.y;
+    }
+    scene.world = with_position(document, periodic.position, [&] {
+      return std::make_unique<geometry::PeriodicWorld>(std::move(scene.world), cell);
+    });
+  }
+  assemble_light(document, scene);
+  if (log != nullptr) log->info(describe(*scene.world));
+  return assembled;
+}
+
+}  // namespace ifov::session

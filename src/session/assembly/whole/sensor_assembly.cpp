@@ -1,0 +1,156 @@
+#include "session/assembly/whole/sensor_assembly.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/raster/raster.h"
+#include "io/spectra/channel_table.h"
+#include "io/spectra/csv_spectrum.h"
+#include "sensor/frame_camera.h"
+#include "sensor/orthographic_camera.h"
+#include "session/assembly/shared/map_frame.h"
+#include "session/assembly/shared/with_position.h"
+
+namespace ifov::session {
+
+namespace {
+
+struct BuildCamera {
+  const io::Document& document;
+  const scene::Scene& scene;
+
+  std::unique_ptr<sensor::Camera> operator()(const io::OrthographicCamera& source) const {
+    const math::Vec3 offset_m = document.scene.origin.offset_m;
+    sensor::OrthographicCamera::Settings settings;
+    settings.width_px = source.width_px;
+    settings.height_px = source.height_px;
+    settings.gsd_m = source.gsd_m;
+    if (source.centre_m) {
+      settings.centre_x_m = (*source.centre_m)[0] - offset_m.x;
+      settings.centre_y_m = (*source.centre_m)[1] - offset_m.y;
+    }
+    settings.rotation_rad = source.rotation_rad;
+    settings.view_zenith_rad = source.view_zenith_rad;
+    settings.view_azimuth_rad = source.view_azimuth_rad;
+    // Above everything, by enough that no surface touches the plane the rays start from.
+    settings.start_height_m =
+        source.height_m ? *source.height_m - offset_m.z : scene.world->heights().high_m + 1.0;
+    return std::make_unique<sensor::OrthographicCamera>(settings);
+  }
+
+  std::unique_ptr<sensor::Camera> operator()(const io::FrameCamera& source) const {
+    sensor::FrameCamera::Settings settings;
+    settings.width_px = source.width_px;
+    settings.height_px = source.height_px;
+    settings.focal_length_m = source.focal_length_m;
+    settings.pitch_m = source.pitch_m;
+    settings.position_m = source.position_m - document.scene.origin.offset_m;
+    if (const auto* look = std::get_if<io::LookAt>(&source.orientation)) {
+      const math::Point3 target_m = look->target_m - document.scene.origin.offset_m;
+      const math::Vec3 along = math::normalized(target_m - settings.position_m);
+      const bool vertical = std::abs(along.z) > 1.0 - 1e-9;
+      const math::Vec3 up = look->up.value_or(vertical ? math::Vec3{0.0, 1.0, 0.0} : math::Vec3{0.0, 0.0, 1.0});
+      settings.axes = sensor::axes_looking_at(settings.position_m, target_m, up);
+    } else {
+      const io::Attitude& attitude = std::get<io::Attitude>(source.orientation);
+      settings.axes = sensor::axes_from_yaw_pitch_roll(attitude.yaw_rad, attitude.pitch_rad, attitude.roll_rad);
+    }
+    return std::make_unique<sensor::FrameCamera>(settings);
+  }
+};
+
+struct BuildChannel {
+  const io::Document& document;
+  const io::ChannelDocument& channel;
+
+  radiometry::Channel operator()(const io::GaussianChannel& s) const {
+    return radiometry::Channel::gaussian(channel.name, s.centre_um, s.fwhm_um);
+  }
+  radiometry::Channel operator()(const io::TopHatChannel& s) const {
+    return radiometry::Channel::top_hat(channel.name, s.from_um, s.to_um);
+  }
+  radiometry::Channel operator()(const io::MonochromaticChannel& s) const {
+    return radiometry::Channel::monochromatic(channel.name, s.at_um);
+  }
+  radiometry::Channel operator()(const io::TabulatedChannel& s) const {
+    return with_position(document, s.file.position, [&] {
+      const io::WavelengthUnit unit =
+          s.um_per_unit == 1.0 ? io::WavelengthUnit::micrometres : io::WavelengthUnit::nanometres;
+      if (s.band.empty()) {
+        io::CsvSpectrumOptions options;
+        options.unit = unit;
+        options.value_column = s.column;
+        options.outside = radiometry::OutsideRange::zero;
+        return radiometry::Channel::tabulated(channel.name, io::read_csv_spectrum(s.file.path, options));
+      }
+      std::vector<radiometry::Channel> channels = io::read_channels(s.file.path, unit);
+      std::string names;
+      for (radiometry::Channel& candidate : channels) {
+        if (candidate.name == s.band) {
+          candidate.name = channel.name;
+          return candidate;
+        }
+        names += (names.empty() ? "'" : ", '") + candidate.name + "'";
+      }
+      throw InputError(format("'{}' has no band '{}'; it has {}", s.file.path, s.band, names));
+    });
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<sensor::Camera> assemble_camera(const io::Document& document, const scene::Scene& scene) {
+  return with_position(document, document.sensor.camera.position,
+                       [&] { return std::visit(BuildCamera{document, scene}, document.sensor.camera.model); });
+}
+
+std::vector<radiometry::Channel> assemble_channels(const io::Document& document) {
+  std::vector<radiometry::Channel> channels;
+  for (const io::ChannelDocument& channel : document.sensor.channels)
+    channels.push_back(with_position(document, channel.position, [&] {
+      return std::visit(BuildChannel{document, channel}, channel.response);
+    }));
+  return channels;
+}
+
+std::unique_ptr<sensor::Psf> assemble_psf(const io::Document& document) {
+  const io::SensorDocument& source = document.sensor;
+  return with_position(document, source.psf_position, [&] {
+    std::unique_ptr<sensor::Psf> psf;
+    if (const auto* gaussian = std::get_if<io::GaussianPsf>(&source.psf)) {
+      psf = sensor::make_gaussian_psf(gaussian->sigma_px);
+    } else if (const auto* airy = std::get_if<io::AiryPsf>(&source.psf)) {
+      const io::FrameCamera& camera = std::get<io::FrameCamera>(source.camera.model);
+      psf = sensor::make_airy_psf({airy->wavelength_um, airy->aperture_m, camera.focal_length_m, camera.pitch_m});
+    } else if (const auto* kernel = std::get_if<io::KernelPsf>(&source.psf)) {
+      io::Raster raster = io::read_raster(kernel->file.path);
+      std::vector<double> values(raster.values.begin(),
+                                 raster.values.begin() + static_cast<std::ptrdiff_t>(raster.width) * raster.height);
+      psf = sensor::make_kernel_psf(raster.width, raster.height, std::move(values), kernel->samples_per_pixel);
+    }
+    return psf;
+  });
+}
+
+render::ImageInfo image_info(const io::Document& document, const sensor::Camera& camera,
+                             const std::vector<radiometry::Channel>& channels, const scene::Scene& scene,
+                             math::Vec3 map_offset_m) {
+  render::ImageInfo info;
+  info.width_px = camera.width_px();
+  info.height_px = camera.height_px();
+  for (const radiometry::Channel& channel : channels)
+    info.channels.push_back({channel.name, channel.centre_um, channel.fwhm_um});
+  info.materials = scene::truth_materials(scene).names;
+  if (const auto grid = camera.ground_grid()) {
+    const math::Point3 corner_m = grid->upper_left_m + map_offset_m;
+    info.has_map = true;
+    info.map_x_m = corner_m.x;
+    info.map_y_m = corner_m.y;
+    info.gsd_m = grid->gsd_m;
+    info.map_rotation_rad = grid->rotation_rad;
+  }
+  info.map_projection = map_system(document.scene.origin);
+  return info;
+}
+
+}  // namespace ifov::session

@@ -1,0 +1,94 @@
+#include "session/loaded/acquisition_assembly.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "io/raster/map_reference.h"
+
+namespace ifov::session {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+io::Acquisition::Light light_of(const scene::Sun& sun) {
+  const double azimuth = std::atan2(sun.direction.x, sun.direction.y) * kDegrees;
+  return {std::atan2(std::hypot(sun.direction.x, sun.direction.y), sun.direction.z) * kDegrees,
+          azimuth < 0.0 ? azimuth + 360.0 : azimuth, sun.is_moon};
+}
+
+/// What the ray through a point of the image meets.
+std::optional<math::Point3> place_of(const Parts& parts, double x_px, double y_px) {
+  const sampling::FocalPoint point{x_px, y_px};
+  math::Ray ray;
+  geometry::SurfacePoint hit;
+  parts.camera->rays({&point, 1}, {&ray, 1});
+  parts.scene.world->intersect({&ray, 1}, {&hit, 1});
+  return hit.hit() ? std::optional(hit.position_m) : std::nullopt;
+}
+
+io::Acquisition::Camera camera_of(const Parts& parts) {
+  const sensor::CameraPose pose = parts.camera->pose();
+  io::Acquisition::Camera camera;
+  camera.is_frame = pose.position_m.has_value();
+  camera.right = pose.axes.right, camera.down = pose.axes.down, camera.forward = pose.axes.forward;
+  camera.focal_length_m = pose.focal_length_m, camera.pitch_m = pose.pitch_m;
+  if (pose.position_m) camera.position_m = *pose.position_m + parts.map_offset_m;
+  if (const auto grid = parts.camera->ground_grid())
+    camera.ground_sample_m = grid->gsd_m;
+  else if (const auto middle = place_of(parts, 0.5 * parts.camera->width_px(), 0.5 * parts.camera->height_px()))
+    camera.ground_sample_m = parts.camera->gsd_m(*middle);
+  return camera;
+}
+
+/// Longitude and latitude of places on the scene's map; nothing where it has no system.
+class Degrees {
+ public:
+  explicit Degrees(const std::string& system) {
+    if (system != "Arbitrary") transform_.emplace(io::MapReference(system), io::MapReference("EPSG:4326"));
+  }
+  std::optional<io::Acquisition::Place> operator()(math::Point3 place_m) const {
+    if (!transform_) return std::nullopt;
+    try {
+      const io::MapPoint p = (*transform_)({place_m.x, place_m.y});
+      return io::Acquisition::Place{p.y, p.x};
+    } catch (const InputError&) {  // a place far outside of the projection
+      return std::nullopt;
+    }
+  }
+
+ private:
+  std::optional<io::MapTransform> transform_;
+};
+
+}  // namespace
+
+std::optional<io::Acquisition::Place> geographic_place(const std::string& map_system, math::Point3 on_map_m) {
+  return Degrees(map_system)(on_map_m);
+}
+
+io::Acquisition assemble_acquisition(const Parts& parts) {
+  const io::Document& document = parts.document;
+  io::Acquisition result;
+  if (document.time) result.time = geodesy::format_utc(*document.time);
+  if (parts.scene.sun) result.light = light_of(*parts.scene.sun);
+  const Degrees degrees(parts.info.map_projection);
+  result.origin_on_map_m = math::Point3{} + parts.map_offset_m;
+  result.origin_height_m = document.scene.origin.height_m;
+  if (const auto& place = document.scene.origin.geographic)
+    result.origin = io::Acquisition::Place{place->latitude_rad * kDegrees, place->longitude_rad * kDegrees};
+  else
+    result.origin = degrees(result.origin_on_map_m);
+  result.camera = camera_of(parts);
+  const double width = parts.info.width_px, height = parts.info.height_px;
+  const double corners[][2] = {{0.0, 0.0}, {width, 0.0}, {width, height}, {0.0, height}};
+  for (const auto& [x, y] : corners) {
+    result.footprint.emplace_back();
+    if (const auto place = place_of(parts, x, y)) {
+      const math::Point3 on_map = *place + parts.map_offset_m;
+      result.footprint.back() = {on_map, degrees(on_map)};
+    }
+  }
+  return result;
+}
+
+}  // namespace ifov::session

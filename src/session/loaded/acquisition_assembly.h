@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "io/product_parts/acquisition.h"
+#include "session/loaded/parts.h"
+
+namespace ifov::session {
+
+/// Latitude and longitude of a place on a map; nothing where its system (well-known text) is unknown or ends before.
+std::optional<io::Acquisition::Place> geographic_place(const std::string& map_system, math::Point3 on_map_m);
+
+/// What a run's products say of when, where and in which light their image was taken.
+io::Acquisition assemble_acquisition(const Parts& parts);
+
+}  // namespace ifov::session

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "atmosphere/imported_atmosphere.h"
+#include "atmosphere/sensor/sensor_atmosphere.h"
+#include "atmosphere/weather_series.h"
+#include "io/document/document.h"
+#include "io/scene_cache/file_stamp.h"
+#include "render/air_budget.h"
+#include "render/image_renderer.h"
+#include "session/assembly/geometry/placed_objects.h"
+#include "session/assembly/shared/map_scale.h"
+#include "session/assembly/whole/sampling_assembly.h"
+
+namespace ifov::session {
+
+/// What a loaded document consists of. Immutable once loaded; members refer to those above them.
+struct Parts {
+  io::Document document;
+  scene::Scene scene;
+  std::vector<MapScale> map_scales;
+  PlacedObjects placed;
+  math::Vec3 map_offset_m;  ///< map coordinates of the scene's origin
+  std::vector<io::FileStamp> known_files;  ///< files whose bytes the scene cache vouches for
+  std::optional<atmosphere::WeatherSeries> weather;
+  std::vector<radiometry::Channel> channels;
+  std::unique_ptr<sensor::Camera> camera;
+  std::string assumed_surroundings;  ///< what they were taken to be where none are declared; empty: nothing
+  std::unique_ptr<atmosphere::SensorAtmosphere> atmosphere;   ///< null without a modelled one
+  std::unique_ptr<atmosphere::ImportedAtmosphere> imported;   ///< null without imported runs
+  std::unique_ptr<radiometry::SpectralNodes> own_nodes;       ///< null with either
+  const radiometry::SpectralNodes* nodes = nullptr;
+  std::unique_ptr<sampling::PixelFootprint> footprint;
+  std::unique_ptr<sensor::PsfWings> wings;  ///< null where the PSF has none
+  double psf_cut = 0.0;                     ///< share of its energy that stands neither in the footprint nor in wings
+  std::unique_ptr<transport::SpectralScene> spectral_scene;
+  std::unique_ptr<render::ChannelBrightness> brightness;
+  std::vector<render::AirHalfWidth> air;     ///< by channel; empty without a modelled atmosphere
+  std::vector<render::NodeHalfWidth> node_errors;  ///< by channel; empty with a modelled one, whose error holds that
+  SamplingPlan plan;
+  std::unique_ptr<render::AccuracyTolerance> tolerance;  ///< null where no accuracy is asked for
+  render::ImageInfo info;
+  std::vector<std::string> places;    ///< where things are and what some rays see, lines for people
+  std::vector<std::string> warnings;  ///< all that were given while the document was loaded
+
+  /// The job that renders the document's image.
+  render::RenderJob job() const { return job(plan, tolerance.get()); }
+  /// The same image sampled in another way; keeps references to both.
+  render::RenderJob job(const SamplingPlan& sampling, const render::AccuracyTolerance* limits) const;
+  /// What a plan's accuracy asks for; null where it asks for none.
+  std::unique_ptr<render::AccuracyTolerance> tolerance_of(const SamplingPlan& sampling) const;
+};
+
+}  // namespace ifov::session

@@ -1,0 +1,82 @@
+#include "session/runs/plan_assembly.h"
+
+#include <filesystem>
+#include <set>
+
+#include "core/version.h"
+#include "io/run_state/scene_files.h"
+#include "session/loaded/acquisition_assembly.h"
+#include "session/statements.h"
+
+namespace ifov::session {
+namespace {
+
+const char* name_of(render::ErrorUnit unit) {
+  switch (unit) {
+    case render::ErrorUnit::kelvin: return "K";
+    case render::ErrorUnit::radiance: return "radiance";
+    case render::ErrorUnit::percent: return "%";
+    case render::ErrorUnit::reflectance: return "reflectance";
+    case render::ErrorUnit::noise: break;
+  }
+  return "noise";
+}
+
+/// Where the map says where every pixel lies, places are written where they are asked for.
+io::ProductSet cubes_of(const io::Document& document, const sensor::Camera& camera) {
+  if (document.output.products) return *document.output.products;
+  io::ProductSet usual = io::usual_products();
+  if (camera.ground_grid()) usual.remove(io::Product::location);
+  return usual;
+}
+
+}  // namespace
+
+io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
+  const io::Document& document = parts.document;
+  io::RunPlan plan;
+  plan.identity.version = version();
+  plan.identity.document_path = document.file_name;
+  plan.identity.document_text = *document.text;
+  plan.identity.seed = document.seed;
+  plan.identity.sampler = parts.plan.method;
+  plan.identity.accuracy_asked = parts.plan.accuracy_asked;
+  if (parts.tolerance) plan.identity.confidence = parts.tolerance->confidence();
+  if (parts.plan.request) {
+    plan.error = parts.plan.request->error;
+    plan.error_unit = name_of(parts.plan.request->unit);
+  }
+  plan.identity.acquisition = assemble_acquisition(parts);
+  plan.build = build_id();
+  plan.instruction_set = instruction_set();
+  if (with_files)
+    plan.files = io::stamp_scene_files(document.files,
+                                       std::filesystem::path(document.file_name).parent_path(), parts.known_files);
+  plan.image = parts.info;
+  plan.tile_px = document.sampling.tile_px;
+  plan.judged = parts.tolerance != nullptr;
+  plan.knows_errors = parts.plan.knows_errors;
+  for (const std::string& warning : parts.warnings) plan.notes.push_back("warning: " + warning);
+  for (const std::string& line : parts.places) plan.notes.push_back(line);
+  for (const std::string& note : notes(parts)) plan.notes.push_back(note);
+  const std::set<io::ProductFormat> formats(document.output.formats.begin(), document.output.formats.end());
+  plan.geotiff = formats.contains(io::ProductFormat::geotiff);
+  plan.netcdf = formats.contains(io::ProductFormat::netcdf);
+  plan.name = document.output.name;
+  plan.cubes = cubes_of(document, *parts.camera);
+  plan.quicklook = formats.contains(io::ProductFormat::png);
+  plan.report = formats.contains(io::ProductFormat::html);
+  for (const io::DocumentName& channel : document.output.quicklook_channels)
+    for (std::size_t c = 0; c < document.sensor.channels.size(); ++c)
+      if (document.sensor.channels[c].name == channel.name)
+        plan.quicklook_channels.push_back(static_cast<int>(c));
+  return plan;
+}
+
+void set_contents(const io::RunPlan& plan, render::RenderJob& job) {
+  job.keep_memory = plan.keeps_memory;
+  job.keep_variances = plan.keeps_variances();
+  job.locate = plan.locates();
+}
+
+}  // namespace ifov::session

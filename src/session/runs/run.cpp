@@ -1,0 +1,314 @@
+#include "session/runs/run.h"
+
+#include <mutex>
+#include <new>
+#include <optional>
+
+#include "core/error.h"
+#include "core/machine_memory.h"
+#include "io/files/own_files.h"
+#include "io/products/part_file.h"
+#include "io/run_state/run_state.h"
+#include "session/loaded/parts.h"
+#include "session/runs/needs.h"
+#include "session/runs/plan_assembly.h"
+#include "session/runs/refinement.h"
+#include "session/runs/run_products.h"
+#include "session/runs/team.h"
+#include "session/runs/tile_assembly.h"
+#include "session/runs/time_limit.h"
+#include "session/session.h"
+
+namespace ifov::session {
+namespace {
+
+/// What assembly takes is set aside of a time limit: this, and the products' bytes at these rates.
+constexpr double kAssembly_s = 1.0, kCached_bytes_per_s = 60e6, kDirect_bytes_per_s = 150e6;
+constexpr const char* kTimeLimit = "the time limit came first";
+
+/// Keeps finished tiles, hands them to the products, and notes which there are.
+class KeepingSink final : public render::TileSink {
+ public:
+  KeepingSink(const io::RunPlan& plan, TileAssembly* assembly, io::RunState* state, io::TilesDone& tiles)
+      : plan_(plan), assembly_(assembly), state_(state), tiles_(tiles) {}
+  void begin(const render::ImageInfo&) override {}
+  void write(const sampling::TileResult& tile) override {
+    const std::size_t index =
+        render::tile_index(tile.tile.x0, tile.tile.y0, plan_.image.width_px, plan_.tile_px);
+    if (state_ != nullptr) state_->put(static_cast<std::uint32_t>(index), tile);
+    if (assembly_ != nullptr) assembly_->write(index, tile);
+    const std::scoped_lock lock(mutex_);
+    tiles_.done[index] = true;
+    sampling::add_reasons(tile.reasons, tiles_.reasons);
+  }
+
+ private:
+  const io::RunPlan& plan_;
+  TileAssembly* assembly_;
+  io::RunState* state_;
+  std::mutex mutex_;
+  io::TilesDone& tiles_;
+};
+
+void add_work(Progress& sum, const Progress& work) {
+  sum.pixels_done += work.pixels_done;
+  sum.pixels_converged += work.pixels_converged;
+  sum.rays += work.rays;
+  sum.worst_error_ratio = std::max(sum.worst_error_ratio, work.worst_error_ratio);
+}
+
+/// Hands the progress on, counted from the first start of the run, with what other ranks do now; and keeps the last of
+/// it without them for runs that end early.
+class LastProgress final : public ProgressSink {
+ public:
+  LastProgress(const Progress& before, ProgressSink* next, const cluster::TileServer* team)
+      : before_(before), last_(before), next_(next), team_(team), begin_(std::chrono::steady_clock::now()) {}
+  void report(const Progress& progress) override {
+    const std::scoped_lock lock(mutex_);
+    last_ = before_;
+    add_work(last_, progress);
+    look();
+  }
+  /// Where nothing new is known of this process.
+  void report_others() {
+    const std::scoped_lock lock(mutex_);
+    look();
+  }
+  const Progress& last() const { return last_; }
+
+ private:
+  void look() {
+    last_.elapsed_s =
+        before_.elapsed_s + std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    if (next_ == nullptr) return;
+    Progress all = last_;
+    if (team_ != nullptr) add_work(all, team_->others());
+    next_->report(all);
+  }
+
+  std::mutex mutex_;
+  Progress before_, last_;
+  ProgressSink* next_;
+  const cluster::TileServer* team_;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+/// One start of a run.
+class Run {
+ public:
+  Run(const Session& session, const RunRequest& request)
+      : parts_(session.parts()),
+        options_(request.options),
+        deadline_(request.deadline),
+        folder_(request.folder(session)),
+        team_(request.team),
+        goes_on_(request.start == RunStart::resume),
+        plan_(assemble_plan(parts_)) {
+    plan_.share = request.share;
+    if (request.keep_finished) require_refinable(parts_);
+    plan_.keeps_memory = request.keep_finished;
+    if (request.refine) plan_refinement(folder_, parts_, plan_);
+    if (request.start == RunStart::resume) resume_refinement(folder_, plan_);
+    if (!request.anyway) require_room(request);
+    if (!request.keep_tiles) return;
+    state_.emplace(folder_, plan_, request.start, options_.log);
+    plan_ = state_->plan();
+  }
+
+  /// Where the surroundings fail, the message says that nothing is lost.
+  RunResult go() {
+    try {
+      take_finished();
+      trace();
+      const int packs = state_ ? state_->close() : 0;
+      if (team_ != nullptr) state_->find(0, packs);
+      return finish();
+    } catch (const EnvironmentError& error) {
+      throw EnvironmentError(kept(error.what()));
+    } catch (const std::bad_alloc&) {
+      throw EnvironmentError(kept(memory_ran_out()));
+    }
+  }
+
+ private:
+  std::string kept(const std::string& what) const {
+    if (!state_ || (tiles_.count() == 0 && team_ == nullptr)) return what;
+    return format("{}\nFinished tiles are kept in {}: put this right and go on with --resume.", what,
+                  state_->path().string());
+  }
+
+  void take_finished() {
+    const std::vector<sampling::PixelRect> grid = plan_.grid();
+    tiles_.done.resize(grid.size());
+    for (std::size_t k = 0; k < grid.size(); ++k)
+      if (plan_.share.has(k)) totals_.pixels_total += grid[k].count();
+    if (plan_.share.is_whole()) products_.emplace(plan_, folder_, goes_on_);
+    if (state_ && products_) {
+      io::RunState::Cubes cubes;
+      cubes.read_values = [this](sampling::TileResult& tile, const auto& is_right) { return products_->read_values(tile, is_right); };
+      // What other ranks trace comes into the cubes at the end.
+      if (team_ == nullptr) cubes.lines_written = [this] { return products_->lines_written(); };
+      state_->use(std::move(cubes));
+    }
+    if (state_) count_finished();
+    assembly_.emplace(
+        plan_, tiles_.done, [this](std::size_t index, sampling::TileResult& tile) { return state_->read_tile(index, tile); },
+        products_ ? &*products_ : nullptr);
+  }
+
+  void count_finished() {
+    tiles_ = state_->read([](const sampling::TileResult&) {});
+    if (tiles_.count() > 0 && options_.log != nullptr)
+      options_.log->info(format("{}: {} of {} tiles are done already", folder_.string(), tiles_.count(),
+                                tiles_.done.size()));
+    totals_.pixels_done = tiles_.pixels;
+    totals_.pixels_converged = tiles_.converged;
+    totals_.rays = tiles_.rays;
+    totals_.worst_error_ratio = tiles_.worst_ratio;
+    totals_.elapsed_s = tiles_.elapsed_s;
+  }
+
+  std::vector<int> tiles_left() const {
+    std::vector<int> left;
+    for (std::size_t k = 0; k < tiles_.done.size(); ++k)
+      if (!tiles_.done[k] && plan_.share.has(k)) left.push_back(static_cast<int>(k));
+    return left;
+  }
+
+  /// What is known before the first ray.
+  void require_room(const RunRequest& request) const {
+    const int threads = team_ != nullptr ? team_->threads(options_.threads) : options_.threads;
+    const std::uint64_t disk =
+        (plan_.share.is_whole() ? io::product_bytes(plan_).all() : 0) + (request.keep_tiles ? io::state_bytes(plan_, team_ == nullptr) : 0);
+    const std::vector<std::string> lines = shortages(folder_, disk, least_memory_bytes(plan_, threads));
+    if (lines.empty()) return;
+    std::string message;
+    for (const std::string& line : lines) message += line + "\n";
+    throw EnvironmentError(message + "Nothing was begun. --anyway begins all the same; --dry-run says more.");
+  }
+
+  void trace() {
+    const std::vector<int> left = tiles_left();
+    if (left.empty()) return;
+    if (options_.progress != nullptr) options_.progress->phase("");
+    std::optional<TimeLimit::Clock::time_point> end = deadline_;
+    if (end && products_) {
+      const io::ProductBytes bytes = io::product_bytes(plan_);
+      *end -= std::chrono::duration_cast<TimeLimit::Clock::duration>(std::chrono::duration<double>(
+          kAssembly_s + static_cast<double>(bytes.cached) / kCached_bytes_per_s +
+          static_cast<double>(bytes.direct) / kDirect_bytes_per_s));
+    }
+    const std::unique_ptr<cluster::TileServer> server = team_ != nullptr ? begin_team(left, end) : nullptr;
+    const TimeLimit limit(end, server ? server->token() : options_.cancel);
+    LastProgress progress(totals_, options_.progress, server.get());
+    // What other ranks trace comes out of their packs at the end, and then all comes line by line.
+    KeepingSink sink(plan_, server ? nullptr : &*assembly_, state_ ? &*state_ : nullptr, tiles_);
+    render::RenderControl control;
+    control.threads = team_ != nullptr ? team_->threads(options_.threads) : options_.threads;
+    control.cancel = limit.token();
+    control.progress = &progress;
+    control.tile_order = left;
+    control.source = server ? static_cast<render::TileSource*>(server.get()) : &*assembly_;
+    bool stopped = false;
+    render::RenderJob job = parts_.job();
+    set_contents(plan_, job);
+    const std::unique_ptr<io::KeptTiles> earlier = open_kept(folder_, plan_, options_.log);
+    job.earlier = earlier.get();
+    try {
+      render::render_image(job, control, sink);
+    } catch (const Cancelled&) {
+      stopped = !limit.reached();
+      if (stopped && !server) throw;
+    }
+    std::map<int, cluster::Farewell> farewells;
+    if (server) farewells = server->finish([&] { progress.report_others(); });
+    if (stopped) throw Cancelled();
+    totals_ = progress.last();
+    for (const auto& [rank, farewell] : farewells) {
+      if (options_.log != nullptr)
+        for (const std::string& word : farewell.warnings) options_.log->warn(word);
+      take_from(rank, farewell.packs);
+    }
+    if (const std::size_t missing = tiles_left().size(); server && missing > 0 && !limit.reached())
+      throw EnvironmentError(format("{} tiles of other ranks cannot be read back", missing));
+  }
+
+  std::unique_ptr<cluster::TileServer> begin_team(const std::vector<int>& left,
+                                                  const std::optional<TimeLimit::Clock::time_point>& end) {
+    TeamRun run{plan_, folder_, state_->store_start(), std::nullopt};
+    if (end) run.seconds_left = std::chrono::duration<double>(*end - TimeLimit::Clock::now()).count();
+    return team_->begin(run, left, options_.cancel);
+  }
+
+  /// What another rank has written.
+  void take_from(int rank, int packs) {
+    const io::TilesDone tiles = state_->find(rank, packs);
+    for (std::size_t k = 0; k < tiles.done.size(); ++k) tiles_.done[k] = tiles_.done[k] || tiles.done[k];
+    sampling::add_counts(tiles.reasons, tiles_.reasons);
+    Progress work;
+    work.pixels_done = tiles.pixels;
+    work.pixels_converged = tiles.converged;
+    work.rays = tiles.rays;
+    work.worst_error_ratio = tiles.worst_ratio;
+    add_work(totals_, work);
+  }
+
+  RunResult finish() {
+    const std::size_t left = tiles_left().size();
+    RunResult result;
+    if (options_.progress != nullptr) options_.progress->phase("products");
+    if (products_) {
+      if (const std::size_t unread = assembly_->finish(tiles_.done, options_.threads, sampling::Reason::time); unread > 0)
+        throw EnvironmentError(format("{} tiles cannot be read back", unread));
+      result.summary = products_->finish(totals_, tiles_.reasons, options_.threads, kTimeLimit);
+    } else {
+      result.summary.folder = folder_;
+      result.summary.totals = totals_;
+      result.summary.accuracy_statement = accuracy_statement(plan_, totals_, tiles_.reasons, kTimeLimit);
+    }
+    result.tiles_done = tiles_.count();
+    result.tiles_left = left;
+    if (left == 0 && products_ && state_) {
+      if (plan_.keeps_memory)
+        state_->keep();
+      else
+        state_->remove();
+    }
+    return result;
+  }
+
+  const Parts& parts_;
+  const RunOptions& options_;
+  std::optional<TimeLimit::Clock::time_point> deadline_;
+  std::filesystem::path folder_;
+  Team* team_;
+  bool goes_on_;
+  io::RunPlan plan_;
+  std::optional<RunProducts> products_;  ///< none for a share of the tiles
+  std::optional<io::RunState> state_;    ///< its thread asks the products
+  std::optional<TileAssembly> assembly_;
+  io::TilesDone tiles_;
+  Progress totals_;
+};
+
+}  // namespace
+
+std::filesystem::path RunRequest::folder(const Session& session) const {
+  if (!options.output_folder.empty()) return options.output_folder;
+  const io::Document& document = session.parts().document;
+  std::filesystem::path folder = document.output.folder;
+  if (!share.is_whole()) folder += format(".{}-of-{}", share.number, share.count);
+  // It stands beside the document, perhaps in somebody's archive; a folder that the user gives may be a link.
+  io::refuse_links_below(std::filesystem::path(document.file_name).parent_path(), folder);
+  return folder;
+}
+
+RunResult render_run(const Session& session, const RunRequest& request) { return Run(session, request).go(); }
+
+RunSummary Session::render(const RunOptions& options) const {
+  RunRequest request;
+  request.options = options;
+  return render_run(*this, request).summary;
+}
+
+}  // namespace ifov::session

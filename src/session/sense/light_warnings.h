@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/run_control.h"
+#include "session/loaded/parts.h"
+
+namespace ifov::session {
+
+/// Says what light is left out of the picture and was not declared to be: a Sun or Moon below the horizon, no sky, black
+/// surroundings that the picture or its surfaces see, reflections beyond max_depth, surfaces without a temperature in
+/// thermal channels.
+void warn_of_light_left_out(const Parts& parts, LogSink& log);
+
+}  // namespace ifov::session

@@ -1,0 +1,98 @@
+#include "studies/atmosphere/atmosphere_study.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#include "core/error.h"
+#include "core/format.h"
+#include "studies/atmosphere/atmosphere_results.h"
+#include "studies/common/html_page.h"
+#include "studies/common/report_figures.h"
+#include "studies/common/study_document.h"
+
+namespace ifov::studies {
+namespace {
+
+constexpr int kEnoughTrials = 100;  // fewer are a quick look at fewer wavelengths and columns
+constexpr const char* kTitle = "Validation of the atmosphere";
+constexpr const char* kAbout =
+    "Made by `ifov study atmosphere --reference DIR`, where DIR holds the reference data; what is missing "
+    "there is not "
+    "measured. Theory: [the atmosphere](../theory/atmosphere.md) and [light in "
+    "it](../theory/atmosphere_scattering.md).";
+
+std::string cell(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
+  return out;
+}
+
+std::string markdown(const std::vector<AtmosphereSection>& sections) {
+  std::string out = format("# {}\n\n{}\n", kTitle, kAbout);
+  for (const AtmosphereSection& section : sections) {
+    out += format("\n## {}\n\n{}\n\n| what | found | must be | |\n|---|---|---|---|\n", section.title,
+                  section.text);
+    for (const Figure& f : section.figures.figures())
+      out += format("| {} | {} {} | {} | {} |\n", cell(f.meaning),
+                    std::isfinite(f.value) ? format("{:.3g}", f.value) : "-", cell(f.unit), cell(f.must),
+                    !f.ok   ? ""
+                    : *f.ok ? "yes"
+                            : "**no**");
+    for (const ReportPlot& plot : section.plots)
+      out += format("\n![{}](atmosphere_{}.svg)\n\n{}\n", plot.plot.title, plot.name, plot.caption);
+  }
+  return out;
+}
+
+std::string html(const std::vector<AtmosphereSection>& sections, ReportFigures& figures) {
+  std::string body;
+  for (const AtmosphereSection& section : sections) {
+    body += format("<h2>{}</h2>\n<p>{}</p>\n{}", html_text(section.title), html_text(section.text),
+                   section.figures.html());
+    for (const ReportPlot& plot : section.plots)
+      body += format("<figure>{}<figcaption>{}</figcaption></figure>\n", figures.add(plot.plot),
+                     html_text(plot.caption));
+  }
+  return html_page(kTitle, body);
+}
+
+std::filesystem::path reference_folder(const StudyOptions& options) {
+  if (!options.reference.empty()) return options.reference;
+  const char* given = std::getenv("IFOV_TRUTH");
+  return given != nullptr ? given : "";
+}
+
+}  // namespace
+
+StudyOutcome run_atmosphere_study(const StudyOptions& options) {
+  make_folder(options.output_folder);
+  make_folder(options.output_folder / "page");
+  const ReferenceData reference(reference_folder(options));
+  const AtmosphereOptions choices{reference, options, options.trials < kEnoughTrials};
+  std::vector<AtmosphereSection> sections;
+  for (const auto section :
+       {lowtran7_section, terms_section, scattering_section, solar_codes_section, thermal_codes_section,
+        broadband_section, nodes_section, rendered_section, sun_section, speed_section}) {
+    if (options.cancel != nullptr && options.cancel->cancelled()) throw Cancelled();
+    sections.push_back(section(choices));
+    if (options.log != nullptr) options.log->info(sections.back().title);
+  }
+  FigureTable all;
+  for (const AtmosphereSection& section : sections) all.append(section.figures);
+  StudyOutcome outcome{all.text(), {}, all.all_met()};
+  const auto keep = [&](const std::string& name, const std::string& content) {
+    write_file(options.output_folder / name, content);
+    outcome.files.push_back(options.output_folder / name);
+  };
+  keep("figures.json", all.json());
+  ReportFigures drawn;
+  keep("report.html", html(sections, drawn));
+  for (const auto& file : drawn.write(options.output_folder)) outcome.files.push_back(file);
+  keep("page/atmosphere.md", markdown(sections));
+  for (const AtmosphereSection& section : sections)
+    for (const ReportPlot& plot : section.plots)
+      keep(format("page/atmosphere_{}.svg", plot.name), draw(plot.plot).svg);
+  return outcome;
+}
+
+}  // namespace ifov::studies
