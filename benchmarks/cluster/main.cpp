@@ -85,36 +85,36 @@ void measure_costs(const std::string& file, const std::vector<int>& sizes) {
 
 constexpr int kRoundTrips = 1000, kBurst = 5000;
 
-cluster::Parcel ask() {
-  cluster::Parcel parcel;
-  parcel.put(1);
-  parcel.put(1);
-  parcel.put(Progress{});
-  parcel.put(std::vector<cluster::TileCost>{{0, 0.1}});
-  return parcel;
+cluster::Payload ask() {
+  cluster::Payload payload;
+  payload.put(1);
+  payload.put(1);
+  payload.put(Progress{});
+  payload.put(std::vector<cluster::TileCost>{{0, 0.1}});
+  return payload;
 }
 
-void wait_for_tiles(cluster::World& world) {
-  while (!world.poll()) {
+void wait_for_tiles(cluster::Communicator& communicator) {
+  while (!communicator.poll()) {
   }
 }
 
 /// The second rank's view. It looks for answers without a pause: what is found is the first rank's part and the way.
-void ask_for_tiles(cluster::World& world) {
+void ask_for_tiles(cluster::Communicator& communicator) {
   std::vector<double> trips;
   for (int k = 0; k < kRoundTrips; ++k) {
     // Asks come at any moment between two looks of the first rank.
     std::this_thread::sleep_for(std::chrono::microseconds(2000 + 37 * (k % 41)));
     const Clock::time_point begin = Clock::now();
-    world.send(0, cluster::Tag::ask, ask());
-    wait_for_tiles(world);
+    communicator.send(0, cluster::Tag::ask, ask());
+    wait_for_tiles(communicator);
     trips.push_back(since(begin));
   }
   const Clock::time_point begin = Clock::now();
   std::thread asking([&] {
-    for (int k = 0; k < kBurst; ++k) world.send(0, cluster::Tag::ask, ask());
+    for (int k = 0; k < kBurst; ++k) communicator.send(0, cluster::Tag::ask, ask());
   });
-  for (int k = 0; k < kBurst; ++k) wait_for_tiles(world);
+  for (int k = 0; k < kBurst; ++k) wait_for_tiles(communicator);
   asking.join();
   const double service_s = since(begin) / kBurst;
   std::sort(trips.begin(), trips.end());
@@ -125,19 +125,19 @@ void ask_for_tiles(cluster::World& world) {
       json.member("service_s", service_s);
     });
   });
-  cluster::Parcel farewell;
+  cluster::Payload farewell;
   put(farewell, {cluster::Fault::Kind::none, {}});
   farewell.put(0);
   farewell.put(std::vector<std::string>());
   farewell.put(Progress{});
-  world.send(0, cluster::Tag::farewell, farewell);
-  world.wait_for_end();
+  communicator.send(0, cluster::Tag::farewell, farewell);
+  communicator.wait_for_end();
 }
 
 int measure_messages() {
-  const std::unique_ptr<cluster::World> world = cluster::World::join();
-  if (!world) return std::fprintf(stderr, "start it with mpirun -n 2\n"), 1;
-  if (!world->leads()) return ask_for_tiles(*world), 0;
+  const std::unique_ptr<cluster::Communicator> communicator = cluster::Communicator::join();
+  if (!communicator) return std::fprintf(stderr, "start it with mpirun -n 2\n"), 1;
+  if (!communicator->leads()) return ask_for_tiles(*communicator), 0;
   std::vector<int> tiles(2 * (kRoundTrips + kBurst));
   std::iota(tiles.begin(), tiles.end(), 0);
   std::atomic<bool> done{false};
@@ -145,7 +145,7 @@ int measure_messages() {
     double sum = 0.0;
     while (!done) sum += std::sqrt(sum + 1.0);
   });
-  cluster::TileServer server(*world, cluster::TileSchedule(tiles, 100, 1), nullptr);
+  cluster::TileServer server(*communicator, cluster::TileSchedule(tiles, 100, 1), nullptr);
   server.finish([] {});
   done = true;
   tracing.join();

@@ -6,16 +6,16 @@
 namespace ifov::cli {
 namespace {
 
-std::unique_ptr<cluster::World>& world() {
-  static std::unique_ptr<cluster::World> joined;
+std::unique_ptr<cluster::Communicator>& communicator() {
+  static std::unique_ptr<cluster::Communicator> joined;
   return joined;
 }
 
 }  // namespace
 
-cluster::World* join_ranks() {
-  if (!world()) world() = cluster::World::join();
-  return world().get();
+cluster::Communicator* join_ranks() {
+  if (!communicator()) communicator() = cluster::Communicator::join();
+  return communicator().get();
 }
 
 StopNotice::StopNotice(const CancelToken& token, std::string message)
@@ -36,6 +36,6 @@ void StopNotice::watch(const CancelToken& token, const std::string& message) {
   if (token.cancelled()) complain(message);
 }
 
-void leave_ranks() { world().reset(); }
+void leave_ranks() { communicator().reset(); }
 
 }  // namespace ifov::cli

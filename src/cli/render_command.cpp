@@ -18,9 +18,9 @@
 #include "core/format.h"
 #include "io/document/document.h"
 #include "session/runs/forecast.h"
-#include "session/runs/helper.h"
+#include "session/runs/worker.h"
 #include "session/runs/run.h"
-#include "session/runs/team.h"
+#include "session/runs/coordinator.h"
 
 namespace ifov::cli {
 namespace {
@@ -90,26 +90,26 @@ ExitCode render(const RenderArguments& arguments) {
                     .strict = arguments.strict});
   const auto begin = std::chrono::steady_clock::now();
   CancelToken& cancel = cancel_on_interrupt();
-  cluster::World* const world = join_ranks();
-  if (world != nullptr && !world->leads()) {
-    session::help_run(*world, {.document = arguments.document,
+  cluster::Communicator* const communicator = join_ranks();
+  if (communicator != nullptr && !communicator->leads()) {
+    session::run_worker(*communicator, {.document = arguments.document,
                                .overrides = arguments.input.overrides(),
                                .threads = arguments.threads,
                                .scene_cache = !arguments.no_cache,
                                .cancel = &cancel});
     return ExitCode::ok;
   }
-  std::optional<session::Team> team;
+  std::optional<session::Coordinator> coordinator;
   std::optional<StopNotice> notice;
-  if (world != nullptr) {
+  if (communicator != nullptr) {
     refuse_what_ranks_cannot(arguments);
-    team.emplace(*world);
+    coordinator.emplace(*communicator);
     notice.emplace(cancel,
                    "ifov: stopped (Ctrl-C, or a rank ended: mpirun says which); unfinished products carry the ending "
                    ".part, and --resume goes on with what is finished");
   }
   std::optional<Patience> patience;  // mpirun ends ranks by itself
-  if (world == nullptr)
+  if (communicator == nullptr)
     patience.emplace(cancel, format("ifov: stopped on request; unfinished products carry the ending .part{}",
                                     arguments.no_state ? "" : ", and --resume goes on with what is finished"));
   const std::optional<std::chrono::steady_clock::time_point> deadline = deadline_of(arguments, begin);
@@ -123,11 +123,11 @@ ExitCode render(const RenderArguments& arguments) {
                                     .cancel = &cancel,
                                     .progress = &console};
     const session::Session session =
-        team ? team->load(document, &console, load) : session::Session::load(document, &console, load);
+        coordinator ? coordinator->load(document, &console, load) : session::Session::load(document, &console, load);
     if (arguments.strict) require_no_warnings(session.warnings().size());
     session::RunRequest request;
     session::RunOptions& options = request.options;
-    request.team = team ? &*team : nullptr;
+    request.coordinator = coordinator ? &*coordinator : nullptr;
     options.threads = arguments.threads;
     options.output_folder = arguments.output;
     request.deadline = deadline;
@@ -162,7 +162,7 @@ ExitCode render(const RenderArguments& arguments) {
     console.finish();
     console.info(format("ended: {}", stop.what()));
     notice.reset();
-    if (!team || !cancel.cancelled())
+    if (!coordinator || !cancel.cancelled())
       complain(format("ifov: {}; unfinished products carry the ending .part{}", stop.what(),
                       arguments.no_state ? "" : ", and --resume goes on with what is finished"));
     return ExitCode::stopped;

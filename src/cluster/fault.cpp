@@ -38,15 +38,15 @@ void raise(const Fault& fault, const std::string& rank) {
   }
 }
 
-void put(Parcel& parcel, const Fault& fault) {
-  parcel.put(fault.kind);
-  parcel.put(fault.text);
+void put(Payload& payload, const Fault& fault) {
+  payload.put(fault.kind);
+  payload.put(fault.text);
 }
 
-Fault take_fault(Parcel& parcel) {
+Fault take_fault(Payload& payload) {
   Fault fault;
-  fault.kind = parcel.take<Fault::Kind>();
-  fault.text = parcel.take<std::string>();
+  fault.kind = payload.take<Fault::Kind>();
+  fault.text = payload.take<std::string>();
   return fault;
 }
 

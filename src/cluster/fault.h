@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "cluster/parcel.h"
+#include "cluster/payload.h"
 
 namespace ifov::cluster {
 
@@ -22,7 +22,7 @@ Fault current_fault();
 /// node7").
 [[noreturn]] void raise(const Fault& fault, const std::string& rank);
 
-void put(Parcel& parcel, const Fault& fault);
-Fault take_fault(Parcel& parcel);
+void put(Payload& payload, const Fault& fault);
+Fault take_fault(Payload& payload);
 
 }  // namespace ifov::cluster

@@ -3,21 +3,21 @@
 #include <algorithm>
 #include <chrono>
 
-#include "cluster/nap.h"
+#include "cluster/backoff.h"
 
 namespace ifov::cluster {
 namespace {
 
 /// Between two looks for messages, where a thread waits for tiles; where more are on their way; and where only the end of
 /// the run may come.
-constexpr std::chrono::milliseconds kNapIdle{1}, kNapAsked{5}, kNapAtWork{20};
+constexpr std::chrono::milliseconds kBackoffIdle{1}, kBackoffAsked{5}, kBackoffAtWork{20};
 constexpr auto kReportEvery = std::chrono::milliseconds(500);
 constexpr int kReportOnly = -1;
 
 }  // namespace
 
-TileClient::TileClient(World& world, int threads, const CancelToken* user)
-    : world_(world), threads_(threads), user_(user), told_(Clock::now()), thread_([this] { work(); }) {}
+TileClient::TileClient(Communicator& communicator, int threads, const CancelToken* user)
+    : communicator_(communicator), threads_(threads), user_(user), told_(Clock::now()), thread_([this] { work(); }) {}
 
 TileClient::~TileClient() {
   {
@@ -62,12 +62,12 @@ bool TileClient::was_stopped() const {
 
 void TileClient::farewell(const Fault& fault, int packs, const std::vector<std::string>& warnings) {
   const std::lock_guard lock(mutex_);
-  Parcel parcel;
-  put(parcel, fault);
-  parcel.put(packs);
-  parcel.put(warnings);
-  parcel.put(progress_);
-  world_.send(0, Tag::farewell, parcel);
+  Payload payload;
+  put(payload, fault);
+  payload.put(packs);
+  payload.put(warnings);
+  payload.put(progress_);
+  communicator_.send(0, Tag::farewell, payload);
 }
 
 bool TileClient::wants_more() const {
@@ -76,10 +76,10 @@ bool TileClient::wants_more() const {
 
 void TileClient::work() {
   std::unique_lock lock(mutex_);
-  Nap nap;
+  Backoff backoff;
   while (!leaving_) {
     bool any = false;
-    while (std::optional<Message> message = world_.poll()) {
+    while (std::optional<Message> message = communicator_.poll()) {
       take(std::move(*message));
       any = true;
     }
@@ -94,9 +94,9 @@ void TileClient::work() {
     } else if (!no_more_ && Clock::now() - told_ > kReportEvery) {
       ask(kReportOnly);
     }
-    if (any) nap.restart();
+    if (any) backoff.restart();
     const int idle = idle_;
-    wake_.wait_for(lock, nap.next(idle > 0 ? kNapIdle : asked_ ? kNapAsked : kNapAtWork),
+    wake_.wait_for(lock, backoff.next(idle > 0 ? kBackoffIdle : asked_ ? kBackoffAsked : kBackoffAtWork),
                    [&] { return leaving_ || wants_more() || idle_ > idle; });
   }
 }
@@ -104,7 +104,7 @@ void TileClient::work() {
 void TileClient::take(Message message) {
   switch (message.tag) {
     case Tag::tiles: {
-      const auto tiles = message.parcel.take<std::vector<int>>();
+      const auto tiles = message.payload.take<std::vector<int>>();
       tiles_.insert(tiles_.end(), tiles.begin(), tiles.end());
       low_water_ = tiles.size() / 2;
       only_when_idle_ = tiles.empty();
@@ -119,14 +119,14 @@ void TileClient::take(Message message) {
 }
 
 void TileClient::ask(int idle) {
-  Parcel parcel;
-  parcel.put(idle);
-  parcel.put(threads_);
-  parcel.put(progress_);
-  parcel.put(finished_);
+  Payload payload;
+  payload.put(idle);
+  payload.put(threads_);
+  payload.put(progress_);
+  payload.put(finished_);
   finished_.clear();
   told_ = Clock::now();
-  world_.send(0, Tag::ask, parcel);
+  communicator_.send(0, Tag::ask, payload);
 }
 
 }  // namespace ifov::cluster

@@ -11,7 +11,7 @@
 
 #include "cluster/fault.h"
 #include "cluster/tile_schedule.h"
-#include "cluster/world.h"
+#include "cluster/communicator.h"
 #include "core/run_control.h"
 #include "render/tile_source.h"
 
@@ -21,7 +21,7 @@ namespace ifov::cluster {
 class TileClient final : public render::TileSource, public ProgressSink {
  public:
   /// `user` may be null.
-  TileClient(World& world, int threads, const CancelToken* user);
+  TileClient(Communicator& communicator, int threads, const CancelToken* user);
   ~TileClient() override;
   TileClient(const TileClient&) = delete;
   TileClient& operator=(const TileClient&) = delete;
@@ -46,7 +46,7 @@ class TileClient final : public render::TileSource, public ProgressSink {
   void take(Message message);
   void ask(int idle);
 
-  World& world_;
+  Communicator& communicator_;
   int threads_;
   const CancelToken* user_;
   CancelToken token_;

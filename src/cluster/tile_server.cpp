@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "cluster/nap.h"
+#include "cluster/backoff.h"
 #include "core/error.h"
 
 namespace ifov::cluster {
@@ -12,7 +12,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// A rank that has nothing to do waits for half of this, once for a tile that takes many times as long.
-constexpr std::chrono::milliseconds kLongestNap{5};
+constexpr std::chrono::milliseconds kLongestBackoff{5};
 /// A launcher that ends a run kills who has not left within a second.
 constexpr auto kPatience = std::chrono::milliseconds(500);
 
@@ -20,8 +20,8 @@ double now_s() { return std::chrono::duration<double>(Clock::now().time_since_ep
 
 }  // namespace
 
-TileServer::TileServer(World& world, TileSchedule schedule, const CancelToken* user)
-    : world_(world), user_(user), schedule_(std::move(schedule)), thread_([this] { serve(); }) {}
+TileServer::TileServer(Communicator& communicator, TileSchedule schedule, const CancelToken* user)
+    : communicator_(communicator), user_(user), schedule_(std::move(schedule)), thread_([this] { serve(); }) {}
 
 TileServer::~TileServer() {
   std::unique_lock lock(mutex_);
@@ -71,36 +71,36 @@ std::map<int, Farewell> TileServer::finish(const std::function<void()>& look) {
     lock.lock();
   }
   if (user_ != nullptr && user_->cancelled()) throw Cancelled();
-  if (failed_) raise(farewells_[*failed_].fault, world_.name(*failed_));
+  if (failed_) raise(farewells_[*failed_].fault, communicator_.name(*failed_));
   return farewells_;
 }
 
 void TileServer::serve() {
-  Nap nap;
+  Backoff backoff;
   std::unique_lock lock(mutex_);
   while (!leaving_) {
     lock.unlock();
     bool any = false;
-    while (std::optional<Message> message = world_.poll()) {
+    while (std::optional<Message> message = communicator_.poll()) {
       answer(std::move(*message));
       any = true;
     }
     lock.lock();
     if (user_ != nullptr && user_->cancelled()) stop_all();
-    if (any) nap.restart();
-    if (!leaving_) wake_.wait_for(lock, nap.next(kLongestNap), [&] { return leaving_; });
+    if (any) backoff.restart();
+    if (!leaving_) wake_.wait_for(lock, backoff.next(kLongestBackoff), [&] { return leaving_; });
   }
 }
 
 void TileServer::answer(Message message) {
   const std::unique_lock lock(mutex_);
-  Parcel& parcel = message.parcel;
+  Payload& payload = message.payload;
   if (message.tag == Tag::farewell) {
     Farewell farewell;
-    farewell.fault = take_fault(parcel);
-    farewell.packs = parcel.take<int>();
-    farewell.warnings = parcel.take<std::vector<std::string>>();
-    progress_[message.rank] = parcel.take<Progress>();
+    farewell.fault = take_fault(payload);
+    farewell.packs = payload.take<int>();
+    farewell.warnings = payload.take<std::vector<std::string>>();
+    progress_[message.rank] = payload.take<Progress>();
     farewells_[message.rank] = farewell;
     if (farewell.fault) {
       if (!failed_ && !stopped_) failed_ = message.rank;
@@ -110,17 +110,17 @@ void TileServer::answer(Message message) {
     return;
   }
   if (message.tag != Tag::ask) return;
-  const int idle = parcel.take<int>(), threads = parcel.take<int>();
-  progress_[message.rank] = parcel.take<Progress>();
-  for (const TileCost& cost : parcel.take<std::vector<TileCost>>()) schedule_.finished(cost);
+  const int idle = payload.take<int>(), threads = payload.take<int>();
+  progress_[message.rank] = payload.take<Progress>();
+  for (const TileCost& cost : payload.take<std::vector<TileCost>>()) schedule_.finished(cost);
   if (idle < 0) return;  // a report, and no more
   if (stopped_ || schedule_.left() == 0) {
-    world_.send(message.rank, Tag::no_more, {});
+    communicator_.send(message.rank, Tag::no_more, {});
     return;
   }
-  Parcel tiles;
+  Payload tiles;
   tiles.put(schedule_.take(idle, threads));
-  world_.send(message.rank, Tag::tiles, tiles);
+  communicator_.send(message.rank, Tag::tiles, tiles);
 }
 
 void TileServer::stop_all() {
@@ -128,11 +128,11 @@ void TileServer::stop_all() {
   stopped_ = true;
   token_.cancel();
   std::vector<int> at_work;
-  for (int rank = 1; rank < world_.size(); ++rank)
+  for (int rank = 1; rank < communicator_.size(); ++rank)
     if (!farewells_.contains(rank)) at_work.push_back(rank);
-  world_.send_all(at_work, Tag::stop, {});
+  communicator_.send_all(at_work, Tag::stop, {});
 }
 
-bool TileServer::all_gone() const { return farewells_.size() + 1 == static_cast<std::size_t>(world_.size()); }
+bool TileServer::all_gone() const { return farewells_.size() + 1 == static_cast<std::size_t>(communicator_.size()); }
 
 }  // namespace ifov::cluster

@@ -10,7 +10,7 @@
 
 #include "cluster/fault.h"
 #include "cluster/tile_schedule.h"
-#include "cluster/world.h"
+#include "cluster/communicator.h"
 #include "core/run_control.h"
 #include "render/tile_source.h"
 
@@ -28,7 +28,7 @@ struct Farewell {
 class TileServer final : public render::TileSource {
  public:
   /// `user` may be null.
-  TileServer(World& world, TileSchedule schedule, const CancelToken* user);
+  TileServer(Communicator& communicator, TileSchedule schedule, const CancelToken* user);
   /// Stops the others where finish() was not called.
   ~TileServer() override;
   TileServer(const TileServer&) = delete;
@@ -52,7 +52,7 @@ class TileServer final : public render::TileSource {
   void stop_all();
   bool all_gone() const;
 
-  World& world_;
+  Communicator& communicator_;
   const CancelToken* user_;
   CancelToken token_;
   mutable std::mutex mutex_;

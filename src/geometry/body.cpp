@@ -51,7 +51,7 @@ void settle_bounds(Body& body) {
     for (const std::uint32_t i : t) include(body.mesh.vertices_m[i], body.mesh.vertices_m[i]);
 
   body.centre_m = b.low_m + (b.high_m - b.low_m) * 0.5;
-  if (body.analytic.size() == 1 && body.mesh.triangles.empty() && body.analytic[0].kind == UnitKind::dome)
+  if (body.analytic.size() == 1 && body.mesh.triangles.empty() && body.analytic[0].kind == UnitKind::hemisphere)
     body.centre_m = body.analytic[0].unit_from_object.inverse().origin_m();
   body.radius_m = 0.0;
   for (const UnitPrimitive& p : body.analytic)
@@ -98,7 +98,7 @@ Body make(const Hemisphere& dome) {
   const double r = dome.radius_m;
   // A ray towards a point below the shell meets the shell from above, from the sides and through the open
   // floor.
-  return analytic_body(UnitKind::dome, scaled_about(dome.centre_m, {r, r, r}), {0.0, 0.0, 0.5}, false);
+  return analytic_body(UnitKind::hemisphere, scaled_about(dome.centre_m, {r, r, r}), {0.0, 0.0, 0.5}, false);
 }
 
 Body make(const Cylinder& cylinder) {
@@ -107,8 +107,8 @@ Body make(const Cylinder& cylinder) {
   require_size("the height of a cylinder", cylinder.height_m);
   const Transform map =
       scaled_about(cylinder.base_m, {cylinder.radius_m, cylinder.radius_m, cylinder.height_m});
-  if (cylinder.capped) return analytic_body(UnitKind::can, map, {0.0, 0.0, 0.5}, true);
-  return analytic_body(UnitKind::tube, map, {1.0, 0.0, 0.5}, false);
+  if (cylinder.capped) return analytic_body(UnitKind::cylinder, map, {0.0, 0.0, 0.5}, true);
+  return analytic_body(UnitKind::open_cylinder, map, {1.0, 0.0, 0.5}, false);
 }
 
 Body make(const Disk& disk) {

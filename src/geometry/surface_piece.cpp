@@ -16,12 +16,12 @@ double area_m2(const SurfacePiece& piece) {
       return parallelogram;
     case PieceKind::disk:
       return std::numbers::pi * parallelogram;
-    case PieceKind::tube:
+    case PieceKind::open_cylinder:
       return std::numbers::pi * (math::length(map.column_x()) + math::length(map.column_y())) *
              math::length(map.column_z());
     case PieceKind::ball:
       return 4.0 * std::numbers::pi * stretch * stretch;
-    case PieceKind::dome:
+    case PieceKind::hemisphere:
       return 2.0 * std::numbers::pi * stretch * stretch;
   }
   return 0.0;

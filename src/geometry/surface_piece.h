@@ -13,9 +13,9 @@ enum class PieceKind : std::uint8_t {
   triangle,       ///< corners at the origin, x = 1 and y = 1
   parallelogram,  ///< the unit square in x and y from the origin
   disk,           ///< x^2 + y^2 <= 1, z = 0
-  tube,           ///< x^2 + y^2 = 1, 0 <= z <= 1, open
+  open_cylinder,  ///< x^2 + y^2 = 1, 0 <= z <= 1, open
   ball,           ///< radius 1 about the origin
-  dome            ///< the half of that sphere with z >= 0
+  hemisphere      ///< the half of that sphere with z >= 0
 };
 
 /// A part of the surface of a placed object, small enough to send rays at. A ray that meets it gets a SurfacePoint with

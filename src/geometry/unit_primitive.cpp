@@ -87,13 +87,13 @@ UnitHit intersect_unit(UnitKind kind, Point3 p, Vec3 d, double t_min, double t_m
     case UnitKind::box:
       return intersect_box(p, d, t_min, t_max);
     case UnitKind::sphere:
-    case UnitKind::dome:
+    case UnitKind::hemisphere:
       for (const double t : round_crossings(p, d, true).t)
         if (t > t_min && t < t_max && (kind == UnitKind::sphere || p.z + t * d.z >= 0.0)) return {t, 0};
       return {};
-    case UnitKind::tube:
-    case UnitKind::can:
-      return intersect_cylinder(p, d, t_min, t_max, kind == UnitKind::can);
+    case UnitKind::open_cylinder:
+    case UnitKind::cylinder:
+      return intersect_cylinder(p, d, t_min, t_max, kind == UnitKind::cylinder);
     case UnitKind::disk: {
       if (d.z == 0.0) return {};
       const double t = -p.z / d.z;
@@ -112,10 +112,10 @@ Normal3 unit_normal(UnitKind kind, std::uint32_t face, Point3 p) {
       return {face / 2 == 0 ? side : 0.0, face / 2 == 1 ? side : 0.0, face / 2 == 2 ? side : 0.0};
     }
     case UnitKind::sphere:
-    case UnitKind::dome:
+    case UnitKind::hemisphere:
       return math::as_normal(math::normalized({p.x, p.y, p.z}));
-    case UnitKind::tube:
-    case UnitKind::can:
+    case UnitKind::open_cylinder:
+    case UnitKind::cylinder:
       if (face == 0) return math::as_normal(math::normalized({p.x, p.y, 0.0}));
       return {0.0, 0.0, face == 1 ? -1.0 : 1.0};
     case UnitKind::disk:
@@ -135,10 +135,10 @@ Uv unit_uv(UnitKind kind, std::uint32_t face, Point3 p) {
       return {half(face / 2 == 0 ? p.y : p.x), half(face / 2 == 2 ? p.y : p.z)};
     case UnitKind::sphere:
       return {turn(), 0.5 + std::asin(std::clamp(p.z, -1.0, 1.0)) / std::numbers::pi};
-    case UnitKind::dome:
+    case UnitKind::hemisphere:
       return {turn(), 2.0 * std::asin(std::clamp(p.z, 0.0, 1.0)) / std::numbers::pi};
-    case UnitKind::tube:
-    case UnitKind::can:
+    case UnitKind::open_cylinder:
+    case UnitKind::cylinder:
       if (face == 0) return {turn(), std::clamp(p.z, 0.0, 1.0)};
       return {half(p.x), half(p.y)};
     case UnitKind::disk:
@@ -148,7 +148,7 @@ Uv unit_uv(UnitKind kind, std::uint32_t face, Point3 p) {
 }
 
 std::uint32_t unit_face_count(UnitKind kind) {
-  return kind == UnitKind::box ? 6 : kind == UnitKind::can ? 3 : 1;
+  return kind == UnitKind::box ? 6 : kind == UnitKind::cylinder ? 3 : 1;
 }
 
 World::Bounds unit_bounds(UnitKind kind, const math::Transform& object_from_unit) {
@@ -166,11 +166,11 @@ World::Bounds unit_bounds(UnitKind kind, const math::Transform& object_from_unit
       case UnitKind::sphere:
         low[i] = o - ball, high[i] = o + ball;
         break;
-      case UnitKind::dome:
+      case UnitKind::hemisphere:
         low[i] = o - (rise < 0.0 ? ball : disc), high[i] = o + (rise > 0.0 ? ball : disc);
         break;
-      case UnitKind::tube:
-      case UnitKind::can:
+      case UnitKind::open_cylinder:
+      case UnitKind::cylinder:
         low[i] = o + std::min(0.0, rise) - disc, high[i] = o + std::max(0.0, rise) + disc;
         break;
       case UnitKind::disk:
@@ -204,10 +204,10 @@ double unit_reach_m(UnitKind kind, const math::Transform& object_from_unit, Poin
       return reach;
     }
     case UnitKind::sphere:
-    case UnitKind::dome:
+    case UnitKind::hemisphere:
       return ball();
-    case UnitKind::tube:
-    case UnitKind::can:
+    case UnitKind::open_cylinder:
+    case UnitKind::cylinder:
       return std::max(rim(w), rim(w + z));
     case UnitKind::disk:
       return rim(w);

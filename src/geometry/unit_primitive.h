@@ -11,12 +11,12 @@ namespace ifov::geometry {
 
 /// The analytic shapes, each in the frame where it is simplest.
 enum class UnitKind : std::uint8_t {
-  box,     ///< [-1, 1] cubed, solid; faces 0 to 5 for -x, +x, -y, +y, -z, +z
-  sphere,  ///< radius 1 about the origin
-  dome,    ///< the half of that sphere with z >= 0
-  tube,    ///< x^2 + y^2 = 1, 0 <= z <= 1, open at both ends
-  can,     ///< the tube with its ends; faces: 0 side, 1 lower end, 2 upper end
-  disk     ///< z = 0, x^2 + y^2 <= 1, outside is +z
+  box,            ///< [-1, 1] cubed, solid; faces 0 to 5 for -x, +x, -y, +y, -z, +z
+  sphere,         ///< radius 1 about the origin
+  hemisphere,     ///< the half of that sphere with z >= 0
+  open_cylinder,  ///< x^2 + y^2 = 1, 0 <= z <= 1, open at both ends
+  cylinder,       ///< the same with its ends; faces: 0 side, 1 lower end, 2 upper end
+  disk            ///< z = 0, x^2 + y^2 <= 1, outside is +z
 };
 
 /// An analytic shape as it lies in an object: the affine map carries position, size and unequal scale.
@@ -41,8 +41,8 @@ Uv unit_uv(UnitKind kind, std::uint32_t face, math::Point3 p);
 
 std::uint32_t unit_face_count(UnitKind kind);
 constexpr bool is_round(UnitKind kind, std::uint32_t face) {
-  return kind == UnitKind::sphere || kind == UnitKind::dome || kind == UnitKind::tube ||
-         (kind == UnitKind::can && face == 0);
+  return kind == UnitKind::sphere || kind == UnitKind::hemisphere || kind == UnitKind::open_cylinder ||
+         (kind == UnitKind::cylinder && face == 0);
 }
 
 /// Axis-aligned bounds of the shape seen from the object, and a bound on its distance from a point.

@@ -62,7 +62,7 @@ void GlintSearch::search(const geometry::SurfaceSurvey::Round& round, std::uint6
     at = map(unit);
     out = map(math::as_normal(normal)).as_vector();
   };
-  if (round.kind == UnitKind::tube || round.kind == UnitKind::can) {
+  if (round.kind == UnitKind::open_cylinder || round.kind == UnitKind::cylinder) {
     const Surface side = [&](double u, double v, Point3& at, Vec3& normal) {
       const double turn = 2.0 * std::numbers::pi * u;
       place({std::cos(turn), std::sin(turn), v}, {std::cos(turn), std::sin(turn), 0.0}, at, normal);
@@ -74,7 +74,7 @@ void GlintSearch::search(const geometry::SurfaceSurvey::Round& round, std::uint6
   for (int face = 0; face < 6; ++face) {
     const int axis = face % 3;
     const double side = face < 3 ? 1.0 : -1.0;
-    const bool half = round.kind == UnitKind::dome;
+    const bool half = round.kind == UnitKind::hemisphere;
     if (half && axis == 2 && side < 0.0) continue;
     const Surface part = [&, axis, side](double u, double v, Point3& at, Vec3& normal) {
       // Of the side faces v runs upwards.

@@ -70,7 +70,7 @@ EmitterShape::EmitterShape(const geometry::SurfacePiece& piece, bool closed)
       centre_m_ = map(Point3{0.5, 0.5, 0.0});
       radius_m_ = 0.5 * std::max(math::length(x + y), math::length(x - y));
       break;
-    case Kind::tube:
+    case Kind::open_cylinder:
       centre_m_ = map(Point3{0.0, 0.0, 0.5});
       radius_m_ = 0.5 * c + std::hypot(a, b);
       break;
@@ -84,7 +84,7 @@ EmitterShape::EmitterShape(const geometry::SurfacePiece& piece, bool closed)
   if (flat_) normal_ = math::length(across) > 0.0 ? math::normalized(across) : Vec3{0.0, 0.0, 1.0};
   const double skew = std::max({std::abs(math::dot(x, y)), std::abs(math::dot(y, z)), std::abs(math::dot(z, x))});
   scale_ = std::max({a, b, c});
-  round_ = (kind_ == Kind::ball || kind_ == Kind::dome) && skew < 1e-9 * scale_ * scale_ &&
+  round_ = (kind_ == Kind::ball || kind_ == Kind::hemisphere) && skew < 1e-9 * scale_ * scale_ &&
            std::min({a, b, c}) > (1.0 - 1e-9) * scale_;
   if (round_) radius_m_ = scale_;
 }
@@ -106,7 +106,7 @@ bool EmitterShape::far(const Receiver& receiver) const {
 }
 
 double EmitterShape::reach_sr(const Receiver& receiver) const {
-  if (kind_ == Kind::ball || kind_ == Kind::dome) return reach_of_ball(receiver);
+  if (kind_ == Kind::ball || kind_ == Kind::hemisphere) return reach_of_ball(receiver);
   const double hiding = self_hiding(receiver.at_m);
   if (!straight() || far(receiver)) return hiding * reach_by_area(receiver);
   return hiding * sampling::ProjectedPolygon(corners_of(kind_, scene_from_unit_, receiver.at_m), receiver.normal)
@@ -127,8 +127,8 @@ double EmitterShape::by_area(const Receiver& receiver, Vec3 direction) const {
 }
 
 AimedDirection EmitterShape::aim(const Receiver& receiver, Point2 u) const {
-  if (kind_ == Kind::ball || kind_ == Kind::dome) return aim_at_ball(receiver, u);
-  if (kind_ == Kind::tube) return aim_at_tube(receiver, u);
+  if (kind_ == Kind::ball || kind_ == Kind::hemisphere) return aim_at_ball(receiver, u);
+  if (kind_ == Kind::open_cylinder) return aim_at_cylinder(receiver, u);
   AimedDirection aimed;
   if (straight() && !far(receiver)) {
     const sampling::ProjectedPolygon seen(corners_of(kind_, scene_from_unit_, receiver.at_m), receiver.normal);
@@ -148,8 +148,8 @@ AimedDirection EmitterShape::aim(const Receiver& receiver, Point2 u) const {
 }
 
 double EmitterShape::density(const Receiver& receiver, Vec3 direction, double distance_m) const {
-  if (kind_ == Kind::ball || kind_ == Kind::dome) return density_of_ball(receiver, direction);
-  if (kind_ == Kind::tube) return density_of_tube(receiver, direction, distance_m);
+  if (kind_ == Kind::ball || kind_ == Kind::hemisphere) return density_of_ball(receiver, direction);
+  if (kind_ == Kind::open_cylinder) return density_of_cylinder(receiver, direction, distance_m);
   if (!straight() || far(receiver)) return by_area(receiver, direction);
   const double area =
       sampling::ProjectedPolygon(corners_of(kind_, scene_from_unit_, receiver.at_m), receiver.normal)
@@ -233,7 +233,7 @@ Vec3 tube_area(const math::Transform& map, double azimuth) {
 
 }  // namespace
 
-AimedDirection EmitterShape::aim_at_tube(const Receiver& receiver, Point2 u) const {
+AimedDirection EmitterShape::aim_at_cylinder(const Receiver& receiver, Point2 u) const {
   const FacingAzimuths facing(unit_from_scene_(receiver.at_m));
   const double azimuth = facing.middle + (2.0 * u.x - 1.0) * facing.half;
   const Vec3 to = scene_from_unit_(Point3{std::cos(azimuth), std::sin(azimuth), u.y}) - receiver.at_m;
@@ -247,7 +247,7 @@ AimedDirection EmitterShape::aim_at_tube(const Receiver& receiver, Point2 u) con
   return aimed;
 }
 
-double EmitterShape::density_of_tube(const Receiver& receiver, Vec3 direction, double distance_m) const {
+double EmitterShape::density_of_cylinder(const Receiver& receiver, Vec3 direction, double distance_m) const {
   const FacingAzimuths facing(unit_from_scene_(receiver.at_m));
   const Point3 met = unit_from_scene_(receiver.at_m + direction * distance_m);
   const double azimuth = std::atan2(met.y, met.x);

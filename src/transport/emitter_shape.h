@@ -57,8 +57,8 @@ class EmitterShape {
   double reach_by_area(const Receiver& receiver) const;
   AimedDirection aim_at_ball(const Receiver& receiver, sampling::Point2 u) const;
   double density_of_ball(const Receiver& receiver, math::Vec3 direction) const;
-  AimedDirection aim_at_tube(const Receiver& receiver, sampling::Point2 u) const;
-  double density_of_tube(const Receiver& receiver, math::Vec3 direction, double distance_m) const;
+  AimedDirection aim_at_cylinder(const Receiver& receiver, sampling::Point2 u) const;
+  double density_of_cylinder(const Receiver& receiver, math::Vec3 direction, double distance_m) const;
 
   Kind kind_;
   bool closed_, solid_, flat_ = false, round_ = false;

@@ -39,7 +39,7 @@ std::vector<Look> looks_at(PieceKind kind) {
       for (const double x : {-0.5, 0.0, 0.5})
         for (const double y : {-0.5, 0.0, 0.5}) looks.push_back({{x, y, 0.0}, down});
       return looks;
-    case PieceKind::tube:
+    case PieceKind::open_cylinder:
       for (int k = 0; k < 8; ++k) {
         const double x = std::cos(0.785398 * k), y = std::sin(0.785398 * k);
         looks.push_back({{x, y, 0.25 + 0.5 * (k % 2)}, {-x, -y, 0.0}});
@@ -47,7 +47,7 @@ std::vector<Look> looks_at(PieceKind kind) {
       return looks;
     default:
       for (int k = 0; k < 12; ++k) {
-        const double z = kind == PieceKind::dome ? 0.1 + 0.4 * (k / 6) : -0.6 + 0.6 * (k / 4);
+        const double z = kind == PieceKind::hemisphere ? 0.1 + 0.4 * (k / 6) : -0.6 + 0.6 * (k / 4);
         const double r = std::sqrt(1.0 - z * z), x = r * std::cos(2.4 * k), y = r * std::sin(2.4 * k);
         looks.push_back({{x, y, z}, {-x, -y, -z}});
       }

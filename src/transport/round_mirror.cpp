@@ -45,10 +45,10 @@ std::optional<RoundMirror> RoundMirror::of(const geometry::SurfaceSurvey::Round&
   const auto square = [&](Vec3 a, Vec3 b) { return std::abs(dot(a, b)) <= kRound * length(a) * length(b); };
   if (!(radius > 0.0) || !equal(length(y), radius) || !square(x, y) || !square(x, z) || !square(y, z)) return {};
   RoundMirror mirror;
-  mirror.cylinder_ = round.kind == geometry::UnitKind::tube || round.kind == geometry::UnitKind::can;
+  mirror.cylinder_ = round.kind == geometry::UnitKind::open_cylinder || round.kind == geometry::UnitKind::cylinder;
   if (!mirror.cylinder_ && !equal(length(z), radius)) return {};
-  mirror.half_ = round.kind == geometry::UnitKind::dome;
-  mirror.hollow_ = mirror.half_ || round.kind == geometry::UnitKind::tube;
+  mirror.half_ = round.kind == geometry::UnitKind::hemisphere;
+  mirror.hollow_ = mirror.half_ || round.kind == geometry::UnitKind::open_cylinder;
   mirror.centre_m_ = round.scene_from_unit.origin_m();
   mirror.radius_m_ = radius;
   mirror.length_m_ = length(z);

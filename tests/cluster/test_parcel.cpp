@@ -1,4 +1,4 @@
-#include "cluster/parcel.h"
+#include "cluster/payload.h"
 
 #include <gtest/gtest.h>
 
@@ -8,13 +8,13 @@
 namespace ifov::cluster {
 namespace {
 
-TEST(Parcel, GivesBackWhatWasPutIn) {
-  Parcel out;
+TEST(Payload, GivesBackWhatWasPutIn) {
+  Payload out;
   out.put(7);
   out.put(std::string("scene.out"));
   out.put(std::vector<double>{1.5, -2.0});
   put(out, {Fault::Kind::environment, "the disk is full"});
-  Parcel in(out.bytes());
+  Payload in(out.bytes());
   EXPECT_EQ(in.take<int>(), 7);
   EXPECT_EQ(in.take<std::string>(), "scene.out");
   EXPECT_EQ(in.take<std::vector<double>>(), (std::vector<double>{1.5, -2.0}));

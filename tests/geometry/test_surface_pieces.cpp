@@ -20,8 +20,8 @@ using math::Vec3;
 void middle_of(PieceKind kind, Point3& at, Vec3& inwards) {
   inwards = {0.0, 0.0, -1.0};
   at = {0.3, 0.25, 0.0};
-  if (kind == PieceKind::tube) at = {0.6, 0.8, 0.4}, inwards = {-0.6, -0.8, 0.0};
-  if (kind == PieceKind::ball || kind == PieceKind::dome) at = {0.48, 0.64, 0.6}, inwards = {-0.48, -0.64, -0.6};
+  if (kind == PieceKind::open_cylinder) at = {0.6, 0.8, 0.4}, inwards = {-0.6, -0.8, 0.0};
+  if (kind == PieceKind::ball || kind == PieceKind::hemisphere) at = {0.48, 0.64, 0.6}, inwards = {-0.48, -0.64, -0.6};
 }
 
 struct Told {

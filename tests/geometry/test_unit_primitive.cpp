@@ -13,8 +13,8 @@ using math::Point3;
 using math::Transform;
 using math::Vec3;
 
-constexpr UnitKind kKinds[] = {UnitKind::box,  UnitKind::sphere, UnitKind::dome,
-                               UnitKind::tube, UnitKind::can,    UnitKind::disk};
+constexpr UnitKind kKinds[] = {UnitKind::box,  UnitKind::sphere, UnitKind::hemisphere,
+                               UnitKind::open_cylinder, UnitKind::cylinder,    UnitKind::disk};
 
 /// How far a point lies off the surface of the kind, as its implicit equation says.
 double off_surface(UnitKind kind, Point3 p) {
@@ -24,11 +24,11 @@ double off_surface(UnitKind kind, Point3 p) {
       return std::abs(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) - 1.0);
     case UnitKind::sphere:
       return std::abs(std::hypot(r, p.z) - 1.0);
-    case UnitKind::dome:
+    case UnitKind::hemisphere:
       return std::max(std::abs(std::hypot(r, p.z) - 1.0), -p.z);
-    case UnitKind::tube:
+    case UnitKind::open_cylinder:
       return std::max({std::abs(r - 1.0), -p.z, p.z - 1.0});
-    case UnitKind::can:
+    case UnitKind::cylinder:
       return std::min(std::max({std::abs(r - 1.0), -p.z, p.z - 1.0}),
                       std::max(std::min(std::abs(p.z), std::abs(p.z - 1.0)), r - 1.0));
     case UnitKind::disk:

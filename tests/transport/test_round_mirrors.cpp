@@ -58,7 +58,7 @@ TEST(RoundMirror, ImagesObeyTheLawOfReflection) {
   Draws draws;
   int spheres = 0, cylinders = 0;
   for (int trial = 0; trial < 20000; ++trial) {
-    const UnitKind kind = trial % 2 == 0 ? UnitKind::sphere : UnitKind::can;
+    const UnitKind kind = trial % 2 == 0 ? UnitKind::sphere : UnitKind::cylinder;
     const double radius = draws.between(0.1, 2.0), length_m = kind == UnitKind::sphere ? radius : draws.between(0.5, 9.0);
     const Transform map = placed(draws, radius, length_m), unit = map.inverse();
     const auto mirror = RoundMirror::of({kind, map, 5, {}});
@@ -105,17 +105,17 @@ TEST(RoundMirror, EndsAreMindedAndStretchedShapesAreNot) {
   const Transform one;
   const Vec3 sun{0.0, 0.0, 1.0};
   // Light that falls along a column misses its side; from beside and below the ray would leave at the upper end.
-  EXPECT_FALSE(RoundMirror::of({UnitKind::tube, one, 0, {}})->image({3.0, 0.0, 0.5}, sun));
-  const auto tall = RoundMirror::of({UnitKind::tube, Transform::scaling({1.0, 1.0, 9.0}), 0, {}});
+  EXPECT_FALSE(RoundMirror::of({UnitKind::open_cylinder, one, 0, {}})->image({3.0, 0.0, 0.5}, sun));
+  const auto tall = RoundMirror::of({UnitKind::open_cylinder, Transform::scaling({1.0, 1.0, 9.0}), 0, {}});
   const Vec3 low = math::normalized({1.0, 0.0, 1.0});
   EXPECT_TRUE(tall->image({3.0, 0.0, 0.5}, low));
   EXPECT_FALSE(tall->image({9.0, 0.0, 5.0}, low));
-  const auto dome = RoundMirror::of({UnitKind::dome, one, 0, {}});
+  const auto dome = RoundMirror::of({UnitKind::hemisphere, one, 0, {}});
   EXPECT_TRUE(dome->image({3.0, 0.0, 0.1}, low));
   EXPECT_FALSE(dome->image({3.0, 0.0, -9.0}, low)) << "the lower half is missing";
   EXPECT_TRUE(dome->hollow());
   EXPECT_FALSE(RoundMirror::of({UnitKind::sphere, Transform::scaling({1.0, 1.0, 1.1}), 0, {}}));
-  EXPECT_FALSE(RoundMirror::of({UnitKind::tube, Transform::scaling({1.0, 1.1, 1.0}), 0, {}}));
+  EXPECT_FALSE(RoundMirror::of({UnitKind::open_cylinder, Transform::scaling({1.0, 1.1, 1.0}), 0, {}}));
 }
 
 constexpr double kGround = 0.4, kMirror = 0.8, kIrradiance = 1000.0;

@@ -45,14 +45,14 @@ void visit_faces(UnitKind shape, const Transform& map, SurfacePiece piece, const
   switch (shape) {
     case UnitKind::sphere:
       return face(PieceKind::ball, 0, map, false);
-    case UnitKind::dome:
-      return face(PieceKind::dome, 0, map, false);
-    case UnitKind::tube:
-      return face(PieceKind::tube, 0, map, false);
+    case UnitKind::hemisphere:
+      return face(PieceKind::hemisphere, 0, map, false);
+    case UnitKind::open_cylinder:
+      return face(PieceKind::open_cylinder, 0, map, false);
     case UnitKind::disk:
       return face(PieceKind::disk, 0, map, false);
-    case UnitKind::can: {
-      face(PieceKind::tube, 0, map, false);
+    case UnitKind::cylinder: {
+      face(PieceKind::open_cylinder, 0, map, false);
       const Transform down = Transform::from_columns({0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, {});
       face(PieceKind::disk, 1, map * down, true);
       return face(PieceKind::disk, 2, map * Transform::translation({0.0, 0.0, 1.0}), true);

@@ -117,7 +117,7 @@ class BodySurveyor {
             add_face(unit[axis] * side, Point3{} + unit[axis] * side, unit[(axis + 1) % 3], unit[(axis + 2) % 3]);
           }
         break;
-      case UnitKind::can:
+      case UnitKind::cylinder:
         for (const double z : {0.0, 1.0})
           add_face({0.0, 0.0, z > 0.5 ? 1.0 : -1.0}, {0.0, 0.0, z}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0});
         break;

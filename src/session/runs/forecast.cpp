@@ -13,7 +13,7 @@
 #include "session/runs/plan_assembly.h"
 #include "session/runs/probing.h"
 #include "session/runs/refinement.h"
-#include "session/runs/team.h"
+#include "session/runs/coordinator.h"
 #include "session/session.h"
 
 namespace ifov::session {
@@ -71,7 +71,7 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
   const io::RunPlan plan = plan_of(parts, request, folder);
   const int width = plan.image.width_px, height = plan.image.height_px;
   const double area = static_cast<double>(width) * height;
-  const int own_threads = request.team != nullptr ? request.team->threads(options.threads)
+  const int own_threads = request.coordinator != nullptr ? request.coordinator->threads(options.threads)
                           : options.threads > 0   ? options.threads
                                                   : usual_threads();
 
@@ -79,7 +79,7 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
 
   Forecast forecast;
   const io::ProductBytes products = plan.share.is_whole() ? io::product_bytes(plan) : io::ProductBytes{};
-  const std::uint64_t tile_bytes = request.keep_tiles ? io::state_bytes(plan, request.team == nullptr) : 0;
+  const std::uint64_t tile_bytes = request.keep_tiles ? io::state_bytes(plan, request.coordinator == nullptr) : 0;
   forecast.product_bytes = products.all();
   forecast.disk_bytes = forecast.product_bytes + tile_bytes;
   forecast.memory_bytes = least_memory_bytes(plan, own_threads);
@@ -138,7 +138,7 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
                                static_cast<double>(products.cached + std::min(tile_bytes, io::kManyBytes));
   forecast.processor_s = probing.setup_s() + tracing_s + writing_s + kProducts_s;
   // No more threads have work than there are tiles, and the last ones to have some wait for the rest.
-  const double threads = request.team != nullptr ? request.team->all_threads() : std::min(own_threads, usual_threads());
+  const double threads = request.coordinator != nullptr ? request.coordinator->all_threads() : std::min(own_threads, usual_threads());
   const double tiles = std::ceil(share * pieces_across(width, plan.tile_px) * pieces_across(height, plan.tile_px));
   const double rounds = std::ceil(tiles / threads);
   forecast.elapsed_s = probing.setup_s() + (tracing_s + writing_s) * rounds / tiles + kPublishing_s +

@@ -14,7 +14,7 @@
 #include "session/runs/plan_assembly.h"
 #include "session/runs/refinement.h"
 #include "session/runs/run_products.h"
-#include "session/runs/team.h"
+#include "session/runs/coordinator.h"
 #include "session/runs/tile_assembly.h"
 #include "session/runs/time_limit.h"
 #include "session/session.h"
@@ -61,8 +61,8 @@ void add_work(Progress& sum, const Progress& work) {
 /// it without them for runs that end early.
 class LastProgress final : public ProgressSink {
  public:
-  LastProgress(const Progress& before, ProgressSink* next, const cluster::TileServer* team)
-      : before_(before), last_(before), next_(next), team_(team), begin_(std::chrono::steady_clock::now()) {}
+  LastProgress(const Progress& before, ProgressSink* next, const cluster::TileServer* coordinator)
+      : before_(before), last_(before), next_(next), coordinator_(coordinator), begin_(std::chrono::steady_clock::now()) {}
   void report(const Progress& progress) override {
     const std::scoped_lock lock(mutex_);
     last_ = before_;
@@ -82,14 +82,14 @@ class LastProgress final : public ProgressSink {
         before_.elapsed_s + std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
     if (next_ == nullptr) return;
     Progress all = last_;
-    if (team_ != nullptr) add_work(all, team_->others());
+    if (coordinator_ != nullptr) add_work(all, coordinator_->others());
     next_->report(all);
   }
 
   std::mutex mutex_;
   Progress before_, last_;
   ProgressSink* next_;
-  const cluster::TileServer* team_;
+  const cluster::TileServer* coordinator_;
   std::chrono::steady_clock::time_point begin_;
 };
 
@@ -101,7 +101,7 @@ class Run {
         options_(request.options),
         deadline_(request.deadline),
         folder_(request.folder(session)),
-        team_(request.team),
+        coordinator_(request.coordinator),
         goes_on_(request.start == RunStart::resume),
         plan_(assemble_plan(parts_)) {
     plan_.share = request.share;
@@ -121,7 +121,7 @@ class Run {
       take_finished();
       trace();
       const int packs = state_ ? state_->close() : 0;
-      if (team_ != nullptr) state_->find(0, packs);
+      if (coordinator_ != nullptr) state_->find(0, packs);
       return finish();
     } catch (const EnvironmentError& error) {
       throw EnvironmentError(kept(error.what()));
@@ -132,7 +132,7 @@ class Run {
 
  private:
   std::string kept(const std::string& what) const {
-    if (!state_ || (tiles_.count() == 0 && team_ == nullptr)) return what;
+    if (!state_ || (tiles_.count() == 0 && coordinator_ == nullptr)) return what;
     return format("{}\nFinished tiles are kept in {}: put this right and go on with --resume.", what,
                   state_->path().string());
   }
@@ -147,7 +147,7 @@ class Run {
       io::RunState::Cubes cubes;
       cubes.read_values = [this](sampling::TileResult& tile, const auto& is_right) { return products_->read_values(tile, is_right); };
       // What other ranks trace comes into the cubes at the end.
-      if (team_ == nullptr) cubes.lines_written = [this] { return products_->lines_written(); };
+      if (coordinator_ == nullptr) cubes.lines_written = [this] { return products_->lines_written(); };
       state_->use(std::move(cubes));
     }
     if (state_) count_finished();
@@ -177,9 +177,9 @@ class Run {
 
   /// What is known before the first ray.
   void require_room(const RunRequest& request) const {
-    const int threads = team_ != nullptr ? team_->threads(options_.threads) : options_.threads;
+    const int threads = coordinator_ != nullptr ? coordinator_->threads(options_.threads) : options_.threads;
     const std::uint64_t disk =
-        (plan_.share.is_whole() ? io::product_bytes(plan_).all() : 0) + (request.keep_tiles ? io::state_bytes(plan_, team_ == nullptr) : 0);
+        (plan_.share.is_whole() ? io::product_bytes(plan_).all() : 0) + (request.keep_tiles ? io::state_bytes(plan_, coordinator_ == nullptr) : 0);
     const std::vector<std::string> lines = shortages(folder_, disk, least_memory_bytes(plan_, threads));
     if (lines.empty()) return;
     std::string message;
@@ -198,13 +198,13 @@ class Run {
           kAssembly_s + static_cast<double>(bytes.cached) / kCached_bytes_per_s +
           static_cast<double>(bytes.direct) / kDirect_bytes_per_s));
     }
-    const std::unique_ptr<cluster::TileServer> server = team_ != nullptr ? begin_team(left, end) : nullptr;
+    const std::unique_ptr<cluster::TileServer> server = coordinator_ != nullptr ? begin_workers(left, end) : nullptr;
     const TimeLimit limit(end, server ? server->token() : options_.cancel);
     LastProgress progress(totals_, options_.progress, server.get());
     // What other ranks trace comes out of their packs at the end, and then all comes line by line.
     KeepingSink sink(plan_, server ? nullptr : &*assembly_, state_ ? &*state_ : nullptr, tiles_);
     render::RenderControl control;
-    control.threads = team_ != nullptr ? team_->threads(options_.threads) : options_.threads;
+    control.threads = coordinator_ != nullptr ? coordinator_->threads(options_.threads) : options_.threads;
     control.cancel = limit.token();
     control.progress = &progress;
     control.tile_order = left;
@@ -233,11 +233,11 @@ class Run {
       throw EnvironmentError(format("{} tiles of other ranks cannot be read back", missing));
   }
 
-  std::unique_ptr<cluster::TileServer> begin_team(const std::vector<int>& left,
+  std::unique_ptr<cluster::TileServer> begin_workers(const std::vector<int>& left,
                                                   const std::optional<TimeLimit::Clock::time_point>& end) {
-    TeamRun run{plan_, folder_, state_->store_start(), std::nullopt};
+    SharedRun run{plan_, folder_, state_->store_start(), std::nullopt};
     if (end) run.seconds_left = std::chrono::duration<double>(*end - TimeLimit::Clock::now()).count();
-    return team_->begin(run, left, options_.cancel);
+    return coordinator_->begin(run, left, options_.cancel);
   }
 
   /// What another rank has written.
@@ -281,7 +281,7 @@ class Run {
   const RunOptions& options_;
   std::optional<TimeLimit::Clock::time_point> deadline_;
   std::filesystem::path folder_;
-  Team* team_;
+  Coordinator* coordinator_;
   bool goes_on_;
   io::RunPlan plan_;
   std::optional<RunProducts> products_;  ///< none for a share of the tiles

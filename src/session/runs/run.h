@@ -10,7 +10,7 @@
 
 namespace ifov::session {
 
-class Team;
+class Coordinator;
 
 /// A run keeps each finished tile in its output folder until its products are whole; see docs/guide/runs.md.
 struct RunRequest {
@@ -25,7 +25,7 @@ struct RunRequest {
       deadline;  ///< when all must be done; pixels that are not by then
                  ///< hold no value in the products
 
-  Team* team = nullptr;  ///< of ranks that share the tiles; needs keep_tiles
+  Coordinator* coordinator = nullptr;  ///< of ranks that share the tiles; needs keep_tiles
 
   /// Of the options, else as the document says, with the share in its name. Throws EnvironmentError where the latter
   /// leads through a link.

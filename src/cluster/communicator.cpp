@@ -1,10 +1,10 @@
-#include "cluster/world.h"
+#include "cluster/communicator.h"
 
 #include <chrono>
 #include <thread>
 
 #include "cluster/launch.h"
-#include "cluster/nap.h"
+#include "cluster/backoff.h"
 #include "core/error.h"
 
 #ifdef IFOV_HAS_MPI
@@ -22,7 +22,7 @@ namespace ifov::cluster {
 namespace {
 
 /// Where there is nothing to do but wait.
-void take(Nap& nap) { std::this_thread::sleep_for(nap.next(std::chrono::milliseconds(1))); }
+void take(Backoff& backoff) { std::this_thread::sleep_for(backoff.next(std::chrono::milliseconds(1))); }
 
 std::string processor_name() {
   std::array<char, MPI_MAX_PROCESSOR_NAME> name{};
@@ -59,11 +59,11 @@ int share_of_cores(MPI_Comm node) {
 
 }  // namespace
 
-struct World::Mpi {
+struct Communicator::Mpi {
   std::mutex mutex;  ///< MPI is asked for calls from one thread at a time
 };
 
-World::World() : mpi_(std::make_unique<Mpi>()) {
+Communicator::Communicator() : mpi_(std::make_unique<Mpi>()) {
   int provided = MPI_THREAD_SINGLE;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
   if (provided < MPI_THREAD_SERIALIZED)
@@ -83,7 +83,7 @@ World::World() : mpi_(std::make_unique<Mpi>()) {
   for (const int place : places) first_on_node_.push_back(place == 0);
 }
 
-World::~World() {
+Communicator::~Communicator() {
   if (leads() && size() > 1) {
     std::vector<int> others(names_.size() - 1);
     std::iota(others.begin(), others.end(), 1);
@@ -92,15 +92,15 @@ World::~World() {
   MPI_Finalize();
 }
 
-std::unique_ptr<World> World::join() {
+std::unique_ptr<Communicator> Communicator::join() {
   if (!is_one_of_several()) return nullptr;
-  return std::unique_ptr<World>(new World());
+  return std::unique_ptr<Communicator>(new Communicator());
 }
 
-void World::send(int to, Tag tag, const Parcel& parcel) { send_all({to}, tag, parcel); }
+void Communicator::send(int to, Tag tag, const Payload& payload) { send_all({to}, tag, payload); }
 
-void World::send_all(const std::vector<int>& to, Tag tag, const Parcel& parcel) {
-  const std::string& bytes = parcel.bytes();
+void Communicator::send_all(const std::vector<int>& to, Tag tag, const Payload& payload) {
+  const std::string& bytes = payload.bytes();
   std::vector<MPI_Request> requests(to.size());
   {
     const std::lock_guard lock(mpi_->mutex);
@@ -114,11 +114,11 @@ void World::send_all(const std::vector<int>& to, Tag tag, const Parcel& parcel) 
     MPI_Testall(static_cast<int>(requests.size()), requests.data(), &done, MPI_STATUSES_IGNORE);
     return done != 0;
   };
-  for (Nap nap; !are_done(); take(nap)) {
+  for (Backoff backoff; !are_done(); take(backoff)) {
   }
 }
 
-std::optional<Message> World::poll() {
+std::optional<Message> Communicator::poll() {
   const std::lock_guard lock(mpi_->mutex);
   int found = 0;
   MPI_Message handle = MPI_MESSAGE_NULL;
@@ -130,18 +130,18 @@ std::optional<Message> World::poll() {
   std::string text(static_cast<std::size_t>(bytes), '\0');
   MPI_Mrecv(text.data(), bytes, MPI_BYTE, &handle, MPI_STATUS_IGNORE);
   if (status.MPI_TAG == static_cast<int>(Tag::end)) ended_ = true;
-  return Message{status.MPI_SOURCE, static_cast<Tag>(status.MPI_TAG), Parcel(std::move(text))};
+  return Message{status.MPI_SOURCE, static_cast<Tag>(status.MPI_TAG), Payload(std::move(text))};
 }
 
-Message World::receive(const CancelToken* cancel) {
-  for (Nap nap;; take(nap)) {
+Message Communicator::receive(const CancelToken* cancel) {
+  for (Backoff backoff;; take(backoff)) {
     if (std::optional<Message> message = poll()) return std::move(*message);
     if (cancel != nullptr && cancel->cancelled()) throw Cancelled();
   }
 }
 
-void World::wait_for_end() {
-  for (Nap nap; !ended_; take(nap)) poll();
+void Communicator::wait_for_end() {
+  for (Backoff backoff; !ended_; take(backoff)) poll();
 }
 
 std::string mpi_library() {
@@ -158,11 +158,11 @@ std::string mpi_library() {
 
 namespace ifov::cluster {
 
-struct World::Mpi {};
+struct Communicator::Mpi {};
 
-World::~World() = default;
+Communicator::~Communicator() = default;
 
-std::unique_ptr<World> World::join() {
+std::unique_ptr<Communicator> Communicator::join() {
   if (is_one_of_several())
     throw EnvironmentError(
         "this ifov was built without MPI, and was started as one of several ranks: each would make the whole image. "
@@ -170,11 +170,11 @@ std::unique_ptr<World> World::join() {
   return nullptr;
 }
 
-void World::send(int, Tag, const Parcel&) {}
-void World::send_all(const std::vector<int>&, Tag, const Parcel&) {}
-std::optional<Message> World::poll() { return std::nullopt; }
-Message World::receive(const CancelToken*) { throw Cancelled(); }
-void World::wait_for_end() {}
+void Communicator::send(int, Tag, const Payload&) {}
+void Communicator::send_all(const std::vector<int>&, Tag, const Payload&) {}
+std::optional<Message> Communicator::poll() { return std::nullopt; }
+Message Communicator::receive(const CancelToken*) { throw Cancelled(); }
+void Communicator::wait_for_end() {}
 std::string mpi_library() { return {}; }
 
 }  // namespace ifov::cluster

@@ -10,10 +10,10 @@ namespace ifov::cluster {
 
 /// The bytes of a message, put in and taken out in the same order. All ranks are of one program on machines of
 /// one kind.
-class Parcel {
+class Payload {
  public:
-  Parcel() = default;
-  explicit Parcel(std::string bytes) : bytes_(std::move(bytes)) {}
+  Payload() = default;
+  explicit Payload(std::string bytes) : bytes_(std::move(bytes)) {}
 
   template <class Value>
   void put(const Value& value) {

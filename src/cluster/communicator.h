@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cluster/parcel.h"
+#include "cluster/payload.h"
 #include "core/run_control.h"
 
 namespace ifov::cluster {
@@ -27,21 +27,21 @@ enum class Tag : int {
 struct Message {
   int rank = 0;  ///< that sent it
   Tag tag{};
-  Parcel parcel;
+  Payload payload;
 };
 
 /// The ranks of a run under MPI. The first one leads: all messages go to it or come from it. May be used from any
 /// thread; no call takes a core while it waits, other than joining and leaving. Errors within MPI end the program,
 /// as MPI has it.
-class World {
+class Communicator {
  public:
   /// Null where the program was not started as one of several; MPI is then never touched. Throws EnvironmentError where
   /// it was, and the build has no MPI.
-  static std::unique_ptr<World> join();
+  static std::unique_ptr<Communicator> join();
   /// The first rank tells the others that the run is over. All leave together.
-  ~World();
-  World(const World&) = delete;
-  World& operator=(const World&) = delete;
+  ~Communicator();
+  Communicator(const Communicator&) = delete;
+  Communicator& operator=(const Communicator&) = delete;
 
   int rank() const { return rank_; }
   int size() const { return static_cast<int>(names_.size()); }
@@ -53,9 +53,9 @@ class World {
   /// The cores that this rank may use, shared with the ranks that may use the same.
   int usual_threads() const { return usual_threads_; }
 
-  void send(int to, Tag tag, const Parcel& parcel);
+  void send(int to, Tag tag, const Payload& payload);
   /// To several at once; returns when all have it on its way.
-  void send_all(const std::vector<int>& to, Tag tag, const Parcel& parcel);
+  void send_all(const std::vector<int>& to, Tag tag, const Payload& payload);
   /// A message, if one has come.
   std::optional<Message> poll();
   /// The next message. Throws Cancelled; `cancel` may be null.
@@ -64,7 +64,7 @@ class World {
   void wait_for_end();
 
  private:
-  World();
+  Communicator();
   struct Mpi;
   std::unique_ptr<Mpi> mpi_;
   int rank_ = 0, usual_threads_ = 1;

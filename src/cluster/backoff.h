@@ -6,9 +6,9 @@
 namespace ifov::cluster {
 
 /// How long to sleep between two looks for messages. Each look takes some 20 us from a core on which tiles are rendered, so
-/// they must be few; and what has been asked must not wait for long. So naps are short after a message and double from
+/// they must be few; and what has been asked must not wait for long. So pauses are short after a message and double from
 /// there: while messages keep coming, one waits for less than the time since the last.
-class Nap {
+class Backoff {
  public:
   using Length = std::chrono::microseconds;
   static constexpr Length kShortest{50};

@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "cluster/world.h"
+#include "cluster/communicator.h"
 #include "io/json/document_override.h"
 
 namespace ifov::session {
 
-struct HelperOptions {
+struct WorkerOptions {
   std::string document;
   std::vector<io::DocumentOverride> overrides;
   int threads = 0;  ///< 0: as many as are usual for a rank
@@ -19,6 +19,6 @@ struct HelperOptions {
 /// What a rank does that is not the first: reads the scene when it is told to, renders tiles into the run's folder, and
 /// returns when the first one says that the run is over. Says nothing; what goes wrong the first rank is told, and
 /// throws it.
-void help_run(cluster::World& world, const HelperOptions& options);
+void run_worker(cluster::Communicator& communicator, const WorkerOptions& options);
 
 }  // namespace ifov::session

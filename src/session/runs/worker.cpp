@@ -1,4 +1,4 @@
-#include "session/runs/helper.h"
+#include "session/runs/worker.h"
 
 #include <filesystem>
 #include <mutex>
@@ -9,7 +9,7 @@
 #include "session/loaded/parts.h"
 #include "session/runs/plan_assembly.h"
 #include "session/runs/refinement.h"
-#include "session/runs/team.h"
+#include "session/runs/coordinator.h"
 #include "session/runs/time_limit.h"
 #include "session/session.h"
 
@@ -35,7 +35,7 @@ class StoringSink final : public render::TileSink {
 };
 
 /// Tiles of other programs, documents or machines would not fit; and those that the first rank cannot see are lost.
-void require_same(const TeamRun& run, io::RunPlan own, bool knows_files) {
+void require_same(const SharedRun& run, io::RunPlan own, bool knows_files) {
   if (!knows_files) own.files = run.plan.files;
   // These are not of the document; the first rank alone knows the run's folder.
   own.keeps_memory = run.plan.keeps_memory;
@@ -71,10 +71,10 @@ class Warnings final : public LogSink {
   std::vector<std::string> all_;
 };
 
-class Helper {
+class Worker {
  public:
-  Helper(cluster::World& world, const HelperOptions& options)
-      : world_(world), options_(options), threads_(options.threads > 0 ? options.threads : world.usual_threads()) {}
+  Worker(cluster::Communicator& communicator, const WorkerOptions& options)
+      : communicator_(communicator), options_(options), threads_(options.threads > 0 ? options.threads : communicator.usual_threads()) {}
 
   /// False where the run is over before it began.
   bool load() {
@@ -92,18 +92,18 @@ class Helper {
     } catch (...) {
       loaded.fault = cluster::current_fault();
     }
-    world_.send(0, Tag::loaded, parcel_of(loaded));
+    communicator_.send(0, Tag::loaded, payload_of(loaded));
     return !loaded.fault;
   }
 
   void render() {
     if (!wait_for(Tag::begin)) return;
-    cluster::TileClient tiles(world_, threads_, options_.cancel);
-    Warnings warnings(world_.name(world_.rank()));
+    cluster::TileClient tiles(communicator_, threads_, options_.cancel);
+    Warnings warnings(communicator_.name(communicator_.rank()));
     int packs = 0;
     Fault fault;
     try {
-      packs = render(team_run_in(parcel_), tiles, warnings);
+      packs = render(shared_run_in(parcel_), tiles, warnings);
     } catch (...) {
       fault = cluster::current_fault();
     }
@@ -114,24 +114,24 @@ class Helper {
   /// Until that message comes, or the run is over.
   bool wait_for(Tag tag) {
     while (true) {
-      cluster::Message message = world_.receive(nullptr);
-      parcel_ = std::move(message.parcel);
+      cluster::Message message = communicator_.receive(nullptr);
+      parcel_ = std::move(message.payload);
       if (message.tag == tag) return true;
       if (message.tag == Tag::end) return false;
     }
   }
 
-  bool reads_files() const { return world_.is_first_on_node(world_.rank()); }
+  bool reads_files() const { return communicator_.is_first_on_node(communicator_.rank()); }
 
   /// How many packs it has written.
-  int render(const TeamRun& run, cluster::TileClient& tiles, LogSink& log) {
+  int render(const SharedRun& run, cluster::TileClient& tiles, LogSink& log) {
     require_same(run, plan_, reads_files());
     std::optional<TimeLimit::Clock::time_point> end;
     if (run.seconds_left)
       end = TimeLimit::Clock::now() + std::chrono::duration_cast<TimeLimit::Clock::duration>(
                                           std::chrono::duration<double>(*run.seconds_left));
     const TimeLimit limit(end, tiles.token());
-    io::TileStore store(io::state_folder(run.folder) / "tiles", run.plan.key(), run.start, world_.rank());
+    io::TileStore store(io::state_folder(run.folder) / "tiles", run.plan.key(), run.start, communicator_.rank());
     StoringSink sink(store, run.plan);
     render::RenderControl control;
     control.threads = threads_;
@@ -151,22 +151,22 @@ class Helper {
     return store.packs();
   }
 
-  cluster::World& world_;
-  const HelperOptions& options_;
+  cluster::Communicator& communicator_;
+  const WorkerOptions& options_;
   int threads_;
   std::optional<Session> session_;
   io::RunPlan plan_;
-  cluster::Parcel parcel_;
+  cluster::Payload parcel_;
 };
 
 }  // namespace
 
-void help_run(cluster::World& world, const HelperOptions& options) {
+void run_worker(cluster::Communicator& communicator, const WorkerOptions& options) {
   {
-    Helper helper(world, options);
-    if (helper.load()) helper.render();
+    Worker worker(communicator, options);
+    if (worker.load()) worker.render();
   }
-  world.wait_for_end();
+  communicator.wait_for_end();
 }
 
 }  // namespace ifov::session
