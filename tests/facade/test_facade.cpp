@@ -386,27 +386,26 @@ TEST_F(Facade, EndsByADeadline) {
   EXPECT_EQ(none.tiles_done, static_cast<std::size_t>(cube.tiles));
 }
 
-/// Two scenes are loaded and rendered at once, again and again, as each is alone.
+/// Two scenes, one of them under modelled air, are loaded and rendered at once, again and again, as each is alone.
 TEST_F(Facade, TwoAtOnceAreAsTwoApart) {
-  const std::vector<std::string> texts{kScene, replaced(kScene, "\"seed\": 5", "\"seed\": 6")};
-  const auto render = [&](std::size_t which, const std::string& where) {
-    const ifov::Document document = ifov::Document::parse(texts[which], "scene.json", folder_);
+  const std::string air = replaced(kScene, ", \"sky\": {\"none\": {}}}", "}, \"atmosphere\": {\"profile\": \"mid-latitude summer\"}");
+  const std::string other_seed = replaced(kScene, "\"seed\": 5", "\"seed\": 6");
+  const auto render = [&](const std::string& text, const std::string& where) {
+    const ifov::Document document = ifov::Document::parse(text, "scene.json", folder_);
     ifov::Simulation::load(document).render({.folder = folder_ / where, .threads = 2});
+    return products(folder_ / where);
   };
-  render(0, "apart_0");
-  render(1, "apart_1");
-  for (int round = 0; round < 3; ++round) {
-    std::vector<std::thread> threads;
-    for (std::size_t which : {0, 1})
-      threads.emplace_back([&render, which, round] {
-        render(which, "at_once_" + std::to_string(which) + "_" + std::to_string(round));
-      });
-    for (std::thread& thread : threads) thread.join();
-    for (const std::string which : {"0", "1"})
-      expect_same(products(folder_ / ("at_once_" + which + "_" + std::to_string(round))), products(folder_ / ("apart_" + which)));
+  const auto alone = render(kScene, "alone"), alone_in_air = render(air, "alone_in_air");
+  for (const std::string round : {"0", "1", "2"}) {
+    std::map<std::string, std::string> in_air;
+    std::thread other([&] { in_air = render(air, "in_air_" + round); });
+    const auto in_none = render(kScene, "in_none_" + round);
+    other.join();
+    expect_same(in_none, alone);
+    expect_same(in_air, alone_in_air);
   }
   // The comparison would notice: another seed is another image.
-  EXPECT_FALSE(products(folder_ / "apart_0").at("image_radiance.img") == products(folder_ / "apart_1").at("image_radiance.img"));
+  EXPECT_FALSE(render(other_seed, "other_seed").at("image_radiance.img") == alone.at("image_radiance.img"));
 }
 
 TEST_F(Facade, OneSimulationServesTwoThreads) {

@@ -119,6 +119,18 @@ class Install(unittest.TestCase):
         self.assertIn("ifov::version[abi:cxx11]()", plain)
         self.assertRegex(done("readelf", "-dW", self.library), r"SONAME\).*\[libifov\.so\.\d+\.\d+\]")
 
+    def test_the_library_has_the_guards_of_the_program(self):
+        if not shutil.which("readelf"):
+            self.skipTest("readelf (binutils) is not there")
+        if "IFOV_HARDEN:BOOL=OFF" in (BUILD / "CMakeCache.txt").read_text():
+            self.skipTest("built with IFOV_HARDEN=OFF")
+        segments = done("readelf", "-lW", self.library)
+        self.assertIn("GNU_RELRO", segments)
+        self.assertRegex(segments, r"GNU_STACK\s.* RW ")
+        self.assertNotRegex(segments, r"\bRWE\b")
+        self.assertRegex(done("readelf", "-dW", self.library), r"FLAGS_1\).*\bNOW\b")
+        self.assertIn("__stack_chk_fail", done("readelf", "--dyn-syms", "-W", self.library))
+
     def test_the_guide_shows_this_program(self):
         page = (ROOT / "docs/guide/library.md").read_text()
         for name in ("CMakeLists.txt", "main.cpp"):
