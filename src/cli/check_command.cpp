@@ -7,8 +7,7 @@
 #include "cli/terminal/say.h"
 #include "core/error.h"
 #include "core/format.h"
-#include "io/document/document.h"
-#include "session/session.h"
+#include "ifov/simulation.h"
 
 namespace ifov::cli {
 namespace {
@@ -21,10 +20,11 @@ struct CheckArguments {
 
 std::string description_of(const CheckArguments& arguments, const std::string& file, Console& console,
                            std::size_t& warnings) {
-  const session::Session session = session::Session::load(
-      arguments.input.read(file), &console, {.scene_cache = !arguments.no_cache, .progress = &console});
-  std::string text = session.description();
-  warnings += session.warnings().size();
+  const Simulation simulation =
+      Simulation::load(Document::read(file, arguments.input.set),
+                       {.scene_cache = !arguments.no_cache, .progress = &console, .log = &console});
+  std::string text = simulation.description();
+  warnings += simulation.warnings().size();
   console.finish();
   if (text.empty() || text.back() != '\n') text += '\n';
   return text;

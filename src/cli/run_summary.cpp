@@ -5,6 +5,7 @@
 #include "cli/terminal/progress_line.h"
 #include "cli/terminal/say.h"
 #include "core/format.h"
+#include "session/facade/run_outcome.h"
 
 namespace ifov::cli {
 
@@ -32,10 +33,7 @@ void print_summary(const session::RunResult& result) {
 }
 
 ExitCode outcome_of(const session::RunResult& result, std::size_t warnings) {
-  if (result.tiles_left > 0) return ExitCode::unmet;
-  const Progress& totals = result.summary.totals;
-  if (result.summary.judged && totals.pixels_converged < totals.pixels_done) return ExitCode::unconverged;
-  return warnings > 0 || result.summary.one_value ? ExitCode::warned : ExitCode::ok;
+  return static_cast<ExitCode>(session::verdict_of(result, warnings));
 }
 
 }  // namespace ifov::cli

@@ -35,8 +35,19 @@ std::string id_in_notes(const char* note, std::size_t bytes) {
   return {};
 }
 
-/// The first object that is visited is the program itself.
-int visit_program(dl_phdr_info* info, std::size_t, void* result) {
+/// Whether an address lies in what was loaded of an object.
+bool holds(const dl_phdr_info& info, ElfW(Addr) address) {
+  for (int k = 0; k < info.dlpi_phnum; ++k) {
+    const ElfW(Phdr)& segment = info.dlpi_phdr[k];
+    const ElfW(Addr) begin = info.dlpi_addr + segment.p_vaddr;
+    if (segment.p_type == PT_LOAD && address >= begin && address - begin < segment.p_memsz) return true;
+  }
+  return false;
+}
+
+/// Looks for the object that holds this very function: the program, or libifov in somebody else's.
+int visit_object(dl_phdr_info* info, std::size_t, void* result) {
+  if (!holds(*info, reinterpret_cast<ElfW(Addr)>(&visit_object))) return 0;
   std::string& id = *static_cast<std::string*>(result);
   for (int k = 0; k < info->dlpi_phnum && id.empty(); ++k)
     if (info->dlpi_phdr[k].p_type == PT_NOTE)
@@ -51,7 +62,7 @@ std::string version() { return IFOV_VERSION; }
 
 std::string build_id() {
   std::string id;
-  dl_iterate_phdr(visit_program, &id);
+  dl_iterate_phdr(visit_object, &id);
   return format("{} (glibc {})", id.empty() ? "unknown" : id, gnu_get_libc_version());
 }
 

@@ -2,10 +2,9 @@
 
 #include <string>
 
-namespace ifov {
+#include "ifov/version.h"
 
-/// Version of the program, "0.1.0".
-std::string version();
+namespace ifov {
 
 /// Tells builds of one version apart: the linker's build id, shortened, and the C library's version.
 std::string build_id();

@@ -46,7 +46,7 @@ struct RunSummary {
   bool one_value = false;          ///< all pixels, more than one, hold the same in every channel
 };
 
-/// The public C++ facade: one document, loaded and checked, that can be rendered.
+/// One document, loaded and checked, that can be rendered; programs have it as ifov::Simulation.
 /// Errors: ifov::InputError for the user's input, ifov::EnvironmentError for files and memory, ifov::Cancelled.
 class Session {
  public:

@@ -29,13 +29,13 @@ def compiler_and_flags():
     return compiler, flags
 
 
-def compile_alone(compiler, flags, header):
+def compile_alone(compiler, flags, header, folder="src"):
     """What the compiler says to a source that includes this header alone, twice; empty where it is content."""
     words = [word for flag in flags for word in flag.split(" ")]
     with tempfile.NamedTemporaryFile("w", suffix=".cpp") as source:
         source.write(f'#include "{header}"\n#include "{header}"\n')
         source.flush()
-        command = [compiler, "-std=c++20", "-fsyntax-only", "-march=x86-64-v3", "-I", str(ROOT / "src"), *words, source.name]
+        command = [compiler, "-std=c++20", "-fsyntax-only", "-march=x86-64-v3", "-I", str(ROOT / folder), *words, source.name]
         result = subprocess.run(command, capture_output=True, text=True, check=False)
     return "" if result.returncode == 0 else f"{header} does not compile alone:\n{result.stderr[:1500]}"
 
@@ -60,6 +60,13 @@ class Headers(unittest.TestCase):
 
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
             complaints = [text for text in pool.map(check, headers) if text]
+        self.assertEqual(complaints, [], "\n" + "\n".join(complaints))
+
+    def test_public_headers_need_nothing_else(self):
+        compiler, _ = compiler_and_flags()
+        headers = sorted((ROOT / "include").rglob("*.h"))
+        self.assertGreater(len(headers), 5)
+        complaints = [text for text in (compile_alone(compiler, [], path, "include") for path in headers) if text]
         self.assertEqual(complaints, [], "\n" + "\n".join(complaints))
 
     def test_a_header_that_leans_on_its_includer_is_caught(self):

@@ -18,6 +18,7 @@ SPEAKERS = ("cli", "python")  # the rooms that own the terminal
 class Rules:
     levels: dict  # room -> level
     adapters: dict  # first part of an outside header's path -> rooms that may include it
+    public: dict  # header of include/ -> rooms that may include it
 
 
 def table_rows(page, first_heading):
@@ -38,7 +39,8 @@ def read_rules(page):
     names = lambda cell: re.findall(r"`([^`]+)`", cell)
     levels = {names(row[1])[0]: int(row[0]) for row in table_rows(page, "level")}
     adapters = {header: names(row[2]) for row in table_rows(page, "headers") for header in names(row[0])}
-    return Rules(levels, adapters)
+    public = {header: names(row[1]) for row in table_rows(page, "public header") for header in names(row[0])}
+    return Rules(levels, adapters, public)
 
 
 def without_comments_and_strings(text):
@@ -130,7 +132,10 @@ def file_violations(file, source, room, declared, rules):
     for match in INCLUDE.finditer(text):
         quote, header = match.groups()
         target = header.split("/")[0]
-        if quote == '"':
+        if header.split("/")[0] == "ifov":
+            if room not in rules.public.get(header, []):
+                add(match.start(), f"{header} is included by {', '.join(rules.public.get(header, ['no room']))} only")
+        elif quote == '"':
             if "/" not in header or target not in rules.levels:
                 add(match.start(), f'"{header}" does not start at src/ with a room of the table')
             elif target != room and rules.levels[target] >= rules.levels[room]:
@@ -147,4 +152,19 @@ def file_violations(file, source, room, declared, rules):
             for match in pattern.finditer(code):
                 line = code.count("\n", 0, match.start()) + 1
                 found.append(f"{name}:{line}: {what}: {match.group(0).strip()}")
+    return found
+
+
+def public_violations(include):
+    """Includes of the headers under include/ifov that are neither of the standard library nor among themselves."""
+    found = []
+    for file in sorted((include / "ifov").rglob("*.h")):
+        text = file.read_text()
+        for match in INCLUDE.finditer(text):
+            quote, header = match.groups()
+            among_themselves = quote == '"' and (include / header).exists() and header.startswith("ifov/")
+            standard = quote == "<" and re.fullmatch(r"[a-z_]+", header)
+            if not among_themselves and not standard:
+                line = text.count("\n", 0, match.start()) + 1
+                found.append(f"{file.relative_to(include)}:{line}: a public header includes {header}")
     return found

@@ -9,7 +9,14 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 sys.path.insert(0, str(HERE))
 
-from layering import crowded_folders, folder_circles, read_rules, violations, without_comments_and_strings  # noqa: E402
+from layering import (  # noqa: E402
+    crowded_folders,
+    folder_circles,
+    public_violations,
+    read_rules,
+    violations,
+    without_comments_and_strings,
+)
 
 RULES = read_rules((ROOT / "docs/developer/architecture.md").read_text())
 
@@ -20,11 +27,16 @@ class SourceTree(unittest.TestCase):
         self.assertEqual(RULES.levels["studies"], 11)
         self.assertEqual(RULES.levels["cli"], 12)
         self.assertEqual(RULES.adapters["embree"], ["geometry"])
+        self.assertEqual(RULES.public["ifov/error.h"], ["core"])
 
     def test_source_keeps_the_rules(self):
         found = violations(ROOT / "src", RULES)
         self.assertEqual(found, [], "\n" + "\n".join(found))
 
+    def test_public_headers_show_nothing_of_the_inside(self):
+        self.assertEqual(public_violations(ROOT / "include"), [])
+        headers = {f"ifov/{file.name}" for file in (ROOT / "include/ifov").iterdir()} - {"ifov/api.h"}
+        self.assertEqual(headers, set(RULES.public), "the table of public headers")
 
     def test_folders_are_read_in_one_sitting_and_have_an_order(self):
         self.assertEqual(crowded_folders(ROOT / "src"), [])
@@ -98,6 +110,20 @@ class PlantedFaults(unittest.TestCase):
             ("mpi.h", "cluster"),
         ):
             self.check("scene/a.cpp", f"#include <{header}>\n", [f"scene/a.cpp:1: <{header}> belongs in {rooms} only"])
+
+    def test_public_header_beyond_its_rooms(self):
+        for header, rooms in (("ifov/error.h", "core"), ("ifov/simulation.h", "session, cli"), ("ifov/inside.h", "no room")):
+            self.check("scene/a.cpp", f'#include "{header}"\n', [f"scene/a.cpp:1: {header} is included by {rooms} only"])
+
+    def test_public_header_that_shows_the_inside(self):
+        with tempfile.TemporaryDirectory() as folder:
+            include = pathlib.Path(folder)
+            (include / "ifov").mkdir()
+            (include / "ifov/a.h").write_text('#include <vector>\n#include "ifov/a.h"\n')
+            self.assertEqual(public_violations(include), [])
+            for header in ('"session/session.h"', "<gdal.h>", "<rapidjson/reader.h>", '"ifov/none.h"'):
+                (include / "ifov/b.h").write_text(f"\n#include {header}\n")
+                self.assertEqual(public_violations(include), [f"ifov/b.h:2: a public header includes {header[1:-1]}"])
 
     def test_printing(self):
         for call in ("printf(", "std::printf(", "puts(", "fmt::print", "std::cerr", "stderr"):

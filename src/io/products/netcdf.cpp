@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "io/product_parts/cube_kinds.h"
 #include "io/products/netcdf_map.h"
+#include "io/raster/netcdf_lock.h"
 
 namespace ifov::io {
 namespace {
@@ -156,6 +157,7 @@ std::uint64_t netcdf_bytes(const render::ImageInfo& info, ProductSet cubes) {
 void write_netcdf(PartFile& file, const NetcdfInput& input, const RunRecord& record) {
   const std::uint64_t cubes = 1 + (input.standard_error ? 1 : 0) + (input.half_width ? 1 : 0);
   require_space(file.part_path().parent_path(), cubes * netcdf_bytes(record.image, {Product::radiance}));
+  const std::scoped_lock lock(netcdf_mutex());
   Writer(file.part_path().string(), input, record).write();
 }
 

@@ -10,6 +10,7 @@
 #include "core/format.h"
 #include "io/files/input_file.h"
 #include "io/raster/gdal_setup.h"
+#include "io/raster/netcdf_lock.h"
 #include "io/raster/quiet_gdal.h"
 
 namespace ifov::io {
@@ -19,6 +20,7 @@ NetcdfVariable read_netcdf_variable(const std::filesystem::path& path, const std
   const QuietGdal quiet;
   prepare_gdal();
   const char* drivers[] = {"netCDF", nullptr};
+  const std::scoped_lock lock(netcdf_mutex());
   const std::unique_ptr<void, decltype(&GDALClose)> dataset(
       GDALOpenEx(path.c_str(), GDAL_OF_MULTIDIM_RASTER, drivers, nullptr, nullptr), &GDALClose);
   if (!dataset)

@@ -1,0 +1,22 @@
+#pragma once
+
+/// The whole of libifov: documents in, calibrated radiance with error bars out. Everything is in namespace ifov.
+///
+///   const ifov::Document document = ifov::Document::read("scene.json", {"sensor.camera.orthographic.gsd=2 m"});
+///   const ifov::Simulation simulation = ifov::Simulation::load(document);
+///   const ifov::Outcome outcome = simulation.render({.folder = "out"});
+///
+/// docs/guide/library.md shows a whole program. Units are SI, wavelengths in micrometres, spectral radiance in
+/// W m-2 sr-1 um-1.
+///
+/// Not there yet: meshes, rasters and spectra from memory (a document names files), shares of the tiles, previews and
+/// forecasts, and several ranks under MPI.
+
+#include "ifov/check.h"
+#include "ifov/document.h"
+#include "ifov/error.h"
+#include "ifov/outcome.h"
+#include "ifov/run_control.h"
+#include "ifov/simulation.h"
+#include "ifov/tile.h"
+#include "ifov/version.h"

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ifov/api.h"
+
+namespace ifov {
+
+struct ChannelDescription {
+  std::string name;
+  double centre_um = 0.0;  ///< wavelength of the response's middle
+  double fwhm_um = 0.0;    ///< its full width at half maximum
+};
+
+struct ImageDescription {
+  int width_px = 0, height_px = 0;
+  std::vector<ChannelDescription> channels;
+};
+
+/// A finished rectangle of an image. Arrays are row-major, rows from the top: [row][column][channel] at
+/// (row * width_px + column) * channels + channel, and [row][column] where a pixel has one value. They are the library's,
+/// and are gone when the call that hands the tile over is.
+struct Tile {
+  int x_px = 0, y_px = 0;  ///< of the upper left pixel in the image, from 0
+  int width_px = 0, height_px = 0;
+  int channels = 0;
+  std::span<const float> radiance;    ///< [row][column][channel], W m-2 sr-1 um-1
+  std::span<const float> half_width;  ///< the same shape and unit: of the interval at the document's confidence; empty where
+                                      ///< the document's way of sampling knows no error
+  std::span<const std::uint32_t> samples;  ///< [row][column]: points that were looked at
+  std::span<const std::uint16_t> reasons;  ///< [row][column]: why the pixel does not meet the accuracy; 0 where it does; bit
+                                           ///< k stands for reason_name(k), as in image_reasons.img
+};
+
+/// What a bit of Tile::reasons means: "samples", "air"; empty where there is no such bit.
+IFOV_API std::string_view reason_name(int bit);
+
+class IFOV_API TileSink {
+ public:
+  virtual ~TileSink() = default;
+  /// Before the first tile.
+  virtual void begin(const ImageDescription& image) { static_cast<void>(image); }
+  /// In any order, from several threads at once; each pixel comes once. What it throws ends the run.
+  virtual void write(const Tile& tile) = 0;
+};
+
+}  // namespace ifov

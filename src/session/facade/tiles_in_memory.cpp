@@ -1,0 +1,100 @@
+#include "session/facade/tiles_in_memory.h"
+
+#include <mutex>
+
+#include "core/error.h"
+#include "render/tile_grid.h"
+#include "sampling/reason_words.h"
+#include "session/loaded/parts.h"
+#include "session/runs/plan_assembly.h"
+#include "session/runs/time_limit.h"
+#include "session/statements.h"
+
+namespace ifov::session {
+namespace {
+
+/// Shows finished tiles to a program, and counts them.
+class HandingOver final : public render::TileSink {
+ public:
+  explicit HandingOver(ifov::TileSink& program) : program_(program) {}
+  void begin(const render::ImageInfo& image) override { program_.begin(describe_image(image)); }
+  void write(const sampling::TileResult& tile) override {
+    program_.write({.x_px = tile.tile.x0,
+                    .y_px = tile.tile.y0,
+                    .width_px = tile.tile.width(),
+                    .height_px = tile.tile.height(),
+                    .channels = tile.columns,
+                    .radiance = tile.mean,
+                    .half_width = tile.half_width,
+                    .samples = tile.samples,
+                    .reasons = tile.reasons});
+    const std::scoped_lock lock(mutex_);
+    ++count_;
+    sampling::add_reasons(tile.reasons, reasons_);
+  }
+  std::size_t count() const { return count_; }
+  const sampling::ReasonCounts& reasons() const { return reasons_; }
+
+ private:
+  ifov::TileSink& program_;
+  std::mutex mutex_;
+  std::size_t count_ = 0;
+  sampling::ReasonCounts reasons_{};
+};
+
+/// Hands progress on, and keeps the last of it for a run that time ends.
+class LastProgress final : public ProgressSink {
+ public:
+  LastProgress(ProgressSink* next, std::int64_t pixels) : next_(next) { last_.pixels_total = pixels; }
+  void report(const Progress& progress) override {
+    last_ = progress;
+    if (next_ != nullptr) next_->report(progress);
+  }
+  const Progress& last() const { return last_; }
+
+ private:
+  ProgressSink* next_;
+  Progress last_;
+};
+
+}  // namespace
+
+ImageDescription describe_image(const render::ImageInfo& image) {
+  ImageDescription description{image.width_px, image.height_px, {}};
+  for (const render::ChannelInfo& channel : image.channels)
+    description.channels.push_back({channel.name, channel.centre_um, channel.fwhm_um});
+  return description;
+}
+
+RunResult render_tiles(const Session& session, const TileOptions& options, TileSink& sink) {
+  const Session::Parts& parts = session.parts();
+  const io::RunPlan plan = assemble_plan(parts, false);
+  HandingOver program(sink);
+  OneValue one_value(program);
+  const TimeLimit limit(options.deadline, options.cancel);
+  LastProgress progress(options.progress, static_cast<std::int64_t>(plan.image.width_px) * plan.image.height_px);
+  render::RenderJob job = parts.job();
+  job.keep_variances = false;
+  render::RenderControl control;
+  control.threads = options.threads;
+  control.cancel = limit.token();
+  control.progress = &progress;
+  if (options.progress != nullptr) options.progress->phase("");
+  one_value.begin(plan.image);
+  try {
+    render::render_image(job, control, one_value);
+  } catch (const Cancelled&) {
+    if (!limit.reached()) throw;
+  }
+  RunResult result;
+  result.summary.totals = progress.last();
+  result.summary.accuracy_statement =
+      accuracy_statement(plan, progress.last(), program.reasons(), "the time limit came first");
+  result.summary.judged = plan.judged;
+  result.summary.one_value = one_value.holds();
+  result.tiles_done = program.count();
+  result.tiles_left = plan.grid().size() - program.count();
+  return result;
+}
+
+}  // namespace ifov::session
