@@ -69,6 +69,8 @@ MISTAKES = [
     # Materials and spectra files.
     ("a reflectance that is a name", changed(MATERIALS + ".lawn.reflectance", "grass"), ERROR, 'the text "grass", expected a number between 0 and 1'),
     ("a percentage of emissivity", changed(MATERIALS + ".lawn", {"emissivity": 95, "temperature": "22 degC"}), ERROR, "95 % is 0.95"),
+    ("a model of scattering without its parameters", changed(MATERIALS + ".wall.scattering", "oren_nayar"), ERROR,
+     'which needs its parameters: {"oren_nayar": {"slope": ...}}'),
     ("a way to scatter that is not there", changed(MATERIALS + ".wall.scattering", "specular"), ERROR, "expected 'lambertian' or 'mirror'"),
     ("several curves and no texture", changed(MATERIALS + ".lawn.reflectance", [0.1, 0.2]), ERROR, "several curves need a 'texture'"),
     ("no materials", changed("scene.materials", {}), ERROR, "there is no material 'lawn' \\(none is declared\\)"),

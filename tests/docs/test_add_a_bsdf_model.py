@@ -77,7 +77,7 @@ class AddAModel(unittest.TestCase):
                 return subprocess.run([program, *arguments], cwd=folder, capture_output=True, text=True, timeout=100, check=False)
 
             page = run("schema", "--markdown").stdout
-            self.assertIn("| `darkening` | number between 1 and 2 | **required** | exponent; 1 is Lambert's law |", page)
+            self.assertIn("| `darkening` | number between 1 and 2 | `1` | exponent; 1 is Lambert's law |", page)
             document = {"ifov": 1, "scene": {"materials": {"dust": {"reflectance": 0.3, "scattering": {"minnaert": {"darkening": 1.5}}}},
                                              "objects": [{"plane": {}, "material": "dust"}]},
                         "light": {"sun": {"point": {"zenith": "60 deg", "azimuth": "90 deg"}}},
@@ -95,6 +95,7 @@ class AddAModel(unittest.TestCase):
             plain = radiance("lambertian")
             self.assertGreater(plain, 0.0)
             self.assertAlmostEqual(radiance({"minnaert": {"darkening": 1.0}}) / plain, 1.0, 6)
+            self.assertAlmostEqual(radiance("minnaert") / plain, 1.0, 6)
             # The view is from above, the Sun 60 degrees off: cos(60 deg) to the power 0.5.
             self.assertAlmostEqual(radiance({"minnaert": {"darkening": 1.5}}) / plain, 0.5**0.5, 6)
             document["scene"]["materials"]["dust"]["scattering"] = {"minnaert": {"darkening": 3}}

@@ -26,7 +26,7 @@ struct BsdfParameter {
   std::string_view default_json = {};  ///< empty: the document has to give it
 };
 
-/// What a model is made of: the material's own spectra, and the model's parameters by key.
+/// What a model is made of: the material's reflectance, and the model's parameters by key.
 struct BsdfInputs {
   using Value = std::variant<double, radiometry::Spectrum>;
   radiometry::Spectrum reflectance;
@@ -45,7 +45,7 @@ struct BsdfModel {
   /// Throws InputError where the inputs contradict each other.
   std::shared_ptr<const Bsdf> (*make)(const BsdfInputs& inputs);
 
-  /// Whether its name alone says all: it has no parameters, or each has a default.
+  /// Whether its name alone does not say all: a parameter has no default.
   bool needs_parameters() const;
 };
 

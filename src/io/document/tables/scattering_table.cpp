@@ -1,3 +1,4 @@
+#include "core/format.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
 #include "materials/bsdf/bsdf_model.h"
@@ -37,25 +38,37 @@ Kind<ScatteringDocument> parameters_kind(const BsdfModel& model) {
   return record.kind();
 }
 
+/// A model by its name alone: each of its parameters has a default, or it has none.
+Kind<ScatteringDocument> named_kind() {
+  std::vector<std::pair<std::string, ScatteringDocument>> models;
+  const DocumentTree nothing = parse_json("{}", "no parameters");
+  for (const BsdfModel* model : materials::bsdf_models())
+    if (!model->needs_parameters())
+      models.push_back({std::string(model->key), {std::string(model->key), parameters_kind(*model).read(*nothing.root).values}});
+  const Kind<ScatteringDocument> named = choice<ScatteringDocument>(models);
+  return {named.description, [named](const DocumentNode& node) {
+            for (const BsdfModel* model : materials::bsdf_models())
+              if (model->needs_parameters() && node.type() == DocumentNode::Type::text && node.text() == model->key)
+                node.fail(format("{} is '{}', which needs its parameters: {{\"{}\": {{\"{}\": ...}}}}", node.title(), model->key,
+                                 model->key, model->parameters.front().key));
+            return named.read(node);
+          }};
+}
+
 }  // namespace
 
 Kind<ScatteringDocument> scattering_kind() {
-  std::vector<std::pair<std::string, ScatteringDocument>> names;
   Record<ScatteringDocument> with_parameters("scattering", "A model with its parameters, under its name.");
   with_parameters.exactly_one();
   bool any = false;
   for (const BsdfModel* model : materials::bsdf_models()) {
+    if (model->parameters.empty()) continue;
     const std::string key(model->key);
-    if (model->parameters.empty()) {
-      names.push_back({key, {key, {}}});
-      continue;
-    }
     any = true;
     with_parameters.one(key, [key](ScatteringDocument& to, ScatteringDocument with) { to = {key, std::move(with.values)}; },
                         parameters_kind(*model), std::string(model->doc));
   }
-  const Kind<ScatteringDocument> named = choice<ScatteringDocument>(names);
-  return any ? either(named, with_parameters.kind()) : named;
+  return any ? either(named_kind(), with_parameters.kind()) : named_kind();
 }
 
 }  // namespace ifov::io
