@@ -56,6 +56,28 @@ TEST(OrenNayar, IsLambertianWithoutSlope) {
   }
 }
 
+TEST(OrenNayar, IsThePublishedForm) {
+  // Figures of another program, whose transcription of the paper is not ours (oren_nayar_diffuse in a public Python
+  // collection of diffuse models, direct and interreflected part): slope, zenith angles of view and light, azimuth between
+  // them, degrees.
+  struct Figure {
+    double slope, out, in, azimuth, once, again;
+  };
+  for (const Figure& f : {Figure{10, 0, 40, 0, 0.3048600904, 0.0102726450},
+                          {20, 35, 50, 0, 0.3195826969, 0.0222210580},
+                          {20, 50, 35, 180, 0.2345930848, 0.0301398350},
+                          {30, 60, 20, 100, 0.2407161688, 0.0370216612},
+                          {30, 70, 65, 80, 0.3026807044, 0.0333821374},
+                          {40, 75, 60, 15, 0.4196595385, 0.0243794142},
+                          {40, 30, 80, 140, 0.1737115241, 0.0463544956},
+                          {60, 45, 45, 95, 0.1913519124, 0.0494318061}}) {
+    const auto terms =
+        OrenNayar(Spectrum::constant(0.5), f.slope * kDegree).terms(event_of(f.out, f.in, f.azimuth));
+    EXPECT_NEAR(terms[0], f.once, 1e-9) << f.slope;
+    EXPECT_NEAR(terms[1], f.again, 1e-9) << f.slope;
+  }
+}
+
 TEST(OrenNayar, IsTheGroovesThatItWasFittedTo) {
   // The functional form is a fit to the integral; the paper says of it that it is close. Rough and slanting views apart
   // it holds within 8 % of a Lambertian.
