@@ -224,7 +224,6 @@ class Surveyor {
     const Template& one = content_.templates[run.what.of];
     if (one.has_body() || !wanted(run.materials, 0)) return;
     if (one.field) {
-      survey_.fields = true;
       add_ball(image_of(one.field->bounds(), run.what.whole_from_list));
       return;
     }

@@ -56,7 +56,6 @@ struct SurfaceSurvey {
   std::vector<Round> rounds;
   std::vector<Smooth> smooths;
   std::vector<Ball> balls;   ///< about what is neither flat nor round: smooth triangles, height fields, flats too many
-  bool fields = false;       ///< there are height fields among them
   bool all_flats = true;     ///< false: there are more than kMostFlats normals
 };
 
