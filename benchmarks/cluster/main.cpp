@@ -63,7 +63,8 @@ void measure_costs(const std::string& file, const std::vector<int>& sizes) {
   const auto write_costs = [&](io::JsonWriter& json, int size) {
     render::RenderJob job = session.parts().job();
     job.tile_px = size;
-    const int columns = (job.camera.width_px() + size - 1) / size, rows = (job.camera.height_px() + size - 1) / size;
+    const int columns = (job.camera.width_px() + size - 1) / size,
+              rows = (job.camera.height_px() + size - 1) / size;
     std::vector<int> order(static_cast<std::size_t>(columns * rows));
     std::iota(order.begin(), order.end(), 0);
     CostSink sink;

@@ -102,8 +102,9 @@ class Replay {
       rank.queue.pop_front();
       events_.push({event.time_s + cost_s(rank.current), Kind::idle, event.rank});
     }
-    const bool wants = one_at_a_time_ ? rank.idle
-                                      : rank.queue.size() <= rank.low_water && (rank.idle || !rank.only_when_idle);
+    const bool wants = one_at_a_time_
+                           ? rank.idle
+                           : rank.queue.size() <= rank.low_water && (rank.idle || !rank.only_when_idle);
     if (event.rank == 0 || rank.asked || rank.no_more || !wants) return;
     rank.asked = true;
     rank.asked_idle = rank.idle ? 1 : 0;

@@ -30,7 +30,9 @@ class Chance {
   double magnitude(double low, double high) { return low * std::pow(high / low, uniform()); }
   bool with(double probability) { return uniform() < probability; }
   /// 0 to count - 1.
-  std::size_t index(std::size_t count) { return static_cast<std::size_t>(uniform() * static_cast<double>(count)); }
+  std::size_t index(std::size_t count) {
+    return static_cast<std::size_t>(uniform() * static_cast<double>(count));
+  }
   template <class T>
   T one_of(std::initializer_list<T> choices) {
     return *std::next(choices.begin(), static_cast<std::ptrdiff_t>(index(choices.size())));

@@ -11,8 +11,9 @@ std::string json_number(double value) { return std::isfinite(value) ? format("{:
 std::string json(const std::vector<FigureRow>& rows) {
   std::string text;
   for (const FigureRow& row : rows)
-    text += format(R"({}"{}": {{"value": {}, "unit": "{}", "must": "{}", "ok": {}}})", text.empty() ? "" : ",\n ",
-                   row.name, row.value, row.unit, row.must, row.ok ? "true" : "false");
+    text +=
+        format(R"({}"{}": {{"value": {}, "unit": "{}", "must": "{}", "ok": {}}})", text.empty() ? "" : ",\n ",
+               row.name, row.value, row.unit, row.must, row.ok ? "true" : "false");
   return "{" + text + "}\n";
 }
 

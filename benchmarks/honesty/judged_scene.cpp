@@ -25,18 +25,21 @@ Value value_of(const sampling::TileResult& result, PixelIndex pixel, std::size_t
   const auto p = static_cast<std::size_t>(pixel.y * result.tile.width() + pixel.x);
   const std::size_t k = p * static_cast<std::size_t>(result.columns) + channel;
   return {static_cast<double>(result.mean[k]), static_cast<double>(result.half_width[k]),
-          std::sqrt(static_cast<double>(result.variance_geometry[k]) + static_cast<double>(result.variance_path[k])),
+          std::sqrt(static_cast<double>(result.variance_geometry[k]) +
+                    static_cast<double>(result.variance_path[k])),
           result.converged(p)};
 }
 
-std::vector<PixelIndex> chosen_pixels(const PlainTruth* truth, int width, int height, int count, std::uint64_t key) {
+std::vector<PixelIndex> chosen_pixels(const PlainTruth* truth, int width, int height, int count,
+                                      std::uint64_t key) {
   std::vector<std::size_t> order(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (count > 0 && static_cast<std::size_t>(count) < order.size()) {
     const auto half = static_cast<std::size_t>(count / 2);
     if (truth != nullptr) {
       const std::vector<double> scatter = truth->scatter(key);
-      std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return scatter[a] > scatter[b]; });
+      std::stable_sort(order.begin(), order.end(),
+                       [&](std::size_t a, std::size_t b) { return scatter[a] > scatter[b]; });
     }
     Chance chance(key, 0x706978656c73);
     const std::size_t first = truth != nullptr ? half : 0;
@@ -65,11 +68,13 @@ bool looks_like_a_lie(const Value& value, const PlainTruthPixel& truth, std::siz
 }  // namespace
 
 std::string summary(const JudgedScene& s) {
-  return format("{}: coverage {:.3f} of {} converged values, {:.1f} % converged, {} off by more than 5 half-widths, worst z {:.3g}, "
-                "reference {:.2f} of the half-width, left out {}, {:.0f} rays a pixel; {}",
-                s.name, s.coverage(), s.converged(),
-                s.values > 0 ? 100.0 * static_cast<double>(s.converged()) / static_cast<double>(s.values) : 0.0, s.lies,
-                s.worst_z, s.reference, s.left_out, s.rays, s.worst);
+  return format(
+      "{}: coverage {:.3f} of {} converged values, {:.1f} % converged, {} off by more than 5 half-widths, "
+      "worst z {:.3g}, "
+      "reference {:.2f} of the half-width, left out {}, {:.0f} rays a pixel; {}",
+      s.name, s.coverage(), s.converged(),
+      s.values > 0 ? 100.0 * static_cast<double>(s.converged()) / static_cast<double>(s.values) : 0.0, s.lies,
+      s.worst_z, s.reference, s.left_out, s.rays, s.worst);
 }
 
 JudgedScene judge_scene(const WildScene& scene, const std::filesystem::path& folder, const Judging& judging) {
@@ -157,8 +162,9 @@ JudgedScene judge_scene(const WildScene& scene, const std::filesystem::path& fol
         const Value value = value_of(results[s], pixels[p], c);
         const double error = error_of(value, truth[p], c), reference = truth[p].error[c];
         if (rows.is_open())
-          rows << format("{},{},{},{},{:.8g},{:.8g},{:.3g},{:.3g},{:.4g},{:.4g},{}\n", s, pixels[p].x, pixels[p].y, c,
-                         value.mean, truth[p].mean[c], reference, truth[p].above[c], value.half_width, value.sigma,
+          rows << format("{},{},{},{},{:.8g},{:.8g},{:.3g},{:.3g},{:.4g},{:.4g},{}\n", s, pixels[p].x,
+                         pixels[p].y, c, value.mean, truth[p].mean[c], reference, truth[p].above[c],
+                         value.half_width, value.sigma,
                          results[s].reasons[static_cast<std::size_t>(pixels[p].y * width + pixels[p].x)]);
         const bool lie = looks_like_a_lie(value, truth[p], c);
         const double bound = std::max(value.half_width, kFloor * truth[p].mean[c]) / 3.0;
@@ -177,7 +183,9 @@ JudgedScene judge_scene(const WildScene& scene, const std::filesystem::path& fol
         judged.lies += lie;
         const double sigma = std::hypot(value.sigma, reference);
         const double z = error == 0.0 ? 0.0 : sigma > 0.0 ? error / sigma : HUGE_VAL;
-        const double ratio = error == 0.0 ? 0.0 : value.half_width > 0.0 ? error / value.half_width : HUGE_VAL;
+        const double ratio = error == 0.0             ? 0.0
+                             : value.half_width > 0.0 ? error / value.half_width
+                                                      : HUGE_VAL;
         judged.far += z > 4.0;
         judged.worst_ratio = std::max(judged.worst_ratio, ratio);
         if (value.half_width > 0.0) {
@@ -186,8 +194,9 @@ JudgedScene judge_scene(const WildScene& scene, const std::filesystem::path& fol
         }
         if (z > judged.worst_z || (z == judged.worst_z && z > 0.0 && judged.worst.empty())) {
           judged.worst_z = z;
-          judged.worst = format("pixel ({}, {}) seed {}: {:.5g} +- {:.2g}, truly {:.5g} +- {:.1g}", pixels[p].x, pixels[p].y,
-                                judging.first_seed + s, value.mean, value.half_width, truth[p].mean[c], reference);
+          judged.worst = format("pixel ({}, {}) seed {}: {:.5g} +- {:.2g}, truly {:.5g} +- {:.1g}",
+                                pixels[p].x, pixels[p].y, judging.first_seed + s, value.mean,
+                                value.half_width, truth[p].mean[c], reference);
         }
       }
   if (compared > 0) judged.reference /= static_cast<double>(compared);

@@ -103,15 +103,20 @@ int main(int argc, char** argv) {
   app.add_option("--rows", rows_folder, "folder for every pixel's errors and intervals, a CSV file a scene");
   app.add_option("--rows-study", rows_steps, "nothing but rows of N pitches as maps, boxes and meshes")
       ->check(CLI::Range(1, 100000));
-  app.add_option("--wild", wild_scenes, "nothing but N scenes by rule and chance, from number --first-seed on")
+  app.add_option("--wild", wild_scenes,
+                 "nothing but N scenes by rule and chance, from number --first-seed on")
       ->check(CLI::Range(1, 1000000));
   CLI::Option* named_option =
-      app.add_option("--named", named, "nothing but scenes that were once wrong: these, or all")->expected(0, -1)->delimiter(',');
+      app.add_option("--named", named, "nothing but scenes that were once wrong: these, or all")
+          ->expected(0, -1)
+          ->delimiter(',');
   app.add_option("--kinds", kinds, "of wild scenes; the others are passed over")->delimiter(',');
   app.add_option("--pixels", pixels, "judged in each wild scene; 0: all")->check(CLI::Range(0, 100000));
-  app.add_option("--effort", effort, "of the plain tracer, in its usual most paths")->check(CLI::Range(0.001, 1000.0));
-  app.add_option("--boast", boast, "a planted fault: half-widths and sigmas of --wild and --named are taken to be this times "
-                                   "what they are")
+  app.add_option("--effort", effort, "of the plain tracer, in its usual most paths")
+      ->check(CLI::Range(0.001, 1000.0));
+  app.add_option("--boast", boast,
+                 "a planted fault: half-widths and sigmas of --wild and --named are taken to be this times "
+                 "what they are")
       ->check(CLI::Range(0.0, 1.0));
   app.add_flag("--check-reference", check, "nothing but the plain tracer against closed forms");
   app.add_option("--threads", threads, "0: all cores");

@@ -92,16 +92,18 @@ void save(const std::filesystem::path& file, const std::string& text) {
 void write_files(const std::filesystem::path& folder) {
   std::string mesh = "usemtl panel\n";
   for (int k = 0; k < 60; ++k) {  // tilted by 20 degrees to the south, chord 0.3 m, pitch 1 m
-    const double south = -30.0 + k + 0.03, north = south + 0.3 * 0.9396926, foot = 0.3, top = foot + 0.3 * 0.3420201;
-    mesh += format("v -20 {0} {1}\nv 20 {0} {1}\nv 20 {2} {3}\nv -20 {2} {3}\nf {4} {5} {6} {7}\n", south, foot, north, top,
-                   4 * k + 1, 4 * k + 2, 4 * k + 3, 4 * k + 4);
+    const double south = -30.0 + k + 0.03, north = south + 0.3 * 0.9396926, foot = 0.3,
+                 top = foot + 0.3 * 0.3420201;
+    mesh += format("v -20 {0} {1}\nv 20 {0} {1}\nv 20 {2} {3}\nv -20 {2} {3}\nf {4} {5} {6} {7}\n", south,
+                   foot, north, top, 4 * k + 1, 4 * k + 2, 4 * k + 3, 4 * k + 4);
   }
   save(folder / "panel_rows.obj", mesh);
   constexpr int kCells = 8;
   for (const bool rock : {false, true}) {
     std::string map = format("ncols {0}\nnrows {0}\nxllcorner -8\nyllcorner -8\ncellsize 2\n", kCells);
     for (int k = 0; k < kCells * kCells; ++k)
-      map += format("{:.2f} ", (rock ? 340.0 : 300.0) + (rock ? 40.0 : 10.0) * std::sin(1.3 * k + (rock ? 1.0 : 0.0)));
+      map += format("{:.2f} ",
+                    (rock ? 340.0 : 300.0) + (rock ? 40.0 : 10.0) * std::sin(1.3 * k + (rock ? 1.0 : 0.0)));
     save(folder / (rock ? "rock_k.asc" : "grass_k.asc"), map + "\n");
   }
   std::string shares;
@@ -113,7 +115,8 @@ void write_files(const std::filesystem::path& folder) {
     }
   save(folder / "shares.img", shares);
   save(folder / "shares.img.hdr",
-       "ENVI\nsamples = 4\nlines = 4\nbands = 2\nheader offset = 0\ndata type = 4\ninterleave = bsq\nbyte order = 0\n");
+       "ENVI\nsamples = 4\nlines = 4\nbands = 2\nheader offset = 0\ndata type = 4\ninterleave = bsq\nbyte "
+       "order = 0\n");
 }
 
 PlainHints::Ball about_box(math::Point3 low, math::Point3 high) {
@@ -130,7 +133,8 @@ PlainHints hints_of(std::string_view name) {
   for (const PlainHints::Ball& ball : hints.mirrors)
     hints.around_mirrors.push_back({ball.centre_m, ball.radius_m * (1.0 + 1e-6)});
   if (name == "container_yard")
-    hints.around_mirrors = {about_box({-5.0, -4.0, 0.0}, {-3.0, 2.0, 2.5}), about_box({0.0, -3.0, 0.0}, {2.0, 3.0, 2.5}),
+    hints.around_mirrors = {about_box({-5.0, -4.0, 0.0}, {-3.0, 2.0, 2.5}),
+                            about_box({0.0, -3.0, 0.0}, {2.0, 3.0, 2.5}),
                             about_box({4.0, -4.0, 0.0}, {6.0, 2.0, 2.5})};
   return hints;
 }
@@ -148,7 +152,8 @@ WildScene named_scene(std::string_view name, const std::filesystem::path& folder
     scene.exact = rows.radiance();
     return scene;
   }
-  std::ifstream file(std::filesystem::path(IFOV_SOURCE_DIR) / "benchmarks/honesty/scenes" / (scene.name + ".json"));
+  std::ifstream file(std::filesystem::path(IFOV_SOURCE_DIR) / "benchmarks/honesty/scenes" /
+                     (scene.name + ".json"));
   if (!file) throw std::runtime_error("no scene " + scene.name);
   std::stringstream text;
   text << file.rdbuf();
@@ -158,12 +163,14 @@ WildScene named_scene(std::string_view name, const std::filesystem::path& folder
   return scene;
 }
 
-std::vector<FigureRow> report_named_scenes(std::span<const std::string> names, const std::filesystem::path& folder,
-                                           const Judging& judging, int threads) {
+std::vector<FigureRow> report_named_scenes(std::span<const std::string> names,
+                                           const std::filesystem::path& folder, const Judging& judging,
+                                           int threads) {
   constexpr double kLeastCoverage = 0.93, kMostFar = 0.005, kMostReference = 0.4;
   std::vector<NamedScene> chosen;
   for (const NamedScene& scene : kScenes)
-    if (names.empty() || std::find(names.begin(), names.end(), scene.name) != names.end()) chosen.push_back(scene);
+    if (names.empty() || std::find(names.begin(), names.end(), scene.name) != names.end())
+      chosen.push_back(scene);
   for (const std::string& name : names)
     if (std::none_of(kScenes.begin(), kScenes.end(), [&](const NamedScene& s) { return s.name == name; })) {
       std::string all;
@@ -188,13 +195,16 @@ std::vector<FigureRow> report_named_scenes(std::span<const std::string> names, c
     const JudgedScene& scene = judged[k];
     const auto sure = static_cast<double>(std::max<std::int64_t>(1, scene.converged()));
     const double far = static_cast<double>(scene.far) / sure;
-    const double converged = static_cast<double>(scene.converged()) / static_cast<double>(std::max<std::int64_t>(1, scene.values));
+    const double converged =
+        static_cast<double>(scene.converged()) / static_cast<double>(std::max<std::int64_t>(1, scene.values));
     const bool known = scene.exact || scene.reference <= kMostReference;
     rows.push_back({scene.name + "_coverage", json_number(scene.coverage()), "share of converged",
-                    known ? ">= 0.93" : ">= 0.93, against a better reference", known && scene.coverage() >= kLeastCoverage});
-    rows.push_back({scene.name + "_far", json_number(far), "share of converged with |z| > 4", "< 0.005", far < kMostFar});
-    rows.push_back({scene.name + "_converged", json_number(converged), "share", format(">= {}", chosen[k].least_converged),
-                    converged >= chosen[k].least_converged});
+                    known ? ">= 0.93" : ">= 0.93, against a better reference",
+                    known && scene.coverage() >= kLeastCoverage});
+    rows.push_back({scene.name + "_far", json_number(far), "share of converged with |z| > 4", "< 0.005",
+                    far < kMostFar});
+    rows.push_back({scene.name + "_converged", json_number(converged), "share",
+                    format(">= {}", chosen[k].least_converged), converged >= chosen[k].least_converged});
   }
   return rows;
 }

@@ -24,7 +24,8 @@ std::span<const NamedScene> named_scenes();
 WildScene named_scene(std::string_view name, const std::filesystem::path& folder);
 
 /// Judges each of these (empty: all), prints its figures, and gives three rows a scene.
-std::vector<FigureRow> report_named_scenes(std::span<const std::string> names, const std::filesystem::path& folder,
-                                           const Judging& judging, int threads);
+std::vector<FigureRow> report_named_scenes(std::span<const std::string> names,
+                                           const std::filesystem::path& folder, const Judging& judging,
+                                           int threads);
 
 }  // namespace ifov::benchmarks

@@ -1,8 +1,9 @@
 #include "honesty/plain_footprint.h"
 
+#include <math.h>
+
 #include <cmath>
 #include <limits>
-#include <math.h>
 #include <numbers>
 #include <stdexcept>
 #include <variant>
@@ -60,12 +61,14 @@ PlainFootprint::PlainFootprint(const io::SensorDocument& sensor) : side_px_(std:
 double PlainFootprint::profile(double x_px) const {
   const double half = 0.5 * side_px_;
   if (sigma_px_ == 0.0) return std::abs(x_px) <= half ? 1.0 / side_px_ : 0.0;
-  return (normal_distribution((x_px + half) / sigma_px_) - normal_distribution((x_px - half) / sigma_px_)) / side_px_;
+  return (normal_distribution((x_px + half) / sigma_px_) - normal_distribution((x_px - half) / sigma_px_)) /
+         side_px_;
 }
 
 double PlainFootprint::distribution(double x_px) const {
   const double half = 0.5 * side_px_;
-  return sigma_px_ * (normal_ramp((x_px + half) / sigma_px_) - normal_ramp((x_px - half) / sigma_px_)) / side_px_;
+  return sigma_px_ * (normal_ramp((x_px + half) / sigma_px_) - normal_ramp((x_px - half) / sigma_px_)) /
+         side_px_;
 }
 
 double PlainFootprint::quantile(double u) const {

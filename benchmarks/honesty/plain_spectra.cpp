@@ -86,7 +86,9 @@ PlainSpectra::PlainSpectra(const scene::Scene& scene, std::span<const radiometry
     reflectance_.push_back(of(material.reflectance));
     transmittance_.push_back(material.transmittance ? of(*material.transmittance) : none);
   }
-  sun_ = scene.sun ? column_values([&](double um) { return scene.sun->irradiance.at(um) * scene.sun->transmittance.at(um); })
+  sun_ = scene.sun ? column_values([&](double um) {
+    return scene.sun->irradiance.at(um) * scene.sun->transmittance.at(um);
+  })
                    : none;
   sky_ = scene.sky.radiance        ? of(*scene.sky.radiance)
          : scene.sky.temperature_k ? planck(*scene.sky.temperature_k)
@@ -94,7 +96,8 @@ PlainSpectra::PlainSpectra(const scene::Scene& scene, std::span<const radiometry
   view_transmittance_ = scene.view_path.transmittance ? of(*scene.view_path.transmittance) : all;
   view_radiance_ = scene.view_path.radiance ? of(*scene.view_path.radiance) : none;
   for (const scene::SurfaceState& state : scene.states)
-    if (state.temperature_k > 0.0) kept_planck_.emplace_back(state.temperature_k, planck(state.temperature_k));
+    if (state.temperature_k > 0.0)
+      kept_planck_.emplace_back(state.temperature_k, planck(state.temperature_k));
 
   // An open, level plain around the scene.
   surroundings_ = none;
@@ -132,7 +135,8 @@ void PlainSpectra::add_emission(std::uint32_t material, double temperature_k, do
   const std::vector<double> own = kept == kept_planck_.end() ? planck(temperature_k) : std::vector<double>();
   const std::vector<double>& radiance = kept == kept_planck_.end() ? own : kept->second;
   for (std::size_t c = 0; c < column_count_; ++c)
-    sum[c] += weight * throughput[c] * (1.0 - reflectance_[material][c] - transmittance_[material][c]) * radiance[c];
+    sum[c] += weight * throughput[c] * (1.0 - reflectance_[material][c] - transmittance_[material][c]) *
+              radiance[c];
 }
 
 std::vector<double> PlainSpectra::at_sensor(std::span<const double> columns, bool path) const {

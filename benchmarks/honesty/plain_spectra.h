@@ -30,8 +30,8 @@ class PlainSpectra {
   const std::vector<double>& surroundings() const { return surroundings_; }
 
   /// Adds weight times (1 - reflectance - transmittance) B(T) times `throughput` to `sum`.
-  void add_emission(std::uint32_t material, double temperature_k, double weight, std::span<const double> throughput,
-                    std::span<double> sum) const;
+  void add_emission(std::uint32_t material, double temperature_k, double weight,
+                    std::span<const double> throughput, std::span<double> sum) const;
 
   /// Radiance that leaves towards the sensor, by column, to the channels' at the sensor. Without `path` the radiance
   /// that the view path adds is left out (for light that comes on top of other light).
@@ -47,8 +47,8 @@ class PlainSpectra {
   std::vector<double> column_values(const Function& value) const;
 
   std::size_t channel_count_ = 0, column_count_ = 0;
-  bool by_channel_ = false;                  ///< one column a channel
-  std::vector<std::vector<Point>> points_;   ///< by channel
+  bool by_channel_ = false;                 ///< one column a channel
+  std::vector<std::vector<Point>> points_;  ///< by channel
   std::vector<std::vector<double>> reflectance_, transmittance_;
   std::vector<double> sun_, sky_, surroundings_, view_transmittance_, view_radiance_;
   std::vector<std::pair<double, std::vector<double>>> kept_planck_;  ///< of the scene's own temperatures

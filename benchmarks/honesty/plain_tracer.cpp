@@ -70,7 +70,8 @@ PlainTracer::PlainTracer(const scene::Scene& scene, const PlainSpectra& spectra,
   }
   const auto look_at = [&](math::Point3 point, double radius_m) {
     sampling::FocalPoint place;
-    if (camera.project(point, place)) windows_.push_back({place.x_px, place.y_px, radius_m / camera.gsd_m(point)});
+    if (camera.project(point, place))
+      windows_.push_back({place.x_px, place.y_px, radius_m / camera.gsd_m(point)});
   };
   for (const PlainHints::Ball& lamp : hints_.lamps) look_at(lamp.centre_m, lamp.radius_m);
   if (!scene.sun || scene.sun->half_angle_rad <= 0.0) return;
@@ -85,8 +86,9 @@ PlainTracer::PlainTracer(const scene::Scene& scene, const PlainSpectra& spectra,
 }
 
 math::Vec3 PlainTracer::sun_direction(Chance& chance) const {
-  return scene_.sun->half_angle_rad > 0.0 ? cone_direction(scene_.sun->direction, scene_.sun->half_angle_rad, chance)
-                                          : scene_.sun->direction;
+  return scene_.sun->half_angle_rad > 0.0
+             ? cone_direction(scene_.sun->direction, scene_.sun->half_angle_rad, chance)
+             : scene_.sun->direction;
 }
 
 bool PlainTracer::blocked(math::Point3 from_m, math::Vec3 direction, double length_m) const {
@@ -101,13 +103,16 @@ void PlainTracer::add_sun(const geometry::SurfacePoint& hit, math::Vec3 side, st
   const math::Vec3 direction = sun_direction(chance);
   const double cosine = math::dot(direction, side);
   if (direction.z <= 0.0) return;
-  const std::vector<double>& factor = cosine > 0.0 ? spectra_.reflectance(material) : spectra_.transmittance(material);
+  const std::vector<double>& factor =
+      cosine > 0.0 ? spectra_.reflectance(material) : spectra_.transmittance(material);
   const math::Vec3 lit_side = cosine > 0.0 ? side : -side;
-  if (blocked(hit.position_m + hit.offset_m * lit_side, direction, std::numeric_limits<double>::infinity())) return;
+  if (blocked(hit.position_m + hit.offset_m * lit_side, direction, std::numeric_limits<double>::infinity()))
+    return;
   // The cone's solid angle over the disc's projected one, in which the irradiance is counted.
   const double alpha = scene_.sun->half_angle_rad, half_cosine = std::cos(0.5 * alpha);
   const double weight = std::abs(cosine) / std::numbers::pi / (half_cosine * half_cosine);
-  for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += weight * throughput[c] * factor[c] * spectra_.sun()[c];
+  for (std::size_t c = 0; c < sum.size(); ++c)
+    sum[c] += weight * throughput[c] * factor[c] * spectra_.sun()[c];
 }
 
 void PlainTracer::add_lamps(const geometry::SurfacePoint& hit, math::Vec3 side, std::uint32_t material,
@@ -123,17 +128,20 @@ void PlainTracer::add_lamps(const geometry::SurfacePoint& hit, math::Vec3 side, 
     if (at_lamp <= 0.0) continue;
     const math::Vec3 lit_side = here > 0.0 ? side : -side;
     if (blocked(hit.position_m + hit.offset_m * lit_side, direction, length * (1.0 - 1e-5))) continue;
-    const std::vector<double>& factor = here > 0.0 ? spectra_.reflectance(material) : spectra_.transmittance(material);
+    const std::vector<double>& factor =
+        here > 0.0 ? spectra_.reflectance(material) : spectra_.transmittance(material);
     const double weight =
         4.0 * lamp.radius_m * lamp.radius_m * std::abs(here) * at_lamp / (length * length);  // area / pi
-    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += weight * throughput[c] * factor[c] * lamp_radiance_[c];
+    for (std::size_t c = 0; c < sum.size(); ++c)
+      sum[c] += weight * throughput[c] * factor[c] * lamp_radiance_[c];
   }
 }
 
 void PlainTracer::trace(math::Ray ray, double weight, Chance& chance, Light& light) const {
   const std::size_t columns = spectra_.columns();
   std::vector<double> throughput(columns, weight);
-  bool only_mirrors = true, mirror_before = true;  // since the camera; the surface before, or the camera itself
+  bool only_mirrors = true,
+       mirror_before = true;  // since the camera; the surface before, or the camera itself
   for (int surfaces = 0;; ++surfaces) {
     const geometry::SurfacePoint hit = nearest(scene_, ray);
     if (!hit.hit()) {
@@ -152,14 +160,14 @@ void PlainTracer::trace(math::Ray ray, double weight, Chance& chance, Light& lig
     const scene::ResolvedSurface surface = scene_.resolve(hit);
     for (const scene::Constituent& part : surface)
       if (part.material != lamp_ || mirror_before || hints_.lamps.empty())
-        spectra_.add_emission(
-            part.material,
-            part.mapped_temperature_k > 0.0 ? part.mapped_temperature_k : scene_.states[part.state].temperature_k,
-            part.weight, throughput, light.sum);
+        spectra_.add_emission(part.material,
+                              part.mapped_temperature_k > 0.0 ? part.mapped_temperature_k
+                                                              : scene_.states[part.state].temperature_k,
+                              part.weight, throughput, light.sum);
 
     const scene::Constituent& part = pick_constituent(surface, chance);
     const std::vector<double>&reflectance = spectra_.reflectance(part.material),
-    &transmittance = spectra_.transmittance(part.material);
+          &transmittance = spectra_.transmittance(part.material);
     const math::Vec3 side = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
     const double most_reflected = *std::max_element(reflectance.begin(), reflectance.end());
     const double most_let_through = *std::max_element(transmittance.begin(), transmittance.end());
@@ -174,8 +182,8 @@ void PlainTracer::trace(math::Ray ray, double weight, Chance& chance, Light& lig
       add_lamps(hit, side, part.material, throughput, chance, light.sum);
       if (only_mirrors && surfaces > 0 && scene_.sun)
         for (std::size_t c = 0; c < columns; ++c)
-          light.above[c] += throughput[c] * (reflectance[c] + transmittance[c]) * spectra_.sun()[c] / std::numbers::pi *
-                            static_cast<double>(hints_.around_mirrors.size());
+          light.above[c] += throughput[c] * (reflectance[c] + transmittance[c]) * spectra_.sun()[c] /
+                            std::numbers::pi * static_cast<double>(hints_.around_mirrors.size());
       const double chance_back = most_reflected / (most_reflected + most_let_through);
       const bool back = chance.uniform() < chance_back;
       const math::Vec3 axis = back ? side : -side;
@@ -208,7 +216,8 @@ PlainMean PlainTracer::pixel(int x, int y, int side, std::uint64_t key) const {
       windows.push_back(window);
 
   const std::size_t channels = spectra_.channels();
-  PlainMean result{std::vector<double>(channels), std::vector<double>(channels), std::vector<double>(channels)};
+  PlainMean result{std::vector<double>(channels), std::vector<double>(channels),
+                   std::vector<double>(channels)};
   std::vector<double> squares(channels);
   for (int replicate = 0; replicate < kReplicates; ++replicate) {
     Chance chance(key, static_cast<std::uint64_t>(replicate));
@@ -239,7 +248,8 @@ PlainMean PlainTracer::pixel(int x, int y, int side, std::uint64_t key) const {
         const double there = footprint_.density(wx - centre_x, wy - centre_y);
         if (there > 0.0) look(wx, wy, each * there / (there + window_density(windows, wx, wy)));
       }
-    const std::vector<double> value = spectra_.at_sensor(light.sum), above = spectra_.at_sensor(light.above, false);
+    const std::vector<double> value = spectra_.at_sensor(light.sum),
+                              above = spectra_.at_sensor(light.above, false);
     for (std::size_t c = 0; c < channels; ++c) {
       result.mean[c] += value[c] / kReplicates;
       squares[c] += value[c] * value[c] / kReplicates;

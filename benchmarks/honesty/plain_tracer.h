@@ -21,13 +21,14 @@ struct PlainHints {
   };
   std::vector<Ball> lamps;    ///< spheres of the material "lamp", which nothing else is made of
   std::vector<Ball> mirrors;  ///< mirror spheres, seen from outside: their glints are looked for
-  std::vector<Ball> around_mirrors;  ///< balls that hold all mirrors: sunlight by way of them is traced from the Sun
+  std::vector<Ball>
+      around_mirrors;  ///< balls that hold all mirrors: sunlight by way of them is traced from the Sun
 };
 
 /// Means over replicates, by channel.
 struct PlainMean {
   std::vector<double> mean, error;  ///< W m-2 sr-1 um-1; standard error
-  std::vector<double> above;        ///< what may come on top: sunlight by way of mirrors that is seen in a mirror
+  std::vector<double> above;  ///< what may come on top: sunlight by way of mirrors that is seen in a mirror
   double paths = 0.0;
 };
 

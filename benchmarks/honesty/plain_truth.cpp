@@ -44,16 +44,19 @@ std::vector<double> PlainTruth::scatter(std::uint64_t key) const {
 }
 
 std::vector<PlainTruthPixel> PlainTruth::pixels(std::span<const PixelIndex> pixels, const Wanted& wanted,
-                                                double most_paths, double most_photons, std::uint64_t key) const {
+                                                double most_paths, double most_photons,
+                                                std::uint64_t key) const {
   std::vector<PlainTruthPixel> truth;
   for (std::size_t p = 0; p < pixels.size(); ++p) {
     PlainMean mean;
     double paths = 0.0;
     for (int side = kFirstSide;; side *= 2) {
-      mean = tracer_.pixel(pixels[p].x, pixels[p].y, side, key * 1000003u + p * 64u + static_cast<std::uint64_t>(side));
+      mean = tracer_.pixel(pixels[p].x, pixels[p].y, side,
+                           key * 1000003u + p * 64u + static_cast<std::uint64_t>(side));
       paths += mean.paths;
       if (paths + 4.0 * mean.paths > most_paths ||
-          reached(mean.error, wanted(p, mean.mean), photons_ ? std::sqrt(1.0 - kPhotonShare * kPhotonShare) : 1.0))
+          reached(mean.error, wanted(p, mean.mean),
+                  photons_ ? std::sqrt(1.0 - kPhotonShare * kPhotonShare) : 1.0))
         break;
     }
     truth.push_back({std::move(mean.mean), std::move(mean.error), std::move(mean.above)});
@@ -96,15 +99,15 @@ void PlainTruth::add_photons(std::span<const PixelIndex> pixels, const Wanted& w
 
 /// A mirror sphere of radius R sends rho E R^2 / 4 per steradian to every side that it is seen from; under a point
 /// Sun all of it comes from one point.
-void PlainTruth::add_point_glints(std::span<const PixelIndex> pixels, std::vector<PlainTruthPixel>& truth) const {
+void PlainTruth::add_point_glints(std::span<const PixelIndex> pixels,
+                                  std::vector<PlainTruthPixel>& truth) const {
   if (!parts_.scene.sun || parts_.scene.sun->half_angle_rad > 0.0) return;
   for (const PlainHints::Ball& ball : hints_.mirrors) {
     const sampling::FocalPoint middle{0.5 * parts_.camera->width_px(), 0.5 * parts_.camera->height_px()};
     math::Ray view;
     parts_.camera->rays({&middle, 1}, {&view, 1});
     const math::Vec3 towards_sun = parts_.scene.sun->direction;
-    const math::Point3 glint =
-        ball.centre_m + ball.radius_m * math::normalized(towards_sun - view.direction);
+    const math::Point3 glint = ball.centre_m + ball.radius_m * math::normalized(towards_sun - view.direction);
     const math::Vec3 away = math::normalized(glint - ball.centre_m);
     const math::Ray legs[2] = {{glint + 1e-6 * ball.radius_m * away, towards_sun},
                                {glint + 1e-6 * ball.radius_m * away, -view.direction}};
@@ -112,7 +115,8 @@ void PlainTruth::add_point_glints(std::span<const PixelIndex> pixels, std::vecto
     parts_.scene.world->occluded(legs, blocked);
     sampling::FocalPoint place;
     if (blocked[0] != 0 || blocked[1] != 0 || !parts_.camera->project(glint, place)) continue;
-    const geometry::SurfacePoint hit = nearest(parts_.scene, {glint - 0.01 * ball.radius_m * view.direction, view.direction});
+    const geometry::SurfacePoint hit =
+        nearest(parts_.scene, {glint - 0.01 * ball.radius_m * view.direction, view.direction});
     if (!hit.hit()) continue;
     const std::uint32_t material = parts_.scene.resolve(hit).constituents[0].material;
     const double gsd_m = parts_.camera->gsd_m(glint);

@@ -33,12 +33,12 @@ class PlainTruth {
   /// Goes on until every channel's standard error is at most what `wanted(pixel index in `pixels`, means so far)`
   /// says, or a pixel has taken `most_paths`, or all have taken as many photons each as `most_photons` says.
   using Wanted = std::function<std::vector<double>(std::size_t, std::span<const double>)>;
-  std::vector<PlainTruthPixel> pixels(std::span<const PixelIndex> pixels, const Wanted& wanted, double most_paths,
-                                      double most_photons, std::uint64_t key) const;
+  std::vector<PlainTruthPixel> pixels(std::span<const PixelIndex> pixels, const Wanted& wanted,
+                                      double most_paths, double most_photons, std::uint64_t key) const;
 
  private:
-  void add_photons(std::span<const PixelIndex> pixels, const Wanted& wanted, double most_photons, std::uint64_t key,
-                   std::vector<PlainTruthPixel>& truth) const;
+  void add_photons(std::span<const PixelIndex> pixels, const Wanted& wanted, double most_photons,
+                   std::uint64_t key, std::vector<PlainTruthPixel>& truth) const;
   void add_point_glints(std::span<const PixelIndex> pixels, std::vector<PlainTruthPixel>& truth) const;
 
   const session::Session::Parts& parts_;

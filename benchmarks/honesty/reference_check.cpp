@@ -30,8 +30,8 @@ std::vector<PixelIndex> all_pixels(int size) {
   return pixels;
 }
 
-std::vector<PlainTruthPixel> truth_of(const std::string& text, const std::filesystem::path& file, const PlainHints& hints,
-                                      int size, double wanted) {
+std::vector<PlainTruthPixel> truth_of(const std::string& text, const std::filesystem::path& file,
+                                      const PlainHints& hints, int size, double wanted) {
   const session::Session session = load_text(text, file);
   const PlainTruth truth(session, hints);
   const auto errors = [wanted](std::size_t, std::span<const double> means) {
@@ -73,22 +73,26 @@ double beneath_sphere(PixelIndex pixel, double radius, double height, double lam
 
 std::vector<FigureRow> check_reference(const std::filesystem::path& work) {
   std::vector<FigureRow> rows;
-  const auto add = [&rows](const std::string& name, double value, const std::string& unit, const std::string& must,
-                           bool ok) {
+  const auto add = [&rows](const std::string& name, double value, const std::string& unit,
+                           const std::string& must, bool ok) {
     rows.push_back({"reference_" + name, json_number(value), unit, must, ok});
-    std::printf("    %-32s %-10.4g %s (must be %s)%s\n", name.c_str(), value, unit.c_str(), must.c_str(), ok ? "" : "  FAILS");
+    std::printf("    %-32s %-10.4g %s (must be %s)%s\n", name.c_str(), value, unit.c_str(), must.c_str(),
+                ok ? "" : "  FAILS");
     std::fflush(stdout);
   };
   const auto close = [&add](const std::string& name, double z) { add(name, z, "worst z", "< 4.5", z < 4.5); };
-  const auto caught = [&add](const std::string& name, double z) { add("fault_" + name, z, "worst z", "> 6", z > 6.0); };
+  const auto caught = [&add](const std::string& name, double z) {
+    add("fault_" + name, z, "worst z", "> 6", z > 6.0);
+  };
 
   {
-    const std::string text =
-        document(R"("ground": {"emissivity": 1, "temperature": "300 K"})", R"({"plane": {}, "material": "ground"})", "",
-                 R"({"name": "all", "top_hat": {"from": "1 um", "to": "30000 um"}})");
+    const std::string text = document(R"("ground": {"emissivity": 1, "temperature": "300 K"})",
+                                      R"({"plane": {}, "material": "ground"})", "",
+                                      R"({"name": "all", "top_hat": {"from": "1 um", "to": "30000 um"}})");
     const double radiance = truth_of(text, work / "check.json", {}, 4, 1e-3)[0].mean[0] * 29999.0;
     const double law = 5.670374419e-8 * std::pow(300.0, 4) / std::numbers::pi;
-    add("stefan_boltzmann", radiance / law - 1.0, "relative", "within 1e-5", std::abs(radiance / law - 1.0) < 1e-5);
+    add("stefan_boltzmann", radiance / law - 1.0, "relative", "within 1e-5",
+        std::abs(radiance / law - 1.0) < 1e-5);
   }
   for (const double psf_px : {0.0, 0.6}) {
     RowsScene scene;
@@ -100,7 +104,8 @@ std::vector<FigureRow> check_reference(const std::filesystem::path& work) {
     scene.size_px = 4;
     scene.psf_sigma_px = psf_px;
     const std::string text = scene.write(work, "check_rows");
-    close(psf_px > 0.0 ? "rows_psf" : "rows", worst_z(truth_of(text, work / "check.json", {}, 4, 2e-3), scene.radiance()));
+    close(psf_px > 0.0 ? "rows_psf" : "rows",
+          worst_z(truth_of(text, work / "check.json", {}, 4, 2e-3), scene.radiance()));
   }
   {
     const double radius = 0.1, height = 2.0, lamp_k = 1200.0;
@@ -116,14 +121,16 @@ std::vector<FigureRow> check_reference(const std::filesystem::path& work) {
       for (const PixelIndex pixel : all_pixels(4)) {
         if ((pixel.x == 1 || pixel.x == 2) && (pixel.y == 1 || pixel.y == 2)) continue;
         const PlainTruthPixel& p = truth[static_cast<std::size_t>(4 * pixel.y + pixel.x)];
-        worst = std::max(worst, std::abs(p.mean[0] - beneath_sphere(pixel, radius, height, lamp_k)) / p.error[0]);
+        worst =
+            std::max(worst, std::abs(p.mean[0] - beneath_sphere(pixel, radius, height, lamp_k)) / p.error[0]);
       }
       return worst;
     };
     close("sphere_view_factor", z(radius));
     caught("lamp_too_large", z(1.03 * radius));
   }
-  const std::string sun = R"("sun": {"disc": {"zenith": "40 deg", "azimuth": "180 deg", "spectrum": "1000 W m-2 um-1"}})";
+  const std::string sun =
+      R"("sun": {"disc": {"zenith": "40 deg", "azimuth": "180 deg", "spectrum": "1000 W m-2 um-1"}})";
   const std::string red = R"({"name": "red", "top_hat": {"from": "0.63 um", "to": "0.68 um"}})";
   {
     // All of the image before a tall wall of mirror has the Sun twice, the second time by 0.8 of it.
@@ -131,22 +138,25 @@ std::vector<FigureRow> check_reference(const std::filesystem::path& work) {
         R"("ground": {"reflectance": 0.3}, "mirror": {"reflectance": 0.8, "scattering": "mirror"})",
         R"({"plane": {}, "material": "ground"}, {"polygon": {"vertices": [["-5 m", "2.5 m", "0 m"], ["5 m", "2.5 m", "0 m"], ["5 m", "2.5 m", "9 m"], ["-5 m", "2.5 m", "9 m"]]}, "material": "mirror"})",
         sun, red);
-    const std::vector<double> exact(16, 0.3 / std::numbers::pi * 1000.0 * std::cos(40.0 * std::numbers::pi / 180.0) * 1.8);
+    const std::vector<double> exact(
+        16, 0.3 / std::numbers::pi * 1000.0 * std::cos(40.0 * std::numbers::pi / 180.0) * 1.8);
     PlainHints hints;
     const std::vector<PlainTruthPixel> without = truth_of(text, work / "check.json", hints, 4, 2e-3);
     hints.around_mirrors = {{{0.0, 2.5, 4.5}, 6.74}};
     close("sun_by_flat_mirror", worst_z(truth_of(text, work / "check.json", hints, 4, 2e-3), exact));
     double z = 0.0;
     for (std::size_t p = 0; p < exact.size(); ++p)
-      z = std::max(z, without[p].error[0] > 0.0 ? std::abs(without[p].mean[0] - exact[p]) / without[p].error[0] : HUGE_VAL);
+      z = std::max(z, without[p].error[0] > 0.0
+                          ? std::abs(without[p].mean[0] - exact[p]) / without[p].error[0]
+                          : HUGE_VAL);
     rows.push_back({"reference_fault_mirror_not_told", json_number(z), "worst z", "> 6", z > 6.0});
   }
   {
     // Nothing but the glint of the disc; of all pixels together rho E R^2 / 4.
-    const std::string text =
-        document(R"("mirror": {"reflectance": 0.8, "scattering": "mirror"}, "black": {"reflectance": 0})",
-                 R"({"plane": {}, "material": "black"}, {"sphere": {"center": ["0.3 m", "0.2 m", "1 m"], "radius": "0.5 m"}, "material": "mirror"})",
-                 sun, red);
+    const std::string text = document(
+        R"("mirror": {"reflectance": 0.8, "scattering": "mirror"}, "black": {"reflectance": 0})",
+        R"({"plane": {}, "material": "black"}, {"sphere": {"center": ["0.3 m", "0.2 m", "1 m"], "radius": "0.5 m"}, "material": "mirror"})",
+        sun, red);
     const auto z = [&](const PlainHints& hints) {
       double sum = 0.0, variance = 0.0;
       for (const PlainTruthPixel& pixel : truth_of(text, work / "check.json", hints, 4, 2e-3)) {
@@ -161,8 +171,8 @@ std::vector<FigureRow> check_reference(const std::filesystem::path& work) {
     hints.mirrors = {{{0.3, 0.2, 1.0}, 0.5}};
     close("glint", z(hints));
     // Few random points meet it: a mean without it, or with far too much.
-    rows.push_back({"reference_fault_glint_not_sought", json_number(std::min(unsought, 1e9)), "worst z or nothing found",
-                    "> 2", unsought > 2.0});
+    rows.push_back({"reference_fault_glint_not_sought", json_number(std::min(unsought, 1e9)),
+                    "worst z or nothing found", "> 2", unsought > 2.0});
   }
   return rows;
 }

@@ -55,8 +55,7 @@ double third_integral(double t, double sigma) {
 /// Distribution function at t of the sum of two uniform numbers of widths a >= b >= 0 about 0 and a Gaussian one.
 /// Convolution with a box of width w is a central difference of the integral over w.
 double distribution(double t, double a, double b, double sigma) {
-  if (b < 1e-9 * a)
-    return (second_integral(t + 0.5 * a, sigma) - second_integral(t - 0.5 * a, sigma)) / a;
+  if (b < 1e-9 * a) return (second_integral(t + 0.5 * a, sigma) - second_integral(t - 0.5 * a, sigma)) / a;
   return (third_integral(t + 0.5 * (a + b), sigma) - third_integral(t + 0.5 * (a - b), sigma) -
           third_integral(t - 0.5 * (a - b), sigma) + third_integral(t - 0.5 * (a + b), sigma)) /
          (a * b);
@@ -80,7 +79,8 @@ const char* name_of(RowsScene::Form form) {
 
 std::string RowsScene::description() const {
   return format(
-      "{}{}, pitch {:.6g} px ({:.6g} m), duty {:.4g}, {:.4g} deg, GSD {:.6g} m, phase {:.6g} px, {}, {:.4g} and {:.4g}{}{}",
+      "{}{}, pitch {:.6g} px ({:.6g} m), duty {:.4g}, {:.4g} deg, GSD {:.6g} m, phase {:.6g} px, {}, {:.4g} "
+      "and {:.4g}{}{}",
       name_of(form), tiled ? " that repeats" : "", pitch_m / gsd_m, pitch_m, duty, angle_deg, gsd_m,
       phase_m / gsd_m, across_east ? "rows north-south" : "rows east-west", row, between, lit ? "" : " K",
       psf_sigma_px > 0.0 ? format(", PSF of {} px", psf_sigma_px) : "");
@@ -89,11 +89,13 @@ std::string RowsScene::description() const {
 std::string RowsScene::write(const std::filesystem::path& folder, const std::string& name) const {
   // Rows reach beyond all that the pixels, their blur and the halo of tiles see.
   const double reach_m = (0.75 * size_px + 8.0) * gsd_m;
-  const double middle_m = across_east ? centre_m[0] : centre_m[1], along_m = across_east ? centre_m[1] : centre_m[0];
+  const double middle_m = across_east ? centre_m[0] : centre_m[1],
+               along_m = across_east ? centre_m[1] : centre_m[0];
   const auto first = static_cast<long>(std::floor((middle_m - reach_m - phase_m) / pitch_m));
   const auto last = static_cast<long>(std::ceil((middle_m + reach_m - phase_m) / pitch_m));
   const auto place = [&](double across, double along) {
-    return across_east ? format("\"{} m\", \"{} m\"", across, along) : format("\"{} m\", \"{} m\"", along, across);
+    return across_east ? format("\"{} m\", \"{} m\"", across, along)
+                       : format("\"{} m\", \"{} m\"", along, across);
   };
   const double low = along_m - reach_m, high = along_m + reach_m;
 
@@ -102,8 +104,8 @@ std::string RowsScene::write(const std::filesystem::path& folder, const std::str
     const long pitches = tiled ? 1 : last - first;
     const long cells = pitches * kCellsOfPitch;
     const auto rows_of_pitch = std::lround(duty * kCellsOfPitch);
-    std::string map = format("ncols {}\nnrows {}\nxllcorner 0\nyllcorner 0\ncellsize 1\n", across_east ? cells : 1,
-                             across_east ? 1 : cells);
+    std::string map = format("ncols {}\nnrows {}\nxllcorner 0\nyllcorner 0\ncellsize 1\n",
+                             across_east ? cells : 1, across_east ? 1 : cells);
     for (long k = 0; k < cells; ++k) {  // the first line of a raster is its northernmost
       const long cell = across_east ? k : cells - 1 - k;
       map += format("{}{}", cell % kCellsOfPitch < rows_of_pitch ? 1 : 0, across_east ? " " : "\n");
@@ -120,16 +122,18 @@ std::string RowsScene::write(const std::filesystem::path& folder, const std::str
     const auto strip = [&](double from, double to, const char* material) {
       if (form == Form::boxes) {
         objects += format(R"({}{{"box": {{"low": [{}, "{} m"], "high": [{}, "{} m"]}}, "material": "{}"}})",
-                          objects.empty() ? "" : ",\n      ", place(from, low), lit ? -gsd_m : 0.0, place(to, high),
-                          height_m, material);
+                          objects.empty() ? "" : ",\n      ", place(from, low), lit ? -gsd_m : 0.0,
+                          place(to, high), height_m, material);
         return;
       }
       mesh += format("usemtl {}\n", material);
       const double sides[4][2] = {{from, low}, {to, low}, {to, high}, {from, high}};
       for (const auto& [across, along] : sides)
         mesh += format("v {} {} {}\n", across_east ? across : along, across_east ? along : across, height_m);
-      if (across_east) mesh += format("f {} {} {} {}\n", corner + 1, corner + 2, corner + 3, corner + 4);
-      else mesh += format("f {} {} {} {}\n", corner + 4, corner + 3, corner + 2, corner + 1);
+      if (across_east)
+        mesh += format("f {} {} {} {}\n", corner + 1, corner + 2, corner + 3, corner + 4);
+      else
+        mesh += format("f {} {} {} {}\n", corner + 4, corner + 3, corner + 2, corner + 1);
       corner += 4;
     };
     for (long k = first; k < last; ++k) {
@@ -139,10 +143,11 @@ std::string RowsScene::write(const std::filesystem::path& folder, const std::str
     }
     if (form == Form::mesh) {
       save(folder / (name + ".obj"), mesh);
-      objects = format(R"({{"mesh": {{"file": "{}.obj"}}, "material": {{"slots": {{"row": "row"{}}}}}}})", name,
-                       lit ? R"(, "between": "between")" : "");
+      objects = format(R"({{"mesh": {{"file": "{}.obj"}}, "material": {{"slots": {{"row": "row"{}}}}}}})",
+                       name, lit ? R"(, "between": "between")" : "");
     }
-    if (!lit) objects += R"(,
+    if (!lit)
+      objects += R"(,
       {"plane": {}, "material": "between"})";
   }
   const auto material = [&](const char* what, double value) {
@@ -172,9 +177,10 @@ std::string RowsScene::write(const std::filesystem::path& folder, const std::str
   }}
 }}
 )",
-      description(), material("row", row), material("between", between), objects, light, gsd_m, size_px, size_px,
-      centre_m[0], centre_m[1], angle_deg, lit ? 0.63 : kFrom_um, lit ? 0.68 : kTo_um,
-      psf_sigma_px > 0.0 ? format(",\n    \"psf\": {{\"gaussian\": {{\"sigma\": \"{} px\"}}}}", psf_sigma_px) : "");
+      description(), material("row", row), material("between", between), objects, light, gsd_m, size_px,
+      size_px, centre_m[0], centre_m[1], angle_deg, lit ? 0.63 : kFrom_um, lit ? 0.68 : kTo_um,
+      psf_sigma_px > 0.0 ? format(",\n    \"psf\": {{\"gaussian\": {{\"sigma\": \"{} px\"}}}}", psf_sigma_px)
+                         : "");
 }
 
 std::vector<double> RowsScene::shares() const {
@@ -187,9 +193,11 @@ std::vector<double> RowsScene::shares() const {
   std::vector<double> shares;
   for (int j = 0; j < size_px; ++j)
     for (int i = 0; i < size_px; ++i) {
-      const double t = middle_m + (i + 0.5 - 0.5 * size_px) * right + (j + 0.5 - 0.5 * size_px) * down - phase_m;
+      const double t =
+          middle_m + (i + 0.5 - 0.5 * size_px) * right + (j + 0.5 - 0.5 * size_px) * down - phase_m;
       double share = 0.0;
-      for (auto k = static_cast<long>(std::floor((t - reach) / pitch_m)); static_cast<double>(k) * pitch_m < t + reach; ++k) {
+      for (auto k = static_cast<long>(std::floor((t - reach) / pitch_m));
+           static_cast<double>(k) * pitch_m < t + reach; ++k) {
         const double begin = static_cast<double>(k) * pitch_m - t;
         share += distribution(begin + duty * pitch_m, a, b, sigma) - distribution(begin, a, b, sigma);
       }
@@ -200,7 +208,8 @@ std::vector<double> RowsScene::shares() const {
 
 std::vector<double> RowsScene::radiance() const {
   const double light = (kSun_w_m2_um * std::cos(radians(kSunZenith_deg)) + kSky_w_m2_um) / std::numbers::pi;
-  const double of_row = lit ? row * light : blackbody(row), of_ground = lit ? between * light : blackbody(between);
+  const double of_row = lit ? row * light : blackbody(row),
+               of_ground = lit ? between * light : blackbody(between);
   std::vector<double> radiance = shares();
   for (double& share : radiance) share = of_ground + share * (of_row - of_ground);
   return radiance;
@@ -209,7 +218,8 @@ std::vector<double> RowsScene::radiance() const {
 RowsScene rows_by_chance(RowsScene::Form form, double pitch_px, Chance& chance) {
   RowsScene scene;
   scene.form = form;
-  scene.gsd_m = chance.with(0.5) ? chance.one_of({0.25, 0.5, 1.0, 2.0, 3.0, 10.0, 30.0}) : chance.magnitude(0.1, 60.0);
+  scene.gsd_m =
+      chance.with(0.5) ? chance.one_of({0.25, 0.5, 1.0, 2.0, 3.0, 10.0, 30.0}) : chance.magnitude(0.1, 60.0);
   if (chance.with(0.5)) {
     const double part = chance.one_of({1.0, 2.0, 3.0, 4.0, 6.0});
     pitch_px = std::max(1.0, std::round(pitch_px * part)) / part;

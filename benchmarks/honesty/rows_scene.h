@@ -15,18 +15,18 @@ struct RowsScene {
 
   Form form = Form::map;
   double pitch_m = 1.0;
-  double duty = 0.5;         ///< share of the pitch that a row covers
-  double phase_m = 0.0;      ///< where a row begins, along the axis across the rows
-  bool across_east = true;   ///< rows follow each other to the east (and run north), or to the north
-  double angle_deg = 0.0;    ///< of the image against the rows
+  double duty = 0.5;        ///< share of the pitch that a row covers
+  double phase_m = 0.0;     ///< where a row begins, along the axis across the rows
+  bool across_east = true;  ///< rows follow each other to the east (and run north), or to the north
+  double angle_deg = 0.0;   ///< of the image against the rows
   double gsd_m = 1.0;
   double centre_m[2] = {0.0, 0.0};
   int size_px = 12;
-  bool lit = true;           ///< level surfaces under Sun and sky; else black ones at two temperatures
+  bool lit = true;  ///< level surfaces under Sun and sky; else black ones at two temperatures
   double row = 0.05, between = 0.3;  ///< reflectances, or temperatures in kelvins
-  double height_m = 0.0;     ///< of rows over what lies between them (black surfaces only)
-  bool tiled = false;        ///< a map of one pitch that repeats, instead of one that is written out
-  double psf_sigma_px = 0.0; ///< of a Gaussian PSF; 0: none
+  double height_m = 0.0;             ///< of rows over what lies between them (black surfaces only)
+  bool tiled = false;                ///< a map of one pitch that repeats, instead of one that is written out
+  double psf_sigma_px = 0.0;         ///< of a Gaussian PSF; 0: none
 
   /// The document. A map or mesh is written to `folder` under names that begin with `name`.
   std::string write(const std::filesystem::path& folder, const std::string& name) const;

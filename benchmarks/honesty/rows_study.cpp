@@ -49,9 +49,10 @@ Judged judge(const RowsScene& scene, const std::string& name, std::uint64_t seed
       if (wrong) judged.worst_z = std::max(judged.worst_z, sigma > 0.0 ? error / sigma : HUGE_VAL);
     }
     if (!study.rows.empty())
-      judged.rows += format("{},{},{},{:.8g},{:.8g},{:.4g},{:.4g},{},{}\n", name, p % static_cast<std::size_t>(scene.size_px),
-                            p / static_cast<std::size_t>(scene.size_px), result.mean[p], truth[p], half_width, sigma,
-                            result.reasons[p], result.samples[p]);
+      judged.rows +=
+          format("{},{},{},{:.8g},{:.8g},{:.4g},{:.4g},{},{}\n", name,
+                 p % static_cast<std::size_t>(scene.size_px), p / static_cast<std::size_t>(scene.size_px),
+                 result.mean[p], truth[p], half_width, sigma, result.reasons[p], result.samples[p]);
   }
   return judged;
 }
@@ -72,7 +73,8 @@ RowsOutcome summed(RowsScene::Form form, const std::vector<Judged>& scenes) {
     const double share = scene.converged > 0 ? static_cast<double>(scene.outside_converged) /
                                                    static_cast<double>(scene.converged)
                                              : 0.0;
-    if (scene.outside_converged > 0) outcome.worst.push_back({scene.document, scene.description, share, scene.worst_z});
+    if (scene.outside_converged > 0)
+      outcome.worst.push_back({scene.document, scene.description, share, scene.worst_z});
   }
   const auto all = static_cast<double>(sum.pixels), sure = std::max(1.0, static_cast<double>(sum.converged));
   outcome.pixels = sum.pixels;
@@ -103,9 +105,10 @@ std::vector<RowsOutcome> run_rows_study(const RowsStudy& study) {
     parallel_for(study.steps, study.threads, [&](std::int64_t k) {
       const double step = study.steps > 1 ? static_cast<double>(k) / (study.steps - 1) : 0.5;
       Chance chance(study.first_seed, static_cast<std::uint64_t>(k) * 3 + static_cast<std::uint64_t>(form));
-      const RowsScene scene = rows_by_chance(form, kFirstPitch_px * std::pow(kLastPitch_px / kFirstPitch_px, step), chance);
-      judged[static_cast<std::size_t>(k)] =
-          judge(scene, format("rows_{}_{}_{}", name_of(form), study.first_seed, k), chance.bits() >> 12, study);
+      const RowsScene scene =
+          rows_by_chance(form, kFirstPitch_px * std::pow(kLastPitch_px / kFirstPitch_px, step), chance);
+      judged[static_cast<std::size_t>(k)] = judge(
+          scene, format("rows_{}_{}_{}", name_of(form), study.first_seed, k), chance.bits() >> 12, study);
     });
     for (const Judged& scene : judged) rows << scene.rows;
     outcomes.push_back(summed(form, judged));

@@ -10,10 +10,10 @@
 namespace ifov::benchmarks {
 
 struct RowsStudy {
-  int steps = 400;              ///< scenes of each form, pitches of 0.2 to 40 px between them
-  std::uint64_t first_seed = 1; ///< chooses the scenes, and seeds their renderings
+  int steps = 400;               ///< scenes of each form, pitches of 0.2 to 40 px between them
+  std::uint64_t first_seed = 1;  ///< chooses the scenes, and seeds their renderings
   std::filesystem::path work = ".";
-  std::filesystem::path rows;   ///< CSV file of all pixels; empty: none
+  std::filesystem::path rows;  ///< CSV file of all pixels; empty: none
   int threads = 0;
 };
 
@@ -21,7 +21,7 @@ struct RowsStudy {
 struct RowsOutcome {
   RowsScene::Form form{};
   std::int64_t pixels = 0;
-  double outside = 0.0;            ///< off by more than their half-width
+  double outside = 0.0;  ///< off by more than their half-width
   double converged = 0.0;
   double outside_converged = 0.0;  ///< of the converged: off by more than their half-width
   double lies = 0.0;               ///< of the converged: off by more than 5 half-widths
@@ -32,7 +32,7 @@ struct RowsOutcome {
     std::string document, description;
     double outside = 0.0, worst_z = 0.0;
   };
-  std::vector<Scene> worst;        ///< up to ten
+  std::vector<Scene> worst;  ///< up to ten
 };
 
 /// Rows in step with the pixels and out of it (rows_by_chance), each scene rendered once as a document of default

@@ -126,9 +126,10 @@ void write_rows(const std::filesystem::path& path, const std::vector<sampling::T
       const sampling::TileResult& r = results[seed];
       const std::size_t p = static_cast<std::size_t>(pixel.y * r.tile.width() + pixel.x);
       const std::size_t i = p * columns + k % columns;
-      file << format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", seed, pixel.x, pixel.y, k % columns, r.mean[i],
-                     reference.mean[k], reference.standard_error[k], reference.spread[k], r.half_width[i],
-                     r.variance_geometry[i], r.variance_path[i], r.label_rays[p], r.radiance_evaluations[p]);
+      file << format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", seed, pixel.x, pixel.y, k % columns,
+                     r.mean[i], reference.mean[k], reference.standard_error[k], reference.spread[k],
+                     r.half_width[i], r.variance_geometry[i], r.variance_path[i], r.label_rays[p],
+                     r.radiance_evaluations[p]);
     }
   if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
 }

@@ -48,7 +48,8 @@ void SunPhotons::show(const geometry::SurfacePoint& hit, math::Vec3 side, std::u
   std::uint8_t blocked = 0;
   scene_.world->occluded({&back, 1}, {&blocked, 1});
   if (blocked != 0) return;
-  const std::vector<double>& factor = seen > 0.0 ? spectra_.reflectance(material) : spectra_.transmittance(material);
+  const std::vector<double>& factor =
+      seen > 0.0 ? spectra_.reflectance(material) : spectra_.transmittance(material);
   for (int y = y0; y <= y1; ++y)
     for (int x = x0; x <= x1; ++x) {
       const double weight = footprint_.density(place.x_px - x - 0.5, place.y_px - y - 0.5) * std::abs(seen) /
@@ -77,7 +78,7 @@ void SunPhotons::follow(math::Ray ray, std::size_t ball, double power, Chance& c
       if (!mirror || first - hints_.around_mirrors.begin() != static_cast<std::ptrdiff_t>(ball)) return;
     }
     const std::vector<double>&reflectance = spectra_.reflectance(part.material),
-    &transmittance = spectra_.transmittance(part.material);
+          &transmittance = spectra_.transmittance(part.material);
     const double most_reflected = *std::max_element(reflectance.begin(), reflectance.end());
     const double most_let_through = *std::max_element(transmittance.begin(), transmittance.end());
     if (most_reflected + most_let_through <= 0.0) return;
@@ -102,13 +103,16 @@ void SunPhotons::follow(math::Ray ray, std::size_t ball, double power, Chance& c
 }
 
 SunPhotons::Image SunPhotons::image(int side, std::uint64_t key) const {
-  const std::size_t pixels = static_cast<std::size_t>(camera_.width_px()) * static_cast<std::size_t>(camera_.height_px());
+  const std::size_t pixels =
+      static_cast<std::size_t>(camera_.width_px()) * static_cast<std::size_t>(camera_.height_px());
   const std::size_t channels = spectra_.channels();
   Image image{std::vector<double>(pixels * channels), std::vector<double>(pixels * channels)};
   if (!scene_.sun) return image;
   const scene::Sun& sun = *scene_.sun;
-  const math::Vec3 other = std::abs(sun.direction.x) < 0.6 ? math::Vec3{1.0, 0.0, 0.0} : math::Vec3{0.0, 1.0, 0.0};
-  const math::Vec3 right = math::normalized(math::cross(sun.direction, other)), up = math::cross(right, sun.direction);
+  const math::Vec3 other =
+      std::abs(sun.direction.x) < 0.6 ? math::Vec3{1.0, 0.0, 0.0} : math::Vec3{0.0, 1.0, 0.0};
+  const math::Vec3 right = math::normalized(math::cross(sun.direction, other)),
+                   up = math::cross(right, sun.direction);
   const geometry::World::Bounds bounds = scene_.world->bounds();
   const double away_m = 2.0 * math::length(bounds.high_m - bounds.low_m) + 1.0;
   for (int replicate = 0; replicate < kReplicates; ++replicate) {
@@ -119,10 +123,12 @@ SunPhotons::Image SunPhotons::image(int side, std::uint64_t key) const {
       const double power = 4.0 * ball.radius_m * ball.radius_m / (static_cast<double>(side) * side);
       for (int j = 0; j < side; ++j)
         for (int i = 0; i < side; ++i) {
-          const double u = 2.0 * (i + chance.uniform()) / side - 1.0, v = 2.0 * (j + chance.uniform()) / side - 1.0;
+          const double u = 2.0 * (i + chance.uniform()) / side - 1.0,
+                       v = 2.0 * (j + chance.uniform()) / side - 1.0;
           const math::Point3 aim = ball.centre_m + (u * ball.radius_m) * right + (v * ball.radius_m) * up;
-          const math::Vec3 from =
-              sun.half_angle_rad > 0.0 ? cone_direction(sun.direction, sun.half_angle_rad, chance) : sun.direction;
+          const math::Vec3 from = sun.half_angle_rad > 0.0
+                                      ? cone_direction(sun.direction, sun.half_angle_rad, chance)
+                                      : sun.direction;
           follow({aim + away_m * from, -from}, b, power, chance, columns);
           ++image.photons;
         }
@@ -137,7 +143,8 @@ SunPhotons::Image SunPhotons::image(int side, std::uint64_t key) const {
     }
   }
   for (std::size_t k = 0; k < image.mean.size(); ++k)
-    image.error[k] = std::sqrt(std::max(0.0, image.error[k] - image.mean[k] * image.mean[k]) / (kReplicates - 1));
+    image.error[k] =
+        std::sqrt(std::max(0.0, image.error[k] - image.mean[k] * image.mean[k]) / (kReplicates - 1));
   return image;
 }
 

@@ -11,7 +11,8 @@ namespace ifov::benchmarks {
 
 WildDraft::WildDraft(Chance& random, Light which, std::string scene, std::filesystem::path into)
     : chance(random), regime(which), name(std::move(scene)), folder(std::move(into)) {
-  gsd_m = chance.with(0.5) ? chance.one_of({0.25, 0.5, 1.0, 2.0, 3.0, 10.0, 30.0}) : chance.magnitude(0.1, 30.0);
+  gsd_m =
+      chance.with(0.5) ? chance.one_of({0.25, 0.5, 1.0, 2.0, 3.0, 10.0, 30.0}) : chance.magnitude(0.1, 30.0);
   size_px = static_cast<int>(12 + 2 * chance.index(4));
   if (chance.with(0.5)) centre_m = {gsd_m * chance.between(-40.0, 40.0), gsd_m * chance.between(-40.0, 40.0)};
   const double turned = chance.uniform();
@@ -22,19 +23,23 @@ WildDraft::WildDraft(Chance& random, Light which, std::string scene, std::filesy
   camera = format(
       R"("camera": {{"orthographic": {{"gsd": "{} m", "pixels": [{}, {}], "center": ["{} m", "{} m"], "rotation": "{} deg"}}}})",
       gsd_m, size_px, size_px, centre_m[0], centre_m[1], angle_deg);
-  if (chance.with(0.35)) psf = format(R"("psf": {{"gaussian": {{"sigma": "{:.3f} px"}}}})", chance.between(0.25, 0.9));
+  if (chance.with(0.35))
+    psf = format(R"("psf": {{"gaussian": {{"sigma": "{:.3f} px"}}}})", chance.between(0.25, 0.9));
   const bool air = chance.with(0.25);
   const double transmittance = chance.between(0.4, 0.95);
   if (regime == Light::solar) {
     const double zenith = chance.between(15.0, 65.0), azimuth = chance.between(0.0, 360.0);
-    const double sine = std::sin(zenith * std::numbers::pi / 180.0), bearing = azimuth * std::numbers::pi / 180.0;
-    towards_sun = {sine * std::sin(bearing), sine * std::cos(bearing), std::cos(zenith * std::numbers::pi / 180.0)};
+    const double sine = std::sin(zenith * std::numbers::pi / 180.0),
+                 bearing = azimuth * std::numbers::pi / 180.0;
+    towards_sun = {sine * std::sin(bearing), sine * std::cos(bearing),
+                   std::cos(zenith * std::numbers::pi / 180.0)};
     light = format(
         R"("light": {{"sun": {{"{}": {{"zenith": "{} deg", "azimuth": "{} deg"}}}}, "sky": {{"radiance": "{:.1f} W m-2 sr-1 um-1"}}}})",
         chance.with(0.8) ? "disc" : "point", zenith, azimuth, chance.between(20.0, 120.0));
-    channels = chance.one_of({R"({"name": "red", "top_hat": {"from": "0.63 um", "to": "0.68 um"}})",
-                              R"({"name": "infrared", "gaussian": {"center": "0.865 um", "fwhm": "0.02 um"}})",
-                              R"({"name": "pan", "top_hat": {"from": "0.45 um", "to": "0.9 um"}})"});
+    channels =
+        chance.one_of({R"({"name": "red", "top_hat": {"from": "0.63 um", "to": "0.68 um"}})",
+                       R"({"name": "infrared", "gaussian": {"center": "0.865 um", "fwhm": "0.02 um"}})",
+                       R"({"name": "pan", "top_hat": {"from": "0.45 um", "to": "0.9 um"}})"});
     if (air)
       atmosphere = format(
           R"("atmosphere": {{"tabulated": {{"transmittance": {:.3f}, "path_radiance": "{:.2f} W m-2 sr-1 um-1"}}}})",
@@ -90,11 +95,12 @@ void WildDraft::ground() {
 }
 
 void WildDraft::box(std::array<double, 3> low, std::array<double, 3> high, const std::string& what) {
-  objects.push_back(format(R"({{"box": {{"low": {}, "high": {}}}, "material": "{}"}})", point(low[0], low[1], low[2]),
-                           point(high[0], high[1], high[2]), what));
+  objects.push_back(format(R"({{"box": {{"low": {}, "high": {}}}, "material": "{}"}})",
+                           point(low[0], low[1], low[2]), point(high[0], high[1], high[2]), what));
 }
 
-void WildDraft::sphere(std::array<double, 3> centre, double radius, const std::string& what, const char* shape) {
+void WildDraft::sphere(std::array<double, 3> centre, double radius, const std::string& what,
+                       const char* shape) {
   objects.push_back(format(R"({{"{}": {{"center": {}, "radius": {}}}, "material": "{}"}})", shape,
                            point(centre[0], centre[1], centre[2]), length(radius), what));
 }
@@ -112,18 +118,24 @@ double WildDraft::in_step(double px) {
   return std::max(1.0, std::round(px * part)) / part;
 }
 
-void WildDraft::raster(const std::string& file, int columns, int rows, const std::vector<float>& values) const {
+void WildDraft::raster(const std::string& file, int columns, int rows,
+                       const std::vector<float>& values) const {
   std::ofstream data(folder / file, std::ios::binary);
-  data.write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(values.size() * sizeof(float)));
+  data.write(reinterpret_cast<const char*>(values.data()),
+             static_cast<std::streamsize>(values.size() * sizeof(float)));
   std::ofstream header(folder / (file + ".hdr"));
-  header << format("ENVI\nsamples = {}\nlines = {}\nbands = {}\nheader offset = 0\ndata type = 4\ninterleave = bsq\nbyte order = 0\n",
-                   columns, rows, values.size() / static_cast<std::size_t>(columns * rows));
+  header << format(
+      "ENVI\nsamples = {}\nlines = {}\nbands = {}\nheader offset = 0\ndata type = 4\ninterleave = bsq\nbyte "
+      "order = 0\n",
+      columns, rows, values.size() / static_cast<std::size_t>(columns * rows));
   if (!data.flush() || !header.flush()) throw std::runtime_error("cannot write " + (folder / file).string());
 }
 
 std::string WildDraft::text(const std::string& kind) const {
-  std::string text = format("{{\n  // {}, {} ({} px of {:.4g} m, {:.4g} deg)\n  \"ifov\": 1,\n  \"scene\": {{\n    \"materials\": {{\n      ",
-                            name, kind, size_px, gsd_m, angle_deg);
+  std::string text = format(
+      "{{\n  // {}, {} ({} px of {:.4g} m, {:.4g} deg)\n  \"ifov\": 1,\n  \"scene\": {{\n    \"materials\": "
+      "{{\n      ",
+      name, kind, size_px, gsd_m, angle_deg);
   for (const std::string& m : materials) text += (&m == materials.data() ? "" : ",\n      ") + m;
   text += "\n    },\n    \"objects\": [\n      ";
   for (const std::string& o : objects) text += (&o == objects.data() ? "" : ",\n      ") + o;

@@ -36,13 +36,14 @@ struct WildDraft {
   std::string length(double px) const;
 
   void material(const std::string& what, const std::string& body);
-  void grey(const std::string& what, double reflectance);                        ///< reflects, emits nothing
+  void grey(const std::string& what, double reflectance);  ///< reflects, emits nothing
   void warm(const std::string& what, double emissivity, double temperature_k);
   /// One that suits the light, reflectances of 0.02 to 0.7 or temperatures of 270 to 330 K.
   void surface(const std::string& what);
-  void ground();                      ///< a plane at z = 0 of a material of its own
+  void ground();  ///< a plane at z = 0 of a material of its own
   void box(std::array<double, 3> low_px, std::array<double, 3> high_px, const std::string& what);
-  void sphere(std::array<double, 3> centre_px, double radius_px, const std::string& what, const char* shape = "sphere");
+  void sphere(std::array<double, 3> centre_px, double radius_px, const std::string& what,
+              const char* shape = "sphere");
   void polygon(const std::vector<std::array<double, 3>>& corners_px, const std::string& what);
 
   /// A length in step with the pixels or their thirds in half of the cases, near `px`.

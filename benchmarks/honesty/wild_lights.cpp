@@ -10,7 +10,8 @@ namespace ifov::benchmarks {
 namespace {
 
 void mirror(WildDraft& draft) {
-  draft.material("mirror", format(R"("reflectance": {:.3f}, "scattering": "mirror")", draft.chance.between(0.5, 0.95)));
+  draft.material("mirror",
+                 format(R"("reflectance": {:.3f}, "scattering": "mirror")", draft.chance.between(0.5, 0.95)));
 }
 
 /// The ball about a box.
@@ -26,7 +27,8 @@ void make_facade(WildDraft& draft) {
   draft.ground();
   mirror(draft);
   draft.surface("house");
-  const double width = chance.between(3.0, 9.0), height = chance.between(2.0, 8.0), foot = chance.one_of({0.0, 0.0, 1.0});
+  const double width = chance.between(3.0, 9.0), height = chance.between(2.0, 8.0),
+               foot = chance.one_of({0.0, 0.0, 1.0});
   const double shift = chance.between(-2.0, 2.0), depth = 3.0, apart = 0.01;
   // The mirror is on the side of the house that the Sun stands on.
   const bool east = std::abs(draft.towards_sun.x) > std::abs(draft.towards_sun.y);
@@ -36,8 +38,8 @@ void make_facade(WildDraft& draft) {
     return east ? std::array<double, 3>{across, along, up} : std::array<double, 3>{along, across, up};
   };
   const double back = wall - side * depth, front = wall - side * apart;
-  draft.box(at(std::min(back, front), shift - 0.5 * width, 0.0), at(std::max(back, front), shift + 0.5 * width, foot + height),
-            "house");
+  draft.box(at(std::min(back, front), shift - 0.5 * width, 0.0),
+            at(std::max(back, front), shift + 0.5 * width, foot + height), "house");
   draft.polygon({at(wall, shift - 0.5 * width, foot), at(wall, shift + 0.5 * width, foot),
                  at(wall, shift + 0.5 * width, foot + height), at(wall, shift - 0.5 * width, foot + height)},
                 "mirror");
@@ -52,7 +54,8 @@ void make_yard(WildDraft& draft) {
   const int count = chance.one_of({1, 2, 3});
   for (int k = 0; k < count; ++k) {
     const double x = -6.0 + 4.5 * k + chance.between(0.0, 1.0), y = chance.between(-5.0, 0.0);
-    const std::array<double, 3> low{x, y, 0.0}, high{x + 2.0, y + chance.between(3.0, 6.0), chance.between(1.5, 3.0)};
+    const std::array<double, 3> low{x, y, 0.0},
+        high{x + 2.0, y + chance.between(3.0, 6.0), chance.between(1.5, 3.0)};
     draft.box(low, high, "mirror");
     draft.hints.around_mirrors.push_back(around(draft, low, high));
   }
@@ -63,7 +66,8 @@ void make_ball(WildDraft& draft) {
   draft.ground();
   mirror(draft);
   const double radius = chance.magnitude(0.3, 3.0);
-  const double x = chance.between(-2.0, 2.0), y = chance.between(-2.0, 2.0), z = radius + chance.one_of({0.0, 1.0}) + 0.01;
+  const double x = chance.between(-2.0, 2.0), y = chance.between(-2.0, 2.0),
+               z = radius + chance.one_of({0.0, 1.0}) + 0.01;
   draft.sphere({x, y, z}, radius, "mirror");
   const PlainHints::Ball ball{draft.place(x, y, z), radius * draft.gsd_m};
   draft.hints.mirrors.push_back(ball);
@@ -74,7 +78,8 @@ void make_hemisphere(WildDraft& draft) {
   Chance& chance = draft.chance;
   draft.ground();
   mirror(draft);
-  const double radius = chance.magnitude(0.5, 4.0), x = chance.between(-2.0, 2.0), y = chance.between(-2.0, 2.0);
+  const double radius = chance.magnitude(0.5, 4.0), x = chance.between(-2.0, 2.0),
+               y = chance.between(-2.0, 2.0);
   draft.sphere({x, y, 0.0}, radius, "mirror", "hemisphere");
   const PlainHints::Ball ball{draft.place(x, y, 0.0), radius * draft.gsd_m};
   draft.hints.mirrors.push_back(ball);
@@ -101,7 +106,8 @@ void make_lamps(WildDraft& draft) {
   draft.warm("lamp", 1.0, chance.between(600.0, 1300.0));
   const double street = chance.between(2.0, 6.0), height = chance.between(2.0, 6.0);
   draft.box({-0.5 * street - 5.0, -20.0, 0.0}, {-0.5 * street, 20.0, height}, "house");
-  draft.box({0.5 * street, -20.0, 0.0}, {0.5 * street + 5.0, 20.0, height * chance.between(0.5, 1.0)}, "house");
+  draft.box({0.5 * street, -20.0, 0.0}, {0.5 * street + 5.0, 20.0, height * chance.between(0.5, 1.0)},
+            "house");
   const int count = chance.one_of({1, 2, 3});
   for (int k = 0; k < count; ++k) {
     const double radius = chance.magnitude(0.02, 0.15), x = chance.between(-0.35, 0.35) * street;

@@ -5,17 +5,18 @@
 /// One function a kind of scene: adds its materials and objects to a draft, and what the plain tracer must be told.
 namespace ifov::benchmarks {
 
-void make_gaps(WildDraft& draft);     ///< slabs or two roofs with a gap between them
-void make_walls(WildDraft& draft);    ///< thinner than a pixel, often taller than one
+void make_gaps(WildDraft& draft);   ///< slabs or two roofs with a gap between them
+void make_walls(WildDraft& draft);  ///< thinner than a pixel, often taller than one
 void make_wires(WildDraft& draft);
 void make_panels(WildDraft& draft);   ///< rows, as level boxes or one tilted mesh
 void make_texture(WildDraft& draft);  ///< maps of classes or temperatures in step with the pixels
 void make_blocks(WildDraft& draft);   ///< boxes of all sizes
-void make_overhead(WildDraft& draft); ///< plates high above the ground: penumbrae between places without noise
+void make_overhead(
+    WildDraft& draft);  ///< plates high above the ground: penumbrae between places without noise
 
-void make_facade(WildDraft& draft);      ///< a flat mirror that sends sunlight to the ground
-void make_yard(WildDraft& draft);        ///< boxes of mirrors
-void make_ball(WildDraft& draft);        ///< a mirror sphere on the ground
+void make_facade(WildDraft& draft);  ///< a flat mirror that sends sunlight to the ground
+void make_yard(WildDraft& draft);    ///< boxes of mirrors
+void make_ball(WildDraft& draft);    ///< a mirror sphere on the ground
 void make_hemisphere(WildDraft& draft);
 void make_hot_sphere(WildDraft& draft);  ///< small, above cool ground
 void make_lamps(WildDraft& draft);       ///< small hot spheres in a canyon

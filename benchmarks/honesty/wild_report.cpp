@@ -42,11 +42,13 @@ struct Totals {
 
 void print(const std::string& name, const Totals& t) {
   std::printf(
-      "    %-12s %4d scenes, coverage below 0.9 in %3d; %6lld values, converged %6.2f %%, of them held %6.2f %%, off by more "
+      "    %-12s %4d scenes, coverage below 0.9 in %3d; %6lld values, converged %6.2f %%, of them held %6.2f "
+      "%%, off by more "
       "than 5 half-widths %6.3f %%, |z| > 4 %6.3f %%, worst z %-7.3g; left out %lld\n",
-      name.c_str(), t.scenes, t.poor, static_cast<long long>(t.values), 100.0 * t.share(t.converged, t.values),
-      100.0 * t.share(t.right, t.converged), 100.0 * t.share(t.lies, t.converged), 100.0 * t.share(t.far, t.converged),
-      t.worst_z, static_cast<long long>(t.left_out));
+      name.c_str(), t.scenes, t.poor, static_cast<long long>(t.values),
+      100.0 * t.share(t.converged, t.values), 100.0 * t.share(t.right, t.converged),
+      100.0 * t.share(t.lies, t.converged), 100.0 * t.share(t.far, t.converged), t.worst_z,
+      static_cast<long long>(t.left_out));
 }
 
 bool suspicious(const JudgedScene& scene) {
@@ -120,12 +122,14 @@ std::vector<FigureRow> report_wild_run(const WildRun& run) {
   std::fflush(stdout);
 
   const double poor = static_cast<double>(all.poor) / std::max(1, all.scenes);
-  return {{"wild_poor_scenes", json_number(poor), "share with coverage below 0.9", "<= 0.01", poor <= 0.01},
-          {"wild_lies", json_number(all.share(all.lies, all.converged)), "share of converged off by 5 half-widths",
-           "<= 1e-5", static_cast<double>(all.lies) <= 1e-5 * static_cast<double>(all.converged)},
-          {"wild_converged", json_number(all.share(all.converged, all.values)), "share", ">= 0.8",
-           all.share(all.converged, all.values) >= 0.8},
-          {"wild_failures", json_number(static_cast<double>(failures.size())), "scenes", "0", failures.empty()}};
+  return {
+      {"wild_poor_scenes", json_number(poor), "share with coverage below 0.9", "<= 0.01", poor <= 0.01},
+      {"wild_lies", json_number(all.share(all.lies, all.converged)),
+       "share of converged off by 5 half-widths", "<= 1e-5",
+       static_cast<double>(all.lies) <= 1e-5 * static_cast<double>(all.converged)},
+      {"wild_converged", json_number(all.share(all.converged, all.values)), "share", ">= 0.8",
+       all.share(all.converged, all.values) >= 0.8},
+      {"wild_failures", json_number(static_cast<double>(failures.size())), "scenes", "0", failures.empty()}};
 }
 
 }  // namespace ifov::benchmarks

@@ -12,8 +12,8 @@ namespace ifov::benchmarks {
 
 struct WildRun {
   int scenes = 0;
-  std::uint64_t first_seed = 1;         ///< number of the first scene
-  std::vector<std::string> kinds;       ///< numbers of other kinds are passed over; empty: all kinds
+  std::uint64_t first_seed = 1;    ///< number of the first scene
+  std::vector<std::string> kinds;  ///< numbers of other kinds are passed over; empty: all kinds
   std::filesystem::path work = ".";
   int threads = 0;
   Judging judging;

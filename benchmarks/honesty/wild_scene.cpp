@@ -14,13 +14,16 @@ namespace {
 using Maker = void (*)(WildDraft&);
 
 constexpr std::array<std::string_view, 20> kKinds{
-    "rows_map", "gaps",     "facade", "hot_sphere", "mixture", "walls",   "rows_boxes", "ball",    "wide",   "panels",
-    "texture",  "rows_mesh", "yard",  "lamps",      "colours", "wires",   "hemisphere", "blocks",  "airy",  "overhead"};
+    "rows_map", "gaps",  "facade",     "hot_sphere", "mixture",   "walls",   "rows_boxes",
+    "ball",     "wide",  "panels",     "texture",    "rows_mesh", "yard",    "lamps",
+    "colours",  "wires", "hemisphere", "blocks",     "airy",      "overhead"};
 constexpr std::array<Maker, 20> kMakers{
-    nullptr,      make_gaps, make_facade, make_hot_sphere, make_mixture, make_walls, nullptr,         make_ball,   make_wide, make_panels,
-    make_texture, nullptr,   make_yard,   make_lamps,      make_colours, make_wires, make_hemisphere, make_blocks, make_airy, make_overhead};
+    nullptr,      make_gaps,  make_facade,     make_hot_sphere, make_mixture, make_walls,   nullptr,
+    make_ball,    make_wide,  make_panels,     make_texture,    nullptr,      make_yard,    make_lamps,
+    make_colours, make_wires, make_hemisphere, make_blocks,     make_airy,    make_overhead};
 
-WildScene rows(RowsScene::Form form, Chance& chance, const std::string& name, const std::filesystem::path& folder) {
+WildScene rows(RowsScene::Form form, Chance& chance, const std::string& name,
+               const std::filesystem::path& folder) {
   RowsScene made = rows_by_chance(form, chance.magnitude(0.2, 40.0), chance);
   if (chance.with(0.35)) made.psf_sigma_px = chance.between(0.25, 0.9);
   return {{}, name, made.write(folder, name), made.radiance(), {}};
@@ -28,10 +31,11 @@ WildScene rows(RowsScene::Form form, Chance& chance, const std::string& name, co
 
 /// Which light a kind is for; the others may have either.
 WildDraft::Light light_of(std::string_view kind, Chance& chance) {
-  if (kind == "facade" || kind == "yard" || kind == "ball" || kind == "hemisphere" || kind == "colours" || kind == "airy" ||
-      kind == "overhead")
+  if (kind == "facade" || kind == "yard" || kind == "ball" || kind == "hemisphere" || kind == "colours" ||
+      kind == "airy" || kind == "overhead")
     return WildDraft::Light::solar;
-  if (kind == "hot_sphere" || kind == "lamps" || kind == "mixture" || kind == "wide") return WildDraft::Light::thermal;
+  if (kind == "hot_sphere" || kind == "lamps" || kind == "mixture" || kind == "wide")
+    return WildDraft::Light::thermal;
   return chance.with(0.6) ? WildDraft::Light::solar : WildDraft::Light::thermal;
 }
 

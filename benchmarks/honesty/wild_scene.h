@@ -14,9 +14,9 @@ namespace ifov::benchmarks {
 /// A small scene made by rule and chance.
 struct WildScene {
   std::string kind, name;
-  std::string document;          ///< JSON; the files that it names lie in the folder it was made for
-  std::vector<double> exact;     ///< radiance of each pixel in the one channel, where a closed form gives it
-  PlainHints hints;              ///< else for the plain tracer
+  std::string document;       ///< JSON; the files that it names lie in the folder it was made for
+  std::vector<double> exact;  ///< radiance of each pixel in the one channel, where a closed form gives it
+  PlainHints hints;           ///< else for the plain tracer
 };
 
 /// All kinds, in the order in which numbers take them by turns.

@@ -34,12 +34,15 @@ void make_gaps(WildDraft& draft) {
   const Axes axes{chance.with(0.5)};
   const double gap = chance.magnitude(0.03, 0.6), height = chance.magnitude(0.05, 5.0);
   const bool alley = chance.with(0.3);
-  const double width = alley ? 12.0 : std::max(0.2, draft.in_step(chance.magnitude(0.5, 6.0)) - (chance.with(0.5) ? gap : 0.0));
+  const double width =
+      alley ? 12.0
+            : std::max(0.2, draft.in_step(chance.magnitude(0.5, 6.0)) - (chance.with(0.5) ? gap : 0.0));
   const int each_side = alley ? 1 : static_cast<int>(std::min(30.0, kReach_px / (width + gap)));
   const double start = beginning(draft);
   for (int k = -each_side; k < each_side; ++k) {
     const double low = start + k * (width + gap);
-    const std::array<double, 3> a = axes.at(low, -kReach_px, 0.0), b = axes.at(low + width, kReach_px, height);
+    const std::array<double, 3> a = axes.at(low, -kReach_px, 0.0),
+                                b = axes.at(low + width, kReach_px, height);
     draft.box({a[0], a[1], a[2]}, {b[0], b[1], b[2]}, "roof");
   }
 }
@@ -51,7 +54,8 @@ void make_walls(WildDraft& draft) {
   const Axes axes{chance.with(0.5)};
   const double thickness = chance.magnitude(0.03, 0.6), height = chance.magnitude(0.5, 8.0);
   const int count = chance.one_of({1, 1, 2, 5, 12});
-  const double pitch = draft.in_step(chance.magnitude(1.0, 6.0)), reach = chance.one_of({2.0, 5.0, kReach_px});
+  const double pitch = draft.in_step(chance.magnitude(1.0, 6.0)),
+               reach = chance.one_of({2.0, 5.0, kReach_px});
   const double start = beginning(draft) - 0.5 * (count - 1) * pitch;
   for (int k = 0; k < count; ++k) {
     const double low = start + k * pitch;
@@ -66,7 +70,8 @@ void make_wires(WildDraft& draft) {
   const Axes axes{chance.with(0.5)};
   const int count = chance.one_of({1, 2, 3, 8});
   const double height = chance.magnitude(0.5, 6.0), radius = chance.magnitude(0.005, 0.15);
-  const double pitch = draft.in_step(chance.magnitude(0.5, 3.0)), start = beginning(draft) - 0.5 * (count - 1) * pitch;
+  const double pitch = draft.in_step(chance.magnitude(0.5, 3.0)),
+               start = beginning(draft) - 0.5 * (count - 1) * pitch;
   const double lean = chance.one_of({0.0, chance.between(-0.05, 0.05), chance.between(-1.0, 1.0)});
   for (int k = 0; k < count; ++k) {
     const std::array<double, 3> base = axes.at(start + k * pitch - lean * kReach_px, -kReach_px, height);
@@ -84,7 +89,8 @@ void make_panels(WildDraft& draft) {
   draft.surface("panel");
   const Axes axes{chance.with(0.5)};
   const double pitch = draft.in_step(chance.magnitude(0.5, 8.0)), share = chance.between(0.2, 0.9);
-  const double foot = chance.magnitude(0.02, 1.0), rise = chance.one_of({0.0, chance.between(0.05, 0.6)}) * pitch;
+  const double foot = chance.magnitude(0.02, 1.0),
+               rise = chance.one_of({0.0, chance.between(0.05, 0.6)}) * pitch;
   const int each_side = static_cast<int>(std::min(30.0, kReach_px / pitch));
   const double start = beginning(draft);
   if (chance.with(0.5)) {  // boxes: level, their shadows beside them
@@ -96,8 +102,9 @@ void make_panels(WildDraft& draft) {
   std::string mesh = "usemtl panel\n";
   for (int k = -each_side, corner = 0; k < each_side; ++k, corner += 4) {
     const double low = start + k * pitch, high = low + share * pitch;
-    const std::array<double, 3> corners[4] = {axes.at(low, -kReach_px, foot), axes.at(high, -kReach_px, foot + rise),
-                                              axes.at(high, kReach_px, foot + rise), axes.at(low, kReach_px, foot)};
+    const std::array<double, 3> corners[4] = {
+        axes.at(low, -kReach_px, foot), axes.at(high, -kReach_px, foot + rise),
+        axes.at(high, kReach_px, foot + rise), axes.at(low, kReach_px, foot)};
     for (const auto& c : corners) {
       const math::Point3 p = draft.place(c[0], c[1], c[2]);
       mesh += format("v {} {} {}\n", p.x, p.y, p.z);
@@ -106,9 +113,10 @@ void make_panels(WildDraft& draft) {
   }
   std::ofstream file(draft.folder / (draft.name + ".obj"));
   file << mesh;
-  if (!file.flush()) throw std::runtime_error("cannot write " + (draft.folder / (draft.name + ".obj")).string());
-  draft.objects.push_back(
-      format(R"({{"mesh": {{"file": "{}.obj"}}, "material": {{"slots": {{"panel": "panel"}}}}}})", draft.name));
+  if (!file.flush())
+    throw std::runtime_error("cannot write " + (draft.folder / (draft.name + ".obj")).string());
+  draft.objects.push_back(format(
+      R"({{"mesh": {{"file": "{}.obj"}}, "material": {{"slots": {{"panel": "panel"}}}}}})", draft.name));
 }
 
 void make_texture(WildDraft& draft) {
@@ -116,8 +124,9 @@ void make_texture(WildDraft& draft) {
   const int cells = chance.one_of({2, 3, 6, 8});
   const double side = draft.in_step(chance.magnitude(0.1, 3.0)) * cells, start = beginning(draft);
   const math::Point3 corner = draft.place(start, start, 0.0);
-  const std::string where = format(R"("low_left": ["{} m", "{} m"], "size": ["{} m", "{} m"], "tiling": "repeat")",
-                                   corner.x, corner.y, side * draft.gsd_m, side * draft.gsd_m);
+  const std::string where =
+      format(R"("low_left": ["{} m", "{} m"], "size": ["{} m", "{} m"], "tiling": "repeat")", corner.x,
+             corner.y, side * draft.gsd_m, side * draft.gsd_m);
   std::vector<float> values;
   const bool classes = draft.regime == WildDraft::Light::solar || chance.with(0.4);
   const double share = chance.between(0.05, 0.95);
@@ -132,8 +141,10 @@ void make_texture(WildDraft& draft) {
         R"({{"plane": {{}}, "material": {{"map": {{"file": "{}.img", {}, "classes": {{"0": "zero", "1": "one"}}}}}}}})",
         draft.name, where));
   } else {
-    draft.material("ground", format(R"("emissivity": {:.3f}, "temperature": {{"map": {{"file": "{}.img", {}, "unit": "K"}}}})",
-                                    chance.between(0.8, 1.0), draft.name, where));
+    draft.material(
+        "ground",
+        format(R"("emissivity": {:.3f}, "temperature": {{"map": {{"file": "{}.img", {}, "unit": "K"}}}})",
+               chance.between(0.8, 1.0), draft.name, where));
     draft.objects.push_back(R"({"plane": {}, "material": "ground"})");
   }
 }
@@ -146,7 +157,8 @@ void make_blocks(WildDraft& draft) {
   const int count = static_cast<int>(3 + chance.index(6));
   for (int k = 0; k < count; ++k) {
     const double x = chance.between(-7.0, 7.0), y = chance.between(-7.0, 7.0);
-    draft.box({x, y, 0.0}, {x + chance.magnitude(0.2, 5.0), y + chance.magnitude(0.2, 5.0), chance.magnitude(0.2, 8.0)},
+    draft.box({x, y, 0.0},
+              {x + chance.magnitude(0.2, 5.0), y + chance.magnitude(0.2, 5.0), chance.magnitude(0.2, 8.0)},
               chance.with(0.5) ? "block" : "other");
   }
 }
@@ -163,8 +175,10 @@ void make_overhead(WildDraft& draft) {
     const double height = chance.magnitude(5.0, 300.0);
     // Where the plate must be for its shadow to lie in the image.
     const math::Vec3 away = draft.towards_sun * (height * draft.gsd_m / draft.towards_sun.z);
-    const double x = dot(away, east) / (draft.gsd_m * draft.gsd_m), y = dot(away, north) / (draft.gsd_m * draft.gsd_m);
-    const double across = draft.in_step(chance.magnitude(0.3, 12.0)), along = chance.one_of({across, 3.0, kReach_px});
+    const double x = dot(away, east) / (draft.gsd_m * draft.gsd_m),
+                 y = dot(away, north) / (draft.gsd_m * draft.gsd_m);
+    const double across = draft.in_step(chance.magnitude(0.3, 12.0)),
+                 along = chance.one_of({across, 3.0, kReach_px});
     const double at = beginning(draft) + chance.between(-6.0, 4.0);
     std::vector<std::array<double, 3>> corners;
     for (const auto& [a, b] : {std::pair{0.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {0.0, 1.0}}) {

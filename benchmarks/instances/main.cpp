@@ -26,7 +26,9 @@ constexpr int kLeaves = 2450;
 constexpr double kStep_m = 6.0;
 constexpr std::size_t kRays = 200000, kBatch = 512;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 double uniform(std::uint64_t key, std::uint64_t index) {
   std::uint64_t h = key * 0x9e3779b97f4a7c15ull + index * 0xbf58476d1ce4e5b9ull;
@@ -41,7 +43,8 @@ geometry::TriangleMesh tree() {
   for (std::uint64_t leaf = 0; leaf < kLeaves; ++leaf) {
     const double z = 2.0 * uniform(1, leaf) - 1.0, a = 2.0 * std::numbers::pi * uniform(2, leaf);
     const double r = std::sqrt(1.0 - z * z), depth = std::pow(uniform(3, leaf), 0.25);
-    const math::Point3 centre{3.5 * depth * r * std::cos(a), 3.5 * depth * r * std::sin(a), 7.0 + 4.0 * depth * z};
+    const math::Point3 centre{3.5 * depth * r * std::cos(a), 3.5 * depth * r * std::sin(a),
+                              7.0 + 4.0 * depth * z};
     const math::Transform turn = math::Transform::rotation(
         {uniform(4, leaf) - 0.5, uniform(5, leaf) - 0.5, uniform(6, leaf) - 0.5}, 6.283 * uniform(7, leaf));
     const auto first = static_cast<std::uint32_t>(mesh.vertices_m.size());
@@ -54,7 +57,8 @@ geometry::TriangleMesh tree() {
   const auto base = static_cast<std::uint32_t>(mesh.vertices_m.size());
   for (int ring = 0; ring <= 5; ++ring)
     for (int k = 0; k < 10; ++k)
-      mesh.vertices_m.push_back({0.2 * std::cos(0.6283185 * k), 0.2 * std::sin(0.6283185 * k), -0.5 + 1.2 * ring});
+      mesh.vertices_m.push_back(
+          {0.2 * std::cos(0.6283185 * k), 0.2 * std::sin(0.6283185 * k), -0.5 + 1.2 * ring});
   for (std::uint32_t ring = 0; ring < 5; ++ring)
     for (std::uint32_t k = 0; k < 10; ++k) {
       const std::uint32_t a = base + ring * 10 + k, b = base + ring * 10 + (k + 1) % 10;
@@ -98,7 +102,8 @@ std::vector<math::Ray> rays_over(std::size_t count) {
   const double side = 0.98 * side_m(count);
   for (std::uint64_t k = 0; k < kRays; ++k) {
     const std::uint64_t row = k / kBatch;
-    const math::Point3 to{(uniform(20, row) - 0.5) * side + double(k % kBatch), (uniform(21, row) - 0.5) * side, 0.0};
+    const math::Point3 to{(uniform(20, row) - 0.5) * side + double(k % kBatch),
+                          (uniform(21, row) - 0.5) * side, 0.0};
     const math::Vec3 down = math::normalized({0.1 * (uniform(22, row) - 0.5), 0.05, -1.0});
     rays.push_back({to - down * 3000.0, down});
   }
@@ -113,9 +118,11 @@ std::size_t wrong_hits(const std::vector<math::Ray>& rays, const std::vector<geo
     if (!hits[k].hit()) continue;
     const math::Transform map = list.at(hits[k].instance);
     const geometry::Triangle& t = mesh.triangles[hits[k].primitive];
-    const math::Point3 a = map(mesh.vertices_m[t[0]]), b = map(mesh.vertices_m[t[1]]), c = map(mesh.vertices_m[t[2]]);
+    const math::Point3 a = map(mesh.vertices_m[t[0]]), b = map(mesh.vertices_m[t[1]]),
+                       c = map(mesh.vertices_m[t[2]]);
     const math::Vec3 n = math::normalized(math::cross(b - a, c - a));
-    const math::Point3 p = rays[k].origin_m + rays[k].direction * (dot(n, a - rays[k].origin_m) / dot(n, rays[k].direction));
+    const math::Point3 p =
+        rays[k].origin_m + rays[k].direction * (dot(n, a - rays[k].origin_m) / dot(n, rays[k].direction));
     if (!(length(p - hits[k].position_m) < 4e-5)) ++wrong;
   }
   return wrong;
@@ -161,14 +168,16 @@ int main(int argc, char** argv) {
   const double trace_s = seconds_since(traced);
   std::size_t met = 0;
   for (const geometry::SurfacePoint& hit : hits) met += hit.hit();
-  std::puts(format("{{\"instances\": {}, \"triangles\": {}, \"table\": {}, \"list_s\": {:.2f}, \"load_s\": {:.2f}, "
-                   "\"load_cpu_s\": {:.2f}, \"peak_gib\": {:.3f}, \"bytes_per_instance\": {:.0f}, \"tables_and_trees_bytes_per_instance\": {:.0f}, "
-                   "\"rays\": {}, \"met\": {}, \"wrong\": {}, \"mrays_per_s\": {:.3f}}}",
-                   world->object_count(), world->triangle_count(), world->storage().instance_table, list_s, load_s, load_cpu_s,
-                   load_gib, (load_gib - before_gib) * 1073741824.0 / static_cast<double>(count),
-                   static_cast<double>(world->storage().bytes) / static_cast<double>(count), rays.size(), met,
-                   wrong_hits(rays, hits, *list, mesh), 1e-6 * static_cast<double>(rays.size()) / trace_s)
-                .c_str());
+  std::puts(
+      format("{{\"instances\": {}, \"triangles\": {}, \"table\": {}, \"list_s\": {:.2f}, \"load_s\": {:.2f}, "
+             "\"load_cpu_s\": {:.2f}, \"peak_gib\": {:.3f}, \"bytes_per_instance\": {:.0f}, "
+             "\"tables_and_trees_bytes_per_instance\": {:.0f}, "
+             "\"rays\": {}, \"met\": {}, \"wrong\": {}, \"mrays_per_s\": {:.3f}}}",
+             world->object_count(), world->triangle_count(), world->storage().instance_table, list_s, load_s,
+             load_cpu_s, load_gib, (load_gib - before_gib) * 1073741824.0 / static_cast<double>(count),
+             static_cast<double>(world->storage().bytes) / static_cast<double>(count), rays.size(), met,
+             wrong_hits(rays, hits, *list, mesh), 1e-6 * static_cast<double>(rays.size()) / trace_s)
+          .c_str());
   std::error_code ignored;
   std::filesystem::remove(path, ignored);
   return 0;

@@ -55,8 +55,10 @@ struct Trials {
 };
 
 std::vector<double> plain(const session::Session::Parts& parts, int strata) {
-  render::SceneField field(*parts.spectral_scene, *parts.camera, parts.job().transport, render::LabelDetail::material);
-  const auto stride = static_cast<std::size_t>(field.stride()), count = static_cast<std::size_t>(strata * strata);
+  render::SceneField field(*parts.spectral_scene, *parts.camera, parts.job().transport,
+                           render::LabelDetail::material);
+  const auto stride = static_cast<std::size_t>(field.stride()),
+             count = static_cast<std::size_t>(strata * strata);
   std::mt19937_64 random(12345);
   std::uniform_real_distribution<double> uniform;
   std::vector<sampling::PathRequest> requests(count);
@@ -67,7 +69,9 @@ std::vector<double> plain(const session::Session::Parts& parts, int strata) {
     for (int x = 0; x < parts.camera->width_px(); ++x) {
       for (int k = 0; k < strata * strata; ++k)
         requests[static_cast<std::size_t>(k)] = {
-            {x + (k % strata + uniform(random)) / strata, y + (k / strata + uniform(random)) / strata}, random(), 0};
+            {x + (k % strata + uniform(random)) / strata, y + (k / strata + uniform(random)) / strata},
+            random(),
+            0};
       field.values(requests, labels, values);
       double sum = 0.0;
       for (std::size_t k = 0; k < count; ++k) sum += static_cast<double>(values[k * stride]);
@@ -122,11 +126,11 @@ void print_pixels(const Trials& trials) {
     common += trials.mean[p] - trials.truth[p];
     standard_errors += std::sqrt(trials.variance[p]);
   }
-  std::printf("scatter over standard error %.2f; common to all pixels %+.2f standard errors\n", std::sqrt(scatter / variance),
-              common / standard_errors);
+  std::printf("scatter over standard error %.2f; common to all pixels %+.2f standard errors\n",
+              std::sqrt(scatter / variance), common / standard_errors);
   std::printf("correlation of pixels at (1, 0) %.3f, (0, 1) %.3f, (1, 1) %.3f, (2, 0) %.3f, (0, 2) %.3f\n",
-              correlation(trials, 1, 0), correlation(trials, 0, 1), correlation(trials, 1, 1), correlation(trials, 2, 0),
-              correlation(trials, 0, 2));
+              correlation(trials, 1, 0), correlation(trials, 0, 1), correlation(trials, 1, 1),
+              correlation(trials, 2, 0), correlation(trials, 0, 2));
 }
 
 void print_regions(const Trials& trials, const sampling::RegionRule& rule, int size) {
@@ -152,8 +156,10 @@ void print_regions(const Trials& trials, const sampling::RegionRule& rule, int s
       ++count;
     }
   }
-  std::printf("%3d x %-3d coverage %.3f, half-width over RMS error %.1f; as if errors were independent: coverage %.3f\n", size, size,
-              held / count, widths / count / std::sqrt(squares / count), alone / count);
+  std::printf(
+      "%3d x %-3d coverage %.3f, half-width over RMS error %.1f; as if errors were independent: coverage "
+      "%.3f\n",
+      size, size, held / count, widths / count / std::sqrt(squares / count), alone / count);
 }
 
 }  // namespace
@@ -167,7 +173,8 @@ int main(int count, char** arguments) {
     std::ifstream file(arguments[1]);
     std::stringstream text;
     text << file.rdbuf();
-    const session::Session session = session::Session::load(io::parse_document(text.str(), arguments[1]), nullptr);
+    const session::Session session =
+        session::Session::load(io::parse_document(text.str(), arguments[1]), nullptr);
     const auto& parts = session.parts();
     const Trials trials =
         run(parts, count > 2 ? std::atoi(arguments[2]) : 120, count > 3 ? std::atoi(arguments[3]) : 140);

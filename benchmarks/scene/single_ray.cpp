@@ -94,7 +94,8 @@ double largest_relative_error(const session::Session& session) {
       parts.scene.world->occluded({&shadow, 1}, {&blocked, 1});
       if (blocked != 0) cosine = 0.0;
     }
-    const int material = material_number(parts.scene.materials[parts.scene.resolve(hit).constituents[0].material].name);
+    const int material =
+        material_number(parts.scene.materials[parts.scene.resolve(hit).constituents[0].material].name);
     for (std::size_t band = 0; band < spectrum.size(); ++band) {
       const double expected = forest_reflectance(material, static_cast<int>(band)) / std::numbers::pi *
                               kForestSun_w_m2_um * cosine;

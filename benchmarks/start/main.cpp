@@ -54,7 +54,8 @@ geometry::Triangle triangle(std::uint32_t cells, std::uint32_t number) {
 void write_mesh(const std::filesystem::path& path, std::uint32_t cells) {
   std::ofstream file(path, std::ios::binary);
   file << format(
-      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
+      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty "
+      "float z\n"
       "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
       (cells + 1) * (cells + 1), 2 * cells * cells);
   std::vector<char> row;
@@ -83,7 +84,8 @@ void write_document(const std::filesystem::path& path, double gsd_m, int pixels)
   "sensor": {{"camera": {{"orthographic": {{"gsd": "{} m", "pixels": [{}, {}]}}}},
              "channels": [{{"name": "red", "monochromatic": {{"at": "0.65 um"}}}}]}},
   "sampling": {{"grid": {{"elements": [2, 2]}}, "max_depth": 2}}}}
-)", gsd_m, pixels, pixels);
+)",
+                                gsd_m, pixels, pixels);
 }
 
 geometry::TriangleMesh mesh_of(std::uint32_t cells) {
@@ -117,7 +119,8 @@ std::vector<math::Ray> rays_over(std::uint32_t cells) {
       const math::Vec3 down = math::normalized({0.1 * (uniform(4, row) - 0.5), 0.05, -1.0});
       rays.push_back({near + math::Vec3{0.5 * double(k % kBatch), 0.0, 0.0} - down * 3000.0, down});
     } else {
-      const double z = -0.5 * uniform(5, k), a = 6.283185307179586 * uniform(6, k), r = std::sqrt(1.0 - z * z);
+      const double z = -0.5 * uniform(5, k), a = 6.283185307179586 * uniform(6, k),
+                   r = std::sqrt(1.0 - z * z);
       rays.push_back({near, {r * std::cos(a), r * std::sin(a), z}});
     }
   }
@@ -167,11 +170,13 @@ int trace(std::uint32_t cells) {
     const math::Vec3 n = math::normalized(cross(b - a, c - a));
     if (std::abs(dot(n, found[k].position_m - a)) > 1e-8) ++wrong;
   }
-  std::puts(format("{{\"triangles\": {}, \"chunks\": {}, \"rays\": {}, \"met\": {}, \"different\": {}, \"wrong\": {}, "
-                   "\"trees_and_rays_s\": {:.2f}, \"time_over_at_once\": {:.3f}}}",
-                   by_chunk->triangle_count(), by_chunk->storage().chunks, rays.size(), met, different, wrong, first_s,
-                   ratios[kTurns / 2])
-                .c_str());
+  std::puts(
+      format(
+          "{{\"triangles\": {}, \"chunks\": {}, \"rays\": {}, \"met\": {}, \"different\": {}, \"wrong\": {}, "
+          "\"trees_and_rays_s\": {:.2f}, \"time_over_at_once\": {:.3f}}}",
+          by_chunk->triangle_count(), by_chunk->storage().chunks, rays.size(), met, different, wrong, first_s,
+          ratios[kTurns / 2])
+          .c_str());
   return 0;
 }
 

@@ -29,11 +29,13 @@ int main(int argc, char** argv) try {
   if (argc < 2) return std::fprintf(stderr, "usage: brightest FILE [KEY=VALUE]...\n"), 1;
   const ifov::Document document = ifov::Document::read(argv[1], {argv + 2, argv + argc});
   const ifov::Simulation simulation = ifov::Simulation::load(document);
-  for (const std::string& warning : simulation.warnings()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  for (const std::string& warning : simulation.warnings())
+    std::fprintf(stderr, "warning: %s\n", warning.c_str());
   Brightest brightest;
   const ifov::Outcome outcome = simulation.render_tiles(brightest);
-  std::printf("%s: %g +- %g W m-2 sr-1 um-1 at column %d, row %d\n", simulation.image().channels[0].name.c_str(),
-              brightest.radiance, brightest.half_width, brightest.x_px, brightest.y_px);
+  std::printf("%s: %g +- %g W m-2 sr-1 um-1 at column %d, row %d\n",
+              simulation.image().channels[0].name.c_str(), brightest.radiance, brightest.half_width,
+              brightest.x_px, brightest.y_px);
   return outcome.exit_code();
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

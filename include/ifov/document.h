@@ -22,8 +22,8 @@ class IFOV_API Document {
 
   /// The same from a text. Relative files are looked for in `folder` (empty: where the program was started), and messages
   /// call the document `name` in it.
-  static Document parse(const std::string& text, const std::string& name, const std::filesystem::path& folder = {},
-                        const std::vector<std::string>& set = {});
+  static Document parse(const std::string& text, const std::string& name,
+                        const std::filesystem::path& folder = {}, const std::vector<std::string>& set = {});
 
   /// The document's name, as messages give it.
   std::string name() const;

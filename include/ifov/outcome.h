@@ -26,11 +26,11 @@ struct Product {
 
 struct Outcome {
   Verdict verdict = Verdict::done;
-  std::filesystem::path folder;         ///< of the products; empty where tiles stayed in memory
-  std::vector<Product> products;        ///< likewise
-  Progress totals;                      ///< of all starts of the run: pixels done and converged, rays, time
-  std::string accuracy_statement;       ///< plain words: what was asked for, what was reached, where it was not
-  std::vector<std::string> warnings;    ///< of loading
+  std::filesystem::path folder;       ///< of the products; empty where tiles stayed in memory
+  std::vector<Product> products;      ///< likewise
+  Progress totals;                    ///< of all starts of the run: pixels done and converged, rays, time
+  std::string accuracy_statement;     ///< plain words: what was asked for, what was reached, where it was not
+  std::vector<std::string> warnings;  ///< of loading
   std::size_t tiles_done = 0, tiles_left = 0;
 
   int exit_code() const { return static_cast<int>(verdict); }

@@ -32,8 +32,9 @@ struct Progress {
   std::int64_t pixels_done = 0;
   std::int64_t pixels_total = 0;
   std::int64_t pixels_converged = 0;
-  std::int64_t rays = 0;           ///< all rays traced so far, of every kind
-  double worst_error_ratio = 0.0;  ///< largest half-width so far in units of its limit; 0 where no accuracy is asked
+  std::int64_t rays = 0;  ///< all rays traced so far, of every kind
+  double worst_error_ratio =
+      0.0;  ///< largest half-width so far in units of its limit; 0 where no accuracy is asked
   double elapsed_s = 0.0;
 };
 

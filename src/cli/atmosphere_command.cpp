@@ -86,12 +86,14 @@ ExitCode look(const AtmosphereArguments& arguments) {
   if (!arguments.csv.empty()) {
     write_file(arguments.csv, io::air_csv(report));
     if (!arguments.quiet)
-      complain(format("{}  (spectrum, {} steps of {:g} cm-1)", arguments.csv, report.spectrum.size(), report.step_cm1));
+      complain(format("{}  (spectrum, {} steps of {:g} cm-1)", arguments.csv, report.spectrum.size(),
+                      report.step_cm1));
   }
   if (!arguments.sky.empty()) {
     write_file(arguments.sky, io::sky_csv(report));
     if (!arguments.quiet)
-      complain(format("{}  (sky of '{}' at {:.4g} um)", arguments.sky, report.sky_channel, report.sky->wavelength_um));
+      complain(format("{}  (sky of '{}' at {:.4g} um)", arguments.sky, report.sky_channel,
+                      report.sky->wavelength_um));
   }
   return ExitCode::ok;
 }

@@ -33,10 +33,11 @@ std::string description_of(const CheckArguments& arguments, const std::string& f
 /// All files are looked at, whatever is wrong with the first of them.
 ExitCode check(const CheckArguments& arguments) {
   Console console(arguments.quiet, "");
-  std::size_t warnings = 0;  // of the scenes
+  std::size_t warnings = 0;         // of the scenes
   ExitCode outcome = ExitCode::ok;  // the first of the worst
   const auto note = [&](ExitCode found) {
-    if (outcome == ExitCode::ok || outcome == ExitCode::warned || found == ExitCode::environment) outcome = found;
+    if (outcome == ExitCode::ok || outcome == ExitCode::warned || found == ExitCode::environment)
+      outcome = found;
   };
   for (const std::string& file : arguments.files) {
     try {
@@ -69,8 +70,10 @@ Command add_check_command(CLI::App& app) {
   parser->add_flag("--strict", arguments->strict, "Warnings are errors: exit code 1");
   parser->add_flag("-q,--quiet", arguments->quiet, "Print nothing but errors");
   parser->footer(
-      "Prints what was loaded and where it is: bounds of the scene, what the camera sees, the Sun, light and\n"
-      "radiance by channel from some thousand rays, the floors of the accuracy. Warns of what is most likely\n"
+      "Prints what was loaded and where it is: bounds of the scene, what the camera sees, the Sun, light "
+      "and\n"
+      "radiance by channel from some thousand rays, the floors of the accuracy. Warns of what is most "
+      "likely\n"
       "not meant. An error names file, line and column and shows the line.\n"
       "Exit codes: 0 all well; 1 an error; 2 a file cannot be read; 6 warnings.\n\n"
       "Examples:\n"

@@ -53,13 +53,14 @@ int command_line_outcome(const CLI::App& app, const CLI::ParseError& error, int 
 int run(int argc, char** argv) {
   CLI::App app("Synthetic remote-sensing images with a stated accuracy.", "ifov");
   const std::string mpi = cluster::mpi_library();
-  app.set_version_flag("--version", format("ifov {}\n{}", version(), mpi.empty() ? "built without MPI" : mpi));
+  app.set_version_flag("--version",
+                       format("ifov {}\n{}", version(), mpi.empty() ? "built without MPI" : mpi));
   app.footer(kFooter);
   app.require_subcommand(1);
-  const std::vector<Command> commands{add_render_command(app), add_check_command(app), add_preview_command(app),
-                                      add_atmosphere_command(app), add_info_command(app),
-                                      add_study_command(app), add_make_command(app), add_materials_command(app),
-                                      add_status_command(app), add_merge_command(app), add_schema_command(app)};
+  const std::vector<Command> commands{
+      add_render_command(app), add_check_command(app), add_preview_command(app), add_atmosphere_command(app),
+      add_info_command(app),   add_study_command(app), add_make_command(app),    add_materials_command(app),
+      add_status_command(app), add_merge_command(app), add_schema_command(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -48,7 +48,8 @@ void Patience::watch() {
     const Clock::time_point now = Clock::now();
     if (cancel_.cancelled() && !asked) asked = now;
     if (asked && now - *asked > kGrace) end(ExitCode::stopped, message_);
-    if (deadline_ && now >= *deadline_) end(ExitCode::unmet, limit_message_);  // nobody else looks at it until over()
+    if (deadline_ && now >= *deadline_)
+      end(ExitCode::unmet, limit_message_);  // nobody else looks at it until over()
     wake_.wait_for(lock, kLook);
   }
 }

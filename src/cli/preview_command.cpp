@@ -37,25 +37,31 @@ ExitCode preview(const PreviewArguments& arguments) {
   Patience patience(cancel, "ifov: stopped on request; no picture was written");
   Console console(arguments.quiet, "");
   try {
-    const io::Document document = session::for_preview(arguments.input.read(arguments.document), arguments.pixels);
-    const session::Session session = session::Session::load(
-        document, &console,
-        {.scene_cache = !arguments.no_cache, .threads = arguments.threads, .cancel = &cancel, .progress = &console});
+    const io::Document document =
+        session::for_preview(arguments.input.read(arguments.document), arguments.pixels);
+    const session::Session session = session::Session::load(document, &console,
+                                                            {.scene_cache = !arguments.no_cache,
+                                                             .threads = arguments.threads,
+                                                             .cancel = &cancel,
+                                                             .progress = &console});
     patience.over();
     if (arguments.strict) require_no_warnings(session.warnings().size());
     console.phase("first look");
     const session::Preview picture = session::make_preview(
         session, {.seconds = arguments.seconds, .threads = arguments.threads, .cancel = &cancel});
     console.finish();
-    const std::string path = arguments.output.empty()
-                                 ? std::filesystem::path(arguments.document).replace_extension(".preview.png").string()
-                                 : arguments.output;
+    const std::string path =
+        arguments.output.empty()
+            ? std::filesystem::path(arguments.document).replace_extension(".preview.png").string()
+            : arguments.output;
     io::PartFile file(path);
     io::write_part(file, picture.png);
     file.publish();
     if (!arguments.quiet) {
       if (const TerminalColours colours = terminal_colours(); colours != TerminalColours::none)
-        std::fputs(terminal_picture(picture.width_px, picture.height_px, picture.pixels, columns_of_output(), colours).c_str(),
+        std::fputs(terminal_picture(picture.width_px, picture.height_px, picture.pixels, columns_of_output(),
+                                    colours)
+                       .c_str(),
                    stdout);
       say(session.description());
       say(format("{}\n{}  (picture, PNG)\n", picture.statement, path));
@@ -74,20 +80,27 @@ Command add_preview_command(CLI::App& app) {
   parser->add_option("FILE", arguments->document, "The document (JSON)")->required();
   arguments->input.add_to(*parser);
   add_inputs_below(*parser);
-  parser->add_option("-o,--output", arguments->output, "The picture (default: beside the document, NAME.preview.png)")
+  parser
+      ->add_option("-o,--output", arguments->output,
+                   "The picture (default: beside the document, NAME.preview.png)")
       ->type_name("PNG");
-  parser->add_option("--seconds", arguments->seconds, "Time for paths")->check(CLI::Range(0.1, 3600.0))->capture_default_str();
+  parser->add_option("--seconds", arguments->seconds, "Time for paths")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
   parser->add_option("--pixels", arguments->pixels, "Pixels along the longer side, at most")
       ->check(CLI::Range(16, 1600))
       ->capture_default_str();
-  parser->add_option("-j,--threads", arguments->threads, "Threads; 0 takes all cores")->check(CLI::Range(0, 4096));
+  parser->add_option("-j,--threads", arguments->threads, "Threads; 0 takes all cores")
+      ->check(CLI::Range(0, 4096));
   parser->add_flag("--strict", arguments->strict, "Warnings are errors: exit code 1, and no picture");
   parser->add_flag("--no-cache", arguments->no_cache,
                    "Read all files of the scene, and keep nothing of them beside the document");
   parser->add_flag("-q,--quiet", arguments->quiet, "Print nothing but errors");
   parser->footer(
-      "One path after another at each pixel of a small image, coarse first, in the channels of the picture alone;\n"
-      "draws it in a terminal that has colours, and says of the scene what 'ifov check' says. No accuracy is\n"
+      "One path after another at each pixel of a small image, coarse first, in the channels of the picture "
+      "alone;\n"
+      "draws it in a terminal that has colours, and says of the scene what 'ifov check' says. No accuracy "
+      "is\n"
       "promised. Exit codes: 0 all well; 6 warnings; others as 'ifov --help' says.\n\n"
       "Examples:\n"
       "  ifov preview scene.json\n"

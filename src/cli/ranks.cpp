@@ -1,7 +1,8 @@
 #include "cli/ranks.h"
-#include "cli/terminal/say.h"
 
 #include <chrono>
+
+#include "cli/terminal/say.h"
 
 namespace ifov::cli {
 namespace {

@@ -17,10 +17,10 @@
 #include "core/error.h"
 #include "core/format.h"
 #include "io/document/document.h"
-#include "session/runs/forecast.h"
-#include "session/runs/worker.h"
-#include "session/runs/run.h"
 #include "session/runs/coordinator.h"
+#include "session/runs/forecast.h"
+#include "session/runs/run.h"
+#include "session/runs/worker.h"
 
 namespace ifov::cli {
 namespace {
@@ -37,7 +37,9 @@ struct RenderArguments {
 };
 
 void print_forecast(const session::Forecast& forecast, double loading_s) {
-  const auto size = [](std::uint64_t bytes) { return format("{}B", short_count(static_cast<double>(bytes))); };
+  const auto size = [](std::uint64_t bytes) {
+    return format("{}B", short_count(static_cast<double>(bytes)));
+  };
   const auto time = [](double seconds) {
     return seconds < 60.0 ? format("{:.2f} s", seconds) : short_duration(seconds);
   };
@@ -49,9 +51,10 @@ void print_forecast(const session::Forecast& forecast, double loading_s) {
     text += format("loading    {} before that, as just now\n", time(loading_s));
   }
   text += format("memory     {}\n", size(forecast.memory_bytes));
-  text += format("disk       {} while it works, {} of products\n", size(forecast.disk_bytes), size(forecast.product_bytes));
-  text += forecast.probes > 0 ? format("probed     {} pieces, {:.3g} % of the image, in {:.1f} s\n", forecast.probes,
-                                       100.0 * forecast.probed_share, forecast.probing_s)
+  text += format("disk       {} while it works, {} of products\n", size(forecast.disk_bytes),
+                 size(forecast.product_bytes));
+  text += forecast.probes > 0 ? format("probed     {} pieces, {:.3g} % of the image, in {:.1f} s\n",
+                                       forecast.probes, 100.0 * forecast.probed_share, forecast.probing_s)
                               : "probed     nothing: there is too little memory\n";
   for (const std::string& shortage : forecast.shortages) text += format("it will not do: {}\n", shortage);
   say(text);
@@ -69,11 +72,12 @@ render::TileShare read_share(const std::string& text) {
 
 void refuse_what_ranks_cannot(const RenderArguments& arguments) {
   if (arguments.no_state)
-    throw InputError("--no-state: several ranks put their tiles together in the run's folder; leave it out, or start one");
+    throw InputError(
+        "--no-state: several ranks put their tiles together in the run's folder; leave it out, or start one");
 }
 
-std::optional<std::chrono::steady_clock::time_point> deadline_of(const RenderArguments& arguments,
-                                                                 std::chrono::steady_clock::time_point begin) {
+std::optional<std::chrono::steady_clock::time_point> deadline_of(
+    const RenderArguments& arguments, std::chrono::steady_clock::time_point begin) {
   if (arguments.time_limit.empty()) return std::nullopt;
   return begin + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                      read_duration(arguments.time_limit, "--time-limit"));
@@ -93,10 +97,10 @@ ExitCode render(const RenderArguments& arguments) {
   cluster::Communicator* const communicator = join_ranks();
   if (communicator != nullptr && !communicator->leads()) {
     session::run_worker(*communicator, {.document = arguments.document,
-                               .overrides = arguments.input.overrides(),
-                               .threads = arguments.threads,
-                               .scene_cache = !arguments.no_cache,
-                               .cancel = &cancel});
+                                        .overrides = arguments.input.overrides(),
+                                        .threads = arguments.threads,
+                                        .scene_cache = !arguments.no_cache,
+                                        .cancel = &cancel});
     return ExitCode::ok;
   }
   std::optional<session::Coordinator> coordinator;
@@ -104,14 +108,16 @@ ExitCode render(const RenderArguments& arguments) {
   if (communicator != nullptr) {
     refuse_what_ranks_cannot(arguments);
     coordinator.emplace(*communicator);
-    notice.emplace(cancel,
-                   "ifov: stopped (Ctrl-C, or a rank ended: mpirun says which); unfinished products carry the ending "
-                   ".part, and --resume goes on with what is finished");
+    notice.emplace(
+        cancel,
+        "ifov: stopped (Ctrl-C, or a rank ended: mpirun says which); unfinished products carry the ending "
+        ".part, and --resume goes on with what is finished");
   }
   std::optional<Patience> patience;  // mpirun ends ranks by itself
   if (communicator == nullptr)
-    patience.emplace(cancel, format("ifov: stopped on request; unfinished products carry the ending .part{}",
-                                    arguments.no_state ? "" : ", and --resume goes on with what is finished"));
+    patience.emplace(cancel,
+                     format("ifov: stopped on request; unfinished products carry the ending .part{}",
+                            arguments.no_state ? "" : ", and --resume goes on with what is finished"));
   const std::optional<std::chrono::steady_clock::time_point> deadline = deadline_of(arguments, begin);
   if (patience && deadline)
     patience->limit(*deadline, "ifov: the time limit came before the scene was loaded; nothing is rendered");
@@ -122,8 +128,8 @@ ExitCode render(const RenderArguments& arguments) {
                                     .threads = arguments.threads,
                                     .cancel = &cancel,
                                     .progress = &console};
-    const session::Session session =
-        coordinator ? coordinator->load(document, &console, load) : session::Session::load(document, &console, load);
+    const session::Session session = coordinator ? coordinator->load(document, &console, load)
+                                                 : session::Session::load(document, &console, load);
     if (arguments.strict) require_no_warnings(session.warnings().size());
     session::RunRequest request;
     session::RunOptions& options = request.options;
@@ -133,10 +139,11 @@ ExitCode render(const RenderArguments& arguments) {
     request.deadline = deadline;
     if (patience) patience->over();
     if (patience && deadline && !arguments.dry_run)
-      patience->limit(*deadline + kLastProducts,
-                      format("ifov: the time limit came before the products were whole; unfinished ones carry the ending "
-                             ".part{}",
-                             arguments.no_state ? "" : ", and --resume goes on with what is finished"));
+      patience->limit(
+          *deadline + kLastProducts,
+          format("ifov: the time limit came before the products were whole; unfinished ones carry the ending "
+                 ".part{}",
+                 arguments.no_state ? "" : ", and --resume goes on with what is finished"));
     if (!arguments.tiles.empty()) request.share = read_share(arguments.tiles);
     options.cancel = &cancel;
     options.progress = &console;
@@ -145,7 +152,9 @@ ExitCode render(const RenderArguments& arguments) {
     request.keep_finished = arguments.keep;
     request.refine = arguments.refine;
     request.anyway = arguments.anyway;
-    request.start = arguments.resume ? RunStart::resume : arguments.restart ? RunStart::restart : RunStart::fresh;
+    request.start = arguments.resume    ? RunStart::resume
+                    : arguments.restart ? RunStart::restart
+                                        : RunStart::fresh;
     if (cancel.cancelled()) throw Cancelled();
     if (arguments.dry_run) {
       const std::chrono::duration<double> loading = std::chrono::steady_clock::now() - begin;
@@ -188,29 +197,38 @@ Command add_render_command(CLI::App& app) {
                    "Threads; 0 takes all cores. The result is the same for any number")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
-  CLI::Option* resume = parser->add_flag("--resume", arguments->resume,
-                                         "Go on with the run in the output folder that was stopped; the products are the "
-                                         "same, byte for byte. Where there is none, begin");
-  CLI::Option* restart = parser->add_flag("--restart", arguments->restart,
-                                          "Throw away what an unfinished run left in the output folder, and begin");
-  CLI::Option* keep = parser->add_flag("--keep", arguments->keep,
-                                       "Keep, beside the products, what --refine can go on from");
-  CLI::Option* refine = parser->add_flag("--refine", arguments->refine,
-                                         "Take the kept run in the output folder to the tighter accuracy that the document "
-                                         "asks for now; pays only for the difference");
-  parser->add_flag("--no-state", arguments->no_state, "Do not keep finished tiles: a run that is stopped cannot go on")
+  CLI::Option* resume =
+      parser->add_flag("--resume", arguments->resume,
+                       "Go on with the run in the output folder that was stopped; the products are the "
+                       "same, byte for byte. Where there is none, begin");
+  CLI::Option* restart =
+      parser->add_flag("--restart", arguments->restart,
+                       "Throw away what an unfinished run left in the output folder, and begin");
+  CLI::Option* keep =
+      parser->add_flag("--keep", arguments->keep, "Keep, beside the products, what --refine can go on from");
+  CLI::Option* refine =
+      parser->add_flag("--refine", arguments->refine,
+                       "Take the kept run in the output folder to the tighter accuracy that the document "
+                       "asks for now; pays only for the difference");
+  parser
+      ->add_flag("--no-state", arguments->no_state,
+                 "Do not keep finished tiles: a run that is stopped cannot go on")
       ->excludes(resume)
       ->excludes(restart)
       ->excludes(keep)
       ->excludes(refine);
   resume->excludes(restart);
-  parser->add_option("--time-limit", arguments->time_limit,
-                     "Be done within this time (90s, 10min, 1.5h), products and all; pixels that were not reached hold "
-                     "no value, and --resume goes on with them");
+  parser->add_option(
+      "--time-limit", arguments->time_limit,
+      "Be done within this time (90s, 10min, 1.5h), products and all; pixels that were not reached hold "
+      "no value, and --resume goes on with them");
   parser->add_flag("--anyway", arguments->anyway,
                    "Begin also where memory or disk will not do, by what is known before the first ray");
-  parser->add_flag("--strict", arguments->strict, "Render nothing where loading gives warnings; each is an error then");
-  parser->add_flag("--quick", arguments->quick, "A first picture in a few seconds instead: the same as 'ifov preview'")
+  parser->add_flag("--strict", arguments->strict,
+                   "Render nothing where loading gives warnings; each is an error then");
+  parser
+      ->add_flag("--quick", arguments->quick,
+                 "A first picture in a few seconds instead: the same as 'ifov preview'")
       ->excludes(resume)
       ->excludes(restart)
       ->excludes(keep)

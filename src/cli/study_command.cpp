@@ -65,7 +65,8 @@ Command add_study_command(CLI::App& app) {
   parser->add_option("-o,--output", arguments->output, "Folder of the report (default: study-NAME)");
   parser->add_option("--reference", arguments->reference,
                      "Folder of reference data (atmosphere; default: the environment variable IFOV_TRUTH)");
-  parser->add_option("--scene", arguments->scene, "Document to study instead of the study's own scene (suburb)");
+  parser->add_option("--scene", arguments->scene,
+                     "Document to study instead of the study's own scene (suburb)");
   parser->add_option("--trials", arguments->trials, "Random shifts of each scene; fewer give a quick look")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();

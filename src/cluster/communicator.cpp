@@ -3,8 +3,8 @@
 #include <chrono>
 #include <thread>
 
-#include "cluster/launch.h"
 #include "cluster/backoff.h"
+#include "cluster/launch.h"
 #include "core/error.h"
 
 #ifdef IFOV_HAS_MPI
@@ -52,8 +52,8 @@ int share_of_cores(MPI_Comm node) {
   sched_getaffinity(0, sizeof mine, &mine);
   std::vector<cpu_set_t> all(static_cast<std::size_t>(ranks));
   MPI_Allgather(&mine, sizeof mine, MPI_BYTE, all.data(), sizeof mine, MPI_BYTE, node);
-  const auto sharing =
-      std::count_if(all.begin(), all.end(), [&](const cpu_set_t& other) { return CPU_EQUAL(&mine, &other) != 0; });
+  const auto sharing = std::count_if(all.begin(), all.end(),
+                                     [&](const cpu_set_t& other) { return CPU_EQUAL(&mine, &other) != 0; });
   return std::max(1, CPU_COUNT(&mine) / static_cast<int>(std::max<std::ptrdiff_t>(sharing, 1)));
 }
 
@@ -67,7 +67,8 @@ Communicator::Communicator() : mpi_(std::make_unique<Mpi>()) {
   int provided = MPI_THREAD_SINGLE;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
   if (provided < MPI_THREAD_SERIALIZED)
-    throw EnvironmentError(format("{} does not serve programs with several threads (MPI_THREAD_SERIALIZED)", mpi_library()));
+    throw EnvironmentError(
+        format("{} does not serve programs with several threads (MPI_THREAD_SERIALIZED)", mpi_library()));
   int ranks = 1;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
@@ -105,8 +106,8 @@ void Communicator::send_all(const std::vector<int>& to, Tag tag, const Payload& 
   {
     const std::lock_guard lock(mpi_->mutex);
     for (std::size_t k = 0; k < to.size(); ++k)
-      MPI_Isend(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, to[k], static_cast<int>(tag), MPI_COMM_WORLD,
-                &requests[k]);
+      MPI_Isend(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, to[k], static_cast<int>(tag),
+                MPI_COMM_WORLD, &requests[k]);
   }
   const auto are_done = [&] {
     const std::lock_guard lock(mpi_->mutex);
@@ -165,7 +166,8 @@ Communicator::~Communicator() = default;
 std::unique_ptr<Communicator> Communicator::join() {
   if (is_one_of_several())
     throw EnvironmentError(
-        "this ifov was built without MPI, and was started as one of several ranks: each would make the whole image. "
+        "this ifov was built without MPI, and was started as one of several ranks: each would make the whole "
+        "image. "
         "Install an MPI library (Debian: libopenmpi-dev) and build again, or render shares (--tiles)");
   return nullptr;
 }

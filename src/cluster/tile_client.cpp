@@ -17,7 +17,9 @@ constexpr int kReportOnly = -1;
 }  // namespace
 
 TileClient::TileClient(Communicator& communicator, int threads, const CancelToken* user)
-    : communicator_(communicator), threads_(threads), user_(user), told_(Clock::now()), thread_([this] { work(); }) {}
+    : communicator_(communicator), threads_(threads), user_(user), told_(Clock::now()), thread_([this] {
+        work();
+      }) {}
 
 TileClient::~TileClient() {
   {
@@ -96,7 +98,10 @@ void TileClient::work() {
     }
     if (any) backoff.restart();
     const int idle = idle_;
-    wake_.wait_for(lock, backoff.next(idle > 0 ? kBackoffIdle : asked_ ? kBackoffAsked : kBackoffAtWork),
+    wake_.wait_for(lock,
+                   backoff.next(idle > 0 ? kBackoffIdle
+                                : asked_ ? kBackoffAsked
+                                         : kBackoffAtWork),
                    [&] { return leaving_ || wants_more() || idle_ > idle; });
   }
 }

@@ -9,9 +9,9 @@
 #include <thread>
 #include <vector>
 
+#include "cluster/communicator.h"
 #include "cluster/fault.h"
 #include "cluster/tile_schedule.h"
-#include "cluster/communicator.h"
 #include "core/run_control.h"
 #include "render/tile_source.h"
 

@@ -31,7 +31,8 @@ TileSchedule::TileSchedule(const std::vector<int>& tiles, int columns, int threa
   std::sort(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(scouts_),
             [&](const Place& a, const Place& b) { return spread(a) < spread(b); });
   cells_.assign(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_), {});
-  for (std::size_t k = 0; k < scouts_; ++k) cells_[static_cast<std::size_t>(order_[k].tile)].is_awaited = true;
+  for (std::size_t k = 0; k < scouts_; ++k)
+    cells_[static_cast<std::size_t>(order_[k].tile)].is_awaited = true;
 }
 
 void TileSchedule::finished(const TileCost& cost) {
@@ -46,8 +47,8 @@ float TileSchedule::guess_s(const Place& place) const {
   float most = kUnknown;
   for (int y = std::max(0, place.y - kReach); y <= std::min(rows_ - 1, place.y + kReach); ++y)
     for (int x = std::max(0, place.x - kReach); x <= std::min(columns_ - 1, place.x + kReach); ++x) {
-      const Cell& cell =
-          cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
+      const Cell& cell = cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+                                static_cast<std::size_t>(x)];
       if (cell.is_awaited) return kAwaited_s;
       most = std::max(most, cell.took_s);
     }
@@ -77,7 +78,8 @@ std::vector<int> TileSchedule::take(int idle, int threads) {
   const std::size_t share = left() * static_cast<std::size_t>(std::max(threads, 1)) / (4 * threads_);
   const std::size_t most = std::min(next_ < scouts_ ? kLargestGroupOfScouts : kLargestGroup, share);
   double sum_s = 0.0;
-  while (left() > 0 && (group.size() < waiting || (group.size() < most && sum_s + expected_s(next_) <= enough_s))) {
+  while (left() > 0 &&
+         (group.size() < waiting || (group.size() < most && sum_s + expected_s(next_) <= enough_s))) {
     sum_s += expected_s(next_);
     group.push_back(order_[next_++].tile);
   }

@@ -41,7 +41,7 @@ class TileSchedule {
     float guess_s = 0.0f;  ///< 0: none
   };
   struct Cell {
-    float took_s = -1.0f;  ///< below 0: not known
+    float took_s = -1.0f;     ///< below 0: not known
     bool is_awaited = false;  ///< a scout that is not done
   };
   float guess_s(const Place& place) const;

@@ -21,7 +21,10 @@ double now_s() { return std::chrono::duration<double>(Clock::now().time_since_ep
 }  // namespace
 
 TileServer::TileServer(Communicator& communicator, TileSchedule schedule, const CancelToken* user)
-    : communicator_(communicator), user_(user), schedule_(std::move(schedule)), thread_([this] { serve(); }) {}
+    : communicator_(communicator),
+      user_(user),
+      schedule_(std::move(schedule)),
+      thread_([this] { serve(); }) {}
 
 TileServer::~TileServer() {
   std::unique_lock lock(mutex_);
@@ -133,6 +136,8 @@ void TileServer::stop_all() {
   communicator_.send_all(at_work, Tag::stop, {});
 }
 
-bool TileServer::all_gone() const { return farewells_.size() + 1 == static_cast<std::size_t>(communicator_.size()); }
+bool TileServer::all_gone() const {
+  return farewells_.size() + 1 == static_cast<std::size_t>(communicator_.size());
+}
 
 }  // namespace ifov::cluster

@@ -8,9 +8,9 @@
 #include <thread>
 #include <vector>
 
+#include "cluster/communicator.h"
 #include "cluster/fault.h"
 #include "cluster/tile_schedule.h"
-#include "cluster/communicator.h"
 #include "core/run_control.h"
 #include "render/tile_source.h"
 
@@ -59,7 +59,7 @@ class TileServer final : public render::TileSource {
   std::condition_variable wake_;
   TileSchedule schedule_;
   std::map<std::thread::id, TileCost> own_;  ///< tiles and when they were begun
-  std::map<int, Progress> progress_;                       ///< of the others
+  std::map<int, Progress> progress_;         ///< of the others
   std::map<int, Farewell> farewells_;
   std::optional<int> failed_;  ///< the first rank that could not go on
   bool stopped_ = false, leaving_ = false;

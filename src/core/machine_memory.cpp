@@ -53,8 +53,9 @@ std::uint64_t memory_within_reach_bytes() {
 std::string memory_ran_out() {
   const std::string held = format("memory ran out: {} were held at most", byte_count(peak_memory_bytes()));
   if (const std::optional<std::uint64_t> limit = mapped_limit_bytes())
-    return format("{}, and no more than {} may be mapped (ulimit -v); fewer threads or smaller tiles take less", held,
-                  byte_count(*limit));
+    return format(
+        "{}, and no more than {} may be mapped (ulimit -v); fewer threads or smaller tiles take less", held,
+        byte_count(*limit));
   return format("{}; fewer threads or smaller tiles take less", held);
 }
 

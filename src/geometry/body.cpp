@@ -51,7 +51,8 @@ void settle_bounds(Body& body) {
     for (const std::uint32_t i : t) include(body.mesh.vertices_m[i], body.mesh.vertices_m[i]);
 
   body.centre_m = b.low_m + (b.high_m - b.low_m) * 0.5;
-  if (body.analytic.size() == 1 && body.mesh.triangles.empty() && body.analytic[0].kind == UnitKind::hemisphere)
+  if (body.analytic.size() == 1 && body.mesh.triangles.empty() &&
+      body.analytic[0].kind == UnitKind::hemisphere)
     body.centre_m = body.analytic[0].unit_from_object.inverse().origin_m();
   body.radius_m = 0.0;
   for (const UnitPrimitive& p : body.analytic)
@@ -60,8 +61,8 @@ void settle_bounds(Body& body) {
   for (const Triangle& t : body.mesh.triangles)
     for (const std::uint32_t i : t)
       body.radius_m = std::max(body.radius_m, length(body.mesh.vertices_m[i] - body.centre_m));
-  body.half_sides_m = oriented_extent(
-      body.analytic.empty() ? body.mesh.vertices_m : std::span<const Point3>(), body.bounds);
+  body.half_sides_m =
+      oriented_extent(body.analytic.empty() ? body.mesh.vertices_m : std::span<const Point3>(), body.bounds);
 }
 
 Body analytic_body(UnitKind kind, const Transform& object_from_unit, Point3 seed_in_unit, bool solid) {
@@ -273,7 +274,8 @@ Body body_of(Shape shape) {
   return std::visit([](auto&& s) { return make(std::forward<decltype(s)>(s)); }, std::move(shape));
 }
 
-void JoinedBody::add(const Body& part, const Transform& whole_from_part, std::span<const std::uint32_t> slots) {
+void JoinedBody::add(const Body& part, const Transform& whole_from_part,
+                     std::span<const std::uint32_t> slots) {
   const auto slot = [&](std::uint32_t s) { return slots.empty() ? 0u : slots[s]; };
   const bool flipped = whole_from_part.determinant() < 0.0;
   const Transform part_from_whole = whole_from_part.inverse();

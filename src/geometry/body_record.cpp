@@ -98,7 +98,8 @@ BodyRecord record_of(const Body& body) {
 
 std::optional<Body> body_from_record(std::span<const std::byte> bytes, std::shared_ptr<const void> keeper) {
   Head head;
-  if (bytes.size() < sizeof head || reinterpret_cast<std::uintptr_t>(bytes.data()) % 8 != 0) return std::nullopt;
+  if (bytes.size() < sizeof head || reinterpret_cast<std::uintptr_t>(bytes.data()) % 8 != 0)
+    return std::nullopt;
   std::memcpy(&head, bytes.data(), sizeof head);
   bytes = bytes.subspan(sizeof head);
   if (head.names > kMostNames || head.name_bytes > bytes.size() || padded(head.name_bytes) > bytes.size())
@@ -133,16 +134,17 @@ std::optional<Body> body_from_record(std::span<const std::byte> bytes, std::shar
   for (std::size_t side = 0; side < 3; ++side)
     body.half_sides_m[side] = point(head.half_sides_m[side]) - math::Point3{};
   body.centre_m = point(head.centre_m), body.seed_m = point(head.seed_m);
-  body.radius_m = head.radius_m, body.seed_weight = head.seed_weight, body.seed_is_solid = head.seed_is_solid != 0;
+  body.radius_m = head.radius_m, body.seed_weight = head.seed_weight,
+  body.seed_is_solid = head.seed_is_solid != 0;
 
   try {
     check_mesh(body.mesh);
   } catch (const InputError&) {
     return std::nullopt;
   }
-  if (body.mesh.patches.size() != body.mesh.triangles.size() || !all_below(body.mesh.patches, body.patch_count) ||
-      !all_below(body.mesh.slots, body.slot_count) || body.slot_count == 0 ||
-      body.mesh.slot_names.size() > body.slot_count || !chunks_make_sense(body.mesh))
+  if (body.mesh.patches.size() != body.mesh.triangles.size() ||
+      !all_below(body.mesh.patches, body.patch_count) || !all_below(body.mesh.slots, body.slot_count) ||
+      body.slot_count == 0 || body.mesh.slot_names.size() > body.slot_count || !chunks_make_sense(body.mesh))
     return std::nullopt;
   body.mesh.keeper = std::move(keeper);
   return body;

@@ -28,7 +28,8 @@ int longest_side(std::span<const Middle> middles) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   std::array<float, 3> low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
   for (const Middle& m : middles)
-    for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], m.at[k]), high[k] = std::max(high[k], m.at[k]);
+    for (std::size_t k = 0; k < 3; ++k)
+      low[k] = std::min(low[k], m.at[k]), high[k] = std::max(high[k], m.at[k]);
   int longest = 0;
   for (int k = 1; k < 3; ++k)
     if (high[k] - low[k] > high[longest] - low[longest]) longest = k;

@@ -22,11 +22,12 @@ constexpr int kFurthest = 8;
 
 }  // namespace
 
-PeriodicWorld::PeriodicWorld(std::unique_ptr<World> world, Cell cell) : world_(std::move(world)), cell_(cell) {
+PeriodicWorld::PeriodicWorld(std::unique_ptr<World> world, Cell cell)
+    : world_(std::move(world)), cell_(cell) {
   if (!(cell.width_m > 0.0) || !(cell.height_m > 0.0) || !std::isfinite(cell.width_m) ||
       !std::isfinite(cell.height_m))
-    throw InputError(format("a scene repeats every {} m x {} m; expected positive lengths", cell.width_m,
-                            cell.height_m));
+    throw InputError(
+        format("a scene repeats every {} m x {} m; expected positive lengths", cell.width_m, cell.height_m));
   bool bounded = false;
   for (std::size_t k = 0; !bounded && k < world_->object_count(); ++k)
     bounded = std::isfinite(world_->object(k).radius_m);
@@ -43,9 +44,10 @@ PeriodicWorld::PeriodicWorld(std::unique_ptr<World> world, Cell cell) : world_(s
             kFurthest * cell.width_m ||
         std::max({cell.south_m - b.low_m.y, b.high_m.y - cell.south_m - cell.height_m, 0.0}) >
             kFurthest * cell.height_m)
-      throw InputError(format("a scene that repeats every {:g} m x {:g} m holds something that reaches more than {} "
-                              "times as far beyond that cell (x {:g} to {:g} m, y {:g} to {:g} m)",
-                              cell.width_m, cell.height_m, kFurthest, b.low_m.x, b.high_m.x, b.low_m.y, b.high_m.y));
+      throw InputError(
+          format("a scene that repeats every {:g} m x {:g} m holds something that reaches more than {} "
+                 "times as far beyond that cell (x {:g} to {:g} m, y {:g} to {:g} m)",
+                 cell.width_m, cell.height_m, kFurthest, b.low_m.x, b.high_m.x, b.low_m.y, b.high_m.y));
     reach(cell.west_m, cell.width_m, b.low_m.x, b.high_m.x, first_column_, last_column_);
     reach(cell.south_m, cell.height_m, b.low_m.y, b.high_m.y, first_row_, last_row_);
   }
@@ -98,7 +100,8 @@ bool PeriodicWorld::advance(const math::Ray& ray, Walk& walk) const {
 }
 
 template <class Query>
-void PeriodicWorld::each_copy(std::span<const math::Ray> rays, std::span<const Walk> walks, Query query) const {
+void PeriodicWorld::each_copy(std::span<const math::Ray> rays, std::span<const Walk> walks,
+                              Query query) const {
   std::vector<math::Ray> moved(walks.size());
   for (int column = first_column_; column <= last_column_; ++column)
     for (int row = first_row_; row <= last_row_; ++row) {
@@ -106,8 +109,8 @@ void PeriodicWorld::each_copy(std::span<const math::Ray> rays, std::span<const W
         const Walk& walk = walks[k];
         math::Ray& ray = moved[k];
         ray = rays[walk.ray];
-        ray.origin_m = ray.origin_m -
-                       math::Vec3{(walk.column + column) * cell_.width_m, (walk.row + row) * cell_.height_m, 0.0};
+        ray.origin_m = ray.origin_m - math::Vec3{(walk.column + column) * cell_.width_m,
+                                                 (walk.row + row) * cell_.height_m, 0.0};
         const double overlap = kOverlap * (cell_.width_m + cell_.height_m + std::abs(walk.end_m));
         ray.t_min_m = std::max(ray.t_min_m, walk.begin_m - overlap);
         ray.t_max_m = std::min(ray.t_max_m, walk.end_m + overlap);
@@ -134,8 +137,8 @@ void PeriodicWorld::intersect(std::span<const math::Ray> rays, std::span<Surface
         best = found[k];
         best.copy_column = walks[k].column + column;
         best.copy_row = walks[k].row + row;
-        best.position_m =
-            best.position_m + math::Vec3{best.copy_column * cell_.width_m, best.copy_row * cell_.height_m, 0.0};
+        best.position_m = best.position_m +
+                          math::Vec3{best.copy_column * cell_.width_m, best.copy_row * cell_.height_m, 0.0};
       }
     });
     std::erase_if(walks, [&](Walk& walk) { return hits[walk.ray].hit() || !advance(rays[walk.ray], walk); });
@@ -156,7 +159,8 @@ void PeriodicWorld::occluded(std::span<const math::Ray> rays, std::span<std::uin
       world_->occluded(moved, found);
       for (std::size_t k = 0; k < walks.size(); ++k) blocked[walks[k].ray] |= found[k];
     });
-    std::erase_if(walks, [&](Walk& walk) { return blocked[walk.ray] != 0 || !advance(rays[walk.ray], walk); });
+    std::erase_if(walks,
+                  [&](Walk& walk) { return blocked[walk.ray] != 0 || !advance(rays[walk.ray], walk); });
   }
 }
 

@@ -28,7 +28,7 @@ struct SurfacePoint {
   std::uint32_t patch = 0;     ///< smooth patch of the object: facets connected without a crease
   std::uint32_t material = kNoMaterial;  ///< index into the scene's materials
   std::uint32_t primitive = 0;
-  bool front = true;      ///< the ray met the outer side
+  bool front = true;  ///< the ray met the outer side
   /// An object placed earlier whose surface lies in the same place, but for rounding; kNoMaterial: there is none.
   std::uint32_t shared_with = kNoMaterial;
   Bend bend = Bend::none;

@@ -139,11 +139,14 @@ bool Hierarchy::must_halve(Node m, int step, bool diagonal) const {
   // The middles of the triangles that this halving makes.
   const int reach = diagonal ? step : step / 2;
   if (reach > 0) {
-    const std::array<Node, 4> children =
-        diagonal ? std::array<Node, 4>{{{m.column - reach, m.row}, {m.column + reach, m.row},
-                                        {m.column, m.row - reach}, {m.column, m.row + reach}}}
-                 : std::array<Node, 4>{{{m.column - reach, m.row - reach}, {m.column + reach, m.row - reach},
-                                        {m.column - reach, m.row + reach}, {m.column + reach, m.row + reach}}};
+    const std::array<Node, 4> children = diagonal ? std::array<Node, 4>{{{m.column - reach, m.row},
+                                                                         {m.column + reach, m.row},
+                                                                         {m.column, m.row - reach},
+                                                                         {m.column, m.row + reach}}}
+                                                  : std::array<Node, 4>{{{m.column - reach, m.row - reach},
+                                                                         {m.column + reach, m.row - reach},
+                                                                         {m.column - reach, m.row + reach},
+                                                                         {m.column + reach, m.row + reach}}};
     for (const Node child : children)
       if (child.column >= 0 && child.row >= 0 && child.column < grid_.columns && child.row < grid_.rows &&
           halved_[grid_.index(child.column, child.row)] != 0)
@@ -177,7 +180,8 @@ void Hierarchy::decide(int step, bool diagonal) {
 math::Normal3 normal_at(const TerrainGrid& grid, int column, int row) {
   // One-sided where a neighbour is missing.
   const auto neighbour = [&](int c, int r) -> math::Point3 {
-    if (c >= 0 && r >= 0 && c < grid.columns && r < grid.rows && std::isfinite(grid.height_m[grid.index(c, r)]))
+    if (c >= 0 && r >= 0 && c < grid.columns && r < grid.rows &&
+        std::isfinite(grid.height_m[grid.index(c, r)]))
       return grid.node(c, r);
     return grid.node(column, row);
   };

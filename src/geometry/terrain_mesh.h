@@ -18,7 +18,8 @@ struct TerrainGrid {
   std::vector<std::array<double, 2>> places_m;  ///< x and y of every node; empty: regular
 
   std::size_t index(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
   }
   math::Point3 node(int column, int row) const;
 };

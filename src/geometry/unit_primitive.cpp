@@ -84,16 +84,14 @@ Rows rows_of(const math::Transform& m) {
 
 UnitHit intersect_unit(UnitKind kind, Point3 p, Vec3 d, double t_min, double t_max) {
   switch (kind) {
-    case UnitKind::box:
-      return intersect_box(p, d, t_min, t_max);
+    case UnitKind::box: return intersect_box(p, d, t_min, t_max);
     case UnitKind::sphere:
     case UnitKind::hemisphere:
       for (const double t : round_crossings(p, d, true).t)
         if (t > t_min && t < t_max && (kind == UnitKind::sphere || p.z + t * d.z >= 0.0)) return {t, 0};
       return {};
     case UnitKind::open_cylinder:
-    case UnitKind::cylinder:
-      return intersect_cylinder(p, d, t_min, t_max, kind == UnitKind::cylinder);
+    case UnitKind::cylinder: return intersect_cylinder(p, d, t_min, t_max, kind == UnitKind::cylinder);
     case UnitKind::disk: {
       if (d.z == 0.0) return {};
       const double t = -p.z / d.z;
@@ -112,14 +110,12 @@ Normal3 unit_normal(UnitKind kind, std::uint32_t face, Point3 p) {
       return {face / 2 == 0 ? side : 0.0, face / 2 == 1 ? side : 0.0, face / 2 == 2 ? side : 0.0};
     }
     case UnitKind::sphere:
-    case UnitKind::hemisphere:
-      return math::as_normal(math::normalized({p.x, p.y, p.z}));
+    case UnitKind::hemisphere: return math::as_normal(math::normalized({p.x, p.y, p.z}));
     case UnitKind::open_cylinder:
     case UnitKind::cylinder:
       if (face == 0) return math::as_normal(math::normalized({p.x, p.y, 0.0}));
       return {0.0, 0.0, face == 1 ? -1.0 : 1.0};
-    case UnitKind::disk:
-      return {0.0, 0.0, 1.0};
+    case UnitKind::disk: return {0.0, 0.0, 1.0};
   }
   return {0.0, 0.0, 1.0};
 }
@@ -131,18 +127,14 @@ Uv unit_uv(UnitKind kind, std::uint32_t face, Point3 p) {
   };
   const auto half = [](double x) { return std::clamp(0.5 * (x + 1.0), 0.0, 1.0); };
   switch (kind) {
-    case UnitKind::box:
-      return {half(face / 2 == 0 ? p.y : p.x), half(face / 2 == 2 ? p.y : p.z)};
-    case UnitKind::sphere:
-      return {turn(), 0.5 + std::asin(std::clamp(p.z, -1.0, 1.0)) / std::numbers::pi};
-    case UnitKind::hemisphere:
-      return {turn(), 2.0 * std::asin(std::clamp(p.z, 0.0, 1.0)) / std::numbers::pi};
+    case UnitKind::box: return {half(face / 2 == 0 ? p.y : p.x), half(face / 2 == 2 ? p.y : p.z)};
+    case UnitKind::sphere: return {turn(), 0.5 + std::asin(std::clamp(p.z, -1.0, 1.0)) / std::numbers::pi};
+    case UnitKind::hemisphere: return {turn(), 2.0 * std::asin(std::clamp(p.z, 0.0, 1.0)) / std::numbers::pi};
     case UnitKind::open_cylinder:
     case UnitKind::cylinder:
       if (face == 0) return {turn(), std::clamp(p.z, 0.0, 1.0)};
       return {half(p.x), half(p.y)};
-    case UnitKind::disk:
-      return {half(p.x), half(p.y)};
+    case UnitKind::disk: return {half(p.x), half(p.y)};
   }
   return {};
 }
@@ -163,9 +155,7 @@ World::Bounds unit_bounds(UnitKind kind, const math::Transform& object_from_unit
         low[i] = o - reach, high[i] = o + reach;
         break;
       }
-      case UnitKind::sphere:
-        low[i] = o - ball, high[i] = o + ball;
-        break;
+      case UnitKind::sphere: low[i] = o - ball, high[i] = o + ball; break;
       case UnitKind::hemisphere:
         low[i] = o - (rise < 0.0 ? ball : disc), high[i] = o + (rise > 0.0 ? ball : disc);
         break;
@@ -173,9 +163,7 @@ World::Bounds unit_bounds(UnitKind kind, const math::Transform& object_from_unit
       case UnitKind::cylinder:
         low[i] = o + std::min(0.0, rise) - disc, high[i] = o + std::max(0.0, rise) + disc;
         break;
-      case UnitKind::disk:
-        low[i] = o - disc, high[i] = o + disc;
-        break;
+      case UnitKind::disk: low[i] = o - disc, high[i] = o + disc; break;
     }
   }
   return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
@@ -204,13 +192,10 @@ double unit_reach_m(UnitKind kind, const math::Transform& object_from_unit, Poin
       return reach;
     }
     case UnitKind::sphere:
-    case UnitKind::hemisphere:
-      return ball();
+    case UnitKind::hemisphere: return ball();
     case UnitKind::open_cylinder:
-    case UnitKind::cylinder:
-      return std::max(rim(w), rim(w + z));
-    case UnitKind::disk:
-      return rim(w);
+    case UnitKind::cylinder: return std::max(rim(w), rim(w + z));
+    case UnitKind::disk: return rim(w);
   }
   return kInfinity;
 }

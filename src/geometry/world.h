@@ -48,8 +48,9 @@ class World {
     double radius_m = 0.0;
     math::Point3 seed_m;  ///< a point on or in the object that a ray towards it meets (centroid of its
                           ///< largest face for open meshes, the centre for solids)
-    std::array<math::Vec3, 3> half_sides_m;  ///< from the centre to the sides of the box in the object's own frame,
-                                             ///< longest first; 0 for planes
+    std::array<math::Vec3, 3>
+        half_sides_m;      ///< from the centre to the sides of the box in the object's own frame,
+                           ///< longest first; 0 for planes
     bool compact = false;  ///< one connected thing, not a leaf or part of a larger object
   };
   virtual std::size_t object_count() const = 0;
@@ -67,14 +68,14 @@ class World {
 
   /// How all this is kept.
   struct Storage {
-    std::size_t stored_triangles = 0;     ///< each of a copied body once
-    std::size_t instances = 0;            ///< bodies that stand in the scene by reference
-    bool instance_table = false;          ///< kept in a table of our own, not as nodes of the ray tracer
-    std::size_t prototypes_apart = 0;     ///< prototypes of prototypes that are not joined into one body
-    std::size_t chunks = 0;               ///< of large meshes, whose trees are made when a ray comes near
-    std::size_t chunks_made = 0;          ///< those whose trees are there by now
-    std::size_t chunk_bytes = 0;          ///< of their trees, about
-    std::size_t bytes = 0;                ///< of tables and trees, about; without those of chunks
+    std::size_t stored_triangles = 0;  ///< each of a copied body once
+    std::size_t instances = 0;         ///< bodies that stand in the scene by reference
+    bool instance_table = false;       ///< kept in a table of our own, not as nodes of the ray tracer
+    std::size_t prototypes_apart = 0;  ///< prototypes of prototypes that are not joined into one body
+    std::size_t chunks = 0;            ///< of large meshes, whose trees are made when a ray comes near
+    std::size_t chunks_made = 0;       ///< those whose trees are there by now
+    std::size_t chunk_bytes = 0;       ///< of their trees, about
+    std::size_t bytes = 0;             ///< of tables and trees, about; without those of chunks
   };
   virtual Storage storage() const = 0;
 

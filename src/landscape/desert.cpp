@@ -37,7 +37,8 @@ double dune_height(const Chance& chance, Vec2 at) {
   const double meander = 26.0 * fractal_noise(chance.of(Purpose::dunes, 1), at.x, at.y, 70.0, 2);
   const double phase = (at.x + meander) / 34.0;
   const double t = phase - std::floor(phase);
-  const double profile = t < 0.76 ? 0.5 - 0.5 * std::cos(M_PI * t / 0.76) : 0.5 + 0.5 * std::cos(M_PI * (t - 0.76) / 0.24);
+  const double profile =
+      t < 0.76 ? 0.5 - 0.5 * std::cos(M_PI * t / 0.76) : 0.5 + 0.5 * std::cos(M_PI * (t - 0.76) / 0.24);
   return 4.2 * profile * (0.55 + 0.9 * fractal_noise(chance.of(Purpose::dunes, 2), at.x, at.y, 60.0, 2));
 }
 
@@ -53,7 +54,8 @@ MadeScene make_desert(const MakeOptions& options) {
   terrain.half_m = 0.5 * options.size_m + kRim_m;
   terrain.mesh_m = 1.0;
   terrain.height_m = [&](Vec2 at) {
-    const double plain = 1.2 * fractal_noise(chance.of(Purpose::plain), at.x, at.y, 80.0, 3) + 0.06 * fractal_noise(chance.of(Purpose::plain, 1), at.x, at.y, 2.5, 2);
+    const double plain = 1.2 * fractal_noise(chance.of(Purpose::plain), at.x, at.y, 80.0, 3) +
+                         0.06 * fractal_noise(chance.of(Purpose::plain, 1), at.x, at.y, 2.5, 2);
     return plain + dune_share(chance, at) * dune_height(chance, at);
   };
   terrain.cover = [&](Vec2 at) -> int {
@@ -62,7 +64,9 @@ MadeScene make_desert(const MakeOptions& options) {
     if (std::abs(off_track - 0.85) < 0.3) return kTrack;
     const double dunes = dune_share(chance, at);
     if (dunes > 0.25 + 0.3 * grain) return kSand;
-    return fractal_noise(chance.of(Purpose::cover, 1), at.x, at.y, 24.0, 3) + 0.25 * (grain - 0.5) > 0.47 ? kGravel : kPale;
+    return fractal_noise(chance.of(Purpose::cover, 1), at.x, at.y, 24.0, 3) + 0.25 * (grain - 0.5) > 0.47
+               ? kGravel
+               : kPale;
   };
   terrain.covers = {"sand", "sand, pale", "gravel", "soil"};
   text.heading("Dunes and plain");
@@ -71,39 +75,55 @@ MadeScene make_desert(const MakeOptions& options) {
 
   std::vector<Stock> shrubs, rocks;
   for (int k = 1; k <= 3; ++k) {
-    shrubs.push_back(add_plant(format("shrub_{}", k), grow_shrub(0.45 + 0.15 * k, 0.5 + 0.25 * k, 1800 + 900 * k, 0.022, chance.of(Purpose::shrubs, k)),
-                               true, "leaf, desert shrub", "bark", folder, text));
+    shrubs.push_back(add_plant(
+        format("shrub_{}", k),
+        grow_shrub(0.45 + 0.15 * k, 0.5 + 0.25 * k, 1800 + 900 * k, 0.022, chance.of(Purpose::shrubs, k)),
+        true, "leaf, desert shrub", "bark", folder, text));
     const std::string rock = format("rock_{}", k);
-    text.prototype(rock, {format(R"({{{}, "material": {}}})", mesh_text(folder.add_large_mesh(rock, rock_mesh(chance.of(Purpose::rocks, k)))),
-                                 text.material("rock"))});
+    text.prototype(rock,
+                   {format(R"({{{}, "material": {}}})",
+                           mesh_text(folder.add_large_mesh(rock, rock_mesh(chance.of(Purpose::rocks, k)))),
+                           text.material("rock"))});
     rocks.push_back({rock, 0.6, true, {}});
   }
   const Vec2 camp{12.0, track_y(chance, 12.0) + 14.0};
   const int darts = static_cast<int>(terrain.half_m * terrain.half_m / 10.0);
   for (int k = 0; k < darts; ++k) {
     const Chance draw = chance.of(Purpose::cover, 7, k);
-    const Vec2 at{draw.between(-0.98, 0.98, 0) * terrain.half_m, draw.between(-0.98, 0.98, 1) * terrain.half_m};
-    if (std::abs(at.y - track_y(chance, at.x)) < 3.5 || length(at - camp) < 17.0 || draw.unit(2) < 1.6 * dune_share(chance, at)) continue;
+    const Vec2 at{draw.between(-0.98, 0.98, 0) * terrain.half_m,
+                  draw.between(-0.98, 0.98, 1) * terrain.half_m};
+    if (std::abs(at.y - track_y(chance, at.x)) < 3.5 || length(at - camp) < 17.0 ||
+        draw.unit(2) < 1.6 * dune_share(chance, at))
+      continue;
     const bool is_rock = draw.happens(0.4, 3);
     auto& stocks = is_rock ? rocks : shrubs;
     const double scale = is_rock ? 0.12 + 0.9 * std::pow(draw.unit(5), 4.0) : draw.between(0.5, 1.4, 5);
-    stocks[static_cast<std::size_t>(draw.pick(3, 6))].copies.push_back({at, draw.between(0.0, 6.28, 4), scale});
+    stocks[static_cast<std::size_t>(draw.pick(3, 6))].copies.push_back(
+        {at, draw.between(0.0, 6.28, 4), scale});
   }
   text.heading("The track's vehicles and the camp");
   const auto add_car = [&](CarKind kind, const char* name, Vec2 at, Vec2 heading, const char* paint) {
-    text.object(format(R"({{"name": "{}", {}, {}, "material": {}}})", name, mesh_text(folder.add_mesh(name, car_mesh(kind))),
+    text.object(format(R"({{"name": "{}", {}, {}, "material": {}}})", name,
+                       mesh_text(folder.add_mesh(name, car_mesh(kind))),
                        transform_text({at, left_of(heading)}, ground(at) + 0.05),
-                       text.slots({{"body", paint}, {"glass", "window glass"}, {"tyre", "tyre"}, {"trim", "aluminium"}, {"lamp", "trim, white"}})));
+                       text.slots({{"body", paint},
+                                   {"glass", "window glass"},
+                                   {"tyre", "tyre"},
+                                   {"trim", "aluminium"},
+                                   {"lamp", "trim, white"}})));
   };
   const Vec2 on_track{-15.0, track_y(chance, -15.0)};
-  add_car(CarKind::van, "car_van", on_track, unit(Vec2{2.0, track_y(chance, -14.0) - track_y(chance, -16.0)}), "car paint, green");
+  add_car(CarKind::van, "car_van", on_track, unit(Vec2{2.0, track_y(chance, -14.0) - track_y(chance, -16.0)}),
+          "car paint, green");
   add_car(CarKind::estate, "car_estate", camp + Vec2{-7.0, -5.0}, unit(Vec2{0.4, 1.0}), "car paint, white");
   const std::string container = folder.add_mesh("container", container_mesh());
   int number = 0;
   for (const Vec2 off : {Vec2{-4.0, 4.0}, Vec2{4.0, 5.5}, Vec2{6.0, -3.0}}) {
     const Stand stand{camp + off, unit(Vec2{0.3 * number - 0.2, 1.0})};
-    text.object(format(R"({{"name": "cabin", {}, {}, "material": {}}})", mesh_text(container), transform_text(stand, ground(stand.origin) - 0.06),
-                       text.slots({{"container", number == 0 ? "wall paint, white" : "container paint, green"}})));
+    text.object(
+        format(R"({{"name": "cabin", {}, {}, "material": {}}})", mesh_text(container),
+               transform_text(stand, ground(stand.origin) - 0.06),
+               text.slots({{"container", number == 0 ? "wall paint, white" : "container paint, green"}})));
     ++number;
   }
   text.heading("Shrubs and rocks: instance lists of prototypes");
@@ -112,8 +132,10 @@ MadeScene make_desert(const MakeOptions& options) {
     place_plants(*stocks, ground, folder, text);
     for (const Stock& stock : *stocks) count += stock.copies.size();
   }
-  return finish_scene(options, {format("A desert of {:g} m, seed {}.", options.size_m, options.seed), 215.0, 0.3, "sand, beach", 48, "tropical", "rural"}, text, folder,
-                      {format("{} shrubs and rocks", count)});
+  return finish_scene(options,
+                      {format("A desert of {:g} m, seed {}.", options.size_m, options.seed), 215.0, 0.3,
+                       "sand, beach", 48, "tropical", "rural"},
+                      text, folder, {format("{} shrubs and rocks", count)});
 }
 
 }  // namespace ifov::landscape

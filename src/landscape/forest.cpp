@@ -23,10 +23,13 @@ constexpr double kTrack_half_m = 1.7;
 /// A track winds from west to east.
 double track_y(const Chance& chance, double x) {
   const Chance draw = chance.of(Purpose::track);
-  return draw.between(-12.0, 12.0, 0) + 9.0 * std::sin(x / 38.0 + draw.between(0.0, 6.28, 1)) + 4.0 * std::sin(x / 17.0);
+  return draw.between(-12.0, 12.0, 0) + 9.0 * std::sin(x / 38.0 + draw.between(0.0, 6.28, 1)) +
+         4.0 * std::sin(x / 17.0);
 }
 
-double glade(const Chance& chance, Vec2 at) { return fractal_noise(chance.of(Purpose::glade), at.x, at.y, 45.0, 2); }
+double glade(const Chance& chance, Vec2 at) {
+  return fractal_noise(chance.of(Purpose::glade), at.x, at.y, 45.0, 2);
+}
 
 class Woodland {
  public:
@@ -36,12 +39,15 @@ class Woodland {
     // Trees in cells of 8 m know their neighbours.
     const int cells = static_cast<int>(std::ceil(2.0 * half_m_ / kCell_m));
     std::vector<std::vector<std::pair<Vec2, double>>> grid(static_cast<std::size_t>(cells * cells));
-    const auto cell_of = [&](double v) { return std::clamp(static_cast<int>((v + half_m_) / kCell_m), 0, cells - 1); };
+    const auto cell_of = [&](double v) {
+      return std::clamp(static_cast<int>((v + half_m_) / kCell_m), 0, cells - 1);
+    };
     const int darts = static_cast<int>(4.0 * half_m_ * half_m_ / 4.0);
     for (int k = 0; k < darts; ++k) {
       const Chance draw = chance_.of(Purpose::planting, k);
       const Vec2 at{draw.between(-half_m_, half_m_, 0), draw.between(-half_m_, half_m_, 1)};
-      if (glade(chance_, at) > 0.62 || std::abs(at.y - track_y(chance_, at.x)) < kTrack_half_m + 1.2) continue;
+      if (glade(chance_, at) > 0.62 || std::abs(at.y - track_y(chance_, at.x)) < kTrack_half_m + 1.2)
+        continue;
       // Spruce and broadleaves grow in groups.
       const double mix = fractal_noise(chance_.of(Purpose::cover), at.x, at.y, 30.0, 2);
       std::size_t choice = static_cast<std::size_t>(draw.pick(static_cast<int>(trees.size()), 2));
@@ -64,7 +70,8 @@ class Woodland {
 
   /// Whether nothing grows within `margin_m`.
   bool is_free(Vec2 at, double margin_m) const {
-    return std::none_of(trunks_.begin(), trunks_.end(), [&](Vec2 trunk) { return length(trunk - at) < margin_m; });
+    return std::none_of(trunks_.begin(), trunks_.end(),
+                        [&](Vec2 trunk) { return length(trunk - at) < margin_m; });
   }
   std::size_t size() const { return trunks_.size(); }
 
@@ -76,24 +83,29 @@ class Woodland {
 };
 
 /// Trunks that fell, on the ground.
-void add_logs(const Terrain& terrain, const Woodland& woods, const Chance& chance, SceneFolder& folder, SceneText& text) {
+void add_logs(const Terrain& terrain, const Woodland& woods, const Chance& chance, SceneFolder& folder,
+              SceneText& text) {
   MeshBuilder mesh;
   mesh.slot("wood");
   const int count = static_cast<int>(terrain.half_m * terrain.half_m / 90.0);
   for (int k = 0; k < count; ++k) {
     const Chance draw = chance.of(Purpose::logs, k);
-    const Vec2 at{draw.between(-0.95, 0.95, 0) * terrain.half_m, draw.between(-0.95, 0.95, 1) * terrain.half_m};
-    const double angle = draw.between(0.0, M_PI, 2), log = draw.between(1.5, 5.0, 3), radius = draw.between(0.08, 0.22, 4);
+    const Vec2 at{draw.between(-0.95, 0.95, 0) * terrain.half_m,
+                  draw.between(-0.95, 0.95, 1) * terrain.half_m};
+    const double angle = draw.between(0.0, M_PI, 2), log = draw.between(1.5, 5.0, 3),
+                 radius = draw.between(0.08, 0.22, 4);
     const Vec2 end = at + Vec2{std::cos(angle), std::sin(angle)} * log;
-    if (std::max(std::abs(end.x), std::abs(end.y)) > terrain.half_m || !woods.is_free(at, 0.6) || !woods.is_free(end, 0.6) ||
-        !woods.is_free((at + end) * 0.5, 0.9) || std::abs(at.y - track_y(chance, at.x)) < 6.5)
+    if (std::max(std::abs(end.x), std::abs(end.y)) > terrain.half_m || !woods.is_free(at, 0.6) ||
+        !woods.is_free(end, 0.6) || !woods.is_free((at + end) * 0.5, 0.9) ||
+        std::abs(at.y - track_y(chance, at.x)) < 6.5)
       continue;
-    mesh.tube(std::array<Point3, 2>{{{at.x, at.y, terrain.on_mesh_m(at) + 0.8 * radius}, {end.x, end.y, terrain.on_mesh_m(end) + 0.7 * radius}}},
+    mesh.tube(std::array<Point3, 2>{{{at.x, at.y, terrain.on_mesh_m(at) + 0.8 * radius},
+                                     {end.x, end.y, terrain.on_mesh_m(end) + 0.7 * radius}}},
               std::array{radius, 0.7 * radius}, 10, true);
   }
   if (!mesh.empty())
-    text.object(format(R"({{"name": "fallen trunks", {}, "material": {}}})", mesh_text(folder.add_mesh("logs", mesh.take())),
-                       text.slots({{"wood", "bark"}})));
+    text.object(format(R"({{"name": "fallen trunks", {}, "material": {}}})",
+                       mesh_text(folder.add_mesh("logs", mesh.take())), text.slots({{"wood", "bark"}})));
 }
 
 }  // namespace
@@ -107,7 +119,8 @@ MadeScene make_forest(const MakeOptions& options) {
   Terrain terrain;
   terrain.half_m = 0.5 * options.size_m + kRim_m;
   terrain.height_m = [&](Vec2 at) {
-    return 9.0 * fractal_noise(chance.of(Purpose::height), at.x, at.y, 90.0, 3) + 0.25 * fractal_noise(chance.of(Purpose::height, 1), at.x, at.y, 4.0, 2);
+    return 9.0 * fractal_noise(chance.of(Purpose::height), at.x, at.y, 90.0, 3) +
+           0.25 * fractal_noise(chance.of(Purpose::height, 1), at.x, at.y, 4.0, 2);
   };
   terrain.cover = [&](Vec2 at) -> int {
     const double off_track = std::abs(at.y - track_y(chance, at.x));
@@ -127,35 +140,48 @@ MadeScene make_forest(const MakeOptions& options) {
   woods.plant(trees);
   std::vector<Stock> shrubs, rocks;
   for (int k = 1; k <= 2; ++k) {
-    shrubs.push_back(add_plant(format("shrub_{}", k), grow_shrub(0.6, 0.7 + 0.3 * k, 2800, 0.06, chance.of(Purpose::shrubs, k)), true,
-                               "leaf, hedge", "bark", folder, text));
+    shrubs.push_back(add_plant(format("shrub_{}", k),
+                               grow_shrub(0.6, 0.7 + 0.3 * k, 2800, 0.06, chance.of(Purpose::shrubs, k)),
+                               true, "leaf, hedge", "bark", folder, text));
     const std::string rock = format("rock_{}", k);
-    text.prototype(rock, {format(R"({{{}, "material": {}}})", mesh_text(folder.add_large_mesh(rock, rock_mesh(chance.of(Purpose::rocks, k)))),
-                                 text.material("rock"))});
+    text.prototype(rock,
+                   {format(R"({{{}, "material": {}}})",
+                           mesh_text(folder.add_large_mesh(rock, rock_mesh(chance.of(Purpose::rocks, k)))),
+                           text.material("rock"))});
     rocks.push_back({rock, 0.6, true, {}});
   }
   const int darts = static_cast<int>(terrain.half_m * terrain.half_m / 12.0);
   for (int k = 0; k < darts; ++k) {
     const Chance draw = chance.of(Purpose::shrubs, Purpose::planting, k);
-    const Vec2 at{draw.between(-0.98, 0.98, 0) * terrain.half_m, draw.between(-0.98, 0.98, 1) * terrain.half_m};
+    const Vec2 at{draw.between(-0.98, 0.98, 0) * terrain.half_m,
+                  draw.between(-0.98, 0.98, 1) * terrain.half_m};
     if (std::abs(at.y - track_y(chance, at.x)) < kTrack_half_m + 1.0 || !woods.is_free(at, 1.1)) continue;
     auto& stocks = draw.happens(0.15, 2) ? rocks : shrubs;
-    stocks[static_cast<std::size_t>(draw.pick(2, 3))].copies.push_back({at, draw.between(0.0, 6.28, 4), draw.between(0.5, 1.3, 5)});
+    stocks[static_cast<std::size_t>(draw.pick(2, 3))].copies.push_back(
+        {at, draw.between(0.0, 6.28, 4), draw.between(0.5, 1.3, 5)});
   }
   add_logs(terrain, woods, chance, folder, text);
 
   const Vec2 park{6.0, track_y(chance, 6.0)};
   const Vec2 heading = unit(Vec2{2.0, track_y(chance, 7.0) - track_y(chance, 5.0)});
-  text.object(format(R"({{"name": "van", {}, {}, "material": {}}})", mesh_text(folder.add_mesh("car_van", car_mesh(CarKind::van))),
+  text.object(format(R"({{"name": "van", {}, {}, "material": {}}})",
+                     mesh_text(folder.add_mesh("car_van", car_mesh(CarKind::van))),
                      transform_text({park, left_of(heading)}, terrain.on_mesh_m(park) + 0.03),
-                     text.slots({{"body", "car paint, green"}, {"glass", "window glass"}, {"tyre", "tyre"}, {"trim", "aluminium"}, {"lamp", "trim, white"}})));
+                     text.slots({{"body", "car paint, green"},
+                                 {"glass", "window glass"},
+                                 {"tyre", "tyre"},
+                                 {"trim", "aluminium"},
+                                 {"lamp", "trim, white"}})));
   text.heading("Plants, leaf by leaf: instance lists of prototypes");
   for (const auto* stocks : {&trees, &shrubs, &rocks})
-    place_plants(*stocks, [&](Vec2 at) { return terrain.on_mesh_m(at); }, folder, text);
-  return finish_scene(options, {format("A forest of {:g} m, seed {}.", options.size_m, options.seed), 205.0, 0.5}, text, folder,
-                      {format("{} trees of {} individuals and {} species, {} to {} leaves each", woods.size(), trees.size(),
-                              tree_species().size(), *std::min_element(leaves.begin(), leaves.end()),
-                              *std::max_element(leaves.begin(), leaves.end()))});
+    place_plants(
+        *stocks, [&](Vec2 at) { return terrain.on_mesh_m(at); }, folder, text);
+  return finish_scene(
+      options, {format("A forest of {:g} m, seed {}.", options.size_m, options.seed), 205.0, 0.5}, text,
+      folder,
+      {format("{} trees of {} individuals and {} species, {} to {} leaves each", woods.size(), trees.size(),
+              tree_species().size(), *std::min_element(leaves.begin(), leaves.end()),
+              *std::max_element(leaves.begin(), leaves.end()))});
 }
 
 }  // namespace ifov::landscape

@@ -21,8 +21,8 @@ enum class Purpose { streets, plots, ground, trees, planting, hedges, shrubs, ca
 constexpr double kRim_m = 20.0;
 constexpr double kLand_m = StreetSection::kLand;
 
-constexpr std::array kRoofs{"roof tile, terracotta", "roof tile, red",     "roof tile, brown",
-                            "roof shingle, grey",    "roof shingle, brown"};
+constexpr std::array kRoofs{"roof tile, terracotta", "roof tile, red", "roof tile, brown",
+                            "roof shingle, grey", "roof shingle, brown"};
 constexpr std::array kWalls{"brick, red", "brick, weathered", "wall paint, white", "wall paint, cream"};
 constexpr std::array kDoors{"door, green", "door, red", "timber, weathered"};
 
@@ -37,19 +37,21 @@ void add_houses(const PlotPlan& plots, const Chance& chance, SceneFolder& folder
     const auto design = static_cast<std::size_t>(plot.design);
     const HousePlan& plan = plots.designs[design];
     if (files[design].empty())
-      files[design] = folder.add_mesh(format("house_{:02}_{}", plot.design + 1, plan.roof == RoofKind::gabled ? "gabled" : "hipped"),
-                                      house_mesh(plan));
+      files[design] = folder.add_mesh(
+          format("house_{:02}_{}", plot.design + 1, plan.roof == RoofKind::gabled ? "gabled" : "hipped"),
+          house_mesh(plan));
     const Chance draw = chance.of(plot.number);
-    text.object(format(R"({{"name": "house {}", {}, {}, "material": {}}})", plot.number, mesh_text(files[design]),
-                       transform_text(plot.house, kLand_m),
-                       text.slots({{"roof", one_of(kRoofs, draw, 0)},
-                                   {"wall", one_of(kWalls, draw, 1)},
-                                   {"trim", "trim, white"},
-                                   {"window", "window glass"},
-                                   {"door", one_of(kDoors, draw, 2)},
-                                   {"garage door", draw.happens(0.6, 3) ? "trim, white" : "timber, weathered"},
-                                   {"brick", "brick, weathered"},
-                                   {"concrete", "concrete, slab"}})));
+    text.object(
+        format(R"({{"name": "house {}", {}, {}, "material": {}}})", plot.number, mesh_text(files[design]),
+               transform_text(plot.house, kLand_m),
+               text.slots({{"roof", one_of(kRoofs, draw, 0)},
+                           {"wall", one_of(kWalls, draw, 1)},
+                           {"trim", "trim, white"},
+                           {"window", "window glass"},
+                           {"door", one_of(kDoors, draw, 2)},
+                           {"garage door", draw.happens(0.6, 3) ? "trim, white" : "timber, weathered"},
+                           {"brick", "brick, weathered"},
+                           {"concrete", "concrete, slab"}})));
   }
 }
 
@@ -73,11 +75,13 @@ void add_power_line(const PowerLine& line, SceneFolder& folder, SceneText& text)
   if (line.poles.empty()) return;
   const std::string pole = folder.add_mesh("pole", pole_mesh());
   for (const Stand& stand : line.poles)
-    text.object(format(R"({{"name": "pole", {}, {}, "material": {}}})", mesh_text(pole), transform_text(stand, kLand_m),
-                       text.slots({{"pole", "pole wood"}, {"steel", "steel, galvanised"}, {"insulator", "insulator"}})));
+    text.object(format(
+        R"({{"name": "pole", {}, {}, "material": {}}})", mesh_text(pole), transform_text(stand, kLand_m),
+        text.slots({{"pole", "pole wood"}, {"steel", "steel, galvanised"}, {"insulator", "insulator"}})));
   if (line.poles.size() > 1)
     text.object(format(R"({{"name": "wires", {}, "material": {}}})",
-                       mesh_text(folder.add_mesh("wires", wire_mesh(line, kLand_m))), text.slots({{"wire", "aluminium"}})));
+                       mesh_text(folder.add_mesh("wires", wire_mesh(line, kLand_m))),
+                       text.slots({{"wire", "aluminium"}})));
 }
 
 }  // namespace
@@ -96,7 +100,8 @@ MadeScene make_suburb(const MakeOptions& options) {
   text.heading("The ground");
   lay_ground(streets, plots, chance.of(Purpose::ground), folder, text);
   text.heading("The tennis court, its lines by the rules of the ITF");
-  text.object(format(R"({{"name": "tennis court", {}, {}, "material": {}}})", mesh_text(folder.add_mesh("court", court_mesh())),
+  text.object(format(R"({{"name": "tennis court", {}, {}, "material": {}}})",
+                     mesh_text(folder.add_mesh("court", court_mesh())),
                      transform_text(plots.court_stand, kLand_m),
                      text.slots({{"surround", "court, green"},
                                  {"court", "court, red"},
@@ -117,22 +122,26 @@ MadeScene make_suburb(const MakeOptions& options) {
   plant_trees(trees, {streets, plots, line}, chance.of(Purpose::planting));
   std::vector<Stock> hedges, shrubs;
   for (int k = 1; k <= 2; ++k) {
-    hedges.push_back(add_plant(format("hedge_{}", k), grow_hedge(chance.of(Purpose::hedges, k)), true, "leaf, hedge", "bark",
-                               folder, text));
-    shrubs.push_back(add_plant(format("shrub_{}", k), grow_shrub(0.5, 0.75 + 0.2 * k, 2600, 0.05, chance.of(Purpose::shrubs, k)),
+    hedges.push_back(add_plant(format("hedge_{}", k), grow_hedge(chance.of(Purpose::hedges, k)), true,
+                               "leaf, hedge", "bark", folder, text));
+    shrubs.push_back(add_plant(format("shrub_{}", k),
+                               grow_shrub(0.5, 0.75 + 0.2 * k, 2600, 0.05, chance.of(Purpose::shrubs, k)),
                                true, "leaf, shrub", "bark", folder, text));
   }
   plant_hedges(hedges, trees, {streets, plots, line}, chance.of(Purpose::hedges));
   plant_shrubs(shrubs, {streets, plots, line}, chance.of(Purpose::shrubs));
-  for (const auto* stocks : {&trees, &hedges, &shrubs}) place_plants(*stocks, [](Vec2) { return kLand_m; }, folder, text);
+  for (const auto* stocks : {&trees, &hedges, &shrubs})
+    place_plants(
+        *stocks, [](Vec2) { return kLand_m; }, folder, text);
 
   std::size_t tree_count = 0;
   for (const Stock& stock : trees) tree_count += stock.copies.size();
-  return finish_scene(options, {format("A suburb of {:g} m, seed {}.", options.size_m, options.seed)}, text, folder,
-                      {format("{} houses, {} cars", plots.plots.size(), cars.size()),
-                       format("{} trees of {} individuals and {} species, {} to {} leaves each", tree_count, trees.size(),
-                              tree_species().size(), *std::min_element(leaves.begin(), leaves.end()),
-                              *std::max_element(leaves.begin(), leaves.end()))});
+  return finish_scene(
+      options, {format("A suburb of {:g} m, seed {}.", options.size_m, options.seed)}, text, folder,
+      {format("{} houses, {} cars", plots.plots.size(), cars.size()),
+       format("{} trees of {} individuals and {} species, {} to {} leaves each", tree_count, trees.size(),
+              tree_species().size(), *std::min_element(leaves.begin(), leaves.end()),
+              *std::max_element(leaves.begin(), leaves.end()))});
 }
 
 }  // namespace ifov::landscape

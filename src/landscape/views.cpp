@@ -38,7 +38,8 @@ View oblique(double size_m, const ViewChoice& choice) {
   const std::string camera =
       format(R"({{"frame": {{"focal_length": "35 mm", "pitch": "45 um", "pixels": [640, 420],
       "position": {}, "look_at": {}}}}})",
-             point_text(away * std::sin(azimuth), away * std::cos(azimuth), choice.eye_height_share * std::min(size_m, 250.0)),
+             point_text(away * std::sin(azimuth), away * std::cos(azimuth),
+                        choice.eye_height_share * std::min(size_m, 250.0)),
              point_text(0.0, 0.0, 0.0));
   return {"oblique.json", "A view at an angle, in four bands.", sensor(camera, kColourChannels),
           R"({"grid": {"elements": [3, 3]}})", std::string(kColourPicture)};
@@ -46,12 +47,15 @@ View oblique(double size_m, const ViewChoice& choice) {
 
 View imaging_spectrometer(double size_m) {
   const int pixels = static_cast<int>(std::lround(size_m));
-  return {"render_vswir.json",
-          "An imaging spectrometer: 210 Gaussian channels of 10 nm from 400 to 2500 nm, 1 m on the ground, no noise.\n"
-          "Each pixel to 5 % of its value in all channels.",
-          sensor(nadir(1.0, pixels),
-                 R"([{"name": "S", "series": {"gaussian": {"from": "400 nm", "to": "2500 nm", "count": 210, "fwhm": "10 nm"}}}])"),
-          R"({"accuracy": {"error": "5 %"}})", ""};
+  return {
+      "render_vswir.json",
+      "An imaging spectrometer: 210 Gaussian channels of 10 nm from 400 to 2500 nm, 1 m on the ground, no "
+      "noise.\n"
+      "Each pixel to 5 % of its value in all channels.",
+      sensor(
+          nadir(1.0, pixels),
+          R"([{"name": "S", "series": {"gaussian": {"from": "400 nm", "to": "2500 nm", "count": 210, "fwhm": "10 nm"}}}])"),
+      R"({"accuracy": {"error": "5 %"}})", ""};
 }
 
 View thermal_imager(double size_m) {
@@ -75,17 +79,18 @@ SceneLight clear_day(const ViewChoice& choice, SceneFolder& folder) {
                             format(R"(, "temperature": "{} degC"}}
   }})",
                                    choice.surroundings_c);
-  return {light, format(R"({{"profile": "{}", "aerosol": {{"type": "{}", "visibility": "23 km"}}}})", choice.air,
-                        choice.haze)};
+  return {light, format(R"({{"profile": "{}", "aerosol": {{"type": "{}", "visibility": "23 km"}}}})",
+                        choice.air, choice.haze)};
 }
 
 void check_size(double size_m) {
   if (!(size_m >= kSmallest_m && size_m <= kLargest_m))
-    throw InputError(format("ifov: a scene can be {:g} m to {:g} m wide; --size asks for {:g} m", kSmallest_m, kLargest_m, size_m));
+    throw InputError(format("ifov: a scene can be {:g} m to {:g} m wide; --size asks for {:g} m", kSmallest_m,
+                            kLargest_m, size_m));
 }
 
-MadeScene finish_scene(const MakeOptions& options, const ViewChoice& choice, const SceneText& text, SceneFolder& folder,
-                       std::vector<std::string> contents) {
+MadeScene finish_scene(const MakeOptions& options, const ViewChoice& choice, const SceneText& text,
+                       SceneFolder& folder, std::vector<std::string> contents) {
   MadeScene made;
   made.contents = std::move(contents);
   made.contents.push_back(format("{} materials", text.material_count()));

@@ -25,7 +25,8 @@ class Choice {
   explicit Choice(std::uint64_t key) : key_(key) {}
   void offer(std::uint32_t candidate) {
     ++seen_;
-    if (sampling::unit_double(sampling::hash(key_, seen_)) * static_cast<double>(seen_) < 1.0) chosen_ = candidate;
+    if (sampling::unit_double(sampling::hash(key_, seen_)) * static_cast<double>(seen_) < 1.0)
+      chosen_ = candidate;
   }
   void restart() { seen_ = 0; }
   std::uint32_t chosen() const { return chosen_; }
@@ -41,7 +42,8 @@ CurveMatcher::CurveMatcher(std::vector<double> means, std::size_t ranges, Distan
     : count_(ranges == 0 ? 0 : means.size() / ranges), ranges_(ranges), scores_(std::move(means)) {
   if (ranges_ < 1 || ranges_ > kMostRanges || scores_.size() != count_ * ranges_)
     throw InputError(format("curves are matched in 1 to {} spectral ranges: found {}", kMostRanges, ranges_));
-  if (count_ < 2) throw InputError(format("a texture needs at least 2 curves to choose from: found {}", count_));
+  if (count_ < 2)
+    throw InputError(format("a texture needs at least 2 curves to choose from: found {}", count_));
   for (std::size_t j = 0; j < ranges_; ++j) {
     double sum = 0.0, squares = 0.0;
     for (std::size_t c = 0; c < count_; ++c) sum += scores_[c * ranges_ + j];
@@ -50,7 +52,8 @@ CurveMatcher::CurveMatcher(std::vector<double> means, std::size_t ranges, Distan
     const double deviation = std::sqrt(squares / static_cast<double>(count_));
     if (!(deviation > 1e-12 * std::max(1e-6, std::abs(mean))))
       throw InputError(format("all curves have the same mean, {:g}, in spectral range {}", mean, j + 1));
-    for (std::size_t c = 0; c < count_; ++c) scores_[c * ranges_ + j] = (scores_[c * ranges_ + j] - mean) / deviation;
+    for (std::size_t c = 0; c < count_; ++c)
+      scores_[c * ranges_ + j] = (scores_[c * ranges_ + j] - mean) / deviation;
     mean_.push_back(mean);
     deviation_.push_back(deviation);
   }
@@ -80,9 +83,10 @@ void CurveMatcher::decorrelate() {
       } else if (sum > kLeastOwnVariance) {
         factor_[i * ranges_ + i] = std::sqrt(sum);
       } else {
-        throw InputError(format("the means of the curves in spectral range {} follow from those in the ranges before "
-                                "it; leave it out, or match without covariance",
-                                i + 1));
+        throw InputError(
+            format("the means of the curves in spectral range {} follow from those in the ranges before "
+                   "it; leave it out, or match without covariance",
+                   i + 1));
       }
     }
 }
@@ -108,7 +112,8 @@ CurveMix CurveMatcher::match_in_one(double score, std::uint64_t key) const {
     const double place = places_[sorted_[index]];
     std::size_t first = index;
     while (first > 0 && place - places_[sorted_[first - 1]] < kSame) --first;
-    for (std::size_t k = first; k < count_ && places_[sorted_[k]] - place < kSame; ++k) choice.offer(sorted_[k]);
+    for (std::size_t k = first; k < count_ && places_[sorted_[k]] - place < kSame; ++k)
+      choice.offer(sorted_[k]);
     return choice.chosen();
   };
   const auto above = static_cast<std::size_t>(

@@ -21,8 +21,9 @@ TemperatureMap::TemperatureMap(MapGrid grid, std::vector<float> temperature_k)
     const float value = temperature_k_[k];
     if (value > 0.0f && value <= static_cast<float>(kHottest_k)) continue;
     const auto width = static_cast<std::size_t>(grid_.width);
-    throw InputError(format("{:g} K at row {}, column {} is no temperature: expected above 0 K and at most {:g} K", value,
-                            k / width + 1, k % width + 1, kHottest_k));
+    throw InputError(
+        format("{:g} K at row {}, column {} is no temperature: expected above 0 K and at most {:g} K", value,
+               k / width + 1, k % width + 1, kHottest_k));
   }
 }
 

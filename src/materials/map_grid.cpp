@@ -14,7 +14,8 @@ int tiled(double n, int count, Tiling tiling) {
   const double size = count;
   switch (tiling) {
     case Tiling::edge: return static_cast<int>(std::clamp(n, 0.0, size - 1.0));
-    case Tiling::repeat: return static_cast<int>(std::clamp(n - size * std::floor(n / size), 0.0, size - 1.0));
+    case Tiling::repeat:
+      return static_cast<int>(std::clamp(n - size * std::floor(n / size), 0.0, size - 1.0));
     case Tiling::mirror: {
       const double period = 2.0 * size;
       const double m = std::clamp(n - period * std::floor(n / period), 0.0, period - 1.0);
@@ -38,7 +39,8 @@ InCells in_cells(const MapGrid& grid, const MapPlace& place) {
 
 std::size_t MapGrid::cell_at(const MapPlace& place) const {
   const InCells at = in_cells(*this, place);
-  return static_cast<std::size_t>(tiled(std::floor(at.row), height, tiling)) * static_cast<std::size_t>(width) +
+  return static_cast<std::size_t>(tiled(std::floor(at.row), height, tiling)) *
+             static_cast<std::size_t>(width) +
          static_cast<std::size_t>(tiled(std::floor(at.column), width, tiling));
 }
 
@@ -49,8 +51,9 @@ MapGrid::Corners MapGrid::corners_at(const MapPlace& place) const {
   Corners corners{};
   for (int k = 0; k < 4; ++k) {
     const int east = k % 2, south = k / 2;
-    corners.cell[k] = static_cast<std::size_t>(tiled(row + south, height, tiling)) * static_cast<std::size_t>(width) +
-                      static_cast<std::size_t>(tiled(column + east, width, tiling));
+    corners.cell[k] =
+        static_cast<std::size_t>(tiled(row + south, height, tiling)) * static_cast<std::size_t>(width) +
+        static_cast<std::size_t>(tiled(column + east, width, tiling));
     corners.share[k] = (east != 0 ? across : 1.0 - across) * (south != 0 ? down : 1.0 - down);
   }
   return corners;
@@ -58,8 +61,8 @@ MapGrid::Corners MapGrid::corners_at(const MapPlace& place) const {
 
 void check(const MapGrid& grid, std::size_t value_count, const std::string& what) {
   if (grid.width < 1 || grid.height < 1 || !(grid.cell_width_m > 0.0) || !(grid.cell_height_m > 0.0))
-    throw InputError(format("{} needs cells of some size: found {} x {} cells of {:g} m x {:g} m", what, grid.width,
-                            grid.height, grid.cell_width_m, grid.cell_height_m));
+    throw InputError(format("{} needs cells of some size: found {} x {} cells of {:g} m x {:g} m", what,
+                            grid.width, grid.height, grid.cell_width_m, grid.cell_height_m));
   if (value_count != grid.cell_count())
     throw InputError(format("{} of {} x {} cells needs {} values: found {}", what, grid.width, grid.height,
                             grid.cell_count(), value_count));

@@ -44,7 +44,9 @@ struct MapGrid {
   };
   Corners corners_at(const MapPlace& place) const;
 
-  std::size_t cell_count() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+  std::size_t cell_count() const {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
 };
 
 /// Throws InputError unless cells have a size and there are as many of them as values; `what` names the map.

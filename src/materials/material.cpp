@@ -17,8 +17,9 @@ constexpr double kSlack = 1e-9;
 void check_fraction(const Material& material, const radiometry::Spectrum& spectrum, const char* what) {
   const double low = spectrum.minimum(), high = spectrum.maximum();
   if (low < -kSlack || high > 1.0 + kSlack)
-    throw InputError(format("material '{}': {} must lie between 0 and 1; it reaches from {:g} to {:g}{}", material.name, what,
-                            low, high, high > 1.5 && high <= 100.0 ? "; if it is in percent, say \"scale\": 0.01" : ""));
+    throw InputError(format("material '{}': {} must lie between 0 and 1; it reaches from {:g} to {:g}{}",
+                            material.name, what, low, high,
+                            high > 1.5 && high <= 100.0 ? "; if it is in percent, say \"scale\": 0.01" : ""));
 }
 
 /// Both are linear between the points of either, so that their sum is highest at one of them.
@@ -26,7 +27,8 @@ void check_sum(const Material& material, const radiometry::Spectrum& transmittan
   const radiometry::Spectrum& reflectance = material.reflectance;
   std::vector<double> wavelengths_um;
   for (const radiometry::Spectrum* spectrum : {&reflectance, &transmittance})
-    wavelengths_um.insert(wavelengths_um.end(), spectrum->wavelength_um().begin(), spectrum->wavelength_um().end());
+    wavelengths_um.insert(wavelengths_um.end(), spectrum->wavelength_um().begin(),
+                          spectrum->wavelength_um().end());
   if (wavelengths_um.empty()) wavelengths_um.push_back(1.0);
   const double first = std::max(reflectance.first_um(), transmittance.first_um());
   const double last = std::min(reflectance.last_um(), transmittance.last_um());
@@ -35,9 +37,10 @@ void check_sum(const Material& material, const radiometry::Spectrum& transmittan
     const double rho = reflectance.at(wavelength_um), tau = transmittance.at(wavelength_um);
     if (rho + tau <= 1.0 + kSlack) continue;
     const bool everywhere = reflectance.is_constant() && transmittance.is_constant();
-    throw InputError(format("material '{}': reflectance and transmittance must not sum to more than 1; {} they are "
-                            "{:g} and {:g}",
-                            material.name, everywhere ? "here" : format("at {:g} um", wavelength_um), rho, tau));
+    throw InputError(
+        format("material '{}': reflectance and transmittance must not sum to more than 1; {} they are "
+               "{:g} and {:g}",
+               material.name, everywhere ? "here" : format("at {:g} um", wavelength_um), rho, tau));
   }
 }
 
@@ -49,9 +52,10 @@ void check_energy(const Material& material) {
     if (material.bsdf->may_transmit())
       whole = radiometry::sum(whole, directional_hemispherical(*material.bsdf, Side::transmitted, cosine));
     if (whole.maximum() > 1.0 + kRounding)
-      throw InputError(format("material '{}': of light that comes {:.0f} deg from the normal it sends back {:.4g} times as "
-                              "much; its parameters belong to no passive surface",
-                              material.name, std::acos(cosine) * 180.0 / std::numbers::pi, whole.maximum()));
+      throw InputError(format(
+          "material '{}': of light that comes {:.0f} deg from the normal it sends back {:.4g} times as "
+          "much; its parameters belong to no passive surface",
+          material.name, std::acos(cosine) * 180.0 / std::numbers::pi, whole.maximum()));
   }
 }
 
@@ -62,7 +66,8 @@ void check(const Material& material) {
   if (material.transmittance) {
     check_fraction(material, *material.transmittance, "transmittance");
     if (!material.bsdf->may_transmit())
-      throw InputError(format("material '{}': only \"lambertian\" scattering can have a transmittance", material.name));
+      throw InputError(
+          format("material '{}': only \"lambertian\" scattering can have a transmittance", material.name));
     check_sum(material, *material.transmittance);
   }
   if (!material.bsdf->is_separable()) check_energy(material);

@@ -18,7 +18,8 @@ MixtureMap::MixtureMap(MapGrid grid, std::size_t bands, std::span<const float> s
   for (std::size_t cell = 0; cell < cells; ++cell) {
     const auto fail = [&](const std::string& what) {
       const std::size_t width = static_cast<std::size_t>(grid_.width);
-      throw InputError(format("the fractions at row {}, column {} {}", cell / width + 1, cell % width + 1, what));
+      throw InputError(
+          format("the fractions at row {}, column {} {}", cell / width + 1, cell % width + 1, what));
     };
     found.clear();
     double sum = 0.0;
@@ -35,7 +36,8 @@ MixtureMap::MixtureMap(MapGrid grid, std::size_t bands, std::span<const float> s
       report_.highest_sum = report_.rescaled == 0 ? sum : std::max(report_.highest_sum, sum);
       ++report_.rescaled;
     }
-    std::stable_sort(found.begin(), found.end(), [](const Part& a, const Part& b) { return a.share > b.share; });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Part& a, const Part& b) { return a.share > b.share; });
     double kept = sum;
     if (found.size() > kMost) {
       kept = 0.0;

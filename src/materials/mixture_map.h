@@ -20,10 +20,10 @@ class MixtureMap {
 
   /// What was done to the numbers to make them shares that sum to 1.
   struct Report {
-    std::size_t rescaled = 0;   ///< cells whose numbers did not sum to 1 within kTolerance
+    std::size_t rescaled = 0;                    ///< cells whose numbers did not sum to 1 within kTolerance
     double lowest_sum = 1.0, highest_sum = 1.0;  ///< of their numbers
-    std::size_t shortened = 0;  ///< cells with more than kMost parts
-    double largest_loss = 0.0;  ///< largest share that was given to the other parts there
+    std::size_t shortened = 0;                   ///< cells with more than kMost parts
+    double largest_loss = 0.0;                   ///< largest share that was given to the other parts there
   };
   static constexpr double kTolerance = 1e-3;
 

@@ -11,26 +11,28 @@ ReliefMap::ReliefMap(MapGrid grid, std::vector<float> numbers, bool heights)
   check(grid_, heights_ ? numbers_.size() : numbers_.size() / 2, "a relief map");
   if (grid_.by == MapBy::texture_coordinates)
     throw InputError(
-        "a relief map lies on the scene by place: the directions of texture coordinates on a surface are not known");
+        "a relief map lies on the scene by place: the directions of texture coordinates on a surface are not "
+        "known");
 }
 
 ReliefMap ReliefMap::from_heights(MapGrid grid, std::span<const float> height_m) {
   for (std::size_t k = 0; k < height_m.size(); ++k)
-    if (!std::isfinite(height_m[k]))
-      throw InputError(format("the relief has no height in cell {}", k + 1));
+    if (!std::isfinite(height_m[k])) throw InputError(format("the relief has no height in cell {}", k + 1));
   return ReliefMap(grid, {height_m.begin(), height_m.end()}, true);
 }
 
 ReliefMap ReliefMap::from_normals(MapGrid grid, std::span<const float> normals) {
   const std::size_t cells = grid.cell_count();
   if (normals.size() != 3 * cells)
-    throw InputError(format("a map of {} normals needs {} numbers: found {}", cells, 3 * cells, normals.size()));
+    throw InputError(
+        format("a map of {} normals needs {} numbers: found {}", cells, 3 * cells, normals.size()));
   std::vector<float> slopes;
   slopes.reserve(2 * cells);
   for (std::size_t k = 0; k < cells; ++k) {
     const float x = normals[k], y = normals[cells + k], z = normals[2 * cells + k];
     if (!(z > 0.0f) || !std::isfinite(x) || !std::isfinite(y))
-      throw InputError(format("the normal in cell {} is ({:g}, {:g}, {:g}); it must point up", k + 1, x, y, z));
+      throw InputError(
+          format("the normal in cell {} is ({:g}, {:g}, {:g}); it must point up", k + 1, x, y, z));
     slopes.push_back(-x / z);
     slopes.push_back(-y / z);
   }

@@ -6,10 +6,10 @@ namespace ifov::materials {
 
 SpectralMaterials::SpectralMaterials(std::span<const Material> materials,
                                      const radiometry::SpectralNodes& nodes)
-    : reflectance_(materials.size(), nodes.node_count()),
-      emissivity_(materials.size(), nodes.node_count()) {
+    : reflectance_(materials.size(), nodes.node_count()), emissivity_(materials.size(), nodes.node_count()) {
   std::uint32_t rows = 1;
-  for (const Material& material : materials) transmittance_row_.push_back(material.transmittance ? rows++ : 0u);
+  for (const Material& material : materials)
+    transmittance_row_.push_back(material.transmittance ? rows++ : 0u);
   transmittance_.resize(rows, nodes.node_count());
 
   const auto highest = [](std::span<const float> values) {
@@ -22,7 +22,8 @@ SpectralMaterials::SpectralMaterials(std::span<const Material> materials,
     nodes.average_surface(material.reflectance.complement(), emissivity);
     maximum_reflectance_.push_back(highest(reflectance_.values(m)));
     maximum_transmittance_.push_back(0.0f);
-    directional_.push_back(material.bsdf->is_separable() ? nullptr : std::make_unique<NodeBsdf>(material.bsdf, nodes));
+    directional_.push_back(material.bsdf->is_separable() ? nullptr
+                                                         : std::make_unique<NodeBsdf>(material.bsdf, nodes));
     if (const NodeBsdf* model = directional_.back().get()) {
       maximum_reflectance_.back() = static_cast<float>(model->highest_reflectance());
       maximum_transmittance_.back() = static_cast<float>(model->highest_transmittance());

@@ -19,7 +19,8 @@ double piled_up(Iterator first, Iterator last) {
   };
   const Iterator next = count_like(first);
   if (next == last) return 0.0;
-  const double here = static_cast<double>(next - first), beside = static_cast<double>(count_like(next) - next);
+  const double here = static_cast<double>(next - first),
+               beside = static_cast<double>(count_like(next) - next);
   const double share = here / static_cast<double>(last - first);
   return share > ImageScores::kClipped && here > 2.0 * beside ? share : 0.0;
 }
@@ -27,7 +28,9 @@ double piled_up(Iterator first, Iterator last) {
 }  // namespace
 
 ImageScores score_image(std::span<const float> values, std::optional<double> nodata) {
-  const auto known = [&](float v) { return std::isfinite(v) && !(nodata && v == static_cast<float>(*nodata)); };
+  const auto known = [&](float v) {
+    return std::isfinite(v) && !(nodata && v == static_cast<float>(*nodata));
+  };
   ImageScores result;
   std::vector<float> sorted;
   sorted.reserve(values.size());
@@ -53,19 +56,21 @@ ImageScores score_image(std::span<const float> values, std::optional<double> nod
   return result;
 }
 
-std::vector<double> range_means(std::span<const radiometry::Spectrum> curves, std::span<const SpectralRange> ranges) {
+std::vector<double> range_means(std::span<const radiometry::Spectrum> curves,
+                                std::span<const SpectralRange> ranges) {
   std::vector<double> means;
   for (const radiometry::Spectrum& curve : curves)
     for (const SpectralRange& range : ranges)
-      means.push_back(radiometry::integral(curve, range.from_um, range.to_um) / (range.to_um - range.from_um));
+      means.push_back(radiometry::integral(curve, range.from_um, range.to_um) /
+                      (range.to_um - range.from_um));
   return means;
 }
 
 TextureMap::TextureMap(std::vector<Image> images, CurveMatcher matcher, std::uint64_t seed)
     : images_(std::move(images)), matcher_(std::move(matcher)), seed_(seed) {
   if (images_.size() != matcher_.range_count())
-    throw InputError(format("a texture of {} spectral ranges needs as many images: found {}", matcher_.range_count(),
-                            images_.size()));
+    throw InputError(format("a texture of {} spectral ranges needs as many images: found {}",
+                            matcher_.range_count(), images_.size()));
   for (const Image& image : images_) check(image.grid, image.scores.size(), "an image of a texture");
 }
 

@@ -32,7 +32,8 @@ ImageScores score_image(std::span<const float> values, std::optional<double> nod
 struct SpectralRange {
   double from_um = 0.0, to_um = 0.0;
 };
-std::vector<double> range_means(std::span<const radiometry::Spectrum> curves, std::span<const SpectralRange> ranges);
+std::vector<double> range_means(std::span<const radiometry::Spectrum> curves,
+                                std::span<const SpectralRange> ranges);
 
 /// Picks the curve of a material from images of it: one image for each spectral range, bright where the material
 /// reflects more.

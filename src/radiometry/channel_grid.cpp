@@ -33,13 +33,15 @@ std::vector<double> integration_steps_um(const std::vector<double>& points_um) {
   const double widest = (last - first) / kIntervals;
   std::vector<double> coarse = points_um;
   if (kWidestShare * first < widest) {
-    for (double x = first; kWidestShare * x < widest && x < last; x *= 1.0 + kWidestShare) coarse.push_back(x);
+    for (double x = first; kWidestShare * x < widest && x < last; x *= 1.0 + kWidestShare)
+      coarse.push_back(x);
     std::sort(coarse.begin(), coarse.end());
     coarse.erase(std::unique(coarse.begin(), coarse.end()), coarse.end());
   }
   std::vector<double> steps{coarse.front()};
   for (std::size_t i = 0; i + 1 < coarse.size(); ++i) {
-    const int parts = std::max(1, static_cast<int>(std::ceil((coarse[i + 1] - coarse[i]) / (last - first) * kIntervals)));
+    const int parts =
+        std::max(1, static_cast<int>(std::ceil((coarse[i + 1] - coarse[i]) / (last - first) * kIntervals)));
     const double width = (coarse[i + 1] - coarse[i]) / parts;
     for (int part = 1; part < parts; ++part) steps.push_back(coarse[i] + part * width);
     steps.push_back(coarse[i + 1]);
@@ -50,8 +52,8 @@ std::vector<double> integration_steps_um(const std::vector<double>& points_um) {
 void ChannelGrid::place_points(const Channel& channel, std::span<const Spectrum* const> spectra) {
   wavelength_um.clear();
   response.clear();
-  const std::vector<double> steps =
-      integration_steps_um(merged_wavelengths_um(spectra, channel.response.first_um(), channel.response.last_um()));
+  const std::vector<double> steps = integration_steps_um(
+      merged_wavelengths_um(spectra, channel.response.first_um(), channel.response.last_um()));
   double total = 0.0;
   for (std::size_t i = 0; i + 1 < steps.size(); ++i)
     for (const GaussPoint& gauss : kGauss2) {
@@ -86,8 +88,8 @@ bool ChannelGrid::resolves(const Channel& channel, const Spectrum& light, const 
   return true;
 }
 
-ChannelGrid::ChannelGrid(const Channel& channel, const Spectrum& solar_irradiance, std::span<const Spectrum> surfaces,
-                         const Spectrum* sky_radiance) {
+ChannelGrid::ChannelGrid(const Channel& channel, const Spectrum& solar_irradiance,
+                         std::span<const Spectrum> surfaces, const Spectrum* sky_radiance) {
   if (channel.is_monochromatic()) {
     wavelength_um = {channel.centre_um};
     response = {1.0};
@@ -109,7 +111,8 @@ ChannelGrid::ChannelGrid(const Channel& channel, const Spectrum& solar_irradianc
     sky = sampled(*sky_radiance);
     for (std::size_t q = 0; q < size(); ++q) irradiance[q] += sky[q] *= std::numbers::pi;
   }
-  for (std::size_t q = 0; q < size(); ++q) bright.push_back(reference_radiance(wavelength_um[q], irradiance[q]));
+  for (std::size_t q = 0; q < size(); ++q)
+    bright.push_back(reference_radiance(wavelength_um[q], irradiance[q]));
   reference = bright;
 }
 

@@ -181,7 +181,8 @@ void NodeRule::project_factor(std::span<const double> at_points, std::span<doubl
 
 void NodeRule::project_seen(std::span<const double> at_points, std::span<double> at_nodes) const {
   std::vector<double> weighted(at_points.size()), inverse(at_nodes.size());
-  std::transform(at_points.begin(), at_points.end(), inverse_seen_.begin(), weighted.begin(), std::multiplies<>());
+  std::transform(at_points.begin(), at_points.end(), inverse_seen_.begin(), weighted.begin(),
+                 std::multiplies<>());
   project_factor(weighted, at_nodes);
   project_factor(inverse_seen_, inverse);
   std::transform(at_nodes.begin(), at_nodes.end(), inverse.begin(), at_nodes.begin(), std::divides<>());

@@ -89,7 +89,8 @@ class Trial {
 
   struct Errors {
     double worst = 0.0;
-    double mean = 0.0;  ///< of fourth powers: falls where many radiances get better and the worst does not yet
+    double mean =
+        0.0;  ///< of fourth powers: falls where many radiances get better and the worst does not yet
   };
   Errors errors(const NodeRule& rule) const {
     const std::size_t nodes = rule.node_count();
@@ -124,7 +125,8 @@ class Trial {
  private:
   void choose_products(const ChannelGrid& grid) {
     if (!seen_.empty())
-      for (std::size_t source = 0; source < sources_.size(); ++source) products_.push_back({source, {-1, -1, -1}});
+      for (std::size_t source = 0; source < sources_.size(); ++source)
+        products_.push_back({source, {-1, -1, -1}});
     std::vector<std::pair<double, int>> by_variation;
     for (std::size_t s = 0; s < surfaces_.size(); ++s) {
       double mean = 0.0, square = 0.0;
@@ -156,12 +158,12 @@ class Trial {
   }
 
   std::size_t product(std::size_t source, int a, int b = -1) const {
-    return static_cast<std::size_t>(
-        std::find_if(products_.begin(), products_.end(),
-                     [&](const Product& p) {
-                       return p.source == source && p.surfaces[0] == a && p.surfaces[1] == b && p.surfaces[2] == -1;
-                     }) -
-        products_.begin());
+    return static_cast<std::size_t>(std::find_if(products_.begin(), products_.end(),
+                                                 [&](const Product& p) {
+                                                   return p.source == source && p.surfaces[0] == a &&
+                                                          p.surfaces[1] == b && p.surfaces[2] == -1;
+                                                 }) -
+                                    products_.begin());
   }
 
   /// Each product by itself: a surface may show nothing else.
@@ -182,7 +184,8 @@ class Trial {
     const std::size_t coldest = first_thermal_, hottest = sources_.size() - 1;
     const auto add = [&](std::vector<Radiance::Term> terms) {
       Radiance radiance{std::move(terms)};
-      for (const Radiance::Term& term : radiance.terms) radiance.expected += term.factor * expected_[term.product];
+      for (const Radiance::Term& term : radiance.terms)
+        radiance.expected += term.factor * expected_[term.product];
       radiance.scale = std::max(radiance.expected, dark_);
       radiances_.push_back(std::move(radiance));
     };
@@ -196,10 +199,14 @@ class Trial {
         for (std::size_t warm = coldest; warm <= hottest; ++warm)
           add({{product(warm, -1), 1.0}, {product(warm, a), -1.0}, {p, 1.0}});
       } else if (b >= 0) {
-        for (const auto& [own, other] : {std::pair(coldest, coldest), {hottest, hottest}, {coldest, hottest}, {hottest, coldest}})
+        for (const auto& [own, other] :
+             {std::pair(coldest, coldest), {hottest, hottest}, {coldest, hottest}, {hottest, coldest}})
           for (const auto& [near, far] : {std::pair(a, b), {b, a}})
-            add({{product(own, -1), 1.0}, {product(own, near), -1.0}, {product(other, near), 1.0},
-                 {product(other, a, b), -1.0}, {p, 1.0}});
+            add({{product(own, -1), 1.0},
+                 {product(own, near), -1.0},
+                 {product(other, near), 1.0},
+                 {product(other, a, b), -1.0},
+                 {p, 1.0}});
       }
     }
   }
@@ -246,7 +253,8 @@ class Shapes {
     first_of_air_ = shapes_.size();
     if (!grid.seen.empty()) add([&](std::size_t q) { return grid.seen[q]; }, std::sqrt(kDarkShare));
     if (!grid.sky.empty())
-      add([&](std::size_t q) { return grid.sky[q] / (std::numbers::pi * grid.bright[q]); }, std::sqrt(kDarkShare));
+      add([&](std::size_t q) { return grid.sky[q] / (std::numbers::pi * grid.bright[q]); },
+          std::sqrt(kDarkShare));
     for (const double temperature : temperatures_k(demands)) {
       ++emissions_;
       add(
@@ -320,7 +328,8 @@ class Shapes {
 };
 
 /// Two parts for one, by the sign of a variable at its points. False where all are on one side.
-bool divide(std::vector<TrialPart>& parts, std::size_t which, std::span<const double> variable, const Shapes& shapes) {
+bool divide(std::vector<TrialPart>& parts, std::size_t which, std::span<const double> variable,
+            const Shapes& shapes) {
   TrialPart& part = parts[which];
   std::vector<std::uint32_t> low, high;
   for (std::size_t i = 0; i < part.part.points.size(); ++i)

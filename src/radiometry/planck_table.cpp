@@ -11,7 +11,7 @@ namespace {
 constexpr double kTolerance = 1e-5;
 constexpr double kDark_w_m2_sr_um = 1e-6;
 constexpr double kFirstStep = 0.03;  // of ln T
-constexpr double kNothing = 1e-30;  // denormal floats would slow every row
+constexpr double kNothing = 1e-30;   // denormal floats would slow every row
 constexpr std::size_t kMostTemperatures = 8193;
 
 }  // namespace
@@ -25,8 +25,8 @@ PlanckTable::PlanckTable(const SpectralNodes& nodes, double t_low_k, double t_hi
   while (worst_error(nodes) > kTolerance) {
     intervals *= 2;
     if (intervals >= kMostTemperatures)
-      throw InputError(format("temperatures from {:g} K to {:g} K cannot be tabulated within {:g}", t_low_k, t_high_k,
-                              kTolerance));
+      throw InputError(format("temperatures from {:g} K to {:g} K cannot be tabulated within {:g}", t_low_k,
+                              t_high_k, kTolerance));
     fill(nodes, intervals + 1);
   }
 }

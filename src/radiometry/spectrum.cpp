@@ -101,7 +101,8 @@ Spectrum sum(const Spectrum& a, const Spectrum& b) {
 
 CommonWavelengths common_wavelengths(std::span<const Spectrum* const> spectra) {
   CommonWavelengths common;
-  double first_um = std::numeric_limits<double>::infinity(), last_um = -first_um, bound_first_um = last_um, bound_last_um = first_um;
+  double first_um = std::numeric_limits<double>::infinity(), last_um = -first_um, bound_first_um = last_um,
+         bound_last_um = first_um;
   bool any = false, bounded = false;
   for (const Spectrum* s : spectra) {
     if (s->is_constant()) continue;

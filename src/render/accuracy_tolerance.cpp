@@ -80,18 +80,10 @@ void AccuracyTolerance::asked(std::span<const double> mean, std::span<double> li
         limit[c] = request_.error *
                    brightness_.slope_w_m2_sr_um_k(static_cast<int>(c), std::max(radiance, floor_[c]));
         break;
-      case ErrorUnit::percent:
-        limit[c] = std::max(request_.error * radiance, floor_[c]);
-        break;
-      case ErrorUnit::radiance:
-        limit[c] = request_.error;
-        break;
-      case ErrorUnit::reflectance:
-        limit[c] = request_.error * white_[c];
-        break;
-      case ErrorUnit::noise:
-        limit[c] = request_.error * request_.noise_w_m2_sr_um[c];
-        break;
+      case ErrorUnit::percent: limit[c] = std::max(request_.error * radiance, floor_[c]); break;
+      case ErrorUnit::radiance: limit[c] = request_.error; break;
+      case ErrorUnit::reflectance: limit[c] = request_.error * white_[c]; break;
+      case ErrorUnit::noise: limit[c] = request_.error * request_.noise_w_m2_sr_um[c]; break;
     }
     limit[c] = std::max(limit[c], kResolution * radiance);
   }

@@ -39,7 +39,8 @@ class AccuracyTolerance final : public sampling::Tolerance {
   /// confidence only.
   AccuracyTolerance(AccuracyRequest request, const ChannelBrightness& brightness,
                     std::vector<double> white_reflected_w_m2_sr_um, std::int64_t pixel_count,
-                    const std::vector<double>& path_radiance_w_m2_sr_um = {}, std::vector<AirHalfWidth> air = {});
+                    const std::vector<double>& path_radiance_w_m2_sr_um = {},
+                    std::vector<AirHalfWidth> air = {});
 
   /// What nodes may be wrong by, by channel, and the share of what is asked for that is kept for what a PSF's cut leaves
   /// out. Before the first tile.
@@ -67,7 +68,7 @@ class AccuracyTolerance final : public sampling::Tolerance {
   AccuracyRequest request_;
   const ChannelBrightness& brightness_;
   std::vector<double> white_;
-  std::vector<AirHalfWidth> air_;  // by channel; empty: none
+  std::vector<AirHalfWidth> air_;     // by channel; empty: none
   std::vector<NodeHalfWidth> nodes_;  // likewise
   double cut_share_ = 0.0;
   std::vector<double> floor_;

@@ -14,7 +14,8 @@ struct AirHalfWidth {
   double white_in_sky = 0.0;   ///< what a white surface reflects of the sky: no surface reflects more
   double grey_radiance =
       0.0;  ///< of a level surface of reflectance 0.2 and 288 K, to say how much all this is
-  double nodes_path = 0.0, nodes_surface = 0.0, nodes_sky = 0.0;  ///< what of the first three the few spectral nodes make
+  double nodes_path = 0.0, nodes_surface = 0.0,
+         nodes_sky = 0.0;  ///< what of the first three the few spectral nodes make
 
   double of(double radiance) const { return sum(path, surface, sky, radiance); }
   /// The nodes' part of it.

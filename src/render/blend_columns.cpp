@@ -13,7 +13,8 @@ BlendColumns::BlendColumns(const scene::Scene& scene, const scene::TruthMaterial
   for (const scene::Covering& covering : scene.coverings) {
     mixes_.push_back(covering.mixes_materials());
     if (!mixes_.back()) continue;
-    for (const std::uint32_t state : covering.states) mixed.insert(truth.of_material[scene.states[state].material]);
+    for (const std::uint32_t state : covering.states)
+      mixed.insert(truth.of_material[scene.states[state].material]);
     for (const auto& pattern : covering.patterns) {
       if (!pattern->mixes_materials()) continue;
       const std::vector<std::uint32_t> brought = pattern->mixed_materials();
@@ -51,7 +52,8 @@ void BlendColumns::settle(sampling::TileResult& tile) const {
     for (std::size_t k = 0; k < materials_.size(); ++k) {
       const std::size_t at = pixel * columns + channels + k;
       const float share = tile.mean[at];
-      const float half_width = tile.has_errors() && !std::isnan(tile.half_width[at]) ? tile.half_width[at] : 1.0f;
+      const float half_width =
+          tile.has_errors() && !std::isnan(tile.half_width[at]) ? tile.half_width[at] : 1.0f;
       if (share <= 0.0f) continue;
       const auto [entry, is_new] =
           of_pixel.try_emplace(materials_[k], sampling::Abundance{pixel, materials_[k], share, half_width});
@@ -70,7 +72,8 @@ void BlendColumns::settle(sampling::TileResult& tile) const {
                   values.begin() + static_cast<std::ptrdiff_t>(pixel * channels));
     values.resize(pixels * channels);
   };
-  for (std::vector<float>* values : {&tile.mean, &tile.variance_geometry, &tile.variance_path, &tile.half_width})
+  for (std::vector<float>* values :
+       {&tile.mean, &tile.variance_geometry, &tile.variance_path, &tile.half_width})
     keep_channels(*values);
   tile.columns = channels_;
 }

@@ -34,10 +34,14 @@ double apart(const sampling::FocalPoint& a, const sampling::FocalPoint& b) {
 
 }  // namespace
 
-GlintSearch::GlintSearch(const sensor::Camera& camera, Vec3 towards_sun, double half_angle_rad, double margin_px,
-                         int steps, std::uint64_t seed)
-    : camera_(camera), towards_sun_(towards_sun), half_angle_(half_angle_rad), margin_(margin_px),
-      step_(half_angle_rad > 0.0 ? half_angle_rad / steps : kNewton), seed_(seed) {
+GlintSearch::GlintSearch(const sensor::Camera& camera, Vec3 towards_sun, double half_angle_rad,
+                         double margin_px, int steps, std::uint64_t seed)
+    : camera_(camera),
+      towards_sun_(towards_sun),
+      half_angle_(half_angle_rad),
+      margin_(margin_px),
+      step_(half_angle_rad > 0.0 ? half_angle_rad / steps : kNewton),
+      seed_(seed) {
   const sampling::TangentFrame frame(towards_sun);
   first_ = frame.first, second_ = frame.second;
 }
@@ -55,7 +59,8 @@ GlintSearch::Corner GlintSearch::corner(const Surface& surface, double u, double
   return c;
 }
 
-void GlintSearch::search(const geometry::SurfaceSurvey::Round& round, std::uint64_t number, const Found& found) {
+void GlintSearch::search(const geometry::SurfaceSurvey::Round& round, std::uint64_t number,
+                         const Found& found) {
   solved_.clear();
   const math::Transform& map = round.scene_from_unit;
   const auto place = [&map](Point3 unit, Vec3 normal, Point3& at, Vec3& out) {
@@ -79,40 +84,46 @@ void GlintSearch::search(const geometry::SurfaceSurvey::Round& round, std::uint6
     const Surface part = [&, axis, side](double u, double v, Point3& at, Vec3& normal) {
       // Of the side faces v runs upwards.
       const double a = std::tan(0.25 * std::numbers::pi * u), b = std::tan(0.25 * std::numbers::pi * v);
-      const Vec3 d = normalized(axis == 0 ? Vec3{side, a, b} : axis == 1 ? Vec3{a, side, b} : Vec3{a, b, side});
+      const Vec3 d = normalized(axis == 0   ? Vec3{side, a, b}
+                                : axis == 1 ? Vec3{a, side, b}
+                                            : Vec3{a, b, side});
       place(Point3{} + d, d, at, normal);
     };
     divide_quad(part, -1.0, half && axis != 2 ? 0.0 : -1.0, 1.0, 1.0, number, found);
   }
 }
 
-void GlintSearch::search(const geometry::SurfaceSurvey::Smooth& smooth, std::uint64_t number, const Found& found) {
+void GlintSearch::search(const geometry::SurfaceSurvey::Smooth& smooth, std::uint64_t number,
+                         const Found& found) {
   solved_.clear();
   const geometry::MeshLists& mesh = smooth.mesh;
   for (const std::uint32_t t : smooth.triangles) {
     const geometry::Triangle& v = mesh.triangles[t];
     const geometry::Triangle& i = mesh.normal_corners.empty() ? v : mesh.normal_corners[t];
     const Point3 a = smooth.scene_from_mesh(mesh.vertices_m[v[0]]);
-    const Vec3 ab = smooth.scene_from_mesh(mesh.vertices_m[v[1]]) - a, ac = smooth.scene_from_mesh(mesh.vertices_m[v[2]]) - a;
+    const Vec3 ab = smooth.scene_from_mesh(mesh.vertices_m[v[1]]) - a,
+               ac = smooth.scene_from_mesh(mesh.vertices_m[v[2]]) - a;
     const Vec3 na = mesh.normals[i[0]].as_vector(), nb = mesh.normals[i[1]].as_vector() - na,
                nc = mesh.normals[i[2]].as_vector() - na;
     const Surface facet = [&](double u, double w, Point3& at, Vec3& normal) {
       at = a + ab * u + ac * w;
       normal = smooth.scene_from_mesh(math::as_normal(na + nb * u + nc * w)).as_vector();
     };
-    divide(facet, {{corner(facet, 0.0, 0.0), corner(facet, 1.0, 0.0), corner(facet, 0.0, 1.0)}, 0}, number, found);
+    divide(facet, {{corner(facet, 0.0, 0.0), corner(facet, 1.0, 0.0), corner(facet, 0.0, 1.0)}, 0}, number,
+           found);
   }
 }
 
-void GlintSearch::divide_quad(const Surface& surface, double u0, double v0, double u1, double v1, std::uint64_t number,
-                              const Found& found) {
+void GlintSearch::divide_quad(const Surface& surface, double u0, double v0, double u1, double v1,
+                              std::uint64_t number, const Found& found) {
   const Corner a = corner(surface, u0, v0), b = corner(surface, u1, v0), c = corner(surface, u1, v1),
                d = corner(surface, u0, v1);
   divide(surface, {{a, b, c}, 0}, number, found);
   divide(surface, {{a, c, d}, 0}, number, found);
 }
 
-void GlintSearch::divide(const Surface& surface, const Cell& whole, std::uint64_t number, const Found& found) {
+void GlintSearch::divide(const Surface& surface, const Cell& whole, std::uint64_t number,
+                         const Found& found) {
   cells_.assign(1, whole);
   while (!cells_.empty()) {
     const Cell cell = cells_.back();
@@ -123,7 +134,8 @@ void GlintSearch::divide(const Surface& surface, const Cell& whole, std::uint64_
     if (seen) {
       double spread = 0.0, side_px = 0.0, worst = -1.0;
       for (int k = 0; k < 3; ++k) {
-        const double turn = length(c[k].from - c[(k + 1) % 3].from), px = apart(c[k].image, c[(k + 1) % 3].image);
+        const double turn = length(c[k].from - c[(k + 1) % 3].from),
+                     px = apart(c[k].image, c[(k + 1) % 3].image);
         spread = std::max(spread, turn), side_px = std::max(side_px, px);
         const double needed = std::max(turn / step_, half_angle_ > 0.0 ? px / kLongest_px : 0.0);
         if (needed > worst) worst = needed, longest = k;
@@ -134,8 +146,10 @@ void GlintSearch::divide(const Surface& surface, const Cell& whole, std::uint64_
         const double reach = margin_ + side_px;
         bool left = true, right = true, above = true, below = true;
         for (int k = 0; k < 3; ++k) {
-          left = left && c[k].image.x_px < -reach, right = right && c[k].image.x_px > camera_.width_px() + reach;
-          above = above && c[k].image.y_px < -reach, below = below && c[k].image.y_px > camera_.height_px() + reach;
+          left = left && c[k].image.x_px < -reach,
+          right = right && c[k].image.x_px > camera_.width_px() + reach;
+          above = above && c[k].image.y_px < -reach,
+          below = below && c[k].image.y_px > camera_.height_px() + reach;
         }
         if (left || right || above || below) continue;
       }
@@ -165,11 +179,13 @@ void GlintSearch::draw(const Surface& surface, const Cell& cell, std::uint64_t n
   const double area = 0.5 * std::abs(x1 * y2 - x2 * y1);
   const std::uint64_t key = sampling::hash(seed_, number, drawn_++, kGlintPoints);
   for (std::uint32_t k = 0; k < kReplicates; ++k) {
-    const double root = std::sqrt(sampling::unit_double(key + 2 * k)), share = sampling::unit_double(key + 2 * k + 1);
+    const double root = std::sqrt(sampling::unit_double(key + 2 * k)),
+                 share = sampling::unit_double(key + 2 * k + 1);
     const double s = root * (1.0 - share), t = root * share;
     const Corner at = corner(surface, c[0].u + s * (c[1].u - c[0].u) + t * (c[2].u - c[0].u),
                              c[0].v + s * (c[1].v - c[0].v) + t * (c[2].v - c[0].v));
-    if (at.seen && length(cross(at.from, towards_sun_)) < std::sin(half_angle_)) found({at.at, at.image, area, k});
+    if (at.seen && length(cross(at.from, towards_sun_)) < std::sin(half_angle_))
+      found({at.at, at.image, area, k});
   }
 }
 
@@ -196,8 +212,10 @@ void GlintSearch::solve(const Surface& surface, const Cell& cell, const Found& f
     if (!(std::abs(s) < 10.0 && std::abs(t) < 10.0)) return;
     if (std::hypot(ds, dt) > 1e-9) continue;
     if (s < -kOutside || t < -kOutside || s + t > 1.0 + kOutside) return;
-    const double xs = (along_s.image.x_px - here.image.x_px) / kStep, ys = (along_s.image.y_px - here.image.y_px) / kStep;
-    const double xt = (along_t.image.x_px - here.image.x_px) / kStep, yt = (along_t.image.y_px - here.image.y_px) / kStep;
+    const double xs = (along_s.image.x_px - here.image.x_px) / kStep,
+                 ys = (along_s.image.y_px - here.image.y_px) / kStep;
+    const double xt = (along_t.image.x_px - here.image.x_px) / kStep,
+                 yt = (along_t.image.y_px - here.image.y_px) / kStep;
     const double size = length(c[1].at - c[0].at) + length(c[2].at - c[0].at);
     for (const Point3& known : solved_)
       if (length(known - here.at) < 1e-5 * size) return;  // on the side of two triangles

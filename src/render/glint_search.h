@@ -29,8 +29,8 @@ class GlintSearch {
   static constexpr std::uint32_t kReplicates = 8;
 
   /// `margin_px` about the image within which glints matter; `steps` across the Sun's half-angle.
-  GlintSearch(const sensor::Camera& camera, math::Vec3 towards_sun, double half_angle_rad, double margin_px, int steps,
-              std::uint64_t seed);
+  GlintSearch(const sensor::Camera& camera, math::Vec3 towards_sun, double half_angle_rad, double margin_px,
+              int steps, std::uint64_t seed);
 
   /// Calls back with the points of one surface. `number` tells surfaces apart.
   using Found = std::function<void(const GlintPoint&)>;

@@ -27,7 +27,8 @@ bool Glints::in(const transport::SpectralScene& scene) {
   return !survey.rounds.empty() || !survey.smooths.empty();
 }
 
-Glints::Glints(const transport::SpectralScene& scene, const sensor::Camera& camera, double margin_px, std::uint64_t seed)
+Glints::Glints(const transport::SpectralScene& scene, const sensor::Camera& camera, double margin_px,
+               std::uint64_t seed)
     : scene_(scene), camera_(camera), channels_(scene.nodes().channel_count()) {
   const geometry::SurfaceSurvey& survey = scene.sun_mirrors()->survey();
   const scene::Sun& sun = *scene.scene().sun;
@@ -156,7 +157,8 @@ void Glints::add_to(const sampling::PixelFootprint& footprint, const sampling::T
         auto& sum = sums[static_cast<std::size_t>((y - tile.tile.y0) * width + x - tile.tile.x0)];
         if (sum.empty()) sum.assign(kReplicates * channels_, 0.0);
         for (std::size_t c = 0; c < channels_; ++c)
-          sum[light->replicate * channels_ + c] += weight * static_cast<double>(rows_[light->row * channels_ + c]);
+          sum[light->replicate * channels_ + c] +=
+              weight * static_cast<double>(rows_[light->row * channels_ + c]);
       }
   }
   std::vector<double> mean(channels_), limit(channels_);
@@ -176,8 +178,8 @@ void Glints::add_to(const sampling::PixelFootprint& footprint, const sampling::T
       tile.mean[at] = static_cast<float>(mean[c]);
       if (!tile.has_errors()) continue;
       const double variance = squares / (kReplicates * (kReplicates - 1.0));
-      const double student = sampling::two_sided_student(tolerance != nullptr ? tolerance->confidence() : 0.95,
-                                                         kReplicates - 1.0);
+      const double student = sampling::two_sided_student(
+          tolerance != nullptr ? tolerance->confidence() : 0.95, kReplicates - 1.0);
       tile.variance_path[at] += static_cast<float>(variance);
       tile.half_width[at] = static_cast<float>(
           std::hypot(static_cast<double>(tile.half_width[at]), student * std::sqrt(variance)));

@@ -22,7 +22,8 @@ class Glints {
   static bool in(const transport::SpectralScene& scene);
 
   /// Traces all of them. Keeps a reference to the scene. `margin_px`: a footprint's half width.
-  Glints(const transport::SpectralScene& scene, const sensor::Camera& camera, double margin_px, std::uint64_t seed);
+  Glints(const transport::SpectralScene& scene, const sensor::Camera& camera, double margin_px,
+         std::uint64_t seed);
 
   /// Into the means of a tile that has channels alone, with the error of their shares in each pixel; `tolerance` may be
   /// null.
@@ -39,7 +40,8 @@ class Glints {
     std::uint32_t replicate = 0;
   };
   void trace(std::vector<GlintPoint>& points);
-  std::uint32_t row_of(const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface, math::Vec3 towards_sensor);
+  std::uint32_t row_of(const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface,
+                       math::Vec3 towards_sensor);
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;

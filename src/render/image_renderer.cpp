@@ -99,7 +99,8 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   // Samplers that judge every column where none is named are not to judge the shares of mixtures.
   std::vector<int> drivers = job.drivers;
   if (drivers.empty())
-    for (std::size_t c = 0; c < job.scene.nodes().channel_count(); ++c) drivers.push_back(static_cast<int>(c));
+    for (std::size_t c = 0; c < job.scene.nodes().channel_count(); ++c)
+      drivers.push_back(static_cast<int>(c));
 
   transport::TransportOptions transport = job.transport;
   transport.sought_only = true;

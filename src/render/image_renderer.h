@@ -26,16 +26,16 @@ struct RenderJob {
   LabelDetail label_detail = LabelDetail::sun_state;
   std::uint64_t seed = 1;
   int tile_px = 64;
-  bool seed_objects = true;        ///< send a ray at each compact object smaller than a pixel
-  std::vector<int> drivers{};      ///< channels that steer the sampler
-  std::span<const AirHalfWidth> air{};  ///< by channel; empty: the air has no error that is known
-  std::span<const NodeHalfWidth> nodes{};  ///< by channel; empty: not known, or in those of the air
+  bool seed_objects = true;                 ///< send a ray at each compact object smaller than a pixel
+  std::vector<int> drivers{};               ///< channels that steer the sampler
+  std::span<const AirHalfWidth> air{};      ///< by channel; empty: the air has no error that is known
+  std::span<const NodeHalfWidth> nodes{};   ///< by channel; empty: not known, or in those of the air
   const sensor::PsfWings* wings = nullptr;  ///< of the footprint's PSF; null: it has none
-  double cut = 0.0;                ///< share of the PSF's energy that is cut off and stands in no wings
-  bool keep_memory = false;        ///< tiles carry what a run at a tighter tolerance can go on from
-  bool keep_variances = true;      ///< else tiles have half-widths alone, unless they are to be gone on from
-  bool locate = false;             ///< tiles say where their pixels lie
-  EarlierTiles* earlier = nullptr; ///< tiles of a run at a looser tolerance, to go on from
+  double cut = 0.0;                 ///< share of the PSF's energy that is cut off and stands in no wings
+  bool keep_memory = false;         ///< tiles carry what a run at a tighter tolerance can go on from
+  bool keep_variances = true;       ///< else tiles have half-widths alone, unless they are to be gone on from
+  bool locate = false;              ///< tiles say where their pixels lie
+  EarlierTiles* earlier = nullptr;  ///< tiles of a run at a looser tolerance, to go on from
 };
 
 /// How the work is done; the result does not depend on it.
@@ -43,9 +43,10 @@ struct RenderControl {
   int threads = 0;
   const CancelToken* cancel = nullptr;
   ProgressSink* progress = nullptr;
-  std::span<const int> tile_order;  ///< positions in the tile grid, of all tiles or of those that are wanted; empty:
-                                    ///< all, row by row
-  TileSource* source = nullptr;     ///< where given, tiles come from it and not in an order
+  std::span<const int>
+      tile_order;  ///< positions in the tile grid, of all tiles or of those that are wanted; empty:
+                   ///< all, row by row
+  TileSource* source = nullptr;  ///< where given, tiles come from it and not in an order
 };
 
 /// Renders tile by tile into the sink. A tile's result depends on the job and the tile alone. Throws Cancelled.

@@ -62,7 +62,8 @@ struct MapDetail::Window {
       const sampling::FocalPoint corner = offset(a + p.a, b + p.b);
       cell.add({corner.x_px, corner.y_px});
     }
-    const sampling::Polygon inside = cell.clipped(-1, 0, 0).clipped(1, 0, 1).clipped(0, -1, 0).clipped(0, 1, 1);
+    const sampling::Polygon inside =
+        cell.clipped(-1, 0, 0).clipped(1, 0, 1).clipped(0, -1, 0).clipped(0, 1, 1);
     Seen part;
     if (inside.count < 3) return part;
     part.area = std::abs(inside.signed_area());
@@ -74,7 +75,8 @@ struct MapDetail::Window {
   }
 };
 
-MapDetail::MapDetail(const scene::Scene& scene, const sensor::Camera& camera) : scene_(scene), camera_(camera) {
+MapDetail::MapDetail(const scene::Scene& scene, const sensor::Camera& camera)
+    : scene_(scene), camera_(camera) {
   any_ = std::any_of(scene.coverings.begin(), scene.coverings.end(),
                      [](const scene::Covering& c) { return c.classes != nullptr && c.states.size() > 1; });
 }
@@ -127,7 +129,8 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
     if (!seen[k]) continue;
     geometry::SurfacePoint own = corners[k];
     if (const auto period = scene_.world->period())
-      own.position_m = own.position_m - math::Vec3{own.copy_column * period->x_m, own.copy_row * period->y_m, 0.0};
+      own.position_m =
+          own.position_m - math::Vec3{own.copy_column * period->x_m, own.copy_row * period->y_m, 0.0};
     at[k] = place_of(grid, own);
   }
   const auto minus = [](Place p, Place q) { return Place{p.a - q.a, p.b - q.b}; };
@@ -166,7 +169,8 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
   for (std::size_t cell = 0; cell < classes_.size(); ++cell) {
     const Place place = place_in_map(cell);
     const sampling::FocalPoint o = window.offset(place.a, place.b);
-    if (o.x_px <= -reach_x || o.x_px >= 1.0 + reach_x || o.y_px <= -reach_y || o.y_px >= 1.0 + reach_y) continue;
+    if (o.x_px <= -reach_x || o.x_px >= 1.0 + reach_x || o.y_px <= -reach_y || o.y_px >= 1.0 + reach_y)
+      continue;
     const std::uint16_t number = covering.classes->at(middle_of(grid, place.a, place.b));
     classes_[cell] = number;
     mixed = mixed || (any_class != kOutside && covering.states[number] != covering.states[any_class]);
@@ -202,7 +206,8 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
       part_.push_back(cell);
       const auto visit = [&](std::size_t next, double side_px) {
         // Of a side that is longer than the pixel, the pixel sees no more than its own diagonal.
-        if (known[next] != number && known[next] != kOutside) border_px += std::min(side_px, std::numbers::sqrt2);
+        if (known[next] != number && known[next] != kOutside)
+          border_px += std::min(side_px, std::numbers::sqrt2);
         if (classes_[next] != number) return;
         classes_[next] = kOutside;
         queue_.push_back(static_cast<std::uint32_t>(next));
@@ -215,7 +220,8 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
       if (row + 1 < rows) visit(cell + columns, side_along_a_px);
     }
     // The middle one of its cells, or the one that the pixel sees most of.
-    std::nth_element(part_.begin(), part_.begin() + static_cast<std::ptrdiff_t>(part_.size() / 2), part_.end());
+    std::nth_element(part_.begin(), part_.begin() + static_cast<std::ptrdiff_t>(part_.size() / 2),
+                     part_.end());
     std::swap(part_.front(), part_[part_.size() / 2]);
     Window::Seen most;
     for (std::size_t k = 0; k < part_.size() && most.area < kMuch / d; ++k) {
@@ -224,9 +230,12 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
       if (part.area > most.area) most = part;
     }
     if (most.area == 0.0) continue;
-    const auto across = static_cast<double>(right - left + 1), down = static_cast<double>(lowest - start / columns + 1);
+    const auto across = static_cast<double>(right - left + 1),
+               down = static_cast<double>(lowest - start / columns + 1);
     if (across * side_along_a_px < kSpeck_px && down * side_along_b_px < kSpeck_px) ++specks;
-    if (specks > kMostSpecks || detail.points.size() - points_before == kMostParts || border_px > kLongestBorder_px) return fill_pixel();
+    if (specks > kMostSpecks || detail.points.size() - points_before == kMostParts ||
+        border_px > kLongestBorder_px)
+      return fill_pixel();
     detail.points.push_back({origin.x_px + most.middle.x_px, origin.y_px + most.middle.y_px});
   }
 }

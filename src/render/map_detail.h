@@ -24,13 +24,13 @@ class MapDetail {
 
  private:
   struct Window;
-  void find_in_pixel(std::span<const geometry::SurfacePoint> corners, std::size_t pixel, sampling::FocalPoint origin,
-                     sampling::KnownDetail& detail);
+  void find_in_pixel(std::span<const geometry::SurfacePoint> corners, std::size_t pixel,
+                     sampling::FocalPoint origin, sampling::KnownDetail& detail);
 
   const scene::Scene& scene_;
   const sensor::Camera& camera_;
-  bool any_ = false;  // some covering has a map of classes
-  std::vector<std::uint16_t> classes_;      // of the cells in a pixel's window; kOutside beside the pixel
+  bool any_ = false;                         // some covering has a map of classes
+  std::vector<std::uint16_t> classes_;       // of the cells in a pixel's window; kOutside beside the pixel
   std::vector<std::uint32_t> queue_, part_;  // cells of one part
 };
 

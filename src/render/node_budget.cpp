@@ -16,7 +16,8 @@ std::vector<NodeHalfWidth> node_half_widths(const transport::SpectralScene& scen
   return all;
 }
 
-void widen(std::span<const NodeHalfWidth> nodes, const AccuracyTolerance* tolerance, sampling::TileResult& tile) {
+void widen(std::span<const NodeHalfWidth> nodes, const AccuracyTolerance* tolerance,
+           sampling::TileResult& tile) {
   if (nodes.empty() || !tile.has_errors()) return;
   const std::size_t columns = static_cast<std::size_t>(tile.columns);
   std::vector<double> mean(columns), limit(columns, 0.0);

@@ -16,6 +16,7 @@ std::vector<NodeHalfWidth> node_half_widths(const transport::SpectralScene& scen
 
 /// Widens a tile's intervals by what the nodes may be wrong by wherever that is more than NodeHalfWidth::kNegligible of
 /// what was asked for (everywhere, where nothing was), and judges those pixels anew. `tolerance` may be null.
-void widen(std::span<const NodeHalfWidth> nodes, const AccuracyTolerance* tolerance, sampling::TileResult& tile);
+void widen(std::span<const NodeHalfWidth> nodes, const AccuracyTolerance* tolerance,
+           sampling::TileResult& tile);
 
 }  // namespace ifov::render

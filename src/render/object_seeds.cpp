@@ -118,7 +118,8 @@ void keep_strips(std::vector<ThinFace>& faces, const VisitWide& visit_wide) {
   std::vector<std::uint8_t> part_of_more(faces.size(), 0);
   visit_wide([&](const ThinFace& wide) {
     for (int side = 0; side < 3; ++side)
-      if (const auto known = sides.find(side_of(wide, side)); known != sides.end()) part_of_more[root(known->second)] = 1;
+      if (const auto known = sides.find(side_of(wide, side)); known != sides.end())
+        part_of_more[root(known->second)] = 1;
   });
   // How wide they are together, across the side of one of them.
   struct Width {
@@ -130,20 +131,23 @@ void keep_strips(std::vector<ThinFace>& faces, const VisitWide& visit_wide) {
     const ThinFace& one = faces[whole];
     for (const sampling::FocalPoint p : {f.a, f.b, f.c}) {
       const double across = ((p.y_px - one.a.y_px) * (one.b.x_px - one.a.x_px) -
-                             (p.x_px - one.a.x_px) * (one.b.y_px - one.a.y_px)) / one.length_px;
+                             (p.x_px - one.a.x_px) * (one.b.y_px - one.a.y_px)) /
+                            one.length_px;
       width[whole] = {std::min(width[whole].low, across), std::max(width[whole].high, across)};
     }
   }
   std::vector<ThinFace> kept;
   for (std::size_t k = 0; k < faces.size(); ++k)
-    if (!part_of_more[root(k)] && width[root(k)].high - width[root(k)].low <= kSpacing_px) kept.push_back(faces[k]);
+    if (!part_of_more[root(k)] && width[root(k)].high - width[root(k)].low <= kSpacing_px)
+      kept.push_back(faces[k]);
   faces.swap(kept);
 }
 
 /// Points in the middle of a triangle's image, all along it.
 template <class Add>
 void points_along(const ThinFace& face, const Add& add) {
-  const double ux = (face.b.x_px - face.a.x_px) / face.length_px, uy = (face.b.y_px - face.a.y_px) / face.length_px;
+  const double ux = (face.b.x_px - face.a.x_px) / face.length_px,
+               uy = (face.b.y_px - face.a.y_px) / face.length_px;
   const double along = (face.c.x_px - face.a.x_px) * ux + (face.c.y_px - face.a.y_px) * uy;
   const double across = (face.c.y_px - face.a.y_px) * ux - (face.c.x_px - face.a.x_px) * uy;
   const int parts = static_cast<int>(std::min(std::ceil(face.length_px / kSpacing_px), kMostParts));
@@ -187,11 +191,13 @@ ObjectSeeds::ObjectSeeds(const geometry::World& world, std::size_t materials, co
   }
   if (world.triangle_count() <= kMostFaces) {
     const auto visit_long = [&](const auto& visitor) {
-      world.visit_surfaces(geometry::WantedMaterials(materials, true), [&](const geometry::SurfacePiece& piece) {
-        ThinFace face;
-        bool thin = false;
-        if (piece.kind == geometry::PieceKind::triangle && is_long(piece, camera, face, thin)) visitor(face, thin);
-      });
+      world.visit_surfaces(
+          geometry::WantedMaterials(materials, true), [&](const geometry::SurfacePiece& piece) {
+            ThinFace face;
+            bool thin = false;
+            if (piece.kind == geometry::PieceKind::triangle && is_long(piece, camera, face, thin))
+              visitor(face, thin);
+          });
     };
     std::vector<ThinFace> faces;
     visit_long([&](const ThinFace& face, bool thin) {
@@ -214,7 +220,8 @@ ObjectSeeds::ObjectSeeds(const geometry::World& world, std::size_t materials, co
   const int rows = static_cast<int>(std::ceil(camera.height_px() + margin_px)) - lowest_row_ + 1;
   first_of_row_.assign(static_cast<std::size_t>(rows) + 1, points_.size());
   for (std::size_t k = points_.size(); k-- > 0;)
-    first_of_row_[static_cast<std::size_t>(static_cast<int>(std::floor(points_[k].point.y_px)) - lowest_row_)] = k;
+    first_of_row_[static_cast<std::size_t>(static_cast<int>(std::floor(points_[k].point.y_px)) -
+                                           lowest_row_)] = k;
   for (std::size_t row = first_of_row_.size() - 1; row-- > 0;)
     first_of_row_[row] = std::min(first_of_row_[row], first_of_row_[row + 1]);
 }
@@ -224,8 +231,8 @@ ObjectSeeds::Near ObjectSeeds::near(sampling::PixelRect tile, double margin_px) 
   const int last = static_cast<int>(first_of_row_.size()) - 1;
   const int low = std::clamp(static_cast<int>(std::floor(tile.y0 - margin_px)) - lowest_row_, 0, last);
   const int high = std::clamp(static_cast<int>(std::ceil(tile.y1 + margin_px)) - lowest_row_, 0, last);
-  for (std::size_t k = first_of_row_[static_cast<std::size_t>(low)]; k < first_of_row_[static_cast<std::size_t>(high)];
-       ++k) {
+  for (std::size_t k = first_of_row_[static_cast<std::size_t>(low)];
+       k < first_of_row_[static_cast<std::size_t>(high)]; ++k) {
     const sampling::FocalPoint& point = points_[k].point;
     if (point.x_px >= tile.x0 - margin_px && point.x_px < tile.x1 + margin_px &&
         point.y_px >= tile.y0 - margin_px && point.y_px < tile.y1 + margin_px) {

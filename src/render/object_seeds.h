@@ -14,7 +14,8 @@ namespace ifov::render {
 class ObjectSeeds {
  public:
   /// `materials`: number of the scene's coverings.
-  ObjectSeeds(const geometry::World& world, std::size_t materials, const sensor::Camera& camera, double margin_px);
+  ObjectSeeds(const geometry::World& world, std::size_t materials, const sensor::Camera& camera,
+              double margin_px);
 
   struct Near {
     std::vector<sampling::FocalPoint> points;
@@ -29,8 +30,8 @@ class ObjectSeeds {
     sampling::FocalPoint point;
     std::uint32_t object;
   };
-  std::vector<Seed> points_;                  // sorted by row, then object
-  std::vector<std::size_t> first_of_row_;     // rows from lowest_row_
+  std::vector<Seed> points_;               // sorted by row, then object
+  std::vector<std::size_t> first_of_row_;  // rows from lowest_row_
   int lowest_row_ = 0;
 };
 

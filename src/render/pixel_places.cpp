@@ -13,7 +13,8 @@ void locate_pixels(const geometry::World& world, const sensor::Camera& camera, s
   tile.position_m.clear();
   tile.position_m.reserve(3 * static_cast<std::size_t>(tile.tile.count()));
   for (int y = tile.tile.y0; y < tile.tile.y1; ++y) {
-    for (std::size_t x = 0; x < width; ++x) points[x] = {tile.tile.x0 + static_cast<double>(x) + 0.5, y + 0.5};
+    for (std::size_t x = 0; x < width; ++x)
+      points[x] = {tile.tile.x0 + static_cast<double>(x) + 0.5, y + 0.5};
     camera.rays(points, rays);
     world.intersect(rays, hits);
     for (const geometry::SurfacePoint& hit : hits) {

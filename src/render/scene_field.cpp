@@ -15,15 +15,25 @@ constexpr std::size_t kGroup = 512;
 
 }  // namespace
 
-SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Camera& camera, transport::TransportOptions transport,
-                       LabelDetail detail)
-    : scene_(scene), camera_(camera), detail_(detail), tracer_(scene, transport), light_(scene), air_(scene),
+SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Camera& camera,
+                       transport::TransportOptions transport, LabelDetail detail)
+    : scene_(scene),
+      camera_(camera),
+      detail_(detail),
+      tracer_(scene, transport),
+      light_(scene),
+      air_(scene),
       truth_(scene::truth_materials(scene.scene())),
       blends_(scene.scene(), truth_, static_cast<int>(scene.nodes().channel_count())),
       map_detail_(scene.scene(), camera),
       unseen_(scene, blends_.first_column() + blends_.count()),
-      mirror_light_(detail == LabelDetail::sun_state ? transport::MirrorLight::find(scene, tracer_.sun_images(), transport.mirror_reflections) : nullptr) {
-  if (scene.scene().sun) disc_points_ = transport::fixed_disc_points(scene.scene().sun->direction, scene.scene().sun->half_angle_rad);
+      mirror_light_(
+          detail == LabelDetail::sun_state
+              ? transport::MirrorLight::find(scene, tracer_.sun_images(), transport.mirror_reflections)
+              : nullptr) {
+  if (scene.scene().sun)
+    disc_points_ =
+        transport::fixed_disc_points(scene.scene().sun->direction, scene.scene().sun->half_angle_rad);
   const std::vector<materials::Material>& materials = scene.scene().materials;
   for (std::uint32_t m = 0; m < materials.size(); ++m)
     sunlight_.push_back({scene.brightest(m) > 0.0 && !materials[m].bsdf->is_delta(),
@@ -116,9 +126,9 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
           const math::Vec3 outward = (transmits ? !behind : hit.front) ? normal : -normal;
           std::size_t above = 0;
           for (const math::Vec3& direction : disc_points_) above += math::dot(direction, outward) > 0.0;
-          label.sun = above == 0                     ? SunState::shaded
+          label.sun = above == 0                    ? SunState::shaded
                       : above < disc_points_.size() ? SunState::penumbra
-                                                     : SunState::lit;
+                                                    : SunState::lit;
           if (mirror_light_ != nullptr)
             mirror_light_->ask(static_cast<std::uint32_t>(k), hit, (hit.front ? normal : -normal));
           if (label.sun == SunState::lit) {

@@ -25,8 +25,8 @@ enum class LabelDetail {
 class SceneField final : public sampling::Field {
  public:
   /// Keeps references to all; they must outlive this.
-  SceneField(const transport::SpectralScene& scene, const sensor::Camera& camera, transport::TransportOptions transport,
-             LabelDetail detail);
+  SceneField(const transport::SpectralScene& scene, const sensor::Camera& camera,
+             transport::TransportOptions transport, LabelDetail detail);
 
   /// The channels, then the shares of materials that are mixed somewhere (BlendColumns), then light that is not sought
   /// (UnseenLight).
@@ -34,8 +34,8 @@ class SceneField final : public sampling::Field {
   void labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) override;
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
               std::span<float> values) override;
-  void values_and_materials(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
-                            std::span<float> values) override;
+  void values_and_materials(std::span<const sampling::PathRequest> requests,
+                            std::span<sampling::Label> labels, std::span<float> values) override;
   void known_detail(const sampling::FieldRect& pixels, sampling::KnownDetail& detail) override {
     map_detail_.find(pixels, detail, counts_.primary);
   }

@@ -20,7 +20,7 @@ struct SurfaceLabel {
 
   static constexpr std::uint32_t kMaximumMaterials = (1u << 15) - 3;
   static constexpr std::uint32_t kBlend = (1u << 15) - 2;  ///< "material" of coverings that mix materials
-  static constexpr std::uint32_t kSky = (1u << 15) - 1;  ///< "material" of a ray that met nothing
+  static constexpr std::uint32_t kSky = (1u << 15) - 1;    ///< "material" of a ray that met nothing
 
   constexpr sampling::Label pack() const {
     return (static_cast<std::uint64_t>(instance & 0x1ffffffu) << 39) |
@@ -35,12 +35,15 @@ struct SurfaceLabel {
     return (label ^ (state & 0xfffffu) << 18) | (uneven ? kUneven : 0);
   }
   static constexpr bool is_uneven(sampling::Label label, bool mirrors) {
-    return (label & 3u) == static_cast<sampling::Label>(SunState::penumbra) || (mirrors && (label & kUneven) != 0);
+    return (label & 3u) == static_cast<sampling::Label>(SunState::penumbra) ||
+           (mirrors && (label & kUneven) != 0);
   }
 
   static constexpr sampling::Label kUneven = sampling::Label{1} << 38;
   static constexpr std::uint32_t kMaximumInstances = 1u << 25;
-  static constexpr std::uint32_t instance_of(sampling::Label label) { return static_cast<std::uint32_t>(label >> 39); }
+  static constexpr std::uint32_t instance_of(sampling::Label label) {
+    return static_cast<std::uint32_t>(label >> 39);
+  }
   static constexpr std::uint32_t material_of(sampling::Label label) {
     return static_cast<std::uint32_t>(label >> 3) & 0x7fffu;
   }

@@ -32,7 +32,8 @@ void UnseenLight::settle(const AccuracyTolerance* tolerance, sampling::TileResul
       const double unseen = kCaution * std::max(at(x, y), around / count);
       if (!(unseen > 0.0)) continue;
       const auto pixel = static_cast<std::size_t>(y * width + x);
-      for (std::size_t c = 0; c < mean.size(); ++c) mean[c] = static_cast<double>(tile.mean[pixel * columns + c]);
+      for (std::size_t c = 0; c < mean.size(); ++c)
+        mean[c] = static_cast<double>(tile.mean[pixel * columns + c]);
       tolerance->asked(mean, limit);
       for (std::size_t c = 0; c < mean.size(); ++c) {
         const double more = unseen * sunlight_[c];

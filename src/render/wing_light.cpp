@@ -72,8 +72,8 @@ class Cells {
   }
   /// Variance of one path about its quarter's mean, by what no plane through the four explains.
   double variance(std::size_t cell, std::size_t column) const {
-    const double bend = static_cast<double>(value(cell, 0)[column]) - value(cell, 1)[column] - value(cell, 2)[column] +
-                        value(cell, 3)[column];
+    const double bend = static_cast<double>(value(cell, 0)[column]) - value(cell, 1)[column] -
+                        value(cell, 2)[column] + value(cell, 3)[column];
     return 0.25 * bend * bend;
   }
   double mean(std::size_t cell, std::size_t column) const {
@@ -103,7 +103,8 @@ class Wings {
   Wings(const PsfWings& wings, const sampling::TileProblem& problem, sampling::Field& field)
       : wings_(wings),
         near_(around(problem.tile, PsfWings::kNear), 1, problem.seed, problem.cancel, field),
-        middle_(around(problem.tile, PsfWings::kMiddle), PsfWings::kNear, problem.seed, problem.cancel, field),
+        middle_(around(problem.tile, PsfWings::kMiddle), PsfWings::kNear, problem.seed, problem.cancel,
+                field),
         far_(around(problem.tile, PsfWings::kFar), PsfWings::kMiddle, problem.seed, problem.cancel, field),
         columns_(static_cast<std::size_t>(field.columns())) {
     beyond_.resize(columns_);
@@ -175,7 +176,8 @@ class Wings {
       found.materials[cells.material(cell, 0)] += all;
     } else {
       found.mixed += 0.25 * squares;
-      for (int quarter = 0; quarter < 4; ++quarter) found.materials[cells.material(cell, quarter)] += weight[quarter];
+      for (int quarter = 0; quarter < 4; ++quarter)
+        found.materials[cells.material(cell, quarter)] += weight[quarter];
     }
   }
 
@@ -186,8 +188,8 @@ class Wings {
 };
 
 /// Judges a pixel by what was asked for; what the cut adds to what the sampler left is at fault where that is too much.
-void judge(const AccuracyTolerance& tolerance, std::size_t p, std::vector<double>& mean, std::vector<double>& limit,
-           sampling::TileResult& tile) {
+void judge(const AccuracyTolerance& tolerance, std::size_t p, std::vector<double>& mean,
+           std::vector<double>& limit, sampling::TileResult& tile) {
   const std::size_t columns = static_cast<std::size_t>(tile.columns);
   for (std::size_t c = 0; c < columns; ++c) mean[c] = tile.mean[p * columns + c];
   tolerance.asked(mean, limit);
@@ -202,14 +204,16 @@ void judge(const AccuracyTolerance& tolerance, std::size_t p, std::vector<double
 }
 
 /// The pixel's abundances within the cut, scaled, and what the wings show.
-void add_materials(const Gathered& found, double kept, double scale, double rest, double normal, std::uint32_t pixel,
-                   std::span<const sampling::Abundance> before, std::vector<sampling::Abundance>& after) {
+void add_materials(const Gathered& found, double kept, double scale, double rest, double normal,
+                   std::uint32_t pixel, std::span<const sampling::Abundance> before,
+                   std::vector<sampling::Abundance>& after) {
   std::map<std::uint32_t, sampling::Abundance> of_pixel;
   const float wings = static_cast<float>(normal * std::sqrt(found.mixed) * scale + rest);
   for (const auto& [material, share] : found.materials)
     of_pixel[material] = {pixel, material, static_cast<float>(share * scale), wings};
   for (const sampling::Abundance& a : before) {
-    const auto [entry, is_new] = of_pixel.try_emplace(a.material, sampling::Abundance{pixel, a.material, 0.0f, wings});
+    const auto [entry, is_new] =
+        of_pixel.try_emplace(a.material, sampling::Abundance{pixel, a.material, 0.0f, wings});
     entry->second.fraction += static_cast<float>(kept * scale) * a.fraction;
     entry->second.half_width =
         std::min(1.0f, entry->second.half_width + static_cast<float>(kept * scale) * a.half_width);
@@ -219,8 +223,8 @@ void add_materials(const Gathered& found, double kept, double scale, double rest
 
 }  // namespace
 
-void add_wings(const PsfWings& wings, const sampling::TileProblem& problem, const AccuracyTolerance* tolerance,
-               sampling::Field& field, sampling::TileResult& tile) {
+void add_wings(const PsfWings& wings, const sampling::TileProblem& problem,
+               const AccuracyTolerance* tolerance, sampling::Field& field, sampling::TileResult& tile) {
   const Wings around_tile(wings, problem, field);
   const std::size_t columns = static_cast<std::size_t>(tile.columns);
   const double normal = sampling::two_sided_normal(tolerance != nullptr ? tolerance->confidence() : 0.95);
@@ -238,13 +242,15 @@ void add_wings(const PsfWings& wings, const sampling::TileProblem& problem, cons
     const double scale = 1.0 / (wings.kept() + found.weight + rest), core = wings.kept() * scale;
     for (std::size_t c = 0; c < columns; ++c) {
       const std::size_t at = p * columns + c;
-      tile.mean[at] = static_cast<float>(core * tile.mean[at] + scale * (found.sum[c] + rest * around_tile.beyond(c)));
+      tile.mean[at] =
+          static_cast<float>(core * tile.mean[at] + scale * (found.sum[c] + rest * around_tile.beyond(c)));
       if (!tile.has_errors()) continue;
       const double variance = scale * scale * found.variance[c];
       tile.variance_geometry[at] *= static_cast<float>(core * core);
       tile.variance_path[at] = static_cast<float>(core * core * tile.variance_path[at] + variance);
-      tile.half_width[at] = static_cast<float>(std::hypot(core * tile.half_width[at], normal * std::sqrt(variance)) +
-                                               scale * rest * around_tile.spread(c));
+      tile.half_width[at] =
+          static_cast<float>(std::hypot(core * tile.half_width[at], normal * std::sqrt(variance)) +
+                             scale * rest * around_tile.spread(c));
     }
     if (tile.has_errors() && tolerance != nullptr) judge(*tolerance, p, mean, limit, tile);
     const std::size_t first = next;
@@ -261,7 +267,8 @@ void add_wings(const PsfWings& wings, const sampling::TileProblem& problem, cons
 void widen_by_cut(double left_out, const AccuracyTolerance* tolerance, sampling::TileResult& tile) {
   if (!(left_out > 0.0) || !tile.has_errors()) return;
   const std::size_t columns = static_cast<std::size_t>(tile.columns), pixels = tile.samples.size();
-  std::vector<double> darkest(columns, std::numeric_limits<double>::infinity()), brightest(columns, -darkest[0]);
+  std::vector<double> darkest(columns, std::numeric_limits<double>::infinity()),
+      brightest(columns, -darkest[0]);
   for (std::size_t at = 0; at < pixels * columns; ++at) {
     darkest[at % columns] = std::min<double>(darkest[at % columns], tile.mean[at]);
     brightest[at % columns] = std::max<double>(brightest[at % columns], tile.mean[at]);

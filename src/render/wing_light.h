@@ -15,8 +15,8 @@ inline constexpr double kCutShare = 0.1;
 /// the farthest cells, and half-widths grow by its share times the largest difference to that of any cell; pixels are
 /// judged anew by what was asked for, and those that the wings leave too wide get Reason::psf_cut. Abundances follow.
 /// `tolerance` may be null. Throws Cancelled.
-void add_wings(const sensor::PsfWings& wings, const sampling::TileProblem& problem, const AccuracyTolerance* tolerance,
-               sampling::Field& field, sampling::TileResult& tile);
+void add_wings(const sensor::PsfWings& wings, const sampling::TileProblem& problem,
+               const AccuracyTolerance* tolerance, sampling::Field& field, sampling::TileResult& tile);
 
 /// For a cut without wings: half-widths grow by `left_out` of the energy times the largest difference to any other pixel
 /// of the tile, and pixels that are too wide for it get Reason::psf_cut.

@@ -48,8 +48,8 @@ struct FieldRect {
 
 /// Detail of a rectangle of pixels that need not be searched for.
 struct KnownDetail {
-  std::vector<FocalPoint> points;   ///< one in each part of the picture that a pixel is known to hold
-  std::vector<std::uint8_t> full;   ///< by pixel, row by row: 1 where it holds too many parts to name
+  std::vector<FocalPoint> points;  ///< one in each part of the picture that a pixel is known to hold
+  std::vector<std::uint8_t> full;  ///< by pixel, row by row: 1 where it holds too many parts to name
 };
 
 /// The picture on the focal plane as a sampler sees it: two batch queries, answered in order, whose answer to a
@@ -65,7 +65,8 @@ class Field {
   virtual void labels(std::span<const FocalPoint> points, std::span<Label> labels) = 0;
 
   /// One path each: its label, and its radiance in every column at values[k * stride() + column].
-  virtual void values(std::span<const PathRequest> requests, std::span<Label> labels, std::span<float> values) = 0;
+  virtual void values(std::span<const PathRequest> requests, std::span<Label> labels,
+                      std::span<float> values) = 0;
 
   /// The same where labels are asked for their material alone (material_of), which may take fewer rays.
   virtual void values_and_materials(std::span<const PathRequest> requests, std::span<Label> labels,
@@ -76,7 +77,8 @@ class Field {
   /// What is known, without a search, of the detail of these pixels; nothing where the field cannot tell.
   virtual void known_detail(const FieldRect& pixels, KnownDetail& detail) {
     detail.points.clear();
-    detail.full.assign(static_cast<std::size_t>(pixels.x1 - pixels.x0) * static_cast<std::size_t>(pixels.y1 - pixels.y0), 0);
+    detail.full.assign(
+        static_cast<std::size_t>(pixels.x1 - pixels.x0) * static_cast<std::size_t>(pixels.y1 - pixels.y0), 0);
   }
 
   /// Index of the material a label stands on, for abundances.

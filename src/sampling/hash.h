@@ -17,7 +17,7 @@ constexpr std::uint64_t mix(std::uint64_t z) {
 /// The key of more words after those that made `h`.
 template <class... Words>
 constexpr std::uint64_t extend(std::uint64_t h, Words... words) {
-  static_assert(((std::is_integral_v<Words> || std::is_enum_v<Words>) && ...));
+  static_assert(((std::is_integral_v<Words> || std::is_enum_v<Words>)&&...));
   ((h = mix(h + static_cast<std::uint64_t>(words))), ...);
   return h;
 }

@@ -29,9 +29,9 @@ class PixelFootprint {
  private:
   PixelFootprint() = default;
   double half_width_ = 0.5;
-  int cells_ = 0;                  // cells per side; 0 for a box
-  std::vector<double> density_;    // h at cell centres
-  std::vector<double> summed_;     // summed-area table, (cells_ + 1)^2
+  int cells_ = 0;                // cells per side; 0 for a box
+  std::vector<double> density_;  // h at cell centres
+  std::vector<double> summed_;   // summed-area table, (cells_ + 1)^2
 };
 
 }  // namespace ifov::sampling

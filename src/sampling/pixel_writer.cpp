@@ -41,7 +41,9 @@ void write_pixel(const PixelEstimate& estimate, const TileProblem& problem, std:
           std::max(worst, std::isnan(width) ? std::numeric_limits<double>::infinity() : width / limits[c]);
     }
     result.worst_ratio[pixel] = static_cast<float>(worst);
-    const Reason above = std::isinf(worst) ? Reason::unjudged : estimate.spent ? Reason::samples : Reason::error;
+    const Reason above = std::isinf(worst) ? Reason::unjudged
+                         : estimate.spent  ? Reason::samples
+                                           : Reason::error;
     result.reasons[pixel] = worst <= 1.0 ? 0 : bit(above);
   }
   result.missable_fraction[pixel] = static_cast<float>(

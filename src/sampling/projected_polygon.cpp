@@ -37,7 +37,9 @@ Vec3 unit_or_zero(Vec3 v) {
   return size > 0.0 ? v / size : Vec3{};
 }
 
-double turned(Vec3 from, Vec3 to) { return std::atan2(from.x * to.y - from.y * to.x, from.x * to.x + from.y * to.y); }
+double turned(Vec3 from, Vec3 to) {
+  return std::atan2(from.x * to.y - from.y * to.x, from.x * to.x + from.y * to.y);
+}
 
 }  // namespace
 
@@ -136,7 +138,8 @@ Vec3 ProjectedPolygon::sample(Point2 u) const {
   }
   const double sine = std::sqrt(std::max(0.0, inner.sine2 + u.y * (outer.sine2 - inner.sine2)));
   const double cosine = std::sqrt(std::max(0.0, inner.cosine2 + u.y * (outer.cosine2 - inner.cosine2)));
-  return math::normalized(sine * (std::cos(azimuth) * arcs.first + std::sin(azimuth) * arcs.second) + cosine * normal_);
+  return math::normalized(sine * (std::cos(azimuth) * arcs.first + std::sin(azimuth) * arcs.second) +
+                          cosine * normal_);
 }
 
 }  // namespace ifov::sampling

@@ -22,8 +22,8 @@ constexpr std::array<std::string_view, kReasonNames.size()> kWords{
 };
 
 constexpr std::array<Reason, kReasonNames.size()> kByGravity{
-    Reason::unseen_light, Reason::structure, Reason::edge,    Reason::time,  Reason::unjudged,
-    Reason::psf_cut,      Reason::nodes,     Reason::air,     Reason::samples, Reason::error,
+    Reason::unseen_light, Reason::structure, Reason::edge, Reason::time,    Reason::unjudged,
+    Reason::psf_cut,      Reason::nodes,     Reason::air,  Reason::samples, Reason::error,
 };
 
 }  // namespace
@@ -52,7 +52,8 @@ std::optional<Reason> gravest(Reasons reasons) {
 std::string describe_reasons(const ReasonCounts& counts) {
   std::array<std::size_t, kReasonNames.size()> order{};
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return counts[a] > counts[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return counts[a] > counts[b]; });
   std::string text;
   for (const std::size_t r : order) {
     if (counts[r] == 0) break;

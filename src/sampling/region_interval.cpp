@@ -59,8 +59,8 @@ double RegionSum::mean() const {
 
 double RegionSum::half_width(const RegionRule& rule) const {
   if (pixels_ == 0 || std::isnan(widths_)) return std::numeric_limits<double>::quiet_NaN();
-  const double own = std::min(
-      widths_, std::sqrt(rule.shared * squares_) + rule.common_borders * borders_ + rule.common_paths * paths_);
+  const double own = std::min(widths_, std::sqrt(rule.shared * squares_) + rule.common_borders * borders_ +
+                                           rule.common_paths * paths_);
   return (own + air_) / static_cast<double>(pixels_);
 }
 

@@ -17,7 +17,8 @@ MixturePattern::MixturePattern(std::shared_ptr<const materials::MixtureMap> map,
     : map_(std::move(map)), parts_(std::move(parts)) {}
 
 bool MixturePattern::mixes_materials() const {
-  return std::any_of(parts_.begin(), parts_.end(), [&](const Part& p) { return p.material != parts_[0].material; });
+  return std::any_of(parts_.begin(), parts_.end(),
+                     [&](const Part& p) { return p.material != parts_[0].material; });
 }
 
 std::vector<std::uint32_t> MixturePattern::mixed_materials() const {

@@ -10,7 +10,7 @@ namespace ifov::scene {
 
 /// One of the materials that share a surface point.
 struct Constituent {
-  std::uint32_t state;          ///< index into Scene::states: the material, and its temperature where no map has one
+  std::uint32_t state;  ///< index into Scene::states: the material, and its temperature where no map has one
   std::uint32_t material;       ///< that state's material
   double weight;                ///< share of the area, above 0
   double mapped_temperature_k;  ///< where above 0 it replaces the state's own

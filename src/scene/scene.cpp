@@ -13,9 +13,7 @@ bool Covering::bends_normals() const {
 }
 
 std::vector<bool> Scene::mirror_coverings() const {
-  const auto is_mirror = [&](std::uint32_t material) {
-    return materials[material].bsdf->is_delta();
-  };
+  const auto is_mirror = [&](std::uint32_t material) { return materials[material].bsdf->is_delta(); };
   std::vector<bool> mirrors;
   for (const Covering& covering : coverings) {
     // Curves of a texture scatter as the material of the state does that they replace.
@@ -38,7 +36,8 @@ ResolvedSurface Scene::resolve(const geometry::SurfacePoint& point) const {
   // Maps lie on the cell and repeat with it.
   const geometry::World::Period period = world->period().value_or(geometry::World::Period{});
   geometry::SurfacePoint own = point;
-  own.position_m = point.position_m - math::Vec3{point.copy_column * period.x_m, point.copy_row * period.y_m, 0.0};
+  own.position_m =
+      point.position_m - math::Vec3{point.copy_column * period.x_m, point.copy_row * period.y_m, 0.0};
   own.copy_column = own.copy_row = 0;
   return resolve_own(own);
 }

@@ -22,7 +22,8 @@ std::optional<TemperatureRange> Scene::mapped_temperatures() const {
     for (const auto& map : covering.temperatures)
       if (map) include(range, map->minimum_k(), map->maximum_k());
     for (const auto& pattern : covering.patterns)
-      if (const auto of_pattern = pattern->temperatures()) include(range, of_pattern->coldest_k, of_pattern->hottest_k);
+      if (const auto of_pattern = pattern->temperatures())
+        include(range, of_pattern->coldest_k, of_pattern->hottest_k);
   }
   return range;
 }

@@ -13,9 +13,8 @@ OrthographicCamera::OrthographicCamera(const Settings& settings) : settings_(set
         format("an image of {} x {} pixels; expected at least 1 x 1", settings.width_px, settings.height_px));
   if (!(settings.gsd_m > 0.0) || !std::isfinite(settings.gsd_m))
     throw InputError(format("a ground sample distance of {} m; expected a positive length", settings.gsd_m));
-  for (const double value :
-       {settings.centre_x_m, settings.centre_y_m, settings.rotation_rad, settings.start_height_m,
-        settings.view_azimuth_rad})
+  for (const double value : {settings.centre_x_m, settings.centre_y_m, settings.rotation_rad,
+                             settings.start_height_m, settings.view_azimuth_rad})
     if (!std::isfinite(value)) throw InputError("the orthographic camera's placement is not a finite number");
 
   if (!(settings.view_zenith_rad >= 0.0) || !(settings.view_zenith_rad < 0.5 * std::numbers::pi))

@@ -12,9 +12,9 @@ class OrthographicCamera final : public Camera {
     int width_px = 0, height_px = 0;
     double gsd_m = 1.0;                         ///< side of a pixel
     double centre_x_m = 0.0, centre_y_m = 0.0;  ///< scene point (ENU) under the middle of the image
-    double rotation_rad = 0.0;    ///< azimuth of the image's upward direction, clockwise from north
-    double start_height_m = 0.0;  ///< z at which rays start; nothing above it is seen
-    double view_zenith_rad = 0.0;   ///< angle between the vertical and the direction to the sensor, below pi/2
+    double rotation_rad = 0.0;     ///< azimuth of the image's upward direction, clockwise from north
+    double start_height_m = 0.0;   ///< z at which rays start; nothing above it is seen
+    double view_zenith_rad = 0.0;  ///< angle between the vertical and the direction to the sensor, below pi/2
     double view_azimuth_rad = 0.0;  ///< of the direction from the ground to the sensor, clockwise from north
   };
 
@@ -27,7 +27,9 @@ class OrthographicCamera final : public Camera {
   bool project(math::Point3 position_m, sampling::FocalPoint& point) const override;
   double gsd_m(math::Point3) const override { return settings_.gsd_m; }
   CameraPose pose() const override;
-  std::optional<GroundGrid> ground_grid() const override { return GroundGrid{corner_, settings_.gsd_m, settings_.rotation_rad}; }
+  std::optional<GroundGrid> ground_grid() const override {
+    return GroundGrid{corner_, settings_.gsd_m, settings_.rotation_rad};
+  }
 
   const Settings& settings() const { return settings_; }
 
@@ -35,7 +37,7 @@ class OrthographicCamera final : public Camera {
   Settings settings_;
   math::Vec3 right_m_, down_m_;  // one pixel along image x and y, scene frame
   math::Vec3 towards_sensor_;
-  math::Point3 corner_;          // of the upper left pixel, at z = 0
+  math::Point3 corner_;  // of the upper left pixel, at z = 0
 };
 
 }  // namespace ifov::sensor

@@ -11,7 +11,7 @@ namespace {
 constexpr double kFinest_px = 1.0 / 80.0, kCoarsest_px = 1.0 / 32.0;
 constexpr double kStepsOverDetail = 4.0;
 constexpr double kNothing = 1e-13;  // what rounding leaves of a share of 0
-constexpr int kDetectorSteps = 8;  // along a side of the sensitive square
+constexpr int kDetectorSteps = 8;   // along a side of the sensitive square
 
 /// Energy of the density over small cells of [-half, half]^2, as sums that rectangles are taken from.
 EnergyTable near_energy(const Psf& psf, double half_px, double step_px, bool smooth, double& total) {
@@ -25,7 +25,8 @@ EnergyTable near_energy(const Psf& psf, double half_px, double step_px, bool smo
           side * side * psf.cut_density((i + 0.5) * side - half_px, (j + 0.5) * side - half_px, smooth);
       for (const int row : {j, cells - 1 - j})
         for (const int column : {i, cells - 1 - i})
-          energy[static_cast<std::size_t>(row) * static_cast<std::size_t>(cells) + static_cast<std::size_t>(column)] = e;
+          energy[static_cast<std::size_t>(row) * static_cast<std::size_t>(cells) +
+                 static_cast<std::size_t>(column)] = e;
     }
   total = 0.0;
   for (const double e : energy) total += e;
@@ -49,7 +50,8 @@ PsfWings::PsfWings(const Psf& psf, double fill_factor) : kept_(psf.kept()) {
       double sum = 0.0;
       for (int b = 0; b < kDetectorSteps; ++b)
         for (int a = 0; a < kDetectorSteps; ++a) {
-          const double u = ((a + 0.5) / kDetectorSteps - 0.5) * side, v = ((b + 0.5) / kDetectorSteps - 0.5) * side;
+          const double u = ((a + 0.5) / kDetectorSteps - 0.5) * side,
+                       v = ((b + 0.5) / kDetectorSteps - 0.5) * side;
           sum += near.within(x + u, y + v, x + u + 0.5, y + v + 0.5);
         }
       const double share = total * sum / (kDetectorSteps * kDetectorSteps);
@@ -65,16 +67,18 @@ PsfWings::PsfWings(const Psf& psf, double fill_factor) : kept_(psf.kept()) {
       for (int b = 0; b < kSub; ++b)
         for (int a = 0; a < kSub; ++a)
           sum += psf.cut_density(x + (a + 0.5) / kSub - 0.5, y + (b + 0.5) / kSub - 0.5, rings_average);
-      quarter[static_cast<std::size_t>(y * (kReach + 1) + x)] = quarter[static_cast<std::size_t>(x * (kReach + 1) + y)] =
-          sum / (kSub * kSub);
+      quarter[static_cast<std::size_t>(y * (kReach + 1) + x)] =
+          quarter[static_cast<std::size_t>(x * (kReach + 1) + y)] = sum / (kSub * kSub);
     }
   constexpr std::size_t kStride = 2 * kReach + 1;
   summed_.assign(kStride * kStride, 0.0);
   for (int y = -kReach; y < kReach; ++y)
     for (int x = -kReach; x < kReach; ++x) {
-      const std::size_t at = static_cast<std::size_t>(y + kReach) * kStride + static_cast<std::size_t>(x + kReach);
-      summed_[at + kStride + 1] = quarter[static_cast<std::size_t>(std::abs(y) * (kReach + 1) + std::abs(x))] +
-                                  summed_[at + kStride] + summed_[at + 1] - summed_[at];
+      const std::size_t at =
+          static_cast<std::size_t>(y + kReach) * kStride + static_cast<std::size_t>(x + kReach);
+      summed_[at + kStride + 1] =
+          quarter[static_cast<std::size_t>(std::abs(y) * (kReach + 1) + std::abs(x))] +
+          summed_[at + kStride] + summed_[at + 1] - summed_[at];
     }
 }
 

@@ -10,16 +10,11 @@ namespace {
 
 std::string in_units(const render::AccuracyRequest& request, double error) {
   switch (request.unit) {
-    case render::ErrorUnit::kelvin:
-      return format("{:.2g} K", error);
-    case render::ErrorUnit::radiance:
-      return format("{:.2g} W m-2 sr-1 um-1", error);
-    case render::ErrorUnit::percent:
-      return format("{:.2g} %", 100.0 * error);
-    case render::ErrorUnit::reflectance:
-      return format("{:.2g} reflectance", error);
-    case render::ErrorUnit::noise:
-      return format("{:.2g} of the sensor's noise", error);
+    case render::ErrorUnit::kelvin: return format("{:.2g} K", error);
+    case render::ErrorUnit::radiance: return format("{:.2g} W m-2 sr-1 um-1", error);
+    case render::ErrorUnit::percent: return format("{:.2g} %", 100.0 * error);
+    case render::ErrorUnit::reflectance: return format("{:.2g} reflectance", error);
+    case render::ErrorUnit::noise: return format("{:.2g} of the sensor's noise", error);
   }
   return {};
 }

@@ -97,8 +97,9 @@ std::vector<std::string> describe(const atmosphere::AtmosphereColumn& column,
   if (geometry.sun_zenith_rad) {
     const math::Vec3 sun = scene.sun->direction;
     const double azimuth = std::atan2(sun.x, sun.y) / kDegree;
-    where = format("{} {:.1f} deg from the zenith at azimuth {:.1f} deg.", scene.sun->is_moon ? "Moon" : "Sun",
-                   *geometry.sun_zenith_rad / kDegree, azimuth < 0.0 ? azimuth + 360.0 : azimuth);
+    where =
+        format("{} {:.1f} deg from the zenith at azimuth {:.1f} deg.", scene.sun->is_moon ? "Moon" : "Sun",
+               *geometry.sun_zenith_rad / kDegree, azimuth < 0.0 ? azimuth + 360.0 : azimuth);
   } else if (scene.sun) {
     where = scene.sun->is_moon ? "The Moon is below the horizon." : "The Sun is below the horizon.";
   }

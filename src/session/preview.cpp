@@ -74,7 +74,8 @@ class Painter {
   std::string statement() const {
     const auto [least, most] = std::minmax_element(paths_.begin(), paths_.end());
     const std::string count = *least == *most ? format("{}", *least) : format("{} to {}", *least, *most);
-    return format("A first look: {} path{} at each pixel. It promises no accuracy.", count, *most == 1 ? "" : "s");
+    return format("A first look: {} path{} at each pixel. It promises no accuracy.", count,
+                  *most == 1 ? "" : "s");
   }
 
  private:
@@ -92,19 +93,23 @@ class Painter {
         if (!first || paths_[index(x, y)] == 0) pixels.push_back(index(x, y));
     std::atomic<std::size_t> next{0};
     std::atomic<bool> over{false};
-    parallel_for(static_cast<std::int64_t>(fields_.size()), static_cast<int>(fields_.size()), [&](std::int64_t thread) {
-      std::unique_ptr<render::SceneField>& field = fields_[static_cast<std::size_t>(thread)];
-      if (!field)
-        field = std::make_unique<render::SceneField>(*parts_.spectral_scene, *parts_.camera, parts_.job().transport,
-                                                     render::LabelDetail::material);
-      while (!over) {
-        if (options_.cancel != nullptr && options_.cancel->cancelled()) throw Cancelled();
-        if (passed() > patience * options_.seconds) over = true;
-        const std::size_t begin = next.fetch_add(kBatch);
-        if (begin >= pixels.size()) return;
-        if (!over) trace(*field, std::span(pixels).subspan(begin, std::min(kBatch, pixels.size() - begin)));
-      }
-    });
+    parallel_for(
+        static_cast<std::int64_t>(fields_.size()), static_cast<int>(fields_.size()),
+        [&](std::int64_t thread) {
+          std::unique_ptr<render::SceneField>& field = fields_[static_cast<std::size_t>(thread)];
+          if (!field)
+            field =
+                std::make_unique<render::SceneField>(*parts_.spectral_scene, *parts_.camera,
+                                                     parts_.job().transport, render::LabelDetail::material);
+          while (!over) {
+            if (options_.cancel != nullptr && options_.cancel->cancelled()) throw Cancelled();
+            if (passed() > patience * options_.seconds) over = true;
+            const std::size_t begin = next.fetch_add(kBatch);
+            if (begin >= pixels.size()) return;
+            if (!over)
+              trace(*field, std::span(pixels).subspan(begin, std::min(kBatch, pixels.size() - begin)));
+          }
+        });
     return !over;
   }
 
@@ -113,7 +118,8 @@ class Painter {
     for (const std::size_t pixel : pixels) {
       // Additive recurrence, beginning in the middle: Roberts, M. (2018), R2 sequence.
       const double n = paths_[pixel];
-      const double u = std::fmod(0.5 + 0.7548776662466927 * n, 1.0), v = std::fmod(0.5 + 0.5698402909980532 * n, 1.0);
+      const double u = std::fmod(0.5 + 0.7548776662466927 * n, 1.0),
+                   v = std::fmod(0.5 + 0.5698402909980532 * n, 1.0);
       const double x = static_cast<double>(pixel % static_cast<std::size_t>(width_)),
                    y = static_cast<double>(pixel / static_cast<std::size_t>(width_));
       requests.push_back({{x + u, y + v}, sampling::hash(parts_.document.seed, pixel, paths_[pixel]), 0});
@@ -171,7 +177,8 @@ Preview make_preview(const Session& session, const PreviewOptions& options) {
   const io::RasterView view{width, height, static_cast<int>(parts.channels.size()),
                             [&](int line, int band, std::span<float> values) {
                               for (int x = 0; x < width; ++x)
-                                values[static_cast<std::size_t>(x)] = painter.value(x, line, static_cast<std::size_t>(band));
+                                values[static_cast<std::size_t>(x)] =
+                                    painter.value(x, line, static_cast<std::size_t>(band));
                             }};
   io::RunRecord record;
   record.identity.version = version();

@@ -1,4 +1,3 @@
-#include "materials/bsdf/hemisphere.h"
 #include "session/session.h"
 
 #include <algorithm>
@@ -6,6 +5,7 @@
 #include <mutex>
 
 #include "core/version.h"
+#include "materials/bsdf/hemisphere.h"
 #include "sampling/region_interval.h"
 #include "session/air_statements.h"
 #include "session/assembly/air/atmosphere_assembly.h"
@@ -33,7 +33,8 @@ namespace {
 void place_response(Parts& parts) {
   const std::unique_ptr<sensor::Psf> psf = assemble_psf(parts.document);
   const double fill_factor = parts.document.sensor.fill_factor;
-  parts.footprint = std::make_unique<sampling::PixelFootprint>(sensor::make_footprint(psf.get(), fill_factor));
+  parts.footprint =
+      std::make_unique<sampling::PixelFootprint>(sensor::make_footprint(psf.get(), fill_factor));
   if (psf == nullptr) return;
   if (psf->has_wings() && parts.plan.knows_errors)
     parts.wings = std::make_unique<sensor::PsfWings>(*psf, fill_factor);
@@ -79,7 +80,8 @@ void build_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosph
     if (!material.transmittance) continue;
     surfaces.push_back(*material.transmittance);
     // What a leaf emits is what it neither reflects nor transmits.
-    if (parts.document.atmosphere.modelled) surfaces.push_back(radiometry::sum(material.reflectance, *material.transmittance));
+    if (parts.document.atmosphere.modelled)
+      surfaces.push_back(radiometry::sum(material.reflectance, *material.transmittance));
   }
   if (scene.sun) surfaces.push_back(scene.sun->transmittance);
   if (scene.view_path.transmittance) surfaces.push_back(*scene.view_path.transmittance);
@@ -95,8 +97,8 @@ void build_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosph
   demands.hottest_k = emitted.hottest_k;
   demands.all_glow = parts.document.atmosphere.modelled && scene.all_emit();
   if (parts.document.atmosphere.modelled) {
-    parts.atmosphere = assemble_atmosphere(
-        subject, surfaces, demands, {options.threads, kept, atmosphere_progress(options), log});
+    parts.atmosphere = assemble_atmosphere(subject, surfaces, demands,
+                                           {options.threads, kept, atmosphere_progress(options), log});
     parts.nodes = &parts.atmosphere->nodes();
     parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.atmosphere);
     return;
@@ -108,9 +110,8 @@ void build_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosph
     return;
   }
   const radiometry::Spectrum sun = scene.sun ? scene.sun->irradiance : radiometry::Spectrum();
-  parts.own_nodes = std::make_unique<radiometry::SpectralNodes>(
-      radiometry::SpectralNodes::build(parts.channels, sun, surfaces, demands,
-                                       scene.sky.radiance ? &*scene.sky.radiance : nullptr));
+  parts.own_nodes = std::make_unique<radiometry::SpectralNodes>(radiometry::SpectralNodes::build(
+      parts.channels, sun, surfaces, demands, scene.sky.radiance ? &*scene.sky.radiance : nullptr));
   parts.nodes = parts.own_nodes.get();
   parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.nodes);
 }
@@ -119,15 +120,21 @@ void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log) {
   const transport::Emitters* emitters = scene.emitters();
   if (emitters == nullptr) return;
   if (emitters->count() > 0)
-    log.info(format("emitters: faces that outshine the scene and whose light is sought: {}", emitters->count()));
+    log.info(
+        format("emitters: faces that outshine the scene and whose light is sought: {}", emitters->count()));
   if (emitters->leaves_some())
-    log.warn(format("light of some surfaces that outshine the scene is found by chance alone: it is not sought from planes "
-                    "and terrain, nor from more than {} faces",
-                    transport::Emitters::kMost));
+    log.warn(
+        format("light of some surfaces that outshine the scene is found by chance alone: it is not sought "
+               "from planes "
+               "and terrain, nor from more than {} faces",
+               transport::Emitters::kMost));
   if (emitters->count() > 0 && transport::EmitterMirrors::leave_some(scene.scene()))
-    log.warn("light of surfaces that outshine the scene is sought by way of one flat mirror, not of bent ones or of several "
-             "in turn: what those throw of it on other surfaces is found by chance alone, and pixels near them may be less "
-             "sure than they say");
+    log.warn(
+        "light of surfaces that outshine the scene is sought by way of one flat mirror, not of bent ones or "
+        "of several "
+        "in turn: what those throw of it on other surfaces is found by chance alone, and pixels near them "
+        "may be less "
+        "sure than they say");
 }
 
 /// Passes on what is said, and keeps the warnings.
@@ -185,7 +192,8 @@ std::unique_ptr<render::AccuracyTolerance> Parts::tolerance_of(const SamplingPla
   if (!sampling.request) return nullptr;
   auto limits = std::make_unique<render::AccuracyTolerance>(
       *sampling.request, *brightness, spectral_scene->white_reflected(),
-      static_cast<std::int64_t>(camera->width_px()) * camera->height_px(), spectral_scene->path_radiance(), air);
+      static_cast<std::int64_t>(camera->width_px()) * camera->height_px(), spectral_scene->path_radiance(),
+      air);
   limits->leave_room(node_errors, wings ? render::kCutShare : 0.0);
   return limits;
 }
@@ -247,8 +255,8 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   p.info.footprint_px = sampling::response_area_px(*p.footprint);
   for (std::size_t c = 0; c < p.air.size(); ++c) p.info.channels[c].air = p.air[c];
   tell_of_emitters(*p.spectral_scene, *log);
-  log->info(format("sensor: {} x {} pixels, {} channels in {} spectral nodes", p.info.width_px, p.info.height_px,
-                     p.channels.size(), p.nodes->node_count()));
+  log->info(format("sensor: {} x {} pixels, {} channels in {} spectral nodes", p.info.width_px,
+                   p.info.height_px, p.channels.size(), p.nodes->node_count()));
   phase("first look");
   make_sense(p, *log);
   return Session(std::move(parts));

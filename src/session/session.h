@@ -27,9 +27,9 @@ struct RunOptions {
 struct LoadOptions {
   /// Keep what is worked out from large files and for the atmosphere beside the document, and use it.
   bool scene_cache = false;
-  int threads = 0;                       ///< for the atmosphere; 0: all cores
-  const CancelToken* cancel = nullptr;   ///< asked while the atmosphere is worked out
-  ProgressSink* progress = nullptr;      ///< of the atmosphere: solutions instead of pixels
+  int threads = 0;                      ///< for the atmosphere; 0: all cores
+  const CancelToken* cancel = nullptr;  ///< asked while the atmosphere is worked out
+  ProgressSink* progress = nullptr;     ///< of the atmosphere: solutions instead of pixels
 };
 
 struct ProductFile {

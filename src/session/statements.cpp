@@ -11,8 +11,9 @@
 namespace ifov::session {
 
 std::string describe(const Parts& parts) {
-  std::string text = format("scene: {} objects, {} triangles, {} materials\n", parts.scene.world->object_count(),
-                            parts.scene.world->triangle_count(), parts.document.scene.materials.size());
+  std::string text =
+      format("scene: {} objects, {} triangles, {} materials\n", parts.scene.world->object_count(),
+             parts.scene.world->triangle_count(), parts.document.scene.materials.size());
   const bool sky = parts.scene.sky.radiance || parts.scene.sky.temperature_k || parts.atmosphere ||
                    (parts.imported && parts.imported->has_sky());
   const char* const body = !parts.scene.sun ? "no sun" : parts.scene.sun->is_moon ? "moon" : "sun";
@@ -31,25 +32,28 @@ std::string describe(const Parts& parts) {
   return text;
 }
 
-std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals, const sampling::ReasonCounts& reasons,
-                               const std::string& why_gaps) {
+std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals,
+                               const sampling::ReasonCounts& reasons, const std::string& why_gaps) {
   std::string text;
   if (totals.pixels_done < totals.pixels_total)
-    text = format("{} of {} pixels hold no value (NaN), because {}. ", totals.pixels_total - totals.pixels_done,
-                  totals.pixels_total, why_gaps);
+    text = format("{} of {} pixels hold no value (NaN), because {}. ",
+                  totals.pixels_total - totals.pixels_done, totals.pixels_total, why_gaps);
   if (!plan.judged)
-    return text + format("No accuracy was asked for ({}); {}.", plan.identity.sampler,
-                         plan.knows_errors ? "half-widths are at 95 %" : "the method says nothing of its error");
+    return text +
+           format("No accuracy was asked for ({}); {}.", plan.identity.sampler,
+                  plan.knows_errors ? "half-widths are at 95 %" : "the method says nothing of its error");
   const std::int64_t missed = totals.pixels_done - totals.pixels_converged;
   text += format("Asked for {}. ", plan.identity.accuracy_asked);
   if (totals.pixels_done == 0) return text + "No pixel is done.";
   if (missed == 0)
-    text += format("Reached in all {} pixels{}; the widest interval is {:.2f} of its limit.", totals.pixels_done,
-                   totals.pixels_done < totals.pixels_total ? " that are done" : "", totals.worst_error_ratio);
+    text +=
+        format("Reached in all {} pixels{}; the widest interval is {:.2f} of its limit.", totals.pixels_done,
+               totals.pixels_done < totals.pixels_total ? " that are done" : "", totals.worst_error_ratio);
   else
-    text += format("Reached in {} of {} pixels; {} {} not converged: {}. The widest interval is {:.2f} of its limit.",
-                   totals.pixels_converged, totals.pixels_done, missed, missed == 1 ? "is" : "are",
-                   sampling::describe_reasons(reasons), totals.worst_error_ratio);
+    text += format(
+        "Reached in {} of {} pixels; {} {} not converged: {}. The widest interval is {:.2f} of its limit.",
+        totals.pixels_converged, totals.pixels_done, missed, missed == 1 ? "is" : "are",
+        sampling::describe_reasons(reasons), totals.worst_error_ratio);
   return text;
 }
 
@@ -63,8 +67,9 @@ std::vector<std::string> notes(const Parts& parts) {
       low = std::min(low, floor);
       high = std::max(high, floor);
     }
-    lines.push_back(format("floor of the accuracy: {:g} of a white surface's radiance, {:.3g} to {:.3g} W m-2 sr-1 um-1",
-                           parts.plan.request->floor, low, high));
+    lines.push_back(
+        format("floor of the accuracy: {:g} of a white surface's radiance, {:.3g} to {:.3g} W m-2 sr-1 um-1",
+               parts.plan.request->floor, low, high));
   }
   if (!parts.air.empty()) lines.push_back(air_error_note(parts.air));
   for (const std::string& line :
@@ -81,7 +86,9 @@ namespace {
 
 /// The leading bits of a float from 0 to 1 order it as the float does.
 constexpr int kDropped = 12;
-std::size_t step_of(float fraction) { return std::bit_cast<std::uint32_t>(std::clamp(fraction, 0.0f, 1.0f)) >> kDropped; }
+std::size_t step_of(float fraction) {
+  return std::bit_cast<std::uint32_t>(std::clamp(fraction, 0.0f, 1.0f)) >> kDropped;
+}
 double fraction_of(std::size_t step) {
   return std::bit_cast<float>(static_cast<std::uint32_t>(step) << kDropped);
 }
@@ -105,7 +112,8 @@ std::string DetectionTally::statement() const {
   for (std::uint64_t below = pixels_[0]; below <= count_ / 2; below += pixels_[middle]) ++middle;
   while (pixels_[last] == 0) --last;
   return format(
-      "A compact feature that covers {:.2g} % of a pixel or more was found with a probability of at least 95 % in half "
+      "A compact feature that covers {:.2g} % of a pixel or more was found with a probability of at least 95 "
+      "% in half "
       "of the pixels; in the least sampled pixel that holds from {:.2g} % on.",
       100.0 * fraction_of(middle), 100.0 * fraction_of(last));
 }

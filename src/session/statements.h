@@ -17,8 +17,8 @@ std::string describe(const Parts& parts);
 
 /// What was asked for, what was reached, and where it was not and why; `reasons` counts the pixels that are done and not
 /// converged, `why_gaps` says why pixels are not done, where some are not.
-std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals, const sampling::ReasonCounts& reasons,
-                               const std::string& why_gaps);
+std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals,
+                               const sampling::ReasonCounts& reasons, const std::string& why_gaps);
 
 /// Floors and assumptions that enter the result.
 std::vector<std::string> notes(const Parts& parts);

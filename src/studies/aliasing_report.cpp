@@ -34,7 +34,8 @@ std::string panels(const ChartResult& result, const std::string& name, ReportFig
   return "<div class=\"row\">" +
          figures.add(panel(name, std::move(radiance), 0.0, brightest, "W m⁻² sr⁻¹ µm⁻¹")) +
          figures.add(panel("samples per pixel: " + name, std::move(samples), 0.0, most, "")) +
-         figures.add(panel("error: " + name, std::move(error), 0.0, 0.05, "of the contrast", true)) + "</div>\n";
+         figures.add(panel("error: " + name, std::move(error), 0.0, 0.05, "of the contrast", true)) +
+         "</div>\n";
 }
 
 std::string error_plot(const AliasingResults& r, ReportFigures& figures) {
@@ -90,7 +91,8 @@ std::string aliasing_report(const AliasingResults& r, ReportFigures& figures) {
       "errors are in units of the contrast between black and white, over all pixels.</p>\n" +
       r.figures.html() + "<h2>Images (figure 9 of the paper)</h2>\n" +
       figures.add(panel("exact", std::move(white), 0.0, 1.0, "share of white")) +
-      panels(r.results[0], "(a) one ray a pixel", figures) + panels(r.results[1], "(b) grid, 100 rays a pixel", figures) +
+      panels(r.results[0], "(a) one ray a pixel", figures) +
+      panels(r.results[1], "(b) grid, 100 rays a pixel", figures) +
       panels(r.results[2], "(c, d) adaptive, 9 to 100 samples", figures) + panels(best, best.name, figures) +
       "<h2>Cost and error</h2>\n<figure>" + error_plot(r, figures) +
       "<figcaption>One point for each way of sampling; lower and further left is "

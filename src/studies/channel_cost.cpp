@@ -31,7 +31,8 @@ std::size_t brightest_channel(const render::ImageInfo& info) {
 
 }  // namespace
 
-void add_channel_cost(const io::Document& document, const StudyOptions& options, bool quick, FigureTable& figures) {
+void add_channel_cost(const io::Document& document, const StudyOptions& options, bool quick,
+                      FigureTable& figures) {
   const SceneRenderer all(document, nullptr);
   io::Document narrow = document;
   narrow.sensor.channels = {document.sensor.channels[brightest_channel(all.info())]};
@@ -41,7 +42,8 @@ void add_channel_cost(const io::Document& document, const StudyOptions& options,
   sampling.method = io::GridSampling{kGrid, kGrid};
 
   const render::ImageInfo& info = all.info();
-  const int across = (info.width_px + kTile_px - 1) / kTile_px, down = (info.height_px + kTile_px - 1) / kTile_px;
+  const int across = (info.width_px + kTile_px - 1) / kTile_px,
+            down = (info.height_px + kTile_px - 1) / kTile_px;
   std::vector<int> tiles;
   for (int k = 0; k < across * down; k += kEvery) tiles.push_back(k);
   const SceneRenderer::Choices choices{options.threads, kTile_px, tiles, options.cancel, nullptr};
@@ -55,8 +57,9 @@ void add_channel_cost(const io::Document& document, const StudyOptions& options,
     const auto rays = [](const ImageStore& image) { return static_cast<double>(image.cost().rays.total()); };
     apart = std::abs(rays(of_all) / rays(of_one) - 1.0);
   }
-  figures.at_most("channels_over_one", all_s / one_s, kMostTimes, "times",
-                  format("wall time of {} channels over that of one at the same paths", info.channels.size()));
+  figures.at_most(
+      "channels_over_one", all_s / one_s, kMostTimes, "times",
+      format("wall time of {} channels over that of one at the same paths", info.channels.size()));
   figures.at_most("channels_over_one_rays_apart", apart, kMostApart, "",
                   "by how much the rays of the two differ in number");
 }

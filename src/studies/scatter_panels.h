@@ -19,6 +19,7 @@ struct ScatterImage {
 /// An n-dimensional scatter plot of several images side by side, interactive: one part of a page, with its data and
 /// script. All panels share axes, scale and viewpoint; dragging turns them, the components that make up the axes and
 /// the colouring (density or material) can be chosen. The last panel can show any of the images from the fourth on.
-std::string scatter_panels(const std::vector<ScatterImage>& images, const std::vector<std::string>& materials);
+std::string scatter_panels(const std::vector<ScatterImage>& images,
+                           const std::vector<std::string>& materials);
 
 }  // namespace ifov::studies

@@ -22,10 +22,10 @@ constexpr int kEnoughTrials = 100;
 constexpr int kReferenceSide = 64;     // rays along a pixel's side
 constexpr int kReferenceTile_px = 20;  // radiance of the reference is made for one tile in kReferenceShare
 constexpr int kReferenceShare = 5;
-constexpr int kSearches = 4;          // accuracy settings that are tried
+constexpr int kSearches = 4;           // accuracy settings that are tried
 constexpr double kFirstError = 0.034;  // of reflectance
 constexpr double kFirstErrorByLargest = 0.07;
-constexpr double kErrorPower = 0.6;   // the RMS error in the worst band falls faster than the error asked for
+constexpr double kErrorPower = 0.6;  // the RMS error in the worst band falls faster than the error asked for
 constexpr double kPaperSamples = 52.0;
 constexpr double kRounding = 1e-6;  // relative, of radiances in single precision
 
@@ -187,7 +187,8 @@ class SuburbStudy {
     for (std::size_t k = kFirst; k < out_.results.size(); ++k) {
       const SceneResult &best = out_.results[chosen], &other = out_.results[k];
       const bool meets = other.*ratio_of <= 1.0;
-      if (best.*ratio_of > 1.0 ? other.*ratio_of < best.*ratio_of : meets && other.seconds < best.seconds) chosen = k;
+      if (best.*ratio_of > 1.0 ? other.*ratio_of < best.*ratio_of : meets && other.seconds < best.seconds)
+        chosen = k;
     }
     return chosen;
   }

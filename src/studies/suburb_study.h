@@ -21,8 +21,9 @@ struct SceneResult {
   std::vector<double> rms;       ///< by channel, against the reference where there is one, W m-2 sr-1 um-1
   double worst_over_grid = 0.0;  ///< largest ratio of its RMS error to that of the grid 10 x 10, over
                                  ///< channels in which that is more than rounding
-  double largest_over_grid = 0.0;  ///< ratio of the largest RMS error of any channel to the grid's largest, each in the
-                                   ///< channel where it is worst
+  double largest_over_grid =
+      0.0;  ///< ratio of the largest RMS error of any channel to the grid's largest, each in the
+            ///< channel where it is worst
   double coverage = 0.0;  ///< share of radiance intervals that hold the reference; NaN without intervals
   MaterialCounts materials;
   AbundanceErrors abundances;
@@ -30,7 +31,7 @@ struct SceneResult {
 
 struct SceneResults {
   std::vector<SceneResult> results;  ///< one ray, grid 5, grid 10, adaptive, then accuracy
-  std::size_t chosen = 0;            ///< the accuracy setting that is judged: no worse than the grid in any channel
+  std::size_t chosen = 0;  ///< the accuracy setting that is judged: no worse than the grid in any channel
   std::size_t chosen_by_largest = 0;  ///< the one whose largest error is no larger than the grid's largest
   std::vector<double> wavelengths_um;
   std::vector<std::string> materials;

@@ -142,20 +142,16 @@ ThermalScene random_scene(Family family, std::uint64_t seed, int trial, const Te
   const auto disc_of = [](double fraction) { return std::sqrt(fraction / std::numbers::pi); };
   constexpr double kPi = std::numbers::pi;
   switch (family) {
-    case Family::dome:
-      return dome_scene(within_pixel(disc_of(0.5)));
+    case Family::dome: return dome_scene(within_pixel(disc_of(0.5)));
     case Family::square:
       return box_scene(1.5 + (random(0) - 0.5) * 0.3, 1.5 + (random(1) - 0.5) * 0.3, std::sqrt(0.5),
                        std::sqrt(0.5), kPi * random(2));
     case Family::rod:
       return box_scene(1.0 + random(0), 1.0 + random(1), 1.0 + random(2), 0.02 + 0.03 * random(3),
                        kPi * random(4));
-    case Family::small_target:
-      return disk_scene(within_pixel(disc_of(0.005)));
-    case Family::large_target:
-      return disk_scene({1.0 + random(0), 1.0 + random(1), disc_of(0.05)});
-    case Family::textured_dome:
-      break;
+    case Family::small_target: return disk_scene(within_pixel(disc_of(0.005)));
+    case Family::large_target: return disk_scene({1.0 + random(0), 1.0 + random(1), disc_of(0.05)});
+    case Family::textured_dome: break;
   }
   const double room = texture.side_m() - 4.0;
   return textured_dome_scene(within_pixel(disc_of(0.5)), texture, 0.5 + room * random(2),

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <utility>
 
-
 namespace ifov::transport {
 
 namespace {
@@ -47,8 +46,7 @@ void EmitterChoice::list_surfaces() {
   const auto add = [&](std::uint32_t covering, std::uint32_t material, double coldest_k, double hottest_k) {
     Surface surface;
     surface.covering = covering;
-    surface.scatters = scene_.brightest(material) > 0.0 &&
-                       !scene.materials[material].bsdf->is_delta();
+    surface.scatters = scene_.brightest(material) > 0.0 && !scene.materials[material].bsdf->is_delta();
     const auto emitted = [&](double temperature_k) {
       std::fill(row.begin(), row.end(), 0.0f);
       if (temperature_k > 0.0) scene_.nodes().planck(temperature_k, std::span<float>(row));

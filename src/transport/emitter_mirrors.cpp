@@ -29,14 +29,18 @@ std::unique_ptr<const EmitterMirrors> EmitterMirrors::find(const scene::Scene& s
 
 bool EmitterMirrors::leave_some(const scene::Scene& scene) {
   const geometry::SurfaceSurvey* survey = scene.world != nullptr ? scene.world->survey() : nullptr;
-  if (survey == nullptr || (survey->flats.empty() && survey->balls.empty() && survey->rounds.empty())) return false;
+  if (survey == nullptr || (survey->flats.empty() && survey->balls.empty() && survey->rounds.empty()))
+    return false;
   const std::unique_ptr<const EmitterMirrors> planes = find(scene);
-  if (planes == nullptr || planes->count() > 1 || !survey->balls.empty() || !survey->rounds.empty()) return true;
+  if (planes == nullptr || planes->count() > 1 || !survey->balls.empty() || !survey->rounds.empty())
+    return true;
   return std::find(planes->bends_.begin(), planes->bends_.end(), true) != planes->bends_.end();
 }
 
-std::uint32_t EmitterMirrors::plane_of(const geometry::SurfacePoint& hit, math::Vec3 reflecting_normal) const {
-  if (hit.bend == geometry::Bend::round || hit.bend == geometry::Bend::field || bends_[hit.material]) return kNone;
+std::uint32_t EmitterMirrors::plane_of(const geometry::SurfacePoint& hit,
+                                       math::Vec3 reflecting_normal) const {
+  if (hit.bend == geometry::Bend::round || hit.bend == geometry::Bend::field || bends_[hit.material])
+    return kNone;
   const math::Vec3 at = hit.position_m - math::Point3{};
   for (std::uint32_t k = 0; k < planes_.size(); ++k)
     if (1.0 - std::abs(dot(planes_[k].normal, reflecting_normal)) < kSameNormal &&

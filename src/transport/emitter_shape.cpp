@@ -44,7 +44,8 @@ double highest_cosine(Vec3 normal, Vec3 to, double radius_m) {
   const double distance2 = math::dot(to, to);
   if (distance2 <= radius_m * radius_m) return 1.0;
   const double distance = std::sqrt(distance2);
-  const double cosine = math::dot(normal, to) / distance, sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+  const double cosine = math::dot(normal, to) / distance,
+               sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
   const double sine_of = radius_m / distance, cosine_of = std::sqrt(1.0 - sine_of * sine_of);
   return cosine >= cosine_of ? 1.0 : std::max(0.0, cosine * cosine_of + sine * sine_of);
 }
@@ -63,7 +64,8 @@ EmitterShape::EmitterShape(const geometry::SurfacePiece& piece, bool closed)
   switch (kind_) {
     case Kind::triangle:
       centre_m_ = map(Point3{1.0 / 3.0, 1.0 / 3.0, 0.0});
-      radius_m_ = std::max({math::length(map.origin_m() - centre_m_), math::length(map(Point3{1.0, 0.0, 0.0}) - centre_m_),
+      radius_m_ = std::max({math::length(map.origin_m() - centre_m_),
+                            math::length(map(Point3{1.0, 0.0, 0.0}) - centre_m_),
                             math::length(map(Point3{0.0, 1.0, 0.0}) - centre_m_)});
       break;
     case Kind::parallelogram:
@@ -82,7 +84,8 @@ EmitterShape::EmitterShape(const geometry::SurfacePiece& piece, bool closed)
   flat_ = straight() || kind_ == Kind::disk;
   area_m2_ = flat_ ? stretch : 0.25 * stretch;
   if (flat_) normal_ = math::length(across) > 0.0 ? math::normalized(across) : Vec3{0.0, 0.0, 1.0};
-  const double skew = std::max({std::abs(math::dot(x, y)), std::abs(math::dot(y, z)), std::abs(math::dot(z, x))});
+  const double skew =
+      std::max({std::abs(math::dot(x, y)), std::abs(math::dot(y, z)), std::abs(math::dot(z, x))});
   scale_ = std::max({a, b, c});
   round_ = (kind_ == Kind::ball || kind_ == Kind::hemisphere) && skew < 1e-9 * scale_ * scale_ &&
            std::min({a, b, c}) > (1.0 - 1e-9) * scale_;
@@ -95,8 +98,9 @@ double EmitterShape::self_hiding(Point3 at_m) const {
   if (closed_) return kHiddenSide;
   // Within the solid, whose other end lies along -z of the face's own frame.
   const Point3 p = unit_from_scene_(at_m);
-  const bool within = kind_ == Kind::disk ? p.x * p.x + p.y * p.y <= 1.0 && p.z >= -1.0
-                                          : p.x >= 0.0 && p.x <= 1.0 && p.y >= 0.0 && p.y <= 1.0 && p.z >= -2.0;
+  const bool within = kind_ == Kind::disk
+                          ? p.x * p.x + p.y * p.y <= 1.0 && p.z >= -1.0
+                          : p.x >= 0.0 && p.x <= 1.0 && p.y >= 0.0 && p.y <= 1.0 && p.z >= -2.0;
   return within ? 1.0 : kHiddenSide;
 }
 
@@ -109,14 +113,17 @@ double EmitterShape::reach_sr(const Receiver& receiver) const {
   if (kind_ == Kind::ball || kind_ == Kind::hemisphere) return reach_of_ball(receiver);
   const double hiding = self_hiding(receiver.at_m);
   if (!straight() || far(receiver)) return hiding * reach_by_area(receiver);
-  return hiding * sampling::ProjectedPolygon(corners_of(kind_, scene_from_unit_, receiver.at_m), receiver.normal)
-                      .projected_solid_angle_sr();
+  return hiding *
+         sampling::ProjectedPolygon(corners_of(kind_, scene_from_unit_, receiver.at_m), receiver.normal)
+             .projected_solid_angle_sr();
 }
 
 double EmitterShape::reach_by_area(const Receiver& receiver) const {
   const Vec3 to = centre_m_ - receiver.at_m;
   const double distance2 = std::max(math::dot(to, to), 0.25 * radius_m_ * radius_m_);
-  const double facing = flat_ ? highest_cosine(normal_, math::dot(normal_, to) < 0.0 ? -to : to, straight() ? 0.0 : radius_m_) : 1.0;
+  const double facing =
+      flat_ ? highest_cosine(normal_, math::dot(normal_, to) < 0.0 ? -to : to, straight() ? 0.0 : radius_m_)
+            : 1.0;
   return area_m2_ * facing * highest_cosine(receiver.normal, to, straight() ? 0.0 : radius_m_) / distance2;
 }
 
@@ -131,10 +138,12 @@ AimedDirection EmitterShape::aim(const Receiver& receiver, Point2 u) const {
   if (kind_ == Kind::open_cylinder) return aim_at_cylinder(receiver, u);
   AimedDirection aimed;
   if (straight() && !far(receiver)) {
-    const sampling::ProjectedPolygon seen(corners_of(kind_, scene_from_unit_, receiver.at_m), receiver.normal);
+    const sampling::ProjectedPolygon seen(corners_of(kind_, scene_from_unit_, receiver.at_m),
+                                          receiver.normal);
     if (seen.projected_solid_angle_sr() <= 0.0) return aimed;
     aimed.direction = seen.sample(u);
-    aimed.density = std::max(0.0, math::dot(aimed.direction, receiver.normal)) / seen.projected_solid_angle_sr();
+    aimed.density =
+        std::max(0.0, math::dot(aimed.direction, receiver.normal)) / seen.projected_solid_angle_sr();
     return aimed;
   }
   Point2 p = u;
@@ -168,11 +177,12 @@ double EmitterShape::reach_of_ball(const Receiver& receiver) const {
   double sine2 = 1.0 / distance2;
   if (!round_) {
     const Vec3 mapped = unit_from_scene_(towards);
-    sine2 = std::min(1.0, sine2 * std::abs(unit_from_scene_.determinant()) / std::pow(math::length(mapped), 3.0));
+    sine2 =
+        std::min(1.0, sine2 * std::abs(unit_from_scene_.determinant()) / std::pow(math::length(mapped), 3.0));
   }
   // A cap that the horizon cuts goes down to nothing as its last part sets.
-  const double sine = round_ ? std::sqrt(sine2)
-                             : std::min(1.0, radius_m_ / math::length(centre_m_ - receiver.at_m));
+  const double sine =
+      round_ ? std::sqrt(sine2) : std::min(1.0, radius_m_ / math::length(centre_m_ - receiver.at_m));
   const double cosine = math::dot(towards, receiver.normal);
   if (cosine <= -sine) return 0.0;
   return pi * sine2 * (cosine >= sine ? cosine : (cosine + sine) * (cosine + sine) / (4.0 * sine));
@@ -188,8 +198,8 @@ AimedDirection EmitterShape::aim_at_ball(const Receiver& receiver, Point2 u) con
     const Vec3 axis = math::normalized(centre_m_ - receiver.at_m);
     aimed.direction = sampling::SolarDisc(half_angle).sample(axis, receiver.normal, u).direction;
   } else {
-    aimed.direction = math::normalized(
-        scene_from_unit_(sampling::UniformCone(half_angle).sample(-from / distance, u)));
+    aimed.direction =
+        math::normalized(scene_from_unit_(sampling::UniformCone(half_angle).sample(-from / distance, u)));
   }
   aimed.density = density_of_ball(receiver, aimed.direction);
   return aimed;
@@ -241,8 +251,9 @@ AimedDirection EmitterShape::aim_at_cylinder(const Receiver& receiver, Point2 u)
   const double distance = math::length(to);
   if (!(distance > 0.0)) return aimed;
   aimed.direction = to / distance;
-  aimed.density = distance * distance /
-                  (2.0 * facing.half * std::abs(math::dot(tube_area(scene_from_unit_, azimuth), aimed.direction)));
+  aimed.density =
+      distance * distance /
+      (2.0 * facing.half * std::abs(math::dot(tube_area(scene_from_unit_, azimuth), aimed.direction)));
   if (!std::isfinite(aimed.density)) aimed.density = 0.0;
   return aimed;
 }
@@ -251,7 +262,8 @@ double EmitterShape::density_of_cylinder(const Receiver& receiver, Vec3 directio
   const FacingAzimuths facing(unit_from_scene_(receiver.at_m));
   const Point3 met = unit_from_scene_(receiver.at_m + direction * distance_m);
   const double azimuth = std::atan2(met.y, met.x);
-  if (facing.half < pi && std::abs(std::remainder(azimuth - facing.middle, 2.0 * pi)) > facing.half) return 0.0;
+  if (facing.half < pi && std::abs(std::remainder(azimuth - facing.middle, 2.0 * pi)) > facing.half)
+    return 0.0;
   const double density =
       distance_m * distance_m /
       (2.0 * facing.half * std::abs(math::dot(tube_area(scene_from_unit_, azimuth), direction)));

@@ -50,7 +50,8 @@ void EmitterTree::describe(Node& node, std::uint32_t first, std::uint32_t count)
   node.centre_m = Point3{} + 0.5 * (low + high);
   for (std::uint32_t k = first; k < first + count; ++k) {
     const EmitterShape& shape = emitters_[order_[k]].shape;
-    node.radius_m = std::max(node.radius_m, math::length(shape.centre_m() - node.centre_m) + shape.radius_m());
+    node.radius_m =
+        std::max(node.radius_m, math::length(shape.centre_m() - node.centre_m) + shape.radius_m());
     // Of what is seen from both sides the normals are lines.
     const bool turned = !node.one_sided && math::dot(shape.normal(), axis) < 0.0;
     axis = axis + (turned ? -shape.normal() : shape.normal());
@@ -88,7 +89,8 @@ void EmitterTree::build(std::uint32_t index, std::uint32_t first, std::uint32_t 
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const auto begin = order_.begin() + first, end = begin + count;
   std::sort(begin, end, [&](std::uint32_t a, std::uint32_t b) {
-    const double x = coordinate(emitters_[a].shape.centre_m(), axis), y = coordinate(emitters_[b].shape.centre_m(), axis);
+    const double x = coordinate(emitters_[a].shape.centre_m(), axis),
+                 y = coordinate(emitters_[b].shape.centre_m(), axis);
     return x != y ? x < y : a < b;
   });
   constexpr std::uint32_t kCuts = 8;

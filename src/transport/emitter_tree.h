@@ -49,7 +49,8 @@ class EmitterTree {
     math::Vec3 axis;              ///< of the cone of normals
     double widest_cosine = -1.0;  ///< of its half-angle; -1: any direction
     bool one_sided = false;       ///< of closed meshes: the other side counts little
-    std::uint32_t parent = 0, first = 0, count = 0;  ///< of a leaf: within order_; else `first` of two nodes, count 0
+    std::uint32_t parent = 0, first = 0,
+                  count = 0;  ///< of a leaf: within order_; else `first` of two nodes, count 0
   };
   struct Weights {
     double of[kInLeaf];

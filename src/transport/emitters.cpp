@@ -33,7 +33,8 @@ std::vector<Look> looks_at(PieceKind kind) {
               {{0.2, 0.6, 0.0}, down},
               {{0.2, 0.2, 0.0}, down}};
     case PieceKind::parallelogram:
-      for (int k = 0; k < 16; ++k) looks.push_back({{0.125 + 0.25 * (k % 4), 0.125 + 0.25 * (k / 4), 0.0}, down});
+      for (int k = 0; k < 16; ++k)
+        looks.push_back({{0.125 + 0.25 * (k % 4), 0.125 + 0.25 * (k / 4), 0.0}, down});
       return looks;
     case PieceKind::disk:
       for (const double x : {-0.5, 0.0, 0.5})
@@ -56,7 +57,8 @@ std::vector<Look> looks_at(PieceKind kind) {
 }
 
 bool is_of(const SurfacePiece& piece, const SurfacePoint& hit) {
-  return hit.hit() && hit.instance == piece.object && hit.primitive == piece.primitive && hit.patch == piece.patch;
+  return hit.hit() && hit.instance == piece.object && hit.primitive == piece.primitive &&
+         hit.patch == piece.patch;
 }
 
 /// The mean of what a mapped piece emits, by rays that are sent at it from close by.
@@ -67,7 +69,8 @@ double looked_at(const SpectralScene& scene, const EmitterChoice& choice, const 
   const double size = std::sqrt(geometry::area_m2(piece));
   for (const Look& look : looks_at(piece.kind)) {
     Vec3 along = map(look.along);
-    if (look.along.z == -1.0 && piece.kind != PieceKind::ball) along = math::cross(map.column_y(), map.column_x());
+    if (look.along.z == -1.0 && piece.kind != PieceKind::ball)
+      along = math::cross(map.column_y(), map.column_x());
     along = math::normalized(along);
     rays.push_back({map(look.at) - kNear * size * along, along});
   }
@@ -77,7 +80,8 @@ double looked_at(const SpectralScene& scene, const EmitterChoice& choice, const 
   double sum = 0.0;
   for (std::size_t k = 0; k < hits.size(); ++k)
     if (is_of(piece, hits[k]))
-      sum += choice.brightness(scene.emission(scene.scene().resolve(hits[k]), -rays[k].direction, scratch.row(0)));
+      sum += choice.brightness(
+          scene.emission(scene.scene().resolve(hits[k]), -rays[k].direction, scratch.row(0)));
   return std::max(sum / static_cast<double>(rays.size()), kLeastPart * choice.brightest(piece.material));
 }
 
@@ -144,8 +148,8 @@ void Emitters::take(const SpectralScene& scene, const EmitterChoice& choice) {
       if (pieces[last].kind == PieceKind::triangle) closure.add(pieces[last]);
     for (; first < last; ++first) {
       const SurfacePiece& piece = pieces[first];
-      const double radiance = choice.mapped(piece.material) ? looked_at(scene, choice, piece)
-                                                            : choice.brightest(piece.material);
+      const double radiance =
+          choice.mapped(piece.material) ? looked_at(scene, choice, piece) : choice.brightest(piece.material);
       add(piece, piece.kind == PieceKind::triangle && closure.closed(), radiance);
     }
   }
@@ -165,8 +169,8 @@ void Emitters::add(const SurfacePiece& piece, bool closed, double radiance) {
   for (int column = -1 - home_column; column <= 1 - home_column; ++column)
     for (int row = -1 - home_row; row <= 1 - home_row; ++row) {
       SurfacePiece placed = piece;
-      placed.scene_from_unit =
-          math::Transform::translation({column * period_.x_m, row * period_.y_m, 0.0}) * piece.scene_from_unit;
+      placed.scene_from_unit = math::Transform::translation({column * period_.x_m, row * period_.y_m, 0.0}) *
+                               piece.scene_from_unit;
       put(placed, column, row);
     }
 }
@@ -204,19 +208,22 @@ Emitters::Aim Emitters::aim(const Receiver& receiver, sampling::Point2 u) const 
 
 bool Emitters::is(const Aim& aim, const SurfacePoint& hit) const {
   const Name& name = names_[aim.emitter];
-  return hit.hit() && hit.instance == name.object && hit.primitive == name.primitive && hit.patch == name.patch &&
-         hit.copy_column == name.column + aim.column && hit.copy_row == name.row + aim.row;
+  return hit.hit() && hit.instance == name.object && hit.primitive == name.primitive &&
+         hit.patch == name.patch && hit.copy_column == name.column + aim.column &&
+         hit.copy_row == name.row + aim.row;
 }
 
 double Emitters::density(const Receiver& receiver, Vec3 direction, const SurfacePoint& hit) const {
   if (!hit.hit() || !wanted_[hit.material]) return 0.0;
   const Home home = at_home(receiver);
-  const Name name{hit.instance, hit.primitive, hit.patch, hit.copy_column - home.column, hit.copy_row - home.row};
+  const Name name{hit.instance, hit.primitive, hit.patch, hit.copy_column - home.column,
+                  hit.copy_row - home.row};
   const auto found = std::lower_bound(by_name_.begin(), by_name_.end(), name,
                                       [&](std::uint32_t a, const Name& b) { return names_[a] < b; });
   if (found == by_name_.end() || names_[*found] != name) return 0.0;
   const double chance = tree_->chance(home.receiver, *found);
-  return chance > 0.0 ? chance * emitters_[*found].shape.density(home.receiver, direction, hit.distance_m) : 0.0;
+  return chance > 0.0 ? chance * emitters_[*found].shape.density(home.receiver, direction, hit.distance_m)
+                      : 0.0;
 }
 
 }  // namespace ifov::transport

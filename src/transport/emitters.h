@@ -30,8 +30,8 @@ class Emitters {
   /// A direction in which an emitter may be seen; density 0: none. Emitters share out `u.x`, so that points that are well
   /// spread over the unit square are so over all that is sought together.
   struct Aim {
-    math::Vec3 direction;   ///< unit
-    double density = 0.0;   ///< 1/sr, of this emitter in this direction
+    math::Vec3 direction;  ///< unit
+    double density = 0.0;  ///< 1/sr, of this emitter in this direction
     std::uint32_t emitter = 0;
     std::int32_t column = 0, row = 0;  ///< of the receiver's cell
   };

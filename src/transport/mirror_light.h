@@ -21,7 +21,8 @@ class MirrorLight {
  public:
   /// Null where no mirror throws the Sun, or nothing is sought by way of mirrors (`reflections` 0). Keeps references to the
   /// scene and to the Sun's images in its flat mirrors.
-  static std::unique_ptr<MirrorLight> find(const SpectralScene& scene, const SunImages& images, int reflections);
+  static std::unique_ptr<MirrorLight> find(const SpectralScene& scene, const SunImages& images,
+                                           int reflections);
   MirrorLight(const MirrorLight&) = delete;
   MirrorLight& operator=(const MirrorLight&) = delete;
 
@@ -45,7 +46,7 @@ class MirrorLight {
   };
   struct Asked {
     std::uint32_t owner = 0;
-    double round_light = 0.0;  // in parts of the Sun's irradiance
+    double round_light = 0.0;                      // in parts of the Sun's irradiance
     std::array<std::uint8_t, kMostImages> seen{};  // points of the disc, by image
   };
   MirrorLight(const SpectralScene& scene, const SunImages& images);

@@ -82,12 +82,11 @@ void PathLight::add_sought(const PathRecord& record, const PathVertex& vertex, c
   if (vertex.mixed != PathVertex::kNone) {
     const PathRecord::Mixed& mixed = record.mixed[vertex.mixed];
     factor = lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.sought_through,
-                         mixed.events == PathVertex::kNone ? nullptr : &record.events[mixed.events].sought, row(kSoughtFactor),
-                         row(kWork));
+                         mixed.events == PathVertex::kNone ? nullptr : &record.events[mixed.events].sought,
+                         row(kSoughtFactor), row(kWork));
   }
   const float* emitted = vertex.sought_emission;
-  if (vertex.sought_mixed != PathVertex::kNone)
-    emitted = emission(record.mixed[vertex.sought_mixed]);
+  if (vertex.sought_mixed != PathVertex::kNone) emitted = emission(record.mixed[vertex.sought_mixed]);
   if (emitted == nullptr) return;
   if (throughput != nullptr)
     rows::add_scaled_product(row(kSum), throughput, factor, emitted, vertex.sought_weight, n_);
@@ -101,7 +100,8 @@ const float* PathLight::emission(const PathRecord& record, const PathVertex& ver
 }
 
 const float* PathLight::emission(const PathRecord::Mixed& mixed) {
-  static_assert(kEmissionPart == kEmission + 1 && kEmissionWork == kEmission + 2);  // which rows are worked out in
+  static_assert(kEmissionPart == kEmission + 1 &&
+                kEmissionWork == kEmission + 2);  // which rows are worked out in
   return scene_.emission(mixed.surface, mixed.outgoing, row(kEmission));
 }
 
@@ -109,7 +109,8 @@ const float* PathLight::sun_factor(const PathRecord& record, const PathVertex& v
   if (vertex.mixed == PathVertex::kNone) return vertex.sun_factor;
   const PathRecord::Mixed& mixed = record.mixed[vertex.mixed];
   return lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.sun_through,
-                     mixed.events == PathVertex::kNone ? nullptr : &record.events[mixed.events].sun, row(kSunFactor), row(kWork));
+                     mixed.events == PathVertex::kNone ? nullptr : &record.events[mixed.events].sun,
+                     row(kSunFactor), row(kWork));
 }
 
 const float* PathLight::bounce_factor(const PathRecord& record, const PathVertex& vertex, const float* sun) {
@@ -118,7 +119,8 @@ const float* PathLight::bounce_factor(const PathRecord& record, const PathVertex
   const bool directional = mixed.events != PathVertex::kNone;
   if (sun != nullptr && vertex.sun_through == vertex.bounce_through && !directional) return sun;
   return lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.bounce_through,
-                     directional ? &record.events[mixed.events].bounce : nullptr, row(kBounceFactor), row(kWork));
+                     directional ? &record.events[mixed.events].bounce : nullptr, row(kBounceFactor),
+                     row(kWork));
 }
 
 void PathLight::add_mirrored(const PathRecord& record, const PathVertex& vertex, const float* throughput) {
@@ -138,9 +140,8 @@ void PathLight::add_mirrored(const PathRecord& record, const PathVertex& vertex,
     if (!light.emitted)
       source = scene_.sun_irradiance(light.height_m, row(kSkyShare));
     else
-      source = light.emission_mixed == PathVertex::kNone
-                   ? light.emission
-                   : emission(record.mixed[light.emission_mixed]);
+      source = light.emission_mixed == PathVertex::kNone ? light.emission
+                                                         : emission(record.mixed[light.emission_mixed]);
     if (source == nullptr) continue;
     rows::set_scaled(way, source, light.weight, n_);
     times(light.surface, light.through);

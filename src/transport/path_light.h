@@ -18,8 +18,23 @@ class PathLight {
   float* radiance(const PathRecord& record, std::size_t k);
 
  private:
-  enum Row { kSum, kThroughput, kEmission, kEmissionPart, kEmissionWork, kSunFactor, kBounceFactor, kSun, kSkyShare, kDimmed,
-             kSoughtFactor, kWay, kWork, kMoreWork, kRows };
+  enum Row {
+    kSum,
+    kThroughput,
+    kEmission,
+    kEmissionPart,
+    kEmissionWork,
+    kSunFactor,
+    kBounceFactor,
+    kSun,
+    kSkyShare,
+    kDimmed,
+    kSoughtFactor,
+    kWay,
+    kWork,
+    kMoreWork,
+    kRows
+  };
   float* row(Row r) { return rows_.row(r); }
   void add_first(const PathRecord& record, const PathVertex& vertex);
   void add_later(const PathRecord& record, const PathVertex& vertex);

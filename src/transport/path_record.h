@@ -13,17 +13,20 @@ namespace ifov::transport {
 /// A surface that a path met, as far as its light is concerned. Rows are in spectral nodes.
 struct PathVertex {
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  std::uint32_t next = kNone;       ///< the next of the same path
-  std::uint32_t mixed = kNone;      ///< index into PathRecord::mixed, whose rows have to be computed
-  const float* emission = nullptr;  ///< null: nothing, or that of `mixed`
-  const float* sun_factor = nullptr;     ///< what is made of sunlight; null: of `mixed`
-  const float* bounce_factor = nullptr;  ///< what is made of the light of the path's next segment; null: of `mixed`
+  std::uint32_t next = kNone;         ///< the next of the same path
+  std::uint32_t mixed = kNone;        ///< index into PathRecord::mixed, whose rows have to be computed
+  const float* emission = nullptr;    ///< null: nothing, or that of `mixed`
+  const float* sun_factor = nullptr;  ///< what is made of sunlight; null: of `mixed`
+  const float* bounce_factor =
+      nullptr;                 ///< what is made of the light of the path's next segment; null: of `mixed`
   float sun_weight = 0.0f;     ///< of factor times solar irradiance; 0: none arrives
   float bounce_weight = 0.0f;  ///< of the factor, chances included; 0: the path ends here
   bool sun_through = false, bounce_through = false;  ///< transmitted, not reflected
   bool sought_through = false;
-  float emission_weight = 1.0f;  ///< share of its own emission that the ray which came here counts; the rest was sought
-  float sought_weight = 0.0f;    ///< of factor times emission of an emitter that was sought from here; 0: none was seen
+  float emission_weight =
+      1.0f;  ///< share of its own emission that the ray which came here counts; the rest was sought
+  float sought_weight =
+      0.0f;  ///< of factor times emission of an emitter that was sought from here; 0: none was seen
   const float* sought_factor = nullptr;    ///< null: of `mixed`
   const float* sought_emission = nullptr;  ///< null: of `sought_mixed`
   std::uint32_t sought_mixed = kNone;      ///< index into PathRecord::mixed
@@ -36,22 +39,25 @@ struct PathRecord {
   struct Path {
     std::uint32_t first = PathVertex::kNone, last = PathVertex::kNone;  ///< of its vertices
     math::Vec3 towards_sensor;
-    double seen_height_m = 0.0;      ///< of what the first segment met
-    bool met = false;                ///< the first segment met something
-    bool escaped = false;            ///< its last segment met nothing
-    bool escaped_sees_sun = false;   ///< no sunlight was sent for where that segment starts
+    double seen_height_m = 0.0;     ///< of what the first segment met
+    bool met = false;               ///< the first segment met something
+    bool escaped = false;           ///< its last segment met nothing
+    bool escaped_sees_sun = false;  ///< no sunlight was sent for where that segment starts
     math::Vec3 escaped_direction;
-    double escaped_from_m = 0.0;     ///< height at which that segment starts
-    float brightest = 1.0f;  ///< at least the throughput in any node; kept where there are mirrors (SunMirrors)
-    float unseen = 0.0f;     ///< of the Sun's irradiance, 1/sr: what may come by ways that are not sought (WideSun)
+    double escaped_from_m = 0.0;  ///< height at which that segment starts
+    float brightest =
+        1.0f;  ///< at least the throughput in any node; kept where there are mirrors (SunMirrors)
+    float unseen =
+        0.0f;  ///< of the Sun's irradiance, 1/sr: what may come by ways that are not sought (WideSun)
   };
   /// A surface whose rows are not kept: materials side by side, a temperature from a map, or a model that depends on
   /// direction.
   struct Mixed {
     scene::ResolvedSurface surface;
     SurfaceLobe lobe;
-    math::Vec3 outgoing;                        ///< towards where the path comes from
-    std::uint32_t events = PathVertex::kNone;  ///< index into PathRecord::events; none where the lobe is separable
+    math::Vec3 outgoing;  ///< towards where the path comes from
+    std::uint32_t events =
+        PathVertex::kNone;  ///< index into PathRecord::events; none where the lobe is separable
   };
   /// Of one surface, by what light met it.
   struct Events {
@@ -61,19 +67,19 @@ struct PathRecord {
   struct Mirrored {
     static constexpr std::size_t kMost = 8;
     std::uint32_t next = PathVertex::kNone;  ///< of the same vertex
-    float weight = 0.0f;                     ///< of the factors' product with the Sun's irradiance, or the emission
-    bool through = false;                    ///< transmitted by the vertex, not reflected
-    std::uint8_t count = 0;                  ///< of mirrors
+    float weight = 0.0f;     ///< of the factors' product with the Sun's irradiance, or the emission
+    bool through = false;    ///< transmitted by the vertex, not reflected
+    std::uint8_t count = 0;  ///< of mirrors
     struct Factor {
-      const float* row = nullptr;                ///< null: of `mixed`
+      const float* row = nullptr;  ///< null: of `mixed`
       std::uint32_t mixed = PathVertex::kNone;
-      std::uint32_t event = PathVertex::kNone;   ///< index into PathRecord::way_events
+      std::uint32_t event = PathVertex::kNone;  ///< index into PathRecord::way_events
     };
-    Factor surface;                          ///< of the vertex
+    Factor surface;  ///< of the vertex
     std::array<Factor, kMost> mirrors;
-    double height_m = 0.0;                   ///< of the mirror that sees the Sun
-    bool emitted = false;                    ///< not sunlight, but:
-    const float* emission = nullptr;         ///< null: of `emission_mixed`
+    double height_m = 0.0;            ///< of the mirror that sees the Sun
+    bool emitted = false;             ///< not sunlight, but:
+    const float* emission = nullptr;  ///< null: of `emission_mixed`
     std::uint32_t emission_mixed = PathVertex::kNone;
   };
   std::vector<Path> paths;

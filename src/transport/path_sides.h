@@ -26,7 +26,8 @@ struct PathTracer::Sides {
 
   /// An event towards the viewer, without the direction that light comes from.
   materials::BsdfEvent view(const SurfaceLobe& lobe, bool through) const {
-    materials::BsdfEvent event{outgoing, {}, shading, {}, through ? materials::Side::transmitted : materials::Side::reflected};
+    materials::BsdfEvent event{
+        outgoing, {}, shading, {}, through ? materials::Side::transmitted : materials::Side::reflected};
     if (!lobe.isotropic) event.tangent = tangent();
     return event;
   }

@@ -7,10 +7,13 @@
 
 namespace ifov::transport {
 
-PathTracer::PathTracer(const SpectralScene& scene, TransportOptions options) : scene_(scene), options_(options) {
+PathTracer::PathTracer(const SpectralScene& scene, TransportOptions options)
+    : scene_(scene), options_(options) {
   if (scene.scene().sun) disc_.emplace(scene.scene().sun->half_angle_rad);
-  if (options.seek_emitters && scene.emitters() != nullptr && scene.emitters()->count() > 0) emitters_ = scene.emitters();
-  if (scene.sky_dome() != nullptr && !scene.sky_dome()->sampler().empty()) sky_ = &scene.sky_dome()->sampler();
+  if (options.seek_emitters && scene.emitters() != nullptr && scene.emitters()->count() > 0)
+    emitters_ = scene.emitters();
+  if (scene.sky_dome() != nullptr && !scene.sky_dome()->sampler().empty())
+    sky_ = &scene.sky_dome()->sampler();
   if (emitters_ != nullptr && options.mirror_reflections > 0) emitter_mirrors_ = scene.emitter_mirrors();
   mirrors_ = scene.sun_mirrors();
   if (mirrors_ != nullptr) {
@@ -20,11 +23,13 @@ PathTracer::PathTracer(const SpectralScene& scene, TransportOptions options) : s
 }
 
 const PathRecord& PathTracer::trace(std::span<const math::Ray> rays, std::span<const PathKey> keys,
-                                    std::span<geometry::SurfacePoint> first_hits, sampling::RayCounts& counts) {
+                                    std::span<geometry::SurfacePoint> first_hits,
+                                    sampling::RayCounts& counts) {
   counts.primary += rays.size();
   record_.start(rays.size());
   paths_.resize(rays.size());
-  for (std::size_t k = 0; k < rays.size(); ++k) paths_[k] = {rays[k], keys[k], static_cast<std::uint32_t>(k), true, {}, {}};
+  for (std::size_t k = 0; k < rays.size(); ++k)
+    paths_[k] = {rays[k], keys[k], static_cast<std::uint32_t>(k), true, {}, {}};
   for (int depth = 0; !paths_.empty(); ++depth) {
     trace_segment(counts, depth);
     if (depth == 0) {
@@ -78,7 +83,9 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
     const Path& path = paths_[event.path];
     if (event.shadow == kNone || blocked_[event.shadow] != 0) event.vertex.sun_weight = 0.0f;
     record_.add(path.number, event.vertex);
-    if (event.vertex.bounce_weight > 0.0f) next_paths_.push_back({event.next, path.key, path.number, event.next_sees_sun, event.left, event.next_way});
+    if (event.vertex.bounce_weight > 0.0f)
+      next_paths_.push_back(
+          {event.next, path.key, path.number, event.next_sees_sun, event.left, event.next_way});
   }
   paths_.swap(next_paths_);
 }
@@ -89,7 +96,8 @@ void PathTracer::escape(const Path& path) {
   record.escaped_sees_sun = path.sees_sun;
   record.escaped_direction = path.ray.direction;
   record.escaped_from_m = path.ray.origin_m.z;
-  if (path.way.unseen) record.unseen += record.brightest * WideSun::radiance(scene_.scene(), path.ray.direction);
+  if (path.way.unseen)
+    record.unseen += record.brightest * WideSun::radiance(scene_.scene(), path.ray.direction);
 }
 
 }  // namespace ifov::transport

@@ -66,8 +66,8 @@ class PathTracer {
   /// What next-event estimation to emitters has to know of a scattered ray.
   struct Departure {
     Receiver receiver;
-    double density = 0.0;      // of the ray's direction, 1/sr, choice of the side included
-    double seek_chance = 0.0;  // that emitters were sought on this side; 0: they were not
+    double density = 0.0;        // of the ray's direction, 1/sr, choice of the side included
+    double seek_chance = 0.0;    // that emitters were sought on this side; 0: they were not
     double mirror_chance = 0.0;  // that they were sought by way of a certain plane of mirrors
     bool unfolded = false;       // the receiver stands behind the mirror that the path has come by
   };
@@ -94,8 +94,9 @@ class PathTracer {
     math::Ray next;
     bool next_sees_sun = false;
     Departure left;
-    std::uint32_t seek = kNone;    // index of its ray to an emitter
-    double seek_reflected = -1.0;  // chance that one was sought for what is reflected; below 0: none was sought
+    std::uint32_t seek = kNone;  // index of its ray to an emitter
+    double seek_reflected =
+        -1.0;  // chance that one was sought for what is reflected; below 0: none was sought
     Way next_way;
   };
   struct Seek {  // a ray that was sent to an emitter
@@ -130,40 +131,41 @@ class PathTracer {
   void escape(const Path& path);
   PathVertex vertex_of(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, math::Vec3 outgoing);
   /// Index of a surface whose rows are not kept.
-  std::uint32_t add_mixed(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, math::Vec3 outgoing);
+  std::uint32_t add_mixed(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
+                          math::Vec3 outgoing);
   /// Where a vertex keeps its events; null where its lobe is separable.
   PathRecord::Events* events_of(const PathVertex& vertex);
   /// What becomes of a path at a surface: an event is added, of no weights where it ends there without sunlight.
   void scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface, int depth);
-  void send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, sampling::Point2 u,
-                   Scatter& event);
+  void send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
+                   sampling::Point2 u, Scatter& event);
   /// `towards_sun` the middle of the disc, or of an image of it.
   SunRay sun_ray(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
                  math::Vec3 towards_sun, sampling::Point2 u) const;
   /// Light from a direction, its weight the cosine and what a sampled direction counts.
-  SunRay light_ray(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, math::Vec3 direction,
-                   double weight_sr) const;
+  SunRay light_ray(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
+                   math::Vec3 direction, double weight_sr) const;
 
   // By way of mirrors (path_tracer_mirrors.cpp).
   void send_to_images(const Path& path, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
                       const Sides& sides, const geometry::SurfacePoint& hit, int depth, sampling::Point2 u);
   void send_to_rounds(const Path& path, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
                       const Sides& sides, const geometry::SurfacePoint& hit, int depth, sampling::Point2 u);
-  void send_by_mirrors(MirrorRay way, const SunRay& light, double weight, const scene::ResolvedSurface& surface,
-                       const SurfaceLobe& lobe, const Sides& sides);
+  void send_by_mirrors(MirrorRay way, const SunRay& light, double weight,
+                       const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, const Sides& sides);
   void send_to_unseen(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
                       const geometry::SurfacePoint& hit, int depth);
   /// Along which mirrors the path goes on, and whether it may meet the Sun there.
-  void note_way(const Path& path, const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
-                Scatter& event);
+  void note_way(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
+                const geometry::SurfacePoint& hit, Scatter& event);
   void trace_mirror_rays(sampling::RayCounts& counts);
   void trace_unseen_rays(sampling::RayCounts& counts);
   /// Direction, side and weight of the continued path, before any roulette; false where it ends.
-  bool bounce(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, sampling::Point2 u,
-              Scatter& event);
+  bool bounce(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
+              sampling::Point2 u, Scatter& event);
   /// Sends a ray to an emitter.
-  void seek(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, const PathKey& key, int depth,
-            Scatter& event);
+  void seek(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
+            const PathKey& key, int depth, Scatter& event);
   void trace_seeks(sampling::RayCounts& counts);
   /// The same by way of flat mirrors.
   void seek_by_mirrors(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, const Sides& sides,
@@ -184,21 +186,23 @@ class PathTracer {
   /// The event of light from a direction that reaches a surface geometrically: of irradiance on the shading normal's
   /// plane, or of radiance, weighed by cosines.
   static LobeEvent arriving(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through);
-  static LobeEvent scattering(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through);
+  static LobeEvent scattering(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction,
+                              bool through);
   /// Scattered by the lobe from a direction on a side, shape times cosine (1 of a directional one, whose event holds the
   /// cosine); and the density with which bounce() takes it, the choice of the side not included.
   static double scattered(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through);
-  double bounce_density(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through) const;
+  double bounce_density(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction,
+                        bool through) const;
   double sky_share(const materials::Bsdf& bsdf, const materials::BsdfEvent& view, bool bent) const;
-  materials::BsdfSample sample_bounce(const materials::Bsdf& bsdf, const materials::BsdfEvent& view, bool bent,
-                                      sampling::Point2 u) const;
+  materials::BsdfSample sample_bounce(const materials::Bsdf& bsdf, const materials::BsdfEvent& view,
+                                      bool bent, sampling::Point2 u) const;
   sampling::LightSample sample_sun(math::Vec3 towards_sun, math::Vec3 normal, bool either_side,
                                    sampling::Point2 u) const;
 
   const SpectralScene& scene_;
   TransportOptions options_;
   std::optional<sampling::SolarDisc> disc_;
-  const SkySampler* sky_ = nullptr;      // of a sky that is not uniform
+  const SkySampler* sky_ = nullptr;     // of a sky that is not uniform
   const Emitters* emitters_ = nullptr;  // null: none are sought
   PathRecord record_;
   std::vector<Path> paths_, next_paths_;

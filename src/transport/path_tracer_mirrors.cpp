@@ -26,14 +26,15 @@ constexpr std::uint64_t kImageChoice = 0x696d616765ull, kUnseenChoice = 0x756e73
                         kRoundChoice = 0x726f756e64ull;
 
 double choice(const PathKey& key, int depth, std::uint64_t purpose, std::uint64_t number) {
-  return sampling::unit_double(sampling::hash(key.sequence, key.index, static_cast<std::uint64_t>(depth) << 8 | number,
-                                              purpose));
+  return sampling::unit_double(
+      sampling::hash(key.sequence, key.index, static_cast<std::uint64_t>(depth) << 8 | number, purpose));
 }
 
 }  // namespace
 
-void PathTracer::send_to_images(const Path& path, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
-                                const Sides& sides, const geometry::SurfacePoint& hit, int depth, sampling::Point2 u) {
+void PathTracer::send_to_images(const Path& path, const scene::ResolvedSurface& surface,
+                                const SurfaceLobe& lobe, const Sides& sides,
+                                const geometry::SurfacePoint& hit, int depth, sampling::Point2 u) {
   if (images_.reflections() == 0) return;
   if (options_.maximum_scatterings >= 0 && depth + 1 >= options_.maximum_scatterings) return;
   const bool transmits = lobe.highest_transmittance > 0.0;
@@ -59,8 +60,9 @@ void PathTracer::send_to_images(const Path& path, const scene::ResolvedSurface& 
   }
 }
 
-void PathTracer::send_to_rounds(const Path& path, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
-                                const Sides& sides, const geometry::SurfacePoint& hit, int depth, sampling::Point2 u) {
+void PathTracer::send_to_rounds(const Path& path, const scene::ResolvedSurface& surface,
+                                const SurfaceLobe& lobe, const Sides& sides,
+                                const geometry::SurfacePoint& hit, int depth, sampling::Point2 u) {
   const std::span<const RoundMirror> rounds = mirrors_->rounds();
   if (rounds.empty() || options_.mirror_reflections == 0) return;
   if (options_.maximum_scatterings >= 0 && depth + 1 >= options_.maximum_scatterings) return;
@@ -98,19 +100,23 @@ void PathTracer::send_to_rounds(const Path& path, const scene::ResolvedSurface& 
     way.object = rounds[picked].object();
     way.at = image->at;
     way.towards_sun = towards_sun;
-    send_by_mirrors(way, light_ray(lobe, sides, hit, image->direction, cosine * weight / image->spread), 1.0 / chance,
-                    surface, lobe, sides);
+    send_by_mirrors(way, light_ray(lobe, sides, hit, image->direction, cosine * weight / image->spread),
+                    1.0 / chance, surface, lobe, sides);
   }
 }
 
 void PathTracer::send_by_mirrors(MirrorRay way, const SunRay& light, double weight,
-                                 const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, const Sides& sides) {
+                                 const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
+                                 const Sides& sides) {
   if (light.weight <= 0.0) return;
   way.event = static_cast<std::uint32_t>(scatters_.size() - 1);
   way.ray = light.ray;
   way.light.weight = static_cast<float>(light.weight * weight);
   way.light.through = light.through;
-  way.light.surface = surface_factor(surface, scatters_.back().vertex, lobe.directional ? arriving(lobe, sides, light.ray.direction, light.through) : LobeEvent{}, light.through);
+  way.light.surface = surface_factor(
+      surface, scatters_.back().vertex,
+      lobe.directional ? arriving(lobe, sides, light.ray.direction, light.through) : LobeEvent{},
+      light.through);
   mirror_rays_.push_back(way);
 }
 
@@ -138,9 +144,8 @@ void PathTracer::note_way(const Path& path, const SurfaceLobe& lobe, const Sides
     way.from_sensor = false;
   } else {
     way = path.way;
-    const std::uint32_t facing = event.vertex.bounce_through
-                                     ? SunMirrors::kNone
-                                     : mirrors_->facing_of(hit, sides.shading.as_vector());
+    const std::uint32_t facing =
+        event.vertex.bounce_through ? SunMirrors::kNone : mirrors_->facing_of(hit, sides.shading.as_vector());
     way.flat = way.flat && facing != SunMirrors::kNone;
     if (way.flat && way.reflections < way.facings.size())
       way.facings[way.reflections] = static_cast<std::uint16_t>(facing);
@@ -150,16 +155,18 @@ void PathTracer::note_way(const Path& path, const SurfaceLobe& lobe, const Sides
       event.next_sees_sun = way.flat || !apart;
       way.unseen = !way.flat && !apart;
     } else {
-      const bool sought = way.flat ? way.reflections <= images_.reflections() &&
-                                         images_.image_of({way.facings.data(), way.reflections}) != SunMirrors::kNone
-                                   : way.reflections == 1 && options_.mirror_reflections > 0 &&
-                                         !event.vertex.bounce_through && mirrors_->sought_round(hit);
+      const bool sought =
+          way.flat ? way.reflections <= images_.reflections() &&
+                         images_.image_of({way.facings.data(), way.reflections}) != SunMirrors::kNone
+                   : way.reflections == 1 && options_.mirror_reflections > 0 &&
+                         !event.vertex.bounce_through && mirrors_->sought_round(hit);
       event.next_sees_sun = !sought && !options_.sought_only;
       // What bends and is met first is looked for by send_to_unseen.
       way.unseen = !sought && (way.unseen || way.flat || way.reflections > 1);
     }
   }
-  record_.paths[path.number].brightest *= static_cast<float>(highest * lobe.shape_scale()) * event.vertex.bounce_weight;
+  record_.paths[path.number].brightest *=
+      static_cast<float>(highest * lobe.shape_scale()) * event.vertex.bounce_weight;
 }
 
 void PathTracer::send_to_unseen(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
@@ -176,7 +183,9 @@ void PathTracer::send_to_unseen(const Path& path, const SurfaceLobe& lobe, const
   if (all <= 0.0) return;
   const std::uint64_t rays = path.way.from_sensor ? kUnseenRays : 1;
   for (std::uint64_t k = 0; k < rays; ++k) {
-    const auto random = [&](std::uint64_t number) { return choice(path.key, depth, kUnseenChoice, 3 * k + number); };
+    const auto random = [&](std::uint64_t number) {
+      return choice(path.key, depth, kUnseenChoice, 3 * k + number);
+    };
     double place = random(0) * all;
     std::size_t picked = 0;
     while (picked + 1 < groups.size() && place >= chance[picked]) place -= chance[picked++];
@@ -184,19 +193,21 @@ void PathTracer::send_to_unseen(const Path& path, const SurfaceLobe& lobe, const
     const double apart = math::length(towards), sine = groups[picked].radius_m / std::max(apart, 1e-300);
     const bool inside = sine >= 1.0;
     const sampling::UniformCone cone(inside ? 0.5 * std::numbers::pi : std::asin(sine));
-    const math::Vec3 direction = cone.sample(inside ? sides.outward : towards / apart, {random(1), random(2)});
+    const math::Vec3 direction =
+        cone.sample(inside ? sides.outward : towards / apart, {random(1), random(2)});
     const bool through = math::dot(direction, sides.outward) < 0.0;
     const double highest = through ? lobe.highest_transmittance : lobe.highest_reflectance;
     const math::Vec3 normal = through ? -sides.shading.as_vector() : sides.shading.as_vector();
     const double cosine = math::dot(normal, direction);
     if (highest <= 0.0 || cosine <= 0.0) continue;
-    const double weight =
-        lobe.bsdf->shape(sides.event(lobe, through, direction)) * lobe.shape_scale() * cosine *
-        cone.solid_angle_sr() * all / chance[picked] * highest *
-        static_cast<double>(record_.paths[path.number].brightest) / static_cast<double>(rays);
+    const double weight = lobe.bsdf->shape(sides.event(lobe, through, direction)) * lobe.shape_scale() *
+                          cosine * cone.solid_angle_sr() * all / chance[picked] * highest *
+                          static_cast<double>(record_.paths[path.number].brightest) /
+                          static_cast<double>(rays);
     if (!(weight > kNegligible)) continue;
     const math::Vec3 outward = through ? -sides.outward : sides.outward;
-    unseen_rays_.push_back({static_cast<std::uint32_t>(scatters_.size() - 1), static_cast<float>(weight),
+    unseen_rays_.push_back({static_cast<std::uint32_t>(scatters_.size() - 1),
+                            static_cast<float>(weight),
                             {hit.position_m + hit.offset_m * outward, direction}});
   }
 }
@@ -218,7 +229,9 @@ void PathTracer::trace_unseen_rays(sampling::RayCounts& counts) {
     for (const scene::Constituent& part : surface)
       if (is_mirror(scene_.scene(), part)) highest += part.weight * scene_.brightest(part.material);
     const math::Vec3 normal = surface.shading_normal.as_vector();
-    if (highest <= 0.0 || mirrors_->facing_of(hit, normal) != SunMirrors::kNone || mirrors_->sought_round(hit)) continue;
+    if (highest <= 0.0 || mirrors_->facing_of(hit, normal) != SunMirrors::kNone ||
+        mirrors_->sought_round(hit))
+      continue;
     const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
     const float arrives = WideSun::radiance(scene_.scene(), mirrored(unseen.ray.direction, normal));
     if (arrives <= 0.0f) continue;

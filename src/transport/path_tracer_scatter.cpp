@@ -23,12 +23,14 @@ constexpr double kMostSkySamples = 0.6;
 
 }  // namespace
 
-std::uint32_t PathTracer::add_mixed(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, math::Vec3 outgoing) {
+std::uint32_t PathTracer::add_mixed(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
+                                    math::Vec3 outgoing) {
   record_.mixed.push_back({surface, lobe, outgoing, PathVertex::kNone});
   return static_cast<std::uint32_t>(record_.mixed.size() - 1);
 }
 
-PathVertex PathTracer::vertex_of(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, math::Vec3 outgoing) {
+PathVertex PathTracer::vertex_of(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
+                                 math::Vec3 outgoing) {
   PathVertex vertex;
   if (!scene_.is_mixed(surface)) {
     vertex.emission = scene_.emission(surface, outgoing, nullptr);
@@ -61,7 +63,8 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
   event.vertex = vertex_of(surface, lobe, -path.ray.direction);
   event.vertex.height_m = hit.position_m.z;
   if (path.left.seek_chance > 0.0) event.vertex.emission_weight = unsought(path, hit);
-  if (depth == options_.maximum_scatterings || lobe.highest_reflectance + lobe.highest_transmittance <= 0.0) return;
+  if (depth == options_.maximum_scatterings || lobe.highest_reflectance + lobe.highest_transmittance <= 0.0)
+    return;
 
   const Sides sides(-path.ray.direction, hit, surface.shading_normal);
   const std::uint32_t pair = 1u + 2u * static_cast<std::uint32_t>(depth);
@@ -77,10 +80,13 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
   PathVertex& vertex = event.vertex;
   if (emitters_ != nullptr && depth + 1 != options_.maximum_scatterings && !lobe.bsdf->is_delta())
     seek(lobe, sides, hit, path.key, depth, event);
-  const bool by_mirrors = emitter_mirrors_ != nullptr && (options_.maximum_scatterings < 0 || depth + 2 <= options_.maximum_scatterings);
-  if (by_mirrors && !lobe.bsdf->is_delta()) seek_by_mirrors(surface, lobe, sides, hit, path.key, depth, event);
+  const bool by_mirrors = emitter_mirrors_ != nullptr &&
+                          (options_.maximum_scatterings < 0 || depth + 2 <= options_.maximum_scatterings);
+  if (by_mirrors && !lobe.bsdf->is_delta())
+    seek_by_mirrors(surface, lobe, sides, hit, path.key, depth, event);
   if (depth + 1 != options_.maximum_scatterings &&
-      bounce(lobe, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair + 1u), event) &&
+      bounce(lobe, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair + 1u),
+             event) &&
       depth + 1 >= kCertainScatterings) {
     const double highest = vertex.bounce_through ? lobe.highest_transmittance : lobe.highest_reflectance;
     const double chance = std::min(1.0, highest * vertex.bounce_weight * lobe.shape_scale());
@@ -95,7 +101,8 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
       // The next segment is seen from behind the mirror.
       const std::uint32_t plane = emitter_mirrors_->plane_of(hit, surface.shading_normal.as_vector());
       if (plane != EmitterMirrors::kNone)
-        event.left = {emitter_mirrors_->behind(plane, path.left.receiver), path.left.density, path.left.mirror_chance, 0.0, true};
+        event.left = {emitter_mirrors_->behind(plane, path.left.receiver), path.left.density,
+                      path.left.mirror_chance, 0.0, true};
     }
   }
   if (mirrors_ != nullptr && vertex.bounce_weight > 0.0f) note_way(path, lobe, sides, hit, event);
@@ -113,15 +120,17 @@ void PathTracer::send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const 
                              sampling::Point2 u, Scatter& event) {
   const SunRay light = sun_ray(lobe, sides, hit, scene_.scene().sun->direction, u);
   if (light.weight <= 0.0) return;
-  if (PathRecord::Events* events = events_of(event.vertex)) events->sun = arriving(lobe, sides, light.ray.direction, light.through);
+  if (PathRecord::Events* events = events_of(event.vertex))
+    events->sun = arriving(lobe, sides, light.ray.direction, light.through);
   event.vertex.sun_weight = static_cast<float>(light.weight);
   event.vertex.sun_through = light.through;
   event.shadow = static_cast<std::uint32_t>(shadow_rays_.size());
   shadow_rays_.push_back(light.ray);
 }
 
-PathTracer::SunRay PathTracer::sun_ray(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
-                                       math::Vec3 towards_sun, sampling::Point2 u) const {
+PathTracer::SunRay PathTracer::sun_ray(const SurfaceLobe& lobe, const Sides& sides,
+                                       const geometry::SurfacePoint& hit, math::Vec3 towards_sun,
+                                       sampling::Point2 u) const {
   const bool transmits = lobe.highest_transmittance > 0.0;
   const bool behind = transmits && math::dot(sides.outward, towards_sun) < 0.0;
   const math::Vec3 lit_side = behind ? -sides.shading.as_vector() : sides.shading.as_vector();
@@ -129,8 +138,9 @@ PathTracer::SunRay PathTracer::sun_ray(const SurfaceLobe& lobe, const Sides& sid
   return light_ray(lobe, sides, hit, light.direction, light.weight_sr);
 }
 
-PathTracer::SunRay PathTracer::light_ray(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
-                                         math::Vec3 direction, double weight_sr) const {
+PathTracer::SunRay PathTracer::light_ray(const SurfaceLobe& lobe, const Sides& sides,
+                                         const geometry::SurfacePoint& hit, math::Vec3 direction,
+                                         double weight_sr) const {
   const double height = math::dot(direction, sides.outward);
   const bool through = lobe.highest_transmittance > 0.0 && height < 0.0;
   if (weight_sr <= 0.0 || (through ? height >= 0.0 : height <= 0.0)) return {};
@@ -149,14 +159,16 @@ PathTracer::SunRay PathTracer::light_ray(const SurfaceLobe& lobe, const Sides& s
           through};
 }
 
-LobeEvent PathTracer::arriving(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through) {
+LobeEvent PathTracer::arriving(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction,
+                               bool through) {
   LobeEvent event = scattering(lobe, sides, direction, through);
   event.image_weight = event.weight > 0.0f ? event.image_weight / event.weight : 0.0f;
   event.weight = 1.0f;
   return event;
 }
 
-LobeEvent PathTracer::scattering(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through) {
+LobeEvent PathTracer::scattering(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction,
+                                 bool through) {
   LobeEvent event{sides.event(lobe, through, direction), {}, 0.0f, 0.0f};
   event.weight = static_cast<float>(std::max(0.0, event.event.incoming_cosine()));
   if (!sides.bent) return event;
@@ -198,8 +210,8 @@ bool PathTracer::bounce(const SurfaceLobe& lobe, const Sides& sides, const geome
 /// Under a sky that is brighter here than there, some directions are drawn from the sky and all weigh by the
 /// density of both (Veach and Guibas 1995, one sample, balance heuristic): those that see the sky weigh
 /// almost alike.
-materials::BsdfSample PathTracer::sample_bounce(const materials::Bsdf& bsdf, const materials::BsdfEvent& view, bool bent,
-                                                sampling::Point2 u) const {
+materials::BsdfSample PathTracer::sample_bounce(const materials::Bsdf& bsdf, const materials::BsdfEvent& view,
+                                                bool bent, sampling::Point2 u) const {
   const double share = sky_share(bsdf, view, bent);
   if (share == 0.0) return bsdf.sample(view, u.x, u.y);
   materials::BsdfSample sample;
@@ -217,7 +229,8 @@ materials::BsdfSample PathTracer::sample_bounce(const materials::Bsdf& bsdf, con
 
 double PathTracer::sky_share(const materials::Bsdf& bsdf, const materials::BsdfEvent& view, bool bent) const {
   const double height = view.side == materials::Side::reflected ? view.normal.z : -view.normal.z;
-  return sky_ == nullptr || bent || bsdf.is_delta() || height <= 0.0 ? 0.0 : kMostSkySamples * height * height;
+  return sky_ == nullptr || bent || bsdf.is_delta() || height <= 0.0 ? 0.0
+                                                                     : kMostSkySamples * height * height;
 }
 
 sampling::LightSample PathTracer::sample_sun(math::Vec3 towards_sun, math::Vec3 normal, bool either_side,

@@ -18,7 +18,8 @@ constexpr std::size_t kMostPlanes = 4;
 
 }  // namespace
 
-double PathTracer::scattered(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through) {
+double PathTracer::scattered(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction,
+                             bool through) {
   materials::BsdfEvent event = sides.event(lobe, through, direction);
   if (lobe.directional) {
     const LobeEvent kept = scattering(lobe, sides, direction, through);
@@ -75,7 +76,8 @@ void PathTracer::seek(const SurfaceLobe& lobe, const Sides& sides, const geometr
   if (!(density > found)) return;
   seek.weight = scattered(lobe, sides, seek.aim.direction, through) / density;
   if (!(seek.weight > 0.0)) return;
-  if (PathRecord::Events* events = events_of(event.vertex)) events->sought = scattering(lobe, sides, seek.aim.direction, through);
+  if (PathRecord::Events* events = events_of(event.vertex))
+    events->sought = scattering(lobe, sides, seek.aim.direction, through);
   event.vertex.sought_through = through;
   event.seek = static_cast<std::uint32_t>(seeks_.size());
   seeks_.push_back(seek);
@@ -126,19 +128,22 @@ double PathTracer::mirror_chance() const {
 
 /// A mirror shows an emitter where its image stands, so that the surface's image behind the mirror sees the emitter
 /// itself: light is sought for that.
-void PathTracer::seek_by_mirrors(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, const Sides& sides,
-                                 const geometry::SurfacePoint& hit, const PathKey& key, int depth, Scatter& event) {
+void PathTracer::seek_by_mirrors(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
+                                 const Sides& sides, const geometry::SurfacePoint& hit, const PathKey& key,
+                                 int depth, Scatter& event) {
   if (lobe.highest_transmittance > 0.0) return;
   const std::size_t planes = emitter_mirrors_->count(), rays = std::min(planes, kMostPlanes);
   const Receiver receiver{hit.position_m + hit.offset_m * sides.outward, sides.outward};
   for (std::size_t k = 0; k < rays; ++k) {
-    const std::uint32_t pair = kMirrorSeekPairs + static_cast<std::uint32_t>(2 * kMostPlanes) * static_cast<std::uint32_t>(depth) +
-                               2u * static_cast<std::uint32_t>(k);
+    const std::uint32_t pair =
+        kMirrorSeekPairs + static_cast<std::uint32_t>(2 * kMostPlanes) * static_cast<std::uint32_t>(depth) +
+        2u * static_cast<std::uint32_t>(k);
     std::size_t picked = k;
     if (rays < planes) {
       const double place = sampling::sequence_point(key.sequence, key.index, pair + 1u).x;
-      picked = std::min(planes - 1, static_cast<std::size_t>((static_cast<double>(k) + place) * static_cast<double>(planes) /
-                                                             static_cast<double>(rays)));
+      picked = std::min(planes - 1,
+                        static_cast<std::size_t>((static_cast<double>(k) + place) *
+                                                 static_cast<double>(planes) / static_cast<double>(rays)));
     }
     MirrorSeek seek;
     seek.plane = static_cast<std::uint32_t>(picked);
@@ -153,7 +158,9 @@ void PathTracer::seek_by_mirrors(const scene::ResolvedSurface& surface, const Su
     if (!(seek.light.weight > 0.0f)) continue;
     seek.event = static_cast<std::uint32_t>(scatters_.size() - 1);
     seek.ray = {receiver.at_m, direction};
-    seek.light.surface = surface_factor(surface, event.vertex, lobe.directional ? scattering(lobe, sides, direction, false) : LobeEvent{}, false);
+    seek.light.surface =
+        surface_factor(surface, event.vertex,
+                       lobe.directional ? scattering(lobe, sides, direction, false) : LobeEvent{}, false);
     mirror_seeks_.push_back(seek);
   }
 }
@@ -173,7 +180,9 @@ void PathTracer::trace_mirror_seeks(sampling::RayCounts& counts) {
     const geometry::SurfacePoint& hit = seek_hits_[k];
     if (!hit.hit()) continue;
     const scene::ResolvedSurface surface = scene_.scene().resolve(hit);
-    if (!shows_mirror(surface) || emitter_mirrors_->plane_of(hit, surface.shading_normal.as_vector()) != seek.plane) continue;
+    if (!shows_mirror(surface) ||
+        emitter_mirrors_->plane_of(hit, surface.shading_normal.as_vector()) != seek.plane)
+      continue;
     seek.light.mirrors[seek.light.count++] = mirror_factor(surface);
     const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
     seek.ray = {hit.position_m + hit.offset_m * outward, seek.aim.direction};
@@ -216,13 +225,15 @@ PathRecord::Mirrored::Factor PathTracer::mirror_factor(const scene::ResolvedSurf
   return factor;
 }
 
-PathRecord::Mirrored::Factor PathTracer::surface_factor(const scene::ResolvedSurface& surface, const PathVertex& vertex,
-                                                        const LobeEvent& event, bool through) {
+PathRecord::Mirrored::Factor PathTracer::surface_factor(const scene::ResolvedSurface& surface,
+                                                        const PathVertex& vertex, const LobeEvent& event,
+                                                        bool through) {
   PathRecord::Mirrored::Factor factor;
   factor.mixed = vertex.mixed;
   if (vertex.mixed == PathVertex::kNone) {
     const std::uint32_t material = surface.constituents[0].material;
-    factor.row = through ? scene_.materials().transmittance(material) : scene_.materials().reflectance(material);
+    factor.row =
+        through ? scene_.materials().transmittance(material) : scene_.materials().reflectance(material);
   } else if (record_.mixed[vertex.mixed].lobe.directional) {
     factor.event = static_cast<std::uint32_t>(record_.way_events.size());
     record_.way_events.push_back(event);

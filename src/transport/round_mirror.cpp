@@ -43,9 +43,11 @@ std::optional<RoundMirror> RoundMirror::of(const geometry::SurfaceSurvey::Round&
   const double radius = length(x);
   const auto equal = [&](double value, double other) { return std::abs(value - other) <= kRound * radius; };
   const auto square = [&](Vec3 a, Vec3 b) { return std::abs(dot(a, b)) <= kRound * length(a) * length(b); };
-  if (!(radius > 0.0) || !equal(length(y), radius) || !square(x, y) || !square(x, z) || !square(y, z)) return {};
+  if (!(radius > 0.0) || !equal(length(y), radius) || !square(x, y) || !square(x, z) || !square(y, z))
+    return {};
   RoundMirror mirror;
-  mirror.cylinder_ = round.kind == geometry::UnitKind::open_cylinder || round.kind == geometry::UnitKind::cylinder;
+  mirror.cylinder_ =
+      round.kind == geometry::UnitKind::open_cylinder || round.kind == geometry::UnitKind::cylinder;
   if (!mirror.cylinder_ && !equal(length(z), radius)) return {};
   mirror.half_ = round.kind == geometry::UnitKind::hemisphere;
   mirror.hollow_ = mirror.half_ || round.kind == geometry::UnitKind::open_cylinder;

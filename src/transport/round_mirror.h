@@ -17,8 +17,8 @@ class RoundMirror {
   static std::optional<RoundMirror> of(const geometry::SurfaceSurvey::Round& round);
 
   struct Image {
-    math::Point3 at;        ///< where the light is reflected
-    math::Vec3 direction;   ///< towards it, unit
+    math::Point3 at;       ///< where the light is reflected
+    math::Vec3 direction;  ///< towards it, unit
     double distance_m = 0.0;
     /// Solid angle that light of one steradian from the Sun's side fills at the point; the irradiance across
     /// `direction` is that of the Sun over `spread`, as light comes with the Sun's radiance.

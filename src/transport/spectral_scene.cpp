@@ -29,7 +29,8 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::Spectr
     has_view_path_ = true;
     nodes.average_surface(scene.view_path.transmittance.value_or(radiometry::Spectrum::constant(1.0)),
                           light_.values(kViewTransmittance));
-    if (scene.view_path.radiance) nodes.average_source(*scene.view_path.radiance, light_.values(kViewRadiance));
+    if (scene.view_path.radiance)
+      nodes.average_source(*scene.view_path.radiance, light_.values(kViewRadiance));
   }
   find_emitters();
 }
@@ -148,7 +149,8 @@ void SpectralScene::find_emitters() {
 }
 
 void SpectralScene::find_mirrors() {
-  const geometry::SurfaceSurvey* survey = scene_.sun && scene_.world != nullptr ? scene_.world->survey() : nullptr;
+  const geometry::SurfaceSurvey* survey =
+      scene_.sun && scene_.world != nullptr ? scene_.world->survey() : nullptr;
   if (survey != nullptr) mirrors_.emplace(scene_, *survey);
 }
 
@@ -161,13 +163,14 @@ void SpectralScene::emit_surfaces() {
   if (directional) {
     black_.resize(scene_.states.size(), node_count());
     for (std::size_t s = 0; s < scene_.states.size(); ++s)
-      if (scene_.states[s].temperature_k > 0.0 && materials_.directional(scene_.states[s].material) != nullptr)
+      if (scene_.states[s].temperature_k > 0.0 &&
+          materials_.directional(scene_.states[s].material) != nullptr)
         nodes_.planck(scene_.states[s].temperature_k, black_.values(s));
   }
   constexpr double kBeyond_k = 0.5;  // beyond what maps hold, so that the table's ends are not met
   if (const std::optional<scene::TemperatureRange> range = scene_.mapped_temperatures())
-    planck_ = std::make_unique<radiometry::PlanckTable>(nodes_, std::max(0.5 * range->coldest_k, range->coldest_k - kBeyond_k),
-                                                        range->hottest_k + kBeyond_k);
+    planck_ = std::make_unique<radiometry::PlanckTable>(
+        nodes_, std::max(0.5 * range->coldest_k, range->coldest_k - kBeyond_k), range->hottest_k + kBeyond_k);
 }
 
 void SpectralScene::light_surroundings() {
@@ -176,8 +179,9 @@ void SpectralScene::light_surroundings() {
   const float* reflectance = materials_.reflectance(scene_.surroundings.material);
   const double sine = scene_.sun ? std::max(0.0, scene_.sun->direction.z) : 0.0;
   for (std::size_t n = 0; n < node_count(); ++n)
-    around[n] += reflectance[n] * (light_.row(kSunIrradiance)[n] * static_cast<float>(sine / std::numbers::pi) +
-                                   light_.row(kSky)[n]);
+    around[n] +=
+        reflectance[n] *
+        (light_.row(kSunIrradiance)[n] * static_cast<float>(sine / std::numbers::pi) + light_.row(kSky)[n]);
 }
 
 const float* SpectralScene::emission(const scene::Constituent& constituent, double cosine, float* scratch,
@@ -201,7 +205,8 @@ const float* SpectralScene::emission(const scene::Constituent& constituent, doub
   return scratch;
 }
 
-const float* SpectralScene::emission(const scene::ResolvedSurface& surface, math::Vec3 outgoing, float* scratch) const {
+const float* SpectralScene::emission(const scene::ResolvedSurface& surface, math::Vec3 outgoing,
+                                     float* scratch) const {
   const double cosine = std::abs(math::dot(surface.shading_normal, outgoing));
   float *part = scratch + stride(), *work = part + stride();
   if (surface.count == 1) return emission(surface.constituents[0], cosine, scratch, work);

@@ -85,7 +85,8 @@ class SpectralScene {
   std::vector<double> path_radiance() const;
 
  private:
-  const float* emission(const scene::Constituent& constituent, double cosine, float* scratch, float* work) const;
+  const float* emission(const scene::Constituent& constituent, double cosine, float* scratch,
+                        float* work) const;
   void emit_surfaces();
   void find_emitters();
   void find_mirrors();
@@ -97,7 +98,8 @@ class SpectralScene {
   /// Rows of Sun, sky and view path over ground as the scene's surroundings; returns that ground's radiance.
   /// `emitted`: by that ground, where the air's own light does not hold what it scatters of it already.
   template <class Air>
-  std::vector<double> couple(const Air& air, std::span<const double> sky_irradiance, std::span<const float> emitted);
+  std::vector<double> couple(const Air& air, std::span<const double> sky_irradiance,
+                             std::span<const float> emitted);
 
   enum LightRow { kSunIrradiance, kSky, kSurroundings, kViewTransmittance, kViewRadiance, kLightRows };
   const scene::Scene& scene_;

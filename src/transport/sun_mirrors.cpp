@@ -50,8 +50,9 @@ void group(std::span<SurfaceSurvey::Ball> balls, std::size_t groups, std::vector
     if (high - low > side) side = high - low, longest = axis;
   }
   const auto middle = balls.size() / 2;
-  std::nth_element(balls.begin(), balls.begin() + static_cast<std::ptrdiff_t>(middle), balls.end(),
-                   [&](const auto& a, const auto& b) { return coordinate(a, longest) < coordinate(b, longest); });
+  std::nth_element(
+      balls.begin(), balls.begin() + static_cast<std::ptrdiff_t>(middle), balls.end(),
+      [&](const auto& a, const auto& b) { return coordinate(a, longest) < coordinate(b, longest); });
   group(balls.first(middle), groups / 2, out);
   group(balls.subspan(middle), groups - groups / 2, out);
 }
@@ -105,7 +106,8 @@ void SunMirrors::add_rounds(bool once, std::vector<SurfaceSurvey::Ball>& unsough
 }
 
 std::uint32_t SunMirrors::facing_of(const geometry::SurfacePoint& hit, Vec3 normal) const {
-  if (hit.bend == geometry::Bend::round || hit.bend == geometry::Bend::field || bends_[hit.material]) return kNone;
+  if (hit.bend == geometry::Bend::round || hit.bend == geometry::Bend::field || bends_[hit.material])
+    return kNone;
   std::uint32_t nearest = kNone;
   double along = 1.0 - 2.0 * SurfaceSurvey::kSameNormal_rad * SurfaceSurvey::kSameNormal_rad;
   for (std::uint32_t k = 0; k < facings_.size(); ++k) {
@@ -115,7 +117,8 @@ std::uint32_t SunMirrors::facing_of(const geometry::SurfacePoint& hit, Vec3 norm
   return nearest;
 }
 
-SunImages::SunImages(const SunMirrors& mirrors, Vec3 towards_sun, int reflections) : towards_sun_(towards_sun) {
+SunImages::SunImages(const SunMirrors& mirrors, Vec3 towards_sun, int reflections)
+    : towards_sun_(towards_sun) {
   for (const SunMirrors::Facing& facing : mirrors.facings()) normals_.push_back(facing.normal);
   struct Way {
     Vec3 image;
@@ -161,7 +164,8 @@ std::uint32_t SunImages::place_of(Vec3 direction, const geometry::World::Bounds&
     return static_cast<std::uint32_t>(images_.size() - 1);
   }
   geometry::World::Bounds& b = images_[known].bounds;
-  b.low_m = {std::min(b.low_m.x, first.low_m.x), std::min(b.low_m.y, first.low_m.y), std::min(b.low_m.z, first.low_m.z)};
+  b.low_m = {std::min(b.low_m.x, first.low_m.x), std::min(b.low_m.y, first.low_m.y),
+             std::min(b.low_m.z, first.low_m.z)};
   b.high_m = {std::max(b.high_m.x, first.high_m.x), std::max(b.high_m.y, first.high_m.y),
               std::max(b.high_m.z, first.high_m.z)};
   return known;
@@ -178,7 +182,8 @@ bool may_meet(const geometry::World::Bounds& box, Point3 from, Vec3 direction, d
   const Vec3 half = (box.high_m - box.low_m) * 0.5;
   const double pad = 1e-9 + slope * (length(box.low_m + half - from) + length(half));
   double enter = 0.0, leave = 1e300;
-  const double low[3] = {box.low_m.x, box.low_m.y, box.low_m.z}, high[3] = {box.high_m.x, box.high_m.y, box.high_m.z};
+  const double low[3] = {box.low_m.x, box.low_m.y, box.low_m.z},
+               high[3] = {box.high_m.x, box.high_m.y, box.high_m.z};
   const double at[3] = {from.x, from.y, from.z}, along[3] = {direction.x, direction.y, direction.z};
   for (int axis = 0; axis < 3; ++axis) {
     const double inverse = 1.0 / (along[axis] == 0.0 ? 1e-300 : along[axis]);

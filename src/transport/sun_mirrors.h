@@ -40,7 +40,8 @@ class SunMirrors {
   /// Whether a point lies on the outer side of one of them.
   bool sought_round(const geometry::SurfacePoint& hit) const {
     return hit.bend == geometry::Bend::round && hit.front && hit.copy_column == 0 && hit.copy_row == 0 &&
-           !bends_[hit.material] && std::binary_search(round_objects_.begin(), round_objects_.end(), hit.instance);
+           !bends_[hit.material] &&
+           std::binary_search(round_objects_.begin(), round_objects_.end(), hit.instance);
   }
 
   /// Whether the Sun's glint on a point that the sensor sees directly is found by its shape (Glints).
@@ -63,7 +64,7 @@ class SunMirrors {
 
   const geometry::SurfaceSurvey& survey_;
   std::vector<Facing> facings_;
-  bool by_shape_ = true;     // copies of a periodic scene, and faces that pass for bent ones, are not searched
+  bool by_shape_ = true;  // copies of a periodic scene, and faces that pass for bent ones, are not searched
   std::vector<bool> bends_;  // by covering: a relief tilts its normals
   std::vector<RoundMirror> rounds_;
   std::vector<std::uint32_t> round_objects_;  // sorted: all their round faces are among rounds_
@@ -86,8 +87,8 @@ class SunImages {
   SunImages(const SunMirrors& mirrors, math::Vec3 towards_sun, int reflections);
 
   struct Image {
-    math::Vec3 direction;               ///< unit, from the surface
-    geometry::World::Bounds bounds{};   ///< of the mirrors that are met first
+    math::Vec3 direction;              ///< unit, from the surface
+    geometry::World::Bounds bounds{};  ///< of the mirrors that are met first
   };
   std::span<const Image> images() const { return images_; }
   /// How many reflections are sought; 0: none.

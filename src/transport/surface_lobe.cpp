@@ -17,8 +17,8 @@ void describe(const SpectralScene& scene, std::uint32_t material, SurfaceLobe& l
 }
 
 /// The model of the constituent that the choice falls on, and the chance of all constituents of that model.
-void choose_model(const SpectralScene& scene, const scene::ResolvedSurface& surface, double whole, double choice,
-                  SurfaceLobe& lobe) {
+void choose_model(const SpectralScene& scene, const scene::ResolvedSurface& surface, double whole,
+                  double choice, SurfaceLobe& lobe) {
   double passed = 0.0;
   const scene::Constituent* chosen = nullptr;
   for (const scene::Constituent& c : surface) {
@@ -40,8 +40,8 @@ void choose_model(const SpectralScene& scene, const scene::ResolvedSurface& surf
   if (alone) lobe.chance = 1.0;
 }
 
-const float* directional_row(const materials::NodeBsdf& model, const LobeEvent& event, std::size_t n, float* row,
-                             float* other) {
+const float* directional_row(const materials::NodeBsdf& model, const LobeEvent& event, std::size_t n,
+                             float* row, float* other) {
   materials::BsdfEvent one = event.event;
   if (event.weight > 0.0f) {
     model.evaluate(one, row);
@@ -83,8 +83,9 @@ SurfaceLobe surface_lobe(const SpectralScene& scene, const scene::ResolvedSurfac
   return lobe;
 }
 
-const float* lobe_factor(const SpectralScene& scene, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
-                         bool through, const LobeEvent* event, float* scratch, float* work) {
+const float* lobe_factor(const SpectralScene& scene, const scene::ResolvedSurface& surface,
+                         const SurfaceLobe& lobe, bool through, const LobeEvent* event, float* scratch,
+                         float* work) {
   const materials::SpectralMaterials& materials = scene.materials();
   const std::size_t n = scene.stride();
   const auto row = [&](std::uint32_t material, float* own, float* other) -> const float* {

@@ -37,7 +37,8 @@ struct LobeEvent {
 /// The lobe's spectral factor, reflectance or (`through`) transmittance, or the BSDF of an event where the model is not
 /// separable; `event` is null where none was kept, and then the lobe's model is separable. In `scratch` (stride()
 /// floats, 64-byte aligned) where the row is not kept; `work` has twice as many.
-const float* lobe_factor(const SpectralScene& scene, const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
-                         bool through, const LobeEvent* event, float* scratch, float* work);
+const float* lobe_factor(const SpectralScene& scene, const scene::ResolvedSurface& surface,
+                         const SurfaceLobe& lobe, bool through, const LobeEvent* event, float* scratch,
+                         float* work);
 
 }  // namespace ifov::transport

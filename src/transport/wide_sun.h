@@ -11,7 +11,8 @@ struct WideSun {
   static constexpr double kLeastCosine = 0.5;
   /// Its radiance in a direction over the Sun's irradiance, 1/sr.
   static float radiance(const scene::Scene& scene, math::Vec3 direction) {
-    return direction.z > 0.0 && math::dot(direction, scene.sun->direction) > kLeastCosine ? 0.31830989f : 0.0f;
+    return direction.z > 0.0 && math::dot(direction, scene.sun->direction) > kLeastCosine ? 0.31830989f
+                                                                                          : 0.0f;
   }
 };
 

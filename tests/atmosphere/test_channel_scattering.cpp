@@ -1,10 +1,10 @@
-#include "atmosphere/sensor/channel_scattering.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+#include "atmosphere/sensor/channel_scattering.h"
 
 namespace ifov::atmosphere {
 namespace {

@@ -76,8 +76,8 @@ TEST(AirSurvey, LightGoesUpAsItComesDown) {
   const std::vector<radiometry::Channel> channels{radiometry::Channel::top_hat("green", 0.5495, 0.5505)};
   const AirLight light =
       survey_air(column("rural"), channels, radiometry::solar_irradiance_1au(), geometry).front();
-  const double down = (light.direct_irradiance + light.solar_sky) /
-                      (std::cos(40.0 * kDegree) * light.solar_irradiance);
+  const double down =
+      (light.direct_irradiance + light.solar_sky) / (std::cos(40.0 * kDegree) * light.solar_irradiance);
   EXPECT_NEAR((light.view_transmittance + light.diffuse_transmittance) / down, 1.0, 0.01);
   EXPECT_GT(light.diffuse_transmittance, 0.1);
 }

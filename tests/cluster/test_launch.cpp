@@ -1,8 +1,8 @@
-#include "cluster/launch.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+
+#include "cluster/launch.h"
 
 namespace ifov::cluster {
 namespace {
@@ -12,7 +12,8 @@ class Launch : public testing::Test {
   void SetUp() override { clear(); }
   void TearDown() override { clear(); }
   static void clear() {
-    for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK", "SLURM_STEP_NUM_TASKS"}) unsetenv(name);
+    for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK", "SLURM_STEP_NUM_TASKS"})
+      unsetenv(name);
   }
 };
 

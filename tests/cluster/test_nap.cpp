@@ -1,6 +1,6 @@
-#include "cluster/backoff.h"
-
 #include <gtest/gtest.h>
+
+#include "cluster/backoff.h"
 
 namespace ifov::cluster {
 namespace {

@@ -1,8 +1,7 @@
-#include "cluster/payload.h"
-
 #include <gtest/gtest.h>
 
 #include "cluster/fault.h"
+#include "cluster/payload.h"
 #include "core/error.h"
 
 namespace ifov::cluster {

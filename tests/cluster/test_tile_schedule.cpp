@@ -1,10 +1,10 @@
-#include "cluster/tile_schedule.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 #include <set>
+
+#include "cluster/tile_schedule.h"
 
 namespace ifov::cluster {
 namespace {

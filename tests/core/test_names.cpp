@@ -1,8 +1,8 @@
-#include "core/names.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "core/names.h"
 
 namespace ifov {
 namespace {

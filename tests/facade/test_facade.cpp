@@ -69,9 +69,11 @@ std::map<std::string, std::string> products(const fs::path& folder) {
   return found;
 }
 
-void expect_same(const std::map<std::string, std::string>& these, const std::map<std::string, std::string>& those) {
+void expect_same(const std::map<std::string, std::string>& these,
+                 const std::map<std::string, std::string>& those) {
   EXPECT_EQ(these.size(), those.size());
-  for (const auto& [name, content] : those) EXPECT_TRUE(these.contains(name) && these.at(name) == content) << name;
+  for (const auto& [name, content] : those)
+    EXPECT_TRUE(these.contains(name) && these.at(name) == content) << name;
 }
 
 struct Ran {
@@ -211,8 +213,8 @@ TEST_F(Facade, LocatesErrors) {
 
 /// A relative name of a file leads to the folder that was given with the text.
 TEST_F(Facade, ChecksFilesThatADocumentNames) {
-  const std::string text =
-      replaced(kScene, "{\"plane\": {}, \"material\": \"ground\"}", R"({"mesh": {"file": "roof.obj"}, "material": "ground"})");
+  const std::string text = replaced(kScene, "{\"plane\": {}, \"material\": \"ground\"}",
+                                    R"({"mesh": {"file": "roof.obj"}, "material": "ground"})");
   const ifov::Document document = ifov::Document::parse(text, "scene.json", folder_);
   const auto error_of = [&] {
     const std::vector<ifov::Message> messages = ifov::check(document);
@@ -247,9 +249,10 @@ TEST_F(Facade, WritesWhatTheProgramWrites) {
   std::ofstream(folder_ / "scene.json") << kScene;
   Words words;
   const ifov::Simulation simulation = ifov::Simulation::load(ifov::Document::read(folder_ / "scene.json"));
-  const ifov::Outcome outcome = simulation.render(
-      {.folder = folder_ / "library", .threads = 2, .progress = &words, .log = &words});
-  const Ran rendered = program("render " + (folder_ / "scene.json").string() + " --output " + (folder_ / "program").string());
+  const ifov::Outcome outcome =
+      simulation.render({.folder = folder_ / "library", .threads = 2, .progress = &words, .log = &words});
+  const Ran rendered =
+      program("render " + (folder_ / "scene.json").string() + " --output " + (folder_ / "program").string());
   EXPECT_EQ(outcome.exit_code(), rendered.code) << rendered.err;
   EXPECT_NE(rendered.out.find(outcome.accuracy_statement), std::string::npos) << rendered.out;
   const auto made = products(folder_ / "library");
@@ -296,7 +299,8 @@ TEST_F(Facade, ASinkThatThrowsEndsTheRun) {
 }
 
 TEST_F(Facade, IsStoppedFromAnotherThread) {
-  const ifov::Simulation simulation = ifov::Simulation::load(ifov::Document::parse(endless(), "scene.json", folder_));
+  const ifov::Simulation simulation =
+      ifov::Simulation::load(ifov::Document::parse(endless(), "scene.json", folder_));
   const auto stop_soon = [&](const auto& work) {
     ifov::CancelToken cancel;
     std::thread other([&] {
@@ -329,8 +333,9 @@ TEST_F(Facade, GoesOnWithWhatIsFinished) {
     ifov::CancelToken cancel;
   } stop;
   const ifov::Simulation simulation = ifov::Simulation::load(scene());
-  EXPECT_THROW(simulation.render({.folder = folder_ / "out", .threads = 1, .cancel = &stop.cancel, .progress = &stop}),
-               ifov::Cancelled);
+  EXPECT_THROW(
+      simulation.render({.folder = folder_ / "out", .threads = 1, .cancel = &stop.cancel, .progress = &stop}),
+      ifov::Cancelled);
   // What is finished is not thrown away unasked.
   EXPECT_THROW(simulation.render({.folder = folder_ / "out"}), ifov::InputError);
   const ifov::Outcome whole = simulation.render({.folder = folder_ / "out", .start = ifov::RunStart::resume});
@@ -344,7 +349,8 @@ TEST_F(Facade, RefusesWhatMakesNoSense) {
   const ifov::Simulation simulation = ifov::Simulation::load(scene());
   const fs::path out = folder_ / "out";
   EXPECT_THROW(simulation.render({.folder = out, .threads = -1}), ifov::InputError);
-  EXPECT_THROW(simulation.render({.folder = out, .start = ifov::RunStart::resume, .keep_tiles = false}), ifov::InputError);
+  EXPECT_THROW(simulation.render({.folder = out, .start = ifov::RunStart::resume, .keep_tiles = false}),
+               ifov::InputError);
   EXPECT_THROW(simulation.render({.folder = out, .keep_tiles = false, .keep = true}), ifov::InputError);
   EXPECT_THROW(simulation.render({.folder = out, .keep_tiles = false, .refine = true}), ifov::InputError);
   EXPECT_FALSE(fs::exists(out));
@@ -353,20 +359,26 @@ TEST_F(Facade, RefusesWhatMakesNoSense) {
 /// A kept run is taken to a tighter accuracy, as the program does it.
 TEST_F(Facade, KeepsAndRefines) {
   ifov::Simulation::load(scene()).render({.folder = folder_ / "out", .keep = true});
-  const ifov::Document tighter = ifov::Document::parse(kScene, "scene.json", folder_, {"sampling.accuracy.error=2 %"});
-  const ifov::Outcome refined = ifov::Simulation::load(tighter).render({.folder = folder_ / "out", .refine = true});
+  const ifov::Document tighter =
+      ifov::Document::parse(kScene, "scene.json", folder_, {"sampling.accuracy.error=2 %"});
+  const ifov::Outcome refined =
+      ifov::Simulation::load(tighter).render({.folder = folder_ / "out", .refine = true});
   EXPECT_NE(refined.accuracy_statement.find("2 %"), std::string::npos) << refined.accuracy_statement;
 }
 
 TEST_F(Facade, TwoRunsDoNotShareAFolder) {
-  const ifov::Simulation simulation = ifov::Simulation::load(ifov::Document::parse(endless(), "scene.json", folder_));
+  const ifov::Simulation simulation =
+      ifov::Simulation::load(ifov::Document::parse(endless(), "scene.json", folder_));
   ifov::CancelToken cancel;
   std::thread first([&] {
-    EXPECT_THROW(simulation.render({.folder = folder_ / "out", .anyway = true, .cancel = &cancel}), ifov::Cancelled);
+    EXPECT_THROW(simulation.render({.folder = folder_ / "out", .anyway = true, .cancel = &cancel}),
+                 ifov::Cancelled);
   });
-  while (!fs::exists(folder_ / "out" / "run.part" / "state.json")) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  EXPECT_THROW(simulation.render({.folder = folder_ / "out", .start = ifov::RunStart::resume, .anyway = true}),
-               ifov::EnvironmentError);
+  while (!fs::exists(folder_ / "out" / "run.part" / "state.json"))
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_THROW(
+      simulation.render({.folder = folder_ / "out", .start = ifov::RunStart::resume, .anyway = true}),
+      ifov::EnvironmentError);
   cancel.cancel();
   first.join();
 }
@@ -388,7 +400,8 @@ TEST_F(Facade, EndsByADeadline) {
 
 /// Two scenes, one of them under modelled air, are loaded and rendered at once, again and again, as each is alone.
 TEST_F(Facade, TwoAtOnceAreAsTwoApart) {
-  const std::string air = replaced(kScene, ", \"sky\": {\"none\": {}}}", "}, \"atmosphere\": {\"profile\": \"mid-latitude summer\"}");
+  const std::string air = replaced(kScene, ", \"sky\": {\"none\": {}}}",
+                                   "}, \"atmosphere\": {\"profile\": \"mid-latitude summer\"}");
   const std::string other_seed = replaced(kScene, "\"seed\": 5", "\"seed\": 6");
   const auto render = [&](const std::string& text, const std::string& where) {
     const ifov::Document document = ifov::Document::parse(text, "scene.json", folder_);

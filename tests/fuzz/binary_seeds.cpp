@@ -9,8 +9,8 @@
 
 #include "fuzz/seeds.h"
 #include "geometry/body_record.h"
-#include "io/instances/instance_writer.h"
 #include "io/files/input_file.h"
+#include "io/instances/instance_writer.h"
 #include "io/scene_cache/scene_cache.h"
 
 namespace ifov::fuzz {
@@ -61,7 +61,8 @@ std::vector<std::string> body_record_seeds() {
   const auto bytes_of = [&body] {
     const geometry::BodyRecord record = geometry::record_of(body);
     std::string bytes = record.head;
-    for (const auto& list : record.lists) bytes.append(reinterpret_cast<const char*>(list.data()), list.size());
+    for (const auto& list : record.lists)
+      bytes.append(reinterpret_cast<const char*>(list.data()), list.size());
     return bytes;
   };
   const std::string plain = bytes_of();

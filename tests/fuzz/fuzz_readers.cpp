@@ -148,7 +148,8 @@ int main(int argc, char** argv) {
   app.add_option("--slowest", options.slowest_s, "seconds after which a reader counts as hanging");
   app.add_option("--memory", options.memory_mib, "MiB by which one file may raise the peak of memory");
   app.add_option("--finds", options.finds, "folder of inputs that once failed");
-  app.add_option("--good-files", options.good_files, "write the good files of all readers to this folder, and end");
+  app.add_option("--good-files", options.good_files,
+                 "write the good files of all readers to this folder, and end");
   CLI11_PARSE(app, argc, argv);
   std::signal(SIGALRM, on_alarm);
   bool any = false, good = true;

@@ -51,12 +51,8 @@ void change(std::string& bytes, std::span<const std::string> seeds, std::span<co
     case 1:
       if (at < bytes.size()) bytes[at] = static_cast<char>(dice.below(256));
       break;
-    case 2:
-      bytes.erase(std::min(at, bytes.size()), length);
-      break;
-    case 3:
-      bytes.insert(at, bytes.substr(dice.below(bytes.size() + 1), length));
-      break;
+    case 2: bytes.erase(std::min(at, bytes.size()), length); break;
+    case 3: bytes.insert(at, bytes.substr(dice.below(bytes.size() + 1), length)); break;
     case 4: {
       const std::string& other = seeds[dice.below(seeds.size())];
       bytes.insert(at, other.substr(dice.below(other.size() + 1), length));
@@ -65,9 +61,7 @@ void change(std::string& bytes, std::span<const std::string> seeds, std::span<co
     case 5:
       if (!words.empty()) bytes.insert(at, words[dice.below(words.size())]);
       break;
-    case 6:
-      bytes.resize(at);
-      break;
+    case 6: bytes.resize(at); break;
     case 7:  // an awkward binary number
       for (std::size_t k = 0; k < 4 && at + k < bytes.size(); ++k)
         bytes[at + k] = static_cast<char>(dice.below(2) == 0 ? 0xff : 0x00);

@@ -1,5 +1,3 @@
-#include "geometry/body_record.h"
-
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -10,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/body_record.h"
 #include "scene_maker.h"
 
 namespace ifov::geometry {
@@ -100,7 +99,8 @@ TEST(BodyRecord, KeepsChunks) {
 TEST(BodyRecord, IsNotTrusted) {
   const std::vector<std::byte> good = bytes_of(rich_body());
   for (std::size_t size = 0; size < good.size(); ++size)
-    EXPECT_FALSE(body_of_bytes({good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size)}).has_value()) << size;
+    EXPECT_FALSE(body_of_bytes({good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size)}).has_value())
+        << size;
   // Whatever a byte becomes, what comes back can be used: indices are within their lists.
   std::size_t refused = 0;
   for (std::size_t at = 0; at < good.size(); ++at) {

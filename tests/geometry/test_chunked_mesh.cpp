@@ -33,8 +33,8 @@ TriangleMesh hills() {
   mesh.slot_names = {"grass", "rock"};
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) mesh.slots.push_back(t / 100 % 2 == 0 ? 0u : 1u);
   for (std::size_t v = 0; v < mesh.vertices_m.size(); ++v) {
-    mesh.normals.push_back(
-        math::as_normal(math::normalized({0.3 * test::uniform(8, 2 * v), 0.3 * test::uniform(8, 2 * v + 1), 1.0})));
+    mesh.normals.push_back(math::as_normal(
+        math::normalized({0.3 * test::uniform(8, 2 * v), 0.3 * test::uniform(8, 2 * v + 1), 1.0})));
     mesh.uvs.push_back({test::uniform(9, 2 * v), test::uniform(9, 2 * v + 1)});
   }
   return mesh;
@@ -43,8 +43,9 @@ TriangleMesh hills() {
 std::vector<Ray> rays_about(Point3 centre, double reach_m, std::uint64_t key) {
   std::vector<Ray> rays;
   for (std::uint64_t k = 0; k < 12000; ++k) {
-    const Point3 to = centre + Vec3{(test::uniform(key, 3 * k) - 0.5) * reach_m, (test::uniform(key, 3 * k + 1) - 0.5) * reach_m,
-                                    3.0 * test::uniform(key, 3 * k + 2)};
+    const Point3 to =
+        centre + Vec3{(test::uniform(key, 3 * k) - 0.5) * reach_m,
+                      (test::uniform(key, 3 * k + 1) - 0.5) * reach_m, 3.0 * test::uniform(key, 3 * k + 2)};
     Vec3 d = test::direction(key + 1, k);
     d.z = -std::abs(d.z) - 0.02;
     d = math::normalized(d);
@@ -63,7 +64,8 @@ struct Answers {
 Answers answers_of(const World& world, const std::vector<Ray>& rays, int threads = 1) {
   Answers answers{std::vector<SurfacePoint>(rays.size()), std::vector<std::uint8_t>(rays.size())};
   parallel_for(static_cast<std::int64_t>((rays.size() + kBatch - 1) / kBatch), threads, [&](std::int64_t b) {
-    const std::size_t begin = static_cast<std::size_t>(b) * kBatch, count = std::min(kBatch, rays.size() - begin);
+    const std::size_t begin = static_cast<std::size_t>(b) * kBatch,
+                      count = std::min(kBatch, rays.size() - begin);
     const auto some = std::span(rays).subspan(begin, count);
     world.occluded(some, std::span(answers.blocked).subspan(begin, count));
     world.intersect(some, std::span(answers.hits).subspan(begin, count));
@@ -76,8 +78,8 @@ bool same(const SurfacePoint& a, const SurfacePoint& b) {
   if (!a.hit()) return true;
   return a.position_m == b.position_m && a.geometric_normal == b.geometric_normal &&
          a.shading_normal == b.shading_normal && a.distance_m == b.distance_m && a.u == b.u && a.v == b.v &&
-         a.instance == b.instance && a.patch == b.patch && a.material == b.material && a.primitive == b.primitive &&
-         a.front == b.front && a.offset_m == b.offset_m;
+         a.instance == b.instance && a.patch == b.patch && a.material == b.material &&
+         a.primitive == b.primitive && a.front == b.front && a.offset_m == b.offset_m;
 }
 
 std::size_t differences(const Answers& a, const Answers& b) {
@@ -95,7 +97,8 @@ std::size_t met(const Answers& answers) {
 std::unique_ptr<World> one_placed(const Body& body, const Transform& where, LargeMeshes how) {
   WorldBuilder builder;
   const std::vector<std::uint32_t> materials{4, 7};
-  builder.place(builder.add_shape(Box{{-3.0, -3.0, 0.0}, {3.0, 3.0, 9.0}}), where, std::span(materials).first(1));
+  builder.place(builder.add_shape(Box{{-3.0, -3.0, 0.0}, {3.0, 3.0, 9.0}}), where,
+                std::span(materials).first(1));
   builder.place(builder.add_body(body), where, materials);
   return builder.build({.large_meshes = how});
 }
@@ -107,7 +110,8 @@ std::unique_ptr<World> many_placed(const Body& body, LargeMeshes how, InstanceSt
   for (int k = 0; k < 3; ++k)
     builder.place(shape,
                   Transform::translation({150.0 * k - 100.0, 40.0 * k, 2.0 * k}) *
-                      Transform::rotation({0.1, 0.2, 1.0}, 0.4 * k) * Transform::scaling({1.0, 1.0 - 0.2 * k, 1.2}),
+                      Transform::rotation({0.1, 0.2, 1.0}, 0.4 * k) *
+                      Transform::scaling({1.0, 1.0 - 0.2 * k, 1.2}),
                   materials);
   return builder.build({.instances = storage, .large_meshes = how});
 }
@@ -135,7 +139,8 @@ TEST(MeshChunks, HoldEveryTriangleOnceAndLieTogether) {
     for (const std::uint32_t t : lists.order.subspan(chunk.first, chunk.count))
       for (const std::uint32_t i : lists.triangles[t]) {
         const Point3 p = lists.vertices_m[i];
-        ASSERT_TRUE(p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y && p.z >= low.z && p.z <= high.z);
+        ASSERT_TRUE(p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y && p.z >= low.z &&
+                    p.z <= high.z);
       }
   }
   EXPECT_EQ(end, count);
@@ -151,7 +156,8 @@ TEST(ChunkedMesh, RaysMeetWhatTheyMeetInOneTree) {
   for (const Vec3 at : {Vec3{}, Vec3{500000.25, -4000000.5, 100.0}}) {
     const Transform where = Transform::translation(at);
     const std::vector<Ray> rays = rays_about(where(Point3{30.0, -20.0, 5.0}), 1.1 * kCells, 21);
-    const auto whole = one_placed(body, where, LargeMeshes::at_once), parts = one_placed(body, where, LargeMeshes::by_chunk);
+    const auto whole = one_placed(body, where, LargeMeshes::at_once),
+               parts = one_placed(body, where, LargeMeshes::by_chunk);
     EXPECT_EQ(whole->storage().chunks, 0u);
     EXPECT_EQ(parts->storage().chunks, body.mesh.chunks.size());
     EXPECT_EQ(parts->storage().stored_triangles, body.mesh.triangles.size());
@@ -172,18 +178,19 @@ TEST(ChunkedMesh, RaysMeetWhatTheyMeetInOneTree) {
 TEST(ChunkedMesh, SoDoRaysIntoCopies) {
   const Body body = body_of(hills());
   const std::vector<Ray> rays = rays_about({80.0, 20.0, 5.0}, 1.3 * kCells, 31);
-  const Answers expected =
-      answers_of(*many_placed(body, LargeMeshes::at_once, InstanceStorage::nodes), rays);
+  const Answers expected = answers_of(*many_placed(body, LargeMeshes::at_once, InstanceStorage::nodes), rays);
   EXPECT_GT(met(expected), rays.size() / 4);
   for (const InstanceStorage storage : {InstanceStorage::nodes, InstanceStorage::table})
-    EXPECT_EQ(differences(answers_of(*many_placed(body, LargeMeshes::by_chunk, storage), rays), expected), 0u);
+    EXPECT_EQ(differences(answers_of(*many_placed(body, LargeMeshes::by_chunk, storage), rays), expected),
+              0u);
 }
 
 TEST(ChunkedMesh, AJoinedPrototypeIsDividedToo) {
   const auto world_of = [&](LargeMeshes how) {
     WorldBuilder builder;
     const ShapeId shape = builder.add_shape(hills());
-    const std::vector<Part> parts{{shape, {}, {0, 1}}, {shape, Transform::translation({0.0, 0.0, 40.0}), {1, 0}}};
+    const std::vector<Part> parts{{shape, {}, {0, 1}},
+                                  {shape, Transform::translation({0.0, 0.0, 40.0}), {1, 0}}};
     const std::vector<std::uint32_t> materials{4, 7};
     builder.place(builder.add_prototype(parts), {}, materials);
     return builder.build({.large_meshes = how});
@@ -211,7 +218,8 @@ TEST(ChunkedMesh, AChunkInTheWrongPlaceWouldBeSeen) {
   const std::vector<Ray> rays = rays_about({30.0, -20.0, 5.0}, 1.1 * kCells, 21);
   const Answers expected = answers_of(*one_placed(body, {}, LargeMeshes::at_once), rays);
   body.mesh.chunks = chunks;
-  EXPECT_GT(differences(answers_of(*one_placed(body, {}, LargeMeshes::by_chunk), rays), expected), rays.size() / 100);
+  EXPECT_GT(differences(answers_of(*one_placed(body, {}, LargeMeshes::by_chunk), rays), expected),
+            rays.size() / 100);
 }
 
 TEST(ChunkedMesh, SmallScenesHaveTheirTreesFromTheStart) {

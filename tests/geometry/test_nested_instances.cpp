@@ -95,7 +95,8 @@ std::vector<SurfacePoint> hits(const World& world, std::size_t count) {
 }
 
 /// The smallest differences that two ways of keeping the same scene may show.
-void expect_same(const std::vector<SurfacePoint>& a, const std::vector<SurfacePoint>& b, std::size_t least_met) {
+void expect_same(const std::vector<SurfacePoint>& a, const std::vector<SurfacePoint>& b,
+                 std::size_t least_met) {
   std::size_t met = 0, other = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     // At an edge of a triangle one float may say it is met and another that it is not.
@@ -179,7 +180,8 @@ TEST(NestedInstances, HitsOfATableAreExact) {
     if (!hit[0].hit() || hit[0].instance != 0) continue;
     ++met;
     const Triangle& t = mesh.triangles[hit[0].primitive];
-    const Point3 a = map(mesh.vertices_m[t[0]]), b = map(mesh.vertices_m[t[1]]), c = map(mesh.vertices_m[t[2]]);
+    const Point3 a = map(mesh.vertices_m[t[0]]), b = map(mesh.vertices_m[t[1]]),
+                 c = map(mesh.vertices_m[t[2]]);
     const Vec3 n = math::normalized(cross(b - a, c - a));
     EXPECT_LT(std::abs(dot(n, hit[0].position_m - a)), 2e-9);
   }
@@ -191,16 +193,18 @@ class Wide final : public Placings {
  public:
   std::size_t count() const override { return 4000; }
   Transform at(std::size_t k) const override {
-    return Transform::translation({3.0 * static_cast<double>(k % 80), 3.0 * static_cast<double>(k / 80), 0.0});
+    return Transform::translation(
+        {3.0 * static_cast<double>(k % 80), 3.0 * static_cast<double>(k / 80), 0.0});
   }
 };
 
 TEST(NestedInstances, LargePrototypesStandApartAndLookTheSame) {
   const auto build = [](bool nested) {
     WorldBuilder builder;
-    const ShapeId ball = builder.add_shape(test::ball(10, 12, 1.0)), post = builder.add_shape(Box{{-.1, -.1, 0}, {.1, .1, 2}});
-    const ShapeId plant =
-        builder.add_prototype(std::vector<Part>{{ball, Transform::translation({0, 0, 2}), {1}}, {post, {}, {0}}});
+    const ShapeId ball = builder.add_shape(test::ball(10, 12, 1.0)),
+                  post = builder.add_shape(Box{{-.1, -.1, 0}, {.1, .1, 2}});
+    const ShapeId plant = builder.add_prototype(
+        std::vector<Part>{{ball, Transform::translation({0, 0, 2}), {1}}, {post, {}, {0}}});
     const auto list = std::make_shared<Wide>();
     if (nested) {
       const ShapeId field = builder.add_prototype(std::vector<Part>{{plant, {}, {1, 0}, list}});

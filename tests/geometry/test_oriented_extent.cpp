@@ -1,9 +1,8 @@
-#include "geometry/oriented_extent.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
+#include "geometry/oriented_extent.h"
 #include "geometry/world/world_builder.h"
 #include "math/transform.h"
 

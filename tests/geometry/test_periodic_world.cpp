@@ -130,9 +130,10 @@ TEST(PeriodicWorld, RefusesWhatCannotRepeat) {
     return "no error";
   };
   EXPECT_EQ(message({0.0, 0.0, -1.0, 1.0}), "a scene repeats every -1 m x 1 m; expected positive lengths");
-  EXPECT_EQ(message({0.0, 0.0, 0.5, 0.5}),
-            "a scene that repeats every 0.5 m x 0.5 m holds something that reaches more than 8 times as far beyond "
-            "that cell (x -2 to 5.6 m, y -4.3 to 2 m)");
+  EXPECT_EQ(
+      message({0.0, 0.0, 0.5, 0.5}),
+      "a scene that repeats every 0.5 m x 0.5 m holds something that reaches more than 8 times as far beyond "
+      "that cell (x -2 to 5.6 m, y -4.3 to 2 m)");
 }
 
 }  // namespace

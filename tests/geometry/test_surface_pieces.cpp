@@ -21,7 +21,8 @@ void middle_of(PieceKind kind, Point3& at, Vec3& inwards) {
   inwards = {0.0, 0.0, -1.0};
   at = {0.3, 0.25, 0.0};
   if (kind == PieceKind::open_cylinder) at = {0.6, 0.8, 0.4}, inwards = {-0.6, -0.8, 0.0};
-  if (kind == PieceKind::ball || kind == PieceKind::hemisphere) at = {0.48, 0.64, 0.6}, inwards = {-0.48, -0.64, -0.6};
+  if (kind == PieceKind::ball || kind == PieceKind::hemisphere)
+    at = {0.48, 0.64, 0.6}, inwards = {-0.48, -0.64, -0.6};
 }
 
 struct Told {
@@ -39,8 +40,7 @@ Told look_at(const World& world, const WantedMaterials& wanted, Vec3 moved = {})
     middle_of(piece.kind, at, inwards);
     const Transform& map = piece.scene_from_unit;
     const bool flat = inwards.z == -1.0;
-    const Vec3 along =
-        math::normalized(flat ? math::cross(map.column_y(), map.column_x()) : map(inwards));
+    const Vec3 along = math::normalized(flat ? math::cross(map.column_y(), map.column_x()) : map(inwards));
     const Point3 target = map(at) + moved;
     const math::Ray ray{target - 1e-3 * along, along};
     SurfacePoint hit;
@@ -62,9 +62,12 @@ std::unique_ptr<World> world_of_all(LargeMeshes large, InstanceStorage storage) 
     return Transform::translation({x, y, 3.0}) * Transform::rotation({0.3, 1.0, 0.2}, 0.8) *
            Transform::scaling({1.5, 1.5, 1.5});
   };
-  const std::vector<Shape> shapes{Box{{-1.0, -2.0, 0.0}, {1.0, 1.0, 0.5}}, Sphere{{0.0, 0.0, 1.0}, 0.7},
-                                  Hemisphere{{}, 1.0},                      Cylinder{{0.0, 0.0, 0.0}, 0.5, 2.0, true},
-                                  Cylinder{{}, 0.5, 2.0, false},            Disk{{}, 1.2},
+  const std::vector<Shape> shapes{Box{{-1.0, -2.0, 0.0}, {1.0, 1.0, 0.5}},
+                                  Sphere{{0.0, 0.0, 1.0}, 0.7},
+                                  Hemisphere{{}, 1.0},
+                                  Cylinder{{0.0, 0.0, 0.0}, 0.5, 2.0, true},
+                                  Cylinder{{}, 0.5, 2.0, false},
+                                  Disk{{}, 1.2},
                                   Polygon{{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 2, 0}}}};
   double x = 0.0;
   for (const Shape& shape : shapes) {
@@ -116,7 +119,8 @@ TEST(SurfacePieces, PlantedFaultPiecesBesideTheirPlaceAreMissed) {
 TEST(SurfacePieces, AreasOfSolidsAreTheirs) {
   WorldBuilder builder;
   builder.place(builder.add_shape(Box{{0, 0, 0}, {1, 2, 3}}), {}, std::vector<std::uint32_t>{0});
-  builder.place(builder.add_shape(Sphere{{}, 2.0}), Transform::translation({9, 0, 0}), std::vector<std::uint32_t>{1});
+  builder.place(builder.add_shape(Sphere{{}, 2.0}), Transform::translation({9, 0, 0}),
+                std::vector<std::uint32_t>{1});
   builder.place(builder.add_shape(Cylinder{{}, 1.0, 3.0, true}), Transform::translation({0, 9, 0}),
                 std::vector<std::uint32_t>{2});
   const std::vector<double> areas = builder.build(1)->surface_areas_m2(3);

@@ -1,9 +1,8 @@
-#include "geometry/world/surface_survey.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "geometry/world/surface_survey.h"
 #include "geometry/world/world_builder.h"
 
 namespace ifov::geometry {
@@ -65,8 +64,10 @@ TEST_F(Survey, TurnedCopiesHaveTheirOwnNormals) {
   const ShapeId whole = builder_.add_prototype(parts);
   const std::vector<std::uint32_t> material{1};
   for (int k = 0; k < 9; ++k)
-    builder_.place(whole, Transform::translation({4.0 * k, 0.0, 0.0}) * Transform::rotation({0.0, 0.0, 1.0}, 0.1 * (k % 3)),
-                   material);
+    builder_.place(
+        whole,
+        Transform::translation({4.0 * k, 0.0, 0.0}) * Transform::rotation({0.0, 0.0, 1.0}, 0.1 * (k % 3)),
+        material);
   // Tops, and two sides for each of three directions.
   EXPECT_EQ(survey().flats.size(), 7u);
 }

@@ -1,5 +1,3 @@
-#include "geometry/terrain_mesh.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "geometry/terrain_mesh.h"
 
 namespace ifov::geometry {
 namespace {
@@ -24,7 +23,9 @@ TerrainGrid grid_of(int columns, int rows, const std::function<double(int, int)>
   return grid;
 }
 
-double hills(int c, int r) { return 40.0 * std::sin(0.11 * c) * std::cos(0.07 * r) + 3.0 * std::sin(1.3 * c + r); }
+double hills(int c, int r) {
+  return 40.0 * std::sin(0.11 * c) * std::cos(0.07 * r) + 3.0 * std::sin(1.3 * c + r);
+}
 
 /// Height of the mesh at a place, found triangle by triangle; NaN where there is none.
 double height_at(const TriangleMesh& mesh, double x, double y) {
@@ -42,7 +43,8 @@ double area_of(const TriangleMesh& mesh) {
   double area = 0.0;
   for (const Triangle& t : mesh.triangles)
     area += 0.5 * math::cross(mesh.vertices_m[t[1]] - mesh.vertices_m[t[0]],
-                              mesh.vertices_m[t[2]] - mesh.vertices_m[t[0]]).z;
+                              mesh.vertices_m[t[2]] - mesh.vertices_m[t[0]])
+                      .z;
   return area;
 }
 
@@ -58,7 +60,8 @@ int open_edges(const TriangleMesh& mesh, double width_m, double height_m) {
   for (const auto& [edge, count] : balance) {
     if (count == 0) continue;
     const math::Point3 &a = mesh.vertices_m[edge.first], &b = mesh.vertices_m[edge.second];
-    const bool rim = (a.x == b.x && (a.x == 0.0 || a.x == width_m)) || (a.y == b.y && (a.y == 0.0 || a.y == -height_m));
+    const bool rim =
+        (a.x == b.x && (a.x == 0.0 || a.x == width_m)) || (a.y == b.y && (a.y == 0.0 || a.y == -height_m));
     open += rim ? 0 : 1;
   }
   return open;
@@ -136,7 +139,8 @@ TEST(TerrainMesh, IrregularGridsKeepTheirPlacesToo) {
 }
 
 TEST(TerrainMesh, SmoothNormalsAreThoseOfTheSlope) {
-  const TerrainGrid grid = grid_of(9, 9, [](int c, int r) { return 1.0 * c - 0.6 * r; });  // 0.5 per m east, 0.2 north
+  const TerrainGrid grid =
+      grid_of(9, 9, [](int c, int r) { return 1.0 * c - 0.6 * r; });  // 0.5 per m east, 0.2 north
   const TerrainMesh terrain = mesh_terrain(grid, 0.0, true);
   ASSERT_EQ(terrain.mesh.normals.size(), terrain.mesh.vertices_m.size());
   const math::Vec3 expected = math::normalized({-0.5, -0.2, 1.0});

@@ -270,14 +270,17 @@ TEST(World, ARoadInAPlaneIsMetFromAllSidesAndWhereverTheyLie) {
     WorldBuilder builder;
     builder.place(builder.add_shape(geometry::Plane{}), Transform::translation({0.0, 0.0, z}), kOne);
     const ShapeId road = builder.add_shape(Polygon{{{-3, -1, 0}, {3, -1, 0}, {3, 1, 0}, {-3, 1, 0}}});
-    const ShapeId marking = builder.add_shape(Polygon{{{-3, -0.1, 0}, {3, -0.1, 0}, {3, 0.1, 0}, {-3, 0.1, 0}}});
+    const ShapeId marking =
+        builder.add_shape(Polygon{{{-3, -0.1, 0}, {3, -0.1, 0}, {3, 0.1, 0}, {-3, 0.1, 0}}});
     builder.place(road, Transform::translation({5210.3, 77.7, z}), kOne);
-    builder.place(builder.add_shape(Box{{-1, -1, 0}, {1, 1, 3}}), Transform::translation({-5000.1, 0, z}), kOne);
+    builder.place(builder.add_shape(Box{{-1, -1, 0}, {1, 1, 3}}), Transform::translation({-5000.1, 0, z}),
+                  kOne);
     builder.place(marking, Transform::translation({5210.3, 77.7, z}), kOne);
     const auto world = builder.build(1);
     for (std::uint64_t i = 0; i < 2000; ++i) {
       const Vec3 direction{test::uniform(3, 4 * i) - 0.5, test::uniform(3, 4 * i + 1) - 0.5, -0.3};
-      const math::Point3 on{5210.3 + 5.0 * test::uniform(3, 4 * i + 2) - 2.5, 77.7 + 1.9 * test::uniform(3, 4 * i + 3) - 0.95, z};
+      const math::Point3 on{5210.3 + 5.0 * test::uniform(3, 4 * i + 2) - 2.5,
+                            77.7 + 1.9 * test::uniform(3, 4 * i + 3) - 0.95, z};
       if (std::abs(std::abs(on.y - 77.7) - 0.1) < 1e-6) continue;
       const SurfacePoint hit = hit_of(*world, on - direction * 100.0, direction);
       ASSERT_EQ(hit.instance, std::abs(on.y - 77.7) < 0.1 ? 3u : 1u);

@@ -60,7 +60,8 @@ struct SyntheticImage {
   sampling::Reasons reasons(int x, int y) const {
     if (ratio(x, y) <= 1.0f) return 0;
     const sampling::Reasons samples = sampling::bit(sampling::Reason::samples);
-    return static_cast<sampling::Reasons>(y % 2 == 0 ? samples : samples | sampling::bit(sampling::Reason::unseen_light));
+    return static_cast<sampling::Reasons>(
+        y % 2 == 0 ? samples : samples | sampling::bit(sampling::Reason::unseen_light));
   }
   float fraction(int x, int y) const { return static_cast<float>((x + 2 * y) % 11) / 10.0f; }
 

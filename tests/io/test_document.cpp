@@ -231,7 +231,9 @@ TEST(Document, SamplingMethods) {
   EXPECT_TRUE(
       std::holds_alternative<SingleSampling>(parsed_with(method, R"({"single": {}})").sampling.method));
   const auto grid =
-      parsed_with(method, R"({"grid": {"elements": [10, 5]}, "tile": 16, "max_depth": 2, "mirror_reflections": 3})").sampling;
+      parsed_with(method,
+                  R"({"grid": {"elements": [10, 5]}, "tile": 16, "max_depth": 2, "mirror_reflections": 3})")
+          .sampling;
   EXPECT_EQ(std::get<GridSampling>(grid.method).columns, 10);
   EXPECT_EQ(std::get<GridSampling>(grid.method).rows, 5);
   EXPECT_EQ(grid.tile_px, 16);

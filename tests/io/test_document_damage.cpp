@@ -25,20 +25,11 @@ std::string damaged(std::uint64_t trial) {
     const std::size_t at = draw % text.size();
     const std::size_t from = (draw >> 20u) % text.size();
     switch ((draw >> 50u) % 5) {
-      case 0:
-        text[at] = static_cast<char>(draw >> 40u);
-        break;
-      case 1:
-        text.erase(at, 1 + (draw >> 44u) % 8);
-        break;
-      case 2:
-        text.insert(at, 1, text[at]);
-        break;
-      case 3:
-        text.insert(at, text.substr(from, (draw >> 44u) % 30));
-        break;
-      default:
-        text[at] = "{}[],:\"0-e/\\"[(draw >> 40u) % 12];
+      case 0: text[at] = static_cast<char>(draw >> 40u); break;
+      case 1: text.erase(at, 1 + (draw >> 44u) % 8); break;
+      case 2: text.insert(at, 1, text[at]); break;
+      case 3: text.insert(at, text.substr(from, (draw >> 44u) % 30)); break;
+      default: text[at] = "{}[],:\"0-e/\\"[(draw >> 40u) % 12];
     }
   }
   return text;

@@ -174,11 +174,14 @@ TEST(DocumentJson, SyntaxErrorsSayWhatIsExpected) {
 }
 
 TEST(DocumentJson, TheFirstMistakeCounts) {
-  EXPECT_EQ(message_of("{\"a\": 1 \"b\": 01, 'c'").substr(0, 55), "a.json:1:9: expected ',' or '}' after a value of an obj");
+  EXPECT_EQ(message_of("{\"a\": 1 \"b\": 01, 'c'").substr(0, 55),
+            "a.json:1:9: expected ',' or '}' after a value of an obj");
   EXPECT_EQ(message_of("[1, -]").substr(0, 46), "a.json:1:5: this is not a number as JSON write");
   EXPECT_EQ(message_of("[true, nul, 1m]").substr(0, 29), "a.json:1:8: unexpected 'nul';");
-  EXPECT_EQ(message_of("{\"b\": 1, \"a\": 1, \"b\": 2, \"a\": 2}").substr(0, 41), "a.json:1:18: the key 'b' is given twice\n ");
-  EXPECT_EQ(message_of("{\"a\": 1, // \"\n /* , */ \"b\" 2}").substr(0, 37), "a.json:2:14: expected ':' after the k");
+  EXPECT_EQ(message_of("{\"b\": 1, \"a\": 1, \"b\": 2, \"a\": 2}").substr(0, 41),
+            "a.json:1:18: the key 'b' is given twice\n ");
+  EXPECT_EQ(message_of("{\"a\": 1, // \"\n /* , */ \"b\" 2}").substr(0, 37),
+            "a.json:2:14: expected ':' after the k");
 }
 
 TEST(DocumentJson, ANulIsACharacterAsOthers) {
@@ -191,13 +194,17 @@ TEST(DocumentJson, ANulIsACharacterAsOthers) {
 TEST(DocumentJson, HalvesOfSurrogatePairsAreNoCharacters) {
   for (const char* const text : {"\"\\udc00\"", "\"\\uDfFf\"", "\"\\ud83dx\"", "\"\\ud83d\\u0041\""})
     EXPECT_EQ(message_of(text).substr(0, 40), "a.json:1:2: half of a surrogate pair; bo") << text;
-  EXPECT_EQ(message_of("\"\\ud83d\\ude00\\\\udc00 \\n\\ude00\"").substr(0, 30), "a.json:1:24: half of a surroga");
-  EXPECT_EQ(parse_json("\"\\ud7ff\\ue000\\ud83d\\ude00\"", "a.json").root->text(), "\xED\x9F\xBF\xEE\x80\x80\xF0\x9F\x98\x80");
+  EXPECT_EQ(message_of("\"\\ud83d\\ude00\\\\udc00 \\n\\ude00\"").substr(0, 30),
+            "a.json:1:24: half of a surroga");
+  EXPECT_EQ(parse_json("\"\\ud7ff\\ue000\\ud83d\\ude00\"", "a.json").root->text(),
+            "\xED\x9F\xBF\xEE\x80\x80\xF0\x9F\x98\x80");
 }
 
 TEST(DocumentJson, NumbersAreTakenAsWritten) {
   const DocumentTree tree = parse_json(
-      "[9223372036854775807, 9223372036854775808, -9223372036854775808, 9007199254740993.0, -0, -0.0, 1e-400, 4.9e-324, 1.0]", "a.json");
+      "[9223372036854775807, 9223372036854775808, -9223372036854775808, 9007199254740993.0, -0, -0.0, "
+      "1e-400, 4.9e-324, 1.0]",
+      "a.json");
   const auto& items = tree.root->items();
   EXPECT_EQ(items[0].integer(), INT64_MAX);
   EXPECT_FALSE(items[1].is_integer());

@@ -70,7 +70,8 @@ TEST(DocumentMessages, Units) {
   EXPECT_EQ(message_with("\"0.1 K\"", "\"0.1 degC\""),
             "folder/a.json:41:38: 'sampling.accuracy.error' is the text \"0.1 degC\", expected a size above "
             "0 with its "
-            "unit, such as \"0.1 K\", \"1 %\", \"12 W m-2 sr-1 um-1\", \"0.002 reflectance\", \"0.5 noise\" (units: K, mK, "
+            "unit, such as \"0.1 K\", \"1 %\", \"12 W m-2 sr-1 um-1\", \"0.002 reflectance\", \"0.5 noise\" "
+            "(units: K, mK, "
             "%, W m-2 sr-1 "
             "um-1, W m-2 sr-1 nm-1, mW m-2 sr-1 nm-1, uW cm-2 sr-1 nm-1, reflectance, noise)\n"
             "   41 |   \"sampling\": {\"accuracy\": {\"error\": \"0.1 degC\", \"channel\": \"8.5 um\"}},\n"
@@ -81,7 +82,8 @@ TEST(DocumentMessages, UnknownKeys) {
   EXPECT_EQ(message_with("\"seed\": 7", "\"sead\": 7"),
             "folder/a.json:4:3: unknown key 'sead' in the document; did you mean 'seed'? Known keys: 'ifov', "
             "'$schema', "
-            "'include', 'seed', 'time', 'scene', 'light', 'atmosphere', 'weather', 'sensor', 'sampling' and 'output'\n"
+            "'include', 'seed', 'time', 'scene', 'light', 'atmosphere', 'weather', 'sensor', 'sampling' and "
+            "'output'\n"
             "    4 |   \"sead\": 7,\n"
             "      |   ^");
   EXPECT_EQ(
@@ -155,23 +157,26 @@ TEST(DocumentMessages, WrongTypesCountsAndWords) {
             "and 100000\n"
             "   33 |     \"camera\": {\"orthographic\": {\"gsd\": \"1 m\", \"pixels\": [30, 20.5]}},\n"
             "      |                                                              ^");
-  EXPECT_EQ(message_with("\"sampling\": {", "\"sampling\": {\"mirror_reflections\": 9, "),
-            "folder/a.json:41:38: 'sampling.mirror_reflections' is the number 9, expected an integer between 0 and 8\n"
-            "   41 |   \"sampling\": {\"mirror_reflections\": 9, \"accuracy\": {\"error\": \"0.1 K\", \"channel\": "
-            "\"8.5 um\"}},\n"
-            "      |                                      ^");
+  EXPECT_EQ(
+      message_with("\"sampling\": {", "\"sampling\": {\"mirror_reflections\": 9, "),
+      "folder/a.json:41:38: 'sampling.mirror_reflections' is the number 9, expected an integer between 0 and "
+      "8\n"
+      "   41 |   \"sampling\": {\"mirror_reflections\": 9, \"accuracy\": {\"error\": \"0.1 K\", \"channel\": "
+      "\"8.5 um\"}},\n"
+      "      |                                      ^");
   EXPECT_EQ(message_with("\"reflectance\": 0.25", "\"reflectance\": \"25 %\""),
             "folder/a.json:9:31: 'scene.materials.soil.reflectance' is the text \"25 %\", expected a number "
             "between 0 and 1, "
             "or an object, or a list of 2 to 100000, each a number between 0 and 1, or an object\n"
             "    9 |       \"soil\": {\"reflectance\": \"25 %\", \"temperature\": \"20 degC\"},\n"
             "      |                               ^");
-  EXPECT_EQ(message_with("\"output\": {", "\"output\": {\"formats\": [\"tiff\"], "),
-            "folder/a.json:42:26: 'output.formats[0]' is the text \"tiff\", expected 'envi', 'geotiff', 'netcdf', "
-            "'png' or 'html'\n"
-            "   42 |   \"output\": {\"formats\": [\"tiff\"], \"folder\": \"products\", \"quicklook\": "
-            "{\"channels\": [\"red\"]}}\n"
-            "      |                          ^");
+  EXPECT_EQ(
+      message_with("\"output\": {", "\"output\": {\"formats\": [\"tiff\"], "),
+      "folder/a.json:42:26: 'output.formats[0]' is the text \"tiff\", expected 'envi', 'geotiff', 'netcdf', "
+      "'png' or 'html'\n"
+      "   42 |   \"output\": {\"formats\": [\"tiff\"], \"folder\": \"products\", \"quicklook\": "
+      "{\"channels\": [\"red\"]}}\n"
+      "      |                          ^");
   EXPECT_EQ(message_with("\"ifov\": 1", "\"ifov\": 2"),
             "folder/a.json:3:11: 'ifov' is the number 2, expected 1, the version of the format that this "
             "program reads\n"
@@ -184,7 +189,8 @@ TEST(DocumentMessages, ADocumentDoesNotWriteOutsideOfItsFolder) {
   for (const std::string bad : {"/tmp/products", "../products", "products/../../elsewhere", ".."})
     EXPECT_EQ(first_line_with(given, "\"folder\": \"" + bad + "\""),
               "folder/a.json:42:24: 'output.folder' is the text \"" + bad +
-                  "\", expected the name of a folder beside the document or below it; 'ifov render --output FOLDER' "
+                  "\", expected the name of a folder beside the document or below it; 'ifov render --output "
+                  "FOLDER' "
                   "writes anywhere");
   for (const std::string good : {"products/red", "a..b", "."})
     EXPECT_EQ(first_line_with(given, "\"folder\": \"" + good + "\""), "accepted") << good;
@@ -200,7 +206,8 @@ TEST(DocumentMessages, ProductsHavePlainNames) {
     EXPECT_EQ(first_line_with(given, "\"name\": \"" + good + "\""), "accepted") << good;
   EXPECT_EQ(first_line_with(given, "\"products\": [\"half_width\", \"radiances\"]"),
             "folder/a.json:42:41: 'output.products[1]' is the text \"radiances\", expected 'radiance', "
-            "'standard_error', 'half_width', 'air_half_width', 'samples', 'quality', 'reasons', 'quality_class', 'abundance', "
+            "'standard_error', 'half_width', 'air_half_width', 'samples', 'quality', 'reasons', "
+            "'quality_class', 'abundance', "
             "'abundance_half_width', 'location', 'view_angles' or 'all'; did you mean 'radiance'?");
 }
 

@@ -12,8 +12,8 @@ const std::string kTree =
     R"("tree": [{"sphere": {"center": ["0 m", "0 m", "2 m"], "radius": "1 m"}, "material": "leaf"}])";
 
 TEST(DocumentNesting, PrototypesHoldCopiesOfOthersInAnyOrder) {
-  const Document document = test::parsed_with(
-      kTree, R"("wood": [{"instances": {"of": "grove", "binary": "groves.ifovinst"}}],
+  const Document document =
+      test::parsed_with(kTree, R"("wood": [{"instances": {"of": "grove", "binary": "groves.ifovinst"}}],
       "grove": [{"instance": {"of": "tree"}}, {"instances": {"of": "tree", "csv": "trees.csv"}}],
       )" + kTree);
   const auto& prototypes = document.scene.prototypes;
@@ -28,7 +28,8 @@ TEST(DocumentNesting, PrototypesHoldCopiesOfOthersInAnyOrder) {
 
 TEST(DocumentNesting, APrototypeCannotHoldItself) {
   const std::string direct = test::message_with(kTree, R"("tree": [{"instance": {"of": "tree"}}])");
-  EXPECT_NE(direct.find("the prototype 'tree' holds itself: 'tree' holds 'tree'"), std::string::npos) << direct;
+  EXPECT_NE(direct.find("the prototype 'tree' holds itself: 'tree' holds 'tree'"), std::string::npos)
+      << direct;
   const std::string round = test::message_with(
       kTree, R"("tree": [{"instance": {"of": "branch"}}], "branch": [{"instance": {"of": "twig"}}],
       "twig": [{"instance": {"of": "branch"}}])");

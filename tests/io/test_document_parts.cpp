@@ -23,7 +23,8 @@ const char* const kBase = R"({
 
 class DocumentParts : public ::testing::Test {
  protected:
-  DocumentParts() : folder_(std::filesystem::path(::testing::TempDir()) / format("ifov_document_parts_{}", getpid())) {
+  DocumentParts()
+      : folder_(std::filesystem::path(::testing::TempDir()) / format("ifov_document_parts_{}", getpid())) {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_ / "shared");
     write("shared/base.json", kBase);
@@ -31,7 +32,9 @@ class DocumentParts : public ::testing::Test {
   }
   ~DocumentParts() override { std::filesystem::remove_all(folder_); }
 
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   Document read(const std::string& text, std::vector<std::string> set = {}) const {
     write("scene.json", text);
@@ -50,7 +53,9 @@ class DocumentParts : public ::testing::Test {
     }
     return "no error";
   }
-  static double gsd_m(const Document& document) { return std::get<OrthographicCamera>(document.sensor.camera.model).gsd_m; }
+  static double gsd_m(const Document& document) {
+    return std::get<OrthographicCamera>(document.sensor.camera.model).gsd_m;
+  }
 
  private:
   std::filesystem::path folder_;
@@ -84,7 +89,8 @@ TEST_F(DocumentParts, ProductsLieBesideTheDocumentThatIsRendered) {
 }
 
 TEST_F(DocumentParts, ListsAreReplaced) {
-  const Document document = read(R"({"include": "shared/base.json", "scene": {"objects": [{"plane": {}, "material": "wall"}]}})");
+  const Document document =
+      read(R"({"include": "shared/base.json", "scene": {"objects": [{"plane": {}, "material": "wall"}]}})");
   ASSERT_EQ(document.scene.objects.size(), 1u);
 }
 
@@ -100,35 +106,48 @@ TEST_F(DocumentParts, ErrorsShowTheFileWhereTheValueStands) {
   write("bad.json", "{\n \"sensor\": {\"camera\": {\"orthographic\": {\"gsd\": 3}}}\n}");
   EXPECT_EQ(message(R"({"include": ["shared/base.json", "bad.json"]})").substr(0, 87),
             "bad.json:2:48: 'sensor.camera.orthographic.gsd' is the number 3 without a unit, expecte");
-  EXPECT_NE(message(R"({"include": ["shared/base.json", "bad.json"]})").find("    2 |  \"sensor\": {\"camera\""), std::string::npos);
+  EXPECT_NE(
+      message(R"({"include": ["shared/base.json", "bad.json"]})").find("    2 |  \"sensor\": {\"camera\""),
+      std::string::npos);
 }
 
 TEST_F(DocumentParts, CirclesAndMissingFilesAreNamedWhereTheyAreIncluded) {
   write("round.json", R"({"include": "scene.json"})");
-  EXPECT_EQ(message(R"({"include": "round.json"})").substr(0, 46), "round.json:1:13: 'scene.json' includes itself\n");
+  EXPECT_EQ(message(R"({"include": "round.json"})").substr(0, 46),
+            "round.json:1:13: 'scene.json' includes itself\n");
   EXPECT_EQ(message(R"({"include": "gone.json"})").substr(0, 39), "scene.json:1:13: cannot read 'gone.json");
-  EXPECT_EQ(message(R"({"include": 3})").substr(0, 99),
-            "scene.json:1:13: 'include' is the number 3, expected the name of a document, or a list of them\n    ");
+  EXPECT_EQ(
+      message(R"({"include": 3})").substr(0, 99),
+      "scene.json:1:13: 'include' is the number 3, expected the name of a document, or a list of them\n    ");
 }
 
 TEST_F(DocumentParts, OverridesReplaceWholeValues) {
-  const Document document = read(kBase, {"sensor.camera.orthographic.gsd=7 m", "light.sun.disc={\"zenith\": \"10 deg\", \"azimuth\": \"0 deg\"}",
-                                         "scene.objects[1]={\"plane\": {\"height\": \"1 m\"}, \"material\": \"wall\"}", "seed=9"});
+  const Document document =
+      read(kBase, {"sensor.camera.orthographic.gsd=7 m",
+                   "light.sun.disc={\"zenith\": \"10 deg\", \"azimuth\": \"0 deg\"}",
+                   "scene.objects[1]={\"plane\": {\"height\": \"1 m\"}, \"material\": \"wall\"}", "seed=9"});
   EXPECT_EQ(gsd_m(document), 7.0);
   EXPECT_EQ(document.seed, 9u);
   EXPECT_TRUE(std::holds_alternative<PlaneShape>(document.scene.objects[1].shape));
   EXPECT_FALSE(read(kBase, {"light.sun=null"}).light.sun);
-  EXPECT_EQ(gsd_m(read(kBase, {"sensor.camera.orthographic={\"gsd\": \"1 m\", \"pixels\": [2, 2]}", "sensor.camera.orthographic.gsd=6 m"})), 6.0);
+  EXPECT_EQ(gsd_m(read(kBase, {"sensor.camera.orthographic={\"gsd\": \"1 m\", \"pixels\": [2, 2]}",
+                               "sensor.camera.orthographic.gsd=6 m"})),
+            6.0);
 }
 
 TEST_F(DocumentParts, WrongOverridesAreErrors) {
   EXPECT_EQ(message(kBase, {"sensor.camera.orthographic.gsd=7"}).substr(0, 107),
-            "--set sensor.camera.orthographic.gsd:1:1: 'sensor.camera.orthographic.gsd' is the number 7 without a unit, ");
+            "--set sensor.camera.orthographic.gsd:1:1: 'sensor.camera.orthographic.gsd' is the number 7 "
+            "without a unit, ");
   EXPECT_EQ(message(kBase, {"sensor.camera.orthographic.gds=7 m"}).substr(0, 80),
             "--set sensor.camera.orthographic.gds:1:1: unknown key 'gds' in 'sensor.camera.or");
-  EXPECT_EQ(message(kBase, {"scene.objects[2].material=lawn"}), "--set scene.objects[2].material: 'scene.objects' has 2 items, counted from 0");
-  EXPECT_EQ(message(kBase, {"scene.objects.material=lawn"}), "--set scene.objects.material: 'scene.objects' is a list of 2, not an object");
-  const std::string how = "; expected a key and its value, such as sensor.camera.orthographic.gsd=\"2 m\" or scene.objects[0].material=lawn";
+  EXPECT_EQ(message(kBase, {"scene.objects[2].material=lawn"}),
+            "--set scene.objects[2].material: 'scene.objects' has 2 items, counted from 0");
+  EXPECT_EQ(message(kBase, {"scene.objects.material=lawn"}),
+            "--set scene.objects.material: 'scene.objects' is a list of 2, not an object");
+  const std::string how =
+      "; expected a key and its value, such as sensor.camera.orthographic.gsd=\"2 m\" or "
+      "scene.objects[0].material=lawn";
   EXPECT_EQ(message(kBase, {"seed"}), "--set seed: there is no '='" + how);
   EXPECT_EQ(message(kBase, {"a..b=1"}), "--set a..b=1: a key is empty" + how);
   EXPECT_EQ(message(kBase, {"a[x]=1"}), "--set a[x]=1: '[' needs a number and ']'" + how);

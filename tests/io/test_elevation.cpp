@@ -1,9 +1,8 @@
-#include "io/raster/elevation.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "io/raster/elevation.h"
 #include "io/spectra_files.h"
 #include "support/truth_data.h"
 
@@ -49,8 +48,9 @@ TEST(Elevation, NothingKnownIsAnError) {
   const ScratchFile file("dem.asc", kHeader + "-9999 -9999 -9999\n-9999 -9999 -9999\n-9999 -9999 -9999\n");
   const auto read_it = [](const auto& p) { read_elevation(p, 1, {}, UnknownHeights::holes); };
   EXPECT_EQ(test::input_error(file.path(), read_it), "FILE: no cell has a height");
-  EXPECT_EQ(test::input_error(file.path(), [](const auto& p) { read_elevation(p, 2, {}, UnknownHeights::holes); }),
-            "FILE has no band 2; it has 1");
+  EXPECT_EQ(
+      test::input_error(file.path(), [](const auto& p) { read_elevation(p, 2, {}, UnknownHeights::holes); }),
+      "FILE has no band 2; it has 1");
 }
 
 TEST(Elevation, ReferenceModels) {

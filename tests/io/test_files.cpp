@@ -71,10 +71,12 @@ TEST_F(Files, ConfinedInputsLieBelowTheFolderAfterAllLinks) {
   EXPECT_EQ(read_input(folder_ / "in/a.txt"), "a");
   EXPECT_EQ(read_input(folder_ / "shortcut/link"), "b");
   EXPECT_EQ(read_input(folder_ / "in/../in/deep/b.txt"), "b");
-  for (const char* name : {"inside/c.txt", "in/out", "in/../inside/c.txt", "inside/none", "in/deep/../../none"}) {
+  for (const char* name :
+       {"inside/c.txt", "in/out", "in/../inside/c.txt", "inside/none", "in/deep/../../none"}) {
     const fs::path path = folder_ / name;
-    EXPECT_EQ(why_not(path), format("cannot read '{}': it does not lie below '{}', and --inputs-below allows no other files",
-                                    path.string(), (folder_ / "in").string()));
+    EXPECT_EQ(why_not(path),
+              format("cannot read '{}': it does not lie below '{}', and --inputs-below allows no other files",
+                     path.string(), (folder_ / "in").string()));
   }
   EXPECT_THROW(MappedFile(folder_ / "in/out"), EnvironmentError);
   release_inputs();

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
-
 #include <unistd.h>
+
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -71,19 +71,19 @@ class Instances : public testing::Test {
 };
 
 void expect_near(const math::Transform& a, const math::Transform& b, double turn, double metres) {
-  for (const math::Vec3 d : {a.column_x() - b.column_x(), a.column_y() - b.column_y(), a.column_z() - b.column_z()})
+  for (const math::Vec3 d :
+       {a.column_x() - b.column_x(), a.column_y() - b.column_y(), a.column_z() - b.column_z()})
     EXPECT_LE(length(d), turn);
   EXPECT_LE(length(a.origin_m() - b.origin_m()), metres);
 }
 
 TEST(Instance, TurnsByRollThenPitchThenYaw) {
-  const math::Transform expected = math::Transform::translation({1.0, 2.0, 3.0}) *
-                                   math::Transform::rotation({0.0, 0.0, 1.0}, 0.7) *
-                                   math::Transform::rotation({0.0, 1.0, 0.0}, -0.4) *
-                                   math::Transform::rotation({1.0, 0.0, 0.0}, 2.2) *
-                                   math::Transform::scaling({2.0, 3.0, 0.5});
-  expect_near(transform_of({{1.0, 2.0, 3.0}, quaternion_of(0.7, -0.4, 2.2), {2.0, 3.0, 0.5}}), expected, 1e-14,
-              1e-14);
+  const math::Transform expected =
+      math::Transform::translation({1.0, 2.0, 3.0}) * math::Transform::rotation({0.0, 0.0, 1.0}, 0.7) *
+      math::Transform::rotation({0.0, 1.0, 0.0}, -0.4) * math::Transform::rotation({1.0, 0.0, 0.0}, 2.2) *
+      math::Transform::scaling({2.0, 3.0, 0.5});
+  expect_near(transform_of({{1.0, 2.0, 3.0}, quaternion_of(0.7, -0.4, 2.2), {2.0, 3.0, 0.5}}), expected,
+              1e-14, 1e-14);
 }
 
 TEST(Instance, AnglesOfATurn) {
@@ -102,7 +102,8 @@ TEST(Instance, AnglesOfATurn) {
 
 TEST_F(Instances, ComeBackInEveryLayout) {
   for (const Position position : {Position::float64, Position::float32})
-    for (const Rotation rotation : {Rotation::none, Rotation::yaw, Rotation::yaw_pitch_roll, Rotation::quaternion})
+    for (const Rotation rotation :
+         {Rotation::none, Rotation::yaw, Rotation::yaw_pitch_roll, Rotation::quaternion})
       for (const Scale scale : {Scale::none, Scale::uniform, Scale::by_axis}) {
         const InstanceLayout layout{position, rotation, scale};
         const bool turns = rotation != Rotation::none, tilts = turns && rotation != Rotation::yaw;
@@ -129,7 +130,8 @@ TEST_F(Instances, ComeBackInEveryLayout) {
 TEST_F(Instances, OfTheOtherByteOrder) {
   std::string bytes = three();
   const auto swap = [&](std::size_t at, std::size_t size) {
-    std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(at), bytes.begin() + static_cast<std::ptrdiff_t>(at + size));
+    std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                 bytes.begin() + static_cast<std::ptrdiff_t>(at + size));
   };
   for (const std::size_t at : {8, 12, 24}) swap(at, 4);
   for (const std::size_t at : {16, 32, 40, 48}) swap(at, 8);
@@ -155,16 +157,19 @@ TEST_F(Instances, AFileIsCheckedAgainstItsHeader) {
     return changed.replace(at, bytes.size(), bytes);
   };
   EXPECT_EQ(message_of(with(0, "IFOVIN")), "accepted");
-  EXPECT_EQ(message_of(with(0, "PNG")), "a.ifovinst: this is no binary instance list, which begins with 'IFOVINST'");
+  EXPECT_EQ(message_of(with(0, "PNG")),
+            "a.ifovinst: this is no binary instance list, which begins with 'IFOVINST'");
   EXPECT_EQ(message_of(with(8, "\x07")),
             "a.ifovinst: the byte-order mark is 0x01020307; expected 0x01020304 in one order or the other");
-  EXPECT_EQ(message_of(with(12, "\x02")), "a.ifovinst: the list is of version 2; this program reads version 1");
+  EXPECT_EQ(message_of(with(12, "\x02")),
+            "a.ifovinst: the list is of version 2; this program reads version 1");
   EXPECT_EQ(message_of(with(23, "\x20")),
             "a.ifovinst: the header says 2305843009213693955 instances; at most 4294967294 can be placed");
   EXPECT_EQ(message_of(with(24, "\x21")),
             "a.ifovinst: records of this layout have 32 bytes; the header says 33");
   EXPECT_EQ(message_of(with(29, "\x04")),
-            "a.ifovinst: the layout (position 0, rotation 4, scale 1, reserved 0) is not known; positions are 0 or 1, "
+            "a.ifovinst: the layout (position 0, rotation 4, scale 1, reserved 0) is not known; positions "
+            "are 0 or 1, "
             "rotations 0 to 3, scales 0 to 2, reserved 0");
 }
 
@@ -214,8 +219,9 @@ TEST_F(Instances, AWriterRefusesWhatItsLayoutCannotHold) {
             "b.ifovinst: instance 0 is tilted, and its layout has a rotation about z only");
   EXPECT_EQ(refused({}, {{}, {1.0, 0.0, 0.0, 0.0}, {1.0, 2.0, 1.0}}),
             "b.ifovinst: instance 0 has three scales, and its layout has one");
-  EXPECT_EQ(refused({Position::float64, Rotation::none, Scale::none}, {{}, {1.0, 0.0, 0.0, 0.0}, {2.0, 2.0, 2.0}}),
-            "b.ifovinst: instance 0 is scaled, and its layout has no scale");
+  EXPECT_EQ(
+      refused({Position::float64, Rotation::none, Scale::none}, {{}, {1.0, 0.0, 0.0, 0.0}, {2.0, 2.0, 2.0}}),
+      "b.ifovinst: instance 0 is scaled, and its layout has no scale");
   EXPECT_EQ(refused({}, {{}, {1.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}),
             "b.ifovinst: instance 0 has a scale that is not above zero");
   EXPECT_TRUE(std::filesystem::is_empty(folder_)) << "an unfinished list is left behind";
@@ -223,12 +229,14 @@ TEST_F(Instances, AWriterRefusesWhatItsLayoutCannotHold) {
 
 TEST_F(Instances, FromText) {
   const std::string file =
-      written("all.csv", "x,y,z,yaw,scale,pitch,roll\r\n# comment\r\n\r\n1,2,3,90,2,10,-20\r\n4, 5, 6, 0, 1, 0, 0\r\n");
+      written("all.csv",
+              "x,y,z,yaw,scale,pitch,roll\r\n# comment\r\n\r\n1,2,3,90,2,10,-20\r\n4, 5, 6, 0, 1, 0, 0\r\n");
   const std::vector<Instance> all = read_instance_csv(file);
   ASSERT_EQ(all.size(), 2u);
-  expect_near(transform_of(all[0]),
-              transform_of({{1.0, 2.0, 3.0}, quaternion_of(90 * kDegree, 10 * kDegree, -20 * kDegree), {2, 2, 2}}), 0.0,
-              0.0);
+  expect_near(
+      transform_of(all[0]),
+      transform_of({{1.0, 2.0, 3.0}, quaternion_of(90 * kDegree, 10 * kDegree, -20 * kDegree), {2, 2, 2}}),
+      0.0, 0.0);
   EXPECT_EQ(transform_of(all[1]), math::Transform::translation({4.0, 5.0, 6.0}));
   EXPECT_EQ(read_instance_csv(written("b.csv", "1 2 3\n4 5 6")).size(), 2u);
   EXPECT_EQ(read_instance_csv(written("c.csv", "1;2;3;45\n")).size(), 1u);
@@ -236,11 +244,14 @@ TEST_F(Instances, FromText) {
 }
 
 TEST_F(Instances, ErrorsInTextAreLocated) {
-  EXPECT_EQ(csv_message("x,y,z\n1,2\n"),
-            "a.csv:2: found 2 fields; expected 3, 4, 5 or 7 numbers: x, y, z, yaw, scale, pitch, roll\n  1,2");
+  EXPECT_EQ(
+      csv_message("x,y,z\n1,2\n"),
+      "a.csv:2: found 2 fields; expected 3, 4, 5 or 7 numbers: x, y, z, yaw, scale, pitch, roll\n  1,2");
   EXPECT_EQ(csv_message("id,x,y,z\n1,2,3,4\n"),
-            "a.csv:1:4: found 'x' as column 2; expected the columns x, y, z, yaw, scale, pitch, roll in this order\n  id,x,y,z\n     ^");
-  EXPECT_EQ(csv_message("1,2,3\n1,2,3,4\n"), "a.csv:2: found 4 fields; expected 3 numbers, as above\n  1,2,3,4");
+            "a.csv:1:4: found 'x' as column 2; expected the columns x, y, z, yaw, scale, pitch, roll in this "
+            "order\n  id,x,y,z\n     ^");
+  EXPECT_EQ(csv_message("1,2,3\n1,2,3,4\n"),
+            "a.csv:2: found 4 fields; expected 3 numbers, as above\n  1,2,3,4");
   EXPECT_EQ(csv_message("1,2,3\n\n1,oak,3\n"), "a.csv:3:3: found 'oak'; expected a number\n  1,oak,3\n    ^");
   EXPECT_EQ(csv_message("1,2,3,0,-1\n"),
             "a.csv:1:9: the scale is -1; expected a number above 0\n  1,2,3,0,-1\n          ^");

@@ -38,7 +38,8 @@ std::string sample(Look look) {
 }
 
 TEST(JsonWriter, HasTwoLooks) {
-  EXPECT_EQ(sample(Look::compact), R"({"name":"a","list":[1,2,3],"none":[],"rows":[[0.5,1],null,{}],"inner":{"right":true}})");
+  EXPECT_EQ(sample(Look::compact),
+            R"({"name":"a","list":[1,2,3],"none":[],"rows":[[0.5,1],null,{}],"inner":{"right":true}})");
   EXPECT_EQ(sample(Look::indented),
             "{\n"
             "  \"name\": \"a\",\n"
@@ -64,7 +65,8 @@ TEST(JsonWriter, NumbersAreTheShortestThatReadBack) {
   EXPECT_EQ(one(0.1f), "0.1");
   EXPECT_EQ(one(std::numeric_limits<std::uint64_t>::max()), "18446744073709551615");
   EXPECT_EQ(one(std::numeric_limits<std::int64_t>::min()), "-9223372036854775808");
-  for (const double value : {1e22, 1.7976931348623157e308, 2.2250738585072014e-308, 1.0 / 3.0, -0.0, 1e15, 123456789012345680.0}) {
+  for (const double value :
+       {1e22, 1.7976931348623157e308, 2.2250738585072014e-308, 1.0 / 3.0, -0.0, 1e15, 123456789012345680.0}) {
     const double back = parse_json(one(value), "a.json").root->number();
     EXPECT_EQ(back, value);
     EXPECT_EQ(std::signbit(back), std::signbit(value));

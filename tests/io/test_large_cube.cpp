@@ -42,7 +42,8 @@ double cached_share(const std::filesystem::path& path) {
   const int code = mincore(memory, bytes, pages.data());
   munmap(memory, bytes);
   if (code != 0) return 1.0;
-  return static_cast<double>(std::count_if(pages.begin(), pages.end(), [](unsigned char p) { return (p & 1) != 0; })) /
+  return static_cast<double>(
+             std::count_if(pages.begin(), pages.end(), [](unsigned char p) { return (p & 1) != 0; })) /
          static_cast<double>(pages.size());
 }
 
@@ -69,13 +70,14 @@ void write_cube(BilCube& cube, const SyntheticImage& image, bool in_order, int t
 }
 
 TEST(LargeCube, HoldsTheSameAndIsScannedInAnyOrder) {
-  for (const int width : {1000, 1024})  // whose strips begin within a block, and whose rows are padded in memory
+  for (const int width :
+       {1000, 1024})  // whose strips begin within a block, and whose rows are padded in memory
     for (const auto& [in_order, buffer] : {std::pair(true, kPlenty), {false, kPlenty}, {false, kLittle}})
       for (const int threads : {1, 4}) {
         const SyntheticImage image{width, 210, 11};
         const ScratchFolder folder("large_cube");
-        BilCube cube(folder.path() / "x.img", image.width, image.height, image.channels, BilCube::Values::real,
-                     {.buffer_bytes = buffer, .large_bytes = kAlways});
+        BilCube cube(folder.path() / "x.img", image.width, image.height, image.channels,
+                     BilCube::Values::real, {.buffer_bytes = buffer, .large_bytes = kAlways});
         cube.scan().want_figures();
         cube.reserve();
         write_cube(cube, image, in_order, threads);
@@ -101,7 +103,8 @@ TEST(LargeCube, HoldsTheSameAndIsScannedInAnyOrder) {
         const BandFigures& figures = cube.scan().figures()[3];
         EXPECT_EQ(figures.finite(), static_cast<std::uint64_t>(n));
         EXPECT_NEAR(figures.mean(), sum / n, 1e-9 * sum / n);
-        EXPECT_NEAR(figures.standard_deviation(), std::sqrt(squares / n - sum / n * (sum / n)), 1e-6 * sum / n);
+        EXPECT_NEAR(figures.standard_deviation(), std::sqrt(squares / n - sum / n * (sum / n)),
+                    1e-6 * sum / n);
       }
 }
 
@@ -117,7 +120,8 @@ TEST(LargeCube, ADiskFullInTheBackgroundIsSaid) {
     cube.flush();
     FAIL() << "11.5 MB on a disk of 4 MB";
   } catch (const EnvironmentError& error) {
-    EXPECT_NE(std::string(error.what()).find("x.img.part: the disk is full: "), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("x.img.part: the disk is full: "), std::string::npos)
+        << error.what();
   }
 }
 
@@ -159,7 +163,9 @@ TEST(BandFigures, LeaveAwayWhatIsNotFinite) {
   double sum = 0.0;
   std::uint64_t finite = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = i % 7 == 0 ? std::nanf("") : i % 11 == 0 ? -std::numeric_limits<float>::infinity() : 1.0f + 0.25f * static_cast<float>(i);
+    values[i] = i % 7 == 0    ? std::nanf("")
+                : i % 11 == 0 ? -std::numeric_limits<float>::infinity()
+                              : 1.0f + 0.25f * static_cast<float>(i);
     if (std::isfinite(values[i])) sum += values[i], ++finite;
   }
   figures.add(std::span(values).first(500));

@@ -1,10 +1,9 @@
-#include "io/raster/map_reference.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "core/error.h"
+#include "io/raster/map_reference.h"
 
 namespace ifov::io {
 namespace {
@@ -37,7 +36,8 @@ TEST(MapReference, UnknownTextsAreErrors) {
       MapReference reference{std::string(text)};
       FAIL() << text;
     } catch (const InputError& error) {
-      EXPECT_NE(std::string(error.what()).find("is no coordinate reference system that PROJ knows"), std::string::npos);
+      EXPECT_NE(std::string(error.what()).find("is no coordinate reference system that PROJ knows"),
+                std::string::npos);
     }
   }
 }
@@ -49,7 +49,8 @@ TEST(MapReference, PointsWithoutAPlaceAreErrors) {
     transform.apply(points);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("the point 400, 95 of 'WGS 84' has no place in"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("the point 400, 95 of 'WGS 84' has no place in"),
+              std::string::npos);
   }
 }
 

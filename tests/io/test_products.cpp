@@ -87,7 +87,8 @@ void expect_all_cubes(const SyntheticImage& image, const std::filesystem::path& 
     if (b == 0) return image.ratio(x, y) <= 1.0f ? 1.0f : 0.0f;
     return b == 1 ? image.ratio(x, y) : b == 2 ? 0.02f : 0.75f;
   });
-  expect_cube(at("_reasons.img"), 1, [&](int x, int y, int) { return static_cast<float>(image.reasons(x, y)); });
+  expect_cube(at("_reasons.img"), 1,
+              [&](int x, int y, int) { return static_cast<float>(image.reasons(x, y)); });
   expect_cube(at("_quality_class.img"), 1,
               [&](int x, int y, int) { return static_cast<float>(class_of(image.reasons(x, y))); });
   expect_cube(at("_abundance.img"), 3, [&](int x, int y, int m) {
@@ -147,7 +148,9 @@ TEST(BilCube, TellsUpToWhichLineItIsWritten) {
   const SyntheticImage image{20, 12, 5};
   const ScratchFolder folder("lines");
   BilCube cube(folder.path() / "x.img", image.width, image.height, image.channels, BilCube::Values::real);
-  const auto write = [&](sampling::PixelRect tile) { cube.write(tile, std::span<const float>(image.tile(tile).mean)); };
+  const auto write = [&](sampling::PixelRect tile) {
+    cube.write(tile, std::span<const float>(image.tile(tile).mean));
+  };
   write({0, 4, 20, 8});
   EXPECT_EQ(cube.lines_written(), 0) << "what lies before is missing";
   write({0, 0, 8, 4});
@@ -244,8 +247,8 @@ TEST(ProductWriter, RunRecordHoldsFiguresAndChecksums) {
     }
   const double n = image.width * image.height, mean = sum / n;
   EXPECT_NEAR(root["channels"].items()[2]["mean"].number(), mean, 1e-7 * mean);
-  EXPECT_NEAR(root["channels"].items()[2]["standard_deviation"].number(), std::sqrt(squares / n - mean * mean),
-              1e-5);
+  EXPECT_NEAR(root["channels"].items()[2]["standard_deviation"].number(),
+              std::sqrt(squares / n - mean * mean), 1e-5);
   EXPECT_NEAR(root["channels"].items()[2]["largest_half_width"].number(), widest, 1e-7 * widest);
   EXPECT_EQ(root["cost"]["samples"]["total"].natural(), samples);
   EXPECT_EQ(root["cost"]["rays"]["primary"].natural(), samples);
@@ -315,11 +318,12 @@ TEST(ProductWriter, ProductsCanBeLeftAway) {
   options.cubes = {Product::samples, Product::quality, Product::reasons, Product::quality_class};
   options.quicklook = options.report = false;
   write_image(image, options, image.tiles(16));  // and what the first run left under these names goes
-  EXPECT_EQ(names_in(folder.path()),
-            (std::vector<std::string>{"demo_quality.img", "demo_quality.img.hdr", "demo_quality_class.img",
-                                      "demo_quality_class.img.hdr", "demo_radiance.img", "demo_radiance.img.hdr", "demo_radiance.qml",
-                                      "demo_reasons.img", "demo_reasons.img.hdr", "demo_run.json", "demo_samples.img",
-                                      "demo_samples.img.hdr"}));
+  EXPECT_EQ(
+      names_in(folder.path()),
+      (std::vector<std::string>{"demo_quality.img", "demo_quality.img.hdr", "demo_quality_class.img",
+                                "demo_quality_class.img.hdr", "demo_radiance.img", "demo_radiance.img.hdr",
+                                "demo_radiance.qml", "demo_reasons.img", "demo_reasons.img.hdr",
+                                "demo_run.json", "demo_samples.img", "demo_samples.img.hdr"}));
 }
 
 TEST(ProductWriter, TilesWithoutVariancesMakeTheSameCubes) {
@@ -360,11 +364,13 @@ TEST(ProductWriter, PlacesAreWrittenInMapCoordinates) {
     sampling::TileResult tile = image.tile(rect);
     for (int y = rect.y0; y < rect.y1; ++y)
       for (int x = rect.x0; x < rect.x1; ++x)
-        tile.position_m.insert(tile.position_m.end(), {x == 0 ? std::nan("") : x + 0.001953125, x == 0 ? std::nan("") : 500.0 * y, 0.0});
+        tile.position_m.insert(tile.position_m.end(), {x == 0 ? std::nan("") : x + 0.001953125,
+                                                       x == 0 ? std::nan("") : 500.0 * y, 0.0});
     writer.write(tile);
   }
   writer.finish(image.outcome());
-  const EnviReader places(folder.path() / "demo_location.img"), angles(folder.path() / "demo_view_angles.img");
+  const EnviReader places(folder.path() / "demo_location.img"),
+      angles(folder.path() / "demo_view_angles.img");
   EXPECT_EQ(places.header().data_type, EnviType::float64);
   const std::string bytes = test::read_all(folder.path() / "demo_location.img");
   double easting = 0.0;

@@ -92,7 +92,8 @@ TEST(FullDisk, IsSaidBeforeTheFirstRayAndLeavesNothing) {
   options.folder = folder.path();
   ProductWriter writer(options, image.identity());
   const std::string message = error_of([&] { writer.begin(image.info()); });
-  EXPECT_EQ(message, folder.path().string() + ": the disk is full: the products take 1470.0 kB, 262.1 kB free");
+  EXPECT_EQ(message,
+            folder.path().string() + ": the disk is full: the products take 1470.0 kB, 262.1 kB free");
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

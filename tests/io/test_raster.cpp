@@ -110,11 +110,11 @@ TEST(Raster, ASmallFileThatAnnouncesALargeRasterIsRefusedFirst) {
 }
 
 TEST(Raster, ATextTooShortForItsNumbersIsRefusedAtOnce) {
-  EXPECT_EQ(
-      test::input_error(
-          std::filesystem::path(IFOV_SOURCE_DIR "/tests/fuzz/finds/elevation/small_file_announces_5_million_rows.asc"),
-          [](const auto& p) { read_raster(p); }),
-      "FILE: the raster is damaged: 323 bytes cannot hold 8 x 5399920 numbers");
+  EXPECT_EQ(test::input_error(
+                std::filesystem::path(IFOV_SOURCE_DIR
+                                      "/tests/fuzz/finds/elevation/small_file_announces_5_million_rows.asc"),
+                [](const auto& p) { read_raster(p); }),
+            "FILE: the raster is damaged: 323 bytes cannot hold 8 x 5399920 numbers");
 }
 
 TEST(Raster, CutFilesNeverCrash) {

@@ -35,14 +35,18 @@ using Lines = std::vector<std::string>;
 
 TEST(ImageRegion, RectanglesEndBeforeTheirLastPixel) {
   const auto image = image_of(6, 4);
-  EXPECT_EQ(picture(ImageRegion::parse("1,1,4,3", image), image), (Lines{"......", ".###..", ".###..", "......"}));
-  EXPECT_EQ(picture(ImageRegion::parse("4,3,1,1", image), image), (Lines{"......", ".###..", ".###..", "......"}));
-  EXPECT_EQ(picture(ImageRegion::parse(" -5, -5, 99, 1 ", image), image), (Lines{"######", "......", "......", "......"}));
+  EXPECT_EQ(picture(ImageRegion::parse("1,1,4,3", image), image),
+            (Lines{"......", ".###..", ".###..", "......"}));
+  EXPECT_EQ(picture(ImageRegion::parse("4,3,1,1", image), image),
+            (Lines{"......", ".###..", ".###..", "......"}));
+  EXPECT_EQ(picture(ImageRegion::parse(" -5, -5, 99, 1 ", image), image),
+            (Lines{"######", "......", "......", "......"}));
 }
 
 TEST(ImageRegion, PolygonsHoldThePixelsWhoseCentresLieInside) {
   const auto image = image_of(6, 4);
-  EXPECT_EQ(picture(ImageRegion::parse("0,0,4,0,0,4", image), image), (Lines{"###...", "##....", "#.....", "......"}));
+  EXPECT_EQ(picture(ImageRegion::parse("0,0,4,0,0,4", image), image),
+            (Lines{"###...", "##....", "#.....", "......"}));
   EXPECT_EQ(picture(ImageRegion::parse("0,0,6,0,6,4,4,4,4,2,2,2,2,4,0,4", image), image),
             (Lines{"######", "######", "##..##", "##..##"}));
 }
@@ -55,7 +59,9 @@ TEST(ImageRegion, MapCoordinatesOfATurnedImage) {
   image.map = geotransform(info);
   // Image (1, 1) to (4, 3) on the map.
   const auto& g = *image.map;
-  const auto at = [&](double x, double y) { return format("{:.6f},{:.6f}", g[0] + x * g[1] + y * g[2], g[3] + x * g[4] + y * g[5]); };
+  const auto at = [&](double x, double y) {
+    return format("{:.6f},{:.6f}", g[0] + x * g[1] + y * g[2], g[3] + x * g[4] + y * g[5]);
+  };
   EXPECT_EQ(picture(ImageRegion::parse("map:" + at(1, 1) + "," + at(4, 3), image), image),
             (Lines{"......", ".###..", ".###..", "......"}));
 }
@@ -74,7 +80,8 @@ TEST(ImageRegion, SaysWhatIsWrong) {
     return error_of([&] { ImageRegion::parse(text, image_of(6, 4)); });
   };
   const std::string expected =
-      "expected x0,y0,x1,y1 (a rectangle), x,y of three corners or more, both in pixels or after 'map:' in map coordinates, "
+      "expected x0,y0,x1,y1 (a rectangle), x,y of three corners or more, both in pixels or after 'map:' in "
+      "map coordinates, "
       "or mask:FILE";
   EXPECT_EQ(error("1,2,x,4"), "region '1,2,x,4': 'x' is no number; " + expected);
   EXPECT_EQ(error("1,2,3"), "region '1,2,3': found 3 numbers; " + expected);
@@ -100,7 +107,8 @@ class MeansOfAProduct : public testing::Test {
 
 TEST_F(MeansOfAProduct, AreThoseOfThePixels) {
   const auto rule = sampling::RegionRule::of_accuracy(1.0);
-  const RegionMeans region = region_means(folder_.path() / "demo", ImageRegion::parse("3,2,9,7", image_of(20, 12)), rule);
+  const RegionMeans region =
+      region_means(folder_.path() / "demo", ImageRegion::parse("3,2,9,7", image_of(20, 12)), rule);
   std::uint64_t converged = 0;
   sampling::RegionSum sum;
   for (int y = 2; y < 7; ++y)
@@ -118,12 +126,14 @@ TEST_F(MeansOfAProduct, AreThoseOfThePixels) {
 
 TEST_F(MeansOfAProduct, AMaskMarksItsPixels) {
   // The class raster of the same run serves as one: what is not converged.
-  const auto region = ImageRegion::parse("mask:" + (folder_.path() / "demo_quality_class.img").string(), image_of(20, 12));
+  const auto region =
+      ImageRegion::parse("mask:" + (folder_.path() / "demo_quality_class.img").string(), image_of(20, 12));
   const RegionMeans means = region_means(folder_.path() / "demo", region, sampling::RegionRule::all_common());
   EXPECT_GT(means.pixels, 0u);
   EXPECT_EQ(means.converged, 0u);
   EXPECT_NE(error_of([&] {
-              ImageRegion::parse("mask:" + (folder_.path() / "demo_quality_class.img").string(), image_of(21, 12));
+              ImageRegion::parse("mask:" + (folder_.path() / "demo_quality_class.img").string(),
+                                 image_of(21, 12));
             }).find("the mask has 20 x 12 pixels, expected the image's 21 x 12"),
             std::string::npos);
 }

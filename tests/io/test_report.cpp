@@ -75,7 +75,8 @@ TEST(Report, SaysWhyMapsOfSamplesShowTiles) {
   record.statistics.halo_samples = 0;
   EXPECT_EQ(make_report(record, views(image)).find("edges of tiles"), std::string::npos);
   record.statistics.halo_samples = 12300;
-  EXPECT_NE(make_report(record, views(image)).find("12.3 k in all, are in no pixel's count"), std::string::npos);
+  EXPECT_NE(make_report(record, views(image)).find("12.3 k in all, are in no pixel's count"),
+            std::string::npos);
 }
 
 TEST(Base64, PublishedExamples) {  // RFC 4648, section 10

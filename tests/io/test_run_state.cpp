@@ -73,7 +73,8 @@ TEST(TileRecord, HoldsPlacesAndLeavesVariancesOut) {
   for (const bool placed : {false, true}) {
     if (placed) tile.position_m.assign(3 * tile.samples.size(), 0.1);
     const auto record = encode_tile(tile, {7, 11, plan.key(), 2.5});
-    EXPECT_EQ(record.size(), whole - 4 * (2 * tile.mean.size() - tile.samples.size()) + (placed ? 24 : 0) * tile.samples.size());
+    EXPECT_EQ(record.size(), whole - 4 * (2 * tile.mean.size() - tile.samples.size()) +
+                                 (placed ? 24 : 0) * tile.samples.size());
     TileHeader header;
     std::memcpy(&header, record.data(), sizeof header);
     EXPECT_EQ(fault_of(header, {plan.key(), kImage.channels, grid}), "");
@@ -184,21 +185,20 @@ TEST(RunState, ADamagedTileIsToldAndComputedAgain) {
   std::string flipped = whole;
   flipped[sizeof(TileHeader) + 100] ^= 16;  // in the first tile's values
   EXPECT_EQ(resume(flipped, words), tiles - 1);
-  EXPECT_EQ(words, format("warning: {}: the checksum of tile 0 is wrong: it is computed again\n",
-                          pack.string()));
+  EXPECT_EQ(words,
+            format("warning: {}: the checksum of tile 0 is wrong: it is computed again\n", pack.string()));
   EXPECT_EQ(resume(read_all(pack), words), tiles - 1) << "the whole tiles stay in the file";
   EXPECT_EQ(words, "");
 
   EXPECT_EQ(resume(whole.substr(0, whole.size() - 1), words), tiles - 1);
-  EXPECT_EQ(words, format("warning: {}: the file is cut short: tile {} is computed again\n",
-                          pack.string(), tiles - 1));
+  EXPECT_EQ(words, format("warning: {}: the file is cut short: tile {} is computed again\n", pack.string(),
+                          tiles - 1));
   EXPECT_EQ(resume(whole.substr(0, sizeof(TileHeader) - 1), words), 0u);
-  EXPECT_EQ(words, format("warning: {}: the file is cut short: its last tile is computed again\n",
-                          pack.string()));
+  EXPECT_EQ(words,
+            format("warning: {}: the file is cut short: its last tile is computed again\n", pack.string()));
   EXPECT_FALSE(std::filesystem::exists(pack)) << "nothing in it is whole";
   EXPECT_EQ(resume("", words), 0u);
-  EXPECT_EQ(words,
-            format("warning: {}: the file is empty: its tiles are computed again\n", pack.string()));
+  EXPECT_EQ(words, format("warning: {}: the file is empty: its tiles are computed again\n", pack.string()));
   flipped = whole;
   flipped[40] ^= 1;  // a size in the first header: what follows cannot be found
   EXPECT_EQ(resume(flipped, words), 0u);

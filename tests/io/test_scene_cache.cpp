@@ -1,5 +1,3 @@
-#include "io/scene_cache/scene_cache.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "io/scene_cache/scene_cache.h"
 
 namespace ifov::io {
 namespace {
@@ -152,8 +151,9 @@ TEST_F(SceneCacheFile, AnyBitThatFlipsIsNoticed) {
     write("scene.ifovcache", damaged);
     const Run again = run();
     ASSERT_EQ(again.made, "a.obj b.obj ") << at;
-    ASSERT_EQ(again.words,
-              "the scene cache 'scene.ifovcache' is not used: it is damaged; the scene is read from its files\n");
+    ASSERT_EQ(
+        again.words,
+        "the scene cache 'scene.ifovcache' is not used: it is damaged; the scene is read from its files\n");
     ASSERT_EQ(bytes(), good);
   }
   for (const std::size_t size : {std::size_t{0}, std::size_t{10}, std::size_t{64}, good.size() - 1}) {
@@ -169,7 +169,8 @@ TEST_F(SceneCacheFile, OfAnotherVersionIsMadeAgain) {
   const Run other = run("1.1");
   EXPECT_EQ(other.made, "a.obj b.obj ");
   EXPECT_EQ(other.words,
-            "the scene cache 'scene.ifovcache' is not used: it was written by version 1.0; the scene is read from its "
+            "the scene cache 'scene.ifovcache' is not used: it was written by version 1.0; the scene is read "
+            "from its "
             "files\n");
   EXPECT_EQ(run("1.1").made, "");
 }

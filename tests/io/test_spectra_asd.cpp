@@ -56,7 +56,8 @@ std::string error_of(const std::string& bytes) {
 }
 
 TEST(Asd, DividesBySpectrumOfTheWhiteReference) {
-  const auto file = asd_file("as7", 1, 2, numbers<double>({1.0, 2.0, 3.0}), reference(numbers<double>({4.0, 4.0, 4.0})));
+  const auto file =
+      asd_file("as7", 1, 2, numbers<double>({1.0, 2.0, 3.0}), reference(numbers<double>({4.0, 4.0, 4.0})));
   const SampleSpectrum s = parse_asd(file, "a.asd");
   EXPECT_EQ(s.quantity, SampleQuantity::reflectance);
   EXPECT_NEAR(s.values.at(0.351), 0.5, 1e-12);
@@ -67,19 +68,23 @@ TEST(Asd, DividesBySpectrumOfTheWhiteReference) {
 
 TEST(Asd, EveryVersionWithoutReferenceHoldsReflectanceItself) {
   for (const char* version : {"ASD", "as2", "as3", "as4", "as5", "as6", "as7", "as8"})
-    EXPECT_NEAR(parse_asd(asd_file(version, 1, 0, numbers<float>({0.1, 0.2, 0.3})), "a.asd").values.at(0.351), 0.2, 1e-7)
+    EXPECT_NEAR(parse_asd(asd_file(version, 1, 0, numbers<float>({0.1, 0.2, 0.3})), "a.asd").values.at(0.351),
+                0.2, 1e-7)
         << version;
 }
 
 TEST(Asd, ErrorsSayWhatIsWrong) {
   const std::string three = numbers<float>({0.1, 0.2, 0.3});
-  EXPECT_EQ(error_of("PNG"), "a.asd: it does not start as a file of an ASD spectrometer does ('ASD', 'as2' to 'as8')");
-  EXPECT_EQ(error_of(""), "a.asd: it does not start as a file of an ASD spectrometer does ('ASD', 'as2' to 'as8')");
+  EXPECT_EQ(error_of("PNG"),
+            "a.asd: it does not start as a file of an ASD spectrometer does ('ASD', 'as2' to 'as8')");
+  EXPECT_EQ(error_of(""),
+            "a.asd: it does not start as a file of an ASD spectrometer does ('ASD', 'as2' to 'as8')");
   EXPECT_EQ(error_of("as7"), "a.asd: the file ends at byte 3; expected a number at byte 204");
   EXPECT_EQ(error_of(asd_file("as7", 1, 0, three.substr(0, 11))),
             "a.asd: the file ends at byte 495; expected 3 values of 4 bytes from byte 484 on");
-  EXPECT_EQ(error_of(asd_file("as7", 2, 0, three)),
-            "a.asd: it holds radiance; expected reflectance, transmittance, or raw counts with a white reference");
+  EXPECT_EQ(
+      error_of(asd_file("as7", 2, 0, three)),
+      "a.asd: it holds radiance; expected reflectance, transmittance, or raw counts with a white reference");
   EXPECT_EQ(error_of(asd_file("as7", 0, 0, three)), "a.asd: it holds raw counts and no white reference");
   EXPECT_EQ(error_of(asd_file("as7", 1, 3, three)),
             "a.asd: the format of its data is 3; expected 0 (float), 1 (integer) or 2 (double)");
@@ -102,8 +107,10 @@ TEST(Asd, ReferenceFiles) {
     while (std::getline(expected, line)) {
       const std::size_t semicolon = line.find(';');
       if (semicolon == std::string::npos) continue;
-      const double um = 1e-3 * std::stod(line.substr(0, semicolon)), value = std::stod(line.substr(semicolon + 1));
-      EXPECT_NEAR(s.values.at(std::min(um, s.values.last_um())), value, 1e-5 * std::max(1.0, value)) << name << " at " << um;
+      const double um = 1e-3 * std::stod(line.substr(0, semicolon)),
+                   value = std::stod(line.substr(semicolon + 1));
+      EXPECT_NEAR(s.values.at(std::min(um, s.values.last_um())), value, 1e-5 * std::max(1.0, value))
+          << name << " at " << um;
       ++values;
     }
   }

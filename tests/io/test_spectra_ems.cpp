@@ -18,11 +18,13 @@ std::string error_of(const std::string& text) {
 }
 
 TEST(Ems, BothForms) {
-  const EmsFile young = parse_ems(TextFile("n.ems", "1\n" + weights() + "CURVE_BEGIN\t\n0.35\t0.98\n14.9\t0.9\n\n\n"));
+  const EmsFile young =
+      parse_ems(TextFile("n.ems", "1\n" + weights() + "CURVE_BEGIN\t\n0.35\t0.98\n14.9\t0.9\n\n\n"));
   ASSERT_EQ(young.curves.size(), 1u);
   EXPECT_EQ(young.weights.size(), 91u);
   EXPECT_DOUBLE_EQ(young.curves[0].at(0.35), 0.98);
-  const EmsFile old = parse_ems(TextFile("o.ems", "2\n" + weights() + "0\n20000 0.5\n1000 0.9\n1\n20000 0.4\n1000 0.8\n"));
+  const EmsFile old =
+      parse_ems(TextFile("o.ems", "2\n" + weights() + "0\n20000 0.5\n1000 0.9\n1\n20000 0.4\n1000 0.8\n"));
   ASSERT_EQ(old.curves.size(), 2u);
   EXPECT_DOUBLE_EQ(old.curves[0].at(10.0), 0.9);
   EXPECT_DOUBLE_EQ(old.curves[1].at(0.5), 0.4);
@@ -31,8 +33,10 @@ TEST(Ems, BothForms) {
 TEST(Ems, ErrorsShowThePlace) {
   EXPECT_EQ(error_of(""), "FILE: the file ends; expected the number of curves");
   EXPECT_EQ(error_of("1\n1.0\n"), "FILE: the file ends; expected the weight at 1 degrees");
-  EXPECT_EQ(error_of("0\n" + weights()), "FILE:1: found 0 curves; expected a whole number from 1 to 100000\n  0");
-  EXPECT_EQ(error_of("2\n" + weights() + "CURVE_BEGIN\n0.4 1\n"), "FILE: the file ends; expected curve 2 of 2");
+  EXPECT_EQ(error_of("0\n" + weights()),
+            "FILE:1: found 0 curves; expected a whole number from 1 to 100000\n  0");
+  EXPECT_EQ(error_of("2\n" + weights() + "CURVE_BEGIN\n0.4 1\n"),
+            "FILE: the file ends; expected curve 2 of 2");
   EXPECT_EQ(error_of("1\n" + weights() + "CURVE_BEGIN\n0.4 1 1\n"),
             "FILE:94: found 3 columns; expected a wavelength and an emissivity\n  0.4 1 1");
   EXPECT_EQ(error_of("1\n" + weights() + "CURVE_BEGIN\n0.4 1\nCURVE_BEGIN\n0.4 1\n"),

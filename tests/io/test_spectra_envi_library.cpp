@@ -12,9 +12,12 @@ namespace ifov::io {
 namespace {
 
 std::string header(const std::string& type, const std::string& order = "0", const std::string& more = {}) {
-  return "ENVI\nsamples = 3\nlines = 2\nbands = 1\nheader offset = 0\nfile type = ENVI Spectral Library\ndata type = " + type +
-         "\ninterleave = bsq\nbyte order = " + order +
-         "\nwavelength units = Nanometers\nspectra names = {\n roof, \n lawn}\nwavelength = {400, 500,\n 600}\n" + more;
+  return "ENVI\nsamples = 3\nlines = 2\nbands = 1\nheader offset = 0\nfile type = ENVI Spectral "
+         "Library\ndata type = " +
+         type + "\ninterleave = bsq\nbyte order = " + order +
+         "\nwavelength units = Nanometers\nspectra names = {\n roof, \n lawn}\nwavelength = {400, 500,\n "
+         "600}\n" +
+         more;
 }
 
 template <class T>
@@ -59,13 +62,15 @@ TEST(EnviLibrary, EveryTypeAndByteOrder) {
 }
 
 TEST(EnviLibrary, BadChannelsAreLeftOut) {
-  const EnviLibrary library(header("4", "0", "bbl = {1, 0, 1}\n"), "a.hdr", data_of<float>({1, 99, 3, 4, 99, 6}), "a.sli");
+  const EnviLibrary library(header("4", "0", "bbl = {1, 0, 1}\n"), "a.hdr",
+                            data_of<float>({1, 99, 3, 4, 99, 6}), "a.sli");
   EXPECT_NEAR(library.spectrum(0).at(0.5), 2.0, 1e-6);
 }
 
 TEST(EnviLibrary, ErrorsNameTheFile) {
   const std::string data = data_of<float>({1, 2, 3, 4, 5, 6});
-  EXPECT_EQ(error_of(header("4"), data.substr(1)), "a.sli: the file has 23 bytes; 2 spectra of 3 values need 24");
+  EXPECT_EQ(error_of(header("4"), data.substr(1)),
+            "a.sli: the file has 23 bytes; 2 spectra of 3 values need 24");
   std::string plain = header("4");
   plain.replace(plain.find("ENVI Spectral Library"), 21, "ENVI Standard");
   EXPECT_NE(error_of(plain, data), "no error");
@@ -77,7 +82,8 @@ TEST(EnviLibrary, ErrorsNameTheFile) {
             "no spectrum of 'a.hdr' is called 'lown'; did you mean 'lawn'? It holds 'roof' and 'lawn'");
   EXPECT_EQ(test::input_error(std::string(), [&](const auto&) { library.index_of("quartz"); }),
             "no spectrum of 'a.hdr' is called 'quartz'; it holds 'roof' and 'lawn'");
-  EXPECT_EQ(test::input_error(std::string(), [&](const auto&) { library.index_of(3); }), "'a.hdr' has no spectrum 3; it holds 1 to 2");
+  EXPECT_EQ(test::input_error(std::string(), [&](const auto&) { library.index_of(3); }),
+            "'a.hdr' has no spectrum 3; it holds 1 to 2");
 }
 
 TEST(EnviLibrary, ReferenceFiles) {

@@ -8,11 +8,13 @@ namespace ifov::io {
 namespace {
 
 const std::string kRows =
-    "USGS Digital Spectral Library splib06a\n\nButlerite GDS25              W1R1Ba AREF\ncopy of splib05a r 1439\n"
+    "USGS Digital Spectral Library splib06a\n\nButlerite GDS25              W1R1Ba AREF\ncopy of splib05a r "
+    "1439\n"
     "       0.205100      -1.23e34        0.010460\n"
     "       0.221100       0.015736       0.001491\n"
     "       0.229100       0.013988       0.001296\n";
-const std::string kWavelengths = " splib07a Record=1: Wavelengths ASD 0.35-2.5 microns 3 ch\n 0.35\n 0.36\n 0.37\n";
+const std::string kWavelengths =
+    " splib07a Record=1: Wavelengths ASD 0.35-2.5 microns 3 ch\n 0.35\n 0.36\n 0.37\n";
 const std::string kColumn = " splib07a Record=13: Grass ASDFRa AREF\n 0.1\n -1.23e34\n 0.3\n";
 
 std::string error_of(const std::string& text) {
@@ -41,21 +43,25 @@ TEST(Usgs, Version7TakesWavelengthsFromTheirOwnFile) {
   EXPECT_EQ(s.name, "splib07a Record=13: Grass ASDFRa AREF");
   ASSERT_EQ(s.values.values().size(), 2u);
   EXPECT_DOUBLE_EQ(s.values.at(0.36), 0.2);  // a line across the deleted point
-  const SampleSpectrum t = parse_usgs(TextFile("a.txt", "title TRAN\n0.1\n0.2\n0.3\n"), TextFile("w.txt", kWavelengths));
+  const SampleSpectrum t =
+      parse_usgs(TextFile("a.txt", "title TRAN\n0.1\n0.2\n0.3\n"), TextFile("w.txt", kWavelengths));
   EXPECT_EQ(t.quantity, SampleQuantity::transmittance);
 }
 
 TEST(Usgs, ErrorsShowThePlace) {
   EXPECT_EQ(error_of(kColumn),
-            "FILE: found no row of wavelength, reflectance and standard deviation; a file of version 7 needs its file of "
+            "FILE: found no row of wavelength, reflectance and standard deviation; a file of version 7 needs "
+            "its file of "
             "wavelengths");
   EXPECT_EQ(error_of(kRows + " 0.24 0.1\n"),
             "FILE:8: found 2 columns; expected wavelength, reflectance and standard deviation\n   0.24 0.1");
-  EXPECT_EQ(error_of(kRows + " 0.24 x 0.1\n"), "FILE:8:7: found 'x'; expected a number\n   0.24 x 0.1\n        ^");
+  EXPECT_EQ(error_of(kRows + " 0.24 x 0.1\n"),
+            "FILE:8:7: found 'x'; expected a number\n   0.24 x 0.1\n        ^");
   EXPECT_EQ(column_error_of(kColumn + "0.4\n", kWavelengths),
             "COLUMN: found 4 values; the file of wavelengths 'WAVELENGTHS' has 3");
   EXPECT_EQ(column_error_of("title\n", kWavelengths), "COLUMN: found no number below the title");
-  EXPECT_EQ(column_error_of("", kWavelengths), "COLUMN: the file is empty; expected a title and a number a line");
+  EXPECT_EQ(column_error_of("", kWavelengths),
+            "COLUMN: the file is empty; expected a title and a number a line");
   EXPECT_EQ(column_error_of("t\n-1.23e34\n-1.23e34\n-1.23e34\n", kWavelengths),
             "COLUMN: every point is marked as deleted");
 }

@@ -60,10 +60,13 @@ TEST(TileRecord, MayLeaveItsValuesToTheCubes) {
 
 /// A state and the cubes that hold its values.
 struct StateAndCubes {
-  StateAndCubes(const std::filesystem::path& folder, const RunPlan& plan, RunStart start, LogSink* log = nullptr)
+  StateAndCubes(const std::filesystem::path& folder, const RunPlan& plan, RunStart start,
+                LogSink* log = nullptr)
       : products(options_of(plan, folder, start), plan.identity), state(folder, plan, start, log) {
     products.begin(plan.image);
-    state.use({[this](sampling::TileResult& tile, const auto& is_right) { return products.read_values(tile, is_right); },
+    state.use({[this](sampling::TileResult& tile, const auto& is_right) {
+                 return products.read_values(tile, is_right);
+               },
                [this] { return products.lines_written(); }});
   }
   static ProductOptions options_of(const RunPlan& plan, const std::filesystem::path& folder, RunStart start) {
@@ -121,7 +124,8 @@ TEST(RunState, ValuesThatTheCubesHoldAreNotHeldTwice) {
     StateAndCubes run(folder.path(), plan, RunStart::resume);
     EXPECT_EQ(run.read(plan), grid.size() - 2);
     for (std::size_t k = 0; k < grid.size(); ++k) run.products.write(tile_of(k));
-    for (std::size_t k = grid.size() - 2; k < grid.size(); ++k) run.state.put(static_cast<std::uint32_t>(k), tile_of(k));
+    for (std::size_t k = grid.size() - 2; k < grid.size(); ++k)
+      run.state.put(static_cast<std::uint32_t>(k), tile_of(k));
     run.state.close();
     RunOutcome outcome;
     run.products.finish(outcome);
@@ -139,8 +143,9 @@ TEST(RunState, ValuesThatTheCubesHoldAreNotHeldTwice) {
   }
   StateAndCubes run(folder.path(), plan, RunStart::resume, &words);
   EXPECT_EQ(run.read(plan), grid.size() - 1);
-  EXPECT_NE(words.text.find("000000.tiles: the values of tile 0 are in the cubes no more: it is computed again"),
-            std::string::npos)
+  EXPECT_NE(
+      words.text.find("000000.tiles: the values of tile 0 are in the cubes no more: it is computed again"),
+      std::string::npos)
       << words.text;
 }
 

@@ -38,7 +38,8 @@ Bounds bounds_of(const geometry::TriangleMesh& mesh, const std::string& slot = "
 double volume_m3(const geometry::TriangleMesh& mesh) {
   double sum = 0.0;
   for (const geometry::Triangle& t : mesh.triangles) {
-    const Vec3 a = mesh.vertices_m[t[0]] - Point3{}, b = mesh.vertices_m[t[1]] - Point3{}, c = mesh.vertices_m[t[2]] - Point3{};
+    const Vec3 a = mesh.vertices_m[t[0]] - Point3{}, b = mesh.vertices_m[t[1]] - Point3{},
+               c = mesh.vertices_m[t[2]] - Point3{};
     sum += math::dot(a, math::cross(b, c));
   }
   return sum / 6.0;
@@ -55,7 +56,8 @@ TEST(MeshBuilder, ClosedShapesFaceOutwards) {
   EXPECT_NEAR(volume_m3(tube.take()), M_PI * 0.25 * 5.0, 0.01);
   MeshBuilder slab;
   slab.slot("a");
-  const std::vector<std::vector<Point3>> faces{{{0, 0, 1}, {2, 0, 1}, {2, 1, 2}, {0, 1, 2}}, {{2, 2, 1}, {0, 2, 1}, {0, 1, 2}, {2, 1, 2}}};
+  const std::vector<std::vector<Point3>> faces{{{0, 0, 1}, {2, 0, 1}, {2, 1, 2}, {0, 1, 2}},
+                                               {{2, 2, 1}, {0, 2, 1}, {0, 1, 2}, {2, 1, 2}}};
   slab.slab(faces, 0.25);
   EXPECT_NEAR(volume_m3(slab.take()), 2.0 * 2.0 * 0.25, 1e-9);
 }
@@ -147,7 +149,8 @@ TEST(Trees, LeavesHangOnWood) {
   constexpr double kCell = 0.25;
   std::set<std::tuple<int, int, int>> wood;
   const auto cell = [&](Point3 p) {
-    return std::tuple(static_cast<int>(std::floor(p.x / kCell)), static_cast<int>(std::floor(p.y / kCell)), static_cast<int>(std::floor(p.z / kCell)));
+    return std::tuple(static_cast<int>(std::floor(p.x / kCell)), static_cast<int>(std::floor(p.y / kCell)),
+                      static_cast<int>(std::floor(p.z / kCell)));
   };
   for (const Point3& p : tree.wood.vertices_m) wood.insert(cell(p));
   std::size_t floating = 0;

@@ -25,7 +25,10 @@ TEST(Plots, HousesKeepApartAndOffTheStreets) {
         EXPECT_LT((Region::rectangle(plots[a].house_footprint) & plan.streets.corridor).area_m2(), 1e-6);
         EXPECT_FALSE(overlap(plots[a].house_footprint, plan.plots.court_park));
         for (std::size_t b = 0; b < a; ++b)
-          EXPECT_LT((Region::rectangle(plots[a].house_footprint) & Region::rectangle(plots[b].house_footprint)).area_m2(), 1e-6)
+          EXPECT_LT(
+              (Region::rectangle(plots[a].house_footprint) & Region::rectangle(plots[b].house_footprint))
+                  .area_m2(),
+              1e-6)
               << half_m << " m, seed " << seed << ": houses " << a << " and " << b;
       }
     }
@@ -36,7 +39,8 @@ TEST(Plots, BothRoofKindsAreBuilt) {
     const Plan plan(50.0, seed);
     int gabled = 0, hipped = 0;
     for (const Plot& plot : plan.plots.plots)
-      ++(plan.plots.designs[static_cast<std::size_t>(plot.design)].roof == RoofKind::gabled ? gabled : hipped);
+      ++(plan.plots.designs[static_cast<std::size_t>(plot.design)].roof == RoofKind::gabled ? gabled
+                                                                                            : hipped);
     EXPECT_GT(gabled, 0) << seed;
     EXPECT_GT(hipped, 0) << seed;
   }
@@ -55,7 +59,8 @@ TEST(Plots, CarsKeepApart) {
 
 TEST(Plots, TreesKeepClearOfHousesAndWires) {
   const Plan plan(120.0, 7);
-  const PowerLine line = plan_power_line(plan.streets.mains[plan.plots.court_street], plan.plots.plots, 120.0);
+  const PowerLine line =
+      plan_power_line(plan.streets.mains[plan.plots.court_street], plan.plots.plots, 120.0);
   ASSERT_GT(line.poles.size(), 3u);
   std::vector<Stock> stocks{{"a", 4.0, false, {}}, {"b", 2.0, true, {}}};
   plant_trees(stocks, {plan.streets, plan.plots, line}, Chance(3));
@@ -67,7 +72,8 @@ TEST(Plots, TreesKeepClearOfHousesAndWires) {
         EXPECT_GT(distance(plot.house_footprint, tree.at), stock.crown_radius_m * tree.scale);
         EXPECT_GT(distance(plot.driveway, tree.at), 0.5);
       }
-      for (const Stand& pole : line.poles) EXPECT_GT(length(pole.origin - tree.at), stock.crown_radius_m * tree.scale);
+      for (const Stand& pole : line.poles)
+        EXPECT_GT(length(pole.origin - tree.at), stock.crown_radius_m * tree.scale);
       EXPECT_FALSE(plan.streets.asphalt.contains(tree.at));
     }
   EXPECT_GT(count, 60u);
@@ -81,8 +87,12 @@ TEST(Plane, OverlapIsArea) {
     const Chance draw = chance.of(k);
     const auto rectangle = [&](int n) {
       const double angle = draw.between(0.0, 6.28, n);
-      return Footprint{{{draw.between(-5.0, 5.0, n + 1), draw.between(-5.0, 5.0, n + 2)}, {std::cos(angle), std::sin(angle)}},
-                       -draw.between(0.5, 4.0, n + 3), draw.between(0.5, 4.0, n + 4), -draw.between(0.5, 4.0, n + 5), 1.0};
+      return Footprint{{{draw.between(-5.0, 5.0, n + 1), draw.between(-5.0, 5.0, n + 2)},
+                        {std::cos(angle), std::sin(angle)}},
+                       -draw.between(0.5, 4.0, n + 3),
+                       draw.between(0.5, 4.0, n + 4),
+                       -draw.between(0.5, 4.0, n + 5),
+                       1.0};
     };
     const Footprint a = rectangle(0), b = rectangle(10);
     const double area = (Region::rectangle(a) & Region::rectangle(b)).area_m2();

@@ -1,8 +1,8 @@
-#include "landscape/shapes/region.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "landscape/shapes/region.h"
 
 namespace ifov::landscape {
 namespace {
@@ -13,7 +13,8 @@ Footprint square(double half_m) { return {{}, -half_m, half_m, -half_m, half_m};
 double area_from_above(const geometry::TriangleMesh& mesh) {
   double area = 0.0;
   for (const geometry::Triangle& t : mesh.triangles) {
-    const Vec3 a = mesh.vertices_m[t[1]] - mesh.vertices_m[t[0]], b = mesh.vertices_m[t[2]] - mesh.vertices_m[t[0]];
+    const Vec3 a = mesh.vertices_m[t[1]] - mesh.vertices_m[t[0]],
+               b = mesh.vertices_m[t[2]] - mesh.vertices_m[t[0]];
     area += 0.5 * math::cross(a, b).z;
   }
   return area;
@@ -21,12 +22,14 @@ double area_from_above(const geometry::TriangleMesh& mesh) {
 
 geometry::TriangleMesh paved(const Region& region, double cell_m = 30.0) {
   MeshBuilder mesh;
-  region.pave(mesh, [](Vec2) { return 0.0; }, cell_m);
+  region.pave(
+      mesh, [](Vec2) { return 0.0; }, cell_m);
   return mesh.take();
 }
 
 TEST(Region, AreasAddUp) {
-  const Region a = Region::rectangle(square(10.0)), b = Region::rectangle({{{5.0, 0.0}}, -10.0, 10.0, -3.0, 3.0});
+  const Region a = Region::rectangle(square(10.0)),
+               b = Region::rectangle({{{5.0, 0.0}}, -10.0, 10.0, -3.0, 3.0});
   EXPECT_NEAR(a.area_m2(), 400.0, 1e-6);
   EXPECT_NEAR((a + b).area_m2(), 400.0 + 5.0 * 6.0, 1e-6);
   EXPECT_NEAR((a & b).area_m2(), 15.0 * 6.0, 1e-6);
@@ -37,7 +40,8 @@ TEST(Region, AreasAddUp) {
 
 TEST(Region, GrowingRoundsCorners) {
   const double r = 2.0;
-  EXPECT_NEAR(Region::rectangle(square(10.0)).grown(r).area_m2(), 400.0 + 4.0 * 20.0 * r + M_PI * r * r, 0.02);
+  EXPECT_NEAR(Region::rectangle(square(10.0)).grown(r).area_m2(), 400.0 + 4.0 * 20.0 * r + M_PI * r * r,
+              0.02);
   EXPECT_NEAR(Region::rectangle(square(10.0)).grown(-r).area_m2(), 16.0 * 16.0, 1e-6);
 }
 
@@ -48,7 +52,8 @@ TEST(Region, PavesHolesWithoutLosingArea) {
     const geometry::TriangleMesh mesh = paved(region, cell);
     EXPECT_NEAR(area_from_above(mesh), region.area_m2(), 0.05) << cell;
     for (const geometry::Triangle& t : mesh.triangles) {
-      const Vec3 a = mesh.vertices_m[t[1]] - mesh.vertices_m[t[0]], b = mesh.vertices_m[t[2]] - mesh.vertices_m[t[0]];
+      const Vec3 a = mesh.vertices_m[t[1]] - mesh.vertices_m[t[0]],
+                 b = mesh.vertices_m[t[2]] - mesh.vertices_m[t[0]];
       EXPECT_GE(math::cross(a, b).z, -1e-6) << "a face looks down";
     }
   }
@@ -56,7 +61,9 @@ TEST(Region, PavesHolesWithoutLosingArea) {
 
 TEST(Region, SkirtsFaceOutwards) {
   MeshBuilder mesh;
-  Region::rectangle(square(2.0)).skirt(mesh, [](Vec2) { return 1.0; }, 0.0);
+  Region::rectangle(square(2.0))
+      .skirt(
+          mesh, [](Vec2) { return 1.0; }, 0.0);
   const geometry::TriangleMesh walls = mesh.take();
   ASSERT_EQ(walls.triangles.size(), 8u);
   for (const geometry::Triangle& t : walls.triangles) {

@@ -49,7 +49,8 @@ class Dummy final : public Bsdf {
   Dummy(Spectrum back, double share) : spectra_{std::move(back)}, share_(share) {}
   bool may_transmit() const override { return true; }
   std::span<const Spectrum> spectra() const override { return spectra_; }
-  void evaluate(const BsdfEvent& event, ParameterRows parameters, std::size_t count, float* bsdf) const override {
+  void evaluate(const BsdfEvent& event, ParameterRows parameters, std::size_t count,
+                float* bsdf) const override {
     const double cosines = event.outgoing_cosine() + event.incoming_cosine();
     const double side = event.side == Side::reflected ? share_ : 1.0 - share_;
     for (std::size_t n = 0; n < count; ++n)
@@ -71,7 +72,8 @@ std::vector<std::pair<std::string, std::shared_ptr<const Bsdf>>> models() {
       if (p.form == BsdfParameter::Form::spectrum)
         inputs.values.emplace_back(p.key, Spectrum({0.4, 1.0}, {0.2, 0.7}));
       else
-        inputs.values.emplace_back(p.key, p.form == BsdfParameter::Form::angle ? middle * pi / 180.0 : middle);
+        inputs.values.emplace_back(p.key,
+                                   p.form == BsdfParameter::Form::angle ? middle * pi / 180.0 : middle);
     }
     list.emplace_back(model->key, model->make(inputs));
   }
@@ -212,7 +214,8 @@ TEST(Bsdf, TheRegistryKnowsEveryModel) {
   for (const BsdfModel* model : bsdf_models()) {
     EXPECT_EQ(&bsdf_model(model->key), model);
     EXPECT_FALSE(model->doc.empty()) << model->key;
-    for (const BsdfParameter& p : model->parameters) EXPECT_FALSE(p.doc.empty()) << model->key << '.' << p.key;
+    for (const BsdfParameter& p : model->parameters)
+      EXPECT_FALSE(p.doc.empty()) << model->key << '.' << p.key;
   }
   try {
     bsdf_model("lambertain");
@@ -252,9 +255,10 @@ TEST(Bsdf, NoModelSendsBackMoreThanArrives) {
     check(m);
     ADD_FAILURE();
   } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "material 'paint': of light that comes 0 deg from the normal it sends back 1.257 times as much; its "
-              "parameters belong to no passive surface");
+    EXPECT_EQ(
+        std::string(error.what()),
+        "material 'paint': of light that comes 0 deg from the normal it sends back 1.257 times as much; its "
+        "parameters belong to no passive surface");
   }
 }
 

@@ -50,7 +50,8 @@ TEST(MapGrid, TilesRepeatAndMirror) {
   const std::vector<std::uint16_t> classes{0, 1, 2};
   const ClassMap edge(grid(3, 1), classes), repeat(grid(3, 1, Tiling::repeat), classes),
       mirror(grid(3, 1, Tiling::mirror), classes);
-  const int repeated[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2}, mirrored[] = {0, 1, 2, 2, 1, 0, 0, 1, 2, 2, 1, 0};
+  const int repeated[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2},
+            mirrored[] = {0, 1, 2, 2, 1, 0, 0, 1, 2, 2, 1, 0};
   for (int k = -6; k < 6; ++k) {
     const double x = 10.0 + 2.0 * k + 1.0;
     EXPECT_EQ(edge.at(x, 49.0), k < 0 ? 0 : std::min(k, 2));
@@ -115,9 +116,13 @@ TEST(MixtureMap, TheFourLargestStay) {
 }
 
 TEST(MixtureMap, BadFractionsNameTheirCell) {
-  EXPECT_EQ(error_of([] { MixtureMap(grid(2, 1), 2, std::vector<float>{0.5f, 1.0f, 0.5f, -0.1f}); }),
+  EXPECT_EQ(error_of([] {
+              MixtureMap(grid(2, 1), 2, std::vector<float>{0.5f, 1.0f, 0.5f, -0.1f});
+            }),
             "the fractions at row 1, column 2 include -0.1 (band 2); they must be numbers from 0 on");
-  EXPECT_EQ(error_of([] { MixtureMap(grid(1, 2), 2, std::vector<float>{1.0f, 0.0f, 0.0f, 0.0f}); }),
+  EXPECT_EQ(error_of([] {
+              MixtureMap(grid(1, 2), 2, std::vector<float>{1.0f, 0.0f, 0.0f, 0.0f});
+            }),
             "the fractions at row 2, column 1 are all 0");
 }
 
@@ -141,7 +146,9 @@ TEST(ReliefMap, NormalsAreThoseOfTheMap) {
   const ReliefMap map = ReliefMap::from_normals(grid(1, 1), std::vector<float>{-0.1f, -0.2f, 1.0f});
   const math::Vec3 found = map.tilted({0.0, 0.0, 1.0}, {0.0, 0.0}).as_vector();
   EXPECT_NEAR(math::length(found - math::normalized({-0.1, -0.2, 1.0})), 0.0, 1e-6);
-  EXPECT_EQ(error_of([] { ReliefMap::from_normals(grid(1, 1), std::vector<float>{0.0f, 0.0f, 0.0f}); }),
+  EXPECT_EQ(error_of([] {
+              ReliefMap::from_normals(grid(1, 1), std::vector<float>{0.0f, 0.0f, 0.0f});
+            }),
             "the normal in cell 1 is (0, 0, 0); it must point up");
   MapGrid by_texture = grid(1, 1);
   by_texture.by = MapBy::texture_coordinates;

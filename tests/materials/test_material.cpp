@@ -35,7 +35,8 @@ TEST(Material, LeavesLetThroughNoMoreThanIsLeft) {
   EXPECT_NO_THROW(check(m));
   m.transmittance = radiometry::Spectrum({0.5, 0.9}, {0.2, 0.75});
   EXPECT_EQ(message_of([&] { check(m); }),
-            "material 'leaf': reflectance and transmittance must not sum to more than 1; at 0.9 um they are 0.466667 "
+            "material 'leaf': reflectance and transmittance must not sum to more than 1; at 0.9 um they are "
+            "0.466667 "
             "and 0.75");
   m.transmittance = radiometry::Spectrum::constant(-0.1);
   EXPECT_EQ(message_of([&] { check(m); }),

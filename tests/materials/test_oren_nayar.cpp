@@ -21,7 +21,11 @@ Vec3 at(double zenith, double azimuth) {
 }
 
 BsdfEvent event_of(double out_deg, double in_deg, double azimuth_deg) {
-  return {at(out_deg * kDegree, azimuth_deg * kDegree), at(in_deg * kDegree, 0.0), {0.0, 0.0, 1.0}, {}, Side::reflected};
+  return {at(out_deg * kDegree, azimuth_deg * kDegree),
+          at(in_deg * kDegree, 0.0),
+          {0.0, 0.0, 1.0},
+          {},
+          Side::reflected};
 }
 
 /// What light makes once in V-shaped grooves of Lambertian facets, by numerical integration over their slopes:
@@ -39,7 +43,8 @@ double once_in_grooves(const BsdfEvent& event, double slope_rad) {
       const Vec3 a = at(theta, 2.0 * pi * (j + 0.5) / kAzimuths);
       const double sa = math::dot(s, a), va = math::dot(v, a);
       if (sa <= 0.0 || va <= 0.0) continue;
-      const double lit = 2.0 * math::dot(s, n) * math::dot(a, n) / sa, seen = 2.0 * math::dot(v, n) * math::dot(a, n) / va;
+      const double lit = 2.0 * math::dot(s, n) * math::dot(a, n) / sa,
+                   seen = 2.0 * math::dot(v, n) * math::dot(a, n) / va;
       const double open = std::max(0.0, std::min({1.0, lit, seen}));
       sum += weight * open * sa * va / (math::dot(v, n) * math::dot(a, n) * math::dot(s, n));
     }

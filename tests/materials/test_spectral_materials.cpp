@@ -12,8 +12,8 @@ using radiometry::Spectrum;
 
 TEST(SpectralMaterials, KirchhoffHoldsInEveryNode) {
   const std::vector<Material> materials{
-      {"edge", Spectrum({0.3, 0.68, 0.72, 5.0, 14.0}, {0.05, 0.05, 0.5, 0.1, 0.02}),
-       Lambertian::shared(), 300.0},
+      {"edge", Spectrum({0.3, 0.68, 0.72, 5.0, 14.0}, {0.05, 0.05, 0.5, 0.1, 0.02}), Lambertian::shared(),
+       300.0},
       {"black", Spectrum::constant(0.0), Lambertian::shared(), {}},
       {"mirror", Spectrum::constant(0.9), Mirror::shared(), 250.0}};
   const std::vector<Channel> channels{Channel::top_hat("red edge", 0.65, 0.75),

@@ -1,5 +1,3 @@
-#include "materials/texture_map.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "materials/texture_map.h"
 #include "sampling/random.h"
 
 namespace ifov::materials {
@@ -84,7 +83,8 @@ TEST(CurveMatcher, TwoRangesTellCurvesApartThatOneCannot) {
     EXPECT_EQ(mix.first, c);
     EXPECT_NEAR(mix.second_share, 0.0, 1e-12);
   }
-  const CurveMix mix = match(matcher, {matcher.score(0, 0), 0.2 * matcher.score(0, 1) + 0.8 * matcher.score(1, 1)});
+  const CurveMix mix =
+      match(matcher, {matcher.score(0, 0), 0.2 * matcher.score(0, 1) + 0.8 * matcher.score(1, 1)});
   EXPECT_EQ(mix.first, 1u);
   EXPECT_EQ(mix.second, 0u);
   EXPECT_NEAR(mix.second_share, 0.2, 1e-12);
@@ -95,7 +95,8 @@ TEST(CurveMatcher, CovarianceCountsRangesThatGoTogetherOnce) {
   std::vector<double> means;
   for (int k = 0; k < 4; ++k)
     for (int sign : {-1, 1}) {
-      const double together = (k & 1) != 0 ? sign : -sign, own = (k & 2) != 0 ? sign : -sign, small = 0.3 * sign;
+      const double together = (k & 1) != 0 ? sign : -sign, own = (k & 2) != 0 ? sign : -sign,
+                   small = 0.3 * sign;
       means.insert(means.end(), {0.5 + 0.1 * together, 0.5 + 0.1 * (together + small), 0.5 + 0.1 * own});
     }
   const CurveMatcher plain(means, 3), covariance(means, 3, CurveMatcher::Distance::covariance);
@@ -126,7 +127,8 @@ TEST(CurveMatcher, CovarianceCountsRangesThatGoTogetherOnce) {
 }
 
 TEST(CurveMatcher, EqualCurvesAreDrawnByTheKey) {
-  const CurveMatcher matcher({0.2, 0.4, 0.4, 0.4, 0.9}, 1), in_two({0.2, 0.1, 0.4, 0.3, 0.4, 0.3, 0.9, 0.8}, 2);
+  const CurveMatcher matcher({0.2, 0.4, 0.4, 0.4, 0.9}, 1),
+      in_two({0.2, 0.1, 0.4, 0.3, 0.4, 0.3, 0.9, 0.8}, 2);
   std::map<std::uint32_t, int> drawn, drawn_in_two;
   for (std::uint64_t key = 0; key < 3000; ++key) {
     const CurveMix mix = match(matcher, {matcher.score(1, 0)}, key);
@@ -142,8 +144,11 @@ TEST(CurveMatcher, EqualCurvesAreDrawnByTheKey) {
 }
 
 TEST(CurveMatcher, WhatCannotBeMatchedIsSaid) {
-  EXPECT_EQ(error_of([] { CurveMatcher({0.3}, 1); }), "a texture needs at least 2 curves to choose from: found 1");
-  EXPECT_EQ(error_of([] { CurveMatcher({0.3, 0.1, 0.3, 0.2}, 2); }),
+  EXPECT_EQ(error_of([] { CurveMatcher({0.3}, 1); }),
+            "a texture needs at least 2 curves to choose from: found 1");
+  EXPECT_EQ(error_of([] {
+              CurveMatcher({0.3, 0.1, 0.3, 0.2}, 2);
+            }),
             "all curves have the same mean, 0.3, in spectral range 1");
   EXPECT_NE(error_of([] {
               CurveMatcher({0.1, 0.2, 0.2, 0.4, 0.4, 0.8}, 2, CurveMatcher::Distance::covariance);
@@ -159,7 +164,9 @@ TEST(ImageScores, AreThoseOfItsOwnNumbers) {
   EXPECT_NEAR(scores.deviation, std::sqrt(1400.0 / 3.0), 1e-12);
   EXPECT_NEAR(static_cast<double>(scores.scores[3]), 30.0 / scores.deviation, 1e-6);
   EXPECT_EQ(scores.scores[2], 0.0f);
-  EXPECT_EQ(error_of([] { score_image(std::vector<float>{3.0f, 3.0f}, {}); }),
+  EXPECT_EQ(error_of([] {
+              score_image(std::vector<float>{3.0f, 3.0f}, {});
+            }),
             "all cells of the image hold the same number, 3");
 }
 
@@ -180,15 +187,17 @@ TEST(ImageScores, ClippedHistogramsAreNoticed) {
 
 TEST(TextureMap, BrightPixelsTakeBrightCurves) {
   // The image has the scores -1 and 1, the curves (mean 0.4, deviation 0.2) stand at -1.5, -0.5, 0.5 and 1.5 / 1.118.
-  const std::vector<radiometry::Spectrum> curves{radiometry::Spectrum::constant(0.1), radiometry::Spectrum::constant(0.3),
-                                                 radiometry::Spectrum::constant(0.5), radiometry::Spectrum::constant(0.7)};
+  const std::vector<radiometry::Spectrum> curves{
+      radiometry::Spectrum::constant(0.1), radiometry::Spectrum::constant(0.3),
+      radiometry::Spectrum::constant(0.5), radiometry::Spectrum::constant(0.7)};
   const SpectralRange range[] = {{0.6, 0.7}};
   const ImageScores image = score_image(std::vector<float>{50.0f, 250.0f}, {});
   const MapGrid grid{0.0, 1.0, 1.0, 1.0, 2, 1, Tiling::repeat, MapBy::place};
   const TextureMap texture({{grid, image.scores}}, CurveMatcher(range_means(curves, range), 1), 9);
   const auto reflectance = [&](double x) {
     const CurveMix mix = texture.at({x, 0.5});
-    return (1.0 - mix.second_share) * curves[mix.first].at(0.65) + mix.second_share * curves[mix.second].at(0.65);
+    return (1.0 - mix.second_share) * curves[mix.first].at(0.65) +
+           mix.second_share * curves[mix.second].at(0.65);
   };
   // Reflectance = mean of the curves + score x their standard deviation.
   EXPECT_NEAR(reflectance(0.5), 0.4 - std::sqrt(0.05), 1e-9);
@@ -197,7 +206,9 @@ TEST(TextureMap, BrightPixelsTakeBrightCurves) {
 }
 
 TEST(TextureMap, NeedsAnImageForEachRange) {
-  EXPECT_EQ(error_of([] { TextureMap({{kOneCell, {0.0f}}}, CurveMatcher({0.1, 0.2, 0.3, 0.1}, 2), 1); }),
+  EXPECT_EQ(error_of([] {
+              TextureMap({{kOneCell, {0.0f}}}, CurveMatcher({0.1, 0.2, 0.3, 0.1}, 2), 1);
+            }),
             "a texture of 2 spectral ranges needs as many images: found 1");
 }
 

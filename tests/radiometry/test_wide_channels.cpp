@@ -20,7 +20,8 @@ double share_below(double wavelength_um, double temperature_k) {
   double sum = 0.0;
   for (int n = 200000; n >= 1; --n) {
     if (n * x > 700.0) continue;
-    sum += std::exp(-n * x) * (x * x * x / n + 3.0 * x * x / n / n + 6.0 * x / n / n / n + 6.0 / n / n / n / n);
+    sum +=
+        std::exp(-n * x) * (x * x * x / n + 3.0 * x * x / n / n + 6.0 * x / n / n / n + 6.0 / n / n / n / n);
   }
   return 15.0 / std::pow(std::numbers::pi, 4) * sum;
 }
@@ -34,11 +35,13 @@ double band_radiance(double from_um, double to_um, double temperature_k) {
 
 // The band's radiance by the series is sigma T^4 / pi less the tails on both sides of the band.
 TEST(WideChannels, BlackbodiesHaveStefanAndBoltzmannsRadiance) {
-  EXPECT_NEAR(share_below(2897.77, 1.0), 0.25006, 1e-4);  // below the maximum, and half of all, as textbooks have them
+  EXPECT_NEAR(share_below(2897.77, 1.0), 0.25006,
+              1e-4);  // below the maximum, and half of all, as textbooks have them
   EXPECT_NEAR(share_below(4107.0, 1.0), 0.5, 1e-4);
   for (const auto& [from_um, to_um] : {std::pair{2.0, 1000.0}, {0.2, 1000.0}, {5.0, 200.0}, {50.0, 3000.0}}) {
     const std::vector<Channel> channels{Channel::top_hat("wide", from_um, to_um)};
-    const auto nodes = SpectralNodes::build(channels, Spectrum(), {}, {.coldest_k = 300.0, .hottest_k = 2500.0});
+    const auto nodes =
+        SpectralNodes::build(channels, Spectrum(), {}, {.coldest_k = 300.0, .hottest_k = 2500.0});
     for (const double temperature : {300.0, 450.0, 700.0, 1000.0, 1600.0, 2500.0}) {
       double radiance = 0.0;
       nodes.planck_channels(temperature, std::span(&radiance, 1));
@@ -67,7 +70,8 @@ TEST(WideChannels, GreySurfacesOverManyOctavesAreRight) {
   }
   const std::vector<Spectrum> surfaces{Spectrum(x, y, OutsideRange::extend, "metal")};
   const std::vector<Channel> channels{Channel::top_hat("wide", 2.0, 1000.0)};
-  const auto nodes = SpectralNodes::build(channels, Spectrum(), surfaces, {.coldest_k = 300.0, .hottest_k = 2500.0});
+  const auto nodes =
+      SpectralNodes::build(channels, Spectrum(), surfaces, {.coldest_k = 300.0, .hottest_k = 2500.0});
   EXPECT_LE(nodes.worst_error(), 7e-4);
   std::vector<float> rho(nodes.node_count()), planck(nodes.node_count());
   nodes.average_surface(surfaces[0], rho);
@@ -80,8 +84,8 @@ TEST(WideChannels, GreySurfacesOverManyOctavesAreRight) {
     constexpr int kSteps = 400000;
     for (int k = 0; k < kSteps; ++k) {
       const double wavelength = 2.0 * std::pow(500.0, (k + 0.5) / kSteps);
-      expected += (1.0 - surfaces[0].at(wavelength)) * planck_w_m2_sr_um(wavelength, temperature) * wavelength *
-                  std::log(500.0) / kSteps / 998.0;
+      expected += (1.0 - surfaces[0].at(wavelength)) * planck_w_m2_sr_um(wavelength, temperature) *
+                  wavelength * std::log(500.0) / kSteps / 998.0;
     }
     EXPECT_NEAR(found / expected, 1.0, 1e-3) << temperature;
   }
@@ -118,12 +122,14 @@ TEST(WideChannels, NarrowLinesOfSurfacesCount) {
 
 // A blue sky on green and red surfaces: nodes that only the Sun's spectrum was asked for miss what it lights.
 TEST(WideChannels, TheSkyIsOneOfTheLights) {
-  const Spectrum sun = Spectrum({0.3, 1.0}, {1500.0, 1500.0}), sky({0.3, 0.4, 0.5, 0.6, 1.0}, {400.0, 300.0, 90.0, 20.0, 1.0});
+  const Spectrum sun = Spectrum({0.3, 1.0}, {1500.0, 1500.0}),
+                 sky({0.3, 0.4, 0.5, 0.6, 1.0}, {400.0, 300.0, 90.0, 20.0, 1.0});
   const std::vector<Spectrum> surfaces{Spectrum({0.3, 0.68, 0.74, 1.0}, {0.04, 0.05, 0.5, 0.5}),
                                        Spectrum({0.3, 0.5, 0.6, 1.0}, {0.03, 0.05, 0.4, 0.5})};
   const std::vector<Channel> channels{Channel::top_hat("pan", 0.4, 0.9)};
   const auto error_with = [&](const Spectrum* known) {
-    const auto nodes = SpectralNodes::build(channels, sun, surfaces, {.reflections = 2, .hottest_k = 0.0}, known);
+    const auto nodes =
+        SpectralNodes::build(channels, sun, surfaces, {.reflections = 2, .hottest_k = 0.0}, known);
     std::vector<float> light(nodes.node_count()), rho(light.size());
     nodes.average_source(sky, light);
     for (const Spectrum& surface : surfaces) {

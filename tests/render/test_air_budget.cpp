@@ -100,7 +100,8 @@ TEST_F(AirBudget, IsNotBlamedForWhatTheSamplerDidNotReach) {
   // But where it would not have left room either, both are said.
   const AccuracyTolerance strict = tolerance(0.005);
   widen(air_, &strict, result);
-  EXPECT_EQ(result.reasons[0], sampling::bit(sampling::Reason::samples) | sampling::bit(sampling::Reason::air));
+  EXPECT_EQ(result.reasons[0],
+            sampling::bit(sampling::Reason::samples) | sampling::bit(sampling::Reason::air));
 }
 
 TEST_F(AirBudget, WithoutErrorsNothingChanges) {

@@ -25,7 +25,8 @@ double planck(double temperature_k) {
 /// Puts fixed shares of states side by side.
 class FixedBlend final : public scene::Pattern {
  public:
-  FixedBlend(std::vector<scene::Constituent> parts, bool mixes = true) : parts_(std::move(parts)), mixes_(mixes) {}
+  FixedBlend(std::vector<scene::Constituent> parts, bool mixes = true)
+      : parts_(std::move(parts)), mixes_(mixes) {}
   void apply(const geometry::SurfacePoint&, scene::ResolvedSurface& surface) const override {
     surface.count = parts_.size();
     std::copy(parts_.begin(), parts_.end(), surface.constituents.begin());
@@ -56,8 +57,9 @@ TEST(Blend, ReflectanceAndEmissionAreSharesOfTheParts) {
   SmallScene scene;
   const std::uint32_t bright = scene.material(0.6, 300.0), dark = scene.material(0.1, 320.0);
   scene.place(geometry::Plane{}, bright);
-  scene.scene().coverings[bright].patterns.push_back(std::make_shared<FixedBlend>(std::vector<scene::Constituent>{
-      {bright, bright, 0.3, 0.0}, {dark, dark, 0.5, 0.0}, {dark, dark, 0.2, 340.0}}));
+  scene.scene().coverings[bright].patterns.push_back(
+      std::make_shared<FixedBlend>(std::vector<scene::Constituent>{
+          {bright, bright, 0.3, 0.0}, {dark, dark, 0.5, 0.0}, {dark, dark, 0.2, 340.0}}));
   scene.sun({0.0, 0.3, 1.0}, kSun, 0.00465);
   scene.build();
   const double sine = 1.0 / std::sqrt(1.09);
@@ -76,8 +78,9 @@ SmallScene::Estimate meadow_with_mirrors(double mirror_share, double mirror_refl
   scene.place(geometry::Plane{}, meadow);
   // A hot plate overhead that only the mirrors show whole.
   scene.place(geometry::Disk{{0.0, 0.0, 20.0}, 1.0}, scene.material(0.0, 400.0));
-  scene.scene().coverings[meadow].patterns.push_back(std::make_shared<FixedBlend>(std::vector<scene::Constituent>{
-      {meadow, meadow, 1.0 - mirror_share, 0.0}, {mirror, mirror, mirror_share, 0.0}}));
+  scene.scene().coverings[meadow].patterns.push_back(
+      std::make_shared<FixedBlend>(std::vector<scene::Constituent>{{meadow, meadow, 1.0 - mirror_share, 0.0},
+                                                                   {mirror, mirror, mirror_share, 0.0}}));
   scene.build();
   return scene.radiance({{0.0, 0.0, 10.0}, {0.0, 0.0, -1.0}}, 1 << 16);
 }
@@ -184,8 +187,8 @@ TEST(Bump, LowSunFromBelowTheTiltComesMirrored) {
   scene.sun({std::cos(height), 0.0, std::sin(height)}, kSun, 0.0);
   scene.build();
   const auto estimate = scene.radiance(kDown, 64);
-  EXPECT_NEAR(estimate.mean, 0.5 * kSun * (std::cos(2.0 * height) + std::cos(4.0 * height)) / std::numbers::pi,
-              1e-4 * kSun);
+  EXPECT_NEAR(estimate.mean,
+              0.5 * kSun * (std::cos(2.0 * height) + std::cos(4.0 * height)) / std::numbers::pi, 1e-4 * kSun);
 }
 
 }  // namespace

@@ -1,13 +1,12 @@
 // The Sun's glints on curved mirrors, against closed forms.
-#include "materials/bsdf/mirror.h"
-#include "render/glints.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 #include <numbers>
 
+#include "materials/bsdf/mirror.h"
+#include "render/glints.h"
 #include "sampling/random.h"
 #include "sensor/frame_camera.h"
 #include "sensor/orthographic_camera.h"
@@ -32,7 +31,8 @@ sensor::OrthographicCamera nadir_camera() {
 }
 
 /// What the glints of a scene add to an image, with errors.
-sampling::TileResult glints_in(const transport::SpectralScene& scene, const sensor::Camera& camera, std::uint64_t seed = 1) {
+sampling::TileResult glints_in(const transport::SpectralScene& scene, const sensor::Camera& camera,
+                               std::uint64_t seed = 1) {
   sampling::TileResult tile;
   tile.reset({0, 0, camera.width_px(), camera.height_px()}, 1);
   const render::Glints glints(scene, camera, 0.5, seed);
@@ -61,8 +61,9 @@ TEST(Glints, BallAndDomeSendAQuarterOfTheirDiscEverywhere) {
   const auto camera = nadir_camera();
   for (const math::Vec3 sun : {kSun, math::Vec3{0.0, 0.0, 1.0}, math::Vec3{2.0, 0.0, 1.0}})
     for (const double half_angle : {kHalfAngle, 0.0})
-      for (const geometry::Shape& shape : {geometry::Shape{geometry::Sphere{{0.12, 0.1, 1.0}, kRadius}},
-                                           geometry::Shape{geometry::Hemisphere{{0.12, 0.1, 0.0}, kRadius}}}) {
+      for (const geometry::Shape& shape :
+           {geometry::Shape{geometry::Sphere{{0.12, 0.1, 1.0}, kRadius}},
+            geometry::Shape{geometry::Hemisphere{{0.12, 0.1, 0.0}, kRadius}}}) {
         Ball scene(shape, half_angle, sun);
         EXPECT_NEAR(total(glints_in(scene.build(), camera)), kBall, 4e-3 * kBall);
       }
@@ -117,7 +118,8 @@ TEST(Glints, BothLegsMustBeFree) {
   for (const math::Vec3 leg : {math::Vec3{0.0, 0.0, 1.0}, s}) {
     Ball scene(geometry::Sphere{{0.0, 0.0, 1.0}, kRadius}, kHalfAngle);
     const math::Point3 at = glint + leg * 3.0;
-    scene.place(geometry::Box{at - math::Vec3{0.3, 0.3, 0.05}, at + math::Vec3{0.3, 0.3, 0.05}}, scene.material(0.1));
+    scene.place(geometry::Box{at - math::Vec3{0.3, 0.3, 0.05}, at + math::Vec3{0.3, 0.3, 0.05}},
+                scene.material(0.1));
     EXPECT_EQ(total(glints_in(scene.build(), camera)), 0.0);
   }
   Ball free(geometry::Sphere{{0.0, 0.0, 1.0}, kRadius}, kHalfAngle);
@@ -130,7 +132,8 @@ TEST(Glints, BothLegsMustBeFree) {
 TEST(Glints, PipeShowsALine) {
   constexpr double kLength = 2.2, kZenith = 0.7;
   SmallScene scene;
-  scene.place(geometry::Cylinder{{0.0, 0.0, 0.0}, kRadius, kLength, false}, scene.material(kMirror, 0.0, kMirrorKind),
+  scene.place(geometry::Cylinder{{0.0, 0.0, 0.0}, kRadius, kLength, false},
+              scene.material(kMirror, 0.0, kMirrorKind),
               math::Transform::translation({-0.4, -1.1, 2.0}) *
                   math::Transform::rotation({1.0, 0.0, 0.0}, -0.5 * std::numbers::pi));
   scene.sun({std::sin(kZenith), 0.0, std::cos(kZenith)}, kIrradiance, kHalfAngle);
@@ -189,7 +192,8 @@ TEST(Glints, ImagesPathsLeaveThemOutAndOthersFindThem) {
   scene.build();
   const math::Vec3 half = math::normalized(math::normalized(kSun) + math::Vec3{0.0, 0.0, 1.0});
   const math::Ray ray{math::Point3{kRadius * half.x, kRadius * half.y, 50.0}, {0.0, 0.0, -1.0}};
-  EXPECT_NEAR(scene.radiance(ray, 4).mean, kMirror * kIrradiance / (std::numbers::pi * std::pow(std::sin(kHalfAngle), 2)),
+  EXPECT_NEAR(scene.radiance(ray, 4).mean,
+              kMirror * kIrradiance / (std::numbers::pi * std::pow(std::sin(kHalfAngle), 2)),
               1e-3 * scene.radiance(ray, 4).mean);
   transport::TransportOptions apart;
   apart.sought_only = true;

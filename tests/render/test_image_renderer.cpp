@@ -1,11 +1,10 @@
-#include "render/image_renderer.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <mutex>
 
+#include "render/image_renderer.h"
 #include "render/tile_grid.h"
 #include "sampling/single_sampler.h"
 #include "sensor/orthographic_camera.h"

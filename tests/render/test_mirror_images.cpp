@@ -27,8 +27,8 @@ struct OneTile final : render::TileSink {
 };
 
 /// One tile of `side` pixels about (x, y), at an error of 1 %.
-sampling::TileResult image_of(const transport::SpectralScene& scene, int side, double gsd_m, double x, double y,
-                              std::uint64_t seed) {
+sampling::TileResult image_of(const transport::SpectralScene& scene, int side, double gsd_m, double x,
+                              double y, std::uint64_t seed) {
   sensor::OrthographicCamera::Settings settings;
   settings.width_px = settings.height_px = side;
   settings.gsd_m = gsd_m;
@@ -56,8 +56,9 @@ TEST(MirrorImages, GroundBeforeAFacadeIsWithinItsIntervals) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     SmallScene scene;
     scene.place(geometry::Plane{}, scene.material(kGround));
-    scene.place(geometry::Polygon{{{0.0, -90.0, 0.0}, {0.0, 90.0, 0.0}, {0.0, 90.0, 10.0}, {0.0, -90.0, 10.0}}},
-                scene.material(kMirror, 0.0, kMirrorKind));
+    scene.place(
+        geometry::Polygon{{{0.0, -90.0, 0.0}, {0.0, 90.0, 0.0}, {0.0, 90.0, 10.0}, {0.0, -90.0, 10.0}}},
+        scene.material(kMirror, 0.0, kMirrorKind));
     scene.sun({1.0, 0.0, 2.0}, kIrradiance, kHalfAngle);
     // The light of the mirror ends 5 m before it, within a column of pixels.
     const double low = 0.1 + sampling::unit_double(seed);
@@ -87,8 +88,9 @@ TEST(MirrorImages, ChromeBallShowsItsGlintAndAnEggMarksItsCaustics) {
     const auto picture = [&](double half_angle, double height = 1.0) {
       SmallScene scene;
       scene.place(geometry::Plane{}, scene.material(kGround));
-      scene.place(geometry::Sphere{{0.0, 0.0, 0.0}, kRadius}, scene.material(kMirror, 0.0, kMirrorKind),
-                  math::Transform::translation({x, y, kRadius}) * math::Transform::scaling({1.0, 1.0, height}));
+      scene.place(
+          geometry::Sphere{{0.0, 0.0, 0.0}, kRadius}, scene.material(kMirror, 0.0, kMirrorKind),
+          math::Transform::translation({x, y, kRadius}) * math::Transform::scaling({1.0, 1.0, height}));
       scene.sun(sun, kIrradiance, half_angle);
       scene.sky(kSky);
       return image_of(scene.build(), kSide, kGsd, 0.0, 0.0, seed);
@@ -105,9 +107,11 @@ TEST(MirrorImages, ChromeBallShowsItsGlintAndAnEggMarksItsCaustics) {
     EXPECT_LT(static_cast<double>(tile.mean[at]), glint + rest);
     ++judged;
     held += std::abs(static_cast<double>(tile.mean[at]) - static_cast<double>(point.mean[at])) <=
-            std::hypot(static_cast<double>(tile.half_width[at]), static_cast<double>(point.half_width[at])) + 5e-4 * glint;
+            std::hypot(static_cast<double>(tile.half_width[at]), static_cast<double>(point.half_width[at])) +
+                5e-4 * glint;
     const auto unseen = sampling::bit(sampling::Reason::unseen_light);
-    for (const auto reasons : tile.reasons) EXPECT_EQ(reasons & unseen, 0) << "what the ball throws is sought";
+    for (const auto reasons : tile.reasons)
+      EXPECT_EQ(reasons & unseen, 0) << "what the ball throws is sought";
     // Of an egg it is not; 3.5 m away it adds 1e-4 of the light.
     const sampling::TileResult egg = picture(kHalfAngle, 0.9);
     EXPECT_EQ(egg.reasons.front() & unseen, 0);

@@ -1,5 +1,3 @@
-#include "render/node_budget.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "radiometry/channel.h"
+#include "render/node_budget.h"
 
 namespace ifov::render {
 namespace {
@@ -33,7 +32,8 @@ class NodeBudget : public testing::Test {
     return result;
   }
   static radiometry::SpectralNodes some_nodes() {
-    const std::array channels{radiometry::Channel::top_hat("a", 0.5, 0.6), radiometry::Channel::top_hat("b", 0.6, 0.7)};
+    const std::array channels{radiometry::Channel::top_hat("a", 0.5, 0.6),
+                              radiometry::Channel::top_hat("b", 0.6, 0.7)};
     return radiometry::SpectralNodes::build(channels, radiometry::Spectrum::constant(1000.0), {});
   }
   ChannelBrightness brightness_{some_nodes()};
@@ -89,8 +89,9 @@ TEST_F(NodeBudget, KnowsWhatTheSearchCouldNotKeep) {
     surfaces.emplace_back(x, y);
   }
   const std::array channels{radiometry::Channel::top_hat("pan", 0.4, 1.0)};
-  const auto nodes = radiometry::SpectralNodes::build(channels, radiometry::Spectrum::constant(1000.0), surfaces,
-                                                      {.reflections = 3, .hottest_k = 0.0, .most_nodes = 8});
+  const auto nodes =
+      radiometry::SpectralNodes::build(channels, radiometry::Spectrum::constant(1000.0), surfaces,
+                                       {.reflections = 3, .hottest_k = 0.0, .most_nodes = 8});
   EXPECT_GT(nodes.worst_error(), 0.01);
   const scene::Scene scene = [&] {
     scene::Scene made;

@@ -1,11 +1,10 @@
-#include "render/object_seeds.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/world/world_builder.h"
+#include "render/object_seeds.h"
 #include "sampling/random.h"
 #include "sensor/orthographic_camera.h"
 
@@ -39,11 +38,12 @@ TEST(ObjectSeeds, TilesGetThoseOfTheirOwnAndOfTheirMargin) {
   }
   const auto world = builder.build(1);
   const render::ObjectSeeds seeds(*world, 1, camera(), 1.5);
-  for (const sampling::PixelRect tile : {sampling::PixelRect{0, 0, 8, 8}, {8, 16, 24, 20}, {30, 30, 32, 32}}) {
+  for (const sampling::PixelRect tile :
+       {sampling::PixelRect{0, 0, 8, 8}, {8, 16, 24, 20}, {30, 30, 32, 32}}) {
     std::vector<std::uint32_t> expected;
     for (std::uint32_t k = 0; k < images.size(); ++k)
-      if (images[k].x_px >= tile.x0 - 1.5 && images[k].x_px < tile.x1 + 1.5 && images[k].y_px >= tile.y0 - 1.5 &&
-          images[k].y_px < tile.y1 + 1.5)
+      if (images[k].x_px >= tile.x0 - 1.5 && images[k].x_px < tile.x1 + 1.5 &&
+          images[k].y_px >= tile.y0 - 1.5 && images[k].y_px < tile.y1 + 1.5)
         expected.push_back(k);
     const render::ObjectSeeds::Near near = seeds.near(tile, 1.5);
     std::vector<std::uint32_t> found = near.objects;
@@ -68,8 +68,10 @@ std::size_t seeds_in_band(int strips) {
   geometry::WorldBuilder builder;
   place(builder, std::move(mesh), {0.3, 0.1, 1.0});
   const auto world = builder.build(1);
-  const render::ObjectSeeds::Near near = render::ObjectSeeds(*world, 1, camera(), 1.5).near({0, 0, kSide, kSide}, 1.5);
-  return static_cast<std::size_t>(std::count(near.objects.begin(), near.objects.end(), sampling::Field::kNoObject));
+  const render::ObjectSeeds::Near near =
+      render::ObjectSeeds(*world, 1, camera(), 1.5).near({0, 0, kSide, kSide}, 1.5);
+  return static_cast<std::size_t>(
+      std::count(near.objects.begin(), near.objects.end(), sampling::Field::kNoObject));
 }
 
 // A strip is sought all along, three times in a pixel; what only was cut into strips meets the lattice anyway.

@@ -1,10 +1,9 @@
-#include "materials/bsdf/mirror.h"
-#include "render/scene_field.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
+#include "materials/bsdf/mirror.h"
+#include "render/scene_field.h"
 #include "sensor/orthographic_camera.h"
 #include "transport/small_scene.h"
 
@@ -24,7 +23,8 @@ TEST(SceneField, LabelsTellGroundThatAMirrorLights) {
   settings.start_height_m = 100.0;
   const sensor::OrthographicCamera camera(settings);  // x metres before the mirror are at 10 + x
   render::SceneField field(scene.build(), camera, {}, render::LabelDetail::sun_state);
-  const std::vector<sampling::FocalPoint> points{{11.0, 4.0}, {14.0, 9.0}, {15.0, 6.0}, {16.0, 4.0}, {19.0, 9.0}};
+  const std::vector<sampling::FocalPoint> points{
+      {11.0, 4.0}, {14.0, 9.0}, {15.0, 6.0}, {16.0, 4.0}, {19.0, 9.0}};
   std::vector<sampling::Label> labels(points.size());
   field.labels(points, labels);
   EXPECT_EQ(labels[0], labels[1]);

@@ -1,12 +1,11 @@
 // An edge through an Airy pattern, against the response of a diffraction-limited pixel to a half plane in closed form.
-#include "render/wing_light.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <complex>
 #include <numbers>
 
+#include "render/wing_light.h"
 #include "sampling/accuracy/accuracy_sampler.h"
 
 namespace ifov::render {
@@ -18,11 +17,17 @@ constexpr double kPi = std::numbers::pi;
 class EdgeField final : public sampling::Field {
  public:
   EdgeField(double dark, double bright, double x0_px, double y0_px, double angle_rad)
-      : dark_(dark), bright_(bright), x0_(x0_px), y0_(y0_px), cosine_(std::cos(angle_rad)), sine_(std::sin(angle_rad)) {}
+      : dark_(dark),
+        bright_(bright),
+        x0_(x0_px),
+        y0_(y0_px),
+        cosine_(std::cos(angle_rad)),
+        sine_(std::sin(angle_rad)) {}
   int columns() const override { return 1; }
   double distance(double x_px, double y_px) const { return (x_px - x0_) * cosine_ + (y_px - y0_) * sine_; }
   void labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) override {
-    for (std::size_t k = 0; k < points.size(); ++k) labels[k] = distance(points[k].x_px, points[k].y_px) > 0.0;
+    for (std::size_t k = 0; k < points.size(); ++k)
+      labels[k] = distance(points[k].x_px, points[k].y_px) > 0.0;
     counts_.primary += points.size();
   }
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
@@ -33,7 +38,9 @@ class EdgeField final : public sampling::Field {
     }
     counts_.primary += requests.size();
   }
-  std::uint32_t material_of(sampling::Label label) const override { return static_cast<std::uint32_t>(label); }
+  std::uint32_t material_of(sampling::Label label) const override {
+    return static_cast<std::uint32_t>(label);
+  }
   sampling::RayCounts counts() const override { return counts_; }
 
  private:
@@ -124,7 +131,8 @@ TEST(WingLight, ModulationAtASlantedEdgeIsThatOfTheAperture) {
       worst = std::max(worst, whole.modulation_error(f, kSide, std::cos(kAngle)));
       worst_cut = std::max(worst_cut, cut.modulation_error(f, kSide, std::cos(kAngle)));
     }
-    RecordProperty(q < 1.0 ? "worst_half" : "worst_one", std::to_string(worst) + " cut " + std::to_string(worst_cut));
+    RecordProperty(q < 1.0 ? "worst_half" : "worst_one",
+                   std::to_string(worst) + " cut " + std::to_string(worst_cut));
     EXPECT_LT(worst, 0.01) << q;
     EXPECT_GT(worst_cut, 0.02) << q;  // the planted fault: 95 % of the energy and no wings
   }
@@ -144,8 +152,9 @@ TEST(WingLight, PixelsBesideAnEdgeAreWithinTheirIntervals) {
         narrow += whole.half_width[p] <= 0.01 * whole.truth[p];
       }
     }
-    RecordProperty(q < 1.0 ? "half" : "one", std::to_string(inside) + " narrow " + std::to_string(narrow) + " cut " +
-                                                 std::to_string(inside_cut) + " of " + std::to_string(pixels));
+    RecordProperty(q < 1.0 ? "half" : "one", std::to_string(inside) + " narrow " + std::to_string(narrow) +
+                                                 " cut " + std::to_string(inside_cut) + " of " +
+                                                 std::to_string(pixels));
     EXPECT_GE(inside, 0.93 * pixels) << q;
     EXPECT_GE(narrow, 0.95 * pixels) << q;
     EXPECT_LT(inside_cut, 0.2 * pixels) << q;

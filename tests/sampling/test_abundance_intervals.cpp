@@ -51,14 +51,16 @@ TEST(AbundanceIntervals, HoldWhereABorderWasTraced) {
 
 /// Tiles of 1/16 px of five materials at random: far more borders than are worth tracing.
 std::uint32_t material_at(double x, double y) {
-  const auto i = static_cast<std::int64_t>(std::floor(16.0 * x)), j = static_cast<std::int64_t>(std::floor(16.0 * y));
+  const auto i = static_cast<std::int64_t>(std::floor(16.0 * x)),
+             j = static_cast<std::int64_t>(std::floor(16.0 * y));
   return static_cast<std::uint32_t>(hash(77, i, j) % 5);
 }
 
 TEST(AbundanceIntervals, HoldInClutter) {
   constexpr int kSide = 6;
-  ShapeField field([](double x, double y) { return static_cast<Label>(material_at(x, y)); },
-                   [](Label l, double, double, int) { return static_cast<float>(kCold + 0.9 * static_cast<double>(l)); });
+  ShapeField field(
+      [](double x, double y) { return static_cast<Label>(material_at(x, y)); },
+      [](Label l, double, double, int) { return static_cast<float>(kCold + 0.9 * static_cast<double>(l)); });
   Judged judged;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     Rendering render = three_by_three(seed);
@@ -68,14 +70,16 @@ TEST(AbundanceIntervals, HoldInClutter) {
     for (std::uint32_t p = 0; p < kSide * kSide; ++p) {
       double truth[5] = {};
       for (int t = 0; t < 256; ++t)
-        truth[material_at(p % kSide + (t % 16 + 0.5) / 16.0, static_cast<double>(p / kSide) + (t / 16 + 0.5) / 16.0)] += 1.0 / 256.0;
+        truth[material_at(p % kSide + (t % 16 + 0.5) / 16.0,
+                          static_cast<double>(p / kSide) + (t / 16 + 0.5) / 16.0)] += 1.0 / 256.0;
       for (std::uint32_t m = 0; m < 5; ++m) {
         const Abundance* a = of(result, p, m);
         ASSERT_NE(a, nullptr);
         ASSERT_GT(a->half_width, 0.0f);
         judged.add(a->fraction - truth[m], a->half_width);
         // The shares of a pixel are those of its values: no wider than if these were drawn one by one.
-        const double values = result.radiance_evaluations[p], one_by_one = 1.96 * std::sqrt(a->fraction * (1.0 - a->fraction) / values);
+        const double values = result.radiance_evaluations[p],
+                     one_by_one = 1.96 * std::sqrt(a->fraction * (1.0 - a->fraction) / values);
         EXPECT_LT(a->half_width, 1.5 * one_by_one);
         EXPECT_GT(a->half_width, 0.9 * one_by_one);
       }

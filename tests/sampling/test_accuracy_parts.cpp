@@ -235,7 +235,8 @@ TEST(LabelSpread, LocalIsBlindToAPlane) {
   at.constant.assign(1, 0);
   for (std::size_t v = 0; v < 49; ++v) {
     at.labels.push_back(table.index(1));
-    at.values.push_back(static_cast<float>(0.5 * static_cast<double>(v % 7) + 0.25 * static_cast<double>(v / 7)));
+    at.values.push_back(
+        static_cast<float>(0.5 * static_cast<double>(v % 7) + 0.25 * static_cast<double>(v / 7)));
     table.add(0, at.value(v));
   }
   const LabelSpread spread(lattice, table, at);
@@ -275,7 +276,9 @@ TEST(LabelSpread, ToldVariancesAreThoseOfTheNoise) {
   LatticeValues at;
   at.columns = 1;
   at.constant.assign(2, 0);
-  const auto noise = [](int k) { return static_cast<float>(unit_double(mix(static_cast<std::uint64_t>(k) + 31))); };
+  const auto noise = [](int k) {
+    return static_cast<float>(unit_double(mix(static_cast<std::uint64_t>(k) + 31)));
+  };
   for (int v = 0; v < kRow * kRow; ++v) {
     at.labels.push_back(table.index(v == 0 ? 10 : 20));  // the one label has a single value
     at.values.push_back(noise(v));
@@ -289,7 +292,8 @@ TEST(LabelSpread, ToldVariancesAreThoseOfTheNoise) {
       table.add(1, &at.look.values.back());
     }
     const LabelSpread spread(lattice, table, at);
-    for (const std::uint32_t label : {0u, 1u, 99u}) EXPECT_NEAR(spread.local(label, 0), 1.0 / 12.0, 0.1 / 12.0) << looks;
+    for (const std::uint32_t label : {0u, 1u, 99u})
+      EXPECT_NEAR(spread.local(label, 0), 1.0 / 12.0, 0.1 / 12.0) << looks;
     EXPECT_NEAR(spread.total(1, 0), 1.0 / 12.0, 0.05 / 12.0);
   }
 }

@@ -31,7 +31,8 @@ TEST(AccuracyProbing, ASurprisingFindIsProbedAroundOnAllSides) {
         const int away = std::max(std::abs(x - kMiddle), std::abs(y - kMiddle));
         const std::uint32_t rays = result.label_rays[static_cast<std::size_t>(y * kSide + x)];
         if (away == 1) {
-          EXPECT_GE(rays, far + static_cast<std::uint32_t>(least)) << "pixel " << x << ", " << y << " of seed " << seed;
+          EXPECT_GE(rays, far + static_cast<std::uint32_t>(least))
+              << "pixel " << x << ", " << y << " of seed " << seed;
         }
         if (away > 1) {
           EXPECT_EQ(rays, far) << "pixel " << x << ", " << y << " of seed " << seed;
@@ -48,13 +49,16 @@ TEST(AccuracyProbing, AGapBetweenTwoThatLookAlikeIsFound) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Draw draw(seed);
     const double left = 1.36 + 0.2 * draw(), width = 0.03;
-    ShapeField field([=](double x, double) -> Label { return x < left ? 1 : x < left + width ? 2 : 3; },
+    ShapeField field([=](double x, double) -> Label { return x < left           ? 1
+                                                             : x < left + width ? 2
+                                                                                : 3; },
                      [](Label l, double, double, int) { return static_cast<float>(l == 2 ? kHot : kCold); });
     Rendering render = three_by_three(seed);
     render.options.clutter_switch = false;
     const TileResult result = render(field);
     for (const std::size_t p : {1, 4, 7})
-      EXPECT_NEAR(result.mean[p], kCold + (kHot - kCold) * width, 0.1 * kRadiancePerKelvin) << p << " of seed " << seed;
+      EXPECT_NEAR(result.mean[p], kCold + (kHot - kCold) * width, 0.1 * kRadiancePerKelvin)
+          << p << " of seed " << seed;
   }
 }
 

@@ -16,7 +16,9 @@ struct Rows {
   bool apart;  ///< every row is an object of its own
   double bright = 0.3, dark = 0.05;
 
-  double place(double x, double y) const { return (std::cos(angle_rad) * x + std::sin(angle_rad) * y) / pitch_px + phase; }
+  double place(double x, double y) const {
+    return (std::cos(angle_rad) * x + std::sin(angle_rad) * y) / pitch_px + phase;
+  }
   Label label(double x, double y) const {
     const double at = place(x, y), row = std::floor(at);
     if (at - row >= duty) return 1;
@@ -56,7 +58,8 @@ void judge(const Rows& rows, std::uint64_t seed, const AccuracyFaults& faults, J
     if (!result.converged(p)) continue;
     const double truth = rows.mean(static_cast<int>(p) % kSide, static_cast<int>(p) / kSide);
     const double rounding = 2e-6 * truth;  // of single precision
-    const double error = static_cast<double>(result.mean[p]) - truth, half = static_cast<double>(result.half_width[p]);
+    const double error = static_cast<double>(result.mean[p]) - truth,
+                 half = static_cast<double>(result.half_width[p]);
     sum.converged += 1.0;
     sum.off += std::abs(error) > half + rounding;
     sum.far_off += std::abs(error) > 5.0 * half + rounding;

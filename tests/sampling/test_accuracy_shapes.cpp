@@ -93,7 +93,8 @@ TEST(AccuracyShapes, BordersThatDoNotSettleAreWithinTheInterval) {
         const sampling::Polygon square =
             turned_rectangle(c * along - s * across, s * along + c * across, side, side, angle);
         for (int p = 0; p < 9; ++p)
-          truth[p] += (hot(u, v) ? kHot : kCold) * polygon_in_rectangle(square, p % 3, p / 3, p % 3 + 1, p / 3 + 1);
+          truth[p] +=
+              (hot(u, v) ? kHot : kCold) * polygon_in_rectangle(square, p % 3, p / 3, p % 3 + 1, p / 3 + 1);
       }
     Rendering render = three_by_three(seed);
     render.half_width = 0.01;

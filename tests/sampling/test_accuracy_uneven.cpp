@@ -25,12 +25,14 @@ struct Penumbra {
     void labels(std::span<const FocalPoint> points, std::span<Label> labels) override {
       for (std::size_t k = 0; k < points.size(); ++k) labels[k] = label(points[k]);
     }
-    void values(std::span<const PathRequest> requests, std::span<Label> labels, std::span<float> values) override {
+    void values(std::span<const PathRequest> requests, std::span<Label> labels,
+                std::span<float> values) override {
       for (std::size_t k = 0; k < requests.size(); ++k) {
         const PathRequest& r = requests[k];
         labels[k] = label(r.point);
         const double chance = scene_.across(r.point.x_px, r.point.y_px);
-        const bool sees = unit_double(hash(r.sequence, r.index, static_cast<std::uint64_t>(r.point.x_px * 1e9))) < chance;
+        const bool sees =
+            unit_double(hash(r.sequence, r.index, static_cast<std::uint64_t>(r.point.x_px * 1e9))) < chance;
         values[k * static_cast<std::size_t>(stride())] = static_cast<float>(sees ? scene_.lit : scene_.dark);
       }
     }
@@ -75,7 +77,8 @@ Judged judge(const AccuracyFaults& faults) {
       ++sum.pixels;
       if (!result.converged(at)) continue;
       ++sum.converged;
-      const double error = std::abs(static_cast<double>(result.mean[at]) - truth), half = static_cast<double>(result.half_width[at]);
+      const double error = std::abs(static_cast<double>(result.mean[at]) - truth),
+                   half = static_cast<double>(result.half_width[at]);
       sum.off += error > half + 1e-4 * truth;
       sum.far_off += error > 3.0 * half + 1e-4 * truth;
     }

@@ -1,11 +1,10 @@
-#include "sampling/accuracy/clutter_round.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 #include <vector>
 
+#include "sampling/accuracy/clutter_round.h"
 #include "sampling/hash.h"
 
 namespace ifov::sampling {
@@ -24,20 +23,26 @@ ClutterRound filled(int side, std::uint64_t key, bool keep,
     round.request(2, 3, key, {key, 0}, block, requests);
     std::vector<float> values(ClutterRound::kBlock * kStride, 0.0f);
     for (std::size_t q = 0; q < requests.size(); ++q)
-      values[q * kStride] = static_cast<float>(picture(requests[q].point.x_px - 2.0, requests[q].point.y_px - 3.0,
-                                                       hash(requests[q].sequence, requests[q].index)));
+      values[q * kStride] =
+          static_cast<float>(picture(requests[q].point.x_px - 2.0, requests[q].point.y_px - 3.0,
+                                     hash(requests[q].sequence, requests[q].index)));
     const std::uint32_t materials[4] = {7, 7, 7, 8};
-    const double twist = static_cast<double>(values[0]) - values[kStride] - values[2 * kStride] + values[3 * kStride];
+    const double twist =
+        static_cast<double>(values[0]) - values[kStride] - values[2 * kStride] + values[3 * kStride];
     if (by_blocks != nullptr) *by_blocks += twist * twist / std::pow(side, 4);
     for (std::size_t q = 0; q < requests.size(); ++q) {
-      const int i = static_cast<int>((requests[q].point.x_px - 2.0) * side), j = static_cast<int>((requests[q].point.y_px - 3.0) * side);
+      const int i = static_cast<int>((requests[q].point.x_px - 2.0) * side),
+                j = static_cast<int>((requests[q].point.y_px - 3.0) * side);
       cells[static_cast<std::size_t>(j * side + i)] = static_cast<double>(values[q * kStride]);
     }
-    round.add_block(values.data(), materials, std::span<const PathRequest>(requests).first<ClutterRound::kBlock>());
+    round.add_block(values.data(), materials,
+                    std::span<const PathRequest>(requests).first<ClutterRound::kBlock>());
   }
   for (int j = 0; by_steps != nullptr && j < side; ++j)
     for (int i = 0; i < side; ++i) {
-      const auto at = [&](int column, int row) { return cells[static_cast<std::size_t>(row * side + column)]; };
+      const auto at = [&](int column, int row) {
+        return cells[static_cast<std::size_t>(row * side + column)];
+      };
       if (i + 1 < side) *by_steps += std::pow(at(i + 1, j) - at(i, j), 2) / 8.0 / std::pow(side, 4);
       if (j + 1 < side) *by_steps += std::pow(at(i, j + 1) - at(i, j), 2) / 8.0 / std::pow(side, 4);
     }
@@ -72,7 +77,8 @@ TEST(ClutterRound, NoiseHasTheVarianceOfItsMean) {
 
 /// A border: blocks see 1.3 to 1.5 times its variance, values taken for independent many times.
 TEST(ClutterRound, ABorderCostsLessThanIndependentValuesWould) {
-  const Spread s = spread(10, [](double x, double y, std::uint64_t) { return 0.8 * x + 0.6 * y > 0.65 ? 1.0 : 0.0; });
+  const Spread s =
+      spread(10, [](double x, double y, std::uint64_t) { return 0.8 * x + 0.6 * y > 0.65 ? 1.0 : 0.0; });
   EXPECT_GT(s.estimated, 0.95 * s.true_variance);
   EXPECT_LT(s.estimated, 2.0 * s.true_variance);
   EXPECT_GT(s.as_if_independent, 5.0 * s.true_variance);
@@ -89,7 +95,10 @@ double gross_errors(bool neighbours_tell) {
     double by_blocks = 0.0;
     const ClutterRound round = filled(
         6, hash(6, k), false,
-        [&](double x, double, std::uint64_t path) { return (on_line(x) ? 1.0 : 0.0) + 0.02 * unit_double(path); }, &by_blocks);
+        [&](double x, double, std::uint64_t path) {
+          return (on_line(x) ? 1.0 : 0.0) + 0.02 * unit_double(path);
+        },
+        &by_blocks);
     const ClutterRound::Moment m = round.moment(0);
     const double variance = neighbours_tell ? m.variance : by_blocks;
     if (std::abs(m.mean - (kRight - kLeft) - 0.01) > 5.0 * std::sqrt(variance)) ++gross;
@@ -109,15 +118,18 @@ TEST(ClutterRound, UnlikeNeighboursTellTheVarianceOfStraightBorders) {
     double variance = 0.0, steps = 0.0;
     int more = 0;
     for (int k = 0; k < kBorders; ++k) {
-      const double angle = 6.283185307179586 * unit_double(hash(8, k, 0)), offset = 0.7 * (unit_double(hash(8, k, 1)) - 0.5);
+      const double angle = 6.283185307179586 * unit_double(hash(8, k, 0)),
+                   offset = 0.7 * (unit_double(hash(8, k, 1)) - 0.5);
       const double x = std::cos(angle), y = std::sin(angle);
       double mean[2];
       for (int twin = 0; twin < 2; ++twin) {
         double by_blocks = 0.0, by_steps = 0.0;
         const ClutterRound round = filled(
             side, hash(9, k, twin), false,
-            [&](double px, double py, std::uint64_t) { return (px - 0.5) * x + (py - 0.5) * y > offset ? 1.0 : 0.0; }, &by_blocks,
-            &by_steps);
+            [&](double px, double py, std::uint64_t) {
+              return (px - 0.5) * x + (py - 0.5) * y > offset ? 1.0 : 0.0;
+            },
+            &by_blocks, &by_steps);
         mean[twin] = round.moment(0).mean;
         steps += 0.5 * by_steps;
         more += by_steps > by_blocks;
@@ -133,7 +145,9 @@ TEST(ClutterRound, UnlikeNeighboursTellTheVarianceOfStraightBorders) {
 
 /// As the weighted moments do where all weights are alike.
 TEST(ClutterRound, BordersCountUnderAFootprintAsWell) {
-  const auto picture = [](double x, double, std::uint64_t) { return x > 0.5 ? 1.0 : 0.0; };  // between two columns
+  const auto picture = [](double x, double, std::uint64_t) {
+    return x > 0.5 ? 1.0 : 0.0;
+  };  // between two columns
   const ClutterRound round = filled(6, 12, true, picture);
   const std::vector<double> weights = round.weigh(PixelFootprint::box(4.0), {2.5, 3.5});
   EXPECT_NEAR(round.moment(0).variance, 6.0 / 8.0 / 36.0 / 36.0, 1e-12);

@@ -1,6 +1,6 @@
-#include "sampling/accuracy/edges/curve_check.h"
-
 #include <gtest/gtest.h>
+
+#include "sampling/accuracy/edges/curve_check.h"
 
 namespace ifov::sampling {
 namespace {
@@ -35,7 +35,8 @@ TEST(CurveCheck, ACornerIsLookedForAtItsApexAndItsLegs) {
     const double reach = length(check.apex - check.centre);
     EXPECT_NEAR(length(at(points[0]) - check.centre), reach + check.tolerance, 1e-12);
     EXPECT_NEAR(length(at(points[1]) - check.centre), reach - check.tolerance, 1e-12);
-    for (const FocalPoint& point : points) EXPECT_NEAR(length(at(point) - check.apex), check.tolerance, 1e-12);
+    for (const FocalPoint& point : points)
+      EXPECT_NEAR(length(at(point) - check.apex), check.tolerance, 1e-12);
 
     check.low = check.high = reach;
     check.stage = CurveCheck::Stage::legs;

@@ -75,7 +75,8 @@ TEST(Detection, ValuesLookAsWell) {
   ASSERT_GT(values, 100.0);
   Detection detection;
   // All but those of the lattice.
-  const RandomLooks none{{render.options.looks_per_side}, 0.0}, all{none.grids, values}, most{none.grids, 0.9 * values};
+  const RandomLooks none{{render.options.looks_per_side}, 0.0}, all{none.grids, values},
+      most{none.grids, 0.9 * values};
   EXPECT_GE(result.missable_fraction[4], detection.missable_fraction(all));
   EXPECT_LE(result.missable_fraction[4], detection.missable_fraction(most));
   EXPECT_LT(detection.missable_fraction(most), 0.1 * detection.missable_fraction(none));

@@ -67,8 +67,11 @@ TEST(PixelFootprint, IntegralIsThatOfTheDensity) {
   constexpr int kCells = 9;
   for (int k = 0; k < kCells * kCells; ++k) values.push_back(1.0 + std::sin(1.7 * k));
   const PixelFootprint footprint = PixelFootprint::tabulated(1.5, kCells, values);
-  for (const auto& [x0, y0, x1, y1] : {std::array{-0.31, 0.12, -0.27, 0.15}, {-1.5, -1.5, -1.4, 1.5}, {1.31, 1.2, 1.5, 1.5},
-                                       {-0.7, -0.9, 0.4, 1.3}, {-1.5, -1.5, 1.5, 1.5}}) {
+  for (const auto& [x0, y0, x1, y1] : {std::array{-0.31, 0.12, -0.27, 0.15},
+                                       {-1.5, -1.5, -1.4, 1.5},
+                                       {1.31, 1.2, 1.5, 1.5},
+                                       {-0.7, -0.9, 0.4, 1.3},
+                                       {-1.5, -1.5, 1.5, 1.5}}) {
     constexpr int kSteps = 900;
     double sum = 0.0;
     for (int j = 0; j < kSteps; ++j)

@@ -1,5 +1,3 @@
-#include "sampling/projected_polygon.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -7,6 +5,8 @@
 #include <numbers>
 #include <random>
 #include <vector>
+
+#include "sampling/projected_polygon.h"
 
 namespace ifov {
 namespace {
@@ -33,7 +33,8 @@ TEST(ProjectedPolygon, LevelRectangleHasItsViewFactor) {
 TEST(ProjectedPolygon, WallIsCutByTheHorizon) {
   // An upright wall seen from a level element: the half below the ground does not count.
   const double half = 1.5, height = 2.0, away = 0.7;
-  const std::array<Vec3, 4> wall{Vec3{away, -half, -3}, {away, half, -3}, {away, half, height}, {away, -half, height}};
+  const std::array<Vec3, 4> wall{
+      Vec3{away, -half, -3}, {away, half, -3}, {away, half, height}, {away, -half, height}};
   const double reach = std::hypot(away, height);
   const double expected = std::atan(half / away) - away / reach * std::atan(half / reach);
   EXPECT_NEAR(ProjectedPolygon(wall, {0, 0, 1}).projected_solid_angle_sr(), expected, 1e-12);
@@ -55,14 +56,16 @@ double worst_moment(const std::vector<Vec3>& corners, Vec3 normal, double bend, 
   constexpr int kGrid = 64;
   int missed = 0;
   for (int i = 0; i < kGrid * kGrid; ++i) {
-    const Vec3 w = seen.sample({std::pow((i % kGrid + u(random)) / kGrid, 1.0 + bend), (i / kGrid + u(random)) / kGrid});
+    const Vec3 w =
+        seen.sample({std::pow((i % kGrid + u(random)) / kGrid, 1.0 + bend), (i / kGrid + u(random)) / kGrid});
     const Vec3 in = w * (math::dot(a, n) / math::dot(w, n)) - a;
     const double s = math::dot(math::cross(in, y), n) / math::dot(n, n);
     const double t = math::dot(math::cross(x, in), n) / math::dot(n, n);
     missed += s < -1e-6 || t < -1e-6 || (triangle ? s + t > 1 + 1e-6 : s > 1 + 1e-6 || t > 1 + 1e-6) ||
               math::dot(w, normal) < -1e-9;
     const std::array<double, 3> moment{s, t, s * t};
-    for (int k = 0; k < 3; ++k) sum[k] += moment[k] / (kGrid * kGrid), square[k] += moment[k] * moment[k] / (kGrid * kGrid);
+    for (int k = 0; k < 3; ++k)
+      sum[k] += moment[k] / (kGrid * kGrid), square[k] += moment[k] * moment[k] / (kGrid * kGrid);
   }
   if (missed > 0) return INFINITY;
   double whole = 0.0;

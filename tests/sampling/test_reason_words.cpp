@@ -10,11 +10,14 @@ namespace {
 
 TEST(Reasons, AreCountedEachForItself) {
   ReasonCounts counts{};
-  const std::vector<Reasons> pixels{0, bit(Reason::samples), static_cast<Reasons>(bit(Reason::samples) | bit(Reason::air)), 0};
+  const std::vector<Reasons> pixels{0, bit(Reason::samples),
+                                    static_cast<Reasons>(bit(Reason::samples) | bit(Reason::air)), 0};
   add_reasons(pixels, counts);
   add_counts(counts, counts);
   for (std::size_t r = 0; r < counts.size(); ++r)
-    EXPECT_EQ(counts[r], r == static_cast<std::size_t>(Reason::samples) ? 4u : r == static_cast<std::size_t>(Reason::air) ? 2u : 0u);
+    EXPECT_EQ(counts[r], r == static_cast<std::size_t>(Reason::samples) ? 4u
+                         : r == static_cast<std::size_t>(Reason::air)   ? 2u
+                                                                        : 0u);
 }
 
 TEST(Reasons, AreSaidInWordsTheMostFrequentFirst) {
@@ -24,7 +27,8 @@ TEST(Reasons, AreSaidInWordsTheMostFrequentFirst) {
   EXPECT_EQ(describe_reasons(counts), "the samples that a pixel may take were spent (1 pixel)");
   counts[static_cast<std::size_t>(Reason::unseen_light)] = 30;
   EXPECT_EQ(describe_reasons(counts),
-            "light may reach it in ways that are not sought (30 pixels); the samples that a pixel may take were spent (1)");
+            "light may reach it in ways that are not sought (30 pixels); the samples that a pixel may take "
+            "were spent (1)");
 }
 
 TEST(Reasons, TheGravestIsOneWithWhichTheTruthMayLieOutside) {

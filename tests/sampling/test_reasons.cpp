@@ -15,7 +15,8 @@ using sampling::Reason;
 ShapeField noise() {
   return {[](double, double) { return sampling::Label{0}; },
           [](sampling::Label, double x, double y, int) {
-            const auto key = sampling::mix(std::bit_cast<std::uint64_t>(x) ^ (std::bit_cast<std::uint64_t>(y) << 1));
+            const auto key =
+                sampling::mix(std::bit_cast<std::uint64_t>(x) ^ (std::bit_cast<std::uint64_t>(y) << 1));
             return static_cast<float>(sampling::unit_double(sampling::mix(key)));
           }};
 }
@@ -28,7 +29,8 @@ TEST(AccuracyReasons, SamplesThatRanOutAreSaid) {
     render.half_width = 1e-3;  // asks for some 300,000 values
     render.options.max_samples_per_pixel = 3000;
     const sampling::TileResult r = render(field);
-    for (std::size_t p = 0; p < r.reasons.size(); ++p) EXPECT_EQ(r.reasons[p], bit(Reason::samples)) << wide << ' ' << p;
+    for (std::size_t p = 0; p < r.reasons.size(); ++p)
+      EXPECT_EQ(r.reasons[p], bit(Reason::samples)) << wide << ' ' << p;
   }
 }
 

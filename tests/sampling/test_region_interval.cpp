@@ -69,7 +69,8 @@ TEST(ResponseArea, OfBoxesAndOfAGaussian) {
       values.push_back(std::exp(-(x * x + y * y) / (2.0 * kSigma * kSigma)));
     }
   const double exact = 4.0 * std::numbers::pi * kSigma * kSigma;
-  EXPECT_NEAR(response_area_px(PixelFootprint::tabulated(kHalf, kCells, std::move(values))), exact, 0.005 * exact);
+  EXPECT_NEAR(response_area_px(PixelFootprint::tabulated(kHalf, kCells, std::move(values))), exact,
+              0.005 * exact);
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ constexpr double kLevel = 10.0, kBright = 25.0, kShare = 0.06;
 
 /// One label with bright specks of 1/40 px, which no label tells.
 double speckled(double x, double y) {
-  const auto i = static_cast<std::int64_t>(std::floor(40.0 * x)), j = static_cast<std::int64_t>(std::floor(40.0 * y));
+  const auto i = static_cast<std::int64_t>(std::floor(40.0 * x)),
+             j = static_cast<std::int64_t>(std::floor(40.0 * y));
   return unit_double(hash(91, i, j)) < kShare ? kBright : kLevel;
 }
 
@@ -35,7 +36,8 @@ TEST(ValuesNotMet, ArePartOfTheInterval) {
     render.half_width = 1.2;
     const TileResult result = render(field);
     for (int p = 0; p < kSide * kSide; ++p) {
-      const double error = std::abs(static_cast<double>(result.mean[p]) - mean_of_pixel(p % kSide, p / kSide));
+      const double error =
+          std::abs(static_cast<double>(result.mean[p]) - mean_of_pixel(p % kSide, p / kSide));
       ++pixels;
       off += error > static_cast<double>(result.half_width[p]);
       far_off += error > 1.5 * static_cast<double>(result.half_width[p]);

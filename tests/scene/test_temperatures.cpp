@@ -26,7 +26,9 @@ class OnePattern final : public scene::Pattern {
  public:
   void apply(const geometry::SurfacePoint&, scene::ResolvedSurface&) const override {}
   std::vector<std::uint32_t> mixed_materials() const override { return {1}; }
-  std::optional<scene::TemperatureRange> temperatures() const override { return scene::TemperatureRange{330.0, 350.0}; }
+  std::optional<scene::TemperatureRange> temperatures() const override {
+    return scene::TemperatureRange{330.0, 350.0};
+  }
 };
 
 void expect_range(const std::optional<scene::TemperatureRange>& range, double coldest_k, double hottest_k) {

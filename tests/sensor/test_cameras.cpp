@@ -61,7 +61,8 @@ TEST(Cameras, SayHowTheyStand) {
   EXPECT_EQ(grid.rotation_rad, 0.3);
   const CameraPose pose = aslant.pose();
   EXPECT_FALSE(pose.position_m) << "its rays are parallel";
-  const math::Point3 place = grid.upper_left_m + pose.axes.right * (0.5 * 30.0) + pose.axes.down * (0.5 * 6.0);
+  const math::Point3 place =
+      grid.upper_left_m + pose.axes.right * (0.5 * 30.0) + pose.axes.down * (0.5 * 6.0);
   sampling::FocalPoint point;
   ASSERT_TRUE(aslant.project(place, point));
   EXPECT_NEAR(point.x_px, 30.0, 1e-9);

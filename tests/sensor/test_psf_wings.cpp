@@ -1,9 +1,9 @@
-#include "sensor/psf_wings.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+
+#include "sensor/psf_wings.h"
 
 using namespace ifov::sensor;
 
@@ -40,7 +40,8 @@ TEST(PsfWings, SharesAddUpToAllEnergy) {
 TEST(PsfWings, FarSquaresFollowTheMeanOfTheRings) {
   const double q = 0.5, x = 40.0;
   const PsfWings wings(*make_airy_psf(aperture(q)), 1.0);
-  EXPECT_NEAR(wings.square(40, -2, 4) / (16.0 * q / std::pow(std::numbers::pi, 3) / std::pow(x + 1.5, 3)), 1.0, 0.01);
+  EXPECT_NEAR(wings.square(40, -2, 4) / (16.0 * q / std::pow(std::numbers::pi, 3) / std::pow(x + 1.5, 3)),
+              1.0, 0.01);
 }
 
 TEST(PsfWings, AreAlikeToAllSidesAndZeroWithinTheCore) {

@@ -158,7 +158,8 @@ TEST_F(CachedScene, OfManyTrianglesIsTheSameWithAnyNumberOfThreads) {
   {
     std::ofstream file(folder_ / "large.ply", std::ios::binary);
     file << format(
-        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float "
+        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float "
+        "y\nproperty float "
         "z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
         kNodes * kNodes, 2 * kCells * kCells);
     const auto put = [&](const auto& values) {
@@ -166,7 +167,8 @@ TEST_F(CachedScene, OfManyTrianglesIsTheSameWithAnyNumberOfThreads) {
     };
     for (std::uint32_t j = 0; j < kNodes; ++j)
       for (std::uint32_t i = 0; i < kNodes; ++i)
-        put(std::array{0.008f * float(i) - 4.0f, 0.008f * float(j) - 4.0f, 0.3f * std::sin(0.03f * float(i) + 0.02f * float(j))});
+        put(std::array{0.008f * float(i) - 4.0f, 0.008f * float(j) - 4.0f,
+                       0.3f * std::sin(0.03f * float(i) + 0.02f * float(j))});
     for (std::uint32_t j = 0; j < kCells; ++j)
       for (std::uint32_t i = 0; i < kCells; ++i) {
         const std::uint32_t a = j * kNodes + i, d = a + kNodes + 1;

@@ -46,7 +46,9 @@ std::string warnings_of(const std::string& text) {
 }
 
 TEST(LightLeftOut, NothingIsSaidWhereNothingIs) {
-  EXPECT_EQ(warnings_of(document(kPlane, std::string(kSun) + R"(, "sky": {"radiance": "20 W m-2 sr-1 um-1"})")), "");
+  EXPECT_EQ(
+      warnings_of(document(kPlane, std::string(kSun) + R"(, "sky": {"radiance": "20 W m-2 sr-1 um-1"})")),
+      "");
   EXPECT_EQ(warnings_of(document(kPlane, std::string(kSun) + R"(, "sky": {"none": {}})")), "");
 }
 
@@ -54,23 +56,28 @@ TEST(LightLeftOut, ASunOnOrBelowTheHorizon) {
   EXPECT_EQ(warnings_of(document(kPlane, R"("sun": {"point": {"zenith": "90 deg", "azimuth": "90 deg"}},
                                              "sky": {"radiance": "20 W m-2 sr-1 um-1"})")),
             "the Sun stands 0.0 deg below the horizon: it lights nothing, and twilight is not modelled\n");
-  const std::string place = std::string(R"({"origin": {"latitude": "50 deg", "longitude": "10 deg"}, )") + (kPlane + 1);
-  const std::string warned = warnings_of(document(place, R"("sun": {"disc": {}}, "sky": {"none": {}})",
-                                                  R"(, "time": "2024-06-20T23:25:00Z")"));
+  const std::string place =
+      std::string(R"({"origin": {"latitude": "50 deg", "longitude": "10 deg"}, )") + (kPlane + 1);
+  const std::string warned = warnings_of(
+      document(place, R"("sun": {"disc": {}}, "sky": {"none": {}})", R"(, "time": "2024-06-20T23:25:00Z")"));
   // 90 deg - 50 deg - 23.4 deg at local midnight.
-  EXPECT_EQ(warned, "the Sun stands 16.6 deg below the horizon: it lights nothing, and twilight is not modelled\n"
-                    "nothing shines in 'red': neither Sun nor sky has light there, and nothing that is seen emits; the "
-                    "radiance will be 0\n");
+  EXPECT_EQ(
+      warned,
+      "the Sun stands 16.6 deg below the horizon: it lights nothing, and twilight is not modelled\n"
+      "nothing shines in 'red': neither Sun nor sky has light there, and nothing that is seen emits; the "
+      "radiance will be 0\n");
 }
 
 TEST(LightLeftOut, NoSky) {
-  EXPECT_EQ(warnings_of(document(kPlane, kSun)),
-            "there is no sky: what the Sun does not reach is lit by other surfaces alone. Give light.sky, or an "
-            "atmosphere; \"sky\": {\"none\": {}} says that this is meant\n");
+  EXPECT_EQ(
+      warnings_of(document(kPlane, kSun)),
+      "there is no sky: what the Sun does not reach is lit by other surfaces alone. Give light.sky, or an "
+      "atmosphere; \"sky\": {\"none\": {}} says that this is meant\n");
   EXPECT_EQ(warnings_of(document(R"({"materials": {"grey": {"reflectance": 0.5, "temperature": "300 K"}},
                                      "objects": [{"plane": {}, "material": "grey"}]})",
                                  "", "", R"({"name": "tir", "monochromatic": {"at": "10 um"}})")),
-            "there is no sky: surfaces reflect a sky at 0 K. Give light.sky, or an atmosphere; \"sky\": {\"none\": {}} "
+            "there is no sky: surfaces reflect a sky at 0 K. Give light.sky, or an atmosphere; \"sky\": "
+            "{\"none\": {}} "
             "says that this is meant\n");
 }
 
@@ -87,25 +94,29 @@ TEST(LightLeftOut, BlackSurroundings) {
 
 TEST(LightLeftOut, ReflectionsBeyondTheDepth) {
   const std::string light = std::string(kSun) + R"(, "sky": {"radiance": "20 W m-2 sr-1 um-1"})";
-  EXPECT_EQ(warnings_of(document(kPlane, light, R"(, "sampling": {"single": {}, "max_depth": 2})")),
-            "max_depth 2: light that is reflected more often is left out, and no interval knows of it. Between surfaces like "
-            "'grey', which reflects up to 50 %, that is up to 25 % of it; without max_depth nothing is left out\n");
+  EXPECT_EQ(
+      warnings_of(document(kPlane, light, R"(, "sampling": {"single": {}, "max_depth": 2})")),
+      "max_depth 2: light that is reflected more often is left out, and no interval knows of it. Between "
+      "surfaces like "
+      "'grey', which reflects up to 50 %, that is up to 25 % of it; without max_depth nothing is left out\n");
   EXPECT_EQ(warnings_of(document(kPlane, light, R"(, "sampling": {"single": {}, "max_depth": 12})")), "");
 }
 
 TEST(LightLeftOut, SurfacesWithoutATemperatureFrom3MicrometresOn) {
   expect_in("there are thermal channels, and no temperature for 'grey': what has none emits nothing",
-            warnings_of(document(kPlane, R"("sky": {"none": {}})", "", R"({"name": "m", "monochromatic": {"at": "3.9 um"}})")));
+            warnings_of(document(kPlane, R"("sky": {"none": {}})", "",
+                                 R"({"name": "m", "monochromatic": {"at": "3.9 um"}})")));
 }
 
 /// Under an atmosphere, without surroundings or with.
 Session in_air(const std::string& surroundings, Messages& log) {
   return Session::load(
       io::parse_document(
-          document(R"({"materials": {"grey": {"reflectance": 0.5}}, "objects": [{"plane": {}, "material": "grey"}]})",
-                   R"("sun": {"disc": {"zenith": "40 deg", "azimuth": "150 deg"}})" + surroundings,
-                   R"(, "atmosphere": {"profile": "US standard 1976"}, "sampling": {"single": {}})",
-                   R"({"name": "450", "gaussian": {"center": "450 nm", "fwhm": "10 nm"}},
+          document(
+              R"({"materials": {"grey": {"reflectance": 0.5}}, "objects": [{"plane": {}, "material": "grey"}]})",
+              R"("sun": {"disc": {"zenith": "40 deg", "azimuth": "150 deg"}})" + surroundings,
+              R"(, "atmosphere": {"profile": "US standard 1976"}, "sampling": {"single": {}})",
+              R"({"name": "450", "gaussian": {"center": "450 nm", "fwhm": "10 nm"}},
                       {"name": "865", "gaussian": {"center": "865 nm", "fwhm": "20 nm"}})"),
           "air.json"),
       &log);
@@ -120,14 +131,16 @@ double at_sensor(const Session& session, std::size_t channel) {
 // An even field under air is as bright as with surroundings like it; black ones would take up to a third away.
 TEST(LightLeftOut, SurroundingsUnderAnAtmosphereAreTheGroundInThePicture) {
   Messages log, other;
-  const Session assumed = in_air("", log), declared = in_air(R"(, "surroundings": {"reflectance": 0.5})", other),
+  const Session assumed = in_air("", log),
+                declared = in_air(R"(, "surroundings": {"reflectance": 0.5})", other),
                 black = in_air(R"(, "surroundings": {"reflectance": 0.0})", other);
   for (std::size_t c = 0; c < 2; ++c) {
     EXPECT_NEAR(at_sensor(assumed, c) / at_sensor(declared, c), 1.0, 1e-6) << c;
     EXPECT_LT(at_sensor(black, c) / at_sensor(declared, c), 0.9) << c;
   }
   const std::string said =
-      "surroundings: none declared; taken as the mean of the ground in the picture (100 % 'grey'), which emits nothing";
+      "surroundings: none declared; taken as the mean of the ground in the picture (100 % 'grey'), which "
+      "emits nothing";
   expect_in(said, log.infos);
   expect_in(said, describe(assumed.parts()));
   EXPECT_EQ(log.warnings.find("surroundings"), std::string::npos) << log.warnings;
@@ -160,12 +173,14 @@ class WarmMixture : public testing::Test {
     };
     return Session::load(
         io::parse_document(
-            document(format(R"({{"materials": {{"a": {}, "b": {}}}, "objects": [{{"plane": {{}}, "material": {{"mixture":
+            document(
+                format(
+                    R"({{"materials": {{"a": {}, "b": {}}}, "objects": [{{"plane": {{}}, "material": {{"mixture":
                                   {{"file": "mix.img", "low_left": ["-50 m", "-50 m"], "size": ["100 m", "100 m"],
                                     "materials": ["a", "b"]}}}}}}]}})",
-                            material("[0.05, 0.05, 0.9, 0.95]"), material("[0.05, 0.05, 0.95, 0.95]")),
-                     R"("sky": {"none": {}})", "",
-                     format(R"({{"name": "mwir", "top_hat": {{"from": "3 um", "to": "{} um"}}}})", to_um)),
+                    material("[0.05, 0.05, 0.9, 0.95]"), material("[0.05, 0.05, 0.95, 0.95]")),
+                R"("sky": {"none": {}})", "",
+                format(R"({{"name": "mwir", "top_hat": {{"from": "3 um", "to": "{} um"}}}})", to_um)),
             (folder_ / "warm.json").string()),
         nullptr);
   }
@@ -173,7 +188,8 @@ class WarmMixture : public testing::Test {
 };
 
 /// What the channel shows of what the mixture emits, by nodes, over integration in small steps.
-double shown(const Session& session, const radiometry::SpectralNodes& nodes, double temperature_k, double to_um) {
+double shown(const Session& session, const radiometry::SpectralNodes& nodes, double temperature_k,
+             double to_um) {
   const Session::Parts& parts = session.parts();
   const transport::SpectralScene spectral(parts.scene, nodes);
   const math::Ray ray{{0.5, 0.5, 10.0}, {0.0, 0.0, -1.0}};
@@ -200,14 +216,16 @@ double shown(const Session& session, const radiometry::SpectralNodes& nodes, dou
 // Nodes are chosen for what emits, mixtures with temperature maps among it. With those of a scene that emits nothing the
 // same surface is percents off: the planted fault.
 TEST_F(WarmMixture, HasNodesForWhatItEmits) {
-  for (const auto& [temperature_k, to_um, least_fault] : {std::tuple{330.0, 5.0, 0.01}, {700.0, 14.0, 0.05}}) {
+  for (const auto& [temperature_k, to_um, least_fault] :
+       {std::tuple{330.0, 5.0, 0.01}, {700.0, 14.0, 0.05}}) {
     const Session session = warm(temperature_k, to_um);
     const Session::Parts& parts = session.parts();
     ASSERT_TRUE(parts.scene.temperatures());
     EXPECT_NEAR(parts.scene.temperatures()->hottest_k, temperature_k, 1e-3);
     EXPECT_NEAR(shown(session, *parts.nodes, temperature_k, to_um), 1.0, 1e-3);
     std::vector<radiometry::Spectrum> surfaces;
-    for (const materials::Material& material : parts.scene.materials) surfaces.push_back(material.reflectance);
+    for (const materials::Material& material : parts.scene.materials)
+      surfaces.push_back(material.reflectance);
     const auto cold = radiometry::SpectralNodes::build(parts.channels, radiometry::Spectrum(), surfaces,
                                                        {.coldest_k = 0.0, .hottest_k = 0.0});
     const double fault = shown(session, cold, temperature_k, to_um);

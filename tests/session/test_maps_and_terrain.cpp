@@ -40,8 +40,9 @@ class MapsAndTerrain : public testing::Test {
   /// A grid of numbers with its lower left corner at (west, south).
   void write_grid(const std::string& name, double west, double south, double cell, int columns, int rows,
                   const std::string& numbers) {
-    write(name, format("ncols {}\nnrows {}\nxllcorner {}\nyllcorner {}\ncellsize {}\nNODATA_value -9999\n{}\n", columns,
-                       rows, west, south, cell, numbers));
+    write(name,
+          format("ncols {}\nnrows {}\nxllcorner {}\nyllcorner {}\ncellsize {}\nNODATA_value -9999\n{}\n",
+                 columns, rows, west, south, cell, numbers));
   }
 
   Session load(const std::string& scene, LogSink* log = nullptr, double gsd_m = 1.0) const {
@@ -49,7 +50,8 @@ class MapsAndTerrain : public testing::Test {
         io::parse_document(
             format("{{\"ifov\": 1,\n \"scene\": {},\n"
                    " \"light\": {{\"sky\": {{\"radiance\": \"50 W m-2 sr-1 um-1\"}}}},\n"
-                   " \"sensor\": {{\"camera\": {{\"orthographic\": {{\"gsd\": \"{} m\", \"pixels\": [4, 4]}}}},\n"
+                   " \"sensor\": {{\"camera\": {{\"orthographic\": {{\"gsd\": \"{} m\", \"pixels\": [4, "
+                   "4]}}}},\n"
                    "  \"channels\": [{{\"name\": \"red\", \"monochromatic\": {{\"at\": \"0.65 um\"}}}}]}}}}",
                    scene, gsd_m),
             (folder_ / "scene.json").string()),
@@ -97,8 +99,8 @@ const std::string kLawn =
 
 TEST_F(MapsAndTerrain, ATexturePicksCurvesByScore) {
   write_grid("lawn.asc", 0, 0, 1, 2, 1, "50 250");
-  const Session session =
-      load(format("{{\"materials\": {{{}}}, \"objects\": [{{\"plane\": {{}}, \"material\": \"lawn\"}}]}}", kLawn));
+  const Session session = load(
+      format("{{\"materials\": {{{}}}, \"objects\": [{{\"plane\": {{}}, \"material\": \"lawn\"}}]}}", kLawn));
   // Scores of -1 and 1: mean of the curves -+ their standard deviation.
   EXPECT_NEAR(reflectance_at(session, 1.0, 1.0), 0.4 - std::sqrt(0.05), 1e-6);
   EXPECT_NEAR(reflectance_at(session, 3.0, 1.0), 0.4 + std::sqrt(0.05), 1e-6);
@@ -111,7 +113,8 @@ TEST_F(MapsAndTerrain, TexturesGoWithTheClassesOfAMap) {
   write_grid("lawn.asc", 0, 0, 1, 2, 1, "50 250");
   write_grid("classes.asc", 0, 0, 10, 2, 1, "7 3");
   const Session session = load(format(
-      "{{\"materials\": {{{}, \"road\": {{\"reflectance\": 0.08}}}}, \"objects\": [{{\"plane\": {{}}, \"material\": "
+      "{{\"materials\": {{{}, \"road\": {{\"reflectance\": 0.08}}}}, \"objects\": [{{\"plane\": {{}}, "
+      "\"material\": "
       "{{\"map\": {{\"file\": \"classes.asc\", \"classes\": {{\"3\": \"road\", \"7\": \"lawn\"}}}}}}}}]}}",
       kLawn));
   EXPECT_NEAR(reflectance_at(session, 1.0, 1.0), 0.4 - std::sqrt(0.05), 1e-6);
@@ -120,10 +123,12 @@ TEST_F(MapsAndTerrain, TexturesGoWithTheClassesOfAMap) {
 
 TEST_F(MapsAndTerrain, MixturesStandSideBySide) {
   std::ofstream mixture(folder_ / "mix.img", std::ios::binary);
-  const float fractions[] = {1.0f, 25.0f, 0.0f, 75.0f};  // two bands of 2 x 1 cells; the second cell in percent
+  const float fractions[] = {1.0f, 25.0f, 0.0f,
+                             75.0f};  // two bands of 2 x 1 cells; the second cell in percent
   mixture.write(reinterpret_cast<const char*>(fractions), sizeof fractions);
   mixture.close();
-  write("mix.hdr", "ENVI\nsamples = 2\nlines = 1\nbands = 2\ndata type = 4\ninterleave = bsq\nbyte order = 0\n");
+  write("mix.hdr",
+        "ENVI\nsamples = 2\nlines = 1\nbands = 2\ndata type = 4\ninterleave = bsq\nbyte order = 0\n");
   Messages log;
   const Session session = load(
       R"({"materials": {"soil": {"reflectance": 0.2}, "grass": {"reflectance": 0.6}},
@@ -132,7 +137,8 @@ TEST_F(MapsAndTerrain, MixturesStandSideBySide) {
       &log);
   EXPECT_NEAR(reflectance_at(session, 0.5, 0.5), 0.2, 1e-9);
   EXPECT_NEAR(reflectance_at(session, 1.5, 0.5), 0.25 * 0.2 + 0.75 * 0.6, 1e-6);
-  expect_in("mixture 'mix.img': the fractions of 1 of 2 cells sum to something else than 1 (100 to 100)", log.text);
+  expect_in("mixture 'mix.img': the fractions of 1 of 2 cells sum to something else than 1 (100 to 100)",
+            log.text);
 }
 
 TEST_F(MapsAndTerrain, MapsByTextureCoordinatesGoWithTheObject) {
@@ -175,19 +181,24 @@ TEST_F(MapsAndTerrain, ClippedTexturesAreSaid) {
   for (int k = 0; k < 400; ++k) numbers += k < 100 ? "255 " : format("{} ", 55 + k / 4);
   write_grid("lawn.asc", 0, 0, 1, 20, 20, numbers);
   Messages log;
-  load(format("{{\"materials\": {{{}}}, \"objects\": [{{\"plane\": {{}}, \"material\": \"lawn\"}}]}}", kLawn), &log);
-  expect_in("warning: texture 'lawn.asc' of material 'lawn': 25.0 % of the cells hold the number 255 at the end of the "
-            "histogram, which looks clipped",
-            log.text);
+  load(format("{{\"materials\": {{{}}}, \"objects\": [{{\"plane\": {{}}, \"material\": \"lawn\"}}]}}", kLawn),
+       &log);
+  expect_in(
+      "warning: texture 'lawn.asc' of material 'lawn': 25.0 % of the cells hold the number 255 at the end of "
+      "the "
+      "histogram, which looks clipped",
+      log.text);
 }
 
 TEST_F(MapsAndTerrain, WrongTexturesAreShownInTheDocument) {
   const auto plane = [](const std::string& material) {
     return "{\"materials\": {\"a\": " + material + "}, \"objects\": [{\"plane\": {}, \"material\": \"a\"}]}";
   };
-  expect_in("several curves need a 'texture' that picks among them", load_error(plane(R"({"reflectance": [0.1, 0.2]})")));
-  expect_in("a texture picks among several curves; give a list of them as 'reflectance'",
-            load_error(plane(R"({"reflectance": 0.1, "texture": {"images": [{"file": "l.asc", "from": "0.6 um",
+  expect_in("several curves need a 'texture' that picks among them",
+            load_error(plane(R"({"reflectance": [0.1, 0.2]})")));
+  expect_in(
+      "a texture picks among several curves; give a list of them as 'reflectance'",
+      load_error(plane(R"({"reflectance": 0.1, "texture": {"images": [{"file": "l.asc", "from": "0.6 um",
                                  "to": "0.7 um"}]}})")));
   write_grid("lawn.asc", 0, 0, 1, 2, 1, "5 5");
   const std::string same = load_error(plane(
@@ -225,10 +236,11 @@ TEST_F(MapsAndTerrain, ATerrainMovesWithItsTransformAndHasHoles) {
   write_grid("dem.asc", 100, 200, 10, 4, 4, "5 5 5 5\n5 5 5 5\n5 5 5 -9999\n5 5 5 5");
   Messages log;
   const auto scene = [](const std::string& more) {
-    return format("{{\"materials\": {{\"a\": {{\"reflectance\": 0.1}}}}, \"objects\": [{{\"terrain\": {{\"file\": "
-                  "\"dem.asc\"{}}}, \"material\": \"a\", \"transform\": {{\"translate\": [\"-100 m\", \"-200 m\", "
-                  "\"1 m\"]}}}}]}}",
-                  more);
+    return format(
+        "{{\"materials\": {{\"a\": {{\"reflectance\": 0.1}}}}, \"objects\": [{{\"terrain\": {{\"file\": "
+        "\"dem.asc\"{}}}, \"material\": \"a\", \"transform\": {{\"translate\": [\"-100 m\", \"-200 m\", "
+        "\"1 m\"]}}}}]}}",
+        more);
   };
   const Session holes = load(scene(""), &log);
   EXPECT_NEAR(hit_at(holes, 10.0, 30.0).position_m.z, 6.0, 1e-6);
@@ -239,13 +251,15 @@ TEST_F(MapsAndTerrain, ATerrainMovesWithItsTransformAndHasHoles) {
 }
 
 TEST_F(MapsAndTerrain, ATerrainMayBeTracedInItsRaster) {
-  write_grid("dem.asc", 100, 200, 10, 4, 4, "5.1 6.4 8.2 5.7\n5.9 3.3 4.6 9.2\n5.4 7.8 5.2 -9999\n1.3 5.8 2.9 5.5");
+  write_grid("dem.asc", 100, 200, 10, 4, 4,
+             "5.1 6.4 8.2 5.7\n5.9 3.3 4.6 9.2\n5.4 7.8 5.2 -9999\n1.3 5.8 2.9 5.5");
   Messages log;
   const auto scene = [](const std::string& more) {
-    return format("{{\"materials\": {{\"a\": {{\"reflectance\": 0.1}}}}, \"objects\": [{{\"terrain\": {{\"file\": "
-                  "\"dem.asc\"{}}}, \"material\": \"a\", \"transform\": {{\"translate\": [\"-100 m\", \"-200 m\", "
-                  "\"1 m\"]}}}}]}}",
-                  more);
+    return format(
+        "{{\"materials\": {{\"a\": {{\"reflectance\": 0.1}}}}, \"objects\": [{{\"terrain\": {{\"file\": "
+        "\"dem.asc\"{}}}, \"material\": \"a\", \"transform\": {{\"translate\": [\"-100 m\", \"-200 m\", "
+        "\"1 m\"]}}}}]}}",
+        more);
   };
   const Session mesh = load(scene("")), grid = load(scene(R"(, "form": "grid")"), &log);
   int hits = 0;
@@ -261,22 +275,30 @@ TEST_F(MapsAndTerrain, ATerrainMayBeTracedInItsRaster) {
   EXPECT_GT(hits, 200);
   expect_in("terrain 'dem.asc': 4 x 4 heights, traced as a grid of 18 triangles", log.text);
   expect_in("warning: terrain 'dem.asc': 1 of 16 cells have no height; they are holes", log.text);
-  expect_in("a terrain of the form 'grid' keeps every height: found a detail of 2 m, expected 0 m or the form 'mesh'",
-            load_error(scene(R"(, "form": "grid", "detail": "2 m")")));
-  expect_in("terrain.form' is the text \"tin\", expected 'mesh' or 'grid'", load_error(scene(R"(, "form": "tin")")));
+  expect_in(
+      "a terrain of the form 'grid' keeps every height: found a detail of 2 m, expected 0 m or the form "
+      "'mesh'",
+      load_error(scene(R"(, "form": "grid", "detail": "2 m")")));
+  expect_in("terrain.form' is the text \"tin\", expected 'mesh' or 'grid'",
+            load_error(scene(R"(, "form": "tin")")));
 }
 
 TEST_F(MapsAndTerrain, LargeRastersAreTracedAsTheyLieWherePossible) {
   constexpr int kSide = 1001;
   write("dem.bil", std::string(4 * kSide * kSide, '\0'));  // flat: even so large a mesh is quickly made
-  write("dem.hdr", format("NROWS {}\nNCOLS {}\nNBANDS 1\nNBITS 32\nPIXELTYPE FLOAT\nBYTEORDER I\nLAYOUT BIL\nULXMAP 0\n"
-                          "ULYMAP 1000\nXDIM 1\nYDIM 1\n", kSide, kSide));
+  write("dem.hdr",
+        format("NROWS {}\nNCOLS {}\nNBANDS 1\nNBITS 32\nPIXELTYPE FLOAT\nBYTEORDER I\nLAYOUT BIL\nULXMAP 0\n"
+               "ULYMAP 1000\nXDIM 1\nYDIM 1\n",
+               kSide, kSide));
   const auto words_of = [&](const std::string& more, bool in_prototype) {
     const std::string terrain = format(R"({{"terrain": {{"file": "dem.bil"{}}}, "material": "a"}})", more);
     Messages log;
-    load(format(R"({{"materials": {{"a": {{"reflectance": 0.1}}}}, {}}})",
-                in_prototype ? format(R"("prototypes": {{"land": [{}]}}, "objects": [{{"instance": {{"of": "land"}}}}])", terrain)
-                             : format(R"("objects": [{}])", terrain)),
+    load(format(
+             R"({{"materials": {{"a": {{"reflectance": 0.1}}}}, {}}})",
+             in_prototype
+                 ? format(R"("prototypes": {{"land": [{}]}}, "objects": [{{"instance": {{"of": "land"}}}}])",
+                          terrain)
+                 : format(R"("objects": [{}])", terrain)),
          &log);
     return log.text;
   };
@@ -291,14 +313,17 @@ TEST_F(MapsAndTerrain, LargeRastersAreTracedAsTheyLieWherePossible) {
 TEST_F(MapsAndTerrain, DegreesNeedAReference) {
   write_grid("dem.asc", 8.7, 49.4, 0.001, 3, 3, "1 2 3\n4 5 6\n7 8 9");
   write("dem.prj",
-        "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563]],PRIMEM[\"Greenwich\",0],"
+        "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS "
+        "84\",6378137,298.257223563]],PRIMEM[\"Greenwich\",0],"
         "UNIT[\"degree\",0.0174532925199433]]\n");
   const auto scene = [](const std::string& origin, const char* form = "mesh") {
-    return format("{{{}\"materials\": {{\"a\": {{\"reflectance\": 0.1}}}}, \"objects\": [{{\"terrain\": {{\"file\": "
-                  "\"dem.asc\", \"form\": \"{}\"}}, \"material\": \"a\"}}]}}",
-                  origin, form);
+    return format(
+        "{{{}\"materials\": {{\"a\": {{\"reflectance\": 0.1}}}}, \"objects\": [{{\"terrain\": {{\"file\": "
+        "\"dem.asc\", \"form\": \"{}\"}}, \"material\": \"a\"}}]}}",
+        origin, form);
   };
-  expect_in("whose coordinates are not metres; give the scene's 'origin' a 'crs' to take it to", load_error(scene("")));
+  expect_in("whose coordinates are not metres; give the scene's 'origin' a 'crs' to take it to",
+            load_error(scene("")));
   // With latitude and longitude alone, the scene's origin is their place in the projection.
   const Session session = load(
       scene(R"("origin": {"latitude": "49.4015 deg", "longitude": "8.7015 deg", "crs": "EPSG:25832"}, )"));
@@ -306,12 +331,15 @@ TEST_F(MapsAndTerrain, DegreesNeedAReference) {
   ASSERT_TRUE(hit.hit());
   EXPECT_NEAR(hit.position_m.z, 5.0, 0.02);
   expect_in("a terrain of the form 'grid' must be in the scene's own coordinates",
-            load_error(
-                scene(R"("origin": {"latitude": "49.4015 deg", "longitude": "8.7015 deg", "crs": "EPSG:25832"}, )", "grid")));
-  expect_in("is no coordinate reference system that PROJ knows",
-            load_error(scene(R"("origin": {"latitude": "49 deg", "longitude": "8 deg", "crs": "EPSG:1"}, )")));
-  expect_in("is not a map projection in metres",
-            load_error(scene(R"("origin": {"latitude": "49 deg", "longitude": "8 deg", "crs": "EPSG:4326"}, )")));
+            load_error(scene(
+                R"("origin": {"latitude": "49.4015 deg", "longitude": "8.7015 deg", "crs": "EPSG:25832"}, )",
+                "grid")));
+  expect_in(
+      "is no coordinate reference system that PROJ knows",
+      load_error(scene(R"("origin": {"latitude": "49 deg", "longitude": "8 deg", "crs": "EPSG:1"}, )")));
+  expect_in(
+      "is not a map projection in metres",
+      load_error(scene(R"("origin": {"latitude": "49 deg", "longitude": "8 deg", "crs": "EPSG:4326"}, )")));
   expect_in("with 'crs', give 'easting' and 'northing', or 'latitude' and 'longitude'",
             load_error(scene(R"("origin": {"crs": "EPSG:25832"}, )")));
 }
@@ -324,15 +352,17 @@ TEST_F(MapsAndTerrain, TheHeidelbergModelKeepsItsDetail) {
     int column, row;
     double height_m;
   };
-  const Cell cells[] = {{0, 0, 34.000000}, {520, 356, 286.000000}, {1040, 712, 34.000000}, {300, 600, 93.000000}};
+  const Cell cells[] = {
+      {0, 0, 34.000000}, {520, 356, 286.000000}, {1040, 712, 34.000000}, {300, 600, 93.000000}};
   for (const auto& [detail_m, form] : {std::pair{0.0, "mesh"}, {5.0, "mesh"}, {0.0, "grid"}}) {
     Messages log;
-    const Session session = load(
-        format("{{\"origin\": {{\"easting\": \"478000 m\", \"northing\": \"5474000 m\", \"crs\": \"EPSG:32632\"}}, "
-               "\"materials\": {{\"a\": {{\"reflectance\": 0.1}}}}, \"objects\": [{{\"terrain\": {{\"file\": \"{}\", "
-               "\"detail\": \"{} m\", \"form\": \"{}\"}}, \"material\": \"a\"}}]}}",
-               file->string(), detail_m, form),
-        &log);
+    const Session session = load(format("{{\"origin\": {{\"easting\": \"478000 m\", \"northing\": \"5474000 "
+                                        "m\", \"crs\": \"EPSG:32632\"}}, "
+                                        "\"materials\": {{\"a\": {{\"reflectance\": 0.1}}}}, \"objects\": "
+                                        "[{{\"terrain\": {{\"file\": \"{}\", "
+                                        "\"detail\": \"{} m\", \"form\": \"{}\"}}, \"material\": \"a\"}}]}}",
+                                        file->string(), detail_m, form),
+                                 &log);
     for (const Cell& cell : cells) {
       // A millimetre inside: rays along the rim may pass it.
       const double inwards_x = cell.column == 0 ? 1e-3 : -1e-3, inwards_y = cell.row == 0 ? -1e-3 : 1e-3;

@@ -1,9 +1,9 @@
-#include "session/runs/probing.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
 #include <set>
+
+#include "session/runs/probing.h"
 
 namespace ifov::session {
 namespace {
@@ -11,14 +11,16 @@ namespace {
 /// What a probe of `pieces` of 1,000 pieces foretells, where each needs some chunks out of `needed` of 2,000.
 double foretold(int pieces, int needed, int per_piece, unsigned seed = 5) {
   std::set<int> made;
-  Probing probing({.columns = 50, .rows = 20, .pixels = 16000.0, .surroundings = 1.0}, [&] { return made.size(); },
-                  nullptr);
+  Probing probing(
+      {.columns = 50, .rows = 20, .pixels = 16000.0, .surroundings = 1.0}, [&] { return made.size(); },
+      nullptr);
   std::mt19937 random(seed);
   sampling::TileResult tile;
   tile.reset({0, 0, 4, 4}, 1, false);
   for (int k = 0; k < pieces; ++k) {
     EXPECT_TRUE(probing.next().has_value());
-    for (int n = 0; n < per_piece; ++n) made.insert(static_cast<int>(random() % static_cast<unsigned>(needed)));
+    for (int n = 0; n < per_piece; ++n)
+      made.insert(static_cast<int>(random() % static_cast<unsigned>(needed)));
     probing.write(tile);
   }
   return probing.chunks(2000);

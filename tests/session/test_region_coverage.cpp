@@ -35,7 +35,8 @@ Polygon quad(double x, double y, double radius, double turn, double stretch = 1.
   Polygon corners;
   for (const auto& [u, v] : {Point{1, 1}, Point{-1, 1}, Point{-1, -1}, Point{1, -1}}) {
     const double a = u * radius * stretch, b = v * radius;
-    corners.push_back({x + a * std::cos(turn) - b * std::sin(turn), y + a * std::sin(turn) + b * std::cos(turn)});
+    corners.push_back(
+        {x + a * std::cos(turn) - b * std::sin(turn), y + a * std::sin(turn) + b * std::cos(turn)});
   }
   return corners;
 }
@@ -87,7 +88,8 @@ std::string text_of(const Flat& flat) {
             "channels": [{{"name": "red", "top_hat": {{"from": "0.63 um", "to": "0.68 um"}}}}]}},
           "sampling": {{"accuracy": {{"error": "{}"}}}}}})",
       kDark, kBright, objects, kSide, kSide,
-      flat.psf_px > 0.0 ? format(R"("psf": {{"gaussian": {{"sigma": "{} px"}}}},)", flat.psf_px) : "", flat.error);
+      flat.psf_px > 0.0 ? format(R"("psf": {{"gaussian": {{"sigma": "{} px"}}}},)", flat.psf_px) : "",
+      flat.error);
 }
 
 class OneTile final : public render::TileSink {
@@ -124,7 +126,8 @@ Trials trials_of(const Flat& flat) {
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
       double share = 0.0;
-      for (const Polygon& p : flat.bright) share += area_inside(p, x - half, half - y - 1, x - half + 1, half - y);
+      for (const Polygon& p : flat.bright)
+        share += area_inside(p, x - half, half - y - 1, x - half + 1, half - y);
       trials.truth.push_back(share);
     }
   const Session session = Session::load(io::parse_document(text_of(flat), "flat.json"), nullptr);
@@ -143,7 +146,8 @@ Trials trials_of_texture() {
   map << format("ncols {0}\nnrows {0}\nxllcorner -8\nyllcorner -8\ncellsize 0.25\n", kCells);
   for (int j = 0; j < kCells; ++j)
     for (int i = 0; i < kCells; ++i)
-      map << format("{:.3f}\n", 25.0 + 4.0 * std::sin(0.9 * i + 0.31 * j) + 2.0 * std::sin(1.7 * i - 1.3 * j));
+      map << format("{:.3f}\n",
+                    25.0 + 4.0 * std::sin(0.9 * i + 0.31 * j) + 2.0 * std::sin(1.7 * i - 1.3 * j));
   map.close();
   const std::string text = format(
       R"({{"ifov": 1, "scene": {{"materials": {{"ground": {{"emissivity": 1, "temperature":
@@ -157,8 +161,8 @@ Trials trials_of_texture() {
   std::filesystem::remove(file);
   Trials trials;
   render_seeds(session.parts(), trials);
-  render::SceneField field(*session.parts().spectral_scene, *session.parts().camera, session.parts().job().transport,
-                           render::LabelDetail::material);
+  render::SceneField field(*session.parts().spectral_scene, *session.parts().camera,
+                           session.parts().job().transport, render::LabelDetail::material);
   constexpr int kPoints = 48;
   std::vector<sampling::PathRequest> requests(kPoints * kPoints);
   std::vector<sampling::Label> labels(requests.size());
@@ -166,10 +170,13 @@ Trials trials_of_texture() {
   for (int p = 0; p < kSide * kSide; ++p) {
     for (int k = 0; k < kPoints * kPoints; ++k)
       requests[static_cast<std::size_t>(k)] = {
-          {p % kSide + (k % kPoints + 0.5) / kPoints, p / kSide + (k / kPoints + 0.5) / kPoints}, static_cast<std::uint64_t>(k), 0};
+          {p % kSide + (k % kPoints + 0.5) / kPoints, p / kSide + (k / kPoints + 0.5) / kPoints},
+          static_cast<std::uint64_t>(k),
+          0};
     field.values(requests, labels, values);
     double sum = 0.0;
-    for (std::size_t k = 0; k < requests.size(); ++k) sum += static_cast<double>(values[k * static_cast<std::size_t>(field.stride())]);
+    for (std::size_t k = 0; k < requests.size(); ++k)
+      sum += static_cast<double>(values[k * static_cast<std::size_t>(field.stride())]);
     trials.truth.push_back(sum / (kPoints * kPoints));
   }
   return trials;
@@ -206,11 +213,14 @@ Judged judge(const Trials& trials, const RegionRule& rule, int size, bool whole_
   return {held / count, widths / count / std::sqrt(squares / count)};
 }
 
-Flat slab(double turn) { return {turn == 0.0 ? "aligned slab" : "turned slab", {quad(0.13, -0.21, 4.37, turn)}}; }
+Flat slab(double turn) {
+  return {turn == 0.0 ? "aligned slab" : "turned slab", {quad(0.13, -0.21, 4.37, turn)}};
+}
 
 Flat rows() {
   Flat flat{"aligned rows", {}};
-  for (int k = 0; k < 5; ++k) flat.bright.push_back(quad(-4.1 + 2.03 * k, 0.17, 0.31, std::numbers::pi / 2, 16.0));
+  for (int k = 0; k < 5; ++k)
+    flat.bright.push_back(quad(-4.1 + 2.03 * k, 0.17, 0.31, std::numbers::pi / 2, 16.0));
   return flat;
 }
 
@@ -218,7 +228,8 @@ Flat patches(double pitch, double radius, const char* error) {
   Flat flat{"patches", {}, error};
   const int n = static_cast<int>(4.5 / pitch);
   for (int i = -n; i <= n; ++i)
-    for (int j = -n; j <= n; ++j) flat.bright.push_back(quad(pitch * i + 0.03, pitch * j - 0.05, radius, 0.65 * i + 1.07 * j));
+    for (int j = -n; j <= n; ++j)
+      flat.bright.push_back(quad(pitch * i + 0.03, pitch * j - 0.05, radius, 0.65 * i + 1.07 * j));
   return flat;
 }
 
@@ -253,7 +264,8 @@ TEST(RegionCoverageOfTexture, IntervalsHoldAndAreNotIdle) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, RegionCoverage,
-                         testing::Values(slab(0.0), slab(0.12), rows(), patches(1.03, 0.35, "2 %"), blurred()),
+                         testing::Values(slab(0.0), slab(0.12), rows(), patches(1.03, 0.35, "2 %"),
+                                         blurred()),
                          [](const auto& scene) {
                            std::string name = scene.param.name;
                            std::replace(name.begin(), name.end(), ' ', '_');

@@ -1,17 +1,15 @@
-#include "session/session.h"
-
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <string>
 
-#include <unistd.h>
-
 #include "core/error.h"
 #include "core/format.h"
 #include "io/document/document.h"
 #include "session/loaded/parts.h"
+#include "session/session.h"
 
 namespace ifov {
 namespace {
@@ -29,12 +27,13 @@ class SessionTest : public testing::Test {
   /// A document with one object (JSON text) of a document with a material "grey".
   io::Document document_with(const std::string& object, const std::string& more = "") const {
     return io::parse_document(
-        format("{{\"ifov\": 1,\n \"scene\": {{\"materials\": {{\"grey\": {{\"reflectance\": 0.3}}}},\n"
-               "  \"objects\": [\n   {}]}},\n"
-               " \"light\": {{\"sun\": {{\"point\": {{\"zenith\": \"30 deg\", \"azimuth\": \"90 deg\"}}}}}},\n"
-               " \"sensor\": {{\"camera\": {{\"orthographic\": {{\"gsd\": \"1 m\", \"pixels\": [6, 4]}}}},\n"
-               "  \"channels\": [{{\"name\": \"red\", \"monochromatic\": {{\"at\": \"0.65 um\"}}}}]}}{}}}",
-               object, more),
+        format(
+            "{{\"ifov\": 1,\n \"scene\": {{\"materials\": {{\"grey\": {{\"reflectance\": 0.3}}}},\n"
+            "  \"objects\": [\n   {}]}},\n"
+            " \"light\": {{\"sun\": {{\"point\": {{\"zenith\": \"30 deg\", \"azimuth\": \"90 deg\"}}}}}},\n"
+            " \"sensor\": {{\"camera\": {{\"orthographic\": {{\"gsd\": \"1 m\", \"pixels\": [6, 4]}}}},\n"
+            "  \"channels\": [{{\"name\": \"red\", \"monochromatic\": {{\"at\": \"0.65 um\"}}}}]}}{}}}",
+            object, more),
         (folder_ / "scene.json").string());
   }
 
@@ -58,12 +57,13 @@ void expect_in(const std::string& part, const std::string& text) {
 TEST_F(SessionTest, AccuracyInUnitsOfTheNoise) {
   const auto limits = [&](const std::string& noise) {
     const io::Document document = io::parse_document(
-        format(R"({{"ifov": 1, "scene": {{"materials": {{"grey": {{"reflectance": 0.3, "temperature": "300 K"}}}},
+        format(
+            R"({{"ifov": 1, "scene": {{"materials": {{"grey": {{"reflectance": 0.3, "temperature": "300 K"}}}},
           "objects": [{{"plane": {{}}, "material": "grey"}}]}},
           "sensor": {{"camera": {{"orthographic": {{"gsd": "1 m", "pixels": [2, 2]}}}},
             "channels": [{{"name": "hot", "gaussian": {{"center": "10 um", "fwhm": "0.5 um"}}{}}}]}},
           "sampling": {{"accuracy": {{"error": "0.5 noise"}}}}}})",
-               noise),
+            noise),
         (folder_ / "noise.json").string());
     const session::Session session = session::Session::load(document, nullptr);
     std::vector<double> limit(1);
@@ -105,8 +105,8 @@ TEST_F(SessionTest, SlotWithoutMaterialListsTheSlots) {
 
 TEST_F(SessionTest, ClassWithoutMaterialNamesItsCell) {
   write("classes.asc", "ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 7\n");
-  const std::string error = load_error(
-      R"({"plane": {}, "material": {"map": {"file": "classes.asc", "classes": {"1": "grey"}}}})");
+  const std::string error =
+      load_error(R"({"plane": {}, "material": {"map": {"file": "classes.asc", "classes": {"1": "grey"}}}})");
   expect_in("class 7 at row 1, column 2", error);
   expect_in("the classes given are 1", error);
 }
@@ -114,14 +114,19 @@ TEST_F(SessionTest, ClassWithoutMaterialNamesItsCell) {
 TEST_F(SessionTest, CoordinatesAreTakenOffTheMapOriginInDouble) {
   const auto render = [&](const std::string& origin, double east_m) {
     const io::Document document = io::parse_document(
-        format("{{\"ifov\": 1, \"scene\": {{{} \"materials\": {{\"grey\": {{\"reflectance\": 0.3}}, "
-               "\"white\": {{\"reflectance\": 0.9}}}},\n\"objects\": [{{\"plane\": {{}}, \"material\": \"grey\"}}, "
-               "{{\"box\": {{\"low\": [\"{} m\", \"0 m\", \"0 m\"], \"high\": [\"{} m\", \"1 m\", \"1 m\"]}}, "
-               "\"material\": \"white\"}}]}},\n\"light\": {{\"sky\": {{\"radiance\": \"50 W m-2 sr-1 um-1\"}}}},\n"
-               "\"sensor\": {{\"camera\": {{\"orthographic\": {{\"gsd\": \"0.37 m\", \"pixels\": [9, 9], \"center\": "
-               "[\"{} m\", \"0 m\"]}}}}, \"channels\": [{{\"name\": \"red\", \"monochromatic\": {{\"at\": \"0.65 "
-               "um\"}}}}]}}, \"sampling\": {{\"grid\": {{\"elements\": [3, 3]}}, \"max_depth\": 1}}}}",
-               origin, east_m, east_m + 1.0, east_m),
+        format(
+            "{{\"ifov\": 1, \"scene\": {{{} \"materials\": {{\"grey\": {{\"reflectance\": 0.3}}, "
+            "\"white\": {{\"reflectance\": 0.9}}}},\n\"objects\": [{{\"plane\": {{}}, \"material\": "
+            "\"grey\"}}, "
+            "{{\"box\": {{\"low\": [\"{} m\", \"0 m\", \"0 m\"], \"high\": [\"{} m\", \"1 m\", \"1 m\"]}}, "
+            "\"material\": \"white\"}}]}},\n\"light\": {{\"sky\": {{\"radiance\": \"50 W m-2 sr-1 "
+            "um-1\"}}}},\n"
+            "\"sensor\": {{\"camera\": {{\"orthographic\": {{\"gsd\": \"0.37 m\", \"pixels\": [9, 9], "
+            "\"center\": "
+            "[\"{} m\", \"0 m\"]}}}}, \"channels\": [{{\"name\": \"red\", \"monochromatic\": {{\"at\": "
+            "\"0.65 "
+            "um\"}}}}]}}, \"sampling\": {{\"grid\": {{\"elements\": [3, 3]}}, \"max_depth\": 1}}}}",
+            origin, east_m, east_m + 1.0, east_m),
         (folder_ / "far.json").string());
     session::RunOptions options;
     options.output_folder = folder_ / format("out_{}", east_m);

@@ -40,15 +40,21 @@ Session load(const std::string& hot, LogSink* log = nullptr) {
       log);
 }
 
-const char* const kSphere = R"({"sphere": {"center": ["0 m", "0 m", "6 m"], "radius": "0.15 m"}, "material": "hot"})";
+const char* const kSphere =
+    R"({"sphere": {"center": ["0 m", "0 m", "6 m"], "radius": "0.15 m"}, "material": "hot"})";
 
 TEST(SoughtEmitters, WaysByMirrorsThatAreNotSoughtAreSaid) {
-  const std::string pane = format(R"({}, {{"polygon": {{"vertices": [["3 m", "-2 m", "0 m"], ["3 m", "2 m", "0 m"], ["3 m", "0 m", "4 m"]]}},
-              "material": "glass"}})", kSphere);
-  const std::string ball = format(R"({}, {{"sphere": {{"center": ["3 m", "0 m", "1 m"], "radius": "0.5 m"}}, "material": "glass"}})", pane);
-  constexpr const char* kText = "warning: light of surfaces that outshine the scene is sought by way of one flat mirror, not of "
-                                "bent ones or of several in turn: what those throw of it on other surfaces is found by chance "
-                                "alone, and pixels near them may be less sure than they say\n";
+  const std::string pane = format(
+      R"({}, {{"polygon": {{"vertices": [["3 m", "-2 m", "0 m"], ["3 m", "2 m", "0 m"], ["3 m", "0 m", "4 m"]]}},
+              "material": "glass"}})",
+      kSphere);
+  const std::string ball = format(
+      R"({}, {{"sphere": {{"center": ["3 m", "0 m", "1 m"], "radius": "0.5 m"}}, "material": "glass"}})",
+      pane);
+  constexpr const char* kText =
+      "warning: light of surfaces that outshine the scene is sought by way of one flat mirror, not of "
+      "bent ones or of several in turn: what those throw of it on other surfaces is found by chance "
+      "alone, and pixels near them may be less sure than they say\n";
   for (const auto& [objects, said] : {std::pair{std::string(kSphere), false}, {pane, false}, {ball, true}}) {
     Messages messages;
     load(objects, &messages);
@@ -81,7 +87,8 @@ double expected(const Session& session, int x, int y) {
   for (int k = 0; k < kGrid * kGrid; ++k) {
     const double east = kEast_m - 0.5 * kPixels + x + (k % kGrid + 0.5) / kGrid;
     const double north = 0.5 * kPixels - y - (k / kGrid + 0.5) / kGrid;
-    seen += kRadius_m * kRadius_m * kHeight_m / std::pow(east * east + north * north + kHeight_m * kHeight_m, 1.5);
+    seen += kRadius_m * kRadius_m * kHeight_m /
+            std::pow(east * east + north * north + kHeight_m * kHeight_m, 1.5);
   }
   std::vector<double> ground(1), hot(1);
   session.parts().nodes->planck_channels(285.0, ground);
@@ -129,12 +136,17 @@ TEST(SoughtEmitters, PlantedFaultNothingSoughtIsWrongAndSure) {
 TEST(SoughtEmitters, AreToldOf) {
   Messages some, none, left;
   load(kSphere, &some);
-  EXPECT_NE(some.text.find("emitters: faces that outshine the scene and whose light is sought: 1\n"), std::string::npos) << some.text;
+  EXPECT_NE(some.text.find("emitters: faces that outshine the scene and whose light is sought: 1\n"),
+            std::string::npos)
+      << some.text;
   load(R"({"sphere": {"center": ["0 m", "0 m", "6 m"], "radius": "0.15 m"}, "material": "soil"})", &none);
   EXPECT_EQ(none.text.find("emitters:"), std::string::npos) << none.text;
-  load(R"({"plane": {"height": "-1 m"}, "material": "soil"}, {"plane": {"height": "-5 m"}, "material": "hot"})", &left);
+  load(
+      R"({"plane": {"height": "-1 m"}, "material": "soil"}, {"plane": {"height": "-5 m"}, "material": "hot"})",
+      &left);
   EXPECT_EQ(left.text.find("emitters:"), std::string::npos) << left.text;
-  EXPECT_NE(left.text.find("warning: light of some surfaces that outshine the scene is found by chance alone: it is not sought "
+  EXPECT_NE(left.text.find("warning: light of some surfaces that outshine the scene is found by chance "
+                           "alone: it is not sought "
                            "from planes and terrain, nor from more than 1048576 faces\n"),
             std::string::npos)
       << left.text;

@@ -101,7 +101,8 @@ TEST_F(WideView, HighGroundHasLessAirBeforeIt) {
 // A mirror ball sends rho E R^2 / 4 every way, and as much of the glint is seen as the air before it lets through.
 TEST_F(WideView, GlintsAreSeenThroughTheAirBeforeThem) {
   constexpr double kRadius_m = 20.0, kReflectance = 0.5;
-  const char* ball = R"(, {"sphere": {"center": ["30 m", "10 m", "900 m"], "radius": "20 m"}, "material": "chrome"})";
+  const char* ball =
+      R"(, {"sphere": {"center": ["30 m", "10 m", "900 m"], "radius": "20 m"}, "material": "chrome"})";
   const Session session = Session::load(document(kWide, ball), nullptr);
   const transport::SpectralScene& scene = *session.parts().spectral_scene;
   const sensor::Camera& camera = *session.parts().camera;
@@ -116,7 +117,8 @@ TEST_F(WideView, GlintsAreSeenThroughTheAirBeforeThem) {
   std::vector<float> nodes(scene.node_count()), scratch(scene.stride()), channels(scene.stride());
   const float* sun = scene.sun_irradiance(915.0, scratch.data());
   for (std::size_t n = 0; n < nodes.size(); ++n)
-    for (std::size_t k = 0; k < place.count; ++k) nodes[n] += place.weight[k] * place.transmittance[k][n] * sun[n];
+    for (std::size_t k = 0; k < place.count; ++k)
+      nodes[n] += place.weight[k] * place.transmittance[k][n] * sun[n];
   scene.nodes().to_channels(nodes.data(), channels.data());
   const double pixel_sr = 0.01;  // 1 mm at 10 mm
   const double intensity = kReflectance * static_cast<double>(channels[0]) * kRadius_m * kRadius_m / 4.0;
@@ -125,8 +127,8 @@ TEST_F(WideView, GlintsAreSeenThroughTheAirBeforeThem) {
 
 // Paths draw the sky by direction; its irradiance was integrated by the solver of the air.
 TEST_F(WideView, LevelGroundReflectsTheIrradianceOfSunAndSky) {
-  const io::Document grey =
-      document(R"("orthographic": {"gsd": "1 m", "pixels": [8, 8]})", "", 0.4, R"({"grid": {"elements": [16, 16]}})");
+  const io::Document grey = document(R"("orthographic": {"gsd": "1 m", "pixels": [8, 8]})", "", 0.4,
+                                     R"({"grid": {"elements": [16, 16]}})");
   double mean = 0.0;
   const std::vector<float> seen = image(grey, 8);
   for (std::size_t pixel = 0; pixel < 64; ++pixel) mean += static_cast<double>(seen[2 * pixel]) / 64.0;

@@ -54,7 +54,8 @@ TEST(AtmosphereNodes, StandForAllTermsOfThermalChannels) {
 TEST(AtmosphereNodes, SayHowFarTheyAreOffOverManySurfaces) {
   std::vector<radiometry::Channel> channels{radiometry::Channel::top_hat("", 8.0, 12.0),
                                             radiometry::Channel::top_hat("", 3.5, 4.2)};
-  const NodeErrors errors = node_errors(channels, {.most_nodes = 32, .tolerance = 1e-3, .whole_library = true});
+  const NodeErrors errors =
+      node_errors(channels, {.most_nodes = 32, .tolerance = 1e-3, .whole_library = true});
   ASSERT_GT(errors.surfaces.size(), 50u);
   for (std::size_t c = 0; c < channels.size(); ++c) {
     EXPECT_LT(errors.claimed[c], 1e-2) << c;

@@ -19,17 +19,21 @@ TEST(FigureTable, JudgesAndWrites) {
   EXPECT_TRUE(table.all_met());
   table.at_least("found", 0.5, 1.0, "", "share");
   EXPECT_FALSE(table.all_met());
-  EXPECT_EQ(table.json(),
-            "{\n"
-            "  \"seconds\": {\n    \"value\": 1.5,\n    \"unit\": \"s\",\n    \"must\": \"\",\n    \"ok\": null,\n"
-            "    \"meaning\": \"time taken\"\n  },\n"
-            "  \"samples\": {\n    \"value\": 180,\n    \"unit\": \"samples\",\n    \"must\": \"<= 185\",\n    \"ok\": true,\n"
-            "    \"meaning\": \"to \\\"0.1 C\\\"\"\n  },\n"
-            "  \"grid\": {\n    \"value\": 15876,\n    \"unit\": \"samples\",\n    \"must\": \"= 15876\",\n    \"ok\": true,\n"
-            "    \"meaning\": \"of the grid\"\n  },\n"
-            "  \"found\": {\n    \"value\": 0.5,\n    \"unit\": \"\",\n    \"must\": \">= 1\",\n    \"ok\": false,\n"
-            "    \"meaning\": \"share\"\n  }\n"
-            "}\n");
+  EXPECT_EQ(
+      table.json(),
+      "{\n"
+      "  \"seconds\": {\n    \"value\": 1.5,\n    \"unit\": \"s\",\n    \"must\": \"\",\n    \"ok\": null,\n"
+      "    \"meaning\": \"time taken\"\n  },\n"
+      "  \"samples\": {\n    \"value\": 180,\n    \"unit\": \"samples\",\n    \"must\": \"<= 185\",\n    "
+      "\"ok\": true,\n"
+      "    \"meaning\": \"to \\\"0.1 C\\\"\"\n  },\n"
+      "  \"grid\": {\n    \"value\": 15876,\n    \"unit\": \"samples\",\n    \"must\": \"= 15876\",\n    "
+      "\"ok\": true,\n"
+      "    \"meaning\": \"of the grid\"\n  },\n"
+      "  \"found\": {\n    \"value\": 0.5,\n    \"unit\": \"\",\n    \"must\": \">= 1\",\n    \"ok\": "
+      "false,\n"
+      "    \"meaning\": \"share\"\n  }\n"
+      "}\n");
   EXPECT_NE(table.text().find("samples           180  samples  <= 185   ok\n"), std::string::npos)
       << table.text();
   EXPECT_NE(table.html().find("class=\"missed\">NO"), std::string::npos);
@@ -46,7 +50,8 @@ TEST(ReportPlot, LeavesOutWhatItsAxesCannotShow) {
   Plot plot;
   plot.title = "a < b";
   plot.x_log = true;
-  plot.series = {{"line", "#d55e00", {0.0, 10.0, 1000.0}, {1.0, 2.0, 3.0}}, {"dots", "#888", {10.0}, {NAN}, true}};
+  plot.series = {{"line", "#d55e00", {0.0, 10.0, 1000.0}, {1.0, 2.0, 3.0}},
+                 {"dots", "#888", {10.0}, {NAN}, true}};
   plot.levels = {{"truth", "#00703c", 2.0, 0.5}};
   const DrawnFigure drawn = draw(plot);
   EXPECT_TRUE(drawn.svg.starts_with("<?xml")) << drawn.svg.substr(0, 40);
@@ -77,8 +82,8 @@ TEST(ReportFigures, AreShownAndKept) {
     names.push_back(file.lexically_relative(folder.path()).string());
   }
   const std::string long_name = "figures/samples_grid_10_x_10_a_long_title_that_has_to_be_wrapped";
-  EXPECT_EQ(names, (std::vector<std::string>{long_name + ".svg", long_name + ".pdf", long_name + "_2.svg", long_name + "_2.pdf",
-                                             "figures/a_b.svg", "figures/a_b.pdf"}));
+  EXPECT_EQ(names, (std::vector<std::string>{long_name + ".svg", long_name + ".pdf", long_name + "_2.svg",
+                                             long_name + "_2.pdf", "figures/a_b.svg", "figures/a_b.pdf"}));
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ void fill(ImageStore& image, std::initializer_list<Found> found) {
 
 TEST(MaterialCounts, CountsFromAThousandthOfAPixel) {
   ImageStore image;
-  fill(image, {{0, 0, 0.9995f, 0}, {0, 1, 0.0005f, 0}, {1, 0, 0.5f, 0}, {1, 2, 0.499f, 0}, {1, 3, 0.001f, 0}});
+  fill(image,
+       {{0, 0, 0.9995f, 0}, {0, 1, 0.0005f, 0}, {1, 0, 0.5f, 0}, {1, 2, 0.499f, 0}, {1, 3, 0.001f, 0}});
   const MaterialCounts counts = count_materials(image);
   EXPECT_DOUBLE_EQ(counts.counted, 2.0);  // 1 and 3
   EXPECT_DOUBLE_EQ(counts.raw, 2.5);

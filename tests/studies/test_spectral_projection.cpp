@@ -53,7 +53,8 @@ TEST(SpectralProjection, PrincipalAxesOfTwoChannels) {
   // The scores along an axis have its variance.
   const std::vector<float> scores = project(axes, view(values, 2));
   double sum = 0.0;
-  for (int p = 0; p < n; ++p) sum += double(scores[2 * static_cast<std::size_t>(p)]) * scores[2 * static_cast<std::size_t>(p)];
+  for (int p = 0; p < n; ++p)
+    sum += double(scores[2 * static_cast<std::size_t>(p)]) * scores[2 * static_cast<std::size_t>(p)];
   EXPECT_NEAR(sum / n, axes.strength[0], 1e-4 * axes.strength[0]);
 }
 
@@ -76,7 +77,8 @@ TEST(SpectralProjection, MinimumNoiseFractionFindsTheSignalThatPrincipalComponen
   const std::vector<float> scores = project(axes, view(values, 3));
   double same = 0.0, own = 0.0, signal = 0.0;
   for (int p = 0; p < kWidth * kHeight; ++p) {
-    const double s = scores[3 * static_cast<std::size_t>(p)], t = values[3 * static_cast<std::size_t>(p)] - axes.mean[0];
+    const double s = scores[3 * static_cast<std::size_t>(p)],
+                 t = values[3 * static_cast<std::size_t>(p)] - axes.mean[0];
     same += s * t, own += s * s, signal += t * t;
   }
   EXPECT_GT(std::abs(same) / std::sqrt(own * signal), 0.99);

@@ -38,10 +38,13 @@ class RamiScene {
     const geometry::ShapeId disk = builder.add_shape(geometry::Disk{});
     std::vector<geometry::Part> leaves;
     for (const std::vector<double>& v : numbers(folder / "het01_UNI_sphere.def", 7)) {
-      const math::Frame frame = math::frame_from_normal(math::as_normal(math::normalized({v[4], v[5], v[6]})));
-      const math::Vec3 x = frame.outer_from_local({1.0, 0.0, 0.0}), y = frame.outer_from_local({0.0, 1.0, 0.0}),
+      const math::Frame frame =
+          math::frame_from_normal(math::as_normal(math::normalized({v[4], v[5], v[6]})));
+      const math::Vec3 x = frame.outer_from_local({1.0, 0.0, 0.0}),
+                       y = frame.outer_from_local({0.0, 1.0, 0.0}),
                        z = frame.outer_from_local({0.0, 0.0, 1.0});
-      leaves.push_back({disk, math::Transform::from_columns(x * v[0], y * v[0], z * v[0], {v[1], v[2], v[3]}), {}});
+      leaves.push_back(
+          {disk, math::Transform::from_columns(x * v[0], y * v[0], z * v[0], {v[1], v[2], v[3]}), {}});
     }
     const geometry::ShapeId ball = builder.add_prototype(leaves);
     const std::vector<std::uint32_t> leaf{0}, ground{1};
@@ -103,8 +106,8 @@ class RamiScene {
           rays[k] = {ground + (kTop_m / towards_viewer.z) * towards_viewer, -towards_viewer};
           keys[k] = {key, first + k};
         }
-        const transport::PathRecord& record = tracer.trace(std::span(rays).first(count), std::span(keys).first(count),
-                                                        std::span(hits).first(count), counts);
+        const transport::PathRecord& record = tracer.trace(
+            std::span(rays).first(count), std::span(keys).first(count), std::span(hits).first(count), counts);
         for (std::uint32_t k = 0; k < count; ++k) sum += static_cast<double>(light.radiance(record, k)[0]);
       }
       mean[static_cast<std::size_t>(r)] = sum / paths * std::numbers::pi / std::cos(kSunZenith_rad);

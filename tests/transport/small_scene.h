@@ -18,8 +18,9 @@ class SmallScene {
  public:
   static constexpr double kWavelength_um = 10.0;
 
-  std::uint32_t material(double reflectance, double temperature_k = 0.0,
-                         const std::shared_ptr<const materials::Bsdf>& bsdf = materials::Lambertian::shared()) {
+  std::uint32_t material(
+      double reflectance, double temperature_k = 0.0,
+      const std::shared_ptr<const materials::Bsdf>& bsdf = materials::Lambertian::shared()) {
     materials::Material material;
     material.name = format("m{}", scene_.materials.size());
     material.reflectance = radiometry::Spectrum::constant(reflectance);

@@ -31,7 +31,8 @@ class ByEvent final : public materials::Bsdf {
     EXPECT_GT(event.incoming_cosine(), -1e-9);
     EXPECT_GT(event.outgoing_cosine(), -1e-9);
     for (std::size_t n = 0; n < count; ++n)
-      bsdf[n] = rows[reflected ? 0 : 1][n] * static_cast<float>((reflected ? 1.0 : fault_) / std::numbers::pi);
+      bsdf[n] =
+          rows[reflected ? 0 : 1][n] * static_cast<float>((reflected ? 1.0 : fault_) / std::numbers::pi);
   }
 
  private:
@@ -43,7 +44,8 @@ class ByEvent final : public materials::Bsdf {
 void by_event(scene::Scene& scene, double fault = 1.0) {
   for (materials::Material& m : scene.materials)
     if (m.bsdf->is_separable() && !m.bsdf->is_delta() && m.reflectance.maximum() > 0.0)
-      m.bsdf = std::make_shared<ByEvent>(m.reflectance, m.transmittance.value_or(Spectrum::constant(0.0)), fault);
+      m.bsdf =
+          std::make_shared<ByEvent>(m.reflectance, m.transmittance.value_or(Spectrum::constant(0.0)), fault);
 }
 
 /// Tilts the shading normal, and lays a mirror over a part of the surface.
@@ -75,7 +77,8 @@ SmallScene::Estimate yard(Ground ground, const math::Ray& ray, bool directional,
   const std::uint32_t soil = scene.material(0.5, 290.0);
   const std::uint32_t mirror = scene.material(0.8, 0.0, materials::Mirror::shared());
   scene.place(geometry::Plane{}, soil);
-  scene.place(geometry::Polygon{{{3.0, -4.0, 0.0}, {3.0, 4.0, 0.0}, {3.0, 4.0, 6.0}, {3.0, -4.0, 6.0}}}, mirror);
+  scene.place(geometry::Polygon{{{3.0, -4.0, 0.0}, {3.0, 4.0, 0.0}, {3.0, 4.0, 6.0}, {3.0, -4.0, 6.0}}},
+              mirror);
   scene.place(geometry::Sphere{{1.0, 2.0, 0.7}, 0.5}, mirror);
   scene.place(geometry::Disk{{-1.0, 0.5, 1.0}, 0.8}, scene.leaf(0.4, 0.45, 285.0),
               math::Transform::rotation(math::normalized({1.0, 1.0, 0.0}), 0.3));
@@ -104,7 +107,8 @@ TEST(DirectionalModels, LambertsLawByEventIsLambertsLaw) {
 }
 
 TEST(DirectionalModels, PlantedFaultOfOneSideIsSeen) {
-  const auto separable = yard(Ground::plain, kOnLeaf, false), wrong = yard(Ground::plain, kOnLeaf, true, 0.97);
+  const auto separable = yard(Ground::plain, kOnLeaf, false),
+             wrong = yard(Ground::plain, kOnLeaf, true, 0.97);
   EXPECT_GT(std::abs(wrong.mean - separable.mean), 1e-3 * separable.mean);
 }
 
@@ -133,7 +137,9 @@ TEST(DirectionalModels, FurnaceReturnsPlanck) {
 class Inconsistent final : public materials::Bsdf {
  public:
   Inconsistent(double slope_rad, std::shared_ptr<const bool> scatters)
-      : rough_(Spectrum::constant(0.8), slope_rad), smooth_(Spectrum::constant(0.8), 0.9 * slope_rad), scatters_(std::move(scatters)) {}
+      : rough_(Spectrum::constant(0.8), slope_rad),
+        smooth_(Spectrum::constant(0.8), 0.9 * slope_rad),
+        scatters_(std::move(scatters)) {}
   std::span<const Spectrum> spectra() const override { return rough_.spectra(); }
   void evaluate(const materials::BsdfEvent& event, materials::ParameterRows rows, std::size_t count,
                 float* bsdf) const override {

@@ -28,8 +28,9 @@ SmallScene::Estimate among_walls(bool by_mirrors, std::uint32_t paths, math::Ray
   const std::uint32_t mirror = scene.material(kMirror, 0.0, kMirrorKind);
   scene.place(wall(0.0, -4.0, 4.0, 3.0), mirror);
   scene.place(geometry::Box{{0.0, 4.0, 0.0}, {5.0, 4.1, 3.0}}, mirror);
-  scene.place(geometry::Disk{{0.0, 0.0, 0.0}, 1.0}, mirror,
-              math::Transform::translation({4.5, -1.0, 1.5}) * math::Transform::rotation({0.0, 1.0, 0.0}, -1.2));
+  scene.place(
+      geometry::Disk{{0.0, 0.0, 0.0}, 1.0}, mirror,
+      math::Transform::translation({4.5, -1.0, 1.5}) * math::Transform::rotation({0.0, 1.0, 0.0}, -1.2));
   scene.place(geometry::Box{{2.4, 1.0, 0.0}, {2.6, 1.5, 1.0}}, scene.material(0.2));
   scene.place(geometry::Sphere{{2.5, 2.0, 2.2}, 0.9}, scene.material(0.0, 900.0));
   scene.build();

@@ -40,14 +40,15 @@ Placed place(geometry::Shape shape, const Transform& transform) {
 bool meets(const Placed& placed, const SurfacePiece& piece, Point3 from, Vec3 direction, SurfacePoint& hit) {
   const math::Ray ray{from, direction};
   placed.world->intersect({&ray, 1}, {&hit, 1});
-  return hit.hit() && hit.instance == piece.object && hit.primitive == piece.primitive && hit.patch == piece.patch;
+  return hit.hit() && hit.instance == piece.object && hit.primitive == piece.primitive &&
+         hit.patch == piece.patch;
 }
 
 /// Integrals over the directions in which a piece is seen, of the cosine and of the cosine times a lopsided function, each
 /// with its standard error: by blind directions, and by those that are drawn. The drawn ones count `spoil` times.
 struct Compared {
-  double worst_z = 0.0;       ///< of the differences
-  double worst_density = 0.0; ///< relative difference of density() and aim()
+  double worst_z = 0.0;        ///< of the differences
+  double worst_density = 0.0;  ///< relative difference of density() and aim()
 };
 Compared compare(const Placed& placed, const Receiver& receiver, double spoil, std::mt19937& random) {
   std::uniform_real_distribution<> u;
@@ -69,7 +70,8 @@ Compared compare(const Placed& placed, const Receiver& receiver, double spoil, s
       const transport::AimedDirection aimed = shape.aim(receiver, {u(random), u(random)});
       if (!(aimed.density > 0.0) || !meets(placed, piece, receiver.at_m, aimed.direction, hit)) continue;
       const double cosine = std::max(0.0, math::dot(aimed.direction, receiver.normal));
-      const double v[2] = {spoil * cosine / aimed.density, spoil * cosine / aimed.density * lopsided(aimed.direction)};
+      const double v[2] = {spoil * cosine / aimed.density,
+                           spoil * cosine / aimed.density * lopsided(aimed.direction)};
       for (int m = 0; m < 2; ++m) drawn[m] += v[m] / kCount, drawn_square[m] += v[m] * v[m] / kCount;
       const double said = shape.density(receiver, aimed.direction, hit.distance_m);
       result.worst_density = std::max(result.worst_density, std::abs(said / aimed.density - 1.0));
@@ -83,8 +85,8 @@ Compared compare(const Placed& placed, const Receiver& receiver, double spoil, s
 }
 
 std::vector<Placed> all_shapes() {
-  const Transform skewed = Transform::translation({0.3, 0.2, 2.0}) * Transform::rotation({1.0, 0.4, -0.3}, 0.9) *
-                           Transform::scaling({0.7, 1.1, 0.5});
+  const Transform skewed = Transform::translation({0.3, 0.2, 2.0}) *
+                           Transform::rotation({1.0, 0.4, -0.3}, 0.9) * Transform::scaling({0.7, 1.1, 0.5});
   const Transform even = Transform::translation({0.5, -0.2, 1.6}) * Transform::rotation({1.0, 2.0, 0.3}, 2.1);
   std::vector<Placed> shapes;
   for (const Transform& map : {skewed, even}) {
@@ -138,7 +140,8 @@ TEST(EmitterShape, LiesWithinItsSphere) {
 TEST(EmitterShape, PlantedFaultDensityFivePercentOff) {
   std::mt19937 random(5);
   double worst = 0.0;
-  for (const Placed& placed : all_shapes()) worst = std::max(worst, compare(placed, kLevel, 1.05, random).worst_z);
+  for (const Placed& placed : all_shapes())
+    worst = std::max(worst, compare(placed, kLevel, 1.05, random).worst_z);
   EXPECT_GT(worst, 4.5);
 }
 
@@ -166,9 +169,10 @@ std::vector<transport::Emitter> scattered_emitters(int count, std::mt19937& rand
   for (int k = 0; k < count; ++k) {
     SurfacePiece piece;
     piece.kind = k % 3 == 0 ? geometry::PieceKind::ball : geometry::PieceKind::triangle;
-    piece.scene_from_unit = Transform::translation({20.0 * u(random), 20.0 * u(random), 5.0 + 6.0 * u(random)}) *
-                            Transform::rotation({u(random), u(random), 1.0}, 3.0 * u(random)) *
-                            Transform::scaling({0.3, 0.3, 0.3});
+    piece.scene_from_unit =
+        Transform::translation({20.0 * u(random), 20.0 * u(random), 5.0 + 6.0 * u(random)}) *
+        Transform::rotation({u(random), u(random), 1.0}, 3.0 * u(random)) *
+        Transform::scaling({0.3, 0.3, 0.3});
     transport::Emitter emitter{EmitterShape(piece, k % 2 == 0), 0.0, 1.0 + k % 5, 0, 0};
     emitter.power = emitter.radiance * emitter.shape.area_m2();
     emitters.push_back(emitter);

@@ -5,8 +5,8 @@
 #include <functional>
 #include <numbers>
 
-#include "materials/bsdf/mirror.h"
 #include "geometry/periodic_world.h"
+#include "materials/bsdf/mirror.h"
 #include "radiometry/planck.h"
 #include "transport/emitters.h"
 #include "transport/small_scene.h"
@@ -31,8 +31,8 @@ struct Estimate {
 using Tamper = std::function<void(transport::PathVertex&)>;
 
 /// As SmallScene::radiance, with what paths recorded changed before light is made of it.
-Estimate radiance(const transport::SpectralScene& scene, const Ray& ray, std::uint32_t count, bool seek = true,
-                  const Tamper& tamper = {}) {
+Estimate radiance(const transport::SpectralScene& scene, const Ray& ray, std::uint32_t count,
+                  bool seek = true, const Tamper& tamper = {}) {
   transport::TransportOptions options;
   options.seek_emitters = seek;
   transport::PathTracer tracer(scene, options);
@@ -99,7 +99,8 @@ TEST(Emitters, BlackWallsOfACubeGiveTheirViewFactorWithoutVariance) {
   // One hot wall: from the middle of the floor, an upright wall, and four corners of the ceiling.
   for (const bool ceiling : {false, true}) {
     SmallScene scene;
-    const std::uint32_t cold = scene.material(0.0), floor = scene.material(0.5), hot = scene.material(0.0, 300.0);
+    const std::uint32_t cold = scene.material(0.0), floor = scene.material(0.5),
+                        hot = scene.material(0.0, 300.0);
     const auto wall = [&](Point3 a, Vec3 x, Vec3 y, std::uint32_t material) {
       scene.place(geometry::Polygon{{a, a + x, a + x + y, a + y}}, material);
     };
@@ -133,8 +134,8 @@ struct Case {
 
 std::vector<Case> cases() {
   const auto ground = [](SmallScene& s) { s.place(geometry::Plane{}, s.material(0.6)); };
-  const Transform skewed = Transform::translation({0.2, 0.1, 2.0}) * Transform::rotation({1.0, 0.4, -0.3}, 0.9) *
-                           Transform::scaling({0.7, 1.1, 0.5});
+  const Transform skewed = Transform::translation({0.2, 0.1, 2.0}) *
+                           Transform::rotation({1.0, 0.4, -0.3}, 0.9) * Transform::scaling({0.7, 1.1, 0.5});
   const auto shape = [=](geometry::Shape what) {
     return [=](SmallScene& s) {
       ground(s);
@@ -159,33 +160,44 @@ std::vector<Case> cases() {
                     ground(s);
                     s.place(geometry::Sphere{{0.5, 0.0, 0.4}, 0.4}, s.material(0.2, 600.0));
                   }});
-  list.push_back({"on the emitter", [=](SmallScene& s) {
+  list.push_back({"on the emitter",
+                  [=](SmallScene& s) {
                     ground(s);
                     s.place(geometry::Box{{-1.0, -1.0, 0.0}, {1.0, 1.0, 0.5}}, s.material(0.3, 600.0));
                     s.place(geometry::Sphere{{0.0, 0.6, 1.2}, 0.3}, s.material(0.1, 600.0));
-                  }, towards({0.0, 0.0, 0.5}, {1.0, -1.0, 2.0})});
-  list.push_back({"leaf lit from both sides", [](SmallScene& s) {
+                  },
+                  towards({0.0, 0.0, 0.5}, {1.0, -1.0, 2.0})});
+  list.push_back({"leaf lit from both sides",
+                  [](SmallScene& s) {
                     s.place(geometry::Box{{-5.0, -5.0, -9.0}, {5.0, 5.0, -8.0}}, s.material(0.5));
                     s.place(geometry::Disk{{}, 2.0}, s.leaf(0.4, 0.5));
                     s.place(geometry::Sphere{{0.3, 0.2, 1.0}, 0.3}, s.material(0.0, 600.0));
                     s.place(geometry::Box{{-0.7, 0.0, -1.4}, {0.1, 0.6, -1.0}}, s.material(0.1, 600.0));
-                  }, towards({}, {2.0, 0.5, 1.0})});
-  list.push_back({"in a room", [](SmallScene& s) {
+                  },
+                  towards({}, {2.0, 0.5, 1.0})});
+  list.push_back({"in a room",
+                  [](SmallScene& s) {
                     s.place(geometry::Box{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}}, s.material(0.7));
                     s.place(geometry::Sphere{{0.4, 0.4, -0.5}, 0.2}, s.material(0.3, 600.0));
                     s.place(geometry::Box{{-0.9, -0.5, -0.6}, {-0.4, 0.5, -0.5}}, s.material(0.5));
-                  }, {{0.1, -0.2, 0.3}, math::normalized({-0.3, 0.1, -1.0})}});
-  list.push_back({"seen in a mirror", [=](SmallScene& s) {
-                    ground(s);
-                    s.place(geometry::Polygon{{{1.0, -3.0, 0.0}, {1.0, -3.0, 5.0}, {1.0, 3.0, 5.0}, {1.0, 3.0, 0.0}}},
-                            s.material(0.9, 0.0, materials::Mirror::shared()));
-                    s.place(geometry::Sphere{{-1.0, 0.5, 1.5}, 0.5}, s.material(0.3, 600.0));
-                  }, towards({1.0, 0.0, 0.5}, {-2.0, -0.5, 0.4})});
-  list.push_back({"periodic", [](SmallScene& s) {
+                  },
+                  {{0.1, -0.2, 0.3}, math::normalized({-0.3, 0.1, -1.0})}});
+  list.push_back(
+      {"seen in a mirror",
+       [=](SmallScene& s) {
+         ground(s);
+         s.place(geometry::Polygon{{{1.0, -3.0, 0.0}, {1.0, -3.0, 5.0}, {1.0, 3.0, 5.0}, {1.0, 3.0, 0.0}}},
+                 s.material(0.9, 0.0, materials::Mirror::shared()));
+         s.place(geometry::Sphere{{-1.0, 0.5, 1.5}, 0.5}, s.material(0.3, 600.0));
+       },
+       towards({1.0, 0.0, 0.5}, {-2.0, -0.5, 0.4})});
+  list.push_back({"periodic",
+                  [](SmallScene& s) {
                     s.place(geometry::Plane{}, s.material(0.6));
                     s.place(geometry::Box{{0.5, 0.5, 0.0}, {0.9, 2.0, 0.8}}, s.material(0.5));
                     s.place(geometry::Sphere{{2.6, 0.2, 0.9}, 0.4}, s.material(0.2, 600.0));
-                  }, towards({-7.3, 11.2, 0.0}, {0.1, 0.1, 5.0}), true});
+                  },
+                  towards({-7.3, 11.2, 0.0}, {0.1, 0.1, 5.0}), true});
   return list;
 }
 
@@ -193,7 +205,8 @@ const transport::SpectralScene& build(SmallScene& scene, const Case& c) {
   c.fill(scene);
   if (!c.periodic) return scene.build();
   return scene.build([](std::unique_ptr<geometry::World> world) -> std::unique_ptr<geometry::World> {
-    return std::make_unique<geometry::PeriodicWorld>(std::move(world), geometry::PeriodicWorld::Cell{-1.0, -1.0, 4.0, 3.0});
+    return std::make_unique<geometry::PeriodicWorld>(std::move(world),
+                                                     geometry::PeriodicWorld::Cell{-1.0, -1.0, 4.0, 3.0});
   });
 }
 
@@ -203,7 +216,8 @@ TEST(Emitters, SeekingChangesNoMean) {
     SmallScene scene;
     const transport::SpectralScene& spectral = build(scene, c);
     ASSERT_NE(spectral.emitters(), nullptr);
-    const Estimate sought = radiance(spectral, c.ray, 1 << 14), found = radiance(spectral, c.ray, 1 << 16, false);
+    const Estimate sought = radiance(spectral, c.ray, 1 << 14),
+                   found = radiance(spectral, c.ray, 1 << 16, false);
     const double error = std::hypot(sought.standard_error, found.standard_error);
     EXPECT_NEAR(sought.mean, found.mean, 4.0 * error);
     EXPECT_LT(error, 0.04 * found.mean);
@@ -219,7 +233,8 @@ int caught(const Tamper& tamper) {
     const transport::SpectralScene& spectral = build(scene, c);
     const Estimate sought = radiance(spectral, c.ray, 1 << 13, true, tamper);
     const Estimate found = radiance(spectral, c.ray, 1 << 15, false);
-    count += std::abs(sought.mean - found.mean) > 4.0 * std::hypot(sought.standard_error, found.standard_error);
+    count +=
+        std::abs(sought.mean - found.mean) > 4.0 * std::hypot(sought.standard_error, found.standard_error);
   }
   return count;
 }

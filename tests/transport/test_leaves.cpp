@@ -76,7 +76,8 @@ TEST(Leaf, SunInItsPlaneLightsBothSides) {
   // A disc of half-angle a, its centre in the leaf's plane, gives each side the irradiance L (a - sin a cos a).
   constexpr double kHalf = 0.2;
   SmallScene scene;
-  scene.place(geometry::Disk{{}, 3.0}, scene.leaf(0.5, 0.3), math::Transform::rotation({0.0, 1.0, 0.0}, 0.5 * std::numbers::pi));
+  scene.place(geometry::Disk{{}, 3.0}, scene.leaf(0.5, 0.3),
+              math::Transform::rotation({0.0, 1.0, 0.0}, 0.5 * std::numbers::pi));
   scene.sun({0.0, 0.0, 1.0}, kSun, kHalf);
   scene.build();
   const double radiance = kSun / (std::numbers::pi * std::sin(kHalf) * std::sin(kHalf));

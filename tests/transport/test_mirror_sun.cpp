@@ -29,7 +29,8 @@ SmallScene::Estimate before_facade(math::Ray ray, double plate_at_m, double half
   scene.place(wall(0.0, -5.0, 5.0, 10.0), scene.material(kMirror, 0.0, kMirrorKind));
   // A small plate high above hides the mirror from the Sun.
   if (plate_at_m > 0.0)
-    scene.place(geometry::Box{{plate_at_m - 1.0, -2.0, 20.0}, {plate_at_m + 1.0, 2.0, 20.1}}, scene.material(0.0));
+    scene.place(geometry::Box{{plate_at_m - 1.0, -2.0, 20.0}, {plate_at_m + 1.0, 2.0, 20.1}},
+                scene.material(0.0));
   scene.sun({1.0, 0.0, 2.0}, kIrradiance, half_angle);
   scene.build();
   return scene.radiance(ray, paths, 1, options);
@@ -110,9 +111,11 @@ SmallScene::Estimate wide_sun(int reflections, std::uint32_t paths, math::Ray ra
   scene.place(geometry::Plane{}, scene.material(kGround));
   const std::uint32_t mirror = scene.material(kMirror, 0.0, kMirrorKind);
   scene.place(wall(0.0, -3.0, 3.0, 3.0), mirror);
-  scene.place(geometry::Disk{{0.0, 0.0, 0.0}, 1.5}, mirror,
-              math::Transform::translation({3.5, 0.0, 1.0}) * math::Transform::rotation({0.0, 1.0, 0.0}, -1.1));
-  scene.place(geometry::Disk{{0.0, 0.0, 0.0}, 0.5}, scene.leaf(0.3, 0.4), math::Transform::translation({1.8, 0.0, 1.2}));
+  scene.place(
+      geometry::Disk{{0.0, 0.0, 0.0}, 1.5}, mirror,
+      math::Transform::translation({3.5, 0.0, 1.0}) * math::Transform::rotation({0.0, 1.0, 0.0}, -1.1));
+  scene.place(geometry::Disk{{0.0, 0.0, 0.0}, 0.5}, scene.leaf(0.3, 0.4),
+              math::Transform::translation({1.8, 0.0, 1.2}));
   scene.sun({0.5, 0.1, 1.0}, kIrradiance, 0.4);
   scene.sky(30.0);
   scene.build();
@@ -122,8 +125,9 @@ SmallScene::Estimate wide_sun(int reflections, std::uint32_t paths, math::Ray ra
 }
 
 TEST(MirrorSun, NothingIsCountedTwice) {
-  for (const math::Ray& ray : {down_on(1.0, 0.5), down_on(2.6, 0.0), math::Ray{{1.8, 0.1, 5.0}, {0.0, 0.0, -1.0}},
-                               math::Ray{{1.0, 0.0, 0.4}, math::normalized({-1.0, 0.2, -0.1})}}) {
+  for (const math::Ray& ray :
+       {down_on(1.0, 0.5), down_on(2.6, 0.0), math::Ray{{1.8, 0.1, 5.0}, {0.0, 0.0, -1.0}},
+        math::Ray{{1.0, 0.0, 0.4}, math::normalized({-1.0, 0.2, -0.1})}}) {
     const auto by_chance = wide_sun(0, 1 << 17, ray), sought = wide_sun(2, 1 << 15, ray);
     const double error = std::hypot(by_chance.standard_error, sought.standard_error);
     EXPECT_NEAR(sought.mean, by_chance.mean, 4.0 * error + 1e-6 * sought.mean);
@@ -152,7 +156,8 @@ TEST(MirrorSun, ManyPanesOfOneNormalAreOneImage) {
   const transport::SpectralScene& spectral = scene.build();
   ASSERT_NE(spectral.sun_mirrors(), nullptr);
   EXPECT_EQ(spectral.sun_mirrors()->facings().size(), 1u);
-  const double through = scene.radiance(down_on(2.0, 0.2), 64).mean, between = scene.radiance(down_on(2.0, 0.45), 64).mean;
+  const double through = scene.radiance(down_on(2.0, 0.2), 64).mean,
+               between = scene.radiance(down_on(2.0, 0.45), 64).mean;
   EXPECT_NEAR(through, direct() * (1.0 + kMirror), 1e-4 * through);
   EXPECT_NEAR(between, direct(), 1e-4 * between);
 }

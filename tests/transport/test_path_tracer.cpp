@@ -82,7 +82,8 @@ TEST(PathTracer, HotDiskOverheadGivesItsViewFactor) {
   scene.build();
   const math::Vec3 down = math::normalized({-1.5, 0.0, -1.0});
   const auto estimate = scene.radiance({math::Point3{} - 1.5 * down, down}, 1 << 18);
-  const double expected = 0.5 * (1.0 / 5.0) * radiometry::planck_w_m2_sr_um(SmallScene::kWavelength_um, 400.0);
+  const double expected =
+      0.5 * (1.0 / 5.0) * radiometry::planck_w_m2_sr_um(SmallScene::kWavelength_um, 400.0);
   EXPECT_NEAR(estimate.mean, expected, 2e-3 * expected);
 }
 

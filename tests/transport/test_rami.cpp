@@ -19,8 +19,8 @@ struct Comparison {
   int angles = 0;
 };
 
-Comparison compare(const std::filesystem::path& folder, RamiScene::Fault fault, std::vector<double> angles_deg,
-                   std::uint32_t paths) {
+Comparison compare(const std::filesystem::path& folder, RamiScene::Fault fault,
+                   std::vector<double> angles_deg, std::uint32_t paths) {
   const RamiScene scene(folder, fault);
   Comparison c;
   for (const std::vector<double>& row : RamiScene::numbers(folder / "expected_brf.csv", 2)) {

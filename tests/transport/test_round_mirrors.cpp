@@ -19,15 +19,16 @@ using geometry::UnitKind;
 using math::Point3;
 using math::Transform;
 using math::Vec3;
-using transport::RoundMirror;
 using test::SmallScene;
+using transport::RoundMirror;
 
 class Draws {
  public:
   double unit() { return sampling::unit_double(sampling::hash(7, number_++)); }
   double between(double low, double high) { return low + (high - low) * unit(); }
   Vec3 direction() {
-    const double z = between(-1.0, 1.0), turn = between(0.0, 2.0 * std::numbers::pi), r = std::sqrt(1.0 - z * z);
+    const double z = between(-1.0, 1.0), turn = between(0.0, 2.0 * std::numbers::pi),
+                 r = std::sqrt(1.0 - z * z);
     return {r * std::cos(turn), r * std::sin(turn), z};
   }
 
@@ -36,8 +37,10 @@ class Draws {
 };
 
 Transform placed(Draws& draws, double radius, double length) {
-  return Transform::translation({draws.between(-3.0, 3.0), draws.between(-3.0, 3.0), draws.between(-3.0, 3.0)}) *
-         Transform::rotation(draws.direction(), draws.between(0.0, 3.0)) * Transform::scaling({radius, radius, length});
+  return Transform::translation(
+             {draws.between(-3.0, 3.0), draws.between(-3.0, 3.0), draws.between(-3.0, 3.0)}) *
+         Transform::rotation(draws.direction(), draws.between(0.0, 3.0)) *
+         Transform::scaling({radius, radius, length});
 }
 
 /// Solid angle of a small square of directions towards the Sun over that of its images.
@@ -47,7 +50,8 @@ double measured_spread(const RoundMirror& mirror, Point3 from, Vec3 sun) {
   Vec3 moved[2];
   for (int k = 0; k < 2; ++k) {
     const Vec3 step = kStep * (k == 0 ? frame.first : frame.second);
-    const auto up = mirror.image(from, normalized(sun + step)), down = mirror.image(from, normalized(sun - step));
+    const auto up = mirror.image(from, normalized(sun + step)),
+               down = mirror.image(from, normalized(sun - step));
     if (!up || !down) return 0.0;
     moved[k] = (up->direction - down->direction) / (2.0 * kStep);
   }
@@ -59,7 +63,8 @@ TEST(RoundMirror, ImagesObeyTheLawOfReflection) {
   int spheres = 0, cylinders = 0;
   for (int trial = 0; trial < 20000; ++trial) {
     const UnitKind kind = trial % 2 == 0 ? UnitKind::sphere : UnitKind::cylinder;
-    const double radius = draws.between(0.1, 2.0), length_m = kind == UnitKind::sphere ? radius : draws.between(0.5, 9.0);
+    const double radius = draws.between(0.1, 2.0),
+                 length_m = kind == UnitKind::sphere ? radius : draws.between(0.5, 9.0);
     const Transform map = placed(draws, radius, length_m), unit = map.inverse();
     const auto mirror = RoundMirror::of({kind, map, 5, {}});
     ASSERT_TRUE(mirror);
@@ -75,7 +80,8 @@ TEST(RoundMirror, ImagesObeyTheLawOfReflection) {
     const bool ball = kind == UnitKind::sphere;
     EXPECT_NEAR(std::hypot(p.x, p.y, ball ? p.z : 0.0), 1.0, 1e-9);
     const Vec3 normal = map(math::Normal3(p.x, p.y, ball ? p.z : 0.0)).as_vector();
-    EXPECT_NEAR(length(from + image->direction * image->distance_m - image->at), 0.0, 1e-9 * image->distance_m);
+    EXPECT_NEAR(length(from + image->direction * image->distance_m - image->at), 0.0,
+                1e-9 * image->distance_m);
     const Vec3 mirrored = image->direction - 2.0 * dot(image->direction, normal) * normal;
     EXPECT_NEAR(length(mirrored - sun), 0.0, 1e-7);
     EXPECT_GT(dot(normal, sun), 0.0);
@@ -92,7 +98,8 @@ TEST(RoundMirror, OfABallFarAwayReflectsToAllSidesAlike) {
   // Radiant intensity of a ball in the Sun: E R^2 / 4, whatever the direction.
   const auto mirror = RoundMirror::of({UnitKind::sphere, Transform::scaling({2.0, 2.0, 2.0}), 0, {}});
   const Vec3 sun = math::normalized({0.3, -0.5, 0.6});
-  for (const Vec3 out : {Vec3{0.0, 0.0, 1.0}, math::normalized({-0.3, 0.5, -0.5}), math::normalized({1.0, 1.0, 0.0})}) {
+  for (const Vec3 out :
+       {Vec3{0.0, 0.0, 1.0}, math::normalized({-0.3, 0.5, -0.5}), math::normalized({1.0, 1.0, 0.0})}) {
     const auto image = mirror->image(Point3{} + out * 1e6, sun);
     ASSERT_TRUE(image);
     EXPECT_NEAR(image->spread / (4.0 * 1e12 / 4.0), 1.0, 1e-4);
@@ -122,14 +129,16 @@ constexpr double kGround = 0.4, kMirror = 0.8, kIrradiance = 1000.0;
 const auto kMirrorKind = materials::Mirror::shared();
 
 /// A ball, a can, half a ball and a leaf on the ground, under a Sun so wide that paths find it by chance.
-SmallScene::Estimate among_rounds(int reflections, std::uint32_t paths, math::Ray ray, double half_angle = 0.4) {
+SmallScene::Estimate among_rounds(int reflections, std::uint32_t paths, math::Ray ray,
+                                  double half_angle = 0.4) {
   SmallScene scene;
   scene.place(geometry::Plane{}, scene.material(kGround));
   const std::uint32_t mirror = scene.material(kMirror, 0.0, kMirrorKind);
   scene.place(geometry::Sphere{{-1.5, 0.0, 1.0}, 1.0}, mirror);
   scene.place(geometry::Cylinder{{0.0, 0.0, 0.0}, 0.5, 3.0, true}, mirror,
               Transform::translation({1.5, -0.5, 0.0}) * Transform::rotation({0.0, 1.0, 0.0}, 0.2));
-  scene.place(geometry::Disk{{0.0, 0.0, 0.0}, 0.4}, scene.leaf(0.3, 0.4), Transform::translation({0.3, 0.2, 1.2}));
+  scene.place(geometry::Disk{{0.0, 0.0, 0.0}, 0.4}, scene.leaf(0.3, 0.4),
+              Transform::translation({0.3, 0.2, 1.2}));
   scene.sun({0.5, 0.1, 1.0}, kIrradiance, half_angle);
   scene.sky(30.0);
   scene.build();
@@ -175,7 +184,8 @@ TEST(RoundMirrors, LightOfABallIsThatOfTheClosedForm) {
   with.maximum_scatterings = without.maximum_scatterings = 2;
   without.mirror_reflections = 0, without.sought_only = true;
   const math::Ray ray = down_on(kRadius * sine + way * sine, 0.0);
-  const double ball = scene.radiance(ray, 1 << 10, 1, with).mean - scene.radiance(ray, 1 << 10, 1, without).mean;
+  const double ball =
+      scene.radiance(ray, 1 << 10, 1, with).mean - scene.radiance(ray, 1 << 10, 1, without).mean;
   const double spread = (1.0 + 2.0 * way / (kRadius * kCosine)) * (1.0 + 2.0 * way * kCosine / kRadius);
   const double expected = kGround / std::numbers::pi * kMirror * kIrradiance * kCosine / spread;
   EXPECT_NEAR(ball, expected, 2e-3 * expected);

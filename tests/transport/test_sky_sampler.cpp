@@ -28,7 +28,8 @@ double over_hemisphere(const Value& value) {
   for (int i = 0; i < kRings; ++i)
     for (int k = 0; k < kTurns; ++k) {
       const double zenith = 0.5 * kPi * (i + 0.5) / kRings, azimuth = 2.0 * kPi * (k + 0.5) / kTurns;
-      const math::Vec3 d{std::sin(zenith) * std::cos(azimuth), std::sin(zenith) * std::sin(azimuth), std::cos(zenith)};
+      const math::Vec3 d{std::sin(zenith) * std::cos(azimuth), std::sin(zenith) * std::sin(azimuth),
+                         std::cos(zenith)};
       sum += value(d) * std::sin(zenith) * (0.5 * kPi / kRings) * (2.0 * kPi / kTurns);
     }
   return sum;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "atmosphere/scattering/column_solver.h"
 #include "atmosphere/column/light_limits.h"
+#include "atmosphere/scattering/column_solver.h"
 #include "atmosphere/thermal/thermal_column.h"
 #include "core/parallel.h"
 #include "radiometry/planck.h"

@@ -14,16 +14,18 @@ Command add_info_command(CLI::App& app) {
     std::vector<std::string> regions;
   };
   auto wanted = std::make_shared<Wanted>();
-  CLI::App* parser =
-      app.add_subcommand("info", "Say what a product is: size, channels, accuracy reached, cost; or what a region's mean is");
+  CLI::App* parser = app.add_subcommand(
+      "info", "Say what a product is: size, channels, accuracy reached, cost; or what a region's mean is");
   parser
       ->add_option("PRODUCT", wanted->product,
                    "A folder of products, a run record (run.json) or an ENVI file (.img, .hdr)")
       ->required();
   parser
       ->add_option("--region", wanted->regions,
-                   "Mean radiance over a region, with its interval; may be given several times. x0,y0,x1,y1 is a rectangle "
-                   "in pixels, x,y,x,y,x,y,... a polygon, 'map:' before them makes them map coordinates, mask:FILE is an "
+                   "Mean radiance over a region, with its interval; may be given several times. x0,y0,x1,y1 "
+                   "is a rectangle "
+                   "in pixels, x,y,x,y,x,y,... a polygon, 'map:' before them makes them map coordinates, "
+                   "mask:FILE is an "
                    "ENVI raster of the image's size that is not 0 inside")
       ->take_all()
       ->allow_extra_args(false)
@@ -36,8 +38,9 @@ Command add_info_command(CLI::App& app) {
       "  ifov info out --region 10,20,42,36\n"
       "  ifov info out --region map:500010,4200100,500060,4200150 --region mask:roofs.img");
   return {parser, [wanted] {
-            const std::string text = wanted->regions.empty() ? describe_product(wanted->product)
-                                                             : describe_regions(wanted->product, wanted->regions);
+            const std::string text = wanted->regions.empty()
+                                         ? describe_product(wanted->product)
+                                         : describe_regions(wanted->product, wanted->regions);
             say(text);
             return ExitCode::ok;
           }};

@@ -16,14 +16,14 @@ std::filesystem::path record_in(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) throw EnvironmentError(format("there is no '{}'", path.string()));
   if (path.filename().string().ends_with(kRecordEnding)) return path;
   if (!std::filesystem::is_directory(path))
-    throw InputError(format("--region needs a folder of products or a run record (NAME{}); found '{}'", kRecordEnding,
-                            path.string()));
+    throw InputError(format("--region needs a folder of products or a run record (NAME{}); found '{}'",
+                            kRecordEnding, path.string()));
   std::vector<std::filesystem::path> records;
   for (const auto& entry : std::filesystem::directory_iterator(path))
     if (entry.path().filename().string().ends_with(kRecordEnding)) records.push_back(entry.path());
   if (records.size() != 1)
-    throw InputError(format("--region needs the products of one run; '{}' holds {} run records (NAME{})", path.string(),
-                            records.size(), kRecordEnding));
+    throw InputError(format("--region needs the products of one run; '{}' holds {} run records (NAME{})",
+                            path.string(), records.size(), kRecordEnding));
   return records.front();
 }
 
@@ -43,8 +43,9 @@ io::ImageRegion::Image image_of(const Record& image) {
 }
 
 sampling::RegionRule rule_of(const Record& run) {
-  return run["sampler"].text() == "accuracy" ? sampling::RegionRule::of_accuracy(run["image"]["footprint_px"].number())
-                                             : sampling::RegionRule::all_common();
+  return run["sampler"].text() == "accuracy"
+             ? sampling::RegionRule::of_accuracy(run["image"]["footprint_px"].number())
+             : sampling::RegionRule::all_common();
 }
 
 std::vector<std::optional<render::AirHalfWidth>> air_of(const Record& run) {
@@ -53,8 +54,8 @@ std::vector<std::optional<render::AirHalfWidth>> air_of(const Record& run) {
     const Record known = channel["air_half_width"];
     air.emplace_back();
     if (known["path"].is_number())
-      air.back() = {known["path"].number(), known["surface"].number(), known["sky"].number(), known["path_radiance"].number(),
-                    known["white_in_sky"].number()};
+      air.back() = {known["path"].number(), known["surface"].number(), known["sky"].number(),
+                    known["path_radiance"].number(), known["white_in_sky"].number()};
   }
   return air;
 }
@@ -86,7 +87,8 @@ std::string lines_of(const std::string& text, const io::RegionMeans& region, con
                  ? format("{:.6g} +- {:.3g} {} ({:.3g} %)", channel.mean, channel.half_width, unit,
                           100.0 * channel.half_width / std::abs(channel.mean))
                  : format("{:.6g} {}, of unknown error", channel.mean, unit);
-    if (channel.pixels < region.pixels) lines += format(", {} pixels hold no value", region.pixels - channel.pixels);
+    if (channel.pixels < region.pixels)
+      lines += format(", {} pixels hold no value", region.pixels - channel.pixels);
     lines += "\n";
   }
   return lines;

@@ -18,7 +18,8 @@ io::DocumentTree parsed(const std::filesystem::path& path) {
 RunRecordFile::RunRecordFile(const std::filesystem::path& path) : tree_(parsed(path)) {
   if (root()["program"]["name"].text() == "ifov") return;
   throw InputError(
-      format("{}: this is not the record of a run (it has no \"program\": {{\"name\": \"ifov\"}})", path.string()),
+      format("{}: this is not the record of a run (it has no \"program\": {{\"name\": \"ifov\"}})",
+             path.string()),
       {path.string(), 0, 0});
 }
 

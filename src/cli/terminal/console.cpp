@@ -34,19 +34,25 @@ void refuse_linked_log(const std::string& file) {
   std::error_code unknown;
   if (file.starts_with("/dev/") || file.starts_with("/proc/")) return;
   if (std::filesystem::is_symlink(file, unknown))
-    throw EnvironmentError(format("cannot write the log '{}': it is a link to '{}'; name that file, or another", file,
-                                  std::filesystem::read_symlink(file, unknown).string()));
+    throw EnvironmentError(
+        format("cannot write the log '{}': it is a link to '{}'; name that file, or another", file,
+               std::filesystem::read_symlink(file, unknown).string()));
 }
 
 }  // namespace
 
 Console::Console(bool quiet, const std::string& log_file)
-    : quiet_(quiet), on_terminal_(isatty(STDERR_FILENO) == 1), start_(Clock::now()), last_logged_(start_), reported_(start_) {
+    : quiet_(quiet),
+      on_terminal_(isatty(STDERR_FILENO) == 1),
+      start_(Clock::now()),
+      last_logged_(start_),
+      reported_(start_) {
   if (!quiet_ && on_terminal_) clock_ = std::thread([this] { keep_time(); });
   if (log_file.empty()) return;
   refuse_linked_log(log_file);
   log_.open(log_file, std::ios::trunc);
-  if (!log_) throw EnvironmentError(format("cannot write the log '{}': {}", log_file, io::file_reason(errno)));
+  if (!log_)
+    throw EnvironmentError(format("cannot write the log '{}': {}", log_file, io::file_reason(errno)));
 }
 
 Console::~Console() {
@@ -143,8 +149,8 @@ void Console::erase_bar() {
 
 void require_no_warnings(std::size_t count) {
   if (count > 0)
-    throw InputError(format("ifov: {} warning{}, which --strict makes {}; nothing was done", count, count == 1 ? "" : "s",
-                            count == 1 ? "an error" : "errors"));
+    throw InputError(format("ifov: {} warning{}, which --strict makes {}; nothing was done", count,
+                            count == 1 ? "" : "s", count == 1 ? "an error" : "errors"));
 }
 
 }  // namespace ifov::cli

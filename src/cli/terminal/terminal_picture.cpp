@@ -32,7 +32,8 @@ std::string colour(std::uint32_t pixel, int plane, TerminalColours colours) {
 }  // namespace
 
 TerminalColours terminal_colours() {
-  if (isatty(STDOUT_FILENO) != 1 || variable("TERM").empty() || variable("TERM") == "dumb" || !variable("NO_COLOR").empty())
+  if (isatty(STDOUT_FILENO) != 1 || variable("TERM").empty() || variable("TERM") == "dumb" ||
+      !variable("NO_COLOR").empty())
     return TerminalColours::none;
   const std::string_view depth = variable("COLORTERM");
   return depth == "truecolor" || depth == "24bit" ? TerminalColours::of_24_bit : TerminalColours::of_256;
@@ -42,9 +43,11 @@ std::string terminal_picture(int width, int height, std::span<const std::uint32_
                              TerminalColours colours) {
   constexpr int kFront = 38, kBack = 48;
   const int shown = std::min(width, columns);
-  const int rows = std::max(1, static_cast<int>(static_cast<std::int64_t>(height) * shown / std::max(width, 1)));
+  const int rows =
+      std::max(1, static_cast<int>(static_cast<std::int64_t>(height) * shown / std::max(width, 1)));
   const auto at = [&](int x, int y) {
-    const std::int64_t from_x = (2LL * x + 1) * width / (2LL * shown), from_y = (2LL * y + 1) * height / (2LL * rows);
+    const std::int64_t from_x = (2LL * x + 1) * width / (2LL * shown),
+                       from_y = (2LL * y + 1) * height / (2LL * rows);
     return pixels[static_cast<std::size_t>(std::min<std::int64_t>(from_y, height - 1) * width + from_x)];
   };
   std::string text;

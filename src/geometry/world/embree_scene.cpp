@@ -134,7 +134,8 @@ void occlude_field(const RTCOccludedFunctionNArguments* a) {
   for (unsigned i = 0; i < a->N; ++i) {
     if (a->valid[i] == 0) continue;
     const std::size_t k = RTCRayN_id(a->ray, a->N, i);
-    if (meet(packet, k, placed, a->primID).t < packet.high[k]) RTCRayN_tfar(a->ray, a->N, i) = -kFloatInfinity;
+    if (meet(packet, k, placed, a->primID).t < packet.high[k])
+      RTCRayN_tfar(a->ray, a->N, i) = -kFloatInfinity;
   }
 }
 
@@ -142,7 +143,8 @@ void bound_field(const RTCBoundsFunctionArguments* a) {
   const WithinCommit order;
   const auto& placed = *static_cast<const PlacedField*>(a->geometryUserPtr);
   const World::Bounds own = placed.field->block_bounds(a->primID);
-  *a->bounds_o = padded(own.low_m.z <= own.high_m.z ? image_of(own, placed.centred_from_field) : own, placed.padding_m);
+  *a->bounds_o =
+      padded(own.low_m.z <= own.high_m.z ? image_of(own, placed.centred_from_field) : own, placed.padding_m);
 }
 
 void bound_analytic(const RTCBoundsFunctionArguments* a) {
@@ -156,8 +158,11 @@ void bound_analytic(const RTCBoundsFunctionArguments* a) {
 
 RTCBounds padded(const World::Bounds& box, double padding_m) {
   if (!(box.low_m.z <= box.high_m.z))
-    return {kFloatInfinity, kFloatInfinity, kFloatInfinity, 0.0f, -kFloatInfinity, -kFloatInfinity, -kFloatInfinity, 0.0f};
-  const auto down = [&](double v) { return std::nextafter(static_cast<float>(v - padding_m), -kFloatInfinity); };
+    return {kFloatInfinity,  kFloatInfinity,  kFloatInfinity,  0.0f,
+            -kFloatInfinity, -kFloatInfinity, -kFloatInfinity, 0.0f};
+  const auto down = [&](double v) {
+    return std::nextafter(static_cast<float>(v - padding_m), -kFloatInfinity);
+  };
   const auto up = [&](double v) { return std::nextafter(static_cast<float>(v + padding_m), kFloatInfinity); };
   return {down(box.low_m.x), down(box.low_m.y), down(box.low_m.z), 0.0f,
           up(box.high_m.x),  up(box.high_m.y),  up(box.high_m.z),  0.0f};

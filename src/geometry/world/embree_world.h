@@ -69,8 +69,8 @@ class EmbreeWorld final : public World {
     math::Point3 set_origin_m;  ///< of the frame of its set
   };
   struct Object {
-    std::uint32_t of = 0;                  ///< template
-    std::uint32_t where = kNoIndex;        ///< into transforms_, or an instance number
+    std::uint32_t of = 0;            ///< template
+    std::uint32_t where = kNoIndex;  ///< into transforms_, or an instance number
     bool seed = true, is_instance = false;
   };
 
@@ -82,7 +82,8 @@ class EmbreeWorld final : public World {
                    std::vector<double>& shrink);
   void find_heights(const WorldContent& content, GrowingBox box);
   double box_padding_m() const;
-  void build_prototypes(WorldContent& content, const std::vector<bool>& instanced, const std::vector<double>& shrink);
+  void build_prototypes(WorldContent& content, const std::vector<bool>& instanced,
+                        const std::vector<double>& shrink);
   void place_pieces(WorldContent& content, const PieceWalk& walk, const PrototypePlan& plan,
                     const std::vector<bool>& instanced);
   void place_fields(const WorldContent& content);
@@ -140,12 +141,13 @@ class EmbreeWorld final : public World {
   std::vector<Piece> instances_;
   // By the owner of a primitive in the shared sets.
   std::vector<Piece> copies_;
-  std::vector<std::uint32_t> copy_map_of_;          ///< into body_from_scene_; kNoIndex without attributes
+  std::vector<std::uint32_t> copy_map_of_;  ///< into body_from_scene_; kNoIndex without attributes
   std::vector<math::Transform> body_from_scene_;
 
   std::vector<std::uint32_t> materials_;
   std::vector<Attributes> attributes_;
-  std::vector<std::uint32_t> attributes_of_;  ///< by template: into attributes_, or kNoIndex; empty: none at all
+  std::vector<std::uint32_t>
+      attributes_of_;  ///< by template: into attributes_, or kNoIndex; empty: none at all
   std::size_t triangle_count_ = 0;
   Storage storage_;
   std::unique_ptr<const SurfaceSurvey> survey_;

@@ -28,7 +28,8 @@ constexpr std::uint64_t kMostTrianglesAtOnce = 1 << 21;
 constexpr std::size_t kUnseenNodeBytes = 290;
 
 bool better_copied(const Body& body, std::uint64_t copies) {
-  return copies == 1 || (body.mesh.triangles.size() <= kCopiedTriangles && body.analytic.size() <= kCopiedShapes);
+  return copies == 1 ||
+         (body.mesh.triangles.size() <= kCopiedTriangles && body.analytic.size() <= kCopiedShapes);
 }
 
 bool has_attributes(const MeshLists& mesh) { return !mesh.normals.empty() || !mesh.uvs.empty(); }
@@ -40,8 +41,9 @@ World::Bounds close_bounds(const Body& body, const Transform& scene_from_body, b
     for (const MeshChunk& chunk : body.mesh.chunks)
       for (int corner = 0; corner < 8; ++corner) {
         const auto& [low, high] = chunk.bounds;
-        const Point3 p = scene_from_body(Point3{(corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
-                                                (corner & 4) != 0 ? high.z : low.z});
+        const Point3 p =
+            scene_from_body(Point3{(corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
+                                   (corner & 4) != 0 ? high.z : low.z});
         box.include(p, p);
       }
   } else {
@@ -91,8 +93,8 @@ EmbreeWorld::EmbreeWorld(WorldContent content, const BuildOptions& options)
   note_storage(plan);
 }
 
-void EmbreeWorld::choose_chunked(WorldContent& content, const PrototypePlan& plan, const std::vector<bool>& instanced,
-                                 LargeMeshes how) {
+void EmbreeWorld::choose_chunked(WorldContent& content, const PrototypePlan& plan,
+                                 const std::vector<bool>& instanced, LargeMeshes how) {
   is_chunked_.assign(content.templates.size(), false);
   if (how == LargeMeshes::at_once) return;
   std::uint64_t triangles = 0;
@@ -116,12 +118,13 @@ void EmbreeWorld::find_heights(const WorldContent& content, GrowingBox box) {
   if (!box.empty()) heights_ = {box.bounds.low_m.z, box.bounds.high_m.z};
 }
 
-void EmbreeWorld::find_bounds(const WorldContent& content, const PieceWalk& walk, const std::vector<bool>& instanced,
-                              std::vector<double>& shrink) {
+void EmbreeWorld::find_bounds(const WorldContent& content, const PieceWalk& walk,
+                              const std::vector<bool>& instanced, std::vector<double>& shrink) {
   GrowingBox box;
   walk.visit([&](const PlacedPiece& piece) {
     const Body& body = content.templates[piece.of].body;
-    if (!instanced[piece.of]) return box.include(close_bounds(body, piece.scene_from_body, is_chunked_[piece.of]));
+    if (!instanced[piece.of])
+      return box.include(close_bounds(body, piece.scene_from_body, is_chunked_[piece.of]));
     box.include(image_of(body.bounds, piece.scene_from_body));
     // Rays reach an instance with the rounding of the scene, seen at the instance's scale.
     if (!body.analytic.empty() || is_chunked_[piece.of])
@@ -164,7 +167,8 @@ void EmbreeWorld::build_prototypes(WorldContent& content, const std::vector<bool
     storage_.stored_triangles += body.mesh.triangles.size();
     if (is_chunked_[t]) {
       prototype->chunked = std::make_unique<ChunkedMesh>(
-          device_.get(), body.mesh, ChunkPlacing{set_from_object, 0, robust, box_padding_m() * shrink[t]}, late_failure_);
+          device_.get(), body.mesh, ChunkPlacing{set_from_object, 0, robust, box_padding_m() * shrink[t]},
+          late_failure_);
       prototype->chunked->attach_to(prototype->scene.get(), 0);
       storage_.chunks += body.mesh.chunks.size();
     } else if (!body.mesh.triangles.empty()) {
@@ -203,7 +207,8 @@ void EmbreeWorld::place_pieces(WorldContent& content, const PieceWalk& walk, con
     if (instanced[placed.of]) {
       if (objects_[placed.object].is_instance)
         objects_[placed.object].where = static_cast<std::uint32_t>(instances_.size());
-      set_from_scene_.push_back((centred_from_body * Transform::translation(body.centre_m - Point3{})).inverse());
+      set_from_scene_.push_back(
+          (centred_from_body * Transform::translation(body.centre_m - Point3{})).inverse());
       instances_.push_back(piece);
       return;
     }
@@ -216,7 +221,8 @@ void EmbreeWorld::place_pieces(WorldContent& content, const PieceWalk& walk, con
     copies_.push_back(piece);
     if (is_chunked_[placed.of]) {
       chunked_.push_back(std::make_unique<ChunkedMesh>(
-          device_.get(), body.mesh, ChunkPlacing{centred_from_body, owner, true, box_padding_m()}, late_failure_));
+          device_.get(), body.mesh, ChunkPlacing{centred_from_body, owner, true, box_padding_m()},
+          late_failure_));
       storage_.stored_triangles += body.mesh.triangles.size();
       storage_.chunks += body.mesh.chunks.size();
     } else {
@@ -251,7 +257,8 @@ void EmbreeWorld::place_pieces(WorldContent& content, const PieceWalk& walk, con
   for (std::size_t t = 0; t < prototypes_.size(); ++t) {
     if (!prototypes_[t]) continue;
     const Body& body = content.templates[t].body;
-    instance_set_.targets[t] = {prototypes_[t]->scene.get(), image_of(body.bounds, Transform::translation(Point3{} - body.centre_m))};
+    instance_set_.targets[t] = {prototypes_[t]->scene.get(),
+                                image_of(body.bounds, Transform::translation(Point3{} - body.centre_m))};
   }
 }
 
@@ -260,20 +267,21 @@ void EmbreeWorld::place_fields(const WorldContent& content) {
   for (const Run& run : content.runs) {
     const auto& field = content.templates[run.what.of].field;
     if (!field) continue;
-    const Transform centred_from_field = centred_from_scene * run.what.whole_from_list * field->object_from_field();
+    const Transform centred_from_field =
+        centred_from_scene * run.what.whole_from_list * field->object_from_field();
     fields_.push_back({field, centred_from_field, centred_from_field.inverse(), box_padding_m(),
                        run.first_object, content.materials[run.materials]});
   }
 }
 
 void EmbreeWorld::build_scene(InstanceStorage storage) {
-  if (instances_.empty() && triangles_.facets.empty() && chunked_.empty() && analytic_.shapes.empty() && fields_.empty())
+  if (instances_.empty() && triangles_.facets.empty() && chunked_.empty() && analytic_.shapes.empty() &&
+      fields_.empty())
     return;
   storage_.stored_triangles += triangles_.facets.size();
   storage_.instances = instances_.size();
-  storage_.instance_table =
-      storage == InstanceStorage::table ||
-      (storage == InstanceStorage::by_number && instances_.size() > kMostNodes);
+  storage_.instance_table = storage == InstanceStorage::table ||
+                            (storage == InstanceStorage::by_number && instances_.size() > kMostNodes);
   analytic_.padding_m = instance_set_.padding_m = box_padding_m();
   scene_ = make_scene(device_.get(), true);
   auto next = static_cast<unsigned>(storage_.instance_table ? 0 : instances_.size());
@@ -297,9 +305,10 @@ void EmbreeWorld::build_scene(InstanceStorage storage) {
 void EmbreeWorld::note_storage(const PrototypePlan& plan) {
   storage_.prototypes_apart = plan.apart;
   built_embree_bytes_ = embree_bytes_;
-  storage_.bytes = static_cast<std::size_t>(std::max<std::int64_t>(0, built_embree_bytes_)) + triangles_.bytes() +
-                   bytes_of(analytic_) + bytes_of(objects_) + bytes_of(transforms_) + bytes_of(set_from_scene_) +
-                   bytes_of(instances_) + bytes_of(copies_) + bytes_of(materials_) + bytes_of(body_from_scene_);
+  storage_.bytes = static_cast<std::size_t>(std::max<std::int64_t>(0, built_embree_bytes_)) +
+                   triangles_.bytes() + bytes_of(analytic_) + bytes_of(objects_) + bytes_of(transforms_) +
+                   bytes_of(set_from_scene_) + bytes_of(instances_) + bytes_of(copies_) +
+                   bytes_of(materials_) + bytes_of(body_from_scene_);
   for (const PlacedField& field : fields_) storage_.bytes += field.field->bytes();
   if (!storage_.instance_table) storage_.bytes += kUnseenNodeBytes * instances_.size();
   for (const auto& prototype : prototypes_)
@@ -317,7 +326,8 @@ World::Storage EmbreeWorld::storage() const {
   for (const auto& prototype : prototypes_)
     if (prototype && prototype->chunked) add(*prototype->chunked);
   if (now.chunks_made > 0)
-    now.chunk_bytes += static_cast<std::size_t>(std::max<std::int64_t>(0, embree_bytes_ - built_embree_bytes_));
+    now.chunk_bytes +=
+        static_cast<std::size_t>(std::max<std::int64_t>(0, embree_bytes_ - built_embree_bytes_));
   return now;
 }
 

@@ -23,7 +23,8 @@ void EmbreeWorld::note_figures(const WorldContent& content, const PrototypePlan&
     } else if (one.field) {
       const World::Bounds b = one.field->bounds();
       const Point3 centre = b.low_m + (b.high_m - b.low_m) * 0.5;
-      figure = {centre, one.field->middle(), 0.5 * length(b.high_m - b.low_m), b, oriented_extent({}, b), centre};
+      figure = {centre, one.field->middle(),    0.5 * length(b.high_m - b.low_m),
+                b,      oriented_extent({}, b), centre};
     } else if (one.body.patch_count > 0) {
       const Body& body = one.body;
       figure = {body.centre_m, body.seed_m, body.radius_m, body.bounds, body.half_sides_m, body.centre_m};
@@ -65,10 +66,10 @@ void EmbreeWorld::note_objects(const WorldContent& content, const std::vector<bo
 World::PlacedObject EmbreeWorld::object(std::size_t number) const {
   const Object& object = objects_[number];
   const Figure& figure = figures_[object.of];
-  const Transform map = object.is_instance
-                            ? Transform::translation(centre_m_ - Point3{}) * set_from_scene_[object.where].inverse() *
-                                  Transform::translation(Point3{} - figure.set_origin_m)
-                            : transforms_[object.where];
+  const Transform map = object.is_instance ? Transform::translation(centre_m_ - Point3{}) *
+                                                 set_from_scene_[object.where].inverse() *
+                                                 Transform::translation(Point3{} - figure.set_origin_m)
+                                           : transforms_[object.where];
   PlacedObject placed;
   placed.centre_m = map(figure.centre_m);
   placed.seed_m = map(figure.seed_m);

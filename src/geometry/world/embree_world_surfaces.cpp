@@ -43,14 +43,10 @@ void visit_faces(UnitKind shape, const Transform& map, SurfacePiece piece, const
     visitor(piece);
   };
   switch (shape) {
-    case UnitKind::sphere:
-      return face(PieceKind::ball, 0, map, false);
-    case UnitKind::hemisphere:
-      return face(PieceKind::hemisphere, 0, map, false);
-    case UnitKind::open_cylinder:
-      return face(PieceKind::open_cylinder, 0, map, false);
-    case UnitKind::disk:
-      return face(PieceKind::disk, 0, map, false);
+    case UnitKind::sphere: return face(PieceKind::ball, 0, map, false);
+    case UnitKind::hemisphere: return face(PieceKind::hemisphere, 0, map, false);
+    case UnitKind::open_cylinder: return face(PieceKind::open_cylinder, 0, map, false);
+    case UnitKind::disk: return face(PieceKind::disk, 0, map, false);
     case UnitKind::cylinder: {
       face(PieceKind::open_cylinder, 0, map, false);
       const Transform down = Transform::from_columns({0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, {});
@@ -86,8 +82,8 @@ class EmbreeWorld::SurfaceWalk {
     for (std::uint32_t t = 0; t < set.facets.size(); ++t) {
       const Piece& owner = only != nullptr ? *only : world_.copies_[set.owner(t)];
       if (is_wanted(owner, set.tags[t].slot))
-        triangle(owner, triangles.corner(t, 0), triangles.corner(t, 1), triangles.corner(t, 2), scene_from_set,
-                 set.number(t), set.tags[t]);
+        triangle(owner, triangles.corner(t, 0), triangles.corner(t, 1), triangles.corner(t, 2),
+                 scene_from_set, set.number(t), set.tags[t]);
     }
   }
 
@@ -161,7 +157,8 @@ void EmbreeWorld::visit_copied(const WantedMaterials& wanted, const PieceVisitor
   const SurfaceWalk walk(*this, wanted, visitor);
   const Transform scene_from_centred = Transform::translation(centre_m_ - Point3{});
   const bool one_table = storage_.instance_table && !instances_.empty();
-  const auto geometry = static_cast<unsigned>(storage_.instance_table ? (one_table ? 1 : 0) : instances_.size());
+  const auto geometry =
+      static_cast<unsigned>(storage_.instance_table ? (one_table ? 1 : 0) : instances_.size());
   walk.triangles(triangles_, scene_.get(), geometry, nullptr, scene_from_centred);
   walk.analytic(analytic_, nullptr, scene_from_centred);
   for (const auto& mesh : chunked_) walk.mesh(*mesh, copies_[mesh->owner()], scene_from_centred);
@@ -211,8 +208,8 @@ std::vector<double> EmbreeWorld::surface_areas_m2(std::size_t materials) const {
   for (const PlacedField& placed : fields_) {
     const Bounds bounds = placed.field->bounds();
     const double shrink = std::cbrt(std::abs(placed.field_from_centred.determinant()));
-    areas[placed.material] += (bounds.high_m.x - bounds.low_m.x) * (bounds.high_m.y - bounds.low_m.y) /
-                              (shrink * shrink);
+    areas[placed.material] +=
+        (bounds.high_m.x - bounds.low_m.x) * (bounds.high_m.y - bounds.low_m.y) / (shrink * shrink);
   }
   double all = 1.0;
   for (const double area : areas) all += area;

@@ -22,8 +22,8 @@ void bound_instance(const RTCBoundsFunctionArguments* a) {
 }
 
 /// The rays of Embree's packet in the frame of an instance, eight at most.
-void turn_rays(const RayPacket& packet, const math::Transform& map, RTCRayN* rays, unsigned count, const int* valid,
-               RTCRay8& turned, int* lanes) {
+void turn_rays(const RayPacket& packet, const math::Transform& map, RTCRayN* rays, unsigned count,
+               const int* valid, RTCRay8& turned, int* lanes) {
   for (unsigned i = 0; i < kLanes; ++i) {
     lanes[i] = i < count ? valid[i] : 0;
     if (lanes[i] == 0) {
@@ -77,7 +77,8 @@ World::Bounds image_of(const World::Bounds& b, const math::Transform& map) {
   const Point3 middle = map(b.low_m + (b.high_m - b.low_m) * 0.5);
   const Vec3 half = (b.high_m - b.low_m) * 0.5;
   const Vec3 x = map.column_x() * half.x, y = map.column_y() * half.y, z = map.column_z() * half.z;
-  const Vec3 reach{std::abs(x.x) + std::abs(y.x) + std::abs(z.x), std::abs(x.y) + std::abs(y.y) + std::abs(z.y),
+  const Vec3 reach{std::abs(x.x) + std::abs(y.x) + std::abs(z.x),
+                   std::abs(x.y) + std::abs(y.y) + std::abs(z.y),
                    std::abs(x.z) + std::abs(y.z) + std::abs(z.z)};
   return {middle - reach, middle + reach};
 }

@@ -16,7 +16,8 @@ struct PlacedPiece {
   std::uint32_t object = 0;
   std::uint32_t of = 0;         ///< template with the body
   std::uint32_t materials = 0;  ///< where its materials begin in the list
-  std::uint32_t first_patch = 0, first_analytic = 0, first_triangle = 0;  ///< triangles count after all shapes
+  std::uint32_t first_patch = 0, first_analytic = 0,
+                first_triangle = 0;  ///< triangles count after all shapes
   math::Transform scene_from_body;
 };
 

@@ -15,7 +15,8 @@ namespace {
 template <class T>
 void grow(std::vector<T>& values, std::size_t more) {
   const std::size_t needed = values.size() + more;
-  if (needed > values.capacity()) values.reserve(values.empty() ? needed : std::max(needed, 2 * values.capacity()));
+  if (needed > values.capacity())
+    values.reserve(values.empty() ? needed : std::max(needed, 2 * values.capacity()));
 }
 
 /// Numbers vertices anew, in the order in which they are first asked for.

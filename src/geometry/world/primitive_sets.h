@@ -27,7 +27,7 @@ struct FacetTag {
 struct TriangleSet {
   std::vector<Facet> facets;
   std::vector<FacetTag> tags;
-  std::vector<std::uint32_t> owners;       ///< empty: all are the only owner's
+  std::vector<std::uint32_t> owners;  ///< empty: all are the only owner's
   std::uint32_t only_owner = 0;
   std::span<const std::uint32_t> numbers;  ///< of a chunk's triangles in their body; empty: as in the set
 
@@ -49,8 +49,8 @@ struct TriangleSet {
             const math::Transform& set_from_object);
 
  private:
-  void add(const MeshLists& mesh, std::size_t triangle, math::Point3 a, math::Point3 b, math::Point3 c, bool flipped,
-           const Triangle& corners);
+  void add(const MeshLists& mesh, std::size_t triangle, math::Point3 a, math::Point3 b, math::Point3 c,
+           bool flipped, const Triangle& corners);
 };
 
 struct AnalyticSet {

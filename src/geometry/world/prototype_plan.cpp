@@ -58,7 +58,8 @@ void require_room(const PrototypePlan& plan) {
   const double bytes = kLeastInstanceBytes * static_cast<double>(copies);
   if (const std::uint64_t room = memory_within_reach_bytes(); room > 0 && bytes > static_cast<double>(room))
     throw EnvironmentError(format("{:.3g} copies of objects take at least {}, and {} of memory are there",
-                                  static_cast<double>(copies), byte_count(static_cast<std::uint64_t>(bytes)), byte_count(room)));
+                                  static_cast<double>(copies), byte_count(static_cast<std::uint64_t>(bytes)),
+                                  byte_count(room)));
 }
 
 Body body_from_parts(const WorldContent& content, std::uint32_t of, std::map<std::uint32_t, Body>& inner) {
@@ -71,8 +72,7 @@ Body body_from_parts(const WorldContent& content, std::uint32_t of, std::map<std
       if (!inner.contains(part.of)) inner.emplace(part.of, body_from_parts(content, part.of, inner));
       body = &inner.at(part.of);
     }
-    for (std::size_t k = 0; k < part.copies(); ++k)
-      whole.add(*body, part.whole_from_copy(k), part.slots);
+    for (std::size_t k = 0; k < part.copies(); ++k) whole.add(*body, part.whole_from_copy(k), part.slots);
   }
   return std::move(whole).take();
 }
@@ -122,10 +122,10 @@ PrototypePlan plan_prototypes(const WorldContent& content, const std::vector<Con
     for (const TemplatePart& part : one.parts) {
       const double standing = copies * static_cast<double>(part.copies());
       if (standing + static_cast<double>(plan.copies[part.of]) >= kNoIndex)
-        throw InputError(
-            format("prototypes within prototypes make {:.3g} copies of {:.3g} triangles: too many to be placed, and "
-                   "too large to be joined into one",
-                   standing, static_cast<double>(contents[part.of].triangles)));
+        throw InputError(format(
+            "prototypes within prototypes make {:.3g} copies of {:.3g} triangles: too many to be placed, and "
+            "too large to be joined into one",
+            standing, static_cast<double>(contents[part.of].triangles)));
       plan.copies[part.of] += plan.copies[t] * part.copies();
     }
     plan.copies[t] = 0;

@@ -103,7 +103,8 @@ struct RayPacket {
     if (c.instance != RTC_INVALID_GEOMETRY_ID)
       piece = &table.instances[c.instance];
     else
-      piece = &table.copies[triangle ? triangles->owner(c.prim) : static_cast<const AnalyticSet*>(c.set)->owners[c.prim]];
+      piece = &table.copies[triangle ? triangles->owner(c.prim)
+                                     : static_cast<const AnalyticSet*>(c.set)->owners[c.prim]];
     const std::uint32_t number =
         triangle ? triangles->number(c.prim) + piece->first_triangle : c.prim + piece->first_analytic;
     return (std::uint64_t{piece->object} << 32) | number;

@@ -34,9 +34,9 @@ class NormalTable {
       // The neighbourhood reaches into at most eight cells.
       for (int corner = 0; corner < 8; ++corner) {
         const double reach = SurfaceSurvey::kSameNormal_rad;
-        const auto found = cells_.find(key({n.x + ((corner & 1) != 0 ? reach : -reach),
-                                            n.y + ((corner & 2) != 0 ? reach : -reach),
-                                            n.z + ((corner & 4) != 0 ? reach : -reach)}));
+        const auto found = cells_.find(
+            key({n.x + ((corner & 1) != 0 ? reach : -reach), n.y + ((corner & 2) != 0 ? reach : -reach),
+                 n.z + ((corner & 4) != 0 ? reach : -reach)}));
         if (found == cells_.end()) continue;
         for (const std::size_t k : found->second)
           if (length(flats_[k].normal - n) <= reach) return k;
@@ -57,7 +57,9 @@ class NormalTable {
  private:
   static std::uint64_t key(Vec3 n) {
     constexpr double kCells = 0.2 / SurfaceSurvey::kSameNormal_rad;
-    const auto cell = [](double x) { return static_cast<std::uint64_t>(std::llround(x * kCells) + (1 << 20)); };
+    const auto cell = [](double x) {
+      return static_cast<std::uint64_t>(std::llround(x * kCells) + (1 << 20));
+    };
     return cell(n.x) | cell(n.y) << 21 | cell(n.z) << 42;
   }
   std::vector<SurfaceSurvey::Flat>& flats_;
@@ -70,7 +72,7 @@ struct BodyFlat {
   Vec3 normal;
   GrowingBox box;
   double area_m2 = 0.0;
-  Point3 lowest_m, highest_m;  ///< along the normal
+  Point3 lowest_m, highest_m;       ///< along the normal
   std::vector<Point3> on_planes_m;  ///< a point of each plane, kMostPlanes + 1 at most
 };
 
@@ -87,7 +89,8 @@ std::optional<Vec3> common_normal(const MeshLists& mesh, std::size_t triangle, V
     if (corner == kNoIndex) return facet;
   const Vec3 first = normalized(mesh.normals[i[0]].as_vector());
   for (const std::uint32_t corner : i)
-    if (!(length(normalized(mesh.normals[corner].as_vector()) - first) < 0.05 * SurfaceSurvey::kSameNormal_rad))
+    if (!(length(normalized(mesh.normals[corner].as_vector()) - first) <
+          0.05 * SurfaceSurvey::kSameNormal_rad))
       return std::nullopt;
   return dot(first, facet) < 0.0 ? -first : first;
 }
@@ -114,18 +117,16 @@ class BodySurveyor {
         for (int axis = 0; axis < 3; ++axis)
           for (const double side : {-1.0, 1.0}) {
             const Vec3 unit[3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-            add_face(unit[axis] * side, Point3{} + unit[axis] * side, unit[(axis + 1) % 3], unit[(axis + 2) % 3]);
+            add_face(unit[axis] * side, Point3{} + unit[axis] * side, unit[(axis + 1) % 3],
+                     unit[(axis + 2) % 3]);
           }
         break;
       case UnitKind::cylinder:
         for (const double z : {0.0, 1.0})
           add_face({0.0, 0.0, z > 0.5 ? 1.0 : -1.0}, {0.0, 0.0, z}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0});
         break;
-      case UnitKind::disk:
-        add_face({0.0, 0.0, 1.0}, {}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0});
-        break;
-      default:
-        break;
+      case UnitKind::disk: add_face({0.0, 0.0, 1.0}, {}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}); break;
+      default: break;
     }
   }
 
@@ -160,7 +161,8 @@ class BodySurveyor {
     const bool known_plane = std::any_of(flat.on_planes_m.begin(), flat.on_planes_m.end(), [&](Point3 p) {
       return std::abs(offset_of(flat.normal, p) - offset) < SurfaceSurvey::kSamePlane_m;
     });
-    if (!known_plane && flat.on_planes_m.size() <= SurfaceSurvey::kMostPlanes) flat.on_planes_m.push_back(points[0]);
+    if (!known_plane && flat.on_planes_m.size() <= SurfaceSurvey::kMostPlanes)
+      flat.on_planes_m.push_back(points[0]);
     for (const Point3& p : points) {
       flat.box.include(p, p);
       if (offset_of(flat.normal, p) < offset_of(flat.normal, flat.lowest_m)) flat.lowest_m = p;
@@ -171,7 +173,8 @@ class BodySurveyor {
 
   NormalTable& table_of(std::uint32_t slot) {
     const auto found = tables_.find(slot);
-    return found != tables_.end() ? found->second : tables_.emplace(slot, NormalTable(lists_[slot])).first->second;
+    return found != tables_.end() ? found->second
+                                  : tables_.emplace(slot, NormalTable(lists_[slot])).first->second;
   }
 
   const Body& body_;
@@ -203,7 +206,8 @@ class Surveyor {
     for (const UnitPrimitive& shape : body.analytic) {
       if (!is_round(shape.kind, 0) || !wanted(piece.materials, shape.slot)) continue;
       const Transform scene_from_unit = piece.scene_from_body * shape.unit_from_object.inverse();
-      survey_.rounds.push_back({shape.kind, scene_from_unit, piece.object, ball_about(unit_bounds(shape.kind, scene_from_unit))});
+      survey_.rounds.push_back(
+          {shape.kind, scene_from_unit, piece.object, ball_about(unit_bounds(shape.kind, scene_from_unit))});
     }
     SurfaceSurvey::Smooth smooth{body.mesh, piece.scene_from_body, piece.object, {}};
     GrowingBox box;
@@ -281,7 +285,8 @@ class Surveyor {
 
 }  // namespace
 
-SurfaceSurvey survey_of(const WorldContent& content, const PieceWalk& walk, const std::vector<bool>& surveyed) {
+SurfaceSurvey survey_of(const WorldContent& content, const PieceWalk& walk,
+                        const std::vector<bool>& surveyed) {
   Surveyor surveyor(content, surveyed);
   walk.visit([&](const PlacedPiece& piece) { surveyor.add(piece); });
   for (const Run& run : content.runs) surveyor.add(run);

@@ -22,8 +22,8 @@ struct SurfaceSurvey {
 
   /// All faces of one normal; those whose vertex normals are all alike are faces with that normal.
   struct Flat {
-    math::Vec3 normal;      ///< unit, of the first face found; the other side counts as this one
-    World::Bounds bounds{}; ///< of all of them
+    math::Vec3 normal;       ///< unit, of the first face found; the other side counts as this one
+    World::Bounds bounds{};  ///< of all of them
     double area_m2 = 0.0;
     double low_m = 0.0, high_m = 0.0;  ///< range of normal . p over them
     /// normal . p of the planes that they lie in, where those are at most kMostPlanes; else empty.
@@ -55,11 +55,13 @@ struct SurfaceSurvey {
   std::vector<Flat> flats;
   std::vector<Round> rounds;
   std::vector<Smooth> smooths;
-  std::vector<Ball> balls;   ///< about what is neither flat nor round: smooth triangles, height fields, flats too many
-  bool all_flats = true;     ///< false: there are more than kMostFlats normals
+  std::vector<Ball>
+      balls;  ///< about what is neither flat nor round: smooth triangles, height fields, flats too many
+  bool all_flats = true;  ///< false: there are more than kMostFlats normals
 };
 
 /// `surveyed` by material: whether it counts. Missing entries do not.
-SurfaceSurvey survey_of(const WorldContent& content, const PieceWalk& walk, const std::vector<bool>& surveyed);
+SurfaceSurvey survey_of(const WorldContent& content, const PieceWalk& walk,
+                        const std::vector<bool>& surveyed);
 
 }  // namespace ifov::geometry

@@ -124,7 +124,8 @@ std::uint32_t WorldBuilder::place_many(ShapeId what, const math::Transform& scen
                                        std::shared_ptr<const Placings> list,
                                        std::span<const std::uint32_t> material_of_slot, bool seed) {
   if (content_->at(what).plane) throw InputError("a plane cannot be placed many times");
-  if (content_->at(what).field) throw InputError("a terrain that is traced as a grid cannot be placed many times");
+  if (content_->at(what).field)
+    throw InputError("a terrain that is traced as a grid cannot be placed many times");
   return content_->place({what.value, scene_from_list, std::move(list), {}}, material_of_slot, seed);
 }
 

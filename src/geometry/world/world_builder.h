@@ -37,10 +37,11 @@ enum class InstanceStorage { by_number, nodes, table };
 enum class LargeMeshes { by_number, at_once, by_chunk };
 
 struct BuildOptions {
-  int threads = 0;  ///< 0: all cores
+  int threads = 0;                                         ///< 0: all cores
   InstanceStorage instances = InstanceStorage::by_number;  ///< up to a million nodes, else a table
-  LargeMeshes large_meshes = LargeMeshes::by_number;       ///< up to 2^21 stored triangles at once, else by chunk
-  std::vector<bool> surveyed{};  ///< by material: whether its surfaces are listed (World::survey); empty: none
+  LargeMeshes large_meshes = LargeMeshes::by_number;  ///< up to 2^21 stored triangles at once, else by chunk
+  std::vector<bool>
+      surveyed{};  ///< by material: whether its surfaces are listed (World::survey); empty: none
 };
 
 /// Collects shapes and where they stand, then builds the world. Shapes are kept once, however often they are
@@ -81,8 +82,8 @@ class WorldBuilder {
   /// The same for one object for each entry of a list, at scene_from_list * list->at(k). Returns the number of the
   /// first; the others follow.
   std::uint32_t place_many(ShapeId what, const math::Transform& scene_from_list,
-                           std::shared_ptr<const Placings> list, std::span<const std::uint32_t> material_of_slot,
-                           bool seed = true);
+                           std::shared_ptr<const Placings> list,
+                           std::span<const std::uint32_t> material_of_slot, bool seed = true);
 
   /// The builder is empty afterwards. Lists of placings are not kept.
   std::unique_ptr<World> build(const BuildOptions& options = {});

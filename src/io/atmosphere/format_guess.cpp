@@ -59,20 +59,13 @@ AtmosphereFormat guess_atmosphere_format(const TextFile& file) {
 
 std::string_view describe(AtmosphereFormat format) {
   switch (format) {
-    case AtmosphereFormat::modtran_tape7:
-      return "a MODTRAN tape7";
-    case AtmosphereFormat::modtran_channels:
-      return "a MODTRAN channel file (.chn)";
-    case AtmosphereFormat::modtran_csv:
-      return "a table of MODTRAN 6 (.csv)";
-    case AtmosphereFormat::modtran_json:
-      return "a MODTRAN 6 input file (.json)";
-    case AtmosphereFormat::uvspec:
-      return "the output of libRadtran's uvspec";
-    case AtmosphereFormat::path_csv:
-      return "a table of paths (.csv)";
-    case AtmosphereFormat::unknown:
-      break;
+    case AtmosphereFormat::modtran_tape7: return "a MODTRAN tape7";
+    case AtmosphereFormat::modtran_channels: return "a MODTRAN channel file (.chn)";
+    case AtmosphereFormat::modtran_csv: return "a table of MODTRAN 6 (.csv)";
+    case AtmosphereFormat::modtran_json: return "a MODTRAN 6 input file (.json)";
+    case AtmosphereFormat::uvspec: return "the output of libRadtran's uvspec";
+    case AtmosphereFormat::path_csv: return "a table of paths (.csv)";
+    case AtmosphereFormat::unknown: break;
   }
   return "no file that is known here";
 }

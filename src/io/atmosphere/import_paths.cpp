@@ -39,19 +39,14 @@ std::vector<atmosphere::ImportedPath> import_paths(const std::filesystem::path& 
               ifov::format("found {} and an input file of uvspec; expected the output of uvspec",
                            describe(format)));
   switch (format) {
-    case AtmosphereFormat::modtran_tape7:
-      return paths_of(parse_modtran_tape7(file, options.unit));
-    case AtmosphereFormat::modtran_channels:
-      return parse_modtran_channels(file, options.sun_zenith_rad);
-    case AtmosphereFormat::modtran_csv:
-      return paths_of(parse_modtran_csv(file, options.unit));
-    case AtmosphereFormat::path_csv:
-      return {parse_path_csv(file)};
+    case AtmosphereFormat::modtran_tape7: return paths_of(parse_modtran_tape7(file, options.unit));
+    case AtmosphereFormat::modtran_channels: return parse_modtran_channels(file, options.sun_zenith_rad);
+    case AtmosphereFormat::modtran_csv: return paths_of(parse_modtran_csv(file, options.unit));
+    case AtmosphereFormat::path_csv: return {parse_path_csv(file)};
     case AtmosphereFormat::modtran_json:
       file.fail(0, 0, "found a MODTRAN 6 input file; expected its output (tape7, .chn or .csv)");
     case AtmosphereFormat::uvspec:
-    case AtmosphereFormat::unknown:
-      break;
+    case AtmosphereFormat::unknown: break;
   }
   std::filesystem::path input = options.uvspec_input;
   if (input.empty() && format == AtmosphereFormat::uvspec) input = input_beside(path);

@@ -25,14 +25,10 @@ struct Heading {
 
 std::string_view mode_name(ModtranMode mode) {
   switch (mode) {
-    case ModtranMode::transmittance:
-      return "transmittance";
-    case ModtranMode::thermal_radiance:
-      return "thermal radiance";
-    case ModtranMode::radiance:
-      return "thermal and solar radiance";
-    case ModtranMode::solar_irradiance:
-      break;
+    case ModtranMode::transmittance: return "transmittance";
+    case ModtranMode::thermal_radiance: return "thermal radiance";
+    case ModtranMode::radiance: return "thermal and solar radiance";
+    case ModtranMode::solar_irradiance: break;
   }
   return "solar irradiance";
 }

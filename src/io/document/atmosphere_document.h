@@ -1,8 +1,8 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 #include <string>
+#include <vector>
 
 #include "atmosphere/column/atmosphere_column.h"
 #include "io/document/spectrum_document.h"
@@ -39,13 +39,14 @@ struct FourCurveAtmosphere {
 /// An atmosphere computed from its state.
 struct ModelledAtmosphere {
   atmosphere::AtmosphereDescription description;
-  std::optional<double> sensor_altitude_km;  ///< above mean sea level; absent: a frame camera's own, else above the air
+  std::optional<double>
+      sensor_altitude_km;  ///< above mean sea level; absent: a frame camera's own, else above the air
 };
 
 /// What another code computed.
 struct ImportedDocument {
   std::vector<DocumentFile> files;
-  std::vector<double> albedos;              ///< of the grounds of the runs, in their order; empty: as the files say
+  std::vector<double> albedos;  ///< of the grounds of the runs, in their order; empty: as the files say
   std::vector<DocumentFile> uvspec_inputs;  ///< empty, or one for each file
   SourcePosition position;
 };

@@ -33,7 +33,8 @@ struct OriginDocument {
 /// A model of materials::bsdf_models() with its parameters.
 struct ScatteringDocument {
   std::string model = "lambertian";
-  std::vector<std::pair<std::string, std::variant<double, SpectrumDocument>>> values;  ///< by key; angles in radians
+  std::vector<std::pair<std::string, std::variant<double, SpectrumDocument>>>
+      values;  ///< by key; angles in radians
 };
 
 struct MaterialDocument {
@@ -41,7 +42,7 @@ struct MaterialDocument {
   bool is_emissivity = false;  ///< the spectrum is emissivity; else reflectance. Opaque: the two sum to 1.
   SpectrumDocument spectrum;
   std::optional<SpectrumDocument> transmittance;  ///< of a thin leaf; with reflectance only; absent: opaque
-  std::vector<SpectrumDocument> further_curves;  ///< of the same quantity; with them a texture, which picks
+  std::vector<SpectrumDocument> further_curves;   ///< of the same quantity; with them a texture, which picks
   std::optional<TextureDocument> texture;
   std::optional<ReliefDocument> relief;
   std::optional<TemperatureDocument> temperature;  ///< absent here and on the object: 0 K, emits nothing
@@ -81,9 +82,10 @@ struct PolygonShape {
   std::vector<math::Point3> vertices_m;
 };
 struct MeshShape {
-  DocumentFile file;             ///< its extension names the format, see read_mesh
-  double unit_m = 1.0;           ///< metres per unit of the file
-  std::optional<bool> y_is_up;   ///< file axes (x, y, z) become scene axes (x, -z, y); absent: as the format says
+  DocumentFile file;    ///< its extension names the format, see read_mesh
+  double unit_m = 1.0;  ///< metres per unit of the file
+  std::optional<bool>
+      y_is_up;  ///< file axes (x, y, z) become scene axes (x, -z, y); absent: as the format says
 };
 /// All objects of a city model, each placed on its own.
 struct CityShape {
@@ -106,7 +108,7 @@ struct InstancesShape {
 /// How many things grow where, from a raster.
 struct DensityMap {
   RasterDocument raster;
-  int band = 1;                   ///< from 1
+  int band = 1;                    ///< from 1
   double density_of_one_m2 = 1.0;  ///< what the number 1 of the raster means
 };
 /// Copies of prototypes at random.
@@ -115,21 +117,21 @@ struct ScatterShape {
     DocumentName prototype;
     double weight = 1.0;
   };
-  std::vector<Kin> of;                        ///< one or more; weights above zero
+  std::vector<Kin> of;                          ///< one or more; weights above zero
   std::variant<double, DensityMap> density_m2;  ///< copies per square metre
   SourcePosition density_position;
-  double minimum_distance_m = 0.0;            ///< of copies from each other, on the map
-  std::array<double, 2> low_m{}, high_m{};    ///< corners of the area, x and y
-  std::optional<DocumentName> on;             ///< objects of the scene by name; absent: at `height_m`
+  double minimum_distance_m = 0.0;          ///< of copies from each other, on the map
+  std::array<double, 2> low_m{}, high_m{};  ///< corners of the area, x and y
+  std::optional<DocumentName> on;           ///< objects of the scene by name; absent: at `height_m`
   double height_m = 0.0;
-  std::array<double, 2> scale{1.0, 1.0};      ///< from, to
-  bool turn = true;                           ///< about the vertical
+  std::array<double, 2> scale{1.0, 1.0};  ///< from, to
+  bool turn = true;                       ///< about the vertical
   std::uint64_t seed = 0;
 };
 
-using ShapeDocument = std::variant<PlaneShape, BoxShape, SphereShape, HemisphereShape, CylinderShape,
-                                   DiskShape, PolygonShape, MeshShape, CityShape, TerrainShape, InstanceShape,
-                                   InstancesShape, ScatterShape>;
+using ShapeDocument =
+    std::variant<PlaneShape, BoxShape, SphereShape, HemisphereShape, CylinderShape, DiskShape, PolygonShape,
+                 MeshShape, CityShape, TerrainShape, InstanceShape, InstancesShape, ScatterShape>;
 
 /// Scene from object: first scale, then rotate (right-handed about `axis`), then translate.
 struct TransformDocument {
@@ -160,8 +162,8 @@ struct PrototypeDocument {
 
 /// The scene repeats without end in x and y.
 struct PeriodicDocument {
-  double width_m = 0.0, height_m = 0.0;                ///< of the cell, towards +x and +y
-  std::optional<std::array<double, 2>> low_left_m;     ///< of the cell; absent: it is centred on the origin
+  double width_m = 0.0, height_m = 0.0;             ///< of the cell, towards +x and +y
+  std::optional<std::array<double, 2>> low_left_m;  ///< of the cell; absent: it is centred on the origin
   SourcePosition position;
 };
 

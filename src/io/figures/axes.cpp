@@ -32,7 +32,8 @@ std::vector<double> Axis::ticks(int most) const {
     if (high - low < 2) {  // between the powers too
       for (int power = low - 1; power <= high; ++power)
         for (const double m : {1.0, 2.0, 5.0})
-          if (const double value = m * std::pow(10.0, power); value >= 0.999999 * first && value <= 1.000001 * last)
+          if (const double value = m * std::pow(10.0, power);
+              value >= 0.999999 * first && value <= 1.000001 * last)
             found.push_back(value);
       return found;
     }

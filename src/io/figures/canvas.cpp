@@ -67,7 +67,8 @@ struct Canvas::Parts {
     const Surface sheet = checked(make(append, &bytes, width, height));
     draw_on(sheet.get(), 1.0);
     cairo_surface_finish(sheet.get());
-    if (cairo_surface_status(sheet.get()) != CAIRO_STATUS_SUCCESS) throw EnvironmentError("the figure cannot be written");
+    if (cairo_surface_status(sheet.get()) != CAIRO_STATUS_SUCCESS)
+      throw EnvironmentError("the figure cannot be written");
     return bytes;
   }
 };
@@ -157,8 +158,11 @@ void Canvas::picture(double x, double y, double unit, int columns, int rows, std
   for (int row = 0; row < rows; ++row) {
     auto* to = reinterpret_cast<std::uint32_t*>(lines + static_cast<std::ptrdiff_t>(row) * stride);
     for (int k = 0; k < columns; ++k) {
-      const Pixel& p = pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(k)];
-      to[k] = p.opaque ? 0xFF000000u | (std::uint32_t{p.colour.r} << 16) | (std::uint32_t{p.colour.g} << 8) | p.colour.b : 0u;
+      const Pixel& p = pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                              static_cast<std::size_t>(k)];
+      to[k] = p.opaque ? 0xFF000000u | (std::uint32_t{p.colour.r} << 16) | (std::uint32_t{p.colour.g} << 8) |
+                             p.colour.b
+                       : 0u;
     }
   }
   cairo_surface_mark_dirty(surface.get());
@@ -179,8 +183,8 @@ void Canvas::begin_clip(double x, double y, double width, double height) {
 void Canvas::end_clip() { cairo_restore(parts_->c()); }
 
 std::string Canvas::png() const {
-  const Surface sheet =
-      image(CAIRO_FORMAT_RGB24, static_cast<int>(kScale * parts_->width), static_cast<int>(kScale * parts_->height));
+  const Surface sheet = image(CAIRO_FORMAT_RGB24, static_cast<int>(kScale * parts_->width),
+                              static_cast<int>(kScale * parts_->height));
   parts_->draw_on(sheet.get(), kScale);
   cairo_surface_flush(sheet.get());
   std::string bytes;
@@ -194,7 +198,8 @@ std::string Canvas::svg() const { return parts_->vector_file(cairo_svg_surface_c
 std::string Canvas::pdf() const {
   return parts_->vector_file([](cairo_write_func_t write, void* to, double width, double height) {
     cairo_surface_t* const sheet = cairo_pdf_surface_create_for_stream(write, to, width, height);
-    cairo_pdf_surface_set_metadata(sheet, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");  // the same bytes each time
+    cairo_pdf_surface_set_metadata(sheet, CAIRO_PDF_METADATA_CREATE_DATE,
+                                   "2000-01-01T00:00:00Z");  // the same bytes each time
     return sheet;
   });
 }

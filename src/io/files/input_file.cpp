@@ -41,7 +41,8 @@ fs::path place_of(const Descriptor& file) {
 }
 
 int open_for_reading(const fs::path& path) {
-  constexpr int kFlags = O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;  // a pipe does not make us wait for its writer
+  constexpr int kFlags =
+      O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;  // a pipe does not make us wait for its writer
   if (allowed_folder().empty()) return open(path.c_str(), kFlags);
   // Looked at before it is opened: to open a device may do something.
   const Descriptor place(open(path.c_str(), O_PATH | O_CLOEXEC));
@@ -61,7 +62,8 @@ int open_for_reading(const fs::path& path) {
 void confine_inputs(const fs::path& folder) {
   std::error_code error;
   const fs::path real = fs::canonical(folder, error);
-  if (error) throw InputError(format("ifov: --inputs-below '{}': {}", folder.string(), file_reason(error.value())));
+  if (error)
+    throw InputError(format("ifov: --inputs-below '{}': {}", folder.string(), file_reason(error.value())));
   if (!fs::is_directory(real, error))
     throw InputError(format("ifov: --inputs-below '{}': found a file; expected a folder", folder.string()));
   allowed_folder() = real;

@@ -25,14 +25,16 @@ void refuse_link(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_symlink(fs::symlink_status(folder, error))) return;
   throw EnvironmentError(
-      format("'{}' is a link (to '{}'), and ifov writes through no link that lies beside a document or in its output "
+      format("'{}' is a link (to '{}'), and ifov writes through no link that lies beside a document or in "
+             "its output "
              "folder; delete the link, or say where to write (--output)",
              folder.string(), fs::read_symlink(folder, error).string()));
 }
 
 void refuse_links_below(const fs::path& trusted, const fs::path& folder) {
   fs::path place = trusted;
-  for (const fs::path& name : folder.lexically_normal().lexically_relative(trusted.empty() ? "." : trusted.lexically_normal())) {
+  for (const fs::path& name :
+       folder.lexically_normal().lexically_relative(trusted.empty() ? "." : trusted.lexically_normal())) {
     place /= name;
     if (name != "." && !name.empty()) refuse_link(place);
   }
@@ -55,7 +57,8 @@ OwnFile::OwnFile(const fs::path& path)
   if (file_ && (fstat(file_.number(), &info) != 0 || !S_ISREG(info.st_mode))) file_.reset();
 }
 
-void read_whole(const Descriptor& file, const fs::path& path, std::uint64_t offset, void* to, std::size_t bytes) {
+void read_whole(const Descriptor& file, const fs::path& path, std::uint64_t offset, void* to,
+                std::size_t bytes) {
   auto* into = static_cast<char*>(to);
   while (bytes > 0) {
     const ssize_t got = pread(file.number(), into, bytes, static_cast<off_t>(offset));
@@ -70,7 +73,9 @@ void read_whole(const Descriptor& file, const fs::path& path, std::uint64_t offs
 }
 
 std::string read_own_file(const fs::path& path) {
-  const auto fail = [&](const std::string& why) { return EnvironmentError(format("{}: cannot be read: {}", path.string(), why)); };
+  const auto fail = [&](const std::string& why) {
+    return EnvironmentError(format("{}: cannot be read: {}", path.string(), why));
+  };
   const Descriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (!file) throw fail(errno == ELOOP ? "it is a link" : file_reason(errno));
   struct stat info {};

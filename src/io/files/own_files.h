@@ -24,7 +24,8 @@ void refuse_link(const std::filesystem::path& folder);
 Descriptor create_file_at(int folder, const std::filesystem::path& name);
 
 /// All of so many bytes of an open file. Where fewer lie there, an EnvironmentError that names `path`.
-void read_whole(const Descriptor& file, const std::filesystem::path& path, std::uint64_t offset, void* to, std::size_t bytes);
+void read_whole(const Descriptor& file, const std::filesystem::path& path, std::uint64_t offset, void* to,
+                std::size_t bytes);
 
 /// A plain file that ifov wrote, open for reading; no link.
 class OwnFile {
@@ -33,7 +34,9 @@ class OwnFile {
   explicit OwnFile(const std::filesystem::path& path);
   explicit operator bool() const { return static_cast<bool>(file_); }
   /// EnvironmentError where fewer bytes lie there.
-  void read_at(std::uint64_t offset, void* to, std::size_t bytes) const { read_whole(file_, path_, offset, to, bytes); }
+  void read_at(std::uint64_t offset, void* to, std::size_t bytes) const {
+    read_whole(file_, path_, offset, to, bytes);
+  }
 
  private:
   std::filesystem::path path_;

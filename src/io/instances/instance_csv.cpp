@@ -30,8 +30,8 @@ class RowReader {
       const std::size_t end = rest.find_first_of("\r\n");
       line_ = rest.substr(0, end);
       ++number_;
-      rest.remove_prefix(end == std::string_view::npos ? rest.size()
-                                                       : end + 1 + std::size_t(rest.substr(end, 2) == "\r\n"));
+      rest.remove_prefix(
+          end == std::string_view::npos ? rest.size() : end + 1 + std::size_t(rest.substr(end, 2) == "\r\n"));
       if (is_blank(line_) || is_comment(line_)) continue;
       if (heading_allowed && !number_in(split(line_, separator_of(line_))[0].text)) {
         heading_allowed = false;
@@ -53,9 +53,11 @@ class RowReader {
   void check_heading() const {
     const std::vector<Field> fields = split(line_, separator_of(line_));
     for (std::size_t k = 0; k < fields.size(); ++k) {
-      const auto column = std::find(std::begin(kColumns), std::end(kColumns), lower_case(fields[k].text)) - std::begin(kColumns);
+      const auto column = std::find(std::begin(kColumns), std::end(kColumns), lower_case(fields[k].text)) -
+                          std::begin(kColumns);
       if (column < std::ssize(kColumns) && static_cast<std::size_t>(column) != k)
-        fail(fields[k].column, format("found '{}' as column {}; expected the columns x, y, z, yaw, scale, pitch, roll in this order",
+        fail(fields[k].column, format("found '{}' as column {}; expected the columns x, y, z, yaw, scale, "
+                                      "pitch, roll in this order",
                                       fields[k].text, k + 1));
     }
   }
@@ -65,7 +67,8 @@ class RowReader {
     if (columns_ == 0) {
       columns_ = fields.size();
       if (columns_ < 3 || columns_ > kMostFields || columns_ == 6)
-        fail(0, format("found {} fields; expected 3, 4, 5 or 7 numbers: x, y, z, yaw, scale, pitch, roll", columns_));
+        fail(0, format("found {} fields; expected 3, 4, 5 or 7 numbers: x, y, z, yaw, scale, pitch, roll",
+                       columns_));
     } else if (fields.size() != columns_) {
       fail(0, format("found {} fields; expected {} numbers, as above", fields.size(), columns_));
     }

@@ -46,29 +46,33 @@ void InstanceFile::read_header(const std::string& name) {
   const std::span<const std::byte> bytes = file_.bytes();
   InstanceHeader h;
   if (bytes.size() < sizeof h)
-    throw fail(format("an instance list begins with a header of {} bytes; the file has {}", sizeof h, bytes.size()));
+    throw fail(
+        format("an instance list begins with a header of {} bytes; the file has {}", sizeof h, bytes.size()));
   std::memcpy(&h, bytes.data(), sizeof h);
   if (std::memcmp(h.magic, kInstanceMagic, sizeof h.magic) != 0)
     throw fail("this is no binary instance list, which begins with 'IFOVINST'");
   swapped_ = h.byte_order == swapped(kInstanceByteOrder);
   if (!swapped_ && h.byte_order != kInstanceByteOrder)
-    throw fail(format("the byte-order mark is {:#010x}; expected {:#010x} in one order or the other", h.byte_order,
-                      kInstanceByteOrder));
+    throw fail(format("the byte-order mark is {:#010x}; expected {:#010x} in one order or the other",
+                      h.byte_order, kInstanceByteOrder));
   if (swapped_) {
     h.version = swapped(h.version), h.count = swapped(h.count), h.record_bytes = swapped(h.record_bytes);
     for (double& x : h.origin_m) x = swapped(x);
   }
   if (h.version != kInstanceVersion)
-    throw fail(format("the list is of version {}; this program reads version {}", h.version, kInstanceVersion));
+    throw fail(
+        format("the list is of version {}; this program reads version {}", h.version, kInstanceVersion));
   if (h.position > 1 || h.rotation > 3 || h.scale > 2 || h.reserved != 0 || h.reserved_too != 0)
-    throw fail(format("the layout (position {}, rotation {}, scale {}, reserved {}) is not known; positions are 0 or 1, "
-                      "rotations 0 to 3, scales 0 to 2, reserved 0",
-                      h.position, h.rotation, h.scale, h.reserved));
+    throw fail(format(
+        "the layout (position {}, rotation {}, scale {}, reserved {}) is not known; positions are 0 or 1, "
+        "rotations 0 to 3, scales 0 to 2, reserved 0",
+        h.position, h.rotation, h.scale, h.reserved));
   layout_ = {InstanceLayout::Position{h.position}, InstanceLayout::Rotation{h.rotation},
              InstanceLayout::Scale{h.scale}};
   record_bytes_ = layout_.record_bytes();
   if (h.record_bytes != record_bytes_)
-    throw fail(format("records of this layout have {} bytes; the header says {}", record_bytes_, h.record_bytes));
+    throw fail(
+        format("records of this layout have {} bytes; the header says {}", record_bytes_, h.record_bytes));
   if (h.count > kMostInstances)
     throw fail(format("the header says {} instances; at most {} can be placed", h.count, kMostInstances));
   const std::uint64_t expected = sizeof h + h.count * record_bytes_;
@@ -86,13 +90,15 @@ void InstanceFile::check_records(const std::string& name) const {
   // The first fault of each block, so that the one reported does not depend on the threads.
   std::vector<std::string> faults(blocks);
   parallel_for(static_cast<std::int64_t>(blocks), 0, [&](std::int64_t block) {
-    const std::size_t first = static_cast<std::size_t>(block) * kBlock, last = std::min(count_, first + kBlock);
+    const std::size_t first = static_cast<std::size_t>(block) * kBlock,
+                      last = std::min(count_, first + kBlock);
     for (std::size_t i = first; i < last && faults[static_cast<std::size_t>(block)].empty(); ++i) {
       const Instance one = instance(i);
       const auto [w, x, y, z] = one.quaternion;
       std::string& fault = faults[static_cast<std::size_t>(block)];
       if (!std::isfinite(one.position_m.x + one.position_m.y + one.position_m.z))
-        fault = format("its position ({}, {}, {}) is not finite", one.position_m.x, one.position_m.y, one.position_m.z);
+        fault = format("its position ({}, {}, {}) is not finite", one.position_m.x, one.position_m.y,
+                       one.position_m.z);
       else if (!(std::abs(w * w + x * x + y * y + z * z - 1.0) < 1e-9))
         fault = layout_.rotation == InstanceLayout::Rotation::quaternion ? "its quaternion is not of length 1"
                                                                          : "its rotation is not finite";

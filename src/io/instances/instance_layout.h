@@ -14,7 +14,10 @@ struct InstanceLayout {
 
   constexpr std::size_t position_bytes() const { return position == Position::float64 ? 24 : 12; }
   constexpr std::size_t rotation_floats() const {
-    return rotation == Rotation::none ? 0 : rotation == Rotation::yaw ? 1 : rotation == Rotation::quaternion ? 4 : 3;
+    return rotation == Rotation::none         ? 0
+           : rotation == Rotation::yaw        ? 1
+           : rotation == Rotation::quaternion ? 4
+                                              : 3;
   }
   constexpr std::size_t scale_floats() const {
     return scale == Scale::none ? 0 : scale == Scale::uniform ? 1 : 3;

@@ -64,18 +64,15 @@ void InstanceWriter::add(const Instance& instance) {
   const bool tilted = std::abs(angles[1]) > kNegligible || std::abs(angles[2]) > kNegligible;
   switch (layout_.rotation) {
     case InstanceLayout::Rotation::none:
-      if (tilted || std::abs(angles[0]) > kNegligible) throw fail("is turned, and its layout has no rotation");
+      if (tilted || std::abs(angles[0]) > kNegligible)
+        throw fail("is turned, and its layout has no rotation");
       break;
     case InstanceLayout::Rotation::yaw:
       if (tilted) throw fail("is tilted, and its layout has a rotation about z only");
       add_floats(degrees, 1);
       break;
-    case InstanceLayout::Rotation::yaw_pitch_roll:
-      add_floats(degrees, 3);
-      break;
-    case InstanceLayout::Rotation::quaternion:
-      add_floats(instance.quaternion.data(), 4);
-      break;
+    case InstanceLayout::Rotation::yaw_pitch_roll: add_floats(degrees, 3); break;
+    case InstanceLayout::Rotation::quaternion: add_floats(instance.quaternion.data(), 4); break;
   }
 
   const double scale[3] = {s.x, s.y, s.z};

@@ -49,21 +49,23 @@ class NodeMerger {
       node.is_integer_ = strongest.is_integer_, node.boolean_ = strongest.boolean_;
       node.number_ = strongest.number_, node.integer_ = strongest.integer_, node.text_ = strongest.text_;
     }
-    for (const Override& one : overrides) require_way(layers.empty() ? node : *layers.front(), node.title(), one, depth);
+    for (const Override& one : overrides)
+      require_way(layers.empty() ? node : *layers.front(), node.title(), one, depth);
     if (node.type_ == Type::list) fill_items(node, *layers.front(), overrides, depth);
     if (node.type_ == Type::object) fill_members(node, layers, overrides, depth);
   }
 
   /// `node`: what is there, under the `title` that it will have.
-  static void require_way(const DocumentNode& node, const std::string& title, const Override& one, std::size_t depth) {
+  static void require_way(const DocumentNode& node, const std::string& title, const Override& one,
+                          std::size_t depth) {
     const DocumentOverride::Step& step = one.what->steps[depth];
     if (node.type_ == (step.key.empty() ? Type::list : Type::object)) return;
     throw InputError(format("--set {}: {} is {}, not {}", one.what->path, title, node.found(),
                             step.key.empty() ? "a list" : "an object"));
   }
 
-  static std::vector<Override> within(const std::vector<Override>& overrides, std::size_t depth, std::string_view key,
-                                      std::size_t index) {
+  static std::vector<Override> within(const std::vector<Override>& overrides, std::size_t depth,
+                                      std::string_view key, std::size_t index) {
     std::vector<Override> chosen;
     for (const Override& one : overrides) {
       const DocumentOverride::Step& step = one.what->steps[depth];
@@ -77,8 +79,8 @@ class NodeMerger {
     const std::size_t count = from.children_.size();
     for (const Override& one : overrides)
       if (one.what->steps[depth].index >= count)
-        throw InputError(format("--set {}: {} has {} item{}, counted from 0", one.what->path, node.title(), count,
-                                count == 1 ? "" : "s"));
+        throw InputError(format("--set {}: {} has {} item{}, counted from 0", one.what->path, node.title(),
+                                count, count == 1 ? "" : "s"));
     node.children_.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
       DocumentNode& child = node.children_.emplace_back(DocumentNode());
@@ -159,7 +161,8 @@ class Gatherer {
     const std::string file = name.source().resolve(name.text());
     if (std::find(open.begin(), open.end(), real_name(file)) != open.end())
       name.fail(format("'{}' includes itself", file));
-    if (files_.size() == kMostIncluded) name.fail(format("more than {} documents are included", kMostIncluded));
+    if (files_.size() == kMostIncluded)
+      name.fail(format("more than {} documents are included", kMostIncluded));
     const std::size_t most = JsonRules().max_bytes;
     std::string text;
     try {
@@ -216,8 +219,9 @@ DocumentParts put_together(std::string text, const std::string& file_name,
 std::string read_document_text(const std::string& path, std::size_t max_bytes) {
   const InputFile file(path);
   if (file.size() > max_bytes)
-    throw InputError(format("{}: the document has {} bytes, more than the {} allowed", path, file.size(), max_bytes),
-                     {path, 0, 0});
+    throw InputError(
+        format("{}: the document has {} bytes, more than the {} allowed", path, file.size(), max_bytes),
+        {path, 0, 0});
   return file.text();
 }
 

@@ -70,7 +70,8 @@ std::string excerpt(std::string_view line_text, const SourcePosition& position) 
   const int end = std::min(length, begin + kExcerptWidth);
   std::string shown = begin > 0 ? "..." : "";
   const std::size_t indent = static_cast<std::size_t>(caret - begin) + shown.size();
-  for (const std::string& character : printable_characters(piece_of(line_text, begin, end - begin))) shown += character;
+  for (const std::string& character : printable_characters(piece_of(line_text, begin, end - begin)))
+    shown += character;
   if (end < length) shown += "...";
   const std::string number = format("{:>5}", position.line);
   return format("\n{} | {}\n{} | {}^", number, shown, std::string(number.size(), ' '),
@@ -93,7 +94,9 @@ DocumentSource::DocumentSource(std::string text, std::string file_name)
 std::size_t DocumentSource::characters_before(std::size_t offset) const {
   const std::size_t known = offset / kStride;
   const auto from = text_.begin() + static_cast<std::ptrdiff_t>(known * kStride);
-  return characters_[known] + static_cast<std::size_t>(std::count_if(from, text_.begin() + static_cast<std::ptrdiff_t>(offset), begins_character));
+  return characters_[known] +
+         static_cast<std::size_t>(
+             std::count_if(from, text_.begin() + static_cast<std::ptrdiff_t>(offset), begins_character));
 }
 
 SourcePosition DocumentSource::position(std::size_t offset) const {

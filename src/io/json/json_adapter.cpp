@@ -105,8 +105,10 @@ class Events {
     for (;;) {
       at = text_.find('\\', at);
       const char first = text_[at + 2] | 0x20, second = text_[at + 3] | 0x20;
-      const bool is_surrogate = text_[at + 1] == 'u' && first == 'd' && second >= '8' && (second <= '9' || second >= 'a');
-      if (is_surrogate && second >= 'c') builder_.fail(at, "half of a surrogate pair; both halves must be written");
+      const bool is_surrogate =
+          text_[at + 1] == 'u' && first == 'd' && second >= '8' && (second <= '9' || second >= 'a');
+      if (is_surrogate && second >= 'c')
+        builder_.fail(at, "half of a surrogate pair; both halves must be written");
       at += is_surrogate ? 12 : 2;
     }
   }
@@ -129,28 +131,24 @@ Words words_of(rapidjson::ParseErrorCode code) {
     case rapidjson::kParseErrorDocumentRootNotSingular:
       return {In::between, "expected nothing more after the end of the document"};
     case rapidjson::kParseErrorObjectMissName:
-      return {In::between, "expected a key in double quotes or '}' (no comma may stand before a closing bracket)"};
-    case rapidjson::kParseErrorObjectMissColon:
-      return {In::between, "expected ':' after the key"};
+      return {In::between,
+              "expected a key in double quotes or '}' (no comma may stand before a closing bracket)"};
+    case rapidjson::kParseErrorObjectMissColon: return {In::between, "expected ':' after the key"};
     case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
       return {In::between, "expected ',' or '}' after a value of an object"};
     case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
       return {In::between, "expected ',' or ']' after a value of a list"};
     case rapidjson::kParseErrorNumberMissFraction:
-    case rapidjson::kParseErrorNumberMissExponent:
-      return {In::number, {}};
-    case rapidjson::kParseErrorStringMissQuotationMark:
-      return {In::text, {}};
+    case rapidjson::kParseErrorNumberMissExponent: return {In::number, {}};
+    case rapidjson::kParseErrorStringMissQuotationMark: return {In::text, {}};
     case rapidjson::kParseErrorStringEscapeInvalid:
       return {In::escape, "unknown escape; a backslash itself is written '\\\\'"};
     case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex:
       return {In::escape, "'\\u' needs four hexadecimal digits"};
     case rapidjson::kParseErrorStringUnicodeSurrogateInvalid:
       return {In::escape, "half of a surrogate pair; both halves must be written"};
-    case rapidjson::kParseErrorUnspecificSyntaxError:
-      return {In::comment, {}};
-    default:
-      return {In::value, "expected a value (no comma may stand before a closing bracket)"};
+    case rapidjson::kParseErrorUnspecificSyntaxError: return {In::comment, {}};
+    default: return {In::value, "expected a value (no comma may stand before a closing bracket)"};
   }
 }
 
@@ -159,7 +157,8 @@ bool is_cut_character(std::string_view rest) {
   const auto lead = static_cast<unsigned char>(rest.front());
   const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
   const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-  return lead >= 0xC2 && lead <= 0xF4 && rest.size() < length && std::all_of(rest.begin() + 1, rest.end(), continues);
+  return lead >= 0xC2 && lead <= 0xF4 && rest.size() < length &&
+         std::all_of(rest.begin() + 1, rest.end(), continues);
 }
 
 constexpr std::string_view kNotUtf8 = "the text is not UTF-8 here";
@@ -188,12 +187,14 @@ void read(const std::string& text, std::size_t sound_end, NodeBuilder& builder) 
                               rapidjson::kParseNumbersAsStringsFlag;
   const rapidjson::ParseResult result = reader.Parse<kFlags>(stream, events);
   if (!result.IsError()) return;
-  if (result.Code() == rapidjson::kParseErrorNumberTooBig) builder.fail(result.Offset(), "this number is too large");
+  if (result.Code() == rapidjson::kParseErrorNumberTooBig)
+    builder.fail(result.Offset(), "this number is too large");
   const Words words = words_of(result.Code());
   const bool in_text = words.in == JsonMistake::In::text || words.in == JsonMistake::In::escape;
   if (result.Offset() >= sound_end && sound_end < text.size() && !in_text && builder.still_open().empty())
     builder.fail(sound_end, kNotUtf8);
-  explain({words.in, result.Offset(), words.expected, stream.string_begin(), events.end_of_last()}, text, builder);
+  explain({words.in, result.Offset(), words.expected, stream.string_begin(), events.end_of_last()}, text,
+          builder);
 }
 
 }  // namespace

@@ -55,8 +55,9 @@ class Explanation {
   /// For a text that ends within the string or value that begins at `begin`.
   [[noreturn]] void fail_at_end(std::size_t begin, std::string_view what, const std::string& closing) const {
     const std::string around = read_.still_open(closing);
-    read_.fail(text_.size(), format("the file ends here, within a {} that begins at {}{}", what, read_.place(begin),
-                                    around.empty() ? format("; still to close: {}", closing) : " in " + around));
+    read_.fail(text_.size(),
+               format("the file ends here, within a {} that begins at {}{}", what, read_.place(begin),
+                      around.empty() ? format("; still to close: {}", closing) : " in " + around));
   }
 
   [[noreturn]] void fail_in_text() const {
@@ -66,7 +67,8 @@ class Explanation {
     if (cut && text_.size() - at_ < std::string_view("\\ud83d\\ude00").size())
       fail_at_end(mistake_.text_begin, "text", "\"");
     if (mistake_.in == In::escape && c == '\\') read_.fail(at_, mistake_.expected);
-    if (c == '\n' || c == '\r') read_.fail(mistake_.text_begin, "this text does not end on its line: '\"' is missing");
+    if (c == '\n' || c == '\r')
+      read_.fail(mistake_.text_begin, "this text does not end on its line: '\"' is missing");
     read_.fail(at_, "a control character within a text; write it as \\t or \\u00XX");
   }
 
@@ -75,7 +77,8 @@ class Explanation {
     std::size_t begin = text_.find('/', mistake_.known_end);
     for (;;) {
       const bool is_block = peek(begin + 1) == '*';
-      if (!is_block && peek(begin + 1) != '/') read_.fail(begin, "unexpected '/'; a comment begins with '//' or '/*'");
+      if (!is_block && peek(begin + 1) != '/')
+        read_.fail(begin, "unexpected '/'; a comment begins with '//' or '/*'");
       const std::size_t end = text_.find(is_block ? "*/" : "\n", begin + 2);
       if (end == std::string::npos) read_.fail(begin, "this comment does not end: '*/' is missing");
       begin = text_.find('/', end + (is_block ? 2 : 1));
@@ -89,7 +92,8 @@ class Explanation {
     const std::string word = text_.substr(begin, end - begin);
     const char c = text_[begin];
     if (word == "true" || word == "false" || word == "null") return;
-    if (!word.empty()) read_.fail(begin, format("unexpected '{}'; texts and keys stand in double quotes: \"...\"", word));
+    if (!word.empty())
+      read_.fail(begin, format("unexpected '{}'; texts and keys stand in double quotes: \"...\"", word));
     if (std::string_view("\"{}[],:").find(c) != std::string_view::npos) return;
     if (c == '\'') read_.fail(begin, "texts and keys stand in double quotes: \"...\"");
     if (c == '/') read_.fail(begin, "comments are not allowed here");

@@ -12,7 +12,7 @@ namespace ifov::io {
 struct JsonMistake {
   enum class In { between, value, number, text, escape, comment };
 
-  In in = In::between;          ///< what it was in: between values and signs, or in one of them
+  In in = In::between;  ///< what it was in: between values and signs, or in one of them
   std::size_t offset = 0;
   std::string_view expected{};  ///< in words
   std::size_t text_begin = 0;   ///< of the last text or key that began

@@ -97,16 +97,14 @@ void JsonWriter::boolean(bool value) {
 
 void JsonWriter::node(const DocumentNode& node, const TextOf& text_of) {
   using Type = DocumentNode::Type;
-  const auto holds = [](const DocumentNode& item) { return item.type() == Type::list || item.type() == Type::object; };
+  const auto holds = [](const DocumentNode& item) {
+    return item.type() == Type::list || item.type() == Type::object;
+  };
   switch (node.type()) {
-    case Type::null:
-      return null();
-    case Type::boolean:
-      return boolean(node.boolean());
-    case Type::number:
-      return node.is_integer() ? integer(node.integer()) : number(node.number());
-    case Type::text:
-      return text(text_of(node));
+    case Type::null: return null();
+    case Type::boolean: return boolean(node.boolean());
+    case Type::number: return node.is_integer() ? integer(node.integer()) : number(node.number());
+    case Type::text: return text(text_of(node));
     case Type::list:
       begin_list(std::none_of(node.items().begin(), node.items().end(), holds));
       for (const DocumentNode& item : node.items()) this->node(item, text_of);

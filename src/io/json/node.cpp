@@ -77,18 +77,13 @@ const DocumentNode& DocumentNode::given(std::string_view key) const {
 
 std::string DocumentNode::found() const {
   switch (type_) {
-    case Type::null:
-      return "null";
-    case Type::boolean:
-      return boolean_ ? "true" : "false";
+    case Type::null: return "null";
+    case Type::boolean: return boolean_ ? "true" : "false";
     case Type::number:
       return is_integer_ ? format("the number {}", integer_) : format("the number {}", number_);
-    case Type::text:
-      return format("the text \"{}\"", shortened(text_));
-    case Type::list:
-      return children_.empty() ? "an empty list" : format("a list of {}", children_.size());
-    case Type::object:
-      return children_.empty() ? "an empty object" : "an object";
+    case Type::text: return format("the text \"{}\"", shortened(text_));
+    case Type::list: return children_.empty() ? "an empty list" : format("a list of {}", children_.size());
+    case Type::object: return children_.empty() ? "an empty object" : "an object";
   }
   throw std::logic_error("unknown type of document value");
 }

@@ -26,7 +26,8 @@ void NodeBuilder::fail(std::size_t offset, std::string_view message) const {
 }
 
 void NodeBuilder::count(std::size_t offset) {
-  if (++values_ > rules_.max_values) fail(offset, format("the document has more than {} values", rules_.max_values));
+  if (++values_ > rules_.max_values)
+    fail(offset, format("the document has more than {} values", rules_.max_values));
 }
 
 DocumentNode& NodeBuilder::add(Type type, std::size_t offset) {
@@ -108,7 +109,8 @@ std::string NodeBuilder::still_open(std::string closing) const {
   std::string path;
   for (std::size_t k = 1; k < open_.size(); ++k) {
     const DocumentNode& node = nodes_[open_[k]];
-    path += is_list(open_[k - 1]) ? format("[{}]", node.index_) : format(".{}", node.key_.substr(0, kLongestKey));
+    path +=
+        is_list(open_[k - 1]) ? format("[{}]", node.index_) : format(".{}", node.key_.substr(0, kLongestKey));
   }
   if (path.starts_with('.')) path.erase(0, 1);
   for (auto node = open_.rbegin(); node != open_.rend(); ++node) closing += is_list(*node) ? ']' : '}';

@@ -61,22 +61,14 @@ GltfAccessor::GltfAccessor(const tinygltf::Model& model, int index, int type, co
 double GltfAccessor::value(std::size_t element, std::size_t component) const {
   const unsigned char* at = first_ + element * stride_ + component * component_size_;
   switch (component_type_) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return number_at<std::int8_t>(at, normalized_);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return number_at<std::uint8_t>(at, normalized_);
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return number_at<std::int16_t>(at, normalized_);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return number_at<std::uint16_t>(at, normalized_);
-    case TINYGLTF_COMPONENT_TYPE_INT:
-      return number_at<std::int32_t>(at, normalized_);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-      return number_at<std::uint32_t>(at, normalized_);
-    case TINYGLTF_COMPONENT_TYPE_DOUBLE:
-      return number_at<double>(at, false);
-    default:
-      return number_at<float>(at, false);
+    case TINYGLTF_COMPONENT_TYPE_BYTE: return number_at<std::int8_t>(at, normalized_);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return number_at<std::uint8_t>(at, normalized_);
+    case TINYGLTF_COMPONENT_TYPE_SHORT: return number_at<std::int16_t>(at, normalized_);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return number_at<std::uint16_t>(at, normalized_);
+    case TINYGLTF_COMPONENT_TYPE_INT: return number_at<std::int32_t>(at, normalized_);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return number_at<std::uint32_t>(at, normalized_);
+    case TINYGLTF_COMPONENT_TYPE_DOUBLE: return number_at<double>(at, false);
+    default: return number_at<float>(at, false);
   }
 }
 

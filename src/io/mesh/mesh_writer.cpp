@@ -43,7 +43,8 @@ std::string obj_text(const geometry::TriangleMesh& mesh) {
   std::string text;
   for (const math::Point3& p : mesh.vertices_m)
     text += format("v {} {} {}\n", short_number(p.x), short_number(p.y), short_number(p.z));
-  for (const geometry::Uv& uv : mesh.uvs) text += format("vt {} {}\n", short_number(uv.u), short_number(uv.v));
+  for (const geometry::Uv& uv : mesh.uvs)
+    text += format("vt {} {}\n", short_number(uv.u), short_number(uv.v));
   for (const math::Normal3& n : mesh.normals)
     text += format("vn {} {} {}\n", short_number(n.x), short_number(n.y), short_number(n.z));
   const std::size_t slots = std::max<std::size_t>(1, mesh.slot_names.size());
@@ -51,22 +52,27 @@ std::string obj_text(const geometry::TriangleMesh& mesh) {
     if (!mesh.slot_names.empty()) text += format("usemtl {}\n", mesh.slot_names[slot]);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       if ((mesh.slots.empty() ? 0 : mesh.slots[t]) == slot)
-        text += format("f {} {} {}\n", corner_text(mesh, t, 0), corner_text(mesh, t, 1), corner_text(mesh, t, 2));
+        text +=
+            format("f {} {} {}\n", corner_text(mesh, t, 0), corner_text(mesh, t, 1), corner_text(mesh, t, 2));
   }
   return text;
 }
 
 std::string ply_bytes(const geometry::TriangleMesh& mesh) {
   const bool has_uvs = mesh.uvs.size() == mesh.vertices_m.size() && mesh.uv_corners.empty();
-  std::string bytes = format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n"
-                             "property float x\nproperty float y\nproperty float z\n",
-                             mesh.vertices_m.size());
+  std::string bytes = format(
+      "ply\nformat binary_little_endian 1.0\nelement vertex {}\n"
+      "property float x\nproperty float y\nproperty float z\n",
+      mesh.vertices_m.size());
   if (has_uvs) bytes += "property float s\nproperty float t\n";
-  bytes += format("element face {}\nproperty list uchar uint vertex_indices\nend_header\n", mesh.triangles.size());
+  bytes +=
+      format("element face {}\nproperty list uchar uint vertex_indices\nend_header\n", mesh.triangles.size());
   for (std::size_t k = 0; k < mesh.vertices_m.size(); ++k) {
     const math::Point3& p = mesh.vertices_m[k];
-    append(bytes, static_cast<float>(p.x)), append(bytes, static_cast<float>(p.y)), append(bytes, static_cast<float>(p.z));
-    if (has_uvs) append(bytes, static_cast<float>(mesh.uvs[k].u)), append(bytes, static_cast<float>(mesh.uvs[k].v));
+    append(bytes, static_cast<float>(p.x)), append(bytes, static_cast<float>(p.y)),
+        append(bytes, static_cast<float>(p.z));
+    if (has_uvs)
+      append(bytes, static_cast<float>(mesh.uvs[k].u)), append(bytes, static_cast<float>(mesh.uvs[k].v));
   }
   for (const geometry::Triangle& t : mesh.triangles) {
     bytes.push_back(3);

@@ -24,22 +24,14 @@ double decoded(const char* bytes, bool swap) {
 
 double decoded(PlyType type, const char* bytes, bool swap) {
   switch (type) {
-    case PlyType::int8:
-      return decoded<std::int8_t>(bytes, swap);
-    case PlyType::uint8:
-      return decoded<std::uint8_t>(bytes, swap);
-    case PlyType::int16:
-      return decoded<std::int16_t>(bytes, swap);
-    case PlyType::uint16:
-      return decoded<std::uint16_t>(bytes, swap);
-    case PlyType::int32:
-      return decoded<std::int32_t>(bytes, swap);
-    case PlyType::uint32:
-      return decoded<std::uint32_t>(bytes, swap);
-    case PlyType::float32:
-      return decoded<float>(bytes, swap);
-    case PlyType::float64:
-      break;
+    case PlyType::int8: return decoded<std::int8_t>(bytes, swap);
+    case PlyType::uint8: return decoded<std::uint8_t>(bytes, swap);
+    case PlyType::int16: return decoded<std::int16_t>(bytes, swap);
+    case PlyType::uint16: return decoded<std::uint16_t>(bytes, swap);
+    case PlyType::int32: return decoded<std::int32_t>(bytes, swap);
+    case PlyType::uint32: return decoded<std::uint32_t>(bytes, swap);
+    case PlyType::float32: return decoded<float>(bytes, swap);
+    case PlyType::float64: break;
   }
   return decoded<double>(bytes, swap);
 }

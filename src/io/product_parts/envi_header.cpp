@@ -247,17 +247,13 @@ void append_list(std::string& out, std::string_view key, const std::vector<T>& v
 
 std::size_t bytes_per_value(EnviType type) {
   switch (type) {
-    case EnviType::byte:
-      return 1;
+    case EnviType::byte: return 1;
     case EnviType::int16:
-    case EnviType::uint16:
-      return 2;
-    case EnviType::float64:
-      return 8;
+    case EnviType::uint16: return 2;
+    case EnviType::float64: return 8;
     case EnviType::int32:
     case EnviType::uint32:
-    case EnviType::float32:
-      break;
+    case EnviType::float32: break;
   }
   return 4;
 }
@@ -277,7 +273,8 @@ std::string to_text(const EnviHeader& h) {
   out += format(
       "samples = {}\nlines = {}\nbands = {}\nheader offset = {}\nfile type = {}\ndata type = {}\n"
       "interleave = {}\nbyte order = {}\n",
-      h.samples, h.lines, h.bands, h.header_offset, h.is_classification ? "ENVI Classification" : "ENVI Standard", static_cast<int>(h.data_type),
+      h.samples, h.lines, h.bands, h.header_offset,
+      h.is_classification ? "ENVI Classification" : "ENVI Standard", static_cast<int>(h.data_type),
       kInterleave[static_cast<int>(h.interleave)], h.big_endian ? 1 : 0);
   append_list(out, "map info", h.map_info, ", ", safe);
   if (!h.coordinate_system.empty()) out += format("coordinate system string = {{{}}}\n", h.coordinate_system);

@@ -22,10 +22,11 @@ struct EnviHeader {
   bool big_endian = false;
   std::string description;
   std::vector<std::string> band_names;
-  std::string wavelength_units;          ///< "Micrometers", "Nanometers"
-  std::vector<double> wavelength, fwhm;  ///< in wavelength_units; one a band (one a sample in a spectral library)
-  bool is_spectral_library = false;      ///< by its file type
-  bool is_classification = false;        ///< likewise; its classes are in `other`
+  std::string wavelength_units;  ///< "Micrometers", "Nanometers"
+  std::vector<double> wavelength,
+      fwhm;                          ///< in wavelength_units; one a band (one a sample in a spectral library)
+  bool is_spectral_library = false;  ///< by its file type
+  bool is_classification = false;    ///< likewise; its classes are in `other`
   std::string data_units;
   std::vector<std::string> map_info;
   std::string coordinate_system;   ///< well-known text

@@ -47,8 +47,12 @@ std::array<double, 6> geotransform(const render::ImageInfo& info) {
   return {info.map_x_m, c, -s, info.map_y_m, -s, -c};
 }
 
-std::string coordinate_system_text(const render::ImageInfo& info) { return text_of(info, "FORMAT=WKT1_GDAL"); }
-std::string esri_coordinate_system_text(const render::ImageInfo& info) { return text_of(info, "FORMAT=WKT1_ESRI"); }
+std::string coordinate_system_text(const render::ImageInfo& info) {
+  return text_of(info, "FORMAT=WKT1_GDAL");
+}
+std::string esri_coordinate_system_text(const render::ImageInfo& info) {
+  return text_of(info, "FORMAT=WKT1_ESRI");
+}
 
 MapSystem map_system(const render::ImageInfo& info) {
   const OGRSpatialReference system = reference(info);

@@ -87,7 +87,8 @@ int averaging_factor(int width, int height) {
   return (std::max(width, height) + kLongestSide - 1) / kLongestSide;
 }
 
-std::vector<Range> colour_ranges(const RasterView& radiance, const render::ImageInfo& info, const std::vector<int>& channels) {
+std::vector<Range> colour_ranges(const RasterView& radiance, const render::ImageInfo& info,
+                                 const std::vector<int>& channels) {
   std::vector<Layer> layers;
   std::vector<double> centre_um;
   for (const int channel : channels) {

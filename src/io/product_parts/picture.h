@@ -32,7 +32,8 @@ Range percentiles(const Layer& layer, double low, double high);
 std::vector<Range> colour_ranges(const std::vector<Layer>& layers, const std::vector<double>& centre_um,
                                  double low, double high);
 /// The same of an image as its pictures show it.
-std::vector<Range> colour_ranges(const RasterView& radiance, const render::ImageInfo& info, const std::vector<int>& channels);
+std::vector<Range> colour_ranges(const RasterView& radiance, const render::ImageInfo& info,
+                                 const std::vector<int>& channels);
 bool all_visible(const std::vector<double>& centre_um);
 
 /// Percentiles of pictures.

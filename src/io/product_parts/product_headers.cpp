@@ -18,13 +18,14 @@ void add_acquisition(EnviHeader& header, const Acquisition& acquisition) {
 
 /// The corners of an image that no map info fits, as ENVI's "geo points": x, y, latitude, longitude.
 void add_corners(EnviHeader& header, const Acquisition& acquisition) {
-  const double right = header.samples + 1, low = header.lines + 1, corners[][2] = {{1, 1}, {right, 1}, {right, low}, {1, low}};
+  const double right = header.samples + 1, low = header.lines + 1,
+               corners[][2] = {{1, 1}, {right, 1}, {right, low}, {1, low}};
   std::string points;
   for (std::size_t k = 0; k < acquisition.footprint.size() && k < 4; ++k) {
     const auto& corner = acquisition.footprint[k];
     if (!corner || !corner->place) return;
-    points += format("{}{:g}, {:g}, {:.9f}, {:.9f}", k > 0 ? ", " : "", corners[k][0], corners[k][1], corner->place->latitude_deg,
-                     corner->place->longitude_deg);
+    points += format("{}{:g}, {:g}, {:.9f}, {:.9f}", k > 0 ? ", " : "", corners[k][0], corners[k][1],
+                     corner->place->latitude_deg, corner->place->longitude_deg);
   }
   if (!points.empty()) header.other["geo points"] = points;
 }
@@ -67,9 +68,11 @@ EnviHeader cube_header(const CubeKind& kind, const render::ImageInfo& info, cons
   }
   if (!info.has_map) add_corners(header, identity.acquisition);
   add_acquisition(header, identity.acquisition);
-  if (kind.type == EnviType::float32 || kind.type == EnviType::float64) header.other["data ignore value"] = "nan";
+  if (kind.type == EnviType::float32 || kind.type == EnviType::float64)
+    header.other["data ignore value"] = "nan";
   if (kind.spectral)
-    header.other["z plot titles"] = format("Wavelength (Micrometers), {} ({})", capitalised(kind.what), header.data_units);
+    header.other["z plot titles"] =
+        format("Wavelength (Micrometers), {} ({})", capitalised(kind.what), header.data_units);
   return header;
 }
 

@@ -33,7 +33,8 @@ const std::array<Rgb, kQualityClasses>& class_colours() {
 void add_classes(EnviHeader& header) {
   std::string names, colours;
   for (std::size_t k = 0; k < kQualityClasses; ++k) names += format("{}{}", k > 0 ? ", " : "", class_name(k));
-  for (const Rgb c : class_colours()) colours += format("{}{}, {}, {}", colours.empty() ? "" : ", ", c.r, c.g, c.b);
+  for (const Rgb c : class_colours())
+    colours += format("{}{}, {}, {}", colours.empty() ? "" : ", ", c.r, c.g, c.b);
   header.is_classification = true;
   header.other["classes"] = format("{}", kQualityClasses);
   header.other["class names"] = names;

@@ -31,7 +31,7 @@ struct RunOutcome {
   std::string detection_statement;  ///< plain words: what could have been missed, with what probability
   std::vector<std::string> notes;   ///< floors, warnings
   double elapsed_s = 0.0;
-  int threads = 0;  ///< 0: all cores, whose number is then recorded
+  int threads = 0;   ///< 0: all cores, whose number is then recorded
   std::string date;  ///< when the products were made, UTC, ISO 8601
 };
 

@@ -28,14 +28,10 @@ constexpr std::size_t kLargestSent = std::size_t{256} << 20;
 
 std::size_t value_bytes_of(BilCube::Values values) {
   switch (values) {
-    case BilCube::Values::byte:
-      return 1;
-    case BilCube::Values::bits:
-      return 2;
-    case BilCube::Values::wide:
-      return 8;
-    default:
-      return 4;
+    case BilCube::Values::byte: return 1;
+    case BilCube::Values::bits: return 2;
+    case BilCube::Values::wide: return 8;
+    default: return 4;
   }
 }
 
@@ -49,8 +45,8 @@ std::size_t product(int a, int b = 1, int c = 1) {
 
 void BilCube::Free::operator()(void* memory) const { std::free(memory); }
 
-BilCube::BilCube(std::filesystem::path path, int width, int height, int bands, Values values,
-                 Limits limits, PartFile::Left left)
+BilCube::BilCube(std::filesystem::path path, int width, int height, int bands, Values values, Limits limits,
+                 PartFile::Left left)
     : width_(width),
       height_(height),
       bands_(bands),
@@ -66,7 +62,8 @@ BilCube::BilCube(std::filesystem::path path, int width, int height, int bands, V
 }
 
 std::uint64_t BilCube::waiting_bytes(int width, int height, int bands, int tile_rows, int value_bytes) {
-  const std::size_t value = product(value_bytes), strip = value * product(width, std::min(tile_rows, height), bands);
+  const std::size_t value = product(value_bytes),
+                    strip = value * product(width, std::min(tile_rows, height), bands);
   const bool sent = value * product(width, height, bands) >= kManyBytes && strip <= kLargestSent;
   return std::max(strip, std::min(2 * strip, kRoomForTwo)) + (sent ? strip : 0);
 }
@@ -104,7 +101,8 @@ void BilCube::add(sampling::PixelRect tile, const void* values, std::size_t coun
   const auto* from = static_cast<const std::byte*>(values);
   for (int row = 0; row < tile.height(); ++row) {
     const std::byte* const line = from + value_bytes_ * product(row, tile.width(), bands_);
-    std::byte* const to = strip->buffer.get() + value_bytes_ * (product(row, stride_, bands_) + product(tile.x0));
+    std::byte* const to =
+        strip->buffer.get() + value_bytes_ * (product(row, stride_, bands_) + product(tile.x0));
     if (bands_ == 1)
       std::memcpy(to, line, value_bytes_ * product(tile.width()));
     else
@@ -208,7 +206,8 @@ void BilCube::write_strip(Strip& strip) {
     const std::size_t rows = product(strip.y1 - strip.y0, bands_);
     std::vector<iovec> pieces(stride_ == width_ ? 1 : rows);
     for (std::size_t k = 0; k < pieces.size(); ++k)
-      pieces[k] = {strip.buffer.get() + value_bytes_ * k * product(stride_), value_bytes_ * product(width_) * (rows / pieces.size())};
+      pieces[k] = {strip.buffer.get() + value_bytes_ * k * product(stride_),
+                   value_bytes_ * product(width_) * (rows / pieces.size())};
     file_.write_at(value_bytes_ * product(strip.y0, width_, bands_), pieces);
     scan_written(strip);
   } else {
@@ -258,7 +257,8 @@ bool BilCube::scan_in_turn(const Strip& strip) {
   const std::lock_guard lock(scan_mutex_);
   if (strip.y0 != scan_.lines()) return false;
   for (int row = 0; row < strip.y1 - strip.y0; ++row)
-    scan_.take(strip.buffer.get() + value_bytes_ * product(row, stride_, bands_), value_bytes_ * product(stride_));
+    scan_.take(strip.buffer.get() + value_bytes_ * product(row, stride_, bands_),
+               value_bytes_ * product(stride_));
   return true;
 }
 
@@ -284,30 +284,32 @@ void BilCube::scan_file(int line_end) {
 }
 
 RasterView BilCube::view() const {
-  return {width_, height_, bands_, [this](int line, int band, std::span<float> values) {
-            const std::uint64_t offset = value_bytes_ * (product(line, bands_) + product(band)) * product(width_);
-            const std::size_t line_bytes = value_bytes_ * product(width_);
-            if (value_bytes_ == 4) {
-              file_.read_at(offset, values.data(), line_bytes);
-              if (values_ == Values::integer)
-                for (float& value : values) value = static_cast<float>(std::bit_cast<std::uint32_t>(value));
-              return;
-            }
-            if (value_bytes_ == 8) {
-              std::vector<double> wide(product(width_));
-              file_.read_at(offset, wide.data(), line_bytes);
-              std::transform(wide.begin(), wide.end(), values.begin(), [](double value) { return static_cast<float>(value); });
-              return;
-            }
-            std::vector<std::uint8_t> small(line_bytes);
-            file_.read_at(offset, small.data(), line_bytes);
-            for (std::size_t x = 0; x < product(width_); ++x)
-              values[x] = value_bytes_ == 1 ? small[x] : static_cast<float>(small[2 * x] | small[2 * x + 1] << 8);
-          }};
+  return {
+      width_, height_, bands_, [this](int line, int band, std::span<float> values) {
+        const std::uint64_t offset = value_bytes_ * (product(line, bands_) + product(band)) * product(width_);
+        const std::size_t line_bytes = value_bytes_ * product(width_);
+        if (value_bytes_ == 4) {
+          file_.read_at(offset, values.data(), line_bytes);
+          if (values_ == Values::integer)
+            for (float& value : values) value = static_cast<float>(std::bit_cast<std::uint32_t>(value));
+          return;
+        }
+        if (value_bytes_ == 8) {
+          std::vector<double> wide(product(width_));
+          file_.read_at(offset, wide.data(), line_bytes);
+          std::transform(wide.begin(), wide.end(), values.begin(),
+                         [](double value) { return static_cast<float>(value); });
+          return;
+        }
+        std::vector<std::uint8_t> small(line_bytes);
+        file_.read_at(offset, small.data(), line_bytes);
+        for (std::size_t x = 0; x < product(width_); ++x)
+          values[x] = value_bytes_ == 1 ? small[x] : static_cast<float>(small[2 * x] | small[2 * x + 1] << 8);
+      }};
 }
 
-void read_bil_tile(const std::function<void(std::uint64_t offset, void* to, std::size_t bytes)>& read_at, int width, int bands,
-                   sampling::PixelRect tile, std::span<float> values) {
+void read_bil_tile(const std::function<void(std::uint64_t offset, void* to, std::size_t bytes)>& read_at,
+                   int width, int bands, sampling::PixelRect tile, std::span<float> values) {
   const std::size_t across = product(tile.width()), all_bands = product(bands);
   std::vector<float> line(across * all_bands);
   for (int row = 0; row < tile.height(); ++row) {
@@ -316,8 +318,8 @@ void read_bil_tile(const std::function<void(std::uint64_t offset, void* to, std:
       read_at(sizeof(float) * first, line.data(), sizeof(float) * line.size());
     } else {
       for (std::size_t band = 0; band < all_bands; ++band)
-        read_at(sizeof(float) * (first + band * product(width) + product(tile.x0)), line.data() + band * across,
-                sizeof(float) * across);
+        read_at(sizeof(float) * (first + band * product(width) + product(tile.x0)),
+                line.data() + band * across, sizeof(float) * across);
     }
     float* const to = values.data() + product(row) * across * all_bands;
     for (std::size_t band = 0; band < all_bands; ++band)

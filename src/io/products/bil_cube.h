@@ -83,8 +83,8 @@ class BilCube {
   /// x padded to stride_.
   struct Strip {
     int y0 = 0, y1 = 0;
-    std::int64_t pixels = 0;                   // finished
-    int writers = 0;                           // at work in it
+    std::int64_t pixels = 0;  // finished
+    int writers = 0;          // at work in it
     bool scanned = false;
     std::vector<std::pair<int, int>> extents;  // [x0, x1) of finished tiles
     Buffer buffer;
@@ -119,7 +119,8 @@ class BilCube {
   std::vector<Buffer> spares_;  // of strips that were written: fresh pages cost more than filling them
   std::size_t spare_bytes_ = 0;
 
-  std::map<std::pair<int, int>, std::int64_t> written_;  // pixels in the file of [y0, y1), of or before which some are missing
+  std::map<std::pair<int, int>, std::int64_t>
+      written_;  // pixels in the file of [y0, y1), of or before which some are missing
   std::atomic<int> lines_written_{0};
 
   std::mutex scan_mutex_;
@@ -131,7 +132,7 @@ class BilCube {
 };
 
 /// The values of a tile in a cube of floats, as [pixel * bands + band], where `read_at` reads the cube's file.
-void read_bil_tile(const std::function<void(std::uint64_t offset, void* to, std::size_t bytes)>& read_at, int width, int bands,
-                   sampling::PixelRect tile, std::span<float> values);
+void read_bil_tile(const std::function<void(std::uint64_t offset, void* to, std::size_t bytes)>& read_at,
+                   int width, int bands, sampling::PixelRect tile, std::span<float> values);
 
 }  // namespace ifov::io

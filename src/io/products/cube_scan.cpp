@@ -23,7 +23,8 @@ bool all_finite(std::span<const float> values) {
   return others == 0;
 }
 
-std::optional<HalfWidthParts> parts_of(const std::optional<render::AirHalfWidth>& air, const ChannelStatistics& s) {
+std::optional<HalfWidthParts> parts_of(const std::optional<render::AirHalfWidth>& air,
+                                       const ChannelStatistics& s) {
   if (!air || !std::isfinite(s.mean) || !std::isfinite(s.mean_half_width)) return std::nullopt;
   HalfWidthParts parts;
   parts.nodes = air->of_nodes(s.mean);

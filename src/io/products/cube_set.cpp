@@ -17,16 +17,11 @@ namespace {
 
 BilCube::Values values_of(EnviType type) {
   switch (type) {
-    case EnviType::uint32:
-      return BilCube::Values::integer;
-    case EnviType::uint16:
-      return BilCube::Values::bits;
-    case EnviType::byte:
-      return BilCube::Values::byte;
-    case EnviType::float64:
-      return BilCube::Values::wide;
-    default:
-      return BilCube::Values::real;
+    case EnviType::uint32: return BilCube::Values::integer;
+    case EnviType::uint16: return BilCube::Values::bits;
+    case EnviType::byte: return BilCube::Values::byte;
+    case EnviType::float64: return BilCube::Values::wide;
+    default: return BilCube::Values::real;
   }
 }
 
@@ -110,9 +105,11 @@ void CubeSet::write(const sampling::TileResult& tile) {
     std::transform(tile.reasons.begin(), tile.reasons.end(), classes.begin(), class_of);
     put(Product::quality_class, classes);
   }
-  if (cube(Product::abundance)) put(Product::abundance, fractions(tile, info_.materials.size(), &sampling::Abundance::fraction));
+  if (cube(Product::abundance))
+    put(Product::abundance, fractions(tile, info_.materials.size(), &sampling::Abundance::fraction));
   if (cube(Product::abundance_half_width))
-    put(Product::abundance_half_width, fractions(tile, info_.materials.size(), &sampling::Abundance::half_width));
+    put(Product::abundance_half_width,
+        fractions(tile, info_.materials.size(), &sampling::Abundance::half_width));
   if (cube(Product::location)) put(Product::location, map_positions(tile, acquisition_));
   if (cube(Product::view_angles)) put(Product::view_angles, view_angles(tile, acquisition_));
 }
@@ -129,19 +126,21 @@ bool CubeSet::read_values(sampling::TileResult& tile, const std::function<bool()
     if (!cube(product)) return false;
     const BilCube& raster = cube(product)->raster;
     if (!published) {
-      read_bil_tile([&](std::uint64_t offset, void* to, std::size_t bytes) { raster.file().read_at(offset, to, bytes); },
+      read_bil_tile([&](std::uint64_t offset, void* to,
+                        std::size_t bytes) { raster.file().read_at(offset, to, bytes); },
                     raster.width(), raster.bands(), tile.tile, values);
       return true;
     }
     const OwnFile file(raster.file().final_path());
     if (!file) return false;
-    read_bil_tile([&](std::uint64_t offset, void* to, std::size_t bytes) { file.read_at(offset, to, bytes); }, raster.width(),
-                  raster.bands(), tile.tile, values);
+    read_bil_tile([&](std::uint64_t offset, void* to, std::size_t bytes) { file.read_at(offset, to, bytes); },
+                  raster.width(), raster.bands(), tile.tile, values);
     return true;
   };
   for (const bool published : {false, true}) {
     try {
-      if (fill(Product::radiance, tile.mean, published) && fill(Product::half_width, tile.half_width, published) && is_right())
+      if (fill(Product::radiance, tile.mean, published) &&
+          fill(Product::half_width, tile.half_width, published) && is_right())
         return true;
     } catch (const EnvironmentError&) {
       // What cannot be read is not there: the caller says that it is computed again.
@@ -163,11 +162,13 @@ void CubeSet::complete(RunRecord& record) {
     raster.finish_scan();
   });
   const auto& half_width = cube(Product::half_width);
-  record.statistics.channels =
-      channel_statistics(info_, cube(Product::radiance)->raster.scan(), half_width ? &half_width->raster.scan() : nullptr);
+  record.statistics.channels = channel_statistics(info_, cube(Product::radiance)->raster.scan(),
+                                                  half_width ? &half_width->raster.scan() : nullptr);
   for (Cube* cube : open) {
     BilCube& raster = cube->raster;
-    const char* parts = !cube->kind.spectral ? (raster.bands() == 1 ? "band" : "bands") : raster.bands() == 1 ? "channel" : "channels";
+    const char* parts = !cube->kind.spectral  ? (raster.bands() == 1 ? "band" : "bands")
+                        : raster.bands() == 1 ? "channel"
+                                              : "channels";
     record.files.push_back({raster.file().final_path(),
                             format("{}, {} {}, ENVI", cube->kind.what, raster.bands(), parts), raster.bytes(),
                             raster.scan().checksum()});

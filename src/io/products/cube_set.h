@@ -19,7 +19,8 @@ class CubeSet {
   /// Files are <stem>_radiance.img and so on. Reserves the disk space of all cubes, and asks for
   /// `further_bytes` more; leaves nothing behind where that fails but what an earlier start has left.
   CubeSet(const std::filesystem::path& stem, ProductSet selection, const render::ImageInfo& info,
-          const Acquisition& acquisition, std::uint64_t further_bytes, PartFile::Left left = PartFile::Left::replace);
+          const Acquisition& acquisition, std::uint64_t further_bytes,
+          PartFile::Left left = PartFile::Left::replace);
 
   /// May be called by several threads at once. std::logic_error on arrays that do not match the tile or the
   /// image.
@@ -47,13 +48,16 @@ class CubeSet {
 
  private:
   struct Cube {
-    Cube(CubeKind cube_kind, const std::filesystem::path& path, const render::ImageInfo& info, PartFile::Left left);
+    Cube(CubeKind cube_kind, const std::filesystem::path& path, const render::ImageInfo& info,
+         PartFile::Left left);
     CubeKind kind;
     BilCube raster;
     std::unique_ptr<PartFile> header;
   };
 
-  const std::unique_ptr<Cube>& cube(Product product) const { return cubes_[static_cast<std::size_t>(product)]; }
+  const std::unique_ptr<Cube>& cube(Product product) const {
+    return cubes_[static_cast<std::size_t>(product)];
+  }
   std::vector<Cube*> cubes() const;
   void require_consistent(const sampling::TileResult& tile) const;
 

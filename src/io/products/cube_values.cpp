@@ -27,12 +27,13 @@ std::vector<float> quality_values(const sampling::TileResult& tile) {
   std::vector<float> quality;
   quality.reserve(4 * tile.samples.size());
   for (std::size_t p = 0; p < tile.samples.size(); ++p)
-    quality.insert(quality.end(), {tile.converged(p) ? 1.0f : 0.0f, tile.worst_ratio[p], tile.missable_fraction[p],
-                                   tile.share_of_borders(p)});
+    quality.insert(quality.end(), {tile.converged(p) ? 1.0f : 0.0f, tile.worst_ratio[p],
+                                   tile.missable_fraction[p], tile.share_of_borders(p)});
   return quality;
 }
 
-std::vector<float> fractions(const sampling::TileResult& tile, std::size_t materials, float sampling::Abundance::*member) {
+std::vector<float> fractions(const sampling::TileResult& tile, std::size_t materials,
+                             float sampling::Abundance::*member) {
   std::vector<float> values(tile.samples.size() * materials, 0.0f);
   for (const sampling::Abundance& a : tile.abundances) {
     if (a.pixel >= tile.samples.size() || a.material >= materials)
@@ -63,7 +64,8 @@ std::vector<float> view_angles(const sampling::TileResult& tile, const Acquisiti
   angles.reserve(2 * tile.samples.size());
   for (std::size_t i = 0; i < places.size(); i += 3) {
     const math::Point3 place{places[i], places[i + 1], places[i + 2]};
-    const math::Vec3 to_sensor = math::normalized(camera.is_frame ? camera.position_m - place : -camera.forward);
+    const math::Vec3 to_sensor =
+        math::normalized(camera.is_frame ? camera.position_m - place : -camera.forward);
     const double zenith = std::atan2(std::hypot(to_sensor.x, to_sensor.y), to_sensor.z) * kDegrees,
                  azimuth = std::atan2(to_sensor.x, to_sensor.y) * kDegrees;
     const bool known = !std::isnan(place.x);

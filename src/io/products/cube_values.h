@@ -13,7 +13,8 @@ std::vector<float> air_half_widths(const sampling::TileResult& tile, const rende
 std::vector<std::uint32_t> sample_counts(const sampling::TileResult& tile);
 std::vector<float> quality_values(const sampling::TileResult& tile);
 /// std::logic_error where an abundance names no pixel or no material.
-std::vector<float> fractions(const sampling::TileResult& tile, std::size_t materials, float sampling::Abundance::*member);
+std::vector<float> fractions(const sampling::TileResult& tile, std::size_t materials,
+                             float sampling::Abundance::*member);
 /// Map coordinates and height. Not numbers where nothing is seen, as in the next one.
 std::vector<double> map_positions(const sampling::TileResult& tile, const Acquisition& acquisition);
 /// Zenith and azimuth, degrees, of the direction from the place to the sensor.

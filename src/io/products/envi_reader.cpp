@@ -34,7 +34,8 @@ std::filesystem::path find_data(const std::filesystem::path& header) {
 
 std::string read_text(const std::filesystem::path& path) {
   const InputFile file(path);
-  if (file.size() > kLargestHeader) throw InputError(format("{}: too large for an ENVI header", path.string()));
+  if (file.size() > kLargestHeader)
+    throw InputError(format("{}: too large for an ENVI header", path.string()));
   return file.text();
 }
 
@@ -50,20 +51,13 @@ float value_at(const unsigned char* bytes, bool swap) {
 
 float (*converter(EnviType type))(const unsigned char*, bool) {
   switch (type) {
-    case EnviType::byte:
-      return value_at<std::uint8_t>;
-    case EnviType::int16:
-      return value_at<std::int16_t>;
-    case EnviType::int32:
-      return value_at<std::int32_t>;
-    case EnviType::float64:
-      return value_at<double>;
-    case EnviType::uint16:
-      return value_at<std::uint16_t>;
-    case EnviType::uint32:
-      return value_at<std::uint32_t>;
-    case EnviType::float32:
-      break;
+    case EnviType::byte: return value_at<std::uint8_t>;
+    case EnviType::int16: return value_at<std::int16_t>;
+    case EnviType::int32: return value_at<std::int32_t>;
+    case EnviType::float64: return value_at<double>;
+    case EnviType::uint16: return value_at<std::uint16_t>;
+    case EnviType::uint32: return value_at<std::uint32_t>;
+    case EnviType::float32: break;
   }
   return value_at<float>;
 }
@@ -78,7 +72,9 @@ EnviReader::Pair EnviReader::pair_of(const std::filesystem::path& path) {
 EnviReader::EnviReader(const std::filesystem::path& path) : EnviReader(pair_of(path)) {}
 
 EnviReader::EnviReader(const Pair& pair)
-    : header_(parse_envi_header(read_text(pair.header), pair.header.string())), data_path_(pair.data), data_(pair.data) {
+    : header_(parse_envi_header(read_text(pair.header), pair.header.string())),
+      data_path_(pair.data),
+      data_(pair.data) {
   const std::uint64_t needed = header_.header_offset + header_.data_bytes();
   if (data_.size() < needed)
     throw EnvironmentError(format("{}: the file has {} bytes, its header {} asks for {}", data_path_.string(),

@@ -109,14 +109,15 @@ void write_geotiff(PartFile& file, const RasterView& radiance, const RunRecord& 
   require_space(file.part_path().parent_path(), geotiff_bytes(record.image));
   FirstFailure failure;
   const std::string block = format("BLOCKSIZE={}", tile_side(radiance.bands));
-  const char* const options[] = {block.c_str(),        "COMPRESS=DEFLATE",         "LEVEL=1", "PREDICTOR=YES",
-                                 "BIGTIFF=IF_SAFER",   "OVERVIEW_RESAMPLING=AVERAGE", nullptr};
+  const char* const options[] = {block.c_str(),   "COMPRESS=DEFLATE", "LEVEL=1",
+                                 "PREDICTOR=YES", "BIGTIFF=IF_SAFER", "OVERVIEW_RESAMPLING=AVERAGE",
+                                 nullptr};
   const std::unique_ptr<GDALDataset> source = gdal_view(radiance);
   describe(*source, record);
   const NoSidecars none;  // what the format cannot hold would go to a file beside it
   clear_passing_files(file.part_path());
-  GDALDataset* const written =
-      cog_driver().CreateCopy(file.part_path().c_str(), source.get(), FALSE, const_cast<char**>(options), nullptr, nullptr);
+  GDALDataset* const written = cog_driver().CreateCopy(file.part_path().c_str(), source.get(), FALSE,
+                                                       const_cast<char**>(options), nullptr, nullptr);
   if (written != nullptr) GDALClose(written);
   if (!failure.message.empty() || written == nullptr)
     throw EnvironmentError(format("{}: cannot be written: {}", file.part_path().string(), failure.message));

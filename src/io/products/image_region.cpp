@@ -11,7 +11,8 @@ namespace ifov::io {
 namespace {
 
 constexpr const char* kExpected =
-    "expected x0,y0,x1,y1 (a rectangle), x,y of three corners or more, both in pixels or after 'map:' in map coordinates, "
+    "expected x0,y0,x1,y1 (a rectangle), x,y of three corners or more, both in pixels or after 'map:' in map "
+    "coordinates, "
     "or mask:FILE";
 
 std::vector<double> numbers_of(const std::string& text, std::string_view list) {
@@ -33,7 +34,8 @@ std::vector<double> numbers_of(const std::string& text, std::string_view list) {
 
 std::vector<std::array<double, 2>> corners_of(const std::string& text, const std::vector<double>& n) {
   if (n.size() < 4 || n.size() % 2 != 0)
-    throw InputError(format("region '{}': found {} number{}; {}", text, n.size(), n.size() == 1 ? "" : "s", kExpected));
+    throw InputError(
+        format("region '{}': found {} number{}; {}", text, n.size(), n.size() == 1 ? "" : "s", kExpected));
   if (n.size() == 4) return {{{n[0], n[1]}, {n[2], n[1]}, {n[2], n[3]}, {n[0], n[3]}}};
   std::vector<std::array<double, 2>> corners;
   for (std::size_t k = 0; k < n.size(); k += 2) corners.push_back({n[k], n[k + 1]});
@@ -63,8 +65,8 @@ ImageRegion ImageRegion::parse(const std::string& text, const Image& image) {
     region.mask_.emplace(std::filesystem::path(rest));
     const EnviHeader& header = region.mask_->header();
     if (header.samples != image.width_px || header.lines != image.height_px)
-      throw InputError(format("region '{}': the mask has {} x {} pixels, expected the image's {} x {}", text, header.samples,
-                              header.lines, image.width_px, image.height_px));
+      throw InputError(format("region '{}': the mask has {} x {} pixels, expected the image's {} x {}", text,
+                              header.samples, header.lines, image.width_px, image.height_px));
   } else {
     const bool on_map = taken(rest, "map:");
     if (on_map && !image.map)
@@ -76,8 +78,10 @@ ImageRegion ImageRegion::parse(const std::string& text, const Image& image) {
       low = std::min(low, corner[1]);
       high = std::max(high, corner[1]);
     }
-    region.first_line_ = static_cast<int>(std::clamp(std::floor(low), 0.0, static_cast<double>(image.height_px)));
-    region.end_line_ = static_cast<int>(std::clamp(std::ceil(high), 0.0, static_cast<double>(image.height_px)));
+    region.first_line_ =
+        static_cast<int>(std::clamp(std::floor(low), 0.0, static_cast<double>(image.height_px)));
+    region.end_line_ =
+        static_cast<int>(std::clamp(std::ceil(high), 0.0, static_cast<double>(image.height_px)));
   }
   region.require_pixels(text);
   return region;

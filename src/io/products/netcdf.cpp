@@ -21,9 +21,10 @@ class Writer {
   Writer(const std::string& path, const NetcdfInput& input, const RunRecord& record)
       : path_(path), input_(input), record_(record), info_(record.image) {
     constexpr std::uint64_t kMostOfVariable = (std::uint64_t{1} << 32) - 4;
-    const std::uint64_t bytes = 4 * static_cast<std::uint64_t>(info_.width_px) * static_cast<std::uint64_t>(info_.height_px) *
-                                info_.channels.size();
-    require(nc_create(path.c_str(), NC_CLOBBER | (bytes > kMostOfVariable ? NC_64BIT_DATA : NC_64BIT_OFFSET), &file_));
+    const std::uint64_t bytes = 4 * static_cast<std::uint64_t>(info_.width_px) *
+                                static_cast<std::uint64_t>(info_.height_px) * info_.channels.size();
+    require(nc_create(path.c_str(), NC_CLOBBER | (bytes > kMostOfVariable ? NC_64BIT_DATA : NC_64BIT_OFFSET),
+                      &file_));
   }
   ~Writer() {
     if (file_ >= 0) nc_abort(file_);
@@ -45,7 +46,8 @@ class Writer {
 
  private:
   void require(int status) const {
-    if (status != NC_NOERR) throw EnvironmentError(format("{}: cannot be written: {}", path_, nc_strerror(status)));
+    if (status != NC_NOERR)
+      throw EnvironmentError(format("{}: cannot be written: {}", path_, nc_strerror(status)));
   }
   void text(int variable, const char* name, const std::string& value) const {
     require(nc_put_att_text(file_, variable, name, value.size(), value.c_str()));
@@ -63,11 +65,14 @@ class Writer {
     require(nc_def_dim(file_, "x", static_cast<std::size_t>(info_.width_px), &size[2]));
     text(NC_GLOBAL, "Conventions", "CF-1.8");
     text(NC_GLOBAL, "title", "synthetic radiance image");
-    text(NC_GLOBAL, "source", format("ifov {}, document {}, seed {}, sampler {}", record_.identity.version,
-                                     record_.identity.document_path, record_.identity.seed, record_.identity.sampler));
-    if (!record_.outcome.accuracy_statement.empty()) text(NC_GLOBAL, "comment", record_.outcome.accuracy_statement);
+    text(NC_GLOBAL, "source",
+         format("ifov {}, document {}, seed {}, sampler {}", record_.identity.version,
+                record_.identity.document_path, record_.identity.seed, record_.identity.sampler));
+    if (!record_.outcome.accuracy_statement.empty())
+      text(NC_GLOBAL, "comment", record_.outcome.accuracy_statement);
     const std::string& time = record_.identity.acquisition.time;
-    if (!time.empty()) text(NC_GLOBAL, "time_coverage_start", time), text(NC_GLOBAL, "time_coverage_end", time);
+    if (!time.empty())
+      text(NC_GLOBAL, "time_coverage_start", time), text(NC_GLOBAL, "time_coverage_end", time);
 
     wavelength_ = variable("wavelength", NC_DOUBLE, {size[0]});
     text(wavelength_, "standard_name", "radiation_wavelength");
@@ -80,7 +85,9 @@ class Writer {
     if (info_.has_map) map_.emplace(NetcdfMap::define(file_, size[1], size[2], info_));
     define_cube("radiance", "spectral radiance", input_.radiance, size);
     define_cube("standard_error", "standard error of the spectral radiance", input_.standard_error, size);
-    define_cube("half_width", format("half-width of the {:g} % interval of the spectral radiance", 100.0 * record_.identity.confidence),
+    define_cube("half_width",
+                format("half-width of the {:g} % interval of the spectral radiance",
+                       100.0 * record_.identity.confidence),
                 input_.half_width, size);
     std::string errors;
     for (std::size_t k = 1; k < cubes_.size(); ++k) errors += (k > 1 ? " " : "") + names_[k];
@@ -95,7 +102,8 @@ class Writer {
     text(name_, "long_name", "name of the channel");
   }
 
-  void define_cube(const std::string& name, const std::string& what, const RasterView& view, const std::array<int, 3>& size) {
+  void define_cube(const std::string& name, const std::string& what, const RasterView& view,
+                   const std::array<int, 3>& size) {
     if (!view) return;
     const int id = variable(name.c_str(), NC_FLOAT, {size.begin(), size.end()});
     const float gap = std::numeric_limits<float>::quiet_NaN();
@@ -127,7 +135,8 @@ class Writer {
     for (int band = 0; band < view.bands; ++band)
       for (int y = 0; y < view.height; ++y) {
         view.read(y, band, line);
-        const std::size_t start[] = {static_cast<std::size_t>(band), static_cast<std::size_t>(y), 0}, count[] = {1, 1, line.size()};
+        const std::size_t start[] = {static_cast<std::size_t>(band), static_cast<std::size_t>(y), 0},
+                          count[] = {1, 1, line.size()};
         require(nc_put_vara_float(file_, variable, start, count, line.data()));
       }
   }

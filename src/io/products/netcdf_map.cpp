@@ -14,7 +14,8 @@ namespace ifov::io {
 namespace {
 
 void require(int status) {
-  if (status != NC_NOERR) throw EnvironmentError(format("the place on the map cannot be written: {}", nc_strerror(status)));
+  if (status != NC_NOERR)
+    throw EnvironmentError(format("the place on the map cannot be written: {}", nc_strerror(status)));
 }
 
 void text(int file, int variable, const char* name, const std::string& value) {
@@ -44,7 +45,8 @@ void put_parameters(int file, int variable, const std::string& wkt) {
       {"false_northing", system.GetNormProjParm(SRS_PP_FALSE_NORTHING)},
       {"semi_major_axis", system.GetSemiMajor()},
       {"inverse_flattening", system.GetInvFlattening()}};
-  for (const auto& [name, value] : parameters) require(nc_put_att_double(file, variable, name, NC_DOUBLE, 1, &value));
+  for (const auto& [name, value] : parameters)
+    require(nc_put_att_double(file, variable, name, NC_DOUBLE, 1, &value));
 }
 
 }  // namespace
@@ -62,7 +64,8 @@ NetcdfMap NetcdfMap::define(int file, int y_dimension, int x_dimension, const re
   text(file, map.system_, "crs_wkt", wkt);
   text(file, map.system_, "spatial_ref", wkt);
   std::string transform;
-  for (const double value : geotransform(info)) transform += format("{}{:.17g}", transform.empty() ? "" : " ", value);
+  for (const double value : geotransform(info))
+    transform += format("{}{:.17g}", transform.empty() ? "" : " ", value);
   text(file, map.system_, "GeoTransform", transform);
   return map;
 }

@@ -37,7 +37,8 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
 [[noreturn]] void fail_write(const std::filesystem::path& path, std::uint64_t wanted, int error) {
   const std::string free = byte_count(free_bytes(folder_of(path)));
   if (error == EFBIG)
-    throw EnvironmentError(format("{}: cannot write {}: {}", path.string(), byte_count(wanted), file_reason(error)));
+    throw EnvironmentError(
+        format("{}: cannot write {}: {}", path.string(), byte_count(wanted), file_reason(error)));
   if (error == ENOSPC || error == EDQUOT)
     throw EnvironmentError(format("{}: the disk is full: {} wanted, {} free ({})", path.string(),
                                   byte_count(wanted), free, std::strerror(error)));
@@ -58,11 +59,12 @@ bool is_unlinked(const Descriptor& file) {
 /// With no other name, which could be that of somebody's file.
 bool is_plain_file_of_ours(const Descriptor& file) {
   struct stat info {};
-  return fstat(file.number(), &info) == 0 && S_ISREG(info.st_mode) && info.st_nlink == 1 && info.st_uid == geteuid();
+  return fstat(file.number(), &info) == 0 && S_ISREG(info.st_mode) && info.st_nlink == 1 &&
+         info.st_uid == geteuid();
 }
 
-constexpr std::size_t kBlock = 4096;                        // no file system asks for more
-constexpr std::size_t kChunk = std::size_t{2} << 20;        // a huge page
+constexpr std::size_t kBlock = 4096;                  // no file system asks for more
+constexpr std::size_t kChunk = std::size_t{2} << 20;  // a huge page
 constexpr std::size_t kLeastDirect = std::size_t{1} << 20;
 
 struct FreeMemory {
@@ -113,9 +115,11 @@ PartFile::PartFile(std::filesystem::path final_path, Left left_over)
   folder_ = Descriptor(open(folder_of(final_path_).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   if (!folder_) throw cannot(file_reason(errno));
   // What a killed run left is locked by nobody. It goes and is not written over: it may have another name elsewhere.
-  Descriptor left(openat(folder_.number(), part_name.c_str(),
-                         (left_over == Left::go_on ? O_RDWR : O_RDONLY) | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-  if (left && is_locked(left)) throw EnvironmentError(format("{}: another run is writing this file", part_path_.string()));
+  Descriptor left(
+      openat(folder_.number(), part_name.c_str(),
+             (left_over == Left::go_on ? O_RDWR : O_RDONLY) | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  if (left && is_locked(left))
+    throw EnvironmentError(format("{}: another run is writing this file", part_path_.string()));
   if (left && left_over == Left::go_on && is_plain_file_of_ours(left)) {
     file_ = std::move(left);
     gone_on_with_ = true;
@@ -138,7 +142,8 @@ void PartFile::close_all() {
 void PartFile::reserve(std::uint64_t bytes) {
   if (bytes == 0) return;
   struct stat info {};
-  if (gone_on_with_ && fstat(file_.number(), &info) == 0 && static_cast<std::uint64_t>(info.st_size) > bytes &&
+  if (gone_on_with_ && fstat(file_.number(), &info) == 0 &&
+      static_cast<std::uint64_t>(info.st_size) > bytes &&
       ftruncate(file_.number(), static_cast<off_t>(bytes)) != 0)
     fail_write(part_path_, bytes, errno);
   // fallocate and not posix_fallocate, which writes every byte on file systems that cannot reserve.
@@ -189,14 +194,16 @@ void PartFile::write_at(std::uint64_t offset, std::span<const iovec> pieces) {
 
 /// Whole blocks of the file past the cache; what is left of a block at either end through it.
 void PartFile::write_directly(std::uint64_t offset, std::span<const iovec> pieces) {
-  const std::unique_ptr<std::byte, FreeMemory> chunk(static_cast<std::byte*>(std::aligned_alloc(kChunk, kChunk)));
+  const std::unique_ptr<std::byte, FreeMemory> chunk(
+      static_cast<std::byte*>(std::aligned_alloc(kChunk, kChunk)));
   if (!chunk) throw std::bad_alloc();
   madvise(chunk.get(), kChunk, MADV_HUGEPAGE);
   PieceReader reader(pieces);
   for (std::size_t left = bytes_of(pieces); left > 0;) {
     const std::size_t in_block = offset % kBlock;
     const bool whole = in_block == 0 && left >= kBlock;
-    const std::size_t bytes = whole ? std::min(left, kChunk) / kBlock * kBlock : std::min(left, kBlock - in_block);
+    const std::size_t bytes =
+        whole ? std::min(left, kChunk) / kBlock * kBlock : std::min(left, kBlock - in_block);
     reader.read(chunk.get(), bytes);
     if (!whole || !write_block(offset, chunk.get(), bytes)) write_at(offset, chunk.get(), bytes);
     offset += bytes;
@@ -222,7 +229,8 @@ void PartFile::sync() {
 }
 
 void PartFile::publish() {
-  if (renameat(folder_.number(), part_path_.filename().c_str(), folder_.number(), final_path_.filename().c_str()) != 0)
+  if (renameat(folder_.number(), part_path_.filename().c_str(), folder_.number(),
+               final_path_.filename().c_str()) != 0)
     throw EnvironmentError(format("{}: cannot be renamed to {}: {}", part_path_.string(),
                                   final_path_.filename().string(), std::strerror(errno)));
   close_all();

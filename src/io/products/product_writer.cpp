@@ -90,7 +90,8 @@ std::vector<std::unique_ptr<PartFile>> ProductWriter::State::derive(
          [&](PartFile& file) { write_geotiff(file, radiance, record); });
   if (options.netcdf)
     make("_radiance.nc", "radiance and its errors, NetCDF", [&](PartFile& file) {
-      write_netcdf(file, {radiance, cubes->view(Product::standard_error), cubes->view(Product::half_width)}, record);
+      write_netcdf(file, {radiance, cubes->view(Product::standard_error), cubes->view(Product::half_width)},
+                   record);
     });
   make("_radiance.qml", "layer style for QGIS",
        [&](PartFile& file) { write_part(file, qgis_style(radiance, record, options.quicklook_channels)); });
@@ -122,7 +123,8 @@ void ProductWriter::State::publish(const RunRecord& record, std::vector<std::uni
 
   // What an earlier run of this name left and this one does not replace would not belong to its cubes.
   auto leftovers = cubes->unselected_files();
-  for (const char* ending : {"_radiance.tif", "_radiance.nc", "_radiance.qml", "_quicklook.png", "_report.html"})
+  for (const char* ending :
+       {"_radiance.tif", "_radiance.nc", "_radiance.qml", "_quicklook.png", "_report.html"})
     leftovers.push_back(path(ending));
   for (const auto& leftover : leftovers)
     if (std::none_of(record.files.begin(), record.files.end(),
@@ -158,8 +160,9 @@ void ProductWriter::begin(const render::ImageInfo& info) {
   std::uint64_t further_bytes = 0;
   if (s.options.geotiff) further_bytes += geotiff_bytes(info);
   if (s.options.netcdf) further_bytes += netcdf_bytes(info, s.options.cubes);
-  s.cubes = std::make_unique<CubeSet>(s.path(""), s.options.cubes, info, s.identity.acquisition, further_bytes,
-                                      s.options.go_on ? PartFile::Left::go_on : PartFile::Left::replace);
+  s.cubes =
+      std::make_unique<CubeSet>(s.path(""), s.options.cubes, info, s.identity.acquisition, further_bytes,
+                                s.options.go_on ? PartFile::Left::go_on : PartFile::Left::replace);
 }
 
 void ProductWriter::write(const sampling::TileResult& tile) {

@@ -82,11 +82,10 @@ Picture three_channels(const RasterView& radiance, const RunRecord& record, cons
   std::string limits;
   for (const Range& r : ranges)
     limits += format("{}{:.3g} to {:.3g}", limits.empty() ? "" : ", ", r.low, r.high);
-  p.caption = {
-      all_visible(centre_um)
-          ? format("Parts of sunlight, up to the {} percentile of luminance:", kHighName)
-          : format("Each channel from its {} to its {} percentile:", kLowName, kHighName),
-      format("{} {}", limits, shown_unit(record.image.radiance_unit))};
+  p.caption = {all_visible(centre_um)
+                   ? format("Parts of sunlight, up to the {} percentile of luminance:", kHighName)
+                   : format("Each channel from its {} to its {} percentile:", kLowName, kHighName),
+               format("{} {}", limits, shown_unit(record.image.radiance_unit))};
   p.width = layers[0].width;
   p.height = layers[0].height;
   for (std::size_t i = 0; i < layers[0].values.size(); ++i) {
@@ -253,9 +252,11 @@ std::string make_quicklook(const RasterView& radiance, const RunRecord& record,
   return png;
 }
 
-PictureColours picture_colours(const RasterView& radiance, const RunRecord& record, const std::vector<int>& channels) {
+PictureColours picture_colours(const RasterView& radiance, const RunRecord& record,
+                               const std::vector<int>& channels) {
   const std::vector<int> chosen = channels.empty() ? picture_channels(record.image) : channels;
-  Picture p = chosen.size() == 3 ? three_channels(radiance, record, chosen, 1) : one_channel(radiance, record, chosen.front(), 1);
+  Picture p = chosen.size() == 3 ? three_channels(radiance, record, chosen, 1)
+                                 : one_channel(radiance, record, chosen.front(), 1);
   return {p.width, p.height, std::move(p.pixels)};
 }
 

@@ -20,6 +20,7 @@ struct PictureColours {
   int width = 0, height = 0;
   std::vector<std::uint32_t> pixels;  ///< 0xRRGGBB, rows from the top; grey where there is no value
 };
-PictureColours picture_colours(const RasterView& radiance, const RunRecord& record, const std::vector<int>& channels);
+PictureColours picture_colours(const RasterView& radiance, const RunRecord& record,
+                               const std::vector<int>& channels);
 
 }  // namespace ifov::io

@@ -21,7 +21,8 @@ std::optional<EnviReader> open_if_there(const std::filesystem::path& path) {
 
 }  // namespace
 
-RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& region, const sampling::RegionRule& rule,
+RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& region,
+                         const sampling::RegionRule& rule,
                          const std::vector<std::optional<render::AirHalfWidth>>& air) {
   const EnviReader radiance(cube(stem, "_radiance.img")), reasons(cube(stem, "_reasons.img")),
       quality(cube(stem, "_quality.img"));
@@ -30,7 +31,8 @@ RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& r
   const int bands = radiance.header().bands;
   std::vector<sampling::RegionSum> sums(static_cast<std::size_t>(bands));
   std::vector<std::uint8_t> inside;
-  std::vector<float> value(width), widths(width, std::numeric_limits<float>::quiet_NaN()), of_air(width, 0.0f), share(width);
+  std::vector<float> value(width), widths(width, std::numeric_limits<float>::quiet_NaN()),
+      of_air(width, 0.0f), share(width);
   std::vector<sampling::Reasons> chosen;
 
   RegionMeans result;
@@ -42,7 +44,8 @@ RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& r
       if (inside[x] != 0) chosen.push_back(static_cast<sampling::Reasons>(value[x]));
     if (chosen.empty()) continue;
     result.pixels += chosen.size();
-    result.converged += static_cast<std::uint64_t>(std::count(chosen.begin(), chosen.end(), sampling::Reasons{0}));
+    result.converged +=
+        static_cast<std::uint64_t>(std::count(chosen.begin(), chosen.end(), sampling::Reasons{0}));
     sampling::add_reasons(chosen, result.reasons);
     quality.read(line, kBorderShare, share);
     for (int band = 0; band < bands; ++band) {
@@ -54,10 +57,12 @@ RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& r
       else
         std::fill(of_air.begin(), of_air.end(), 0.0f);
       for (std::size_t x = 0; x < width; ++x)
-        if (inside[x] != 0) sums[static_cast<std::size_t>(band)].add(value[x], widths[x], share[x], of_air[x]);
+        if (inside[x] != 0)
+          sums[static_cast<std::size_t>(band)].add(value[x], widths[x], share[x], of_air[x]);
     }
   }
-  for (const sampling::RegionSum& sum : sums) result.channels.push_back({sum.pixels(), sum.mean(), sum.half_width(rule)});
+  for (const sampling::RegionSum& sum : sums)
+    result.channels.push_back({sum.pixels(), sum.mean(), sum.half_width(rule)});
   return result;
 }
 

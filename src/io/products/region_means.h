@@ -18,7 +18,7 @@ struct RegionMeans {
   std::uint64_t pixels = 0, converged = 0;
   sampling::ReasonCounts reasons{};  ///< of those that are not converged
   struct Channel {
-    std::uint64_t pixels = 0;        ///< that hold a value
+    std::uint64_t pixels = 0;             ///< that hold a value
     double mean = 0.0, half_width = 0.0;  ///< not a number where nothing is known
   };
   std::vector<Channel> channels;
@@ -26,7 +26,8 @@ struct RegionMeans {
 
 /// From the cubes <stem>_radiance.img and so on. Errors as of EnviReader.
 /// `air` by channel, where the atmosphere knew its error; may be empty.
-RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& region, const sampling::RegionRule& rule,
+RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& region,
+                         const sampling::RegionRule& rule,
                          const std::vector<std::optional<render::AirHalfWidth>>& air = {});
 
 }  // namespace ifov::io

@@ -20,7 +20,8 @@ constexpr double kFoot_m = 0.3048, kSurveyFoot_m = 1200.0 / 3937.0;
 double metres_per(const std::string& unit, const std::string& name) {
   std::string lower = unit;
   std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (lower.empty() || lower == "m" || lower == "metre" || lower == "meter" || lower == "metres" || lower == "meters")
+  if (lower.empty() || lower == "m" || lower == "metre" || lower == "meter" || lower == "metres" ||
+      lower == "meters")
     return 1.0;
   if (lower == "ft" || lower == "foot" || lower == "feet") return kFoot_m;
   if (lower == "us-ft" || lower == "us survey foot" || lower == "ftus") return kSurveyFoot_m;
@@ -36,8 +37,8 @@ Elevation read_elevation(const std::filesystem::path& path, int band, std::optio
   const std::string name = path.string();
   const std::size_t cells = raster.cells();
   const double factor = unit_m ? *unit_m : metres_per(raster.units[0], name);
-  Elevation terrain{raster.width, raster.height, std::move(raster.values), 0, false, raster.geotransform,
-                    std::move(raster.projection)};
+  Elevation terrain{raster.width, raster.height,       std::move(raster.values),    0,
+                    false,        raster.geotransform, std::move(raster.projection)};
   for (std::size_t k = 0; k < cells; ++k) {
     float& value = terrain.height_m[k];
     const float number = value;
@@ -47,10 +48,12 @@ Elevation read_elevation(const std::filesystem::path& path, int band, std::optio
     value = missing ? std::numeric_limits<float>::quiet_NaN()
                     : static_cast<float>(factor * static_cast<double>(value));
     if (value < kDeepest_m || value > kHighest_m)
-      throw InputError(format("{}: {:g} at row {}, column {} is no height in metres ({:g}): if it means that there is none, the file "
-                              "must say so (gdal_translate -a_nodata {:g}), else give 'unit'",
-                              name, number, k / static_cast<std::size_t>(raster.width) + 1, k % static_cast<std::size_t>(raster.width) + 1,
-                              value, number));
+      throw InputError(
+          format("{}: {:g} at row {}, column {} is no height in metres ({:g}): if it means that there is "
+                 "none, the file "
+                 "must say so (gdal_translate -a_nodata {:g}), else give 'unit'",
+                 name, number, k / static_cast<std::size_t>(raster.width) + 1,
+                 k % static_cast<std::size_t>(raster.width) + 1, value, number));
   }
   if (terrain.unknown == cells) throw InputError(format("{}: no cell has a height", name));
   if (terrain.unknown > 0 && unknown == UnknownHeights::fill) {

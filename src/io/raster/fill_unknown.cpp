@@ -19,11 +19,12 @@ struct CloseDataset {
 
 /// A band in memory that GDAL's algorithms can work on.
 template <class T>
-std::unique_ptr<void, CloseDataset> memory_band(std::vector<T>& values, int width, int height, GDALDataType type) {
+std::unique_ptr<void, CloseDataset> memory_band(std::vector<T>& values, int width, int height,
+                                                GDALDataType type) {
   std::unique_ptr<void, CloseDataset> set(
       GDALCreate(GDALGetDriverByName("MEM"), "", width, height, 1, type, nullptr));
-  if (!set || GDALRasterIO(GDALGetRasterBand(set.get(), 1), GF_Write, 0, 0, width, height, values.data(), width,
-                           height, type, 0, 0) != CE_None)
+  if (!set || GDALRasterIO(GDALGetRasterBand(set.get(), 1), GF_Write, 0, 0, width, height, values.data(),
+                           width, height, type, 0, 0) != CE_None)
     throw EnvironmentError("no memory to fill the holes of a raster");
   return set;
 }
@@ -41,8 +42,10 @@ void fill_unknown(std::vector<float>& values, int width, int height, const std::
   const auto mask = memory_band(known, width, height, GDT_Byte);
   const double everywhere = std::hypot(width, height);
   const GDALRasterBandH band = GDALGetRasterBand(numbers.get(), 1);
-  if (GDALFillNodata(band, GDALGetRasterBand(mask.get(), 1), everywhere, 0, 0, nullptr, nullptr, nullptr) != CE_None ||
-      GDALRasterIO(band, GF_Read, 0, 0, width, height, values.data(), width, height, GDT_Float32, 0, 0) != CE_None)
+  if (GDALFillNodata(band, GDALGetRasterBand(mask.get(), 1), everywhere, 0, 0, nullptr, nullptr, nullptr) !=
+          CE_None ||
+      GDALRasterIO(band, GF_Read, 0, 0, width, height, values.data(), width, height, GDT_Float32, 0, 0) !=
+          CE_None)
     throw InputError(format("{}: the holes cannot be filled: {}", name, gdal.message()));
 }
 

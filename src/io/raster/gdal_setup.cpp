@@ -26,9 +26,9 @@ constexpr Register kDrivers[] = {
     // read and written
     GDALRegister_GTiff, GDALRegister_COG, GDALRegister_PNG, GDALRegister_MEM,
     // read
-    GDALRegister_ENVI, GDALRegister_JPEG, GDALRegister_BMP, GDALRegister_AAIGrid, GDALRegister_HFA, GDALRegister_PNM,
-    GDALRegister_EHdr, GDALRegister_SRTMHGT, GDALRegister_DTED, GDALRegister_USGSDEM, GDALRegister_GSAG,
-    GDALRegister_GSBG, GDALRegister_GS7BG, GDALRegister_SAGA, GDALRegister_netCDF};
+    GDALRegister_ENVI, GDALRegister_JPEG, GDALRegister_BMP, GDALRegister_AAIGrid, GDALRegister_HFA,
+    GDALRegister_PNM, GDALRegister_EHdr, GDALRegister_SRTMHGT, GDALRegister_DTED, GDALRegister_USGSDEM,
+    GDALRegister_GSAG, GDALRegister_GSBG, GDALRegister_GS7BG, GDALRegister_SAGA, GDALRegister_netCDF};
 
 struct OpenFile {
   InputFile file;
@@ -116,7 +116,8 @@ std::string gdal_input_name(const std::filesystem::path& path) {
 }
 
 std::string without_input_prefix(std::string message) {
-  for (std::size_t at = 0; (at = message.find(kPrefix, at)) != std::string::npos;) message.erase(at, kPrefix.size());
+  for (std::size_t at = 0; (at = message.find(kPrefix, at)) != std::string::npos;)
+    message.erase(at, kPrefix.size());
   return message;
 }
 

@@ -37,12 +37,14 @@ MapReference::MapReference(const std::string& text) : content_(std::make_unique<
   const bool as_wkt = text.find('[') != std::string::npos;
   const bool elsewhere = text.find('/') != std::string::npos || std::filesystem::exists(text, error);
   char* wkt = const_cast<char*>(text.c_str());
-  const bool known = as_wkt ? OSRImportFromWkt(content_->handle.get(), &wkt) == OGRERR_NONE
-                            : !elsewhere && OSRSetFromUserInput(content_->handle.get(), text.c_str()) == OGRERR_NONE;
+  const bool known =
+      as_wkt ? OSRImportFromWkt(content_->handle.get(), &wkt) == OGRERR_NONE
+             : !elsewhere && OSRSetFromUserInput(content_->handle.get(), text.c_str()) == OGRERR_NONE;
   if (!known)
-    throw InputError(format("'{}' is no coordinate reference system that PROJ knows ({}); expected one such as "
-                            "\"EPSG:25832\"",
-                            text, gdal.message()));
+    throw InputError(
+        format("'{}' is no coordinate reference system that PROJ knows ({}); expected one such as "
+               "\"EPSG:25832\"",
+               text, gdal.message()));
   OSRSetAxisMappingStrategy(content_->handle.get(), OAMS_TRADITIONAL_GIS_ORDER);
 }
 MapReference::MapReference() : content_(std::make_unique<Content>()) {
@@ -59,9 +61,11 @@ MapReference MapReference::around(double latitude_deg, double longitude_deg, Map
   const double longitude = std::remainder(longitude_deg, 360.0);
   void* const handle = result.content_->handle.get();
   const std::string name = format("Local map about {:.6f} {:.6f}", latitude_deg, longitude);
-  if (OSRSetProjCS(handle, name.c_str()) != OGRERR_NONE || OSRSetWellKnownGeogCS(handle, "WGS84") != OGRERR_NONE ||
+  if (OSRSetProjCS(handle, name.c_str()) != OGRERR_NONE ||
+      OSRSetWellKnownGeogCS(handle, "WGS84") != OGRERR_NONE ||
       OSRSetTM(handle, latitude_deg, longitude, 1.0, false_origin.x, false_origin.y) != OGRERR_NONE)
-    throw EnvironmentError(format("PROJ makes no map projection about {:g}, {:g}: {}", latitude_deg, longitude, gdal.message()));
+    throw EnvironmentError(
+        format("PROJ makes no map projection about {:g}, {:g}: {}", latitude_deg, longitude, gdal.message()));
   return result;
 }
 
@@ -99,7 +103,8 @@ MapTransform::MapTransform(const MapReference& from, const MapReference& to)
   content_->handle.reset(
       OCTNewCoordinateTransformation(from.content_->handle.get(), to.content_->handle.get()));
   if (!content_->handle)
-    throw InputError(format("there is no way from '{}' to '{}': {}", content_->from, content_->to, gdal.message()));
+    throw InputError(
+        format("there is no way from '{}' to '{}': {}", content_->from, content_->to, gdal.message()));
 }
 MapTransform::~MapTransform() = default;
 
@@ -111,7 +116,8 @@ void MapTransform::apply(std::span<MapPoint> points) const {
     x.push_back(point.x);
     y.push_back(point.y);
   }
-  OCTTransformEx(content_->handle.get(), static_cast<int>(points.size()), x.data(), y.data(), nullptr, done.data());
+  OCTTransformEx(content_->handle.get(), static_cast<int>(points.size()), x.data(), y.data(), nullptr,
+                 done.data());
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (done[k] == 0 || !std::isfinite(x[k]) || !std::isfinite(y[k]))
       throw InputError(format("the point {}, {} of '{}' has no place in '{}'", points[k].x, points[k].y,

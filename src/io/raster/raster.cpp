@@ -89,11 +89,13 @@ class RasterFile {
   explicit RasterFile(const std::filesystem::path& path) : name_(path.string()) {
     const InputFile readable(path);  // says why where it is not
     dataset_.reset(GDALOpenEx(gdal_input_name(path).c_str(),
-                              GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, kDrivers, nullptr, nullptr));
+                              GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, kDrivers, nullptr,
+                              nullptr));
     if (!dataset_ && (path.extension() == ".jp2" || path.extension() == ".j2k"))
       fail(name_, "JPEG 2000 is not read; turn it into a GeoTIFF first: gdal_translate a.jp2 a.tif");
     if (!dataset_)
-      fail(name_, format("not a raster of a kind that is read ({}): {}", raster_driver_list(), gdal_.message()));
+      fail(name_,
+           format("not a raster of a kind that is read ({}): {}", raster_driver_list(), gdal_.message()));
     frame_.width = GDALGetRasterXSize(dataset_.get());
     frame_.height = GDALGetRasterYSize(dataset_.get());
     frame_.bands = GDALGetRasterCount(dataset_.get());
@@ -127,8 +129,8 @@ class RasterFile {
     const GDALRasterBandH handle = GDALGetRasterBand(dataset_.get(), band);
     if (GDALDataTypeIsComplex(GDALGetRasterDataType(handle)))
       fail(name_, "found complex numbers; expected real ones");
-    if (GDALRasterIO(handle, GF_Read, 0, 0, frame_.width, frame_.height, values.data(), frame_.width, frame_.height,
-                     GDT_Float32, 0, 0) != CE_None)
+    if (GDALRasterIO(handle, GF_Read, 0, 0, frame_.width, frame_.height, values.data(), frame_.width,
+                     frame_.height, GDT_Float32, 0, 0) != CE_None)
       fail(name_, format("the raster is damaged: {}", gdal_.message()));
     int has_nodata = 0;
     const double nodata = GDALGetRasterNoDataValue(handle, &has_nodata);

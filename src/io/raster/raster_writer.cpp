@@ -31,15 +31,16 @@ GDALDriverH driver_named(const char* name) {
 
 /// The raster in memory, as GDAL sees it.
 Dataset in_memory(const Raster& raster) {
-  Dataset dataset(GDALCreate(driver_named("MEM"), "", raster.width, raster.height, raster.bands, GDT_Byte, nullptr));
+  Dataset dataset(
+      GDALCreate(driver_named("MEM"), "", raster.width, raster.height, raster.bands, GDT_Byte, nullptr));
   if (!dataset) throw EnvironmentError("memory ran out for a raster");
   std::vector<std::uint8_t> row(static_cast<std::size_t>(raster.width));
   for (int band = 0; band < raster.bands; ++band)
     for (int y = 0; y < raster.height; ++y) {
       for (int x = 0; x < raster.width; ++x)
         row[static_cast<std::size_t>(x)] = static_cast<std::uint8_t>(std::lround(raster.at(band, y, x)));
-      if (GDALRasterIO(GDALGetRasterBand(dataset.get(), band + 1), GF_Write, 0, y, raster.width, 1, row.data(),
-                       raster.width, 1, GDT_Byte, 0, 0) != CE_None)
+      if (GDALRasterIO(GDALGetRasterBand(dataset.get(), band + 1), GF_Write, 0, y, raster.width, 1,
+                       row.data(), raster.width, 1, GDT_Byte, 0, 0) != CE_None)
         throw EnvironmentError("a raster cannot be filled");
     }
   if (raster.geotransform) {

@@ -67,10 +67,11 @@ class Page {
         "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n";
     page += format("<title>{}</title>\n<style>{}</style></head>\n<body><main>\n", escape_html(title),
                    kReportStyle);
-    page +=
-        heading(title) + statements() + tiles() + viewer() + maps() + reasons() + channel_table() + cost() + provenance();
+    page += heading(title) + statements() + tiles() + viewer() + maps() + reasons() + channel_table() +
+            cost() + provenance();
     page += "</main>\n" + data();
-    page += format("<script>{}{}{}</script>\n</body></html>\n", kReportScript, kReportQualityScript, kReportBeginScript);
+    page += format("<script>{}{}{}</script>\n</body></html>\n", kReportScript, kReportQualityScript,
+                   kReportBeginScript);
     return page;
   }
 
@@ -155,15 +156,18 @@ class Page {
       html += format(
           "<section><h2>{}</h2><div class=\"stage\"><canvas id=\"map-{}\" "
           "style=\"cursor:default\"></canvas></div>"
-          "<svg class=\"bar\" id=\"map-{}-bar\"></svg><svg id=\"hist-{}\" width=\"100%\"></svg>{}</section>\n",
+          "<svg class=\"bar\" id=\"map-{}-bar\"></svg><svg id=\"hist-{}\" "
+          "width=\"100%\"></svg>{}</section>\n",
           name, id, id, id, note);
     };
-    const std::string seams =
-        record_.statistics.halo_samples == 0
-            ? std::string()
-            : format("<p class=\"note\">Lines along the edges of tiles are no fault of the image: points that a tile queries outside "
-                     "its own pixels, {} in all, are in no pixel's count, and pixels at an edge need fewer of their own.</p>",
-                     short_count(static_cast<double>(record_.statistics.halo_samples)));
+    const std::string seams = record_.statistics.halo_samples == 0
+                                  ? std::string()
+                                  : format(
+                                        "<p class=\"note\">Lines along the edges of tiles are no fault of "
+                                        "the image: points that a tile queries outside "
+                                        "its own pixels, {} in all, are in no pixel's count, and pixels at "
+                                        "an edge need fewer of their own.</p>",
+                                        short_count(static_cast<double>(record_.statistics.halo_samples)));
     if (input_.samples) map("samples", "Where the samples went", seams);
     if (judged_) map("error", "Error reached, in units of its limit", "");
     return html.empty() ? html : format("<div class=\"two\">{}</div>\n<p></p>\n", html);
@@ -177,7 +181,8 @@ class Page {
 
   std::string channel_table() const {
     const auto& figures = record_.statistics.channels;
-    const bool split = std::any_of(figures.begin(), figures.end(), [](const ChannelStatistics& s) { return s.parts.has_value(); });
+    const bool split = std::any_of(figures.begin(), figures.end(),
+                                   [](const ChannelStatistics& s) { return s.parts.has_value(); });
     std::string html = format(
         "<section><h2>Channels</h2><div class=\"scroll\"><table><thead><tr><th>Channel</th><th>Centre, "
         "\u00b5m</th>"
@@ -192,15 +197,18 @@ class Page {
                              s.maximum, s.mean_half_width, s.largest_half_width})
         html += format("<td>{}</td>", figure(v));
       if (split)
-        for (const double HalfWidthParts::*part : {&HalfWidthParts::sampling, &HalfWidthParts::air, &HalfWidthParts::nodes})
+        for (const double HalfWidthParts::*part :
+             {&HalfWidthParts::sampling, &HalfWidthParts::air, &HalfWidthParts::nodes})
           html += format("<td>{}</td>", s.parts ? figure(*s.parts.*part) : "");
       html += "</tr>";
     }
-    return html + format("</tbody></table></div><p class=\"soft\">Radiances in {}.{}</p></section>\n",
-                         escape_html(shown_unit(record_.image.radiance_unit)),
-                         split ? " More rays narrow the part of sampling alone; that of the air, of how it was computed, and that of "
-                                 "the nodes, few wavelengths that stand for a channel, are of the mean radiance."
-                               : "");
+    return html +
+           format("</tbody></table></div><p class=\"soft\">Radiances in {}.{}</p></section>\n",
+                  escape_html(shown_unit(record_.image.radiance_unit)),
+                  split ? " More rays narrow the part of sampling alone; that of the air, of how it was "
+                          "computed, and that of "
+                          "the nodes, few wavelengths that stand for a channel, are of the mean radiance."
+                        : "");
   }
 
   std::string cost() const {
@@ -258,8 +266,9 @@ class Page {
     std::string elements;
     JsonWriter json(JsonWriter::Look::compact);
     json.object([&] { write_members(json, elements); });
-    return format("<script type=\"application/json\" id=\"meta\">{}</script>\n", embedded(json.written())) + elements +
-           colour_element("colours-seq", sequential_colours()) + colour_element("colours-heat", heat_colours());
+    return format("<script type=\"application/json\" id=\"meta\">{}</script>\n", embedded(json.written())) +
+           elements + colour_element("colours-seq", sequential_colours()) +
+           colour_element("colours-heat", heat_colours());
   }
 
   void write_members(JsonWriter& json, std::string& elements) const {

@@ -29,16 +29,21 @@ std::string reasons_section(const RunRecord& record) {
   const auto& s = record.statistics;
   std::vector<std::size_t> order(s.reasons.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return s.reasons[a] > s.reasons[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return s.reasons[a] > s.reasons[b]; });
   std::string html =
-      "<section><h2>Why pixels are not converged</h2><div class=\"two\"><div class=\"stage\"><canvas id=\"map-reasons\" "
-      "style=\"cursor:default\"></canvas></div><div><table class=\"legend\"><thead><tr><th>Reason</th><th>Meaning</th>"
+      "<section><h2>Why pixels are not converged</h2><div class=\"two\"><div class=\"stage\"><canvas "
+      "id=\"map-reasons\" "
+      "style=\"cursor:default\"></canvas></div><div><table "
+      "class=\"legend\"><thead><tr><th>Reason</th><th>Meaning</th>"
       "<th>Pixels</th></tr></thead><tbody>";
   html += legend_row(0, "every interval is within its limit, and nothing speaks against it", s.converged);
   for (const std::size_t r : order)
-    if (s.reasons[r] > 0) html += legend_row(r + 1, sampling::words_of(static_cast<sampling::Reason>(r)), s.reasons[r]);
+    if (s.reasons[r] > 0)
+      html += legend_row(r + 1, sampling::words_of(static_cast<sampling::Reason>(r)), s.reasons[r]);
   return html +
-         "</tbody></table><p class=\"soft\">A pixel may have several reasons; the map shows the gravest.</p></div></div>"
+         "</tbody></table><p class=\"soft\">A pixel may have several reasons; the map shows the "
+         "gravest.</p></div></div>"
          "</section>\n";
 }
 
@@ -56,7 +61,8 @@ void write_reasons(JsonWriter& json) {
       });
   });
   std::vector<int> gravity;
-  for (const sampling::Reason reason : sampling::reasons_by_gravity()) gravity.push_back(static_cast<int>(reason));
+  for (const sampling::Reason reason : sampling::reasons_by_gravity())
+    gravity.push_back(static_cast<int>(reason));
   json.member("gravity", gravity);
   json.member("convergedColour", colour(0));
 }

@@ -14,7 +14,8 @@ RunPlan read_kept_plan(const std::filesystem::path& folder) {
   return read_plan(kept_folder(folder) / "state.json");
 }
 
-KeptTiles::KeptTiles(const std::filesystem::path& folder, const RunPlan& plan, LogSink* log) : index_(plan), log_(log) {
+KeptTiles::KeptTiles(const std::filesystem::path& folder, const RunPlan& plan, LogSink* log)
+    : index_(plan), log_(log) {
   for (const auto& pack : packs_in(kept_folder(folder) / "tiles")) index_.add(pack);
 }
 
@@ -41,25 +42,24 @@ DocumentTree document_of(const std::string& text) {
   throw EnvironmentError("the document of a kept run cannot be read");
 }
 
-bool counts(const DocumentNode& member) { return member.key() != "error" || member.path() != "sampling.accuracy.error"; }
+bool counts(const DocumentNode& member) {
+  return member.key() != "error" || member.path() != "sampling.accuracy.error";
+}
 
 /// Members may stand in any order.
 bool alike(const DocumentNode& one, const DocumentNode& other) {
   if (one.type() != other.type()) return false;
   switch (one.type()) {
-    case Type::null:
-      return true;
-    case Type::boolean:
-      return one.boolean() == other.boolean();
+    case Type::null: return true;
+    case Type::boolean: return one.boolean() == other.boolean();
     case Type::number:
       if (one.is_integer() && other.is_integer()) return one.integer() == other.integer();
       return one.is_integer() == other.is_integer() && one.number() == other.number();
-    case Type::text:
-      return one.text() == other.text();
+    case Type::text: return one.text() == other.text();
     case Type::list:
-      return std::equal(one.items().begin(), one.items().end(), other.items().begin(), other.items().end(), alike);
-    case Type::object:
-      break;
+      return std::equal(one.items().begin(), one.items().end(), other.items().begin(), other.items().end(),
+                        alike);
+    case Type::object: break;
   }
   const auto count = [](const DocumentNode& node) {
     return std::count_if(node.members().begin(), node.members().end(), counts);

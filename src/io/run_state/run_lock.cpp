@@ -31,7 +31,8 @@ Holder read_holder(int descriptor) {
   const ssize_t got = pread(descriptor, text, sizeof text - 1, 0);
   Holder holder;
   // A line without an end is that of a run which was killed as it wrote it.
-  if (got > 0 && std::strchr(text, '\n') != nullptr) std::istringstream(text) >> holder.process >> holder.host;
+  if (got > 0 && std::strchr(text, '\n') != nullptr)
+    std::istringstream(text) >> holder.process >> holder.host;
   return holder;
 }
 
@@ -48,7 +49,8 @@ bool is_current(int descriptor, const std::filesystem::path& path) {
 /// What no run left here: a link, a pipe, or a file that has a second name elsewhere.
 void remove_planted(const std::filesystem::path& path) {
   struct stat named {};
-  if (lstat(path.c_str(), &named) == 0 && (!S_ISREG(named.st_mode) || named.st_nlink > 1)) unlink(path.c_str());
+  if (lstat(path.c_str(), &named) == 0 && (!S_ISREG(named.st_mode) || named.st_nlink > 1))
+    unlink(path.c_str());
 }
 
 EnvironmentError busy(const std::filesystem::path& path, const Holder& holder) {

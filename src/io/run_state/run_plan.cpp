@@ -62,7 +62,8 @@ std::vector<sampling::PixelRect> RunPlan::grid() const {
 ProductSet RunPlan::made_cubes() const {
   ProductSet made = possible_products(cubes, image);
   if (!knows_errors)
-    for (const Product product : {Product::standard_error, Product::half_width, Product::air_half_width}) made.remove(product);
+    for (const Product product : {Product::standard_error, Product::half_width, Product::air_half_width})
+      made.remove(product);
   return made;
 }
 
@@ -107,11 +108,12 @@ std::vector<std::string> differences(const RunPlan& was, const RunPlan& is) {
   if (was.instruction_set != is.instruction_set)
     lines.push_back(format("the instruction set was {} and is {}", was.instruction_set, is.instruction_set));
   if (was.base != is.base)
-    lines.push_back(was.base == 0 ? "the run was to begin from nothing and is to refine another"
+    lines.push_back(was.base == 0  ? "the run was to begin from nothing and is to refine another"
                     : is.base == 0 ? "the run was to refine another (--refine) and is to begin from nothing"
                                    : "the run that is refined was another");
   else if (was.keeps_memory != is.keeps_memory)
-    lines.push_back(was.keeps_memory ? "the run was to be kept (--keep)" : "the run was not to be kept and is (--keep)");
+    lines.push_back(was.keeps_memory ? "the run was to be kept (--keep)"
+                                     : "the run was not to be kept and is (--keep)");
   const auto& a = was.image;
   const auto& b = is.image;
   if (lines.empty() && (a.width_px != b.width_px || a.height_px != b.height_px || was.tile_px != is.tile_px ||

@@ -30,11 +30,12 @@ struct RunPlan {
   bool geotiff = false, netcdf = false, quicklook = false, report = false;
   std::vector<int> quicklook_channels;
   render::TileShare share;
-  double error = 0.0;      ///< asked for, in the unit of the accuracy
-  std::string error_unit;  ///< "K", "%"; empty where no accuracy is asked for
-  bool keeps_memory = false;              ///< its tiles carry what a tighter accuracy can go on from
-  std::vector<std::string> refined_from;  ///< accuracies of the runs that it goes on from, the first one first
-  std::uint64_t base = 0;                 ///< key() of the last of them; 0: none
+  double error = 0.0;         ///< asked for, in the unit of the accuracy
+  std::string error_unit;     ///< "K", "%"; empty where no accuracy is asked for
+  bool keeps_memory = false;  ///< its tiles carry what a tighter accuracy can go on from
+  std::vector<std::string>
+      refined_from;        ///< accuracies of the runs that it goes on from, the first one first
+  std::uint64_t base = 0;  ///< key() of the last of them; 0: none
 
   std::vector<sampling::PixelRect> grid() const;
   /// Those of `cubes` that there is something for.
@@ -42,7 +43,9 @@ struct RunPlan {
   /// Whether tiles carry the variances, and the places of their pixels.
   bool keeps_variances() const { return keeps_memory || made_cubes().has(Product::standard_error); }
   /// Whether the cubes hold all the values that tiles have, so that the state need not.
-  bool leaves_values_to_cubes() const { return !keeps_variances() && (!knows_errors || made_cubes().has(Product::half_width)); }
+  bool leaves_values_to_cubes() const {
+    return !keeps_variances() && (!knows_errors || made_cubes().has(Product::half_width));
+  }
   bool locates() const { return cubes.has(Product::location) || cubes.has(Product::view_angles); }
   ProductOptions products(const std::filesystem::path& folder) const;
   /// Tells this run's tiles from those of others: of all that a tile's numbers depend on.

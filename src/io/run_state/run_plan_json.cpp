@@ -231,7 +231,8 @@ RunPlan plan_in(const std::string& text, const std::string& name) {
           format("{}: it is of format {}, this program reads format {}: go on with the program that "
                  "wrote it, or start anew with --restart",
                  name, found.integer(), kFormat));
-    const DocumentNode* state = tree.root->type() == DocumentNode::Type::object ? tree.root->find("state") : nullptr;
+    const DocumentNode* state =
+        tree.root->type() == DocumentNode::Type::object ? tree.root->find("state") : nullptr;
     if (state == nullptr) throw damaged;
     JsonWriter compact(JsonWriter::Look::compact);
     compact.node(*state);

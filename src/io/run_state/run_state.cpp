@@ -95,7 +95,8 @@ TilesDone survey_tiles(const std::filesystem::path& folder, const RunPlan& plan,
 
 bool holds_complete_run(const std::filesystem::path& folder) {
   std::error_code error;
-  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
     if (entry->path().filename().string().ends_with("_run.json")) return true;
   return false;
 }
@@ -114,9 +115,11 @@ std::uint64_t leftover_bytes(const std::filesystem::path& folder) {
   std::uint64_t bytes = 0;
   const auto add = [&](const std::filesystem::path& place, const std::string& ending) {
     std::error_code error;
-    for (std::filesystem::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error)) {
+    for (std::filesystem::directory_iterator entry(place, error), end; !error && entry != end;
+         entry.increment(error)) {
       struct stat info {};
-      if (entry->path().extension() == ending && stat(entry->path().c_str(), &info) == 0 && S_ISREG(info.st_mode))
+      if (entry->path().extension() == ending && stat(entry->path().c_str(), &info) == 0 &&
+          S_ISREG(info.st_mode))
         bytes += kBlock * static_cast<std::uint64_t>(info.st_blocks);
     }
   };
@@ -130,13 +133,19 @@ std::uint64_t state_bytes(const RunPlan& plan, bool one_process) {
   constexpr std::uint64_t kMaterialsInPixel = 2;
   // Measured: values are out when the cubes have a line of tiles; what is left shrinks to a third, more where cameras tilt.
   constexpr double kTilesHigh = 1.5, kPacked = 0.5;
-  const auto width = static_cast<std::uint64_t>(plan.image.width_px), height = static_cast<std::uint64_t>(plan.image.height_px);
-  const std::uint64_t values = 4 * plan.image.channels.size() * (!plan.knows_errors ? 1 : plan.keeps_variances() ? 4 : 2);
+  const auto width = static_cast<std::uint64_t>(plan.image.width_px),
+             height = static_cast<std::uint64_t>(plan.image.height_px);
+  const std::uint64_t values = 4 * plan.image.channels.size() *
+                               (!plan.knows_errors       ? 1
+                                : plan.keeps_variances() ? 4
+                                                         : 2);
   const std::uint64_t others = 6 * 4 + sizeof(sampling::Reasons) + (plan.locates() ? 3 * 8 : 0) +
                                kMaterialsInPixel * sizeof(sampling::Abundance);
   const bool leaves = one_process && plan.share.is_whole() && plan.leaves_values_to_cubes();
-  const std::uint64_t held = leaves ? std::min(height, static_cast<std::uint64_t>(kTilesHigh * plan.tile_px)) : height;
-  const std::uint64_t kept = leaves ? static_cast<std::uint64_t>(kPacked * static_cast<double>(others)) : others;
+  const std::uint64_t held =
+      leaves ? std::min(height, static_cast<std::uint64_t>(kTilesHigh * plan.tile_px)) : height;
+  const std::uint64_t kept =
+      leaves ? static_cast<std::uint64_t>(kPacked * static_cast<double>(others)) : others;
   return width * (height * kept + held * values) / static_cast<std::uint64_t>(plan.share.count) +
          plan.grid().size() * sizeof(TileHeader);
 }
@@ -191,7 +200,8 @@ TilesDone RunState::read(const std::function<void(const sampling::TileResult&)>&
   for (const auto& pack : packs_in(path_ / "tiles")) index_.add(pack);
   store_ = std::make_unique<TileStore>(path_ / "tiles", plan_.key());
   if (cubes_.lines_written && plan_.leaves_values_to_cubes())
-    store_->when_written([this](const std::filesystem::path& pack, int line_end) { move_values_out(pack, line_end); });
+    store_->when_written(
+        [this](const std::filesystem::path& pack, int line_end) { move_values_out(pack, line_end); });
   return survey.result();
 }
 
@@ -241,7 +251,8 @@ void RunState::keep() {
   std::filesystem::remove_all(kept, error);
   if (!error) std::filesystem::rename(path_, kept, error);
   if (error)
-    throw EnvironmentError(format("{}: the finished tiles cannot be kept here: {}", kept.string(), error.message()));
+    throw EnvironmentError(
+        format("{}: the finished tiles cannot be kept here: {}", kept.string(), error.message()));
   std::filesystem::remove(kept / "lock", error);
   lock_.reset();
 }

@@ -37,7 +37,8 @@ class RunState {
   /// Where means and half-widths of finished tiles lie besides: what the state holds of them goes once the cubes hold it.
   struct Cubes {
     ReadValues read_values;
-    std::function<int()> lines_written;  ///< image lines [0, n) are in the cubes; empty: the state goes on holding all
+    std::function<int()>
+        lines_written;  ///< image lines [0, n) are in the cubes; empty: the state goes on holding all
   };
   /// Before read().
   void use(Cubes cubes) { cubes_ = std::move(cubes); }
@@ -82,7 +83,7 @@ class RunState {
   std::unique_ptr<RunLock> lock_;
   TileIndex index_;
   Cubes cubes_;
-  std::vector<HeldPack> held_;  ///< of read() and the store's thread
+  std::vector<HeldPack> held_;        ///< of read() and the store's thread
   std::unique_ptr<TileStore> store_;  ///< the last member: its thread ends before what it uses does
 };
 

@@ -38,7 +38,8 @@ std::vector<std::filesystem::path> companions_of(const std::filesystem::path& fi
 
 }  // namespace
 
-std::vector<FileStamp> stamp_scene_files(const std::vector<std::string>& named, const std::filesystem::path& folder,
+std::vector<FileStamp> stamp_scene_files(const std::vector<std::string>& named,
+                                         const std::filesystem::path& folder,
                                          std::span<const FileStamp> known) {
   std::vector<std::filesystem::path> files;
   for (const std::string& file : named) {

@@ -13,7 +13,8 @@ namespace ifov::io {
 /// (headers and georeferences of rasters, buffers of glTF meshes), sorted by path; paths are relative to
 /// `folder`, the document's. Files of the size and time of one of `known` are not read. Throws EnvironmentError where
 /// one cannot be read.
-std::vector<FileStamp> stamp_scene_files(const std::vector<std::string>& named, const std::filesystem::path& folder,
+std::vector<FileStamp> stamp_scene_files(const std::vector<std::string>& named,
+                                         const std::filesystem::path& folder,
                                          std::span<const FileStamp> known = {});
 
 }  // namespace ifov::io

@@ -26,7 +26,8 @@ void TileIndex::add(const std::filesystem::path& pack, const std::function<void(
   packs_.push_back(pack);
 }
 
-std::string TileIndex::read(std::size_t index, const ReadValues& read_values, sampling::TileResult& tile) const {
+std::string TileIndex::read(std::size_t index, const ReadValues& read_values,
+                            sampling::TileResult& tile) const {
   const Place& place = places_[index];
   if (place.bytes < sizeof(TileHeader)) return format("there is no tile {}", index);
   const std::filesystem::path& pack = packs_[place.pack];
@@ -40,7 +41,8 @@ std::string TileIndex::read(std::size_t index, const ReadValues& read_values, sa
   const std::string fault = fault_of(header, {run_, columns_, grid_});
   if (!fault.empty()) return format("{}: tile {} is not taken, {}", pack.string(), index, fault);
   if (header.index != index) return format("{}: tile {} lies there no more", pack.string(), index);
-  const std::string damage = decode_tile(header, std::span<const std::byte>(record).subspan(sizeof header), read_values, tile);
+  const std::string damage =
+      decode_tile(header, std::span<const std::byte>(record).subspan(sizeof header), read_values, tile);
   return damage.empty() ? damage : format("{}: {}", pack.string(), damage);
 }
 

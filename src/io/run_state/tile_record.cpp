@@ -51,14 +51,17 @@ bool has_variances(const TileHeader& header) { return header.has_errors == kWith
 /// Of means and half-widths.
 std::uint64_t value_bytes_of(const TileHeader& header) {
   const auto pixels = static_cast<std::uint64_t>(header.rect().count());
-  return sizeof(float) * pixels * static_cast<std::uint64_t>(header.columns) * (header.has_errors == kNoErrors ? 1 : 2);
+  return sizeof(float) * pixels * static_cast<std::uint64_t>(header.columns) *
+         (header.has_errors == kNoErrors ? 1 : 2);
 }
 
 /// Of the arrays beside these.
 std::uint64_t other_bytes_of(const TileHeader& header) {
   const auto pixels = static_cast<std::uint64_t>(header.rect().count());
   const std::uint64_t cells = pixels * static_cast<std::uint64_t>(header.columns);
-  return 4 * (has_variances(header) ? 2 * cells : header.has_errors != kNoErrors ? pixels : 0) +
+  return 4 * (has_variances(header)            ? 2 * cells
+              : header.has_errors != kNoErrors ? pixels
+                                               : 0) +
          pixels * (5 * 4 + sizeof(sampling::Reasons)) + (header.has_positions != 0 ? 3 * 8 * pixels : 0) +
          sizeof(sampling::Abundance) * std::uint64_t{header.abundances} + header.memory_bytes;
 }
@@ -89,7 +92,9 @@ std::vector<std::byte> encode_tile(const sampling::TileResult& tile, const TileS
   header.index = stamp.index;
   header.x0 = tile.tile.x0, header.y0 = tile.tile.y0, header.x1 = tile.tile.x1, header.y1 = tile.tile.y1;
   header.columns = tile.columns;
-  header.has_errors = !tile.has_errors() ? kNoErrors : tile.variance_geometry.empty() ? kHalfWidthsAlone : kWithVariances;
+  header.has_errors = !tile.has_errors()               ? kNoErrors
+                      : tile.variance_geometry.empty() ? kHalfWidthsAlone
+                                                       : kWithVariances;
   header.has_positions = tile.position_m.empty() ? 0 : 1;
   header.abundances = static_cast<std::uint32_t>(tile.abundances.size());
   header.halo_samples = tile.halo_samples;
@@ -140,21 +145,21 @@ std::string fault_of(const TileHeader& header, const TileDemands& demands) {
   const bool in_grid = header.index < demands.grid.size();
   const sampling::PixelRect place = in_grid ? demands.grid[header.index] : sampling::PixelRect{};
   if (!in_grid || header.x0 != place.x0 || header.y0 != place.y0 || header.x1 != place.x1 ||
-      header.y1 != place.y1 || header.columns != demands.columns ||
-      !has_right_size(header))
+      header.y1 != place.y1 || header.columns != demands.columns || !has_right_size(header))
     return "it does not fit the image";
   return {};
 }
 
-std::string decode_tile(const TileHeader& header, std::span<const std::byte> payload, const ReadValues& read_values,
-                        sampling::TileResult& tile) {
+std::string decode_tile(const TileHeader& header, std::span<const std::byte> payload,
+                        const ReadValues& read_values, sampling::TileResult& tile) {
   const std::string wrong = format("the checksum of tile {} is wrong", header.index);
   if (payload.size() != header.payload_bytes || !has_right_size(header)) return wrong;
   std::span<const std::byte> values, others;
   std::vector<std::byte> unpacked;
   if (header.values_in_cubes != 0) {
     unpacked.resize(other_bytes_of(header));
-    if (ZSTD_decompress(unpacked.data(), unpacked.size(), payload.data(), payload.size()) != unpacked.size()) return wrong;
+    if (ZSTD_decompress(unpacked.data(), unpacked.size(), payload.data(), payload.size()) != unpacked.size())
+      return wrong;
     others = unpacked;
   } else {
     values = payload.first(value_bytes_of(header));
@@ -192,8 +197,8 @@ std::vector<std::byte> without_values(const TileHeader& header, std::span<const 
   const std::span<const std::byte> others = payload.subspan(value_bytes_of(header));
   constexpr int kLevel = 1;  // the quickest
   std::vector<std::byte> record(sizeof header + ZSTD_compressBound(others.size()));
-  const std::size_t packed =
-      ZSTD_compress(record.data() + sizeof header, record.size() - sizeof header, others.data(), others.size(), kLevel);
+  const std::size_t packed = ZSTD_compress(record.data() + sizeof header, record.size() - sizeof header,
+                                           others.data(), others.size(), kLevel);
   if (ZSTD_isError(packed) != 0) return {};
   record.resize(sizeof header + packed);
   TileHeader rest = header;

@@ -23,7 +23,8 @@ struct TileHeader {
   std::uint32_t has_errors;     ///< 0: none; 1: with variances; 2: half-widths alone
   std::uint32_t has_positions;  ///< 0 or 1
   std::uint32_t abundances;
-  std::uint32_t values_in_cubes;  ///< 1: means and half-widths lie in the run's cubes, and the other arrays are compressed
+  std::uint32_t
+      values_in_cubes;  ///< 1: means and half-widths lie in the run's cubes, and the other arrays are compressed
   std::uint64_t payload_bytes;
   std::uint64_t halo_samples, seed_samples, probe_samples;
   std::uint64_t primary_rays, shadow_rays, bounce_rays;
@@ -32,8 +33,8 @@ struct TileHeader {
   std::uint32_t converged;  ///< pixels
   float worst_ratio;
   std::uint32_t reasons[sampling::kReasonNames.size()];  ///< pixels, by reason why they are not converged
-  std::uint64_t run;  ///< which run the tile belongs to, RunPlan::key()
-  std::uint64_t memory_bytes;  ///< of what the sampler keeps for a tighter accuracy
+  std::uint64_t run;                                     ///< which run the tile belongs to, RunPlan::key()
+  std::uint64_t memory_bytes;                            ///< of what the sampler keeps for a tighter accuracy
   std::uint64_t values_hash, payload_hash, header_hash;
 
   std::uint64_t record_bytes() const { return sizeof(TileHeader) + payload_bytes; }
@@ -68,8 +69,8 @@ using ReadValues = std::function<bool(sampling::TileResult& tile, const std::fun
 
 /// The tile of a header without fault and of its arrays. What is wrong, in words ("the checksum of tile 3 is wrong"); empty
 /// where it is whole. `read_values` is for records without them.
-std::string decode_tile(const TileHeader& header, std::span<const std::byte> payload, const ReadValues& read_values,
-                        sampling::TileResult& tile);
+std::string decode_tile(const TileHeader& header, std::span<const std::byte> payload,
+                        const ReadValues& read_values, sampling::TileResult& tile);
 
 /// The record of such a tile whose means and half-widths lie in the cubes. Empty for one that holds none or that has
 /// variances, which lie in no cube.

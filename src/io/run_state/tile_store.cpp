@@ -40,7 +40,11 @@ TileStore::TileStore(std::filesystem::path folder, std::uint64_t run)
     : TileStore(folder, run, {start_mark(), first_free_number(folder)}, 0) {}
 
 TileStore::TileStore(std::filesystem::path folder, std::uint64_t run, const StoreStart& start, int rank)
-    : folder_(std::move(folder)), run_(run), start_(start), rank_(rank), began_(std::chrono::steady_clock::now()) {
+    : folder_(std::move(folder)),
+      run_(run),
+      start_(start),
+      rank_(rank),
+      began_(std::chrono::steady_clock::now()) {
   refuse_link(folder_.parent_path());
   refuse_link(folder_);
   require_space(folder_, 0);

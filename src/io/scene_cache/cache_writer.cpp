@@ -125,7 +125,8 @@ void CacheWriter::publish(const std::string& program_version) {
   write(std::as_bytes(std::span(table_)));
   header.file_bytes = offset_;
   header.content_hash = hash_->all();
-  header.header_hash = cache_hash(std::as_bytes(std::span(&header, 1)).first(offsetof(CacheHeader, header_hash)));
+  header.header_hash =
+      cache_hash(std::as_bytes(std::span(&header, 1)).first(offsetof(CacheHeader, header_hash)));
   file_.write_head(std::as_bytes(std::span(&header, 1)));
   file_.publish();
 }

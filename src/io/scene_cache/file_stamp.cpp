@@ -34,7 +34,8 @@ std::array<std::uint64_t, 2> hash_of(const std::filesystem::path& file) {
 
 /// The folder of a bare file name is empty, and is the current one.
 std::filesystem::path absolute_path(const std::filesystem::path& path) {
-  return (path.empty() ? std::filesystem::current_path() : std::filesystem::absolute(path)).lexically_normal();
+  return (path.empty() ? std::filesystem::current_path() : std::filesystem::absolute(path))
+      .lexically_normal();
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace ifov::io {
 struct FileStamp {
   std::string path;  ///< relative to the folder of the cache, where it can be
   std::uint64_t bytes = 0;
-  std::int64_t time_ns = 0;            ///< of its last change
+  std::int64_t time_ns = 0;             ///< of its last change
   std::array<std::uint64_t, 2> hash{};  ///< XXH3, 128 bits, of its bytes
   friend bool operator==(const FileStamp&, const FileStamp&) = default;
 };

@@ -61,7 +61,8 @@ SceneCache::SceneCache(std::filesystem::path path, std::string program_version, 
     if (!wrong) return;
     if (file_) break;
   }
-  say(format("the scene cache '{}' is not used: {}; the scene is read from its files", path_.string(), *wrong));
+  say(format("the scene cache '{}' is not used: {}; the scene is read from its files", path_.string(),
+             *wrong));
   records_.clear();
   file_.reset();
   dirty_ = true;
@@ -88,7 +89,8 @@ std::optional<std::string> SceneCache::open() {
     return "it is damaged";
   if (header.byte_order != kCacheByteOrder) return "it was written on a machine of another byte order";
   if (header.format != kCacheFormat) return "it is of another format";
-  if (header.file_bytes != bytes.size() || header.table_offset < sizeof header || header.table_offset > bytes.size() ||
+  if (header.file_bytes != bytes.size() || header.table_offset < sizeof header ||
+      header.table_offset > bytes.size() ||
       header.content_hash != hash_of_blocks(bytes.subspan(sizeof header)))
     return "it is damaged";
   return read_table(bytes.subspan(header.table_offset), header.table_offset);
@@ -113,7 +115,8 @@ std::optional<std::string> SceneCache::read_table(std::span<const std::byte> tab
       stamp.hash[0] = reader.number(), stamp.hash[1] = reader.number();
       record.made_from.push_back(std::move(stamp));
     }
-    if (offset > records_end || size > records_end - offset || offset % kCacheAlignment != 0) return "it is damaged";
+    if (offset > records_end || size > records_end - offset || offset % kCacheAlignment != 0)
+      return "it is damaged";
     record.bytes = file_->bytes().subspan(offset, size);
     records_.push_back(std::move(record));
   }
@@ -146,7 +149,9 @@ void SceneCache::reject(const std::string& name) {
     if (record.name == name) record.found = false;
 }
 
-std::string SceneCache::name_of(const std::string& file) const { return name_beside(file, path_.parent_path()); }
+std::string SceneCache::name_of(const std::string& file) const {
+  return name_beside(file, path_.parent_path());
+}
 
 std::vector<FileStamp> SceneCache::stamps(std::span<const std::string> files) const {
   std::vector<FileStamp> found;
@@ -192,7 +197,8 @@ void SceneCache::replace(const std::string& name, std::vector<FileStamp> made_fr
 }
 
 void SceneCache::save() {
-  const bool dropped = std::any_of(records_.begin(), records_.end(), [](const Record& r) { return !r.found; });
+  const bool dropped =
+      std::any_of(records_.begin(), records_.end(), [](const Record& r) { return !r.found; });
   const bool any = std::any_of(records_.begin(), records_.end(), [](const Record& r) { return r.found; });
   if (!writer_ && !(any && (dirty_ || dropped))) return;
   if (writer() == nullptr) return;

@@ -59,7 +59,8 @@ radiometry::Spectrum parse_csv_spectrum(const TextFile& file, const CsvSpectrumO
     std::vector<Field> fields = split(line, separator);
     const std::optional<double> wavelength = x < fields.size() ? number_in(fields[x].text) : std::nullopt;
     if (rows.empty() && !wavelength && x < fields.size() && has_decimal_comma(fields[x].text))
-      file.fail(number, fields[x].column, format("found '{}'; expected a number whose decimals follow a point", fields[x].text));
+      file.fail(number, fields[x].column,
+                format("found '{}'; expected a number whose decimals follow a point", fields[x].text));
     if (rows.empty() && !wavelength) {
       heading = std::move(fields);
       heading_line = number;

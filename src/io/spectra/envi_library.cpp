@@ -60,20 +60,13 @@ double value_at(const char* bytes, bool swapped) {
 
 double value_at(const char* bytes, EnviType type, bool swapped) {
   switch (type) {
-    case EnviType::byte:
-      return value_at<std::uint8_t>(bytes, swapped);
-    case EnviType::int16:
-      return value_at<std::int16_t>(bytes, swapped);
-    case EnviType::int32:
-      return value_at<std::int32_t>(bytes, swapped);
-    case EnviType::float64:
-      return value_at<double>(bytes, swapped);
-    case EnviType::uint16:
-      return value_at<std::uint16_t>(bytes, swapped);
-    case EnviType::uint32:
-      return value_at<std::uint32_t>(bytes, swapped);
-    case EnviType::float32:
-      break;
+    case EnviType::byte: return value_at<std::uint8_t>(bytes, swapped);
+    case EnviType::int16: return value_at<std::int16_t>(bytes, swapped);
+    case EnviType::int32: return value_at<std::int32_t>(bytes, swapped);
+    case EnviType::float64: return value_at<double>(bytes, swapped);
+    case EnviType::uint16: return value_at<std::uint16_t>(bytes, swapped);
+    case EnviType::uint32: return value_at<std::uint32_t>(bytes, swapped);
+    case EnviType::float32: break;
   }
   return value_at<float>(bytes, swapped);
 }
@@ -157,7 +150,8 @@ std::size_t EnviLibrary::index_of(const std::string& name) const {
   if (found != names_.end()) return static_cast<std::size_t>(found - names_.begin());
   const std::string likely = did_you_mean(name, names_);
   throw InputError(format("no spectrum of '{}' is called '{}'{} {}", file_, name,
-                          likely.empty() ? "; it holds" : likely + " It holds", list_names(names_, "and", 12)));
+                          likely.empty() ? "; it holds" : likely + " It holds",
+                          list_names(names_, "and", 12)));
 }
 
 std::size_t EnviLibrary::index_of(int number) const {

@@ -15,12 +15,9 @@ constexpr double kNoise = 0.02;
 
 const char* quantity_name(SampleQuantity quantity) {
   switch (quantity) {
-    case SampleQuantity::transmittance:
-      return "transmittance";
-    case SampleQuantity::emissivity:
-      return "emissivity";
-    case SampleQuantity::reflectance:
-      break;
+    case SampleQuantity::transmittance: return "transmittance";
+    case SampleQuantity::emissivity: return "emissivity";
+    case SampleQuantity::reflectance: break;
   }
   return "reflectance";
 }

@@ -8,12 +8,9 @@ namespace ifov::io {
 
 double to_um(double wavelength, WavelengthUnit unit) {
   switch (unit) {
-    case WavelengthUnit::nanometres:
-      return wavelength * 1e-3;
-    case WavelengthUnit::wavenumber_per_cm:
-      return 1e4 / wavelength;
-    case WavelengthUnit::micrometres:
-      break;
+    case WavelengthUnit::nanometres: return wavelength * 1e-3;
+    case WavelengthUnit::wavenumber_per_cm: return 1e4 / wavelength;
+    case WavelengthUnit::micrometres: break;
   }
   return wavelength;
 }

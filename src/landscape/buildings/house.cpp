@@ -59,7 +59,10 @@ void garage_roof(MeshBuilder& mesh, const HousePlan& plan, double wall_top) {
   const double ridge_start = hipped ? front + half : front;
   std::vector<std::vector<Point3>> faces{
       {{left, front, eave}, {middle, ridge_start, ridge}, {middle, ridge_end, ridge}, {left, eave_end, eave}},
-      {{right, eave_end, eave}, {middle, ridge_end, ridge}, {middle, ridge_start, ridge}, {right, front, eave}}};
+      {{right, eave_end, eave},
+       {middle, ridge_end, ridge},
+       {middle, ridge_start, ridge},
+       {right, front, eave}}};
   if (hipped) faces.push_back({{left, front, eave}, {right, front, eave}, {middle, ridge_start, ridge}});
   mesh.slot("roof");
   mesh.slab(faces, kRoofThickness_m);
@@ -91,8 +94,8 @@ void openings(MeshBuilder& mesh, const HousePlan& plan) {
   for (const double x : {free_low + 1.3, free_high - 1.3})
     if (std::abs(x - plan.door_x) > 1.6) window(mesh, {x, 0.0, 1.0}, front, 1.5, 1.3);
   for (int k = 0; k < 3; ++k)
-    window(mesh, {-half + plan.width * (k + 0.5) / 3.0, plan.depth, k == 1 ? 0.35 : 1.0}, back, k == 1 ? 2.4 : 1.5,
-           k == 1 ? 2.0 : 1.3);
+    window(mesh, {-half + plan.width * (k + 0.5) / 3.0, plan.depth, k == 1 ? 0.35 : 1.0}, back,
+           k == 1 ? 2.4 : 1.5, k == 1 ? 2.0 : 1.3);
   for (const double y : {0.28 * plan.depth, 0.72 * plan.depth}) {
     window(mesh, {half, y, 1.0}, east, 1.1, 1.3);
     window(mesh, {-half, y, 1.0}, west, 1.1, 1.3);

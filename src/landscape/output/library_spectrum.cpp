@@ -12,8 +12,10 @@ std::string library_spectrum(std::string_view material, int curve, SceneFolder& 
   const io::LibraryCurve& source = entry.curves[entry.curve_numbered(curve)];
   std::string name;
   for (const char c : entry.name)
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) name += c;
-    else if (!name.empty() && name.back() != '_') name += '_';
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+      name += c;
+    else if (!name.empty() && name.back() != '_')
+      name += '_';
   name = format("{}_{}", name, curve);
   if (!folder.has(format("spectra/{}.csv", name))) {
     std::string rows = format("# {}: {}\n", entry.name, source.sample);
@@ -26,7 +28,8 @@ std::string library_spectrum(std::string_view material, int curve, SceneFolder& 
     }
     folder.add_spectrum(name, rows);
   }
-  return format(R"({{"csv": "spectra/{}.csv", "wavelength_unit": "um", "column": {}}})", name, static_cast<int>(column));
+  return format(R"({{"csv": "spectra/{}.csv", "wavelength_unit": "um", "column": {}}})", name,
+                static_cast<int>(column));
 }
 
 }  // namespace ifov::landscape

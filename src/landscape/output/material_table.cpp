@@ -155,9 +155,10 @@ std::string texture_text(const Entry& entry, SceneFolder& folder) {
   const TextureTile tile = texture_tile(entry.grain);
   const std::string file = format("maps/{}.tif", tile.name);
   if (!folder.has(file)) folder.add_map(tile.name, tile.raster);
-  return format(R"("texture": {{"images": [{{"file": "{}", "low_left": ["0 m", "0 m"], "size": ["{} m", "{} m"],
+  return format(
+      R"("texture": {{"images": [{{"file": "{}", "low_left": ["0 m", "0 m"], "size": ["{} m", "{} m"],
           "tiling": "repeat", "from": "0.6 um", "to": "0.7 um"}}]}}, )",
-                file, tile.size_m, tile.size_m);
+      file, tile.size_m, tile.size_m);
 }
 
 }  // namespace
@@ -167,12 +168,13 @@ std::string material_text(const std::string& name, SceneFolder& folder) {
     if (entry.name != name) continue;
     const std::string spectrum = spectrum_text(entry, folder);
     const std::string transmittance =
-        entry.is_leaf ? format(R"("transmittance": {}, )",
-                               library_spectrum(entry.library, entry.curve, folder, LeafColumn::transmittance))
-                      : "";
+        entry.is_leaf
+            ? format(R"("transmittance": {}, )",
+                     library_spectrum(entry.library, entry.curve, folder, LeafColumn::transmittance))
+            : "";
     const std::string texture = entry.last_curve > 0 ? texture_text(entry, folder) : "";
-    return format(R"("{}": {{"reflectance": {}, {}{}"temperature": "{} degC"}})", name, spectrum, transmittance, texture,
-                  entry.temperature_c);
+    return format(R"("{}": {{"reflectance": {}, {}{}"temperature": "{} degC"}})", name, spectrum,
+                  transmittance, texture, entry.temperature_c);
   }
   throw std::logic_error("no material '" + name + "' in the table of the generated scenes");
 }

@@ -18,9 +18,10 @@ SceneFolder::SceneFolder(const fs::path& folder, bool replace) : folder_(folder.
     if (!fs::is_directory(folder_, error))
       throw InputError(format("ifov: '{}' exists and is not a folder; give another name", folder_.string()));
     if (!replace && !fs::is_empty(folder_, error))
-      throw InputError(format("ifov: the folder '{}' exists; give another name, or --force to replace it with all "
-                              "that is in it",
-                              folder_.string()));
+      throw InputError(
+          format("ifov: the folder '{}' exists; give another name, or --force to replace it with all "
+                 "that is in it",
+                 folder_.string()));
   }
   part_ = folder_;
   part_ += ".part";
@@ -37,7 +38,9 @@ SceneFolder::~SceneFolder() {
 void SceneFolder::make_subfolder(const char* name) {
   std::error_code error;
   fs::create_directories(part_ / name, error);
-  if (error) throw EnvironmentError(format("cannot make the folder '{}': {}", (part_ / name).string(), error.message()));
+  if (error)
+    throw EnvironmentError(
+        format("cannot make the folder '{}': {}", (part_ / name).string(), error.message()));
 }
 
 std::string SceneFolder::add_text(const std::string& name, std::string_view content) {
@@ -89,7 +92,8 @@ void SceneFolder::publish() {
     fs::rename(folder_, old, error);
   }
   if (!error) fs::rename(part_, folder_, error);
-  if (error) throw EnvironmentError(format("cannot put '{}' in its place: {}", folder_.string(), error.message()));
+  if (error)
+    throw EnvironmentError(format("cannot put '{}' in its place: {}", folder_.string(), error.message()));
   published_ = true;
   if (replaces) fs::remove_all(old, error);
 }

@@ -35,7 +35,9 @@ class SceneFolder {
   /// `spectra/<name>.csv`.
   std::string add_spectrum(const std::string& name, std::string_view rows);
   /// Whether a file of that path within the folder has been written.
-  bool has(const std::string& file) const { return std::find(files_.begin(), files_.end(), file) != files_.end(); }
+  bool has(const std::string& file) const {
+    return std::find(files_.begin(), files_.end(), file) != files_.end();
+  }
 
   void publish();
 

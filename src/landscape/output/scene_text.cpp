@@ -35,11 +35,14 @@ std::string point_text(double x_m, double y_m, double z_m) {
   return format("[{}, {}, {}]", metres(x_m), metres(y_m), metres(z_m));
 }
 
-std::string mesh_text(const std::string& file) { return format("\"mesh\": {{\"file\": {}}}", io::json_string(file)); }
+std::string mesh_text(const std::string& file) {
+  return format("\"mesh\": {{\"file\": {}}}", io::json_string(file));
+}
 
 std::string transform_text(const Stand& stand, double z_m) {
   return format("\"transform\": {{\"translate\": {}, \"rotate\": {{\"angle\": \"{} deg\"}}}}",
-                point_text(stand.origin.x, stand.origin.y, z_m), number(stand.rotation_rad() * 180.0 / M_PI, 3));
+                point_text(stand.origin.x, stand.origin.y, z_m),
+                number(stand.rotation_rad() * 180.0 / M_PI, 3));
 }
 
 std::string SceneText::material(const std::string& name) {
@@ -65,7 +68,8 @@ void SceneText::prototype(const std::string& name, const std::vector<std::string
 }
 
 std::string SceneText::document(std::string_view title, const SceneLight& light) const {
-  std::string text = format("{{\n  // {}\n  // The scene and its light, which the documents beside this one include.\n", title);
+  std::string text = format(
+      "{{\n  // {}\n  // The scene and its light, which the documents beside this one include.\n", title);
   text += "  \"ifov\": 1,\n  \"scene\": {\n";
   text += "    // Temperatures are those of a calm, clear early afternoon in summer.\n";
   text += format("    \"materials\": {{\n{}    }},\n", listed(materials_));
@@ -81,7 +85,8 @@ std::string view_text(const View& view, std::string_view title) {
     text += format("  // {}\n", view.purpose.substr(from, end - from));
     from = end + 1;
   }
-  text += format("  \"ifov\": 1,\n  \"include\": \"{}\",\n  \"sensor\": {},\n  \"sampling\": {}", kSceneFile, view.sensor, view.sampling);
+  text += format("  \"ifov\": 1,\n  \"include\": \"{}\",\n  \"sensor\": {},\n  \"sampling\": {}", kSceneFile,
+                 view.sensor, view.sampling);
   if (!view.output.empty()) text += format(",\n  \"output\": {}", view.output);
   return text + "\n}\n";
 }

@@ -14,8 +14,8 @@ namespace ifov::landscape {
 
 /// A document that includes the scene's: what looks at it, and how.
 struct View {
-  std::string file;     ///< such as "render_vswir.json"
-  std::string purpose;  ///< a comment at its top; lines without "//"
+  std::string file;                      ///< such as "render_vswir.json"
+  std::string purpose;                   ///< a comment at its top; lines without "//"
   std::string sensor, sampling, output;  ///< JSON
 };
 

@@ -14,11 +14,13 @@ constexpr int kCells = 256;
 double periodic_noise(const Chance& chance, double u, double v, int period) {
   const double x = u * period, y = v * period, fx = std::floor(x), fy = std::floor(y);
   const auto corner = [&](int dx, int dy) {
-    return chance.of(period, (static_cast<int>(fx) + dx) % period, (static_cast<int>(fy) + dy) % period).unit(0);
+    return chance.of(period, (static_cast<int>(fx) + dx) % period, (static_cast<int>(fy) + dy) % period)
+        .unit(0);
   };
   const auto smooth = [](double t) { return t * t * (3.0 - 2.0 * t); };
   const double a = smooth(x - fx), b = smooth(y - fy);
-  return (corner(0, 0) * (1.0 - a) + corner(1, 0) * a) * (1.0 - b) + (corner(0, 1) * (1.0 - a) + corner(1, 1) * a) * b;
+  return (corner(0, 0) * (1.0 - a) + corner(1, 0) * a) * (1.0 - b) +
+         (corner(0, 1) * (1.0 - a) + corner(1, 1) * a) * b;
 }
 
 /// Octaves from `first` to `last` lattice cells a tile; each weighs as much as `fall` of the one before.
@@ -34,10 +36,8 @@ double octaves(const Chance& chance, double u, double v, int first, int last, do
 double brightness(Grain grain, double u, double v) {
   const Chance chance(static_cast<std::uint64_t>(grain) + 31);
   switch (grain) {
-    case Grain::turf:
-      return octaves(chance, u, v, 4, 128, 0.8);
-    case Grain::aggregate:
-      return octaves(chance, u, v, 2, 128, 0.9);
+    case Grain::turf: return octaves(chance, u, v, 4, 128, 0.8);
+    case Grain::aggregate: return octaves(chance, u, v, 2, 128, 0.9);
     case Grain::slabs: {
       const double x = 4.0 * u, y = 4.0 * v;
       const bool joint = x - std::floor(x) < 0.016 || y - std::floor(y) < 0.016;

@@ -36,7 +36,8 @@ int add_branch(MeshBuilder& wood, MeshBuilder& leaves, double z, double angle, d
   constexpr int kPoints = 7;
   for (int k = 0; k < kPoints; ++k) {
     const double t = static_cast<double>(k) / (kPoints - 1);
-    axis.push_back(Point3{0.0, 0.0, z} + out * (t * length_m) + Vec3{0.0, 0.0, length_m * (-dip * t + 0.75 * dip * t * t)});
+    axis.push_back(Point3{0.0, 0.0, z} + out * (t * length_m) +
+                   Vec3{0.0, 0.0, length_m * (-dip * t + 0.75 * dip * t * t)});
     radii.push_back((0.006 + 0.007 * length_m) * (1.0 - 0.85 * t));
   }
   wood.tube(axis, radii, 4, false);
@@ -52,7 +53,8 @@ int add_branch(MeshBuilder& wood, MeshBuilder& leaves, double z, double angle, d
     for (const double hand : {-1.0, 1.0}) {
       const Chance draw = chance.of(number, hand > 0.0);
       const double reach = std::min(0.42, 0.08 + 0.6 * (length_m - along)) * draw.between(0.75, 1.1, 0);
-      const Vec3 towards = math::normalized(direction * 0.75 + side * hand + Vec3{0.0, 0.0, draw.between(-0.3, 0.1, 1)});
+      const Vec3 towards =
+          math::normalized(direction * 0.75 + side * hand + Vec3{0.0, 0.0, draw.between(-0.3, 0.1, 1)});
       wood.tube(std::array{at, at + towards * reach}, std::array{0.003, 0.0015}, 3, false);
       count += add_shoots(leaves, at, towards, reach, draw.of(1));
     }

@@ -14,8 +14,8 @@ Vec3 any_direction(const Chance& chance, int index) {
   return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
-int add_shoot(MeshBuilder& wood, MeshBuilder& leaves, const Foliage& foliage, Point3 base, Vec3 direction, int count,
-              const Chance& chance) {
+int add_shoot(MeshBuilder& wood, MeshBuilder& leaves, const Foliage& foliage, Point3 base, Vec3 direction,
+              int count, const Chance& chance) {
   const double spacing = std::max(0.35 * foliage.leaf.length, 0.02), length = spacing * count;
   const Vec3 sag{0.0, 0.0, -foliage.droop};
   const Point3 middle = base + direction * (0.5 * length) + sag * (0.12 * length);
@@ -23,14 +23,17 @@ int add_shoot(MeshBuilder& wood, MeshBuilder& leaves, const Foliage& foliage, Po
   const Point3 axis[] = {base, middle, end};
   const double radii[] = {0.003, 0.0022, 0.0012};
   wood.tube(axis, radii, 3, false);
-  const Vec3 across = math::normalized(math::cross(direction, std::abs(direction.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+  const Vec3 across =
+      math::normalized(math::cross(direction, std::abs(direction.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
   const Vec3 other = math::cross(direction, across);
   for (int k = 0; k < count; ++k) {
     const double t = (k + 0.5) / count, angle = kGoldenAngle_rad * k + chance.between(0.0, 6.28, 0);
-    const Point3 at = t < 0.5 ? base + (middle - base) * (2.0 * t) : middle + (end - middle) * (2.0 * t - 1.0);
+    const Point3 at =
+        t < 0.5 ? base + (middle - base) * (2.0 * t) : middle + (end - middle) * (2.0 * t - 1.0);
     const Vec3 side = across * std::cos(angle) + other * std::sin(angle);
     const Chance draw = chance.of(k);
-    const Vec3 tip = math::normalized(side + direction * 0.6 + Vec3{0.0, 0.0, -0.15 - foliage.droop} + any_direction(draw, 0) * 0.35);
+    const Vec3 tip = math::normalized(side + direction * 0.6 + Vec3{0.0, 0.0, -0.15 - foliage.droop} +
+                                      any_direction(draw, 0) * 0.35);
     const Vec3 face = math::normalized(Vec3{0.0, 0.0, 1.0} + any_direction(draw, 2) * 0.75);
     const double size = draw.between(0.75, 1.15, 4);
     add_leaf(leaves, {foliage.leaf.length * size, foliage.leaf.width * size, foliage.leaf.fold},
@@ -78,8 +81,8 @@ void add_branches(MeshBuilder& mesh, const std::vector<Joint>& joints) {
   }
 }
 
-int add_foliage(MeshBuilder& wood, MeshBuilder& leaves, const std::vector<Joint>& joints, const Foliage& foliage,
-                const Chance& chance) {
+int add_foliage(MeshBuilder& wood, MeshBuilder& leaves, const std::vector<Joint>& joints,
+                const Foliage& foliage, const Chance& chance) {
   std::vector<std::size_t> twigs;
   for (std::size_t k = 1; k < joints.size(); ++k)
     if (joints[k].tips <= 3 && joints[k].at.z > foliage.lowest_m) twigs.push_back(k);

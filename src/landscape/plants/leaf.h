@@ -28,7 +28,7 @@ struct Foliage {
 };
 
 /// Shoots with leaves in spirals on all twigs: about `count` leaves, the number of which is returned.
-int add_foliage(MeshBuilder& wood, MeshBuilder& leaves, const std::vector<Joint>& joints, const Foliage& foliage,
-                const Chance& chance);
+int add_foliage(MeshBuilder& wood, MeshBuilder& leaves, const std::vector<Joint>& joints,
+                const Foliage& foliage, const Chance& chance);
 
 }  // namespace ifov::landscape

@@ -6,13 +6,15 @@
 
 namespace ifov::landscape {
 
-Stock add_plant(const std::string& name, const Tree& plant, bool low_branches, const std::string& leaf_material,
-                const std::string& bark_material, SceneFolder& folder, SceneText& text) {
+Stock add_plant(const std::string& name, const Tree& plant, bool low_branches,
+                const std::string& leaf_material, const std::string& bark_material, SceneFolder& folder,
+                SceneText& text) {
   const std::string wood = folder.add_large_mesh(name + "_wood", plant.wood);
   const std::string leaves = folder.add_large_mesh(name + "_leaves", plant.leaves);
-  text.prototype(name, {format("// {} leaves, {:.1f} m high", plant.leaf_count, plant.height_m),
-                        format(R"({{{}, "material": {}}})", mesh_text(wood), text.material(bark_material)),
-                        format(R"({{{}, "material": {}}})", mesh_text(leaves), text.material(leaf_material))});
+  text.prototype(name,
+                 {format("// {} leaves, {:.1f} m high", plant.leaf_count, plant.height_m),
+                  format(R"({{{}, "material": {}}})", mesh_text(wood), text.material(bark_material)),
+                  format(R"({{{}, "material": {}}})", mesh_text(leaves), text.material(leaf_material))});
   return {name, plant.crown_radius_m, low_branches, {}};
 }
 
@@ -22,7 +24,8 @@ std::vector<Stock> add_trees(int individuals, const Chance& chance, SceneFolder&
   int number = 0;
   for (const Species& species : tree_species())
     for (int k = 0; k < individuals; ++k) {
-      const Tree tree = grow_tree(species, sampling::hash(std::uint64_t{17}, chance.of(++number).pick(1 << 30, 0)));
+      const Tree tree =
+          grow_tree(species, sampling::hash(std::uint64_t{17}, chance.of(++number).pick(1 << 30, 0)));
       if (leaf_counts != nullptr) leaf_counts->push_back(tree.leaf_count);
       const std::string name(species.name);
       stocks.push_back(add_plant(format("{}_{}", name, k + 1), tree, species.low_branches, "leaf, " + name,
@@ -31,8 +34,8 @@ std::vector<Stock> add_trees(int individuals, const Chance& chance, SceneFolder&
   return stocks;
 }
 
-void place_plants(const std::vector<Stock>& stocks, const std::function<double(Vec2)>& ground_m, SceneFolder& folder,
-                  SceneText& text) {
+void place_plants(const std::vector<Stock>& stocks, const std::function<double(Vec2)>& ground_m,
+                  SceneFolder& folder, SceneText& text) {
   for (const Stock& stock : stocks) {
     if (stock.copies.empty()) continue;
     std::string rows = "# x, y, z (m), rotation about z (degrees), scale\n";
@@ -40,7 +43,8 @@ void place_plants(const std::vector<Stock>& stocks, const std::function<double(V
       rows += format("{:.3f},{:.3f},{:.3f},{:.2f},{:.4f}\n", plant.at.x, plant.at.y, ground_m(plant.at),
                      plant.rotation_rad * 180.0 / M_PI, plant.scale);
     const std::string file = folder.add_list(stock.prototype, rows);
-    text.object(format(R"({{"name": "{}", "instances": {{"of": "{}", "csv": "{}"}}}})", stock.prototype, stock.prototype, file));
+    text.object(format(R"({{"name": "{}", "instances": {{"of": "{}", "csv": "{}"}}}})", stock.prototype,
+                       stock.prototype, file));
   }
 }
 

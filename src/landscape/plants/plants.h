@@ -12,8 +12,9 @@
 namespace ifov::landscape {
 
 /// Writes a plant's meshes and its prototype, and returns it as stock without copies.
-Stock add_plant(const std::string& name, const Tree& plant, bool low_branches, const std::string& leaf_material,
-                const std::string& bark_material, SceneFolder& folder, SceneText& text);
+Stock add_plant(const std::string& name, const Tree& plant, bool low_branches,
+                const std::string& leaf_material, const std::string& bark_material, SceneFolder& folder,
+                SceneText& text);
 
 /// All individuals of all tree species: `individuals` of each, named "oak_1", ...
 std::vector<Stock> add_trees(int individuals, const Chance& chance, SceneFolder& folder, SceneText& text,
@@ -21,7 +22,7 @@ std::vector<Stock> add_trees(int individuals, const Chance& chance, SceneFolder&
 
 /// Writes the copies of each stock as an instance list and names it in the document. Copies stand on the ground whose
 /// height is given.
-void place_plants(const std::vector<Stock>& stocks, const std::function<double(Vec2)>& ground_m, SceneFolder& folder,
-                  SceneText& text);
+void place_plants(const std::vector<Stock>& stocks, const std::function<double(Vec2)>& ground_m,
+                  SceneFolder& folder, SceneText& text);
 
 }  // namespace ifov::landscape

@@ -14,20 +14,22 @@ namespace {
 
 /// What tells broadleaved species apart beyond size.
 struct Habit {
-  double base_share;             ///< height of the crown's base as a share of the tree's
-  double widest, upper, lower;   ///< relative height of the widest place; how quickly it narrows above and below
-  double trunk_radius_share;     ///< of the height
+  double base_share;  ///< height of the crown's base as a share of the tree's
+  double widest, upper,
+      lower;                  ///< relative height of the widest place; how quickly it narrows above and below
+  double trunk_radius_share;  ///< of the height
   int attractors;
   Leaf leaf;
   int leaf_count;
-  double droop;                  ///< downward bend of shoots
+  double droop;  ///< downward bend of shoots
 };
 
 constexpr std::array kSpecies{
     Species{"oak", "a broad crown, leaves of 11 x 6 cm", 11.0, 4.4, false},
     Species{"maple", "an oval crown, leaves of 12 x 11 cm", 9.5, 3.2, false},
     Species{"birch", "a slender, drooping crown, leaves of 6 x 4.5 cm", 12.0, 2.6, false},
-    Species{"spruce", "a cone of whorled branches; leaves are shoots of needles, 10 x 2.2 cm", 13.0, 2.7, true},
+    Species{"spruce", "a cone of whorled branches; leaves are shoots of needles, 10 x 2.2 cm", 13.0, 2.7,
+            true},
 };
 
 Habit habit_of(std::string_view name) {
@@ -65,7 +67,8 @@ Tree grow_broadleaf(const Species& species, const Chance& chance) {
   MeshBuilder leaves;
   leaves.slot("leaf");
   const int wanted = static_cast<int>(habit.leaf_count * chance.between(0.92, 1.08, 2));
-  tree.leaf_count = add_foliage(wood, leaves, joints, {habit.leaf, wanted, habit.droop, 0.7 * crown.base}, chance);
+  tree.leaf_count =
+      add_foliage(wood, leaves, joints, {habit.leaf, wanted, habit.droop, 0.7 * crown.base}, chance);
   tree.wood = wood.take();
   tree.leaves = leaves.take();
   return tree;

@@ -19,7 +19,8 @@ std::vector<Point3> scatter_attractors(const CrownShape& crown, const Chance& ch
     if (r > limit) continue;
     // Clumps with gaps between them, and more leaves towards the outside, as light has it.
     const double angle = std::atan2(y, x);
-    const double clump = fractal_noise(clumps, 2.2 * std::cos(angle) * r + 9.0, 2.2 * std::sin(angle) * r + 5.0 * t, 0.8, 2);
+    const double clump =
+        fractal_noise(clumps, 2.2 * std::cos(angle) * r + 9.0, 2.2 * std::sin(angle) * r + 5.0 * t, 0.8, 2);
     const double outside = limit > 0.0 ? r / limit : 1.0;
     if (draw.unit(3) > (0.25 + 0.75 * outside * outside) * std::clamp(2.6 * clump - 0.55, 0.0, 1.0)) continue;
     points.push_back({x * crown.radius, y * crown.radius, crown.base + t * (crown.height - crown.base)});
@@ -36,7 +37,9 @@ std::vector<Joint> raise_trunk(const CrownShape& crown, double step, const Chanc
   for (double z = -0.3 + step; z < top; z += step) {
     const double sweep = lean * (std::max(z, 0.0) + 0.4 * std::sin(1.3 * z));
     joints.push_back({{sweep * std::cos(towards), sweep * std::sin(towards), z},
-                      static_cast<int>(joints.size()) - 1, 0.0, 0});
+                      static_cast<int>(joints.size()) - 1,
+                      0.0,
+                      0});
   }
   return joints;
 }
@@ -56,7 +59,8 @@ void set_radii(std::vector<Joint>& joints, double trunk_radius_m, double tip_rad
   for (Joint& joint : joints) {
     joint.radius_m = tip_radius_m * std::pow(joint.tips, power);
     // The foot of the trunk flares out.
-    if (joint.tips == joints.front().tips) joint.radius_m *= 1.0 + 0.5 * std::exp(-std::max(joint.at.z, 0.0) / 0.25);
+    if (joint.tips == joints.front().tips)
+      joint.radius_m *= 1.0 + 0.5 * std::exp(-std::max(joint.at.z, 0.0) / 0.25);
   }
 }
 
@@ -92,7 +96,8 @@ std::vector<Joint> grow_skeleton(const CrownShape& crown, const Chance& chance) 
       if (math::length(direction[k]) < 1e-6) continue;
       // Branches bend upwards a little, and jitter keeps two pulls from holding each other up.
       const Chance jitter = chance.of(round, static_cast<int>(k));
-      const Vec3 bend{jitter.between(-0.18, 0.18, 0), jitter.between(-0.18, 0.18, 1), jitter.between(-0.05, 0.2, 2)};
+      const Vec3 bend{jitter.between(-0.18, 0.18, 0), jitter.between(-0.18, 0.18, 1),
+                      jitter.between(-0.05, 0.2, 2)};
       const Vec3 grow = math::normalized(math::normalized(direction[k]) + bend);
       joints.push_back({joints[k].at + grow * step, static_cast<int>(k), 0.0, 0});
     }

@@ -53,7 +53,9 @@ class Planting {
     const double flat_margin = stock.low_branches ? crown : 0.9;
     if (std::max(std::abs(at.x), std::abs(at.y)) > obstacles_.streets.half_m - 1.0) return false;
     if (!on_soil(obstacles_, at, flat_margin)) return false;
-    if (!in_verge && !obstacles_.streets.is_clear({{at}, -flat_margin, flat_margin, -flat_margin, flat_margin})) return false;
+    if (!in_verge &&
+        !obstacles_.streets.is_clear({{at}, -flat_margin, flat_margin, -flat_margin, flat_margin}))
+      return false;
     if (distance_to_houses(obstacles_, at) < crown + 0.3) return false;
     if (distance_to_line(obstacles_.line, at) < crown + 1.8) return false;
     const Footprint court{obstacles_.plots.court_stand, -18.9, 18.9, -9.7, 9.7};
@@ -84,9 +86,11 @@ void plant_trees(std::vector<Stock>& species, const Obstacles& o, const Chance& 
         if (!draw.happens(0.3, 0)) continue;
         const double off = 0.5 * street.width + Section::kKerb + 0.5 * Section::kVerge;
         const Vec2 at = street.at(along) + left_of(street.direction(along)) * (side * off);
-        const bool in_junction = std::any_of(o.streets.sides.begin(), o.streets.sides.end(), [&](const Street& other) {
-          return std::abs(other.axis.front().y - at.y) < 13.0 && at.x > other.axis.front().x - 12.0 && at.x < other.axis.back().x + 12.0;
-        });
+        const bool in_junction =
+            std::any_of(o.streets.sides.begin(), o.streets.sides.end(), [&](const Street& other) {
+              return std::abs(other.axis.front().y - at.y) < 13.0 && at.x > other.axis.front().x - 12.0 &&
+                     at.x < other.axis.back().x + 12.0;
+            });
         if (!in_junction) planting.try_to_plant(at, draw, true);
       }
   }
@@ -94,7 +98,9 @@ void plant_trees(std::vector<Stock>& species, const Obstacles& o, const Chance& 
   const Footprint& park = o.plots.court_park;
   for (int k = 0; k < 40; ++k) {
     const Chance draw = chance.of(2, k);
-    planting.try_to_plant(park.stand.at(draw.between(park.x0, park.x1, 0), draw.between(park.y0, park.y1 + 2.0, 1)), draw, false);
+    planting.try_to_plant(
+        park.stand.at(draw.between(park.x0, park.x1, 0), draw.between(park.y0, park.y1 + 2.0, 1)), draw,
+        false);
   }
   for (const Plot& plot : o.plots.plots) {
     const int wanted = 3 + chance.of(3, plot.number).pick(4, 0);
@@ -107,7 +113,8 @@ void plant_trees(std::vector<Stock>& species, const Obstacles& o, const Chance& 
   }
 }
 
-void plant_hedges(std::vector<Stock>& segments, const std::vector<Stock>& trees, const Obstacles& o, const Chance& chance) {
+void plant_hedges(std::vector<Stock>& segments, const std::vector<Stock>& trees, const Obstacles& o,
+                  const Chance& chance) {
   std::vector<Vec2> trunks;
   for (const Stock& stock : trees)
     for (const Planted& tree : stock.copies) trunks.push_back(tree.at);
@@ -146,7 +153,8 @@ void plant_hedges(std::vector<Stock>& segments, const std::vector<Stock>& trees,
 
 Footprint front_bed(const Plot& plot, const HousePlan& design) {
   // From the free corner of the house to the door.
-  const double corner = -design.garage_side * (0.5 * design.width - 0.2), door = design.door_x - design.garage_side * 0.9;
+  const double corner = -design.garage_side * (0.5 * design.width - 0.2),
+               door = design.door_x - design.garage_side * 0.9;
   return {plot.house, std::min(corner, door), std::max(corner, door), -1.5, 0.0};
 }
 
@@ -158,7 +166,8 @@ void plant_shrubs(std::vector<Stock>& shrubs, const Obstacles& o, const Chance& 
       const Chance draw = chance.of(plot.number, number);
       if (draw.happens(0.2, 0)) continue;
       Stock& stock = shrubs[static_cast<std::size_t>(draw.pick(static_cast<int>(shrubs.size()), 1))];
-      stock.copies.push_back({plot.house.at(x, -0.85), draw.between(0.0, 2.0 * M_PI, 2), draw.between(0.75, 1.0, 3)});
+      stock.copies.push_back(
+          {plot.house.at(x, -0.85), draw.between(0.0, 2.0 * M_PI, 2), draw.between(0.75, 1.0, 3)});
     }
   }
 }

@@ -34,7 +34,8 @@ void add(MeshBuilder& mesh, const char* slot, const Region& region, double heigh
 }
 
 /// Repairs and manholes in the asphalt.
-void plan_repairs(const StreetPlan& streets, const Chance& chance, std::vector<Region>& patches, std::vector<Region>& covers) {
+void plan_repairs(const StreetPlan& streets, const Chance& chance, std::vector<Region>& patches,
+                  std::vector<Region>& covers) {
   int number = 0;
   for (const auto* kind : {&streets.mains, &streets.sides})
     for (const Street& street : *kind) {
@@ -42,7 +43,8 @@ void plan_repairs(const StreetPlan& streets, const Chance& chance, std::vector<R
       for (double along = 8.0; along < total - 8.0; along += 14.0) {
         const Chance draw = chance.of(++number);
         const double at = along + draw.between(-5.0, 5.0, 0);
-        const Stand stand{street.at(at) + left_of(street.direction(at)) * draw.between(-2.3, 2.3, 1), street.direction(at)};
+        const Stand stand{street.at(at) + left_of(street.direction(at)) * draw.between(-2.3, 2.3, 1),
+                          street.direction(at)};
         if (draw.happens(0.3, 2)) {
           const double half_width = draw.between(0.4, 1.0, 3), half_length = draw.between(0.6, 2.6, 4);
           patches.push_back(Region::rectangle({stand, -half_width, half_width, -half_length, half_length}));
@@ -103,7 +105,8 @@ void lay_ground(const StreetPlan& streets, const PlotPlan& plots, const Chance& 
   }
   const Footprint court{plots.court_stand, -0.5 * CourtSize::kLot_length, 0.5 * CourtSize::kLot_length,
                         -0.5 * CourtSize::kLot_width, 0.5 * CourtSize::kLot_width};
-  const Footprint court_path{plots.court_stand, -1.0, 1.0, -0.5 * CourtSize::kLot_width - 20.0, -0.5 * CourtSize::kLot_width};
+  const Footprint court_path{plots.court_stand, -1.0, 1.0, -0.5 * CourtSize::kLot_width - 20.0,
+                             -0.5 * CourtSize::kLot_width};
   const Region concrete_drives = all_rectangles(concrete), drives = concrete_drives + all_rectangles(asphalt);
   walks.push_back(court_path);
 
@@ -155,9 +158,10 @@ void lay_ground(const StreetPlan& streets, const PlotPlan& plots, const Chance& 
   text.object(format(R"({{"name": "lawns", {}, "material": {}}})", mesh_text(lawn_file),
                      lawn_material(streets, plots, chance.of(2), folder, text)));
   text.object(format(R"({{"name": "subsoil", "polygon": {{"vertices": [{}, {}, {}, {}]}}, "material": {}}})",
-                     point_text(-streets.half_m, -streets.half_m, -0.05), point_text(streets.half_m, -streets.half_m, -0.05),
-                     point_text(streets.half_m, streets.half_m, -0.05), point_text(-streets.half_m, streets.half_m, -0.05),
-                     text.material("soil")));
+                     point_text(-streets.half_m, -streets.half_m, -0.05),
+                     point_text(streets.half_m, -streets.half_m, -0.05),
+                     point_text(streets.half_m, streets.half_m, -0.05),
+                     point_text(-streets.half_m, streets.half_m, -0.05), text.material("soil")));
 }
 
 }  // namespace ifov::landscape

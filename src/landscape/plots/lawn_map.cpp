@@ -19,11 +19,14 @@ std::vector<float> care_of_gardens(const PlotPlan& plots, const Chance& chance, 
     const Footprint area = plot.area();
     const double reach = std::hypot(plot.width, plot.depth);
     const auto index = [&](double at) { return std::clamp(static_cast<int>(at / cell), 0, cells - 1); };
-    for (int row = index(half_m - plot.stand.origin.y - reach); row <= index(half_m - plot.stand.origin.y + reach); ++row)
-      for (int column = index(plot.stand.origin.x - reach + half_m); column <= index(plot.stand.origin.x + reach + half_m); ++column) {
+    for (int row = index(half_m - plot.stand.origin.y - reach);
+         row <= index(half_m - plot.stand.origin.y + reach); ++row)
+      for (int column = index(plot.stand.origin.x - reach + half_m);
+           column <= index(plot.stand.origin.x + reach + half_m); ++column) {
         const Vec2 at{-half_m + (column + 0.5) * cell, half_m - (row + 0.5) * cell};
         if (distance(area, at) <= 0.0)
-          care[static_cast<std::size_t>(row) * static_cast<std::size_t>(cells) + static_cast<std::size_t>(column)] = value;
+          care[static_cast<std::size_t>(row) * static_cast<std::size_t>(cells) +
+               static_cast<std::size_t>(column)] = value;
       }
   }
   return care;
@@ -43,8 +46,8 @@ Cover cover_at(const Chance& chance, double x, double y, double care) {
 
 }  // namespace
 
-std::string lawn_material(const StreetPlan& streets, const PlotPlan& plots, const Chance& chance, SceneFolder& folder,
-                          SceneText& text) {
+std::string lawn_material(const StreetPlan& streets, const PlotPlan& plots, const Chance& chance,
+                          SceneFolder& folder, SceneText& text) {
   constexpr int kMost_cells = 4400;
   const double size = 2.0 * streets.half_m;
   io::Raster raster;
@@ -61,14 +64,15 @@ std::string lawn_material(const StreetPlan& streets, const PlotPlan& plots, cons
       const auto r = static_cast<std::size_t>(row * garden_cells / raster.height);
       const auto c = static_cast<std::size_t>(column * garden_cells / raster.width);
       const double own = static_cast<double>(care[r * static_cast<std::size_t>(garden_cells) + c]);
-      raster.values.push_back(static_cast<float>(
-          cover_at(chance, -streets.half_m + (column + 0.5) * cell, streets.half_m - (row + 0.5) * cell, own)));
+      raster.values.push_back(static_cast<float>(cover_at(chance, -streets.half_m + (column + 0.5) * cell,
+                                                          streets.half_m - (row + 0.5) * cell, own)));
     }
   const std::string file = folder.add_map("lawn_cover", raster);
   return format(R"({{"map": {{"file": "{}", "low_left": [{}, {}], "size": [{}, {}],
          "classes": {{"1": {}, "2": {}, "3": {}, "4": {}, "5": {}}}}}}})",
-                file, metres(-streets.half_m), metres(-streets.half_m), metres(size), metres(size), text.material("lawn"),
-                text.material("lawn, sparse"), text.material("lawn, dry"), text.material("clover"), text.material("soil"));
+                file, metres(-streets.half_m), metres(-streets.half_m), metres(size), metres(size),
+                text.material("lawn"), text.material("lawn, sparse"), text.material("lawn, dry"),
+                text.material("clover"), text.material("soil"));
 }
 
 }  // namespace ifov::landscape

@@ -32,7 +32,8 @@ bool inside(const Footprint& footprint, double half_m) {
 void furnish(Plot& plot, const HousePlan& design, const Chance& chance) {
   const double setback = chance.between(6.0, 8.0, 0) + design.garage_depth;
   const double room = 0.5 * (plot.width - design.width) - 1.6;
-  plot.house = {plot.stand.at(std::clamp(chance.between(-1.0, 1.0, 1), -room, room), setback), plot.stand.inward};
+  plot.house = {plot.stand.at(std::clamp(chance.between(-1.0, 1.0, 1), -room, room), setback),
+                plot.stand.inward};
   plot.house_footprint = design.footprint(plot.house);
   const double garage = design.garage_middle(), reach = setback + Section::kCorridor + 1.0;
   plot.driveway = {plot.house, garage - 2.7, garage + 2.7, -reach, -design.garage_depth};
@@ -62,8 +63,8 @@ PlotPlan plan_plots(const StreetPlan& streets, const Chance& chance) {
     for (const int side : {1, -1})
       for (double along = 30.0; along < total - 30.0; along += 4.0) {
         const Stand stand = frontage(street, along, side);
-        const Footprint park{stand, -0.5 * CourtSize::kLot_length - 2.0, 0.5 * CourtSize::kLot_length + 2.0, 2.5,
-                             CourtSize::kLot_width + 8.0};
+        const Footprint park{stand, -0.5 * CourtSize::kLot_length - 2.0, 0.5 * CourtSize::kLot_length + 2.0,
+                             2.5, CourtSize::kLot_width + 8.0};
         const Vec2 middle = stand.at(0.0, 0.5 * (park.y0 + park.y1));
         const double off = length(middle);
         if (off >= nearest || !streets.is_clear(park)) continue;
@@ -101,12 +102,13 @@ PlotPlan plan_plots(const StreetPlan& streets, const Chance& chance) {
           along += 3.0;
           continue;
         }
-        const bool pool_free = streets.is_clear(plot.pool_deck.grown(1.0)) && !overlap(plot.pool_deck, plan.court_park) &&
-                               inside(plot.pool_deck, streets.half_m) &&
-                               std::none_of(plan.plots.begin(), plan.plots.end(), [&](const Plot& other) {
-                                 return overlap(plot.pool_deck.grown(1.0), other.house_footprint) ||
-                                        (other.has_pool && overlap(plot.pool_deck.grown(0.5), other.pool_deck));
-                               });
+        const bool pool_free =
+            streets.is_clear(plot.pool_deck.grown(1.0)) && !overlap(plot.pool_deck, plan.court_park) &&
+            inside(plot.pool_deck, streets.half_m) &&
+            std::none_of(plan.plots.begin(), plan.plots.end(), [&](const Plot& other) {
+              return overlap(plot.pool_deck.grown(1.0), other.house_footprint) ||
+                     (other.has_pool && overlap(plot.pool_deck.grown(0.5), other.pool_deck));
+            });
         plot.has_pool = plot.has_pool && pool_free;
         plot.number = ++number;
         plan.plots.push_back(plot);

@@ -17,12 +17,12 @@ struct Plot {
 
   int design = 0;  ///< of the house
   Stand house;
-  Footprint house_footprint;          ///< with eaves
-  Footprint driveway, front_walk;     ///< from the garage and from the door to the asphalt or the sidewalk
+  Footprint house_footprint;       ///< with eaves
+  Footprint driveway, front_walk;  ///< from the garage and from the door to the asphalt or the sidewalk
   Footprint patio;
   bool has_pool = false;
   Footprint pool_deck, pool;
-  bool paved_driveway = true;         ///< concrete, else asphalt
+  bool paved_driveway = true;  ///< concrete, else asphalt
 };
 
 struct PlotPlan {

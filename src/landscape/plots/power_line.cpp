@@ -16,7 +16,8 @@ constexpr double kSag_m = 0.7;
 struct Attachment {
   double across, height;
 };
-constexpr std::array<Attachment, 4> kWires{{{-1.05, kArm_m + 0.32}, {0.35, kArm_m + 0.32}, {1.05, kArm_m + 0.32}, {-0.2, 8.3}}};
+constexpr std::array<Attachment, 4> kWires{
+    {{-1.05, kArm_m + 0.32}, {0.35, kArm_m + 0.32}, {1.05, kArm_m + 0.32}, {-0.2, 8.3}}};
 
 }  // namespace
 
@@ -34,7 +35,8 @@ PowerLine plan_power_line(const Street& street, std::span<const Plot> plots, dou
   for (double along = 5.0; along < total - 4.0; along += kSpan_m) {
     Stand stand = stand_at(along);
     for (int step = 1; step < 8 && !is_free(stand); ++step) stand = stand_at(along + step);
-    if (std::max(std::abs(stand.origin.x), std::abs(stand.origin.y)) < half_m - 0.5) line.poles.push_back(stand);
+    if (std::max(std::abs(stand.origin.x), std::abs(stand.origin.y)) < half_m - 0.5)
+      line.poles.push_back(stand);
   }
   return line;
 }
@@ -45,13 +47,16 @@ geometry::TriangleMesh pole_mesh() {
   mesh.tube(std::array<Point3, 2>{{{0, 0, -0.1}, {0, 0, kPole_m}}}, std::array{0.16, 0.105}, 12, true);
   mesh.box({-1.25, 0.1, kArm_m - 0.06}, {1.25, 0.2, kArm_m + 0.06});
   mesh.slot("steel");
-  for (const double side : {-1.0, 1.0}) mesh.tube({0.0, 0.15, kArm_m - 0.75}, {side * 0.8, 0.15, kArm_m - 0.05}, 0.012, 5);
+  for (const double side : {-1.0, 1.0})
+    mesh.tube({0.0, 0.15, kArm_m - 0.75}, {side * 0.8, 0.15, kArm_m - 0.05}, 0.012, 5);
   // A transformer hangs below the arm.
   mesh.tube({0.32, -0.2, 7.0}, {0.32, -0.2, 7.95}, 0.24, 14);
   mesh.slot("insulator");
   for (const Attachment& wire : kWires) {
     if (wire.height > kArm_m)
-      mesh.tube(std::array<Point3, 3>{{{wire.across, 0.15, kArm_m + 0.06}, {wire.across, 0.15, kArm_m + 0.2}, {wire.across, 0.15, wire.height}}},
+      mesh.tube(std::array<Point3, 3>{{{wire.across, 0.15, kArm_m + 0.06},
+                                       {wire.across, 0.15, kArm_m + 0.2},
+                                       {wire.across, 0.15, wire.height}}},
                 std::array{0.03, 0.065, 0.035}, 10, true);
     else
       mesh.tube({wire.across, 0.0, wire.height - 0.06}, {wire.across, 0.0, wire.height + 0.04}, 0.04, 8);

@@ -22,10 +22,12 @@ class Traffic {
     const Footprint taken = car_footprint(stand);
     for (int k = 0; k < 4; ++k)
       if (std::max(std::abs(taken.corner(k).x), std::abs(taken.corner(k).y)) > streets_.half_m) return;
-    if (std::any_of(cars_.begin(), cars_.end(),
-                    [&](const ParkedCar& other) { return overlap(taken.grown(0.25), car_footprint(other.stand)); }))
+    if (std::any_of(cars_.begin(), cars_.end(), [&](const ParkedCar& other) {
+          return overlap(taken.grown(0.25), car_footprint(other.stand));
+        }))
       return;
-    cars_.push_back({stand, static_cast<CarKind>(draw.pick(kCarKinds, 90)), kPaints[static_cast<std::size_t>(draw.pick(kPaints.size(), 91))], ground_m});
+    cars_.push_back({stand, static_cast<CarKind>(draw.pick(kCarKinds, 90)),
+                     kPaints[static_cast<std::size_t>(draw.pick(kPaints.size(), 91))], ground_m});
   }
 
   bool before_a_driveway(Vec2 at) const {
@@ -34,7 +36,8 @@ class Traffic {
   }
   bool near_a_junction(Vec2 at) const {
     return std::any_of(streets_.sides.begin(), streets_.sides.end(), [&](const Street& side) {
-      return std::abs(side.axis.front().y - at.y) < 18.0 && at.x > side.axis.front().x - 18.0 && at.x < side.axis.back().x + 18.0;
+      return std::abs(side.axis.front().y - at.y) < 18.0 && at.x > side.axis.front().x - 18.0 &&
+             at.x < side.axis.back().x + 18.0;
     });
   }
 
@@ -58,7 +61,8 @@ std::vector<ParkedCar> plan_cars(const StreetPlan& streets, const PlotPlan& plot
     for (const int side : {-1, 1}) {
       if (!draw.happens(0.42, side)) continue;
       const Chance own = draw.of(side);
-      const Vec2 at = plot.house.at(house.garage_middle() + side * 1.32, -house.garage_depth - own.between(3.2, 3.45, 0));
+      const Vec2 at =
+          plot.house.at(house.garage_middle() + side * 1.32, -house.garage_depth - own.between(3.2, 3.45, 0));
       traffic.try_to_park(at, plot.house.inward * (own.happens(0.7, 1) ? 1.0 : -1.0), Section::kLand, own);
     }
   }

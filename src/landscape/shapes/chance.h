@@ -20,7 +20,9 @@ class Chance {
 
   /// In [0, 1); `index` tells the choices of one part from each other.
   constexpr double unit(int index) const { return sampling::unit_double(sampling::hash(key_, index)); }
-  constexpr double between(double low, double high, int index) const { return low + (high - low) * unit(index); }
+  constexpr double between(double low, double high, int index) const {
+    return low + (high - low) * unit(index);
+  }
   /// 0 to count - 1.
   constexpr int pick(int count, int index) const { return static_cast<int>(unit(index) * count); }
   constexpr bool happens(double probability, int index) const { return unit(index) < probability; }

@@ -44,13 +44,16 @@ void MeshBuilder::polygon(std::span<const Point3> vertices_m) {
 
 void MeshBuilder::box(Point3 low, Point3 high) {
   const auto corner = [&](int k) {
-    return Point3{(k & 1) != 0 ? high.x : low.x, (k & 2) != 0 ? high.y : low.y, (k & 4) != 0 ? high.z : low.z};
+    return Point3{(k & 1) != 0 ? high.x : low.x, (k & 2) != 0 ? high.y : low.y,
+                  (k & 4) != 0 ? high.z : low.z};
   };
-  constexpr int kFaces[6][4] = {{4, 5, 7, 6}, {0, 2, 3, 1}, {0, 1, 5, 4}, {2, 6, 7, 3}, {1, 3, 7, 5}, {0, 4, 6, 2}};
+  constexpr int kFaces[6][4] = {{4, 5, 7, 6}, {0, 2, 3, 1}, {0, 1, 5, 4},
+                                {2, 6, 7, 3}, {1, 3, 7, 5}, {0, 4, 6, 2}};
   for (const auto& face : kFaces) quad(corner(face[0]), corner(face[1]), corner(face[2]), corner(face[3]));
 }
 
-void MeshBuilder::tube(std::span<const Point3> axis, std::span<const double> radii, int sides, bool closed_ends) {
+void MeshBuilder::tube(std::span<const Point3> axis, std::span<const double> radii, int sides,
+                       bool closed_ends) {
   const auto ring_size = static_cast<std::uint32_t>(sides);
   const auto first = static_cast<std::uint32_t>(mesh_.vertices_m.size());
   Vec3 side;

@@ -176,7 +176,8 @@ void Region::pave_cell(MeshBuilder& mesh, const Height& height_m, Corner low, Co
   const Path cell{{low.x, low.y}, {high.x, low.y}, {high.x, high.y}, {low.x, high.y}};
   const Paths inside = combined(ClipperLib::ctIntersection, paths_of(rings_), {cell});
   if (inside.empty()) return;
-  const auto hole = std::find_if(inside.begin(), inside.end(), [](const Path& p) { return ClipperLib::Area(p) < 0.0; });
+  const auto hole =
+      std::find_if(inside.begin(), inside.end(), [](const Path& p) { return ClipperLib::Area(p) < 0.0; });
   // A cut through a hole makes it part of the rim on both sides; so holes need no bridges.
   if (hole != inside.end() && depth < 24) {
     const auto by_x = [](const auto& a, const auto& b) { return a.X < b.X; };

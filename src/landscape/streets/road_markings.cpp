@@ -11,7 +11,8 @@ constexpr double kLine_m = 0.10;
 Region line_beside(const Street& street, double off_m) {
   std::vector<Vec2> line;
   for (std::size_t k = 0; k < street.axis.size(); ++k) {
-    const Vec2 before = street.axis[k > 0 ? k - 1 : 0], after = street.axis[std::min(k + 1, street.axis.size() - 1)];
+    const Vec2 before = street.axis[k > 0 ? k - 1 : 0],
+               after = street.axis[std::min(k + 1, street.axis.size() - 1)];
     line.push_back(street.axis[k] + left_of(unit(after - before)) * off_m);
   }
   return Region::ribbon(line, kLine_m);
@@ -19,7 +20,8 @@ Region line_beside(const Street& street, double off_m) {
 
 /// Where a side street meets a main one: `inward` points along the side street, away from the junction.
 void paint_junction(const Stand& stand, std::vector<Region>& white) {
-  const double middle = 0.5 * Section::kMainWidth + Section::kKerb + Section::kVerge + 0.5 * Section::kSidewalk;
+  const double middle =
+      0.5 * Section::kMainWidth + Section::kKerb + Section::kVerge + 0.5 * Section::kSidewalk;
   const double half = 0.5 * Section::kSideWidth - 0.25;
   for (double x = -half; x + 0.45 <= half; x += 0.95)
     white.push_back(Region::rectangle({stand, x, x + 0.45, middle - 1.3, middle + 1.3}));

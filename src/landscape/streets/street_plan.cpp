@@ -58,7 +58,8 @@ StreetPlan plan_streets(double half_m, const Chance& chance) {
   };
   for (int k = 0; k < mains; ++k) {
     Street street;
-    for (double y = -half_m - kBeyond_m; y <= half_m + kBeyond_m; y += 1.0) street.axis.push_back({main_x(k, y), y});
+    for (double y = -half_m - kBeyond_m; y <= half_m + kBeyond_m; y += 1.0)
+      street.axis.push_back({main_x(k, y), y});
     plan.mains.push_back(std::move(street));
   }
   for (int gap = 0; gap <= mains; ++gap) {
@@ -73,7 +74,8 @@ StreetPlan plan_streets(double half_m, const Chance& chance) {
       Street street;
       street.width = Section::kSideWidth;
       const int steps = static_cast<int>(std::ceil(east.x - west.x));
-      for (int k = 0; k <= steps; ++k) street.axis.push_back(west + (east - west) * (static_cast<double>(k) / steps));
+      for (int k = 0; k <= steps; ++k)
+        street.axis.push_back(west + (east - west) * (static_cast<double>(k) / steps));
       plan.sides.push_back(std::move(street));
     }
   }

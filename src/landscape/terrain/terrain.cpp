@@ -10,14 +10,17 @@ namespace {
 
 constexpr int kMost_cells = 4400;
 
-int steps_of(const Terrain& terrain) { return static_cast<int>(std::lround(2.0 * terrain.half_m / terrain.mesh_m)); }
+int steps_of(const Terrain& terrain) {
+  return static_cast<int>(std::lround(2.0 * terrain.half_m / terrain.mesh_m));
+}
 
 }  // namespace
 
 double Terrain::on_mesh_m(Vec2 at) const {
   const int steps = steps_of(*this);
   const double cell = 2.0 * half_m / steps;
-  const double x = std::clamp((at.x + half_m) / cell, 0.0, steps - 1e-9), y = std::clamp((at.y + half_m) / cell, 0.0, steps - 1e-9);
+  const double x = std::clamp((at.x + half_m) / cell, 0.0, steps - 1e-9),
+               y = std::clamp((at.y + half_m) / cell, 0.0, steps - 1e-9);
   const double column = std::floor(x), row = std::floor(y), u = x - column, v = y - row;
   const auto node = [&](double c, double r) { return height_m({-half_m + c * cell, -half_m + r * cell}); };
   const double low = node(column, row), high = node(column + 1.0, row + 1.0);
@@ -39,7 +42,9 @@ void add_terrain(const Terrain& terrain, SceneFolder& folder, SceneText& text) {
       const Vec2 at{-terrain.half_m + column * cell, -terrain.half_m + row * cell};
       mesh.vertices_m.push_back({at.x, at.y, terrain.height_m(at)});
     }
-  const auto index = [&](int column, int row) { return static_cast<std::uint32_t>(row * (steps + 1) + column); };
+  const auto index = [&](int column, int row) {
+    return static_cast<std::uint32_t>(row * (steps + 1) + column);
+  };
   for (int row = 0; row < steps; ++row)
     for (int column = 0; column < steps; ++column) {
       mesh.triangles.push_back({index(column, row), index(column + 1, row), index(column + 1, row + 1)});
@@ -55,16 +60,17 @@ void add_terrain(const Terrain& terrain, SceneFolder& folder, SceneText& text) {
   raster.geotransform = {-terrain.half_m, map_cell, 0.0, terrain.half_m, 0.0, -map_cell};
   for (int row = 0; row < raster.height; ++row)
     for (int column = 0; column < raster.width; ++column)
-      raster.values.push_back(static_cast<float>(
-          terrain.cover({-terrain.half_m + (column + 0.5) * map_cell, terrain.half_m - (row + 0.5) * map_cell})));
+      raster.values.push_back(static_cast<float>(terrain.cover(
+          {-terrain.half_m + (column + 0.5) * map_cell, terrain.half_m - (row + 0.5) * map_cell})));
   const std::string map_file = folder.add_map("ground_cover", raster);
   std::string classes;
   for (std::size_t k = 0; k < terrain.covers.size(); ++k)
     classes += format("{}\"{}\": {}", k > 0 ? ", " : "", k + 1, text.material(terrain.covers[k]));
-  text.object(format(R"({{"name": "ground", {}, "material": {{"map": {{"file": "{}", "low_left": [{}, {}], "size": [{}, {}],
+  text.object(format(
+      R"({{"name": "ground", {}, "material": {{"map": {{"file": "{}", "low_left": [{}, {}], "size": [{}, {}],
          "classes": {{{}}}}}}}}})",
-                     mesh_text(mesh_file), map_file, metres(-terrain.half_m), metres(-terrain.half_m), metres(size), metres(size),
-                     classes));
+      mesh_text(mesh_file), map_file, metres(-terrain.half_m), metres(-terrain.half_m), metres(size),
+      metres(size), classes));
 }
 
 }  // namespace ifov::landscape

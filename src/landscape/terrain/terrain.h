@@ -17,7 +17,7 @@ struct Terrain {
   std::function<double(Vec2)> height_m;
   /// Number of the cover, counted from 1, in `covers`.
   std::function<int(Vec2)> cover;
-  std::vector<std::string> covers;  ///< materials
+  std::vector<std::string> covers;    ///< materials
   double mesh_m = 2.0, map_m = 0.25;  ///< spacing of the heights, cell of the map
 
   /// On the facets of the mesh, where things stand.

@@ -28,28 +28,45 @@ struct Shape {
 Shape shape_of(CarKind kind) {
   switch (kind) {
     case CarKind::sedan:
-      return {{{-2.32, .70, .78, .70, .38, .62, .82}, {-2.15, .82, .88, .80, .24, .68, .95},
-               {-1.45, .86, .91, .84, .20, .72, 1.00}, {0.95, .86, .91, .84, .20, .72, .98},
-               {1.90, .84, .88, .76, .22, .66, .84}, {2.28, .72, .78, .62, .32, .58, .70}},
-              {-1.75, 1.10, -0.95, 0.25, .83, .62, .97, 1.45}, -1.38, 1.40};
+      return {{{-2.32, .70, .78, .70, .38, .62, .82},
+               {-2.15, .82, .88, .80, .24, .68, .95},
+               {-1.45, .86, .91, .84, .20, .72, 1.00},
+               {0.95, .86, .91, .84, .20, .72, .98},
+               {1.90, .84, .88, .76, .22, .66, .84},
+               {2.28, .72, .78, .62, .32, .58, .70}},
+              {-1.75, 1.10, -0.95, 0.25, .83, .62, .97, 1.45},
+              -1.38,
+              1.40};
     case CarKind::estate:
-      return {{{-2.22, .74, .80, .76, .38, .70, .98}, {-2.05, .84, .90, .84, .24, .76, 1.08},
-               {0.95, .88, .92, .86, .22, .78, 1.08}, {1.80, .84, .89, .78, .24, .72, .96},
+      return {{{-2.22, .74, .80, .76, .38, .70, .98},
+               {-2.05, .84, .90, .84, .24, .76, 1.08},
+               {0.95, .88, .92, .86, .22, .78, 1.08},
+               {1.80, .84, .89, .78, .24, .72, .96},
                {2.20, .74, .80, .66, .34, .64, .80}},
-              {-2.12, 1.15, -1.85, 0.35, .84, .66, 1.06, 1.66}, -1.34, 1.38};
+              {-2.12, 1.15, -1.85, 0.35, .84, .66, 1.06, 1.66},
+              -1.34,
+              1.38};
     case CarKind::van:
-      return {{{-2.45, .82, .88, .86, .36, .80, 1.25}, {-2.35, .90, .95, .92, .26, .84, 1.30},
-               {1.35, .90, .95, .92, .24, .84, 1.25}, {2.05, .88, .93, .82, .26, .78, 1.02},
+      return {{{-2.45, .82, .88, .86, .36, .80, 1.25},
+               {-2.35, .90, .95, .92, .26, .84, 1.30},
+               {1.35, .90, .95, .92, .24, .84, 1.25},
+               {2.05, .88, .93, .82, .26, .78, 1.02},
                {2.42, .78, .84, .70, .36, .70, .86}},
-              {-2.42, 1.75, -2.36, 0.95, .90, .78, 1.24, 1.98}, -1.45, 1.55};
+              {-2.42, 1.75, -2.36, 0.95, .90, .78, 1.24, 1.98},
+              -1.45,
+              1.55};
   }
   return {};
 }
 
 /// Half of a ring, from the middle of the floor over the right side to the middle of the top.
 std::array<Point3, 6> half_ring(const Section& s) {
-  return {{{s.x, 0.0, s.sill}, {s.x, s.sill_half, s.sill}, {s.x, s.waist_half, s.waist},
-           {s.x, s.top_half + 0.03, s.top - 0.07}, {s.x, s.top_half - 0.06, s.top}, {s.x, 0.0, s.top + 0.02}}};
+  return {{{s.x, 0.0, s.sill},
+           {s.x, s.sill_half, s.sill},
+           {s.x, s.waist_half, s.waist},
+           {s.x, s.top_half + 0.03, s.top - 0.07},
+           {s.x, s.top_half - 0.06, s.top},
+           {s.x, 0.0, s.top + 0.02}}};
 }
 
 void body(MeshBuilder& mesh, const std::vector<Section>& sections) {
@@ -79,15 +96,21 @@ void cabin(MeshBuilder& mesh, const Cabin& c) {
   };
   const auto face = [&](Point3 a, Point3 b, Point3 d, Point3 e) { mesh.quad(a, b, d, e); };
   mesh.slot("glass");
-  face(corner(false, true, false), corner(false, true, true), corner(true, true, true), corner(true, true, false));
-  face(corner(false, false, true), corner(false, false, false), corner(true, false, false), corner(true, false, true));
-  face(corner(false, false, false), corner(false, true, false), corner(true, true, false), corner(true, false, false));
-  face(corner(false, true, true), corner(false, false, true), corner(true, false, true), corner(true, true, true));
+  face(corner(false, true, false), corner(false, true, true), corner(true, true, true),
+       corner(true, true, false));
+  face(corner(false, false, true), corner(false, false, false), corner(true, false, false),
+       corner(true, false, true));
+  face(corner(false, false, false), corner(false, true, false), corner(true, true, false),
+       corner(true, false, false));
+  face(corner(false, true, true), corner(false, false, true), corner(true, false, true),
+       corner(true, true, true));
   mesh.slot("body");
-  mesh.quad(corner(true, false, false), corner(true, true, false), corner(true, true, true), corner(true, false, true));
+  mesh.quad(corner(true, false, false), corner(true, true, false), corner(true, true, true),
+            corner(true, false, true));
   // Pillars: at the corners and between the doors.
   for (const bool left : {false, true}) {
-    for (const bool front : {false, true}) mesh.tube(corner(false, front, left), corner(true, front, left), 0.045, 4);
+    for (const bool front : {false, true})
+      mesh.tube(corner(false, front, left), corner(true, front, left), 0.045, 4);
     const double half_base = left ? c.base_half : -c.base_half, half_roof = left ? c.roof_half : -c.roof_half;
     const double middle = 0.5 * (c.roof_back + c.roof_front) - 0.1;
     mesh.tube({middle, half_base, c.base}, {middle, half_roof, c.roof}, 0.04, 4);

@@ -38,7 +38,8 @@ void surfaces(MeshBuilder& mesh) {
 void lines(MeshBuilder& mesh) {
   mesh.slot("line");
   const double z = kSurface_m + kPaint_m, w = Size::kLine;
-  const double x = 0.5 * Size::kLength, doubles = 0.5 * Size::kDoubles_width, singles = 0.5 * Size::kSingles_width;
+  const double x = 0.5 * Size::kLength, doubles = 0.5 * Size::kDoubles_width,
+               singles = 0.5 * Size::kSingles_width;
   for (const double side : {-1.0, 1.0}) {
     const auto along = [&](double outer) {
       const double y0 = side * outer, y1 = side * (outer - w);
@@ -74,17 +75,19 @@ void net(MeshBuilder& mesh) {
   const auto y_of = [&](int k) { return -reach + 2.0 * reach * k / kPieces; };
   mesh.slot("line");
   for (int k = 0; k < kPieces; ++k) {
-    const double y0 = y_of(k), y1 = y_of(k + 1), z0 = net_height(y0) + kSurface_m, z1 = net_height(y1) + kSurface_m;
+    const double y0 = y_of(k), y1 = y_of(k + 1), z0 = net_height(y0) + kSurface_m,
+                 z1 = net_height(y1) + kSurface_m;
     mesh.quad({0.0, y0, z0 - 0.06}, {0.0, y1, z1 - 0.06}, {0.0, y1, z1}, {0.0, y0, z0});
   }
   // Cords 5 cm apart, 3 mm thick, as flat strips.
   mesh.slot("net");
   constexpr double kMesh = 0.05, kCord = 0.003;
   for (double y = -reach + kMesh; y < reach; y += kMesh)
-    mesh.quad({0.0, y, kSurface_m}, {0.0, y + kCord, kSurface_m}, {0.0, y + kCord, net_height(y) - 0.03}, {0.0, y, net_height(y) - 0.03});
+    mesh.quad({0.0, y, kSurface_m}, {0.0, y + kCord, kSurface_m}, {0.0, y + kCord, net_height(y) - 0.03},
+              {0.0, y, net_height(y) - 0.03});
   for (double z = kMesh; z < Size::kNet_middle - 0.06; z += kMesh)
-    mesh.quad({0.0, -reach, z + kSurface_m}, {0.0, reach, z + kSurface_m}, {0.0, reach, z + kSurface_m + kCord},
-              {0.0, -reach, z + kSurface_m + kCord});
+    mesh.quad({0.0, -reach, z + kSurface_m}, {0.0, reach, z + kSurface_m},
+              {0.0, reach, z + kSurface_m + kCord}, {0.0, -reach, z + kSurface_m + kCord});
 }
 
 void fence(MeshBuilder& mesh) {
@@ -102,7 +105,8 @@ void fence(MeshBuilder& mesh) {
       mesh.tube(from + Vec3{0.0, 0.0, z}, to + Vec3{0.0, 0.0, z}, 0.021, 6);
     }
     // Wire mesh: level strands 10 cm apart.
-    for (double z = 0.1; z < top && !gate; z += 0.1) mesh.tube(from + Vec3{0, 0, z}, to + Vec3{0, 0, z}, 0.0015, 3);
+    for (double z = 0.1; z < top && !gate; z += 0.1)
+      mesh.tube(from + Vec3{0, 0, z}, to + Vec3{0, 0, z}, 0.0015, 3);
   };
   side({-x, -y, 0.0}, {x, -y, 0.0}, true);
   side({x, -y, 0.0}, {x, y, 0.0}, false);

@@ -51,16 +51,20 @@ geometry::TriangleMesh ship_mesh(double length, double beam) {
   const auto belt = [&](const char* slot, double low, double high) {
     mesh.slot(slot);
     for (int k = 0; k < kSections; ++k) {
-      mesh.quad(rim(k, -1.0, low, 0.97), rim(k + 1, -1.0, low, 0.97), rim(k + 1, -1.0, high, 1.0), rim(k, -1.0, high, 1.0));
-      mesh.quad(rim(k + 1, 1.0, low, 0.97), rim(k, 1.0, low, 0.97), rim(k, 1.0, high, 1.0), rim(k + 1, 1.0, high, 1.0));
+      mesh.quad(rim(k, -1.0, low, 0.97), rim(k + 1, -1.0, low, 0.97), rim(k + 1, -1.0, high, 1.0),
+                rim(k, -1.0, high, 1.0));
+      mesh.quad(rim(k + 1, 1.0, low, 0.97), rim(k, 1.0, low, 0.97), rim(k, 1.0, high, 1.0),
+                rim(k + 1, 1.0, high, 1.0));
     }
-    mesh.quad(rim(0, 1.0, low, 0.97), rim(0, -1.0, low, 0.97), rim(0, -1.0, high, 1.0), rim(0, 1.0, high, 1.0));
+    mesh.quad(rim(0, 1.0, low, 0.97), rim(0, -1.0, low, 0.97), rim(0, -1.0, high, 1.0),
+              rim(0, 1.0, high, 1.0));
   };
   belt("bottom", -draught, 1.0);
   belt("hull", 1.0, freeboard + 0.9);
   mesh.slot("deck");
   for (int k = 0; k < kSections; ++k)
-    mesh.quad(rim(k, -1.0, freeboard, 0.99), rim(k + 1, -1.0, freeboard, 0.99), rim(k + 1, 1.0, freeboard, 0.99), rim(k, 1.0, freeboard, 0.99));
+    mesh.quad(rim(k, -1.0, freeboard, 0.99), rim(k + 1, -1.0, freeboard, 0.99),
+              rim(k + 1, 1.0, freeboard, 0.99), rim(k, 1.0, freeboard, 0.99));
   const double aft = -0.5 * length + 0.05 * length, depth = std::min(0.13 * length, 14.0), half = 0.42 * beam;
   mesh.slot("house");
   const int decks = length > 60.0 ? 5 : 2;
@@ -69,7 +73,8 @@ geometry::TriangleMesh ship_mesh(double length, double beam) {
     mesh.slot("house");
     mesh.box({aft + inset, -half + inset, z}, {aft + depth - inset, half - inset, z + 2.7});
     mesh.slot("window");
-    mesh.box({aft + depth - inset, -half + inset + 0.6, z + 1.3}, {aft + depth - inset + 0.02, half - inset - 0.6, z + 2.1});
+    mesh.box({aft + depth - inset, -half + inset + 0.6, z + 1.3},
+             {aft + depth - inset + 0.02, half - inset - 0.6, z + 2.1});
   }
   const double top = freeboard + 2.7 * decks;
   mesh.slot("trim");
@@ -94,7 +99,8 @@ geometry::TriangleMesh crane_mesh() {
     for (const double y : {0.0, kPortal}) {
       mesh.box({x - 0.6, y - 0.6, 1.2}, {x + 0.6, y + 0.6, kBoom});
       mesh.box({x - 2.6, y - 0.45, 0.25}, {x + 2.6, y + 0.45, 1.2});
-      for (const double wheel : {-2.0, -0.7, 0.7, 2.0}) mesh.tube({x + wheel, y - 0.2, 0.3}, {x + wheel, y + 0.2, 0.3}, 0.3, 10);
+      for (const double wheel : {-2.0, -0.7, 0.7, 2.0})
+        mesh.tube({x + wheel, y - 0.2, 0.3}, {x + wheel, y + 0.2, 0.3}, 0.3, 10);
     }
     mesh.box({x - 0.5, 0.0, 12.0}, {x + 0.5, kPortal, 13.2});
     mesh.tube({x, 0.0, 13.2}, {x, kPortal, kBoom - 1.0}, 0.3, 8);
@@ -122,12 +128,14 @@ geometry::TriangleMesh crane_mesh() {
 
 geometry::TriangleMesh shed_mesh(double length, double width) {
   MeshBuilder mesh;
-  const double x = 0.5 * length, y = 0.5 * width, wall = 7.0, ridge = wall + 0.18 * y, over = 0.4, thick = 0.15;
+  const double x = 0.5 * length, y = 0.5 * width, wall = 7.0, ridge = wall + 0.18 * y, over = 0.4,
+               thick = 0.15;
   mesh.slot("wall");
   mesh.quad({-x, -y, 0}, {x, -y, 0}, {x, -y, wall}, {-x, -y, wall});
   mesh.quad({x, y, 0}, {-x, y, 0}, {-x, y, wall}, {x, y, wall});
   mesh.polygon(std::array<Point3, 5>{{{x, -y, 0}, {x, y, 0}, {x, y, wall}, {x, 0, ridge}, {x, -y, wall}}});
-  mesh.polygon(std::array<Point3, 5>{{{-x, y, 0}, {-x, -y, 0}, {-x, -y, wall}, {-x, 0, ridge}, {-x, y, wall}}});
+  mesh.polygon(
+      std::array<Point3, 5>{{{-x, y, 0}, {-x, -y, 0}, {-x, -y, wall}, {-x, 0, ridge}, {-x, y, wall}}});
   const double drop = 0.18 * over, eave = wall + 0.5 * thick - drop, top = ridge + 0.5 * thick;
   const std::vector<std::vector<Point3>> faces{
       {{-x - over, -y - over, eave}, {x + over, -y - over, eave}, {x + over, 0, top}, {-x - over, 0, top}},
@@ -137,7 +145,8 @@ geometry::TriangleMesh shed_mesh(double length, double width) {
   for (double at = -x + 8.0; at < x - 5.0; at += 14.0)
     for (const double side : {-1.0, 1.0}) {
       mesh.slot("door");
-      mesh.box({at - 2.5, std::min(side * y, side * (y + 0.06)), 0.0}, {at + 2.5, std::max(side * y, side * (y + 0.06)), 4.8});
+      mesh.box({at - 2.5, std::min(side * y, side * (y + 0.06)), 0.0},
+               {at + 2.5, std::max(side * y, side * (y + 0.06)), 4.8});
     }
   mesh.slot("trim");
   for (double at = -x + 6.0; at < x - 4.0; at += 9.0) {

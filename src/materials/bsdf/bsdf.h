@@ -23,7 +23,9 @@ struct BsdfEvent {
 
   double outgoing_cosine() const { return math::dot(normal, outgoing); }
   /// Above 0 where `incoming` is on the event's side.
-  double incoming_cosine() const { return (side == Side::reflected ? 1.0 : -1.0) * math::dot(normal, incoming); }
+  double incoming_cosine() const {
+    return (side == Side::reflected ? 1.0 : -1.0) * math::dot(normal, incoming);
+  }
 };
 
 /// A direction drawn for light that leaves a surface towards `outgoing`.
@@ -74,7 +76,8 @@ class Bsdf {
   virtual std::span<const radiometry::Spectrum> spectra() const { return {}; }
   /// BSDF, 1/sr, in `count` wavelengths, for an event whose directions are on their sides. `parameters` are the rows of
   /// spectra(), in their order. Never called of a separable model.
-  virtual void evaluate(const BsdfEvent& event, ParameterRows parameters, std::size_t count, float* bsdf) const;
+  virtual void evaluate(const BsdfEvent& event, ParameterRows parameters, std::size_t count,
+                        float* bsdf) const;
 };
 
 }  // namespace ifov::materials

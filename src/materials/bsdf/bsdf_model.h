@@ -22,7 +22,7 @@ struct BsdfParameter {
   };
   std::string_view key, doc;
   Form form = Form::number;
-  double low = 0.0, high = 1.0;  ///< of a number, or an angle in degrees
+  double low = 0.0, high = 1.0;        ///< of a number, or an angle in degrees
   std::string_view default_json = {};  ///< empty: the document has to give it
 };
 

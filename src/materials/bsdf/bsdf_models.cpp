@@ -30,7 +30,8 @@ const radiometry::Spectrum& BsdfInputs::spectrum(std::string_view key) const {
 }
 
 bool BsdfModel::needs_parameters() const {
-  return std::any_of(parameters.begin(), parameters.end(), [](const BsdfParameter& p) { return p.default_json.empty(); });
+  return std::any_of(parameters.begin(), parameters.end(),
+                     [](const BsdfParameter& p) { return p.default_json.empty(); });
 }
 
 std::span<const BsdfModel* const> bsdf_models() { return kModels; }

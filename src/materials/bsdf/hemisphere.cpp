@@ -24,8 +24,8 @@ Crowded crowded(int k) {
 
 }  // namespace
 
-void directional_hemispherical(const Bsdf& bsdf, Side side, ParameterRows parameters, std::size_t count, double cosine,
-                               float* row) {
+void directional_hemispherical(const Bsdf& bsdf, Side side, ParameterRows parameters, std::size_t count,
+                               double cosine, float* row) {
   const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
   const int azimuths = bsdf.is_isotropic() ? 1 : kAzimuths;
   std::vector<double> sum(count, 0.0);
@@ -44,7 +44,8 @@ void directional_hemispherical(const Bsdf& bsdf, Side side, ParameterRows parame
         if (!(sample.weight > 0.0)) continue;
         event.incoming = sample.incoming;
         bsdf.evaluate(event, parameters, count, values.data());
-        for (std::size_t n = 0; n < count; ++n) sum[n] += x.weight * y.weight * sample.weight * static_cast<double>(values[n]);
+        for (std::size_t n = 0; n < count; ++n)
+          sum[n] += x.weight * y.weight * sample.weight * static_cast<double>(values[n]);
       }
   }
   for (std::size_t n = 0; n < count; ++n) row[n] = static_cast<float>(sum[n] / azimuths);

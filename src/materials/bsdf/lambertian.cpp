@@ -5,8 +5,9 @@
 namespace ifov::materials {
 
 const BsdfModel Lambertian::kModel{
-    "lambertian", "the same radiance to all sides; also of what a leaf transmits", {},
-    [](const BsdfInputs&) { return shared(); }};
+    "lambertian", "the same radiance to all sides; also of what a leaf transmits", {}, [](const BsdfInputs&) {
+      return shared();
+    }};
 
 const std::shared_ptr<const Bsdf>& Lambertian::shared() {
   static const std::shared_ptr<const Bsdf> object = std::make_shared<Lambertian>();

@@ -10,7 +10,8 @@ const std::shared_ptr<const Bsdf>& Mirror::shared() {
 }
 
 BsdfSample Mirror::sample(const BsdfEvent& view, double, double) const {
-  const math::Vec3 incoming = 2.0 * math::dot(view.normal, view.outgoing) * view.normal.as_vector() - view.outgoing;
+  const math::Vec3 incoming =
+      2.0 * math::dot(view.normal, view.outgoing) * view.normal.as_vector() - view.outgoing;
   return {math::normalized(incoming), 1.0, 0.0};
 }
 

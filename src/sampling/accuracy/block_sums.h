@@ -19,7 +19,8 @@ class BlockSums {
   void add_block(std::span<const float* const> rows) {
     if (sums_.empty()) sums_.resize(4 * stride_, 0.0);
     count_ += static_cast<double>(rows.size());
-    double *sum = sums_.data(), *power = sum + stride_, *squares = power + stride_, *fourths = squares + stride_;
+    double *sum = sums_.data(), *power = sum + stride_, *squares = power + stride_,
+           *fourths = squares + stride_;
     if (rows.size() == 4) {
       const float *a = rows[0], *b = rows[1], *d = rows[2], *e = rows[3];
       for (std::size_t c = 0; c < stride_; ++c) {
@@ -41,7 +42,8 @@ class BlockSums {
       }
     if (rows.size() < 2) return;
     for (std::size_t c = 0; c < stride_; ++c) {
-      const double difference = static_cast<double>(rows[0][c]) - rows[1][c], square = 0.5 * difference * difference;
+      const double difference = static_cast<double>(rows[0][c]) - rows[1][c],
+                   square = 0.5 * difference * difference;
       squares[c] += square;
       fourths[c] += square * square;
     }

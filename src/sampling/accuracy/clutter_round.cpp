@@ -18,7 +18,8 @@ ClutterRound::ClutterRound(int side, std::size_t stride, bool keep)
 void ClutterRound::request(int px, int py, std::uint64_t key, const Paths& paths, std::uint32_t block,
                            std::vector<PathRequest>& requests) const {
   const double cell = 1.0 / side_;
-  const int across = side_ / 2, column = static_cast<int>(block) % across, row = static_cast<int>(block) / across;
+  const int across = side_ / 2, column = static_cast<int>(block) % across,
+            row = static_cast<int>(block) / across;
   for (std::uint32_t quarter = 0; quarter < kBlock; ++quarter) {
     const int i = 2 * column + static_cast<int>(quarter % 2), j = 2 * row + static_cast<int>(quarter / 2);
     const std::uint64_t jitter = hash(key, i, j);
@@ -36,7 +37,8 @@ void ClutterRound::add_block(const float* values, std::span<const std::uint32_t,
   sums_.add_block(rows);
   add_neighbours(blocks_in_++, rows);
   for (const std::uint32_t material : materials) {
-    auto at = std::find_if(materials_.begin(), materials_.end(), [&](const auto& m) { return m.first == material; });
+    auto at = std::find_if(materials_.begin(), materials_.end(),
+                           [&](const auto& m) { return m.first == material; });
     if (at == materials_.end()) at = materials_.insert(at, {material, 0});
     ++at->second;
   }
@@ -69,7 +71,8 @@ void ClutterRound::add_neighbours(std::size_t block, const float* const (&rows)[
 ClutterRound::Moment ClutterRound::moment(int column) const {
   const double n = static_cast<double>(count());
   const double steps = steps_.empty() ? 0.0 : kPerPair * steps_[static_cast<std::size_t>(column)] / (n * n);
-  return {sums_.mean(column), std::max(kBlock * sums_.squares(column) / (n * n), steps), sums_.freedom(column)};
+  return {sums_.mean(column), std::max(kBlock * sums_.squares(column) / (n * n), steps),
+          sums_.freedom(column)};
 }
 
 std::vector<double> ClutterRound::weigh(const PixelFootprint& footprint, Point2 centre) const {

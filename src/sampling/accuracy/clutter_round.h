@@ -48,7 +48,9 @@ class ClutterRound {
     double freedom = 0.0;   ///< degrees of freedom behind the variance
   };
   Moment moment(int column) const;
-  double spread(int column) const { return sums_.spread(column); }  ///< variance of the values, wherever they stand
+  double spread(int column) const {
+    return sums_.spread(column);
+  }  ///< variance of the values, wherever they stand
   /// Weights of the values as the footprint about `centre` has them.
   std::vector<double> weigh(const PixelFootprint& footprint, Point2 centre) const;
   /// Of values that weigh so; of values that weigh alike where none lies under the footprint.
@@ -70,7 +72,8 @@ class ClutterRound {
     if (!self.keep_) return;
     archive.list(self.points_);
     if constexpr (Archive::kReads) self.values_.assign(self.points_.size() * self.stride_, 0.0f);
-    for (std::size_t k = 0; k < self.points_.size(); ++k) archive.array(&self.values_[k * self.stride_], columns);
+    for (std::size_t k = 0; k < self.points_.size(); ++k)
+      archive.array(&self.values_[k * self.stride_], columns);
   }
 
   /// Values on each material.
@@ -79,7 +82,8 @@ class ClutterRound {
  private:
   /// Of the value of a cell, in the order in which they come.
   std::size_t place(int i, int j) const {
-    return static_cast<std::size_t>(((j / 2) * (side_ / 2) + i / 2) * static_cast<int>(kBlock) + j % 2 * 2 + i % 2);
+    return static_cast<std::size_t>(((j / 2) * (side_ / 2) + i / 2) * static_cast<int>(kBlock) + j % 2 * 2 +
+                                    i % 2);
   }
   void add_neighbours(std::size_t block, const float* const (&rows)[kBlock]);
 
@@ -89,7 +93,8 @@ class ClutterRound {
   BlockSums sums_;
   std::size_t blocks_in_ = 0;  // that have come
   std::vector<double> steps_;  // by column: sum of the squared differences of neighbouring cells
-  std::vector<float> above_;   // values of the cells above the row of blocks that comes in, and of those left of the block
+  std::vector<float>
+      above_;  // values of the cells above the row of blocks that comes in, and of those left of the block
   std::vector<float> values_;
   std::vector<Point2> points_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> materials_;

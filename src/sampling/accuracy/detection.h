@@ -9,8 +9,8 @@ namespace ifov::sampling {
 
 /// Random rays that have looked at a pixel. A lattice counts for nothing: it has no probability.
 struct RandomLooks {
-  std::vector<int> grids;      ///< sides of jittered grids over the pixel, one ray to a cell
-  double independent = 0.0;    ///< rays anywhere in the pixel besides
+  std::vector<int> grids;    ///< sides of jittered grids over the pixel, one ray to a cell
+  double independent = 0.0;  ///< rays anywhere in the pixel besides
   friend bool operator<(const RandomLooks& a, const RandomLooks& b) {
     return std::tie(a.grids, a.independent) < std::tie(b.grids, b.independent);
   }

@@ -6,10 +6,7 @@
 namespace ifov::sampling {
 
 LeafIntegrator::LeafIntegrator(const EdgeTracer& tracer, const PixelFootprint& footprint, PixelRect tile)
-    : tracer_(tracer),
-      footprint_(footprint),
-      tile_(tile),
-      unit_box_(footprint.whole_pixel()) {
+    : tracer_(tracer), footprint_(footprint), tile_(tile), unit_box_(footprint.whole_pixel()) {
   // Added up as for any other pixel, so that it makes no difference which way a pixel went.
   const double side = tracer.lattice().side_px(0);
   for (int i = 0; i < tracer.lattice().cells_per_pixel() * tracer.lattice().cells_per_pixel(); ++i)
@@ -170,7 +167,8 @@ void LeafIntegrator::add_junction(const Cell& cell, PixelModel& model) const {
     const Point2 c = centre(model.outputs[o]);
     const double density = unit_box_ ? 1.0 : footprint_.density(junction.at.x - c.x, junction.at.y - c.y);
     double inside[3], sum = 0.0;
-    for (int s = 0; s < 3; ++s) sum += inside[s] = unit_box_ ? area[s] : std::abs(over_polygon(polygon[s], c));
+    for (int s = 0; s < 3; ++s)
+      sum += inside[s] = unit_box_ ? area[s] : std::abs(over_polygon(polygon[s], c));
     const double scale = sum > 0.0 ? cell_weight(cell, model, o) / sum : 0.0;
     for (int s = 0; s < 3; ++s) {
       model.weight[region[s] * outputs + o] += scale * inside[s];

@@ -78,7 +78,8 @@ void Prober::take_in(const std::vector<FocalPoint>& points, const std::vector<st
     ++asked_[pixel];
     dismissed_[pixel] += tracer_.dismissed(points[i], labels[i]);
     if (contradicted[i])
-      want_around(pixel, std::clamp(static_cast<int>(kSurety / tracer_.leaf_side_px(points[i])), least, kMostWanted));
+      want_around(
+          pixel, std::clamp(static_cast<int>(kSurety / tracer_.leaf_side_px(points[i])), least, kMostWanted));
   }
 }
 
@@ -111,7 +112,8 @@ void Prober::follow_seeds(std::span<const FocalPoint> seeds, std::span<const std
 }
 
 /// What shows up where it was sought is no sign of anything unknown beside it.
-void Prober::take_in_expected(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels) {
+void Prober::take_in_expected(const std::vector<FocalPoint>& points,
+                              const std::vector<std::uint32_t>& labels) {
   const std::vector<std::uint8_t> suspects = tracer_.suspects(), followed = tracer_.followed();
   note(points, labels);
   reconcile(points, labels);
@@ -169,7 +171,8 @@ void Prober::probe_until_clean(const std::vector<std::uint8_t>& worth) {
   for (int round = 0; round < options_.max_probe_rounds; ++round) {
     points.clear();
     for (int pixel = 0; pixel < domain.count(); ++pixel) {
-      if (wanted_[pixel] <= 0 || !worth[pixel] || tracer_.abandoned(static_cast<std::uint32_t>(pixel))) continue;
+      if (wanted_[pixel] <= 0 || !worth[pixel] || tracer_.abandoned(static_cast<std::uint32_t>(pixel)))
+        continue;
       // Many rays come in rounds that grow: what the first of them find saves the others.
       const double share = round == 0 ? 0.25 : 1.0;
       const int fine =
@@ -189,9 +192,9 @@ void Prober::probe_until_clean(const std::vector<std::uint8_t>& worth) {
   }
   for (int pixel = 0; pixel < domain.count(); ++pixel) {
     if (!worth[pixel] || tracer_.abandoned(static_cast<std::uint32_t>(pixel))) continue;
-    unsettled_[pixel] = wanted_[pixel] > 0 ||
-                        dismissed_[pixel] > kDismissed * std::max(1, asked_[pixel]) *
-                                                std::sqrt(tracer_.allowed_variance()[pixel]);
+    unsettled_[pixel] =
+        wanted_[pixel] > 0 || dismissed_[pixel] > kDismissed * std::max(1, asked_[pixel]) *
+                                                      std::sqrt(tracer_.allowed_variance()[pixel]);
   }
 }
 

@@ -54,7 +54,8 @@ class Prober {
   bool unsettled(int pixel) const { return unsettled_[pixel] != 0; }
 
  private:
-  std::vector<std::uint8_t> reconcile(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels);
+  std::vector<std::uint8_t> reconcile(const std::vector<FocalPoint>& points,
+                                      const std::vector<std::uint32_t>& labels);
   void note(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels);
   void want_around(int pixel, int rays);
   void take_in_expected(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels);
@@ -68,7 +69,7 @@ class Prober {
   std::vector<std::vector<int>> grids_;
   std::vector<double> dismissed_;  // by pixel: summed contrast of what was met in cells too small to follow
   std::vector<SmallVector<Met, 2>> met_;
-  std::vector<int> asked_;         // by pixel: rays of looks and probes
+  std::vector<int> asked_;   // by pixel: rays of looks and probes
   std::vector<int> wanted_;  // by pixel: rays that must find nothing before it is left
   std::vector<std::uint8_t> unsettled_;
 };

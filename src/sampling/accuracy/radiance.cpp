@@ -85,8 +85,10 @@ void Radiance::find_deviation(const Pixel& pixel, Stratum& stratum) const {
   const double count = widen_deviation(pixel, stratum.label, stratum.deviation);
   // A few that agree thereabouts may do so by chance where the label's values elsewhere do not.
   for (std::size_t c = 0; c < columns && !any_label; ++c) {
-    const double near = static_cast<double>(stratum.deviation[c]), total = spread_.total(stratum.label, static_cast<int>(c));
-    stratum.deviation[c] = static_cast<float>(std::sqrt((near * near * count + total * kTold) / (count + kTold)));
+    const double near = static_cast<double>(stratum.deviation[c]),
+                 total = spread_.total(stratum.label, static_cast<int>(c));
+    stratum.deviation[c] =
+        static_cast<float>(std::sqrt((near * near * count + total * kTold) / (count + kTold)));
   }
   // What few have told, or what differs by its nature, may differ as much as all that is about.
   if (faults_.other_labels_spread) return;
@@ -95,7 +97,8 @@ void Radiance::find_deviation(const Pixel& pixel, Stratum& stratum) const {
 }
 
 /// From the lattice's values of a label, or of all, in the pixel and those around it. Their number.
-double Radiance::widen_deviation(const Pixel& pixel, std::uint32_t label, std::vector<float>& deviation) const {
+double Radiance::widen_deviation(const Pixel& pixel, std::uint32_t label,
+                                 std::vector<float>& deviation) const {
   const bool any_label = label == EdgeTracer::kNoLabel;
   const Lattice& lattice = tracer_.lattice();
   const int k = lattice.cells_per_pixel(), row = lattice.columns() + 1, width = lattice.domain().width();
@@ -115,7 +118,8 @@ double Radiance::widen_deviation(const Pixel& pixel, std::uint32_t label, std::v
       }
     }
   const int height = lattice.domain().height(), column = pixel.source % width, line = pixel.source / width;
-  for (int j = std::max(0, line - 1); pixel.cluttered && any_label && j <= std::min(height - 1, line + 1); ++j)
+  for (int j = std::max(0, line - 1); pixel.cluttered && any_label && j <= std::min(height - 1, line + 1);
+       ++j)
     for (int i = std::max(0, column - 1); i <= std::min(width - 1, column + 1); ++i)
       for (const Prober::Met& met : prober_.met(j * width + i)) {
         const double before = count;
@@ -142,15 +146,16 @@ void Radiance::plan(std::size_t p, std::size_t s, double count) {
   side = std::clamp(side + side % 2, 2, kFinestGrid);
   const std::uint64_t key = hash(seed_, kStratumKey, px, py, table_.label(stratum.label), stratum.round++);
   std::uint64_t sequences[kRoundReplicates];
-  for (std::uint32_t r = 0; r < kRoundReplicates; ++r) sequences[r] = hash(key, kPathsKey, faults_.one_sequence ? 0 : r);
+  for (std::uint32_t r = 0; r < kRoundReplicates; ++r)
+    sequences[r] = hash(key, kPathsKey, faults_.one_sequence ? 0 : r);
   const std::size_t first = requests_.size();
   for (int j = 0; j < side; j += 2)
     for (int i = 0; i < side; i += 2) {
       const auto block = static_cast<std::uint32_t>((j / 2) * (side / 2) + i / 2);
       // Which value of a block belongs to which sequence is drawn for four blocks, in which every sequence has every
       // quarter once: no gradient tells the sequences apart.
-      const std::uint32_t turn =
-          static_cast<std::uint32_t>((hash(key, kPathsKey, i / 4, j / 4) ^ (i / 2 % 2 + j / 2 % 2 * 2)) % kRoundReplicates);
+      const std::uint32_t turn = static_cast<std::uint32_t>(
+          (hash(key, kPathsKey, i / 4, j / 4) ^ (i / 2 % 2 + j / 2 % 2 * 2)) % kRoundReplicates);
       for (std::uint32_t quarter = 0; quarter < kRoundReplicates; ++quarter) {
         const int a = i + static_cast<int>(quarter % 2), b = j + static_cast<int>(quarter / 2);
         const std::uint64_t cell = hash(key, a, b);
@@ -162,7 +167,8 @@ void Radiance::plan(std::size_t p, std::size_t s, double count) {
         planned_.push_back({p, s, block, static_cast<std::uint8_t>(replicate), false});
       }
     }
-  if (!keep_values_) plan_paths(stratum, hash(seed_, kStratumKey, px, py, table_.label(stratum.label), kPathsKey), first);
+  if (!keep_values_)
+    plan_paths(stratum, hash(seed_, kStratumKey, px, py, table_.label(stratum.label), kPathsKey), first);
   if (stratum.round == 2) plan_twins(first);
 }
 
@@ -180,7 +186,8 @@ void Radiance::plan_paths(Stratum& stratum, std::uint64_t key, std::size_t first
 
 /// Second paths at some of the points planned from `first` on, each after its point's own.
 void Radiance::plan_twins(std::size_t first) {
-  const std::vector<PathRequest> requests(requests_.begin() + static_cast<std::ptrdiff_t>(first), requests_.end());
+  const std::vector<PathRequest> requests(requests_.begin() + static_cast<std::ptrdiff_t>(first),
+                                          requests_.end());
   const std::vector<Planned> planned(planned_.begin() + static_cast<std::ptrdiff_t>(first), planned_.end());
   const std::size_t step = std::max<std::size_t>(1, requests.size() / kTwins);
   requests_.resize(first);
@@ -219,7 +226,8 @@ void Radiance::trace() {
   for (std::size_t first = 0; first < requests_.size();) {
     std::size_t last = std::min(first + kBatch, requests_.size());
     while (last < requests_.size() && planned_[last].same_block(planned_[last - 1])) ++last;
-    const std::span<const PathRequest> batch = std::span<const PathRequest>(requests_).subspan(first, last - first);
+    const std::span<const PathRequest> batch =
+        std::span<const PathRequest>(requests_).subspan(first, last - first);
     values.resize(batch.size() * stride_);
     ledger_.values(batch, labels, values);
     for (std::size_t i = first, end = first; i < last; i = end) {
@@ -250,7 +258,8 @@ void Radiance::add_block(std::size_t first, std::size_t last, std::span<const st
       stratum.twins += 1.0;
       continue;
     }
-    if (labels[i] != stratum.label && !belongs(stratum, requests_[first + i].point, labels[i], value)) continue;
+    if (labels[i] != stratum.label && !belongs(stratum, requests_[first + i].point, labels[i], value))
+      continue;
     rows[count++] = value;
     if (!keep_values_) continue;
     stratum.samples.push_back(static_cast<std::uint32_t>(x_.size()));

@@ -20,14 +20,15 @@ namespace ifov::sampling {
 struct StratumMoments {
   std::vector<double> mean, variance;  ///< per asked column; `variance` is that of one value
   double freedom = 0.0;                ///< degrees of freedom behind `variance`
-  double share = 1.0;                  ///< variance of `mean` in units of `variance`: 1 / n where values weigh alike
-  bool sampled = false;                ///< false: lattice values only, which count as one random value
+  double share = 1.0;    ///< variance of `mean` in units of `variance`: 1 / n where values weigh alike
+  bool sampled = false;  ///< false: lattice values only, which count as one random value
 };
 
 /// Of a stratum whose values weigh by a footprint, per asked column.
 struct WeighedMoments {
   std::vector<double> mean;
-  double share = 1.0;            ///< variance of `mean` in units of StratumMoments::variance, were all paths drawn apart
+  double share =
+      1.0;  ///< variance of `mean` in units of StratumMoments::variance, were all paths drawn apart
   std::vector<double> variance;  ///< of `mean`, as the replicates of the paths' sequences differ
   double freedom = 0.0;          ///< degrees of freedom behind `variance`; 0: values are too few for it
 };
@@ -49,11 +50,12 @@ class Radiance {
   struct Stratum {
     std::uint32_t label = EdgeTracer::kNoLabel;
     std::uint32_t round = 0;
-    std::uint32_t paths = 0;             ///< of its one sequence used so far, where no footprint weighs its values
-    std::vector<BlockSums> rounds;       ///< of accepted values, one per jittered grid
-    std::vector<std::uint32_t> samples;  ///< indices of accepted values where those are kept, round after round
+    std::uint32_t paths = 0;        ///< of its one sequence used so far, where no footprint weighs its values
+    std::vector<BlockSums> rounds;  ///< of accepted values, one per jittered grid
+    std::vector<std::uint32_t>
+        samples;  ///< indices of accepted values where those are kept, round after round
     Nets nets;
-    std::vector<double> twin_squares;      ///< per column: half the squared differences of two paths at one point
+    std::vector<double> twin_squares;  ///< per column: half the squared differences of two paths at one point
     double twins = 0.0;
     /// Values whose label contradicts the traced model: per column sums of their differences from the
     /// label's mean, and of the squares.
@@ -75,9 +77,9 @@ class Radiance {
   };
 
   /// `keep_values`: for a footprint that weighs the values of a pixel unlike.
-  Radiance(const EdgeTracer& tracer, const Prober& prober, RayLedger& ledger, const LabelTable& table, const LabelSpread& spread,
-           const LatticeValues& lattice_values, const AccuracyFaults& faults, std::uint64_t seed,
-           bool keep_values);
+  Radiance(const EdgeTracer& tracer, const Prober& prober, RayLedger& ledger, const LabelTable& table,
+           const LabelSpread& spread, const LatticeValues& lattice_values, const AccuracyFaults& faults,
+           std::uint64_t seed, bool keep_values);
 
   /// Few replicates know their variance badly: with 8, one interval in a hundred errs by four standard errors.
   static constexpr int kStratumReplicates = 24;
@@ -132,7 +134,8 @@ class Radiance {
 
   /// Whether most of the variance of a stratum's values comes from their paths rather than from where they are, in
   /// some of these columns; false before twins have told.
-  bool paths_differ(const Stratum& stratum, std::span<const int> columns, const StratumMoments& moments) const;
+  bool paths_differ(const Stratum& stratum, std::span<const int> columns,
+                    const StratumMoments& moments) const;
 
   /// The number of values that reaches what `count` values would reach at the variance of the last round, if
   /// the variance within blocks goes on falling with their size as it did from the round before.
@@ -145,8 +148,8 @@ class Radiance {
 
   /// Means over the rounds of a cluttered pixel, per column, with their variances. The footprint weighs values about
   /// `centre`; null: all alike.
-  void clutter(const Pixel& pixel, const PixelFootprint* footprint, Point2 centre, std::span<const int> columns,
-               std::vector<ClutterRound::Moment>& moments) const;
+  void clutter(const Pixel& pixel, const PixelFootprint* footprint, Point2 centre,
+               std::span<const int> columns, std::vector<ClutterRound::Moment>& moments) const;
 
  private:
   struct Planned {
@@ -160,7 +163,8 @@ class Radiance {
   };
   void plan_paths(Stratum& stratum, std::uint64_t key, std::size_t first);
   void plan_twins(std::size_t first);
-  void add_block(std::size_t first, std::size_t last, std::span<const std::uint32_t> labels, const float* values);
+  void add_block(std::size_t first, std::size_t last, std::span<const std::uint32_t> labels,
+                 const float* values);
 
   void fill(Pixel& pixel, const LeafIntegrator& integrator) const;
 

@@ -45,9 +45,11 @@ void Radiance::trace_clutter() {
   std::vector<std::uint32_t> materials;
   std::vector<float> values(kBatch * stride_);
   const auto trace_batch = [&] {
-    ledger_.values_and_materials(requests, materials, std::span<float>(values).first(requests.size() * stride_));
+    ledger_.values_and_materials(requests, materials,
+                                 std::span<float>(values).first(requests.size() * stride_));
     for (std::size_t b = 0; b < rounds.size(); ++b)
-      rounds[b]->add_block(&values[b * kBlock * stride_], std::span(materials).subspan(b * kBlock).first<kBlock>(),
+      rounds[b]->add_block(&values[b * kBlock * stride_],
+                           std::span(materials).subspan(b * kBlock).first<kBlock>(),
                            std::span<const PathRequest>(requests).subspan(b * kBlock).first<kBlock>());
     requests.clear();
     rounds.clear();
@@ -59,7 +61,8 @@ void Radiance::trace_clutter() {
     const int px = domain.x0 + pixel.source % domain.width(), py = domain.y0 + pixel.source / domain.width();
     const std::uint64_t key = hash(seed_, kClutterKey, px, py, pixel.rounds.size());
     // One sequence for all rounds: what one has left out, the next looks at.
-    const auto before = static_cast<std::uint32_t>(pixel.clutter_count()) - static_cast<std::uint32_t>(round.count());
+    const auto before =
+        static_cast<std::uint32_t>(pixel.clutter_count()) - static_cast<std::uint32_t>(round.count());
     const ClutterRound::Paths paths{hash(seed_, kClutterKey, px, py), before};
     for (std::uint32_t b = 0; b < round.blocks(); ++b) {
       round.request(px, py, key, paths, b, requests);

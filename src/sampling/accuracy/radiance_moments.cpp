@@ -35,10 +35,11 @@ constexpr double kElsewhere = 9.0;
 bool Radiance::knows_more_than_values(const Pixel& pixel) const {
   for (const Prober::Met& met : prober_.met(pixel.source)) {
     const std::uint32_t material = ledger_.field().material_of(table_.label(met.label));
-    const bool has_value = std::any_of(pixel.rounds.begin(), pixel.rounds.end(), [&](const ClutterRound& round) {
-      return std::any_of(round.materials().begin(), round.materials().end(),
-                         [&](const auto& entry) { return entry.first == material; });
-    });
+    const bool has_value =
+        std::any_of(pixel.rounds.begin(), pixel.rounds.end(), [&](const ClutterRound& round) {
+          return std::any_of(round.materials().begin(), round.materials().end(),
+                             [&](const auto& entry) { return entry.first == material; });
+        });
     if (!has_value) return true;
   }
   return false;
@@ -50,7 +51,8 @@ double Radiance::unseen(const Pixel& pixel, std::size_t s, int column) const {
   double seen = 0.0, count = pixel.cluttered ? pixel.clutter_count() : static_cast<double>(stratum.count());
   if (pixel.cluttered && !pixel.rounds.empty()) seen = pixel.rounds.back().spread(column);
   if (!pixel.cluttered && !stratum.rounds.empty()) seen = stratum.rounds.back().spread(column);
-  double nearby = static_cast<double>(stratum.deviation[column]) * static_cast<double>(stratum.deviation[column]);
+  double nearby =
+      static_cast<double>(stratum.deviation[column]) * static_cast<double>(stratum.deviation[column]);
   // Strata of few values have borrowed from the tile in moments(); what many agree on may still not be all.
   const bool many = !pixel.cluttered && count >= kManyValues && spread_.blocks(stratum.label) >= kManyValues;
   if (many) nearby = std::max(nearby, spread_.local(stratum.label, column));
@@ -60,7 +62,8 @@ double Radiance::unseen(const Pixel& pixel, std::size_t s, int column) const {
   const double rare = many ? kRareValues * spread_.rare(stratum.label, column) : 0.0;
   double squared = std::min(kUnseen * kUnseen, 1.0 + count);
   if (pixel.cluttered) {
-    const double missed = hidden > 0.0 && !pixel.rounds.empty() && knows_more_than_values(pixel) ? kKnownUnseen : kUnseen;
+    const double missed =
+        hidden > 0.0 && !pixel.rounds.empty() && knows_more_than_values(pixel) ? kKnownUnseen : kUnseen;
     squared = missed * missed;
   }
   return std::max(squared * hidden, rare) / (count * count);
@@ -71,7 +74,8 @@ bool Radiance::paths_differ(const Stratum& stratum, std::span<const int> columns
   constexpr double kMost = 0.5;
   if (stratum.twins == 0.0) return false;
   for (std::size_t c = 0; c < columns.size(); ++c)
-    if (stratum.twin_squares[columns[c]] / stratum.twins > kMost * moments.variance[c] && moments.variance[c] > 0.0)
+    if (stratum.twin_squares[columns[c]] / stratum.twins > kMost * moments.variance[c] &&
+        moments.variance[c] > 0.0)
       return true;
   return false;
 }
@@ -139,7 +143,8 @@ void Radiance::moments(const Pixel& pixel, std::size_t s, std::span<const int> c
     }
     out.freedom = blocks + borrowed(blocks);
     for (std::size_t c = 0; c < n; ++c)
-      if (weighted[c] > 0.0) out.freedom = std::min(out.freedom, out.variance[c] * out.variance[c] / weighted[c]);
+      if (weighted[c] > 0.0)
+        out.freedom = std::min(out.freedom, out.variance[c] * out.variance[c] / weighted[c]);
     if (faults_.zero_variance_single_samples && blocks == 0.0)
       std::fill(out.variance.begin(), out.variance.end(), 0.0);
     return;
@@ -171,9 +176,8 @@ void Radiance::moments(const Pixel& pixel, std::size_t s, std::span<const int> c
     }
   for (std::size_t c = 0; c < n; ++c) {
     if (count == 0.0) out.mean[c] = table_.mean(label)[columns[c]];
-    const double own =
-        count > 1.0 ? squares[c] / weight * count / (count - 1.0)
-                    : (count == 0.0 ? kElsewhere : 1.0) * spread_.total(label, columns[c]);
+    const double own = count > 1.0 ? squares[c] / weight * count / (count - 1.0)
+                                   : (count == 0.0 ? kElsewhere : 1.0) * spread_.total(label, columns[c]);
     out.variance[c] = std::max(own, spread_.local(label, columns[c]));
   }
   out.freedom = std::max(2.0, count - 1.0);
@@ -234,8 +238,10 @@ void Radiance::weigh(const Pixel& pixel, std::size_t s, const PixelFootprint& fo
     for (const Replicate& replicate : own) weight += replicate.weight, own_squares += replicate.squares;
     // Sequences of a few values stratify nothing, and a round without all of them cannot tell.
     constexpr std::size_t kFewest = 4;
-    if (std::any_of(own.begin(), own.end(), [](const Replicate& r) { return r.count < kFewest || r.weight == 0.0; })) {
-      for (std::size_t c = 0; c < n; ++c) out.variance[c] += moments.variance[c] * own_squares / (total * total);
+    if (std::any_of(own.begin(), own.end(),
+                    [](const Replicate& r) { return r.count < kFewest || r.weight == 0.0; })) {
+      for (std::size_t c = 0; c < n; ++c)
+        out.variance[c] += moments.variance[c] * own_squares / (total * total);
       continue;
     }
     out.freedom = kFreedom;

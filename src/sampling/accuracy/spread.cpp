@@ -108,14 +108,17 @@ LabelSpread::LabelSpread(const Lattice& lattice, const LabelTable& table, const 
 }
 
 /// Values beside the lattice differ from what its four vertices around them make of the place.
-void LabelSpread::add_look(const Lattice& lattice, const LatticeValues& at, std::vector<double>& local_freedom) {
+void LabelSpread::add_look(const Lattice& lattice, const LatticeValues& at,
+                           std::vector<double>& local_freedom) {
   const std::size_t row_length = static_cast<std::size_t>(lattice.columns()) + 1;
   const double k = lattice.cells_per_pixel();
   for (std::size_t p = 0; p < at.look.labels.size(); ++p) {
     const std::uint32_t l = at.look.labels[p];
     if (at.constant[l]) continue;
-    const double x = (at.look.points[p].x_px - lattice.domain().x0) * k, y = (at.look.points[p].y_px - lattice.domain().y0) * k;
-    const int i = std::clamp(static_cast<int>(x), 0, lattice.columns() - 1), j = std::clamp(static_cast<int>(y), 0, lattice.rows() - 1);
+    const double x = (at.look.points[p].x_px - lattice.domain().x0) * k,
+                 y = (at.look.points[p].y_px - lattice.domain().y0) * k;
+    const int i = std::clamp(static_cast<int>(x), 0, lattice.columns() - 1),
+              j = std::clamp(static_cast<int>(y), 0, lattice.rows() - 1);
     const std::size_t v = static_cast<std::size_t>(j) * row_length + static_cast<std::size_t>(i);
     const std::size_t corner[4] = {v, v + 1, v + row_length, v + row_length + 1};
     const double u = x - i, w = y - j;
@@ -123,7 +126,8 @@ void LabelSpread::add_look(const Lattice& lattice, const LatticeValues& at, std:
     // Beside a border: from those of its label alone.
     const auto own = std::count_if(corner, corner + 4, [&](std::size_t c) { return at.labels[c] == l; });
     if (own == 0) continue;
-    for (int q = 0; own < 4 && q < 4; ++q) weight[q] = at.labels[corner[q]] == l ? 1.0 / static_cast<double>(own) : 0.0;
+    for (int q = 0; own < 4 && q < 4; ++q)
+      weight[q] = at.labels[corner[q]] == l ? 1.0 / static_cast<double>(own) : 0.0;
     double squares = 1.0;
     for (const double share : weight) squares += share * share;
     local_freedom[l] += 1.0;

@@ -28,13 +28,13 @@ class Stopping {
     if (cache_.empty()) cache_.assign(3 * 201, 0.0);
     const int row = std::clamp(look, 0, 2);
     double& quantile = cache_[row * 201 + freedom];
-    if (quantile == 0.0)
-      quantile = two_sided_student(1.0 - (1.0 - confidence_) * kShare[row], freedom);
+    if (quantile == 0.0) quantile = two_sided_student(1.0 - (1.0 - confidence_) * kShare[row], freedom);
     return quantile;
   }
 
  private:
-  static constexpr double kShare[3] = {0.05, 0.1, 0.4};  // of the chance of error, from the third look on the last
+  static constexpr double kShare[3] = {0.05, 0.1,
+                                       0.4};  // of the chance of error, from the third look on the last
   double confidence_, normal_;
   mutable std::vector<double> cache_;
 };

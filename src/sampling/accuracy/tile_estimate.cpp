@@ -36,13 +36,12 @@ void TileWork::estimate() {
   // Pixels of a box footprint are independent of each other: they are finished in groups, so that few values
   // are in memory at a time. A wider footprint ties them together.
   const int sources = lattice_.domain().count();
-  const int group =
-      integrator.unit_box() ? std::max<int>(64, 81920 / ledger_.field().stride()) : sources;
+  const int group = integrator.unit_box() ? std::max<int>(64, 81920 / ledger_.field().stride()) : sources;
   for (int first = 0; first < sources; first += group) {
     const bool ready = group >= sources && radiance_ != nullptr;  // by tighten_borders, of all pixels
     if (!ready) {
-      radiance_ = std::make_unique<Radiance>(tracer_, prober_, ledger_, table_, *spread_, lattice_values_, faults_,
-                                             problem_.seed, !integrator.unit_box());
+      radiance_ = std::make_unique<Radiance>(tracer_, prober_, ledger_, table_, *spread_, lattice_values_,
+                                             faults_, problem_.seed, !integrator.unit_box());
       radiance_->add_pixels(first, std::min(sources, first + group), integrator);
     }
     std::vector<std::uint8_t> touched(outputs_.size(), 0);
@@ -125,8 +124,7 @@ bool TileWork::doubtful(const Radiance::Pixel& pixel) const {
     const Radiance::Stratum& stratum = pixel.strata[s];
     if (stratum.strays == 0.0) continue;
     double weight = 0.0;
-    for (std::size_t o = 0; o < model.outputs.size(); ++o)
-      weight = std::max(weight, model.weight_of(s, o));
+    for (std::size_t o = 0; o < model.outputs.size(); ++o) weight = std::max(weight, model.weight_of(s, o));
     const double share = weight / std::max(static_cast<double>(stratum.count()), stratum.strays);
     for (std::size_t d = 0; d < problem_.drivers.size(); ++d) {
       const int c = problem_.drivers[d];
@@ -171,8 +169,8 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
       const double from_borders = stopping_.normal() * stopping_.normal() * sum.geometry[d];
       const bool wide = half_width(sum, d, output.look) > limit_d && sum.path[d].variance() > 0.0;
       if (wide) output.satisfied = false;
-      const double planned_t = stopping_.student(std::max(output.look + 1, 2),
-                                                 std::max(sum.path[d].degrees_of_freedom(), 20.0));
+      const double planned_t =
+          stopping_.student(std::max(output.look + 1, 2), std::max(sum.path[d].degrees_of_freedom(), 20.0));
       output.path_budget[d] =
           std::max(limit_d * limit_d - from_borders, 0.2 * limit_d * limit_d) / (planned_t * planned_t);
       // Few degrees of freedom may keep an interval wide whose variance is small: more values still.
@@ -199,7 +197,8 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
         radiance_->moments(pixel, s, steering_, moments);
       else
         radiance_->clutter(pixel, nullptr, {}, steering_, clutter);
-      const double count = pixel.cluttered ? pixel.clutter_count() : static_cast<double>(pixel.strata[s].count());
+      const double count =
+          pixel.cluttered ? pixel.clutter_count() : static_cast<double>(pixel.strata[s].count());
       for (std::size_t d = 0; d < n; ++d) {
         const double unseen = radiance_->unseen(pixel, s, steering_[d]);
         deviation[d] = pixel.cluttered ? std::sqrt((clutter[d].variance + unseen) * count)
@@ -213,7 +212,8 @@ bool TileWork::plan_round(const LeafIntegrator& integrator, const std::vector<in
         const double weight =
             pixel.cluttered ? integrator.whole_weight(pixel.source, model.outputs[o]) : model.weight_of(s, o);
         for (std::size_t d = 0; d < n; ++d)
-          wanted = std::max(wanted, sum.gain[d] * weight * deviation[d] * sum.deviation[d] / output.path_budget[d]);
+          wanted = std::max(wanted,
+                            sum.gain[d] * weight * deviation[d] * sum.deviation[d] / output.path_budget[d]);
       }
       if (pixel.cluttered) {
         const double more = std::min(next_clutter(pixel, wanted), room);

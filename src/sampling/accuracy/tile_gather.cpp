@@ -50,7 +50,7 @@ void TileWork::gather(const LeafIntegrator& integrator, std::span<const int> col
         weighed.freedom = 0.0;
         if (moments[r].sampled && !integrator.unit_box())
           radiance_->weigh(pixel, r, integrator.footprint(), integrator.centre(model.outputs[o]), columns,
-                            moments[r], weighed);
+                           moments[r], weighed);
         for (std::size_t c = 0; c < n; ++c) {
           sum.mean[c] += w * weighed.mean[c];
           const double apart = w * w * moments[r].variance[c] * weighed.share;

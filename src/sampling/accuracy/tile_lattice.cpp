@@ -217,8 +217,7 @@ void TileWork::set_limits() {
       problem_.tolerance->limits(mean, limit);
       known_mean = mean;
     }
-    for (std::size_t n = 0; n < drivers; ++n)
-      allowed[o * drivers + n] = limit[problem_.drivers[n]] / unit;
+    for (std::size_t n = 0; n < drivers; ++n) allowed[o * drivers + n] = limit[problem_.drivers[n]] / unit;
   }
   for (int p = 0; p < d.count(); ++p)
     std::copy_n(&allowed[nearest_output(p) * drivers], drivers, contrast_.allowed(p).begin());
@@ -269,7 +268,8 @@ void TileWork::switch_clutter() {
       }
     // In allowed standard errors of this pixel, which counts only in part in each output.
     const double whole = tracer_.allowed_variance()[p] / geometry_share(p);
-    const double contrast = std::sqrt(squares / (crossings * whole)), border_px = crossings / crossings_per_length(k);
+    const double contrast = std::sqrt(squares / (crossings * whole)),
+                 border_px = crossings / crossings_per_length(k);
     const double strata = stratified_cost(contrast, border_px);
     if (kTracingCostPerCrossing * crossings > std::max(clutter_to_come(p, strata), kFewestStratified))
       tracer_.abandon(static_cast<std::uint32_t>(p));

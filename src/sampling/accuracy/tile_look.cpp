@@ -83,7 +83,8 @@ void TileWork::look_at_constants() {
 
 /// The sides of the lattice whose ends have unlike labels that look alike.
 std::vector<TileWork::Meeting> TileWork::meetings(const std::vector<std::uint8_t>& worth) const {
-  const std::vector<std::uint32_t>& own = lattice_values_.own.empty() ? lattice_values_.labels : lattice_values_.own;
+  const std::vector<std::uint32_t>& own =
+      lattice_values_.own.empty() ? lattice_values_.labels : lattice_values_.own;
   const int columns = lattice_.columns(), rows = lattice_.rows();
   const std::size_t row = static_cast<std::size_t>(columns) + 1;
   std::vector<Meeting> found;
@@ -91,15 +92,21 @@ std::vector<TileWork::Meeting> TileWork::meetings(const std::vector<std::uint8_t
     for (int i = 0; i <= columns; ++i)
       for (const bool vertical : {false, true}) {
         if (vertical ? j == rows : i == columns) continue;
-        const std::size_t a = static_cast<std::size_t>(j) * row + static_cast<std::size_t>(i), b = a + (vertical ? row : 1);
+        const std::size_t a = static_cast<std::size_t>(j) * row + static_cast<std::size_t>(i),
+                          b = a + (vertical ? row : 1);
         if (own[a] == own[b]) continue;
         const std::int32_t x = i * Lattice::side(0), y = j * Lattice::side(0);
         const FocalPoint from = lattice_.point(x, y);
-        const FocalPoint to = lattice_.point(x + (vertical ? 0 : Lattice::side(0)), y + (vertical ? Lattice::side(0) : 0));
+        const FocalPoint to =
+            lattice_.point(x + (vertical ? 0 : Lattice::side(0)), y + (vertical ? Lattice::side(0) : 0));
         const int pixel = lattice_.pixel_at({0.5 * (from.x_px + to.x_px), 0.5 * (from.y_px + to.y_px)});
         if (!worth[pixel] || tracer_.abandoned(static_cast<std::uint32_t>(pixel))) continue;
-        if (tracer_.matters(static_cast<std::uint32_t>(pixel), lattice_values_.labels[a], lattice_values_.labels[b])) continue;
-        found.push_back({pixel, std::min(own[a], own[b]), std::max(own[a], own[b]),
+        if (tracer_.matters(static_cast<std::uint32_t>(pixel), lattice_values_.labels[a],
+                            lattice_values_.labels[b]))
+          continue;
+        found.push_back({pixel,
+                         std::min(own[a], own[b]),
+                         std::max(own[a], own[b]),
                          hash(problem_.seed, kBetweenKey, lattice_.image_x(x), lattice_.image_y(y), vertical),
                          {from, to, table_.label(own[a]), table_.label(own[b]), lattice_values_.labels[a]}});
       }
@@ -133,7 +140,8 @@ void TileWork::look_between(const std::vector<std::uint8_t>& worth) {
     for (const FocalPoint point : prober_.look_between(std::move(sides))) {
       const int pixel = lattice_.pixel_at(point), x = pixel % d.width(), y = pixel / d.width();
       for (int j = std::max(0, y - 1); j <= std::min(d.height() - 1, y + 1); ++j)
-        for (int i = std::max(0, x - 1); i <= std::min(d.width() - 1, x + 1); ++i) around[j * d.width() + i] = 1;
+        for (int i = std::max(0, x - 1); i <= std::min(d.width() - 1, x + 1); ++i)
+          around[j * d.width() + i] = 1;
     }
     due.resize(left.size());
     for (std::size_t i = 0; i < left.size(); ++i) due[i] = around[left[i].pixel];

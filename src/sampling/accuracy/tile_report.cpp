@@ -79,8 +79,8 @@ void TileWork::finish(const LeafIntegrator& integrator, const std::vector<int>& 
         std::vector<std::pair<std::uint32_t, double>> seen;
         for (const ClutterRound& round : pixel.rounds)
           for (const auto& [material, hits] : round.materials()) {
-            const auto at =
-                std::find_if(seen.begin(), seen.end(), [m = material](const auto& e) { return e.first == m; });
+            const auto at = std::find_if(seen.begin(), seen.end(),
+                                         [m = material](const auto& e) { return e.first == m; });
             if (at == seen.end())
               seen.push_back({material, hits});
             else

@@ -141,8 +141,8 @@ void TileWork::tighten_borders() {
   for (int pass = 0; pass < 4; ++pass) {
     const LeafIntegrator integrator(tracer_, *problem_.footprint, problem_.tile);
     if (radiance_ == nullptr || !radiance_->refresh(integrator)) {
-      radiance_ = std::make_unique<Radiance>(tracer_, prober_, ledger_, table_, *spread_, lattice_values_, faults_,
-                                             problem_.seed, !integrator.unit_box());
+      radiance_ = std::make_unique<Radiance>(tracer_, prober_, ledger_, table_, *spread_, lattice_values_,
+                                             faults_, problem_.seed, !integrator.unit_box());
       radiance_->add_pixels(0, lattice_.domain().count(), integrator);
     }
     tracer_.forget_changes();
@@ -157,7 +157,8 @@ void TileWork::tighten_borders() {
         for (std::size_t d = 0; d < n; ++d)
           worst = std::max(worst, sums_[output].geometry[d] / (allowed[d] * allowed[d]));
         const double share = geometry_share(source_of(output));
-        if (worst > kTight * share) factor[pixel.source] = std::max(factor[pixel.source], 1.1 * worst / share);
+        if (worst > kTight * share)
+          factor[pixel.source] = std::max(factor[pixel.source], 1.1 * worst / share);
       }
     for (std::size_t p = 0; p < factor.size(); ++p)
       if (factor[p] > 1.0 && !tracer_.abandoned(static_cast<std::uint32_t>(p)) &&

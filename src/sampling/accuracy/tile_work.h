@@ -32,7 +32,7 @@ class TileWork {
 
  private:
   struct Output {
-    int look = 0;       ///< those of an earlier run included
+    int look = 0;  ///< those of an earlier run included
     int last_look = Stopping::kLooks;
     bool satisfied = false;
     SmallVector<double, 2> path_budget;  ///< per steering column: variance that paths may leave
@@ -94,7 +94,8 @@ class TileWork {
   Stopping stopping_;
   Lattice lattice_;
   LabelTable table_;
-  std::optional<TileMemory> memory_;  // of the run before, where there is one; for the next, where it is to be kept
+  std::optional<TileMemory>
+      memory_;  // of the run before, where there is one; for the next, where it is to be kept
   RayLedger ledger_;
   Contrast contrast_;
   EdgeTracer tracer_;
@@ -105,11 +106,11 @@ class TileWork {
   std::vector<int> all_columns_;
   std::vector<int> steering_;  // columns whose intervals decide how many values are drawn
   std::vector<Output> outputs_;
-  OutputSums sums_;                       // of the last gather()
+  OutputSums sums_;  // of the last gather()
   KnownDetail known_;
-  std::vector<int> not_looked_at_;        // source pixels whose random points are asked when borders are traced
-  std::vector<float> predicted_;          // per source pixel: values that clutter would take by the lattice
-  std::vector<RandomLooks> looks_;        // per source pixel: values at random points
+  std::vector<int> not_looked_at_;  // source pixels whose random points are asked when borders are traced
+  std::vector<float> predicted_;    // per source pixel: values that clutter would take by the lattice
+  std::vector<RandomLooks> looks_;  // per source pixel: values at random points
   AccuracyFaults faults_;
 };
 

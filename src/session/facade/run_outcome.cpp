@@ -20,7 +20,8 @@ Outcome outcome_of(RunResult result, const std::vector<std::string>& warnings) {
   Outcome outcome;
   outcome.verdict = verdict_of(result, warnings.size());
   outcome.folder = std::move(result.summary.folder);
-  for (ProductFile& file : result.summary.files) outcome.products.push_back({std::move(file.path), std::move(file.what)});
+  for (ProductFile& file : result.summary.files)
+    outcome.products.push_back({std::move(file.path), std::move(file.what)});
   outcome.totals = result.summary.totals;
   outcome.accuracy_statement = std::move(result.summary.accuracy_statement);
   outcome.warnings = warnings;

@@ -19,7 +19,8 @@ void require_threads(int threads) {
 void require_sense(const RenderOptions& options) {
   require_threads(options.threads);
   if (!options.keep_tiles && (options.start != RunStart::fresh || options.keep || options.refine))
-    throw InputError("keep_tiles: without finished tiles there is nothing to resume, restart, keep or refine");
+    throw InputError(
+        "keep_tiles: without finished tiles there is nothing to resume, restart, keep or refine");
 }
 
 }  // namespace
@@ -73,7 +74,8 @@ Outcome Simulation::render_tiles(TileSink& sink, const TileOptions& options) con
 
 std::string_view reason_name(int bit) {
   const auto place = static_cast<std::size_t>(bit);
-  return bit >= 0 && place < sampling::kReasonNames.size() ? sampling::kReasonNames[place] : std::string_view();
+  return bit >= 0 && place < sampling::kReasonNames.size() ? sampling::kReasonNames[place]
+                                                           : std::string_view();
 }
 
 }  // namespace ifov

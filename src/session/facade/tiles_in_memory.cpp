@@ -72,7 +72,8 @@ RunResult render_tiles(const Session& session, const TileOptions& options, TileS
   HandingOver program(sink);
   OneValue one_value(program);
   const TimeLimit limit(options.deadline, options.cancel);
-  LastProgress progress(options.progress, static_cast<std::int64_t>(plan.image.width_px) * plan.image.height_px);
+  LastProgress progress(options.progress,
+                        static_cast<std::int64_t>(plan.image.width_px) * plan.image.height_px);
   render::RenderJob job = parts.job();
   job.keep_variances = false;
   render::RenderControl control;

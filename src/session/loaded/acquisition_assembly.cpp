@@ -35,7 +35,8 @@ io::Acquisition::Camera camera_of(const Parts& parts) {
   if (pose.position_m) camera.position_m = *pose.position_m + parts.map_offset_m;
   if (const auto grid = parts.camera->ground_grid())
     camera.ground_sample_m = grid->gsd_m;
-  else if (const auto middle = place_of(parts, 0.5 * parts.camera->width_px(), 0.5 * parts.camera->height_px()))
+  else if (const auto middle =
+               place_of(parts, 0.5 * parts.camera->width_px(), 0.5 * parts.camera->height_px()))
     camera.ground_sample_m = parts.camera->gsd_m(*middle);
   return camera;
 }

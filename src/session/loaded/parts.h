@@ -19,23 +19,24 @@ struct Parts {
   scene::Scene scene;
   std::vector<MapScale> map_scales;
   PlacedObjects placed;
-  math::Vec3 map_offset_m;  ///< map coordinates of the scene's origin
+  math::Vec3 map_offset_m;                 ///< map coordinates of the scene's origin
   std::vector<io::FileStamp> known_files;  ///< files whose bytes the scene cache vouches for
   std::optional<atmosphere::WeatherSeries> weather;
   std::vector<radiometry::Channel> channels;
   std::unique_ptr<sensor::Camera> camera;
   std::string assumed_surroundings;  ///< what they were taken to be where none are declared; empty: nothing
-  std::unique_ptr<atmosphere::SensorAtmosphere> atmosphere;   ///< null without a modelled one
-  std::unique_ptr<atmosphere::ImportedAtmosphere> imported;   ///< null without imported runs
-  std::unique_ptr<radiometry::SpectralNodes> own_nodes;       ///< null with either
+  std::unique_ptr<atmosphere::SensorAtmosphere> atmosphere;  ///< null without a modelled one
+  std::unique_ptr<atmosphere::ImportedAtmosphere> imported;  ///< null without imported runs
+  std::unique_ptr<radiometry::SpectralNodes> own_nodes;      ///< null with either
   const radiometry::SpectralNodes* nodes = nullptr;
   std::unique_ptr<sampling::PixelFootprint> footprint;
   std::unique_ptr<sensor::PsfWings> wings;  ///< null where the PSF has none
-  double psf_cut = 0.0;                     ///< share of its energy that stands neither in the footprint nor in wings
+  double psf_cut = 0.0;  ///< share of its energy that stands neither in the footprint nor in wings
   std::unique_ptr<transport::SpectralScene> spectral_scene;
   std::unique_ptr<render::ChannelBrightness> brightness;
-  std::vector<render::AirHalfWidth> air;     ///< by channel; empty without a modelled atmosphere
-  std::vector<render::NodeHalfWidth> node_errors;  ///< by channel; empty with a modelled one, whose error holds that
+  std::vector<render::AirHalfWidth> air;  ///< by channel; empty without a modelled atmosphere
+  std::vector<render::NodeHalfWidth>
+      node_errors;  ///< by channel; empty with a modelled one, whose error holds that
   SamplingPlan plan;
   std::unique_ptr<render::AccuracyTolerance> tolerance;  ///< null where no accuracy is asked for
   render::ImageInfo info;

@@ -78,12 +78,13 @@ void Coordinator::wait_for_loaded(std::size_t count, const CancelToken* cancel) 
 }
 
 std::unique_ptr<cluster::TileServer> Coordinator::begin(const SharedRun& run, const std::vector<int>& tiles,
-                                                 const CancelToken* cancel) {
+                                                        const CancelToken* cancel) {
   std::vector<int> others;
   for (int rank = 1; rank < communicator_.size(); ++rank) others.push_back(rank);
   communicator_.send_all(others, Tag::begin, payload_of(run));
   const int columns = (run.plan.image.width_px + run.plan.tile_px - 1) / run.plan.tile_px;
-  return std::make_unique<cluster::TileServer>(communicator_, cluster::TileSchedule(tiles, columns, all_threads_), cancel);
+  return std::make_unique<cluster::TileServer>(communicator_,
+                                               cluster::TileSchedule(tiles, columns, all_threads_), cancel);
 }
 
 }  // namespace ifov::session

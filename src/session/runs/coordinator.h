@@ -4,8 +4,8 @@
 #include <map>
 #include <optional>
 
-#include "cluster/tile_server.h"
 #include "cluster/communicator.h"
+#include "cluster/tile_server.h"
 #include "io/run_state/run_plan.h"
 #include "io/run_state/tile_store.h"
 #include "session/session.h"

@@ -9,11 +9,11 @@
 #include "io/products/part_file.h"
 #include "io/run_state/run_state.h"
 #include "session/loaded/parts.h"
+#include "session/runs/coordinator.h"
 #include "session/runs/needs.h"
 #include "session/runs/plan_assembly.h"
 #include "session/runs/probing.h"
 #include "session/runs/refinement.h"
-#include "session/runs/coordinator.h"
 #include "session/session.h"
 
 namespace ifov::session {
@@ -29,7 +29,8 @@ constexpr double kLeastError = 0.05;
 
 /// Processor time of writing products, and for each byte of them, of tiles, and of what goes through the page cache; and
 /// what publishing takes. Measured on a virtual machine's disk.
-constexpr double kProducts_s = 0.05, kProduct_s_per_byte = 1.4e-9, kTile_s_per_byte = 0.7e-9, kCached_s_per_byte = 2.2e-9;
+constexpr double kProducts_s = 0.05, kProduct_s_per_byte = 1.4e-9, kTile_s_per_byte = 0.7e-9,
+                 kCached_s_per_byte = 2.2e-9;
 constexpr double kPublishing_s = 0.15, kPublishing_bytes_per_s = 250e6;
 
 /// Share of a square's surroundings within `margin` in square and surroundings together.
@@ -58,7 +59,8 @@ std::uint64_t work_of_tiles(std::uint64_t piece_bytes, double width_ratio) {
 /// Of trees that rays of the run will need and those of the probe did not.
 std::uint64_t unmade_chunk_bytes(const geometry::World::Storage& storage, const Probing& probing) {
   if (storage.chunks_made == 0) return 0;
-  const double made = static_cast<double>(storage.chunks_made), bytes = static_cast<double>(storage.chunk_bytes);
+  const double made = static_cast<double>(storage.chunks_made),
+               bytes = static_cast<double>(storage.chunk_bytes);
   return static_cast<std::uint64_t>(bytes / made * std::max(0.0, probing.chunks(storage.chunks) - made));
 }
 
@@ -72,14 +74,15 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
   const int width = plan.image.width_px, height = plan.image.height_px;
   const double area = static_cast<double>(width) * height;
   const int own_threads = request.coordinator != nullptr ? request.coordinator->threads(options.threads)
-                          : options.threads > 0   ? options.threads
-                                                  : usual_threads();
+                          : options.threads > 0          ? options.threads
+                                                         : usual_threads();
 
   const geometry::World& world = *parts.job().scene.scene().world;
 
   Forecast forecast;
   const io::ProductBytes products = plan.share.is_whole() ? io::product_bytes(plan) : io::ProductBytes{};
-  const std::uint64_t tile_bytes = request.keep_tiles ? io::state_bytes(plan, request.coordinator == nullptr) : 0;
+  const std::uint64_t tile_bytes =
+      request.keep_tiles ? io::state_bytes(plan, request.coordinator == nullptr) : 0;
   forecast.product_bytes = products.all();
   forecast.disk_bytes = forecast.product_bytes + tile_bytes;
   forecast.memory_bytes = least_memory_bytes(plan, own_threads);
@@ -97,11 +100,12 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
   const int least = margin_px > kWideMargin_px ? kLeastPieceWithWideMargin_px : kLeastPiece_px;
   // Tiles that are refined are as large as they were.
   job.tile_px = earlier ? plan.tile_px : std::min(plan.tile_px, std::max(wanted, least));
-  Probing probing({.columns = pieces_across(width, job.tile_px),
-                   .rows = pieces_across(height, job.tile_px),
-                   .pixels = area,
-                   .surroundings = surroundings(plan.tile_px, margin_px) / surroundings(job.tile_px, margin_px)},
-                  [&world] { return world.storage().chunks_made; }, earlier.get());
+  Probing probing(
+      {.columns = pieces_across(width, job.tile_px),
+       .rows = pieces_across(height, job.tile_px),
+       .pixels = area,
+       .surroundings = surroundings(plan.tile_px, margin_px) / surroundings(job.tile_px, margin_px)},
+      [&world] { return world.storage().chunks_made; }, earlier.get());
   if (earlier) job.earlier = &probing;
   render::RenderControl control;
   control.threads = own_threads;
@@ -123,12 +127,12 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
   forecast.probing_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (request.keep_tiles)
     forecast.disk_bytes += static_cast<std::uint64_t>(share * area * probing.memory_bytes_per_pixel());
-  forecast.memory_bytes = std::max(forecast.memory_bytes,
-                                   loaded_bytes + trees_bytes +
-                                       work_of_tiles(grown_bytes - trees_bytes,
-                                                     (plan.tile_px + 2.0 * margin_px) / (job.tile_px + 2.0 * margin_px)) +
-                                       unmade_chunk_bytes(world.storage(), probing) +
-                                       (plan.share.is_whole() ? buffer_bytes(plan) : 0));
+  forecast.memory_bytes = std::max(
+      forecast.memory_bytes,
+      loaded_bytes + trees_bytes +
+          work_of_tiles(grown_bytes - trees_bytes,
+                        (plan.tile_px + 2.0 * margin_px) / (job.tile_px + 2.0 * margin_px)) +
+          unmade_chunk_bytes(world.storage(), probing) + (plan.share.is_whole() ? buffer_bytes(plan) : 0));
   forecast.shortages = shortages(folder, forecast.disk_bytes, forecast.memory_bytes);
 
   const double tracing_s = share * area * seconds.value,
@@ -138,8 +142,10 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
                                static_cast<double>(products.cached + std::min(tile_bytes, io::kManyBytes));
   forecast.processor_s = probing.setup_s() + tracing_s + writing_s + kProducts_s;
   // No more threads have work than there are tiles, and the last ones to have some wait for the rest.
-  const double threads = request.coordinator != nullptr ? request.coordinator->all_threads() : std::min(own_threads, usual_threads());
-  const double tiles = std::ceil(share * pieces_across(width, plan.tile_px) * pieces_across(height, plan.tile_px));
+  const double threads = request.coordinator != nullptr ? request.coordinator->all_threads()
+                                                        : std::min(own_threads, usual_threads());
+  const double tiles =
+      std::ceil(share * pieces_across(width, plan.tile_px) * pieces_across(height, plan.tile_px));
   const double rounds = std::ceil(tiles / threads);
   forecast.elapsed_s = probing.setup_s() + (tracing_s + writing_s) * rounds / tiles + kPublishing_s +
                        static_cast<double>(products.cached) / kPublishing_bytes_per_s;

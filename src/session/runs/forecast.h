@@ -18,8 +18,8 @@ struct Forecast {
   std::uint64_t memory_bytes = 0;   ///< at most at a time
   std::uint64_t disk_bytes = 0;     ///< while the run works: products and kept tiles
   std::uint64_t product_bytes = 0;  ///< of which stay
-  std::size_t probes = 0;  ///< none where there is too little memory to probe
-  double probed_share = 0.0;  ///< of the image
+  std::size_t probes = 0;           ///< none where there is too little memory to probe
+  double probed_share = 0.0;        ///< of the image
   double probing_s = 0.0;
   std::vector<std::string> shortages;  ///< "out: the run takes 3.1 TB, 0.2 TB are free"; none: it will do
 };

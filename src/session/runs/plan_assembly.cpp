@@ -50,8 +50,8 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
   plan.build = build_id();
   plan.instruction_set = instruction_set();
   if (with_files)
-    plan.files = io::stamp_scene_files(document.files,
-                                       std::filesystem::path(document.file_name).parent_path(), parts.known_files);
+    plan.files = io::stamp_scene_files(
+        document.files, std::filesystem::path(document.file_name).parent_path(), parts.known_files);
   plan.image = parts.info;
   plan.tile_px = document.sampling.tile_px;
   plan.judged = parts.tolerance != nullptr;

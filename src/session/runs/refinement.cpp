@@ -76,12 +76,13 @@ void resume_refinement(const std::filesystem::path& folder, io::RunPlan& plan) {
   plan.refined_from = was.refined_from;
 }
 
-std::unique_ptr<io::KeptTiles> open_kept(const std::filesystem::path& folder, const io::RunPlan& plan, LogSink* log) {
+std::unique_ptr<io::KeptTiles> open_kept(const std::filesystem::path& folder, const io::RunPlan& plan,
+                                         LogSink* log) {
   if (plan.base == 0) return nullptr;
   const io::RunPlan kept = io::read_kept_plan(folder);
   if (kept.key() != plan.base)
-    throw InputError(
-        format("{}: the run that is refined is not there any more. Render anew (--restart).", folder.string()));
+    throw InputError(format("{}: the run that is refined is not there any more. Render anew (--restart).",
+                            folder.string()));
   return std::make_unique<io::KeptTiles>(folder, kept, log);
 }
 

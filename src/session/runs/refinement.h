@@ -21,7 +21,8 @@ void resume_refinement(const std::filesystem::path& folder, io::RunPlan& plan);
 
 /// The tiles that the plan's run goes on from; null where it begins from nothing. `log` (may be null) is told of damage.
 /// Throws InputError where they are not there any more.
-std::unique_ptr<io::KeptTiles> open_kept(const std::filesystem::path& folder, const io::RunPlan& plan, LogSink* log);
+std::unique_ptr<io::KeptTiles> open_kept(const std::filesystem::path& folder, const io::RunPlan& plan,
+                                         LogSink* log);
 
 /// InputError where the document's sampling leaves nothing that --refine could go on from.
 void require_refinable(const Parts& parts);

@@ -10,11 +10,11 @@
 #include "io/products/part_file.h"
 #include "io/run_state/run_state.h"
 #include "session/loaded/parts.h"
+#include "session/runs/coordinator.h"
 #include "session/runs/needs.h"
 #include "session/runs/plan_assembly.h"
 #include "session/runs/refinement.h"
 #include "session/runs/run_products.h"
-#include "session/runs/coordinator.h"
 #include "session/runs/tile_assembly.h"
 #include "session/runs/time_limit.h"
 #include "session/session.h"
@@ -62,7 +62,11 @@ void add_work(Progress& sum, const Progress& work) {
 class LastProgress final : public ProgressSink {
  public:
   LastProgress(const Progress& before, ProgressSink* next, const cluster::TileServer* coordinator)
-      : before_(before), last_(before), next_(next), coordinator_(coordinator), begin_(std::chrono::steady_clock::now()) {}
+      : before_(before),
+        last_(before),
+        next_(next),
+        coordinator_(coordinator),
+        begin_(std::chrono::steady_clock::now()) {}
   void report(const Progress& progress) override {
     const std::scoped_lock lock(mutex_);
     last_ = before_;
@@ -145,14 +149,17 @@ class Run {
     if (plan_.share.is_whole()) products_.emplace(plan_, folder_, goes_on_);
     if (state_ && products_) {
       io::RunState::Cubes cubes;
-      cubes.read_values = [this](sampling::TileResult& tile, const auto& is_right) { return products_->read_values(tile, is_right); };
+      cubes.read_values = [this](sampling::TileResult& tile, const auto& is_right) {
+        return products_->read_values(tile, is_right);
+      };
       // What other ranks trace comes into the cubes at the end.
       if (coordinator_ == nullptr) cubes.lines_written = [this] { return products_->lines_written(); };
       state_->use(std::move(cubes));
     }
     if (state_) count_finished();
     assembly_.emplace(
-        plan_, tiles_.done, [this](std::size_t index, sampling::TileResult& tile) { return state_->read_tile(index, tile); },
+        plan_, tiles_.done,
+        [this](std::size_t index, sampling::TileResult& tile) { return state_->read_tile(index, tile); },
         products_ ? &*products_ : nullptr);
   }
 
@@ -178,8 +185,8 @@ class Run {
   /// What is known before the first ray.
   void require_room(const RunRequest& request) const {
     const int threads = coordinator_ != nullptr ? coordinator_->threads(options_.threads) : options_.threads;
-    const std::uint64_t disk =
-        (plan_.share.is_whole() ? io::product_bytes(plan_).all() : 0) + (request.keep_tiles ? io::state_bytes(plan_, coordinator_ == nullptr) : 0);
+    const std::uint64_t disk = (plan_.share.is_whole() ? io::product_bytes(plan_).all() : 0) +
+                               (request.keep_tiles ? io::state_bytes(plan_, coordinator_ == nullptr) : 0);
     const std::vector<std::string> lines = shortages(folder_, disk, least_memory_bytes(plan_, threads));
     if (lines.empty()) return;
     std::string message;
@@ -198,7 +205,8 @@ class Run {
           kAssembly_s + static_cast<double>(bytes.cached) / kCached_bytes_per_s +
           static_cast<double>(bytes.direct) / kDirect_bytes_per_s));
     }
-    const std::unique_ptr<cluster::TileServer> server = coordinator_ != nullptr ? begin_workers(left, end) : nullptr;
+    const std::unique_ptr<cluster::TileServer> server =
+        coordinator_ != nullptr ? begin_workers(left, end) : nullptr;
     const TimeLimit limit(end, server ? server->token() : options_.cancel);
     LastProgress progress(totals_, options_.progress, server.get());
     // What other ranks trace comes out of their packs at the end, and then all comes line by line.
@@ -234,7 +242,7 @@ class Run {
   }
 
   std::unique_ptr<cluster::TileServer> begin_workers(const std::vector<int>& left,
-                                                  const std::optional<TimeLimit::Clock::time_point>& end) {
+                                                     const std::optional<TimeLimit::Clock::time_point>& end) {
     SharedRun run{plan_, folder_, state_->store_start(), std::nullopt};
     if (end) run.seconds_left = std::chrono::duration<double>(*end - TimeLimit::Clock::now()).count();
     return coordinator_->begin(run, left, options_.cancel);
@@ -258,7 +266,8 @@ class Run {
     RunResult result;
     if (options_.progress != nullptr) options_.progress->phase("products");
     if (products_) {
-      if (const std::size_t unread = assembly_->finish(tiles_.done, options_.threads, sampling::Reason::time); unread > 0)
+      if (const std::size_t unread = assembly_->finish(tiles_.done, options_.threads, sampling::Reason::time);
+          unread > 0)
         throw EnvironmentError(format("{} tiles cannot be read back", unread));
       result.summary = products_->finish(totals_, tiles_.reasons, options_.threads, kTimeLimit);
     } else {

@@ -17,10 +17,10 @@ struct RunRequest {
   RunOptions options;
   RunStart start = RunStart::fresh;  ///< where the folder holds the tiles of an earlier run
   bool keep_tiles = true;            ///< false: a run that is stopped cannot go on
-  bool keep_finished = false;        ///< leave what `refine` can go on from; needs keep_tiles and all of the tiles
-  bool refine = false;               ///< take the kept run in the folder to the document's tighter accuracy
-  bool anyway = false;               ///< begin also where memory or disk will not do by all that is known
-  render::TileShare share;           ///< of the tiles; a share leaves tiles and no products, see merge_runs()
+  bool keep_finished = false;  ///< leave what `refine` can go on from; needs keep_tiles and all of the tiles
+  bool refine = false;         ///< take the kept run in the folder to the document's tighter accuracy
+  bool anyway = false;         ///< begin also where memory or disk will not do by all that is known
+  render::TileShare share;     ///< of the tiles; a share leaves tiles and no products, see merge_runs()
   std::optional<std::chrono::steady_clock::time_point>
       deadline;  ///< when all must be done; pixels that are not by then
                  ///< hold no value in the products

@@ -26,7 +26,11 @@ io::ProductOptions options_of(const io::RunPlan& plan, const std::filesystem::pa
 }  // namespace
 
 RunProducts::RunProducts(const io::RunPlan& plan, const std::filesystem::path& folder, bool go_on)
-    : plan_(plan), folder_(folder), writer_(options_of(plan, folder, go_on), plan.identity), detection_(writer_), one_value_(detection_) {
+    : plan_(plan),
+      folder_(folder),
+      writer_(options_of(plan, folder, go_on), plan.identity),
+      detection_(writer_),
+      one_value_(detection_) {
   writer_.begin(plan.image);
 }
 
@@ -49,7 +53,8 @@ RunSummary RunProducts::finish(const Progress& totals, const sampling::ReasonCou
   io::RunOutcome outcome;
   outcome.accuracy_statement = accuracy_statement(plan_, totals, reasons, why_gaps);
   if (one_value_.holds()) {
-    const char* const empty = "All pixels hold the same value in every channel: is what is meant in the picture?";
+    const char* const empty =
+        "All pixels hold the same value in every channel: is what is meant in the picture?";
     outcome.accuracy_statement += (outcome.accuracy_statement.empty() ? "" : " ") + std::string(empty);
   }
   outcome.detection_statement = detection_.statement();

@@ -23,8 +23,8 @@ std::string accuracy(const io::RunPlan& plan, const io::TilesDone& tiles) {
   const std::string reasons = sampling::describe_reasons(tiles.reasons);
   return format(
       "asked for {}; reached in {} of the {} pixels done{}; the widest interval is {:.2f} of its limit",
-      plan.identity.accuracy_asked, tiles.converged, tiles.pixels, reasons.empty() ? "" : format(" (not: {})", reasons),
-      tiles.worst_ratio);
+      plan.identity.accuracy_asked, tiles.converged, tiles.pixels,
+      reasons.empty() ? "" : format(" (not: {})", reasons), tiles.worst_ratio);
 }
 
 std::string describe_unfinished(const std::filesystem::path& folder) {

@@ -7,9 +7,9 @@
 #include "core/error.h"
 #include "io/run_state/run_state.h"
 #include "session/loaded/parts.h"
+#include "session/runs/coordinator.h"
 #include "session/runs/plan_assembly.h"
 #include "session/runs/refinement.h"
-#include "session/runs/coordinator.h"
 #include "session/runs/time_limit.h"
 #include "session/session.h"
 
@@ -48,7 +48,8 @@ void require_same(const SharedRun& run, io::RunPlan own, bool knows_files) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored) || io::read_plan(file).key() != run.plan.key())
     throw EnvironmentError(
-        format("'{}', which the first rank wrote, is not to be seen from here: the output folder (--output) must be on "
+        format("'{}', which the first rank wrote, is not to be seen from here: the output folder (--output) "
+               "must be on "
                "a file system that all machines share, and all ranks must start in the same folder",
                file.string()));
 }
@@ -74,7 +75,9 @@ class Warnings final : public LogSink {
 class Worker {
  public:
   Worker(cluster::Communicator& communicator, const WorkerOptions& options)
-      : communicator_(communicator), options_(options), threads_(options.threads > 0 ? options.threads : communicator.usual_threads()) {}
+      : communicator_(communicator),
+        options_(options),
+        threads_(options.threads > 0 ? options.threads : communicator.usual_threads()) {}
 
   /// False where the run is over before it began.
   bool load() {
@@ -131,7 +134,8 @@ class Worker {
       end = TimeLimit::Clock::now() + std::chrono::duration_cast<TimeLimit::Clock::duration>(
                                           std::chrono::duration<double>(*run.seconds_left));
     const TimeLimit limit(end, tiles.token());
-    io::TileStore store(io::state_folder(run.folder) / "tiles", run.plan.key(), run.start, communicator_.rank());
+    io::TileStore store(io::state_folder(run.folder) / "tiles", run.plan.key(), run.start,
+                        communicator_.rank());
     StoringSink sink(store, run.plan);
     render::RenderControl control;
     control.threads = threads_;

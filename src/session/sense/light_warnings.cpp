@@ -17,7 +17,8 @@ namespace {
 constexpr double kEmission_um = 3.0, kThermal_um = 5.0;
 
 bool any_channel(const Parts& parts, auto&& is) {
-  return std::any_of(parts.channels.begin(), parts.channels.end(), [&](const auto& c) { return is(c.centre_um); });
+  return std::any_of(parts.channels.begin(), parts.channels.end(),
+                     [&](const auto& c) { return is(c.centre_um); });
 }
 
 /// What of the light that meets a material goes on in any channel, at most.
@@ -27,7 +28,8 @@ double brightness(const Parts& parts, std::uint32_t material) {
 
 bool anything_reflects(const Parts& parts) {
   const std::vector<scene::SurfaceState>& states = parts.scene.states;
-  return std::any_of(states.begin(), states.end(), [&](const auto& s) { return brightness(parts, s.material) > 0.0; });
+  return std::any_of(states.begin(), states.end(),
+                     [&](const auto& s) { return brightness(parts, s.material) > 0.0; });
 }
 
 /// Surfaces without a temperature are as dark as space.
@@ -40,16 +42,19 @@ void warn_of_cold_surfaces(const Parts& parts, LogSink& log) {
     names += (names.empty() ? "'" : ", '") + material.name + "'";
   }
   if (!names.empty())
-    log.warn(format("there are thermal channels, and no temperature for {}: what has none emits nothing", names));
+    log.warn(
+        format("there are thermal channels, and no temperature for {}: what has none emits nothing", names));
 }
 
 void warn_of_sun(const Parts& parts, LogSink& log) {
   const auto& sun = parts.scene.sun;
   constexpr double kOnHorizon = 1e-6;  // what rounding makes of a zenith angle of 90 degrees
   if (!sun || sun->direction.z > kOnHorizon) return;
-  const double below_deg = std::abs(std::asin(std::clamp(-sun->direction.z, 0.0, 1.0))) * 180.0 / std::numbers::pi;
-  log.warn(format("the {} stands {:.1f} deg below the horizon: it lights nothing, and twilight is not modelled",
-                  sun->is_moon ? "Moon" : "Sun", below_deg));
+  const double below_deg =
+      std::abs(std::asin(std::clamp(-sun->direction.z, 0.0, 1.0))) * 180.0 / std::numbers::pi;
+  log.warn(
+      format("the {} stands {:.1f} deg below the horizon: it lights nothing, and twilight is not modelled",
+             sun->is_moon ? "Moon" : "Sun", below_deg));
 }
 
 void warn_of_sky(const Parts& parts, LogSink& log) {
@@ -59,12 +64,14 @@ void warn_of_sky(const Parts& parts, LogSink& log) {
                        (parts.imported && parts.imported->has_sky());
   if (declared || has_sky || !anything_reflects(parts)) return;
   const bool reflective = parts.scene.sun && any_channel(parts, [](double um) { return um <= kThermal_um; });
-  const bool thermal = parts.scene.temperatures() && any_channel(parts, [](double um) { return um > kEmission_um; });
+  const bool thermal =
+      parts.scene.temperatures() && any_channel(parts, [](double um) { return um > kEmission_um; });
   if (!reflective && !thermal) return;
-  log.warn(format(
-      "there is no sky: {}{}{}. Give light.sky, or an atmosphere; \"sky\": {{\"none\": {{}}}} says that this is meant",
-      reflective ? "what the Sun does not reach is lit by other surfaces alone" : "",
-      reflective && thermal ? ", and " : "", thermal ? "surfaces reflect a sky at 0 K" : ""));
+  log.warn(
+      format("there is no sky: {}{}{}. Give light.sky, or an atmosphere; \"sky\": {{\"none\": {{}}}} says "
+             "that this is meant",
+             reflective ? "what the Sun does not reach is lit by other surfaces alone" : "",
+             reflective && thermal ? ", and " : "", thermal ? "surfaces reflect a sky at 0 K" : ""));
 }
 
 /// Shares of rays that leave below the horizon: of those of the camera, and of those that what they meet reflects.
@@ -85,15 +92,15 @@ Leaving leaving_below(const Parts& parts) {
       continue;
     }
     const scene::ResolvedSurface surface = parts.scene.resolve(hits[k]);
-    if (std::none_of(surface.begin(), surface.end(), [&](const auto& c) { return brightness(parts, c.material) > 0.0; }))
+    if (std::none_of(surface.begin(), surface.end(),
+                     [&](const auto& c) { return brightness(parts, c.material) > 0.0; }))
       continue;
     const double side = hits[k].front ? 1.0 : -1.0;
     const math::Vec3 normal = side * hits[k].geometric_normal.as_vector();
     const sampling::TangentFrame frame(normal);
     for (int j = 0; j < kEach; ++j) {
       const auto index = static_cast<std::uint32_t>(onward.size()) + 1;
-      const math::Vec3 direction =
-          frame.to_world(sampling::cosine_hemisphere(sampling::halton_point(index)));
+      const math::Vec3 direction = frame.to_world(sampling::cosine_hemisphere(sampling::halton_point(index)));
       onward.push_back({hits[k].position_m + hits[k].offset_m * normal, direction});
     }
   }
@@ -116,9 +123,10 @@ void warn_of_wings(const Parts& parts, LogSink& log) {
   for (std::size_t k = 0; k < hits.size(); ++k)
     seen += !hits[k].hit() && rays[k].direction.z < 0.0 ? 1.0 / static_cast<double>(hits.size()) : 0.0;
   if (seen < kNoticed) return;
-  log.warn(format("the wings of the PSF reach {:g} px beyond the picture, and {:.2g} % of what they see are "
-                  "surroundings that are not declared and taken as black at 0 K",
-                  kReach_px, 100.0 * seen));
+  log.warn(
+      format("the wings of the PSF reach {:g} px beyond the picture, and {:.2g} % of what they see are "
+             "surroundings that are not declared and taken as black at 0 K",
+             kReach_px, 100.0 * seen));
 }
 
 void warn_of_surroundings(const Parts& parts, LogSink& log) {
@@ -126,7 +134,8 @@ void warn_of_surroundings(const Parts& parts, LogSink& log) {
   if (parts.document.light.surroundings || !parts.assumed_surroundings.empty()) return;
   // Rays would make the trees of large meshes, which belongs to rendering.
   if (parts.scene.world->storage().chunks > 0) {
-    log.warn("light.surroundings are not declared: rays that leave the scene below the horizon meet black at 0 K");
+    log.warn(
+        "light.surroundings are not declared: rays that leave the scene below the horizon meet black at 0 K");
     return;
   }
   if (parts.wings) warn_of_wings(parts, log);
@@ -153,7 +162,8 @@ void warn_of_depth(const Parts& parts, LogSink& log) {
   if (left < kNoticed) return;
   log.warn(format(
       "max_depth {}: light that is reflected more often is left out, and no interval knows of it. Between "
-      "surfaces like '{}', which reflects up to {:.2g} %, that is up to {:.2g} % of it; without max_depth nothing is left out",
+      "surfaces like '{}', which reflects up to {:.2g} %, that is up to {:.2g} % of it; without max_depth "
+      "nothing is left out",
       *depth, name, 100.0 * brightest, 100.0 * left));
 }
 

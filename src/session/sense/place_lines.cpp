@@ -14,17 +14,22 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kBrightness_um = 3.0;  // from here on channels speak in kelvins
 constexpr std::size_t kNamed = 4;       // channels in a line
 
-bool on_map(const Parts& parts) { return parts.document.scene.origin.has_map_offset || !parts.document.scene.origin.crs.empty(); }
+bool on_map(const Parts& parts) {
+  return parts.document.scene.origin.has_map_offset || !parts.document.scene.origin.crs.empty();
+}
 
 std::string line(const char* what, const std::string& text) { return format("{:<10} {}", what, text); }
 
 std::string range_text(double low, double high, const char* unit) {
   if (low < 1e-6 * high) low = 0.0;  // what is left of light that a path lost
   if (high < 1e-15) low = high = 0.0;
-  return high - low <= 1e-3 * std::abs(high) ? format("{:.4g} {}", high, unit) : format("{:.4g} to {:.4g} {}", low, high, unit);
+  return high - low <= 1e-3 * std::abs(high) ? format("{:.4g} {}", high, unit)
+                                             : format("{:.4g} to {:.4g} {}", low, high, unit);
 }
 
-std::string metres(double value) { return std::abs(value) < 1e4 ? format("{:.5g}", value) : format("{:.0f}", value); }
+std::string metres(double value) {
+  return std::abs(value) < 1e4 ? format("{:.5g}", value) : format("{:.0f}", value);
+}
 
 std::string scene_line(const Parts& parts) {
   const geometry::World& world = *parts.scene.world;
@@ -38,10 +43,12 @@ std::string scene_line(const Parts& parts) {
     const geometry::World::Bounds b = world.bounds();
     text = area_text(parts, {b.low_m.x, b.high_m.x}, {b.low_m.y, b.high_m.y}) + ", ";
   }
-  text += heights.low_m == heights.high_m ? format("z {:.5g} m", heights.low_m + up_m)
-                                          : format("z {:.5g} to {:.5g} m", heights.low_m + up_m, heights.high_m + up_m);
+  text += heights.low_m == heights.high_m
+              ? format("z {:.5g} m", heights.low_m + up_m)
+              : format("z {:.5g} to {:.5g} m", heights.low_m + up_m, heights.high_m + up_m);
   if (world.object_count() == 0) return "nothing";
-  if (const auto period = world.period()) text += format("; repeats every {:g} x {:g} m", period->x_m, period->y_m);
+  if (const auto period = world.period())
+    text += format("; repeats every {:g} x {:g} m", period->x_m, period->y_m);
   return text;
 }
 
@@ -50,15 +57,16 @@ struct CameraText {
   std::string operator()(const io::OrthographicCamera& c) const {
     std::string text = format("orthographic, {} x {} pixels of {:g} m", c.width_px, c.height_px, c.gsd_m);
     if (c.view_zenith_rad > 0.0)
-      text += format(", {:.4g} deg from the vertical, seen from azimuth {:.4g} deg", c.view_zenith_rad * kDegrees,
-                     c.view_azimuth_rad * kDegrees);
+      text += format(", {:.4g} deg from the vertical, seen from azimuth {:.4g} deg",
+                     c.view_zenith_rad * kDegrees, c.view_azimuth_rad * kDegrees);
     return text;
   }
   std::string operator()(const io::FrameCamera& c) const {
-    const math::Vec3 to_scene = on_map(parts) ? parts.map_offset_m - parts.document.scene.origin.offset_m : math::Vec3{};
+    const math::Vec3 to_scene =
+        on_map(parts) ? parts.map_offset_m - parts.document.scene.origin.offset_m : math::Vec3{};
     const math::Point3 p = c.position_m + to_scene;
-    return format("frame, {} x {} pixels, {:.4g} x {:.4g} deg, at {} {:.8g}, {:.8g}, {:.6g} m", c.width_px, c.height_px,
-                  2.0 * std::atan(0.5 * c.width_px * c.pitch_m / c.focal_length_m) * kDegrees,
+    return format("frame, {} x {} pixels, {:.4g} x {:.4g} deg, at {} {:.8g}, {:.8g}, {:.6g} m", c.width_px,
+                  c.height_px, 2.0 * std::atan(0.5 * c.width_px * c.pitch_m / c.focal_length_m) * kDegrees,
                   2.0 * std::atan(0.5 * c.height_px * c.pitch_m / c.focal_length_m) * kDegrees,
                   on_map(parts) ? "east, north, height" : "x, y, z", p.x, p.y, p.z);
   }
@@ -85,7 +93,8 @@ std::string in_view_line(const SceneLook& look) {
   if (all) return format("all {} objects", look.objects);
   double of = 0.0;
   for (const std::size_t n : look.looked_at) of += static_cast<double>(n);
-  return format("{}{:.0f} of {} objects, by their places", of < static_cast<double>(look.objects) ? "about " : "",
+  return format("{}{:.0f} of {} objects, by their places",
+                of < static_cast<double>(look.objects) ? "about " : "",
                 inside / of * static_cast<double>(look.objects), look.objects);
 }
 
@@ -94,7 +103,8 @@ std::string sun_line(const Parts& parts) {
   if (!sun) return "none";
   const double azimuth = std::atan2(sun->direction.x, sun->direction.y) * kDegrees;
   return format("{:.4g} deg above the horizon, azimuth {:.4g} deg",
-                std::asin(std::clamp(sun->direction.z, -1.0, 1.0)) * kDegrees, azimuth < 0.0 ? azimuth + 360.0 : azimuth);
+                std::asin(std::clamp(sun->direction.z, -1.0, 1.0)) * kDegrees,
+                azimuth < 0.0 ? azimuth + 360.0 : azimuth);
 }
 
 /// One text for each of the first channels and the last.
@@ -104,7 +114,11 @@ std::string by_channel(const Parts& parts, Text text) {
   std::string all;
   for (std::size_t c = 0; c < count; ++c) {
     if (count > kNamed && c >= kNamed - 1 && c + 1 < count) continue;
-    all += format("{}{} {}", all.empty() ? "" : c + 1 == count && count > kNamed ? "; ... " : "; ", parts.channels[c].name, text(c));
+    all += format("{}{} {}",
+                  all.empty()                        ? ""
+                  : c + 1 == count && count > kNamed ? "; ... "
+                                                     : "; ",
+                  parts.channels[c].name, text(c));
   }
   return all;
 }
@@ -113,10 +127,11 @@ std::string by_channel(const Parts& parts, Text text) {
 
 std::string area_text(const Parts& parts, SceneLook::Range x_m, SceneLook::Range y_m) {
   if (!on_map(parts))
-    return format("x {} to {} m, y {} to {} m", metres(x_m.low), metres(x_m.high), metres(y_m.low), metres(y_m.high));
+    return format("x {} to {} m, y {} to {} m", metres(x_m.low), metres(x_m.high), metres(y_m.low),
+                  metres(y_m.high));
   const math::Vec3 o = parts.map_offset_m;
-  return format("east {:.1f} to {:.1f} m, north {:.1f} to {:.1f} m (map)", x_m.low + o.x, x_m.high + o.x, y_m.low + o.y,
-                y_m.high + o.y);
+  return format("east {:.1f} to {:.1f} m, north {:.1f} to {:.1f} m (map)", x_m.low + o.x, x_m.high + o.x,
+                y_m.low + o.y, y_m.high + o.y);
 }
 
 std::vector<std::string> place_lines(const Parts& parts, const SceneLook& look) {
@@ -127,16 +142,21 @@ std::vector<std::string> place_lines(const Parts& parts, const SceneLook& look) 
   lines.push_back(line("in view:", in_view_line(look)));
   lines.push_back(line(parts.scene.sun && parts.scene.sun->is_moon ? "Moon:" : "Sun:", sun_line(parts)));
   lines.push_back(line("on ground:", by_channel(parts, [&](std::size_t c) {
-    const auto light = [](double irradiance) { return irradiance < 1e-15 ? 0.0 : irradiance; };
-    return format("Sun {:.3g}, sky {:.3g}", light(look.sun[c].low), light(look.sky[c].low));
-  }) + " W m-2 um-1"));
+                                       const auto light = [](double irradiance) {
+                                         return irradiance < 1e-15 ? 0.0 : irradiance;
+                                       };
+                                       return format("Sun {:.3g}, sky {:.3g}", light(look.sun[c].low),
+                                                     light(look.sky[c].low));
+                                     }) + " W m-2 um-1"));
   lines.push_back(line("radiance:", by_channel(parts, [&](std::size_t c) {
-    const SceneLook::Range& r = look.radiance[c];
-    if (parts.channels[c].centre_um < kBrightness_um || !(r.low > 0.0)) return range_text(r.low, r.high, "W m-2 sr-1 um-1");
-    const int channel = static_cast<int>(c);
-    return format("{:.1f} to {:.1f} K", parts.brightness->temperature_k(channel, r.low),
-                  parts.brightness->temperature_k(channel, r.high));
-  }) + format(" ({} paths)", look.rays)));
+                                      const SceneLook::Range& r = look.radiance[c];
+                                      if (parts.channels[c].centre_um < kBrightness_um || !(r.low > 0.0))
+                                        return range_text(r.low, r.high, "W m-2 sr-1 um-1");
+                                      const int channel = static_cast<int>(c);
+                                      return format("{:.1f} to {:.1f} K",
+                                                    parts.brightness->temperature_k(channel, r.low),
+                                                    parts.brightness->temperature_k(channel, r.high));
+                                    }) + format(" ({} paths)", look.rays)));
   return lines;
 }
 

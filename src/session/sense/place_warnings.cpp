@@ -31,7 +31,8 @@ double backs_about(const geometry::World& world, math::Point3 place) {
     }
   std::vector<geometry::SurfacePoint> hits(rays.size());
   world.intersect(rays, hits);
-  return static_cast<double>(std::count_if(hits.begin(), hits.end(), [](const auto& h) { return h.hit() && !h.front; })) /
+  return static_cast<double>(
+             std::count_if(hits.begin(), hits.end(), [](const auto& h) { return h.hit() && !h.front; })) /
          static_cast<double>(hits.size());
 }
 
@@ -41,9 +42,11 @@ void warn_of_camera(const Parts& parts, const SceneLook& look, LogSink& log) {
   const math::Vec3 offset_m = parts.document.scene.origin.offset_m;
   if (const auto height_m = std::visit(CameraHeight{}, parts.document.sensor.camera.model);
       height_m && *height_m - offset_m.z < top_m)
-    log.warn(format("the camera's 'height' of {:g} m lies below the top of the scene at {:g} m: what is above it is not seen. "
-                    "Leave 'height' out, and rays start above everything",
-                    *height_m, top_m + offset_m.z));
+    log.warn(
+        format("the camera's 'height' of {:g} m lies below the top of the scene at {:g} m: what is above it "
+               "is not seen. "
+               "Leave 'height' out, and rays start above everything",
+               *height_m, top_m + offset_m.z));
   const std::optional<math::Point3> place = parts.camera->pose().position_m;
   if (place && world.object_count() > 0) {
     constexpr double kInside = 0.9;
@@ -52,18 +55,21 @@ void warn_of_camera(const Parts& parts, const SceneLook& look, LogSink& log) {
     world.intersect({&up, 1}, {&above, 1});
     const double backs = backs_about(world, *place);
     if (backs >= kInside)
-      log.warn(format("the camera is inside of {}: it sees the backs of surfaces all around. Move its 'position'",
-                      above.hit() ? title_of(parts.document, parts.placed.of(above.instance)) : "something solid"));
+      log.warn(format(
+          "the camera is inside of {}: it sees the backs of surfaces all around. Move its 'position'",
+          above.hit() ? title_of(parts.document, parts.placed.of(above.instance)) : "something solid"));
     else if (above.hit() && !above.front && above.geometric_normal.z > 0.0)
       log.warn(format("the camera is under the ground: {} lies {:.4g} m above it. Raise its 'position'",
                       title_of(parts.document, parts.placed.of(above.instance)), above.distance_m));
   }
   if (look.sky_share < 1.0) return;
-  if (world.object_count() == 0) return log.warn("the scene holds no objects: the picture shows nothing but sky");
+  if (world.object_count() == 0)
+    return log.warn("the scene holds no objects: the picture shows nothing but sky");
   const geometry::World::Bounds b = world.bounds();
-  log.warn(format("the camera sees nothing of the scene, which lies at {}: all of {} rays meet nothing. Look at its {}",
-                  area_text(parts, {b.low_m.x, b.high_m.x}, {b.low_m.y, b.high_m.y}), look.rays,
-                  place ? "'position' and where it looks" : "'center'"));
+  log.warn(format(
+      "the camera sees nothing of the scene, which lies at {}: all of {} rays meet nothing. Look at its {}",
+      area_text(parts, {b.low_m.x, b.high_m.x}, {b.low_m.y, b.high_m.y}), look.rays,
+      place ? "'position' and where it looks" : "'center'"));
 }
 
 void warn_of_objects_out_of_view(const Parts& parts, const SceneLook& look, LogSink& log) {
@@ -77,8 +83,8 @@ void warn_of_objects_out_of_view(const Parts& parts, const SceneLook& look, LogS
   // Of a landscape around the picture much is out of view, and that is meant; the line "in view" counts it.
   if (whole == 0 || 2 * whole < look.in_frame.size()) return;
   if (whole > kNamed) names += format(" and {} more", whole - kNamed);
-  log.warn(format("{} of {} objects of the document {} wholly out of the picture: {}{}", whole, look.in_frame.size(),
-                  whole == 1 ? "is" : "are", names,
+  log.warn(format("{} of {} objects of the document {} wholly out of the picture: {}{}", whole,
+                  look.in_frame.size(), whole == 1 ? "is" : "are", names,
                   parts.document.scene.origin.has_map_offset
                       ? "; with 'easting' and 'northing', positions are map coordinates"
                       : ""));
@@ -99,18 +105,23 @@ void warn_of_far_objects(const Parts& parts, const SceneLook& look, LogSink& log
     for (std::uint32_t k = 0; k < count; k += step, ++looked_at) {
       const geometry::World::PlacedObject object = world.object(parts.placed.first(d) + k);
       if (!std::isfinite(object.radius_m)) continue;
-      const double distance_m = std::hypot(object.centre_m.x - middle.x, object.centre_m.y - middle.y) - object.radius_m;
+      const double distance_m =
+          std::hypot(object.centre_m.x - middle.x, object.centre_m.y - middle.y) - object.radius_m;
       far += distance_m > std::max(kFar_m, kFarAcross * across_m);
       furthest_m = std::max(furthest_m, distance_m);
     }
     if (far == 0) continue;
     const io::OriginDocument& origin = parts.document.scene.origin;
     log.warn(format("{}: {} lie{} up to {:.0f} km from the picture: are {} coordinates of another frame? {}",
-                    title_of(parts.document, d), count == 1 ? std::string("it") : format("{} of {} copies", static_cast<double>(far) / looked_at * count, count),
+                    title_of(parts.document, d),
+                    count == 1
+                        ? std::string("it")
+                        : format("{} of {} copies", static_cast<double>(far) / looked_at * count, count),
                     count == 1 ? "s" : "", furthest_m / 1000.0, count == 1 ? "its" : "their",
                     origin.has_map_offset || !origin.crs.empty()
                         ? "The scene's are map coordinates, since its 'origin' has some"
-                        : "The scene's are metres about its origin; for map coordinates give the scene's 'origin' an 'easting' "
+                        : "The scene's are metres about its origin; for map coordinates give the scene's "
+                          "'origin' an 'easting' "
                           "and a 'northing'"));
   }
 }
@@ -118,21 +129,26 @@ void warn_of_far_objects(const Parts& parts, const SceneLook& look, LogSink& log
 void warn_of_sizes(const Parts& parts, const SceneLook& look, LogSink& log) {
   if (look.x_m.low > look.x_m.high) return;
   constexpr double kMuchLarger = 100.0, kMuchSmaller = 0.02, kKilometre_m = 1000.0;
-  const double across_m = std::max({look.x_m.high - look.x_m.low, look.y_m.high - look.y_m.low, look.gsd_m.high});
+  const double across_m =
+      std::max({look.x_m.high - look.x_m.low, look.y_m.high - look.y_m.low, look.gsd_m.high});
   for (std::size_t d = 0; d < parts.placed.document_objects(); ++d) {
     const io::ShapeDocument& shape = parts.document.scene.objects[d].shape;
-    const bool from_file = std::holds_alternative<io::MeshShape>(shape) || std::holds_alternative<io::InstanceShape>(shape) ||
+    const bool from_file = std::holds_alternative<io::MeshShape>(shape) ||
+                           std::holds_alternative<io::InstanceShape>(shape) ||
                            std::holds_alternative<io::InstancesShape>(shape);
     // Who writes a small ball or disk means a target below a pixel.
     if (parts.placed.count(d) == 0 || (!from_file && !std::holds_alternative<io::BoxShape>(shape))) continue;
     const double size_m = 2.0 * parts.scene.world->object(parts.placed.first(d)).radius_m;
     if (from_file && size_m > std::max(kMuchLarger * across_m, kKilometre_m))
-      log.warn(format("{} is {:.4g} m across, the picture {:.4g} m: are the mesh's coordinates millimetres? Then say "
-                      "\"unit\": \"mm\"",
-                      title_of(parts.document, d), size_m, across_m));
+      log.warn(format(
+          "{} is {:.4g} m across, the picture {:.4g} m: are the mesh's coordinates millimetres? Then say "
+          "\"unit\": \"mm\"",
+          title_of(parts.document, d), size_m, across_m));
     if (size_m < kMuchSmaller * look.gsd_m.low)
-      log.warn(format("{} is {:.3g} m across, less than a fiftieth of a pixel of {:.4g} m: are {} meant?", title_of(parts.document, d),
-                      size_m, look.gsd_m.low, from_file ? "its coordinates of another unit, and is such a pixel" : "such a size and such a pixel"));
+      log.warn(format("{} is {:.3g} m across, less than a fiftieth of a pixel of {:.4g} m: are {} meant?",
+                      title_of(parts.document, d), size_m, look.gsd_m.low,
+                      from_file ? "its coordinates of another unit, and is such a pixel"
+                                : "such a size and such a pixel"));
   }
 }
 
@@ -143,11 +159,14 @@ void warn_of_shared_places(const Parts& parts, const SceneLook& look, LogSink& l
   std::size_t named = 0;
   for (const SceneLook::Shared& one : shared) {
     if (one.share < kNoticed || named++ >= kNamed) break;
-    log.warn(format("surfaces of {} and {} lie in one place in {:.2g} % of the picture: {} is seen there, {}. Lift one by a "
-                    "centimetre, or put it elsewhere in the list",
-                    title_of(parts.document, one.seen), title_of(parts.document, one.hidden), 100.0 * one.share,
-                    title_of(parts.document, one.seen),
-                    one.seen > one.hidden ? "which is the later of the two in the document" : "which is higher by less than a hair"));
+    log.warn(
+        format("surfaces of {} and {} lie in one place in {:.2g} % of the picture: {} is seen there, {}. "
+               "Lift one by a "
+               "centimetre, or put it elsewhere in the list",
+               title_of(parts.document, one.seen), title_of(parts.document, one.hidden), 100.0 * one.share,
+               title_of(parts.document, one.seen),
+               one.seen > one.hidden ? "which is the later of the two in the document"
+                                     : "which is higher by less than a hair"));
   }
 }
 
@@ -160,10 +179,13 @@ void warn_of_maps(const Parts& parts, const SceneLook& look, LogSink& log) {
   y = {std::min(y.low, b.low_m.y), std::max(y.high, b.high_m.y)};
   for (const MapScale& map : parts.map_scales) {
     const double east_m = map.west_m + map.width_m, south_m = map.north_m - map.height_m;
-    if (map.repeats || (map.west_m < x.high && east_m > x.low && south_m < y.high && map.north_m > y.low)) continue;
-    log.warn(format("map '{}' covers {}, and all of the scene lies at {}: everything gets the value of its nearest cell. Are these "
-                    "coordinates of another frame?",
-                    map.path, area_text(parts, {map.west_m, east_m}, {south_m, map.north_m}), area_text(parts, x, y)));
+    if (map.repeats || (map.west_m < x.high && east_m > x.low && south_m < y.high && map.north_m > y.low))
+      continue;
+    log.warn(format(
+        "map '{}' covers {}, and all of the scene lies at {}: everything gets the value of its nearest cell. "
+        "Are these "
+        "coordinates of another frame?",
+        map.path, area_text(parts, {map.west_m, east_m}, {south_m, map.north_m}), area_text(parts, x, y)));
   }
 }
 
@@ -173,9 +195,10 @@ void warn_of_degrees(const Parts& parts, LogSink& log) {
   if (!origin.has_map_offset) return;
   if (std::abs(origin.offset_m.x) <= 180.0 && std::abs(origin.offset_m.y) <= 90.0 &&
       (origin.offset_m.x != 0.0 || origin.offset_m.y != 0.0))
-    log.warn(format("the origin's easting {:g} m and northing {:g} m look like longitude and latitude: give those as "
-                    "'longitude' and 'latitude', in deg",
-                    origin.offset_m.x, origin.offset_m.y));
+    log.warn(format(
+        "the origin's easting {:g} m and northing {:g} m look like longitude and latitude: give those as "
+        "'longitude' and 'latitude', in deg",
+        origin.offset_m.x, origin.offset_m.y));
 }
 
 /// Two places for one origin: the Sun follows the first, the map the second.
@@ -187,14 +210,19 @@ void warn_of_two_origins(const Parts& parts, LogSink& log) {
   if (!on_map) return;
   const double latitude = origin.geographic->latitude_rad, longitude = origin.geographic->longitude_rad;
   const double other = on_map->latitude_deg * kDegree, between = on_map->longitude_deg * kDegree - longitude;
-  const double half_chord = std::hypot(std::sin(0.5 * (other - latitude)),
-                                       std::sqrt(std::cos(latitude) * std::cos(other)) * std::sin(0.5 * between));
+  const double half_chord =
+      std::hypot(std::sin(0.5 * (other - latitude)),
+                 std::sqrt(std::cos(latitude) * std::cos(other)) * std::sin(0.5 * between));
   const double apart_m = 2.0 * kRadius_m * std::asin(std::min(1.0, half_chord));
   if (apart_m < kNoticed_m) return;
-  log.warn(format("the origin's latitude {:.4g} and longitude {:.4g} deg lie {:.0f} km from its easting and northing, which are at "
-                  "latitude {:.4g} and longitude {:.4g} deg: the Sun follows the first, the map the second. Correct one, or leave "
-                  "'latitude' and 'longitude' away",
-                  latitude / kDegree, longitude / kDegree, apart_m / 1000.0, on_map->latitude_deg, on_map->longitude_deg));
+  log.warn(
+      format("the origin's latitude {:.4g} and longitude {:.4g} deg lie {:.0f} km from its easting and "
+             "northing, which are at "
+             "latitude {:.4g} and longitude {:.4g} deg: the Sun follows the first, the map the second. "
+             "Correct one, or leave "
+             "'latitude' and 'longitude' away",
+             latitude / kDegree, longitude / kDegree, apart_m / 1000.0, on_map->latitude_deg,
+             on_map->longitude_deg));
 }
 
 }  // namespace

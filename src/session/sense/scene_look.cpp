@@ -14,9 +14,10 @@ namespace ifov::session {
 namespace {
 
 constexpr int kAcross = 48;
-constexpr int kAcrossChunks = 8;  // where each place that is met has a tree of its own to be made
+constexpr int kAcrossChunks = 8;              // where each place that is met has a tree of its own to be made
 constexpr std::size_t kMostLookedAt = 20000;  // copies of an object
-constexpr double kOnePlace = 1e-5;  // of a pixel: nearer surfaces of unlike objects are taken to be meant as one
+constexpr double kOnePlace =
+    1e-5;  // of a pixel: nearer surfaces of unlike objects are taken to be meant as one
 
 void include(SceneLook::Range& range, double value) {
   range.low = std::min(range.low, value), range.high = std::max(range.high, value);
@@ -70,7 +71,8 @@ void see(const Parts& parts, std::span<const sampling::FocalPoint> points, Scene
 }
 
 void measure(const Parts& parts, std::span<const sampling::FocalPoint> points, SceneLook& look) {
-  render::SceneField field(*parts.spectral_scene, *parts.camera, parts.job().transport, render::LabelDetail::material);
+  render::SceneField field(*parts.spectral_scene, *parts.camera, parts.job().transport,
+                           render::LabelDetail::material);
   std::vector<sampling::PathRequest> requests;
   for (const sampling::FocalPoint& point : points)
     requests.push_back({point, sampling::hash(parts.document.seed, 0x10c, requests.size()), 0});
@@ -79,7 +81,8 @@ void measure(const Parts& parts, std::span<const sampling::FocalPoint> points, S
   field.values(requests, labels, values);
   for (std::size_t k = 0; k < points.size(); ++k)
     for (std::size_t c = 0; c < look.radiance.size(); ++c)
-      include(look.radiance[c], static_cast<double>(values[k * static_cast<std::size_t>(field.stride()) + c]));
+      include(look.radiance[c],
+              static_cast<double>(values[k * static_cast<std::size_t>(field.stride()) + c]));
 }
 
 void light(const Parts& parts, SceneLook& look) {
@@ -89,7 +92,8 @@ void light(const Parts& parts, SceneLook& look) {
     double sun = 0.0, sky = 0.0;
     for (std::size_t n = nodes.first_node(c); n < nodes.first_node(c + 1); ++n) {
       sun += nodes.node_weight(n) * sine * static_cast<double>(parts.spectral_scene->sun_irradiance()[n]);
-      sky += nodes.node_weight(n) * std::numbers::pi * static_cast<double>(parts.spectral_scene->sky_radiance()[n]);
+      sky += nodes.node_weight(n) * std::numbers::pi *
+             static_cast<double>(parts.spectral_scene->sky_radiance()[n]);
     }
     look.sun.push_back({sun, sun}), look.sky.push_back({sky, sky});
   }
@@ -101,8 +105,8 @@ bool in_frame(const sensor::Camera& camera, const geometry::World::PlacedObject&
   sampling::FocalPoint point;
   if (!camera.project(object.centre_m, point)) return false;
   const double reach_px = object.radius_m / std::max(camera.gsd_m(object.centre_m), 1e-30);
-  return point.x_px + reach_px > 0.0 && point.x_px - reach_px < camera.width_px() && point.y_px + reach_px > 0.0 &&
-         point.y_px - reach_px < camera.height_px();
+  return point.x_px + reach_px > 0.0 && point.x_px - reach_px < camera.width_px() &&
+         point.y_px + reach_px > 0.0 && point.y_px - reach_px < camera.height_px();
 }
 
 void count(const Parts& parts, SceneLook& look) {

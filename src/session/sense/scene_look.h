@@ -17,12 +17,12 @@ struct SceneLook {
   struct Range {
     double low = 0.0, high = 0.0;
   };
-  std::vector<Range> radiance;       ///< by channel, W m-2 sr-1 um-1; of single paths
-  std::vector<Range> sun, sky;       ///< by channel: irradiance on level ground, W m-2 um-1; low = high
-  Range distance_m, gsd_m;           ///< to what is met; empty (low > high) where nothing is
-  Range x_m, y_m;                    ///< of what is met, scene frame
-  std::size_t objects = 0;           ///< of the world
-  std::vector<std::size_t> in_frame; ///< by object of the document: copies whose place the picture holds
+  std::vector<Range> radiance;         ///< by channel, W m-2 sr-1 um-1; of single paths
+  std::vector<Range> sun, sky;         ///< by channel: irradiance on level ground, W m-2 um-1; low = high
+  Range distance_m, gsd_m;             ///< to what is met; empty (low > high) where nothing is
+  Range x_m, y_m;                      ///< of what is met, scene frame
+  std::size_t objects = 0;             ///< of the world
+  std::vector<std::size_t> in_frame;   ///< by object of the document: copies whose place the picture holds
   std::vector<std::size_t> looked_at;  ///< of so many: all, or a part of very many, evenly taken
   /// Pairs of objects of the document with surfaces in one place, and the share of the picture that sees them.
   struct Shared {

@@ -11,13 +11,14 @@ namespace {
 
 constexpr double kStep_m = 0.3;  // from here the ray down starts, above what a thing stands on
 constexpr double kGap_m = 0.5, kGapOfHeight = 0.1;
-constexpr double kGapOfCopies = 1.0;  // of their height: crowns are placed without their trunks
-constexpr double kGapOfCities_m = 5.0;  // streets of a model in space stand above a plane below them all
+constexpr double kGapOfCopies = 1.0;     // of their height: crowns are placed without their trunks
+constexpr double kGapOfCities_m = 5.0;   // streets of a model in space stand above a plane below them all
 constexpr std::uint32_t kLookedAt = 64;  // copies of an object
 constexpr int kMostLayers = 64;
 
 bool is_copied(const io::ObjectDocument& object) {
-  return std::holds_alternative<io::InstanceShape>(object.shape) || std::holds_alternative<io::InstancesShape>(object.shape);
+  return std::holds_alternative<io::InstanceShape>(object.shape) ||
+         std::holds_alternative<io::InstancesShape>(object.shape);
 }
 
 /// Things that stand: what may hang in the air on purpose (a roof, a ball) is not looked at.
@@ -33,8 +34,8 @@ bool is_ground(const io::Document& document, std::size_t object) {
 }
 
 struct Standing {
-  double height_m = 0.0;          ///< of the thing
-  std::optional<double> gap_m;    ///< from its lowest point down to what is below its middle; none: nothing is
+  double height_m = 0.0;        ///< of the thing
+  std::optional<double> gap_m;  ///< from its lowest point down to what is below its middle; none: nothing is
   std::optional<double> under_m;  ///< by so much ground lies above its highest point
 };
 
@@ -44,7 +45,8 @@ Standing look_about(const Parts& parts, std::uint32_t placed) {
   double half_m = 0.0;
   for (const math::Vec3& side : object.half_sides_m) half_m += std::abs(side.z);
   Standing standing{2.0 * half_m, {}, {}};
-  math::Ray down{{object.centre_m.x, object.centre_m.y, object.centre_m.z - half_m + kStep_m}, {0.0, 0.0, -1.0}};
+  math::Ray down{{object.centre_m.x, object.centre_m.y, object.centre_m.z - half_m + kStep_m},
+                 {0.0, 0.0, -1.0}};
   for (int layer = 0; layer < kMostLayers; ++layer) {
     geometry::SurfacePoint hit;
     world.intersect({&down, 1}, {&hit, 1});
@@ -58,7 +60,8 @@ Standing look_about(const Parts& parts, std::uint32_t placed) {
   const math::Ray up{{object.centre_m.x, object.centre_m.y, object.centre_m.z + half_m}, {0.0, 0.0, 1.0}};
   geometry::SurfacePoint above;
   world.intersect({&up, 1}, {&above, 1});
-  if (above.hit() && !above.front && is_ground(parts.document, parts.placed.of(above.instance))) standing.under_m = above.distance_m;
+  if (above.hit() && !above.front && is_ground(parts.document, parts.placed.of(above.instance)))
+    standing.under_m = above.distance_m;
   return standing;
 }
 
@@ -67,7 +70,8 @@ Standing look_about(const Parts& parts, std::uint32_t placed) {
 void warn_of_standing(const Parts& parts, LogSink& log) {
   if (parts.scene.world->storage().chunks > 0) return;
   bool has_ground = false;
-  for (std::size_t d = 0; d < parts.placed.document_objects(); ++d) has_ground = has_ground || is_ground(parts.document, d);
+  for (std::size_t d = 0; d < parts.placed.document_objects(); ++d)
+    has_ground = has_ground || is_ground(parts.document, d);
   if (!has_ground) return;
   for (std::size_t d = 0; d < parts.placed.document_objects(); ++d) {
     if (!stands(parts.document.scene.objects[d])) continue;
@@ -80,16 +84,21 @@ void warn_of_standing(const Parts& parts, LogSink& log) {
     for (std::uint32_t k = 0; k < count; k += step) {
       const Standing one = look_about(parts, parts.placed.first(d) + k);
       ++looked_at;
-      if (one.gap_m && *one.gap_m > std::max(least_gap_m, gap_of_height * one.height_m)) ++floating, widest_m = std::max(widest_m, *one.gap_m);
+      if (one.gap_m && *one.gap_m > std::max(least_gap_m, gap_of_height * one.height_m))
+        ++floating, widest_m = std::max(widest_m, *one.gap_m);
       if (one.under_m) ++buried, deepest_m = std::max(deepest_m, *one.under_m);
     }
     const auto which = [&](std::uint32_t some) {
-      return count == 1 ? title_of(parts.document, d) : format("{}: {} of {} copies that were looked at", title_of(parts.document, d), some, looked_at);
+      return count == 1 ? title_of(parts.document, d)
+                        : format("{}: {} of {} copies that were looked at", title_of(parts.document, d), some,
+                                 looked_at);
     };
     if (2 * floating > looked_at)
-      log.warn(format("{} float{} up to {:.3g} m above what is below: is the height right?", which(floating), count == 1 ? "s" : "", widest_m));
+      log.warn(format("{} float{} up to {:.3g} m above what is below: is the height right?", which(floating),
+                      count == 1 ? "s" : "", widest_m));
     if (2 * buried > looked_at)
-      log.warn(format("{} lie{} under the ground, up to {:.3g} m deep: is the height right?", which(buried), count == 1 ? "s" : "", deepest_m));
+      log.warn(format("{} lie{} under the ground, up to {:.3g} m deep: is the height right?", which(buried),
+                      count == 1 ? "s" : "", deepest_m));
   }
 }
 

@@ -10,12 +10,14 @@ namespace ifov::session {
 namespace {
 
 constexpr double kThermal_um = 3.0;
-constexpr double kNothing = 1e-15;  // W m-2 um-1 and W m-2 sr-1 um-1: what warm ground emits in the visible is less
+constexpr double kNothing =
+    1e-15;  // W m-2 um-1 and W m-2 sr-1 um-1: what warm ground emits in the visible is less
 
 std::string named(const std::vector<std::string>& names) {
   constexpr std::size_t kNamed = 4;
   std::string text;
-  for (std::size_t k = 0; k < std::min(kNamed, names.size()); ++k) text += format("{}'{}'", k == 0 ? "" : ", ", names[k]);
+  for (std::size_t k = 0; k < std::min(kNamed, names.size()); ++k)
+    text += format("{}'{}'", k == 0 ? "" : ", ", names[k]);
   if (names.size() > kNamed) text += format(" and {} more", names.size() - kNamed);
   return text;
 }
@@ -31,15 +33,18 @@ std::vector<std::string> channels_that(const Parts& parts, Is is) {
 
 bool dark(const Parts& parts, const SceneLook& look, std::size_t c) {
   const std::vector<double> path = parts.spectral_scene->path_radiance();
-  return !(look.sun[c].high > kNothing) && !(look.sky[c].high > kNothing) && !(look.radiance[c].high > kNothing) &&
-         !(path[c] > kNothing);
+  return !(look.sun[c].high > kNothing) && !(look.sky[c].high > kNothing) &&
+         !(look.radiance[c].high > kNothing) && !(path[c] > kNothing);
 }
 
 void warn_of_dark_channels(const Parts& parts, const SceneLook& look, LogSink& log) {
-  const std::vector<std::string> names = channels_that(parts, [&](std::size_t c) { return dark(parts, look, c); });
+  const std::vector<std::string> names =
+      channels_that(parts, [&](std::size_t c) { return dark(parts, look, c); });
   if (!names.empty())
-    log.warn(format("nothing shines in {}: neither Sun nor sky has light there, and nothing that is seen emits; the radiance will be 0",
-                    named(names)));
+    log.warn(
+        format("nothing shines in {}: neither Sun nor sky has light there, and nothing that is seen emits; "
+               "the radiance will be 0",
+               named(names)));
 }
 
 void warn_of_hot_sky(const Parts& parts, const SceneLook& look, LogSink& log) {
@@ -53,9 +58,10 @@ void warn_of_hot_sky(const Parts& parts, const SceneLook& look, LogSink& log) {
     return sky_k > kHot_k;
   });
   if (!names.empty())
-    log.warn(format("the sky is as bright as a black body of {:.0f} K in {}: a radiance that suits daylight is none of a "
-                    "thermal sky. Give the sky a 'temperature', a spectrum, or an atmosphere",
-                    hottest_k, named(names)));
+    log.warn(format(
+        "the sky is as bright as a black body of {:.0f} K in {}: a radiance that suits daylight is none of a "
+        "thermal sky. Give the sky a 'temperature', a spectrum, or an atmosphere",
+        hottest_k, named(names)));
 }
 
 void warn_of_temperatures(const Parts& parts, LogSink& log) {
@@ -71,39 +77,48 @@ void warn_of_temperatures(const Parts& parts, LogSink& log) {
   for (std::size_t d = 0; d < parts.document.scene.objects.size(); ++d)
     look(parts.document.scene.objects[d].temperature, title_of(parts.document, d));
   if (const auto mapped = parts.scene.mapped_temperatures(); mapped && mapped->hottest_k < kCold_k)
-    log.warn(format("the temperature maps hold {:g} to {:g} K: are their numbers degC? Then say \"unit\": \"degC\"",
-                    mapped->coldest_k, mapped->hottest_k));
+    log.warn(format(
+        "the temperature maps hold {:g} to {:g} K: are their numbers degC? Then say \"unit\": \"degC\"",
+        mapped->coldest_k, mapped->hottest_k));
 }
 
 void warn_of_wavelengths(const Parts& parts, LogSink& log) {
   constexpr double kLongest_um = 100.0, kShortest_um = 0.2;
   const auto at = [&](std::size_t c) { return parts.channels[c].centre_um; };
-  const std::vector<std::string> far = channels_that(parts, [&](std::size_t c) { return at(c) > kLongest_um; });
+  const std::vector<std::string> far =
+      channels_that(parts, [&](std::size_t c) { return at(c) > kLongest_um; });
   if (!far.empty())
     log.warn(format("the wavelengths of {} are above {:g} um: are they nm?", named(far), kLongest_um));
-  const std::vector<std::string> near = channels_that(parts, [&](std::size_t c) { return at(c) < kShortest_um; });
+  const std::vector<std::string> near =
+      channels_that(parts, [&](std::size_t c) { return at(c) < kShortest_um; });
   if (!near.empty())
     log.warn(format("the wavelengths of {} are below {:g} um: are they um?", named(near), kShortest_um));
 }
 
 void warn_of_kelvins(const Parts& parts, LogSink& log) {
-  if (!parts.plan.request || parts.plan.request->unit != render::ErrorUnit::kelvin || !parts.tolerance) return;
+  if (!parts.plan.request || parts.plan.request->unit != render::ErrorUnit::kelvin || !parts.tolerance)
+    return;
   const std::vector<std::string> names = channels_that(parts, [&](std::size_t c) {
     return parts.tolerance->judged(static_cast<int>(c)) && parts.channels[c].centre_um < kThermal_um;
   });
   if (!names.empty())
-    log.warn(format("an accuracy of {:g} K is asked of {}, where surfaces reflect and a brightness temperature says little: "
-                    "give the error in %, or judge a thermal channel ('channel')",
-                    parts.plan.request->error, named(names)));
+    log.warn(
+        format("an accuracy of {:g} K is asked of {}, where surfaces reflect and a brightness temperature "
+               "says little: "
+               "give the error in %, or judge a thermal channel ('channel')",
+               parts.plan.request->error, named(names)));
 }
 
 /// Gases that no air on Earth holds so much, or so little, of. None at all is meant.
 void warn_of_air(const Parts& parts, LogSink& log) {
   if (!parts.document.atmosphere.modelled) return;
   const atmosphere::ProfileDescription& air = parts.document.atmosphere.modelled->description.air;
-  const auto check = [&](const char* name, const std::optional<double>& value, double low, double high, const char* unit, const char* usual) {
+  const auto check = [&](const char* name, const std::optional<double>& value, double low, double high,
+                         const char* unit, const char* usual) {
     if (value && *value > 0.0 && (*value < low || *value > high))
-      log.warn(format("the atmosphere's '{}' of {:g} {} is none that air on Earth has, which is {}: is its unit another?", name, *value, unit, usual));
+      log.warn(format(
+          "the atmosphere's '{}' of {:g} {} is none that air on Earth has, which is {}: is its unit another?",
+          name, *value, unit, usual));
   };
   check("ozone", air.ozone_DU, 50.0, 700.0, "DU", "200 to 500 DU (0.2 to 0.5 atm-cm)");
   check("water_vapour", air.water_vapour_g_cm2, 1e-3, 12.0, "g/cm2", "0.05 to 7 g/cm2");
@@ -122,7 +137,8 @@ void require_light(const Parts& parts, const SceneLook& look) {
     if (!dark(parts, look, c)) return;
   throw io::document_error(
       parts.document, light.position.line > 0 ? light.position : parts.document.sensor.position,
-      "nothing shines: no Sun above the horizon, no sky, and nothing that is seen has a temperature in these channels. Give "
+      "nothing shines: no Sun above the horizon, no sky, and nothing that is seen has a temperature in these "
+      "channels. Give "
       "'light' a 'sun' and a 'sky', the document an 'atmosphere', or materials a 'temperature'");
 }
 

@@ -18,7 +18,8 @@ inline bool program_level(double z) {
 /// A column of layers of one temperature each, between the program's levels: its own way.
 struct UniformLayers {
   std::vector<double> altitude_km, planck, depth;
-  UniformLayers(const atmosphere::Levels& levels, const std::vector<double>& absorption, double wavelength_um) {
+  UniformLayers(const atmosphere::Levels& levels, const std::vector<double>& absorption,
+                double wavelength_um) {
     const auto weight = [&](std::size_t i) { return levels.pressure_hPa[i] / levels.temperature_K[i]; };
     std::size_t low = 0;
     double sum = 0.0;

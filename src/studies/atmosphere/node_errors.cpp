@@ -61,7 +61,8 @@ NodeErrors node_errors(std::span<const radiometry::Channel> channels, const Node
   for (std::size_t c = 0; c < channels.size(); ++c) {
     errors.centre_um.push_back(channels[c].centre_um);
     errors.claimed.push_back(atmosphere.nodes().worst_error(c));
-    const auto all = solve_all_terms(column, channels[c], inputs.solar_irradiance, geometry, rough, question.threads);
+    const auto all =
+        solve_all_terms(column, channels[c], inputs.solar_irradiance, geometry, rough, question.threads);
     const auto nodes = channel_nodes(atmosphere, c);
     const std::size_t first = atmosphere.nodes().first_node(c);
     for (std::size_t s = 0; s < surfaces.size(); ++s) {

@@ -80,8 +80,9 @@ AtmosphereSection nodes_section(const AtmosphereOptions& options) {
                            "210 channels of 10 nm. The bands at 1.38 and 1.88 um show path radiance alone."});
 
   const std::vector<radiometry::Channel> deep = {radiometry::Channel::gaussian("", 2.7, 0.06)};
-  section.figures.at_most("nodes_2700nm", 100.0 * worst_of(node_errors(deep, {.threads = options.study.threads})), 0.5,
-                          "%", "a channel of 60 nm at 2.7 um, where hardly any light passes");
+  section.figures.at_most("nodes_2700nm",
+                          100.0 * worst_of(node_errors(deep, {.threads = options.study.threads})), 0.5, "%",
+                          "a channel of 60 nm at 2.7 um, where hardly any light passes");
   for (const auto& [key, name] : {std::pair{"oli", "L8_OLI"}, {"tirs", "L8_TIRS"}}) {
     const std::string path = format("sensors/rsr-acolite/{}.txt", name);
     const auto file = options.reference.file(path);
@@ -90,9 +91,9 @@ AtmosphereSection nodes_section(const AtmosphereOptions& options) {
       continue;
     }
     const std::vector<radiometry::Channel> channels = io::read_channels(*file);
-    section.figures.at_most(format("nodes_{}", key),
-                            100.0 * worst_of(node_errors(channels, {.threads = options.study.threads})), 0.5, "%",
-                            format("Landsat 8, {} channels of {}: largest error", channels.size(), name));
+    section.figures.at_most(
+        format("nodes_{}", key), 100.0 * worst_of(node_errors(channels, {.threads = options.study.threads})),
+        0.5, "%", format("Landsat 8, {} channels of {}: largest error", channels.size(), name));
   }
   return section;
 }

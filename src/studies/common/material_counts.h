@@ -19,9 +19,9 @@ MaterialCounts count_materials(const ImageStore& image);
 
 /// Abundances of an image against those of a reference, over all materials that either finds in a pixel.
 struct AbundanceErrors {
-  double rms = 0.0;        ///< root of the mean over pixels of the sum of squared errors
+  double rms = 0.0;  ///< root of the mean over pixels of the sum of squared errors
   double largest = 0.0;
-  double missed = 0.0;     ///< counted materials of the reference that the image does not find, a pixel
+  double missed = 0.0;  ///< counted materials of the reference that the image does not find, a pixel
   /// Share of the materials in mixed pixels whose interval holds the reference's fraction give or take the
   /// reference's own uncertainty; NaN where the image states no intervals.
   double coverage = 0.0;

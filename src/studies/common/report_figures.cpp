@@ -32,10 +32,12 @@ std::string file_name_of(const std::string& title) {
 std::string ReportFigures::add(const std::string& title, DrawnFigure figure) {
   const std::string name = file_name_of(title);
   std::string free = name;
-  for (int number = 2; std::any_of(kept_.begin(), kept_.end(), [&](const Kept& k) { return k.name == free; }); ++number)
+  for (int number = 2; std::any_of(kept_.begin(), kept_.end(), [&](const Kept& k) { return k.name == free; });
+       ++number)
     free = format("{}_{}", name, number);
   // As an image of its own: the names inside one SVG must not meet those of another.
-  std::string element = format("<img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">", html_text(title), io::base64(figure.svg));
+  std::string element = format("<img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">", html_text(title),
+                               io::base64(figure.svg));
   kept_.push_back({free, std::move(figure)});
   return element;
 }
@@ -45,7 +47,8 @@ std::vector<std::filesystem::path> ReportFigures::write(const std::filesystem::p
   if (kept_.empty()) return files;
   make_folder(folder / "figures");
   for (const auto& [name, figure] : kept_)
-    for (const auto& [ending, bytes] : {std::pair<const char*, const std::string&>{".svg", figure.svg}, {".pdf", figure.pdf}}) {
+    for (const auto& [ending, bytes] :
+         {std::pair<const char*, const std::string&>{".svg", figure.svg}, {".pdf", figure.pdf}}) {
       files.push_back(folder / "figures" / (name + ending));
       write_file(files.back(), bytes);
     }

@@ -15,19 +15,24 @@ constexpr double kTitle = 17.0, kLabel = 15.0, kNumber = 13.0, kLegend = 14.0, k
 constexpr double kRoom = 0.04;  // of an axis, between what is shown and the frame
 
 io::Ink ink_of(const std::string& colour) {
-  const auto digit = [&](std::size_t at) { return static_cast<double>(std::stoi(colour.substr(at, 1), nullptr, 16)); };
+  const auto digit = [&](std::size_t at) {
+    return static_cast<double>(std::stoi(colour.substr(at, 1), nullptr, 16));
+  };
   if (colour.size() == 4 && colour[0] == '#') return {digit(1) / 15.0, digit(2) / 15.0, digit(3) / 15.0};
-  if (colour.size() != 7 || colour[0] != '#') throw std::logic_error("colours are #rgb or #rrggbb: " + colour);
+  if (colour.size() != 7 || colour[0] != '#')
+    throw std::logic_error("colours are #rgb or #rrggbb: " + colour);
   const auto byte = [&](std::size_t at) { return (16.0 * digit(at) + digit(at + 1)) / 255.0; };
   return {byte(1), byte(3), byte(5)};
 }
 
 /// Words in lines of at most `width`.
-std::vector<std::string> wrapped(const io::Canvas& canvas, const std::string& words, double size, double width) {
+std::vector<std::string> wrapped(const io::Canvas& canvas, const std::string& words, double size,
+                                 double width) {
   std::vector<std::string> lines{""};
   for (std::size_t at = 0; at < words.size();) {
     const std::size_t end = std::min(words.find(' ', at), words.size());
-    const std::string word = words.substr(at, end - at), longer = lines.back().empty() ? word : lines.back() + ' ' + word;
+    const std::string word = words.substr(at, end - at),
+                      longer = lines.back().empty() ? word : lines.back() + ' ' + word;
     if (lines.back().empty() || canvas.text_width(longer, size, true) <= width)
       lines.back() = longer;
     else
@@ -78,7 +83,8 @@ double draw_legend(io::Canvas& canvas, const std::vector<Entry>& entries, double
     if (entry.marker)
       canvas.disc({x + 0.5 * kSample, middle}, 4.0, entry.ink);
     else
-      canvas.line(std::vector<io::CanvasPoint>{{x, middle}, {x + kSample, middle}}, entry.ink, 2.2, entry.dashed);
+      canvas.line(std::vector<io::CanvasPoint>{{x, middle}, {x + kSample, middle}}, entry.ink, 2.2,
+                  entry.dashed);
     canvas.text({x + kSample + 6.0, y}, entry.name, kLegend);
     x += width + kGap;
   }
@@ -90,7 +96,8 @@ void draw_levels(io::Canvas& canvas, const Plot& plot, const io::Plot& frame) {
     io::Ink ink = ink_of(level.colour);
     const double right = frame.x + frame.width, y = frame.to_y(level.value);
     if (level.half_width > 0.0) {
-      const double top = frame.to_y(level.value + level.half_width), bottom = frame.to_y(level.value - level.half_width);
+      const double top = frame.to_y(level.value + level.half_width),
+                   bottom = frame.to_y(level.value - level.half_width);
       ink.alpha = 0.2;
       canvas.fill_rectangle(frame.x, top, frame.width, bottom - top, ink);
       ink.alpha = 1.0;
@@ -99,7 +106,8 @@ void draw_levels(io::Canvas& canvas, const Plot& plot, const io::Plot& frame) {
   }
 }
 
-void draw_series(io::Canvas& canvas, const PlotSeries& series, const io::Plot& frame, const Extent& x, const Extent& y) {
+void draw_series(io::Canvas& canvas, const PlotSeries& series, const io::Plot& frame, const Extent& x,
+                 const Extent& y) {
   const io::Ink ink = ink_of(series.colour);
   std::vector<io::CanvasPoint> line;
   for (std::size_t k = 0; k < series.x.size(); ++k) {
@@ -172,13 +180,15 @@ DrawnFigure draw(const ImagePanel& panel) {
   const double width = std::max<double>(columns, 0.75 * kSide), height = rows;
   const io::ColourMap& colours = panel.heat ? io::heat_colours() : io::sequential_colours();
   const auto colour_of = [&](double share) {
-    return colours[static_cast<std::size_t>(std::isfinite(share) ? std::lround(255.0 * std::clamp(share, 0.0, 1.0)) : 0)];
+    return colours[static_cast<std::size_t>(
+        std::isfinite(share) ? std::lround(255.0 * std::clamp(share, 0.0, 1.0)) : 0)];
   };
   const io::Canvas measure(1.0, 1.0);
   const std::vector<std::string> title = wrapped(measure, panel.title, kLabel, width);
   const double top = 8.0 + kRow * static_cast<double>(title.size());
   io::Canvas canvas(width, top + height + kBar + 36.0);
-  for (std::size_t k = 0; k < title.size(); ++k) canvas.text({1.0, 18.0 + kRow * static_cast<double>(k)}, title[k], kLabel, io::Anchor::left, true);
+  for (std::size_t k = 0; k < title.size(); ++k)
+    canvas.text({1.0, 18.0 + kRow * static_cast<double>(k)}, title[k], kLabel, io::Anchor::left, true);
   // Each pixel as so many: viewers of SVG would blur what they enlarge.
   std::vector<io::Canvas::Pixel> pixels;
   for (int y = 0; y < rows; ++y)
@@ -190,11 +200,13 @@ DrawnFigure draw(const ImagePanel& panel) {
   const double under = top + height + 8.0;
   for (int k = 0; k < 256; ++k) {
     const io::Rgb c = colour_of(k / 255.0);
-    canvas.fill_rectangle(k * width / 256.0, under, width / 256.0 + 0.5, kBar, {c.r / 255.0, c.g / 255.0, c.b / 255.0});
+    canvas.fill_rectangle(k * width / 256.0, under, width / 256.0 + 0.5, kBar,
+                          {c.r / 255.0, c.g / 255.0, c.b / 255.0});
   }
   const io::Axis scale{panel.low, panel.high, false};
   canvas.text({1.0, under + kBar + 16.0}, io::tick_label(panel.low, scale), kNumber);
-  canvas.text({width - 1.0, under + kBar + 16.0}, io::tick_label(panel.high, scale) + (panel.unit.empty() ? "" : " " + panel.unit), kNumber,
+  canvas.text({width - 1.0, under + kBar + 16.0},
+              io::tick_label(panel.high, scale) + (panel.unit.empty() ? "" : " " + panel.unit), kNumber,
               io::Anchor::right);
   return {canvas.svg(), canvas.pdf()};
 }

@@ -76,19 +76,22 @@ std::string SceneRenderer::lighting() const {
   const scene::Scene& scene = session_.parts().scene;
   std::string out = "No Sun";
   if (scene.sun) {
-    const double zenith_deg = std::acos(std::clamp(scene.sun->direction.z, -1.0, 1.0)) * 180.0 / std::numbers::pi;
-    out = format("Sun at a zenith angle of {:.1f} degrees, {}", zenith_deg,
-                 scene.sun->half_angle_rad > 0.0
-                     ? format("a disc of {:.2f} degrees", scene.sun->half_angle_rad * 360.0 / std::numbers::pi)
-                     : std::string("a point"));
+    const double zenith_deg =
+        std::acos(std::clamp(scene.sun->direction.z, -1.0, 1.0)) * 180.0 / std::numbers::pi;
+    out =
+        format("Sun at a zenith angle of {:.1f} degrees, {}", zenith_deg,
+               scene.sun->half_angle_rad > 0.0
+                   ? format("a disc of {:.2f} degrees", scene.sun->half_angle_rad * 360.0 / std::numbers::pi)
+                   : std::string("a point"));
   }
   constexpr double kGreen_um = 0.55;
   const auto& modelled = session_.parts().document.atmosphere.modelled;
   if (modelled)
-    out += format("; the {} atmosphere with {} aerosol, over surroundings of the document", modelled->description.air.model,
-                  modelled->description.aerosol.type);
+    out += format("; the {} atmosphere with {} aerosol, over surroundings of the document",
+                  modelled->description.air.model, modelled->description.aerosol.type);
   else if (scene.sky.radiance)
-    out += format("; a uniform sky of {:.3g} W m-2 sr-1 um-1 at {} um", scene.sky.radiance->at(kGreen_um), kGreen_um);
+    out += format("; a uniform sky of {:.3g} W m-2 sr-1 um-1 at {} um", scene.sky.radiance->at(kGreen_um),
+                  kGreen_um);
   else if (scene.sky.temperature_k)
     out += format("; a sky that radiates as a black body of {:.1f} K", *scene.sky.temperature_k);
   else
@@ -120,7 +123,8 @@ double SceneRenderer::render_abundances(int n, const Choices& choices, render::T
   const session::Session::Parts& parts = session_.parts();
   for (const scene::Covering& covering : parts.scene.coverings)
     if (covering.mixes_materials())
-      throw InputError("labels do not tell the materials of a mixture apart: scenes with mixture maps have no reference");
+      throw InputError(
+          "labels do not tell the materials of a mixture apart: scenes with mixture maps have no reference");
   const LabelGrid sampler(n);
   const render::RenderJob own = parts.job();
   render::RenderJob job{own.scene, own.camera, own.footprint, sampler, nullptr, own.transport};

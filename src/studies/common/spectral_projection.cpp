@@ -59,7 +59,8 @@ Eigen::MatrixXd covariance(const CubeView& cube, const std::vector<double>& mean
 
 /// Half the covariance of neighbours' differences.
 Eigen::MatrixXd noise_covariance(const CubeView& cube) {
-  const std::size_t columns = static_cast<std::size_t>(cube.columns), width = static_cast<std::size_t>(cube.width);
+  const std::size_t columns = static_cast<std::size_t>(cube.columns),
+                    width = static_cast<std::size_t>(cube.width);
   Covariance sum(cube.columns);
   const auto add = [&](std::size_t p, std::size_t q) {
     sum.add([&](std::size_t c) {
@@ -102,14 +103,16 @@ SpectralAxes minimum_noise_axes(const CubeView& cube, int count) {
   std::vector<double> mean = mean_spectrum(cube);
   const Eigen::MatrixXd image = covariance(cube, mean);
   Eigen::MatrixXd noise = noise_covariance(cube);
-  const double stiffening = kStiffening * std::max(noise.trace(), 1e-12 * image.trace()) / double(cube.columns);
+  const double stiffening =
+      kStiffening * std::max(noise.trace(), 1e-12 * image.trace()) / double(cube.columns);
   noise.diagonal().array() += stiffening;
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(image, noise);
   return axes_of(solver, std::move(mean), count);
 }
 
 std::vector<float> project(const SpectralAxes& axes, const CubeView& cube) {
-  const std::size_t columns = static_cast<std::size_t>(cube.columns), count = static_cast<std::size_t>(axes.count());
+  const std::size_t columns = static_cast<std::size_t>(cube.columns),
+                    count = static_cast<std::size_t>(axes.count());
   std::vector<float> scores(cube.pixels() * count);
   for (std::size_t p = 0; p < cube.pixels(); ++p)
     for (std::size_t k = 0; k < count; ++k) {

@@ -41,7 +41,8 @@ void SkyDome::make_sampler(std::size_t nodes) {
     double all = 0.0;
     for (std::size_t z = 0; z < rings; ++z)
       for (std::size_t a = 0; a < azimuths; ++a)
-        all += corners(z, a, n) * (std::pow(std::sin(zenith_rad_[z + 1]), 2) - std::pow(std::sin(zenith_rad_[z]), 2));
+        all += corners(z, a, n) *
+               (std::pow(std::sin(zenith_rad_[z + 1]), 2) - std::pow(std::sin(zenith_rad_[z]), 2));
     if (!(all > 0.0)) continue;
     for (std::size_t z = 0; z < rings; ++z)
       for (std::size_t a = 0; a < azimuths; ++a) brightness[z * azimuths + a] += corners(z, a, n) / all;

@@ -17,8 +17,8 @@ std::size_t descend(const double* table, std::size_t intervals, double& u) {
 
 }  // namespace
 
-SkySampler::SkySampler(std::vector<double> zenith_rad, std::vector<double> azimuth_rad, math::Vec3 towards_sun,
-                       const std::vector<double>& brightness)
+SkySampler::SkySampler(std::vector<double> zenith_rad, std::vector<double> azimuth_rad,
+                       math::Vec3 towards_sun, const std::vector<double>& brightness)
     : zenith_rad_(std::move(zenith_rad)), azimuth_rad_(std::move(azimuth_rad)) {
   const double level = std::hypot(towards_sun.x, towards_sun.y);
   if (level > 0.0) sun_x_ = towards_sun.x / level, sun_y_ = towards_sun.y / level;
@@ -43,7 +43,8 @@ SkySampler::SkySampler(std::vector<double> zenith_rad, std::vector<double> azimu
     columns_.push_back(0.0);
     for (std::size_t a = 0; a < azimuths(); ++a) {
       sum += cells_[z * azimuths() + a];
-      columns_.push_back(ring > 0.0 ? sum / ring : static_cast<double>(a + 1) / static_cast<double>(azimuths()));
+      columns_.push_back(ring > 0.0 ? sum / ring
+                                    : static_cast<double>(a + 1) / static_cast<double>(azimuths()));
     }
   }
   for (double& r : rows_) r /= rows_.back();
@@ -66,7 +67,9 @@ double SkySampler::density(math::Vec3 direction) const {
   const double azimuth = std::atan2(std::abs(direction.x * sun_y_ - direction.y * sun_x_),
                                     direction.x * sun_x_ + direction.y * sun_y_);
   const auto interval = [](const std::vector<double>& bounds, double x) {
-    return static_cast<std::size_t>(std::upper_bound(bounds.begin() + 1, bounds.end() - 1, x) - bounds.begin()) - 1;
+    return static_cast<std::size_t>(std::upper_bound(bounds.begin() + 1, bounds.end() - 1, x) -
+                                    bounds.begin()) -
+           1;
   };
   const std::size_t z = interval(sine_squared_, sine_squared), a = interval(azimuth_rad_, azimuth);
   const double area = (sine_squared_[z + 1] - sine_squared_[z]) * (azimuth_rad_[a + 1] - azimuth_rad_[a]);

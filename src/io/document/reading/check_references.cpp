@@ -80,7 +80,8 @@ class ReferenceCheck {
       for (const DocumentName& material : mixture->materials) require("material", material, materials_);
     } else if (const auto* slots = std::get_if<MaterialSlots>(&object.material->value)) {
       for (const auto& [slot, material] : slots->slots) require("material", material, materials_);
-      if (!std::holds_alternative<MeshShape>(object.shape) && !std::holds_alternative<CityShape>(object.shape)) {
+      if (!std::holds_alternative<MeshShape>(object.shape) &&
+          !std::holds_alternative<CityShape>(object.shape)) {
         throw document_error(document_, object.material->position,
                              "only a mesh and a city have 'slots', the names of materials in their files");
       }
@@ -92,7 +93,8 @@ class ReferenceCheck {
     if (!scatter.on) return;
     std::vector<std::string> grounds;
     for (const ObjectDocument& object : document_.scene.objects)
-      if (!object.name.empty() && object.material && std::find(grounds.begin(), grounds.end(), object.name) == grounds.end())
+      if (!object.name.empty() && object.material &&
+          std::find(grounds.begin(), grounds.end(), object.name) == grounds.end())
         grounds.push_back(object.name);
     require("object with a shape of its own", *scatter.on, grounds);
   }
@@ -164,14 +166,13 @@ class ReferenceCheck {
     if (!moon->phase_angle_rad && !document_.time)
       throw document_error(document_, moon->position,
                            "the Moon has no phase: give 'phase_angle', or the document's 'time'");
-    const std::string maker =
-        document_.atmosphere.imported ? "imported" : document_.atmosphere.sky_maker();
+    const std::string maker = document_.atmosphere.imported ? "imported" : document_.atmosphere.sky_maker();
     if (!maker.empty() && maker != "profile")
-      throw document_error(
-          document_, moon->position,
-          format("the atmosphere's '{}' says what light the Sun gives, not the Moon: leave out 'moon', or name a "
-                 "'profile'",
-                 maker));
+      throw document_error(document_, moon->position,
+                           format("the atmosphere's '{}' says what light the Sun gives, not the Moon: leave "
+                                  "out 'moon', or name a "
+                                  "'profile'",
+                                  maker));
   }
 
   void check_sky() const {
@@ -179,12 +180,14 @@ class ReferenceCheck {
     if (maker.empty()) return;
     const LightDocument& light = document_.light;
     if (!std::holds_alternative<NoSky>(light.sky))
-      throw document_error(document_, light.sky_position,
-                           format("the sky follows from the atmosphere's '{0}': leave out 'sky', or '{0}'", maker));
+      throw document_error(
+          document_, light.sky_position,
+          format("the sky follows from the atmosphere's '{0}': leave out 'sky', or '{0}'", maker));
     if (maker != "profile" && light.sun && light.sun->irradiance)
-      throw document_error(document_, light.sun->position,
-                           format("the Sun's light follows from the atmosphere's '{0}': leave out 'spectrum', or '{0}'",
-                                  maker));
+      throw document_error(
+          document_, light.sun->position,
+          format("the Sun's light follows from the atmosphere's '{0}': leave out 'spectrum', or '{0}'",
+                 maker));
   }
 
   void check_psf() const {

@@ -24,7 +24,8 @@ void place_defaults(Document& document, const SourcePosition& root) {
 
 }  // namespace
 
-Document parse_document(std::string text, const std::string& file_name, std::span<const DocumentOverride> overrides) {
+Document parse_document(std::string text, const std::string& file_name,
+                        std::span<const DocumentOverride> overrides) {
   const DocumentParts parts = put_together(std::move(text), file_name, overrides);
   Document document = table().read(*parts.root);
   reject_unread(*parts.root);

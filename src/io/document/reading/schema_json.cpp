@@ -37,8 +37,7 @@ void write_map(JsonWriter& json, const ValueDescription& value) {
 
 void write_schema(JsonWriter& json, const ValueDescription& value) {
   switch (value.form) {
-    case Form::boolean:
-      return json.member("type", "boolean");
+    case Form::boolean: return json.member("type", "boolean");
     case Form::integer:
     case Form::number:
       json.member("type", value.form == Form::integer ? "integer" : "number");
@@ -53,13 +52,12 @@ void write_schema(JsonWriter& json, const ValueDescription& value) {
       json.object("items", [&] { write_schema(json, *value.items); });
       json.member("minItems", value.min_count);
       return json.member("maxItems", value.max_count);
-    case Form::map:
-      return write_map(json, value);
-    case Form::record:
-      return json.member("$ref", "#/definitions/" + definition_name(value.name));
+    case Form::map: return write_map(json, value);
+    case Form::record: return json.member("$ref", "#/definitions/" + definition_name(value.name));
     case Form::alternatives:
       return json.list("anyOf", [&] {
-        for (const ValueDescriptionPtr& one : value.alternatives) json.object([&] { write_schema(json, *one); });
+        for (const ValueDescriptionPtr& one : value.alternatives)
+          json.object([&] { write_schema(json, *one); });
       });
   }
   throw std::logic_error("unknown form of value");
@@ -128,9 +126,8 @@ std::string schema_json() {
       json.member("type", "object");
       write_required(json, {"include"});
     });
-    json.object("else", [&] {
-      json.list("allOf", [&] { json.object([&] { write_schema(json, document); }); });
-    });
+    json.object("else",
+                [&] { json.list("allOf", [&] { json.object([&] { write_schema(json, document); }); }); });
     json.object("definitions", [&] {
       for (const ValueDescription* record : records_within(document))
         json.object(definition_name(record->name), [&] { write_definition(json, *record); });

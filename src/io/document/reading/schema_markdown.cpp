@@ -41,16 +41,14 @@ std::string anchor(std::string_view name) {
 
 std::string value_text(const ValueDescription& value) {
   switch (value.form) {
-    case Form::record:
-      return format("[{}](#{})", value.name, anchor(value.name));
+    case Form::record: return format("[{}](#{})", value.name, anchor(value.name));
     case Form::list: {
       const std::string count = value.min_count == value.max_count
                                     ? format("{}", value.min_count)
                                     : format("{} to {}", value.min_count, value.max_count);
       return format("list of {}: {}", count, value_text(*value.items));
     }
-    case Form::map:
-      return format("{}: {}", value.short_name, value_text(*value.items));
+    case Form::map: return format("{}: {}", value.short_name, value_text(*value.items));
     case Form::alternatives: {
       std::string text;
       for (const ValueDescriptionPtr& one : value.alternatives) {
@@ -67,8 +65,7 @@ std::string value_text(const ValueDescription& value) {
     }
     case Form::boolean:
     case Form::integer:
-    case Form::number:
-      break;
+    case Form::number: break;
   }
   return value.short_name;
 }

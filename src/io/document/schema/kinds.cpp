@@ -86,8 +86,8 @@ double read_quantity(const DocumentNode& node, const Dimension& dimension, const
     node.fail(format("{} is {} without a unit, expected {}", node.title(), node.found(), expected));
   }
   if (has_decimal_comma(parts->unit))
-    node.fail(format("{} is {}: decimals follow a point, such as \"{}.{}\"", node.title(), node.found(), parts->number,
-                     parts->unit.substr(1)));
+    node.fail(format("{} is {}: decimals follow a point, such as \"{}.{}\"", node.title(), node.found(),
+                     parts->number, parts->unit.substr(1)));
   const Unit* unit = dimension.find(parts->unit);
   if (unit == nullptr) {
     std::vector<std::string> spellings;
@@ -109,11 +109,13 @@ double read_quantity(const DocumentNode& node, const Dimension& dimension, const
   if (!std::isfinite(value) || !within(in_limit_unit, range)) node.fail_expected(expected);
   if (!sensible(value, range, dimension.smallest, dimension.largest)) {
     const Unit& first = dimension.units.front();
-    node.fail(format("{} is {}, which is too {}: {} here is {} {:g} {}", node.title(), node.found(),
-                     std::abs(value) > dimension.largest ? "large" : "small", dimension.name,
-                     std::abs(value) > dimension.largest ? "at most" : "at least",
-                     ((std::abs(value) > dimension.largest ? dimension.largest : dimension.smallest) - first.offset) / first.factor,
-                     first.spelling));
+    node.fail(format(
+        "{} is {}, which is too {}: {} here is {} {:g} {}", node.title(), node.found(),
+        std::abs(value) > dimension.largest ? "large" : "small", dimension.name,
+        std::abs(value) > dimension.largest ? "at most" : "at least",
+        ((std::abs(value) > dimension.largest ? dimension.largest : dimension.smallest) - first.offset) /
+            first.factor,
+        first.spelling));
   }
   return value;
 }
@@ -160,12 +162,13 @@ Kind<double> number(const Range& range) {
   return {description, [description, range](const DocumentNode& node) {
             const bool is_share = range.minimum == 0.0 && range.maximum == 1.0;
             if (node.type() == Type::number && is_share && node.number() > 1.0 && node.number() <= 100.0)
-              node.fail(format("{} is {}, expected {}; {:g} % is {:g}", node.title(), node.found(), description->expected,
-                               node.number(), node.number() / 100.0));
+              node.fail(format("{} is {}, expected {}; {:g} % is {:g}", node.title(), node.found(),
+                               description->expected, node.number(), node.number() / 100.0));
             if (node.type() != Type::number || !within(node.number(), range))
               node.fail_expected(description->expected);
             if (!sensible(node.number(), range, kSmallest, kLargest))
-              node.fail(format("{} is {}, which is too {} to mean anything: expected {:g} to {:g}", node.title(), node.found(),
+              node.fail(format("{} is {}, which is too {} to mean anything: expected {:g} to {:g}",
+                               node.title(), node.found(),
                                std::abs(node.number()) > kLargest ? "large" : "small", kSmallest, kLargest));
             return node.number();
           }};

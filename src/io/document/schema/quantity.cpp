@@ -46,7 +46,8 @@ constexpr Unit kTemperatureDifferenceUnits[] = {{"K"}, {"mK", 1e-3}};
 constexpr Unit kSunDistanceUnits[] = {{"au"}, {"AU", 1.0, 0.0, kAlias}};
 constexpr Unit kPixelUnits[] = {{"px"}, {"pixel", 1.0, 0.0, kAlias}, {"pixels", 1.0, 0.0, kAlias}};
 constexpr Unit kPercentUnits[] = {{"%", 1e-2}};
-constexpr Unit kSpeedUnits[] = {{"m/s"}, {"m s-1", 1.0, 0.0, kAlias}, {"km/h", 1.0 / 3.6}, {"kn", 1852.0 / 3600.0}};
+constexpr Unit kSpeedUnits[] = {
+    {"m/s"}, {"m s-1", 1.0, 0.0, kAlias}, {"km/h", 1.0 / 3.6}, {"kn", 1852.0 / 3600.0}};
 constexpr Unit kReflectanceUnits[] = {{"reflectance"}};
 constexpr Unit kNoiseUnits[] = {{"noise"}};
 constexpr Unit kRadianceUnits[] = {
@@ -83,9 +84,15 @@ constexpr Unit kIrradianceUnits[] = {
     {"W m^-2 um^-1", 1.0, 0.0, kAlias},
     {"W/m2/nm", 1e3, 0.0, kAlias},
 };
-constexpr Unit kPressureUnits[] = {{"hPa"}, {"Pa", 1e-2}, {"kPa", 10.0}, {"mbar", 1.0, 0.0, kAlias}, {"mb", 1.0, 0.0, kAlias}};
+constexpr Unit kPressureUnits[] = {
+    {"hPa"}, {"Pa", 1e-2}, {"kPa", 10.0}, {"mbar", 1.0, 0.0, kAlias}, {"mb", 1.0, 0.0, kAlias}};
 constexpr Unit kWaterColumnUnits[] = {
-    {"g/cm2"}, {"kg/m2", 0.1}, {"mm", 0.1}, {"cm"}, {"g cm-2", 1.0, 0.0, kAlias}, {"kg m-2", 0.1, 0.0, kAlias},
+    {"g/cm2"},
+    {"kg/m2", 0.1},
+    {"mm", 0.1},
+    {"cm"},
+    {"g cm-2", 1.0, 0.0, kAlias},
+    {"kg m-2", 0.1, 0.0, kAlias},
     {"g/cm^2", 1.0, 0.0, kAlias},
 };
 constexpr Unit kOzoneColumnUnits[] = {{"DU"}, {"atm-cm", 1e3}};
@@ -113,7 +120,8 @@ const Dimension kLength{"a length", "1 m", kLengthUnits, 1e-9, 1e12};
 const Dimension kWavelength{"a wavelength", "0.55 um", kWavelengthUnits, 1e-3, 1e5};
 const Dimension kAngle{"an angle", "30 deg", kAngleUnits, 1e-12, 1e4};
 const Dimension kTemperature{"a temperature", "20 degC", kTemperatureUnits, 0.1, 1e5};
-const Dimension kTemperatureDifference{"a temperature difference", "0.1 K", kTemperatureDifferenceUnits, 1e-9, 1e5};
+const Dimension kTemperatureDifference{"a temperature difference", "0.1 K", kTemperatureDifferenceUnits, 1e-9,
+                                       1e5};
 const Dimension kSunDistance{"a distance of the Sun", "1.016 au", kSunDistanceUnits};
 const Dimension kPixels{"a number of pixels", "0.6 px", kPixelUnits, 1e-6, 1e6};
 const Dimension kPercent{"a percentage", "1 %", kPercentUnits, 1e-12, 1e6};
@@ -127,7 +135,8 @@ const Dimension kPressure{"a pressure", "1013 hPa", kPressureUnits, 1e-12, 1e6};
 const Dimension kWaterColumn{"a column of water vapour", "2.1 g/cm2", kWaterColumnUnits, 1e-12, 1e6};
 const Dimension kOzoneColumn{"a column of ozone", "320 DU", kOzoneColumnUnits, 1e-12, 1e6};
 const Dimension kMixingRatio{"a mixing ratio", "8 g/kg", kMixingRatioUnits, 1e-12, 1e6};
-const Dimension kMixingRatioByVolume{"a mixing ratio by volume", "420 ppm", kMixingRatioByVolumeUnits, 1e-12, 1e9};
+const Dimension kMixingRatioByVolume{"a mixing ratio by volume", "420 ppm", kMixingRatioByVolumeUnits, 1e-12,
+                                     1e9};
 
 const Unit* Dimension::find(std::string_view spelling) const {
   for (const Unit& unit : units) {

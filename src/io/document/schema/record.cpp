@@ -116,18 +116,13 @@ ValueDescriptionPtr cases_description(std::vector<ValueDescriptionPtr> cases) {
 
 bool has_form(const DocumentNode& node, const ValueDescription& description) {
   switch (description.form) {
-    case Form::boolean:
-      return node.type() == Type::boolean;
+    case Form::boolean: return node.type() == Type::boolean;
     case Form::integer:
-    case Form::number:
-      return node.type() == Type::number;
-    case Form::text:
-      return node.type() == Type::text;
-    case Form::list:
-      return node.type() == Type::list;
+    case Form::number: return node.type() == Type::number;
+    case Form::text: return node.type() == Type::text;
+    case Form::list: return node.type() == Type::list;
     case Form::map:
-    case Form::record:
-      return node.type() == Type::object;
+    case Form::record: return node.type() == Type::object;
     case Form::alternatives:
       return std::any_of(description.alternatives.begin(), description.alternatives.end(),
                          [&](const ValueDescriptionPtr& one) { return has_form(node, *one); });

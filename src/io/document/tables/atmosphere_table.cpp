@@ -29,9 +29,10 @@ Kind<TabulatedAtmosphere> tabulated_kind() {
 }
 
 Kind<SimpleAtmosphere> simple_kind() {
-  Record<SimpleAtmosphere> record("simple atmosphere",
-                                  "A Sun of 5800 K that gives 1000 W m-2 across its beam, a black sky that glows, and "
-                                  "air that neither absorbs nor shines.");
+  Record<SimpleAtmosphere> record(
+      "simple atmosphere",
+      "A Sun of 5800 K that gives 1000 W m-2 across its beam, a black sky that glows, and "
+      "air that neither absorbs nor shines.");
   record.required("sky_temperature", &SimpleAtmosphere::sky_temperature_k,
                   quantity(kTemperature, Range::at_least(0.0, "K")), "of the sky as a blackbody");
   return record.kind();
@@ -39,17 +40,20 @@ Kind<SimpleAtmosphere> simple_kind() {
 
 Kind<UniformAtmosphere> uniform_kind() {
   const Kind<double> irradiance = quantity(kIrradiance, Range::at_least(0.0, "W m-2 um-1"));
-  Record<UniformAtmosphere> record("uniform atmosphere",
-                                   "The same light at all wavelengths, and air that neither absorbs nor shines.");
-  record.required("direct", &UniformAtmosphere::direct_w_m2_um, irradiance, "of the Sun at the ground, across its beam")
+  Record<UniformAtmosphere> record(
+      "uniform atmosphere", "The same light at all wavelengths, and air that neither absorbs nor shines.");
+  record
+      .required("direct", &UniformAtmosphere::direct_w_m2_um, irradiance,
+                "of the Sun at the ground, across its beam")
       .required("diffuse", &UniformAtmosphere::diffuse_w_m2_um, irradiance,
                 "of the sky, the same in every direction, on level ground");
   return record.kind();
 }
 
 Kind<FourCurveAtmosphere> four_curve_kind() {
-  Record<FourCurveAtmosphere> record("four-curve atmosphere",
-                                     "Light at the ground, and air that is the same all along the path to the camera.");
+  Record<FourCurveAtmosphere> record(
+      "four-curve atmosphere",
+      "Light at the ground, and air that is the same all along the path to the camera.");
   record
       .required("direct", &FourCurveAtmosphere::direct, spectrum_kind(SpectrumOf::irradiance),
                 "of the Sun at the ground, across its beam")
@@ -59,8 +63,8 @@ Kind<FourCurveAtmosphere> four_curve_kind() {
                 "of a length of path")
       .required("path_radiance", &FourCurveAtmosphere::path_radiance, spectrum_kind(SpectrumOf::radiance),
                 "that a length of path adds")
-      .with_default("length", &FourCurveAtmosphere::length_m, quantity(kLength, Range::above(0.0, "m")), "\"1 m\"",
-                    "the length that transmittance and path radiance are for")
+      .with_default("length", &FourCurveAtmosphere::length_m, quantity(kLength, Range::above(0.0, "m")),
+                    "\"1 m\"", "the length that transmittance and path radiance are for")
       .required("distance", &FourCurveAtmosphere::distance_m, quantity(kLength, Range::at_least(0.0, "m")),
                 "from the scene to the camera, the same for all pixels");
   return record.kind();
@@ -74,13 +78,14 @@ Kind<AerosolDescription> aerosol_kind() {
       .at_most_one()
       .one(
           "visibility", [](AerosolDescription& a, double m) { a.visibility_km = 1e-3 * m; },
-          quantity(kLength, Range::above(0.0, "m")), "meteorological range at the ground; 23 km if nothing is said")
+          quantity(kLength, Range::above(0.0, "m")),
+          "meteorological range at the ground; 23 km if nothing is said")
       .one("aot550", &AerosolDescription::aot550, number(Range::at_least(0.0)),
            "vertical optical thickness of all aerosol at 550 nm")
       .optional("season", &AerosolDescription::season, word({"spring-summer", "autumn-winter"}),
                 "of the air above 2 km; without it that of the profile")
-      .with_default("stratosphere", &AerosolDescription::stratosphere, word(atmosphere::stratosphere_states()),
-                    "\"background\"", "aerosol from 10 to 30 km");
+      .with_default("stratosphere", &AerosolDescription::stratosphere,
+                    word(atmosphere::stratosphere_states()), "\"background\"", "aerosol from 10 to 30 km");
   return record.kind();
 }
 
@@ -90,15 +95,16 @@ Kind<UserLevel> level_kind() {
       .required(
           "altitude", [](UserLevel& l, double m) { l.altitude_km = 1e-3 * m; }, quantity(kLength),
           "above mean sea level")
-      .required("pressure", &UserLevel::pressure_hPa, quantity(kPressure, Range::above(0.0, "hPa")), "of the air")
+      .required("pressure", &UserLevel::pressure_hPa, quantity(kPressure, Range::above(0.0, "hPa")),
+                "of the air")
       .required("temperature", &UserLevel::temperature_K, quantity(kTemperature, Range::above(0.0, "K")),
                 "of the air")
       .at_most_one()
       .one(
           "humidity", [](UserLevel& l, double share) { l.relative_humidity_percent = 100.0 * share; },
           quantity(kPercent, Range::between(0.0, 100.0, "%")), "relative, over liquid water")
-      .one("mixing_ratio", &UserLevel::mixing_ratio_g_kg, quantity(kMixingRatio, Range::at_least(0.0, "g/kg")),
-           "water vapour to dry air, by mass");
+      .one("mixing_ratio", &UserLevel::mixing_ratio_g_kg,
+           quantity(kMixingRatio, Range::at_least(0.0, "g/kg")), "water vapour to dry air, by mass");
   return record.kind();
 }
 
@@ -108,11 +114,13 @@ void check_levels(const DocumentNode& atmosphere, const std::vector<UserLevel>& 
     const UserLevel &below = levels[k - 1], &here = levels[k];
     const DocumentNode& node = atmosphere.given("levels").items()[k];
     if (!(here.altitude_km > below.altitude_km))
-      node.given("altitude").fail(format("the altitudes of a profile must rise: {:g} km follows {:g} km",
-                                         here.altitude_km, below.altitude_km));
+      node.given("altitude")
+          .fail(format("the altitudes of a profile must rise: {:g} km follows {:g} km", here.altitude_km,
+                       below.altitude_km));
     if (!(here.pressure_hPa < below.pressure_hPa))
-      node.given("pressure").fail(format("the pressures of a profile must fall: {:g} hPa follows {:g} hPa",
-                                         here.pressure_hPa, below.pressure_hPa));
+      node.given("pressure")
+          .fail(format("the pressures of a profile must fall: {:g} hPa follows {:g} hPa", here.pressure_hPa,
+                       below.pressure_hPa));
   }
 }
 
@@ -130,17 +138,22 @@ auto into(Part part, V value) {
 Kind<AtmosphereDocument> atmosphere_kind() {
   const auto air = [](ModelledAtmosphere& m) -> ProfileDescription& { return m.description.air; };
   const auto whole = [](ModelledAtmosphere& m) -> ModelledAtmosphere& { return m; };
-  const auto description = [](ModelledAtmosphere& m) -> atmosphere::AtmosphereDescription& { return m.description; };
+  const auto description = [](ModelledAtmosphere& m) -> atmosphere::AtmosphereDescription& {
+    return m.description;
+  };
   Record<AtmosphereDocument> record("atmosphere", "What lies between Sun, scene and camera.");
   record.at_most_one()
-      .one("tabulated", &AtmosphereDocument::tabulated, tabulated_kind(), "spectra; those not given change nothing")
+      .one("tabulated", &AtmosphereDocument::tabulated, tabulated_kind(),
+           "spectra; those not given change nothing")
       .one("imported", &AtmosphereDocument::imported, imported_kind(),
            "output of MODTRAN, libRadtran or any other code")
       .one("simple", &AtmosphereDocument::simple, simple_kind(), "no air, a Sun like a blackbody")
       .one("uniform", &AtmosphereDocument::uniform, uniform_kind(), "no air, light without colour")
-      .one("four_curve", &AtmosphereDocument::four_curve, four_curve_kind(), "four spectra, the same for every path")
+      .one("four_curve", &AtmosphereDocument::four_curve, four_curve_kind(),
+           "four spectra, the same for every path")
       .one("profile", into(air, &ProfileDescription::model), word(atmosphere::model_atmosphere_names()),
-           "the model atmosphere (Anderson et al. 1986) that gives pressure, temperature and gases where the keys "
+           "the model atmosphere (Anderson et al. 1986) that gives pressure, temperature and gases where the "
+           "keys "
            "below say nothing else")
       .optional("levels", into(air, &ProfileDescription::levels), list(level_kind(), 2, 1000),
                 "a profile of your own, from the ground up; the model atmosphere continues it")
@@ -153,14 +166,17 @@ Kind<AtmosphereDocument> atmosphere_kind() {
           quantity(kLength), "above mean sea level; without it the height of the scene's origin")
       .optional("water_vapour", into(air, &ProfileDescription::water_vapour_g_cm2),
                 quantity(kWaterColumn, Range::at_least(0.0, "g/cm2")), "precipitable water above the ground")
-      .optional("ozone", into(air, &ProfileDescription::ozone_DU), quantity(kOzoneColumn, Range::at_least(0.0, "DU")),
-                "column above the ground")
-      .with_default("co2", into(air, &ProfileDescription::co2_ppm), quantity(kMixingRatioByVolume, Range::at_least(0.0, "ppm")),
-                    "\"420 ppm\"", "carbon dioxide at the ground")
-      .with_default("ch4", into(air, &ProfileDescription::ch4_ppm), quantity(kMixingRatioByVolume, Range::at_least(0.0, "ppm")),
-                    "\"1.9 ppm\"", "methane at the ground")
-      .with_default("n2o", into(air, &ProfileDescription::n2o_ppm), quantity(kMixingRatioByVolume, Range::at_least(0.0, "ppm")),
-                    "\"0.335 ppm\"", "nitrous oxide at the ground")
+      .optional("ozone", into(air, &ProfileDescription::ozone_DU),
+                quantity(kOzoneColumn, Range::at_least(0.0, "DU")), "column above the ground")
+      .with_default("co2", into(air, &ProfileDescription::co2_ppm),
+                    quantity(kMixingRatioByVolume, Range::at_least(0.0, "ppm")), "\"420 ppm\"",
+                    "carbon dioxide at the ground")
+      .with_default("ch4", into(air, &ProfileDescription::ch4_ppm),
+                    quantity(kMixingRatioByVolume, Range::at_least(0.0, "ppm")), "\"1.9 ppm\"",
+                    "methane at the ground")
+      .with_default("n2o", into(air, &ProfileDescription::n2o_ppm),
+                    quantity(kMixingRatioByVolume, Range::at_least(0.0, "ppm")), "\"0.335 ppm\"",
+                    "nitrous oxide at the ground")
       .optional("aerosol", into(description, &atmosphere::AtmosphereDescription::aerosol), aerosol_kind(),
                 "haze and dust; without it rural aerosol of 23 km visibility")
       .optional(
@@ -170,8 +186,10 @@ Kind<AtmosphereDocument> atmosphere_kind() {
             whole(*d.modelled).sensor_altitude_km = 1e-3 * m;
           },
           quantity(kLength, Range::above(0.0, "m")),
-          "of the sensor above mean sea level; without it that of a frame camera, and above all air for an orthographic one");
-  for (const char* key : {"levels", "ground_altitude", "water_vapour", "ozone", "co2", "ch4", "n2o", "aerosol", "sensor_altitude"})
+          "of the sensor above mean sea level; without it that of a frame camera, and above all air for an "
+          "orthographic one");
+  for (const char* key : {"levels", "ground_altitude", "water_vapour", "ozone", "co2", "ch4", "n2o",
+                          "aerosol", "sensor_altitude"})
     record.needs(key, "profile");
   Kind<AtmosphereDocument> kind = record.kind();
   return {kind.description, [kind](const DocumentNode& node) {

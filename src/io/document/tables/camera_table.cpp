@@ -27,7 +27,8 @@ void set_pixels(Camera& camera, std::array<int, 2> size) {
 }
 
 Kind<OrthographicCamera> orthographic_kind() {
-  Record<OrthographicCamera> record("orthographic camera", "Looks down with parallel rays; pixels are squares of the plane z = 0.");
+  Record<OrthographicCamera> record("orthographic camera",
+                                    "Looks down with parallel rays; pixels are squares of the plane z = 0.");
   record
       .required("gsd", &OrthographicCamera::gsd_m, quantity(kLength, Range::above(0.0, "m")),
                 "ground sample distance")
@@ -38,19 +39,22 @@ Kind<OrthographicCamera> orthographic_kind() {
                     "azimuth, clockwise from north, that the top of the image points to")
       .optional("height", &OrthographicCamera::height_m, quantity(kLength),
                 "z where rays start; above everything if not given")
-      .with_default("view_zenith", &OrthographicCamera::view_zenith_rad, quantity(kAngle, Range::between(0.0, 89.0, "deg")),
-                    "\"0 deg\"", "angle between the vertical and the direction from the ground to the sensor")
+      .with_default("view_zenith", &OrthographicCamera::view_zenith_rad,
+                    quantity(kAngle, Range::between(0.0, 89.0, "deg")), "\"0 deg\"",
+                    "angle between the vertical and the direction from the ground to the sensor")
       .with_default("view_azimuth", &OrthographicCamera::view_azimuth_rad, quantity(kAngle), "\"0 deg\"",
                     "azimuth, clockwise from north, of the direction from the ground to the sensor");
   return record.kind();
 }
 
 Kind<Attitude> attitude_kind() {
-  Record<Attitude> record("attitude",
-                          "Attitude of the aircraft that the camera hangs below, its axis along the body's down and the "
-                          "top of the image at the nose: 3-2-1 sequence in north-east-down axes. All zero looks "
-                          "straight down with north at the top.");
-  record.with_default("yaw", &Attitude::yaw_rad, quantity(kAngle), "\"0 deg\"", "heading, clockwise from north")
+  Record<Attitude> record(
+      "attitude",
+      "Attitude of the aircraft that the camera hangs below, its axis along the body's down and the "
+      "top of the image at the nose: 3-2-1 sequence in north-east-down axes. All zero looks "
+      "straight down with north at the top.");
+  record
+      .with_default("yaw", &Attitude::yaw_rad, quantity(kAngle), "\"0 deg\"", "heading, clockwise from north")
       .with_default("pitch", &Attitude::pitch_rad, quantity(kAngle, Range::between(-90.0, 90.0, "deg")),
                     "\"0 deg\"", "nose up")
       .with_default("roll", &Attitude::roll_rad, quantity(kAngle), "\"0 deg\"", "right wing down");

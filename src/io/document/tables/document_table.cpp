@@ -39,8 +39,9 @@ Kind<geodesy::UtcTime> time_kind() {
 /// Documents are put together before this table is read (put_together).
 Kind<std::vector<DocumentFile>> included_kind() {
   const Kind<DocumentFile> one = file();
-  return either(converted<std::vector<DocumentFile>>(one, [](DocumentFile f) { return std::vector{std::move(f)}; }),
-                list(one, 1, 256));
+  return either(
+      converted<std::vector<DocumentFile>>(one, [](DocumentFile f) { return std::vector{std::move(f)}; }),
+      list(one, 1, 256));
 }
 
 }  // namespace
@@ -52,7 +53,8 @@ Kind<Document> document_kind() {
           "$schema", [](Document&, const std::string&) {}, label(), "for editors: where the schema is")
       .optional(
           "include", [](Document&, const std::vector<DocumentFile>&) {}, included_kind(),
-          "documents whose values count where this one has none: objects are put together key by key, and a null takes a "
+          "documents whose values count where this one has none: objects are put together key by key, and a "
+          "null takes a "
           "key away; of several the last counts most")
       .with_default(
           "seed", [](Document& d, std::int64_t seed) { d.seed = static_cast<std::uint64_t>(seed); },

@@ -38,14 +38,19 @@ Kind<std::vector<std::pair<std::int64_t, DocumentName>>> classes_kind() {
 
 Kind<TextureImage> texture_image_kind() {
   Record<TextureImage> record(
-      "texture image", "A picture of the material, or of another like it; brighter cells take brighter curves.");
+      "texture image",
+      "A picture of the material, or of another like it; brighter cells take brighter curves.");
   add_raster_keys(record);
-  record.with_default("band", &TextureImage::band, integer(1, kMostBands), "1", "band of the raster, counted from 1")
+  record
+      .with_default("band", &TextureImage::band, integer(1, kMostBands), "1",
+                    "band of the raster, counted from 1")
       .required("from", &TextureImage::from_um, quantity(kWavelength, Range::above(0.0, "um")),
                 "shortest wavelength that the picture was taken in")
-      .required("to", &TextureImage::to_um, quantity(kWavelength, Range::above(0.0, "um")), "longest wavelength")
+      .required("to", &TextureImage::to_um, quantity(kWavelength, Range::above(0.0, "um")),
+                "longest wavelength")
       .check([](const TextureImage& image, const DocumentNode& node) {
-        if (!(image.from_um < image.to_um)) node.given("to").fail_at_key("'to' must be a longer wavelength than 'from'");
+        if (!(image.from_um < image.to_um))
+          node.given("to").fail_at_key("'to' must be a longer wavelength than 'from'");
       });
   return record.kind();
 }
@@ -61,17 +66,19 @@ Kind<TemperatureMap> temperature_map_kind() {
 }
 
 Kind<TextureDocument> texture_kind() {
-  Record<TextureDocument> record(
-      "texture",
-      "Picks the curve of a material with several of them from images, by matching statistics: a cell that lies so many "
-      "standard deviations above its image's mean takes the curve that lies as many above the mean of the curves, or a "
-      "mixture of two.");
+  Record<TextureDocument> record("texture",
+                                 "Picks the curve of a material with several of them from images, by "
+                                 "matching statistics: a cell that lies so many "
+                                 "standard deviations above its image's mean takes the curve that lies as "
+                                 "many above the mean of the curves, or a "
+                                 "mixture of two.");
   record
       .required("images", &TextureDocument::images, list(texture_image_kind(), 1, kMostImages),
                 "one or more images, each of a spectral range")
       .with_default("matching", &TextureDocument::covariance,
                     choice<bool>({{"plain", false}, {"covariance", true}}), "\"plain\"",
-                    "how distances in several ranges add up: equally, or by Mahalanobis's distance, in which ranges that "
+                    "how distances in several ranges add up: equally, or by Mahalanobis's distance, in which "
+                    "ranges that "
                     "go together count once");
   return record.kind();
 }
@@ -81,8 +88,8 @@ Kind<ReliefDocument> relief_kind() {
   add_raster_keys(heights);
   heights.required("unit", &HeightRelief::unit_m, quantity(kLength, Range::above(0.0, "m")),
                    "height that the number 1 of the raster means");
-  Record<NormalRelief> normals("relief of normals",
-                               "Normals, draped from above: three bands, x to the east, y to the north, z up.");
+  Record<NormalRelief> normals(
+      "relief of normals", "Normals, draped from above: three bands, x to the east, y to the north, z up.");
   add_raster_keys(normals);
   struct Coding {
     double factor, offset;
@@ -95,8 +102,8 @@ Kind<ReliefDocument> relief_kind() {
       },
       choice<Coding>({{"0 to 255", {2.0 / 255.0, -1.0}}, {"-1 to 1", {1.0, 0.0}}}), "\"0 to 255\"",
       "how components from -1 to 1 are written");
-  Record<ReliefDocument> record("relief",
-                                "Relief finer than the geometry: tilts the surface for light, and moves nothing.");
+  Record<ReliefDocument> record(
+      "relief", "Relief finer than the geometry: tilts the surface for light, and moves nothing.");
   record.exactly_one()
       .one("heights", &ReliefDocument::value, heights.kind(), "from heights")
       .one("normals", &ReliefDocument::value, normals.kind(), "from normals");
@@ -111,12 +118,13 @@ Kind<MaterialBinding> binding_kind() {
   Record<MaterialMap> map("material map", "Materials by the class numbers of a raster.");
   add_raster_keys(map);
   map.required("classes", &MaterialMap::classes, classes_kind(), "material of each class number");
-  Record<MixtureDocument> mixture(
-      "mixture map",
-      "Fractions of materials from the bands of a raster. What does not sum to 1 is rescaled, and the log says so; of a "
-      "cell with more than four materials the four largest stay.");
+  Record<MixtureDocument> mixture("mixture map",
+                                  "Fractions of materials from the bands of a raster. What does not sum to 1 "
+                                  "is rescaled, and the log says so; of a "
+                                  "cell with more than four materials the four largest stay.");
   add_raster_keys(mixture);
-  mixture.required("materials", &MixtureDocument::materials, list(name, 1, static_cast<std::size_t>(kMostBands)),
+  mixture.required("materials", &MixtureDocument::materials,
+                   list(name, 1, static_cast<std::size_t>(kMostBands)),
                    "material of each band, in their order");
   const auto slots = converted<MaterialSlots>(
       map_of(name, "materials by the names in the mesh file", kMostClasses),
@@ -130,27 +138,36 @@ Kind<MaterialBinding> binding_kind() {
 }
 
 Kind<TerrainShape> terrain_kind() {
-  Record<TerrainShape> record("terrain",
-                              "A digital elevation model, placed by its georeference; a height stands for the middle of "
-                              "its cell.");
+  Record<TerrainShape> record(
+      "terrain",
+      "A digital elevation model, placed by its georeference; a height stands for the middle of "
+      "its cell.");
   record.required("file", &TerrainShape::file, file(), "a raster that GDAL reads")
-      .with_default("band", &TerrainShape::band, integer(1, kMostBands), "1", "band of the heights, counted from 1");
-  add_placement_keys(record,
-                     [](TerrainShape& t) -> std::optional<RasterDocument::Placement>& { return t.placement; });
+      .with_default("band", &TerrainShape::band, integer(1, kMostBands), "1",
+                    "band of the heights, counted from 1");
+  add_placement_keys(
+      record, [](TerrainShape& t) -> std::optional<RasterDocument::Placement>& { return t.placement; });
   record
-      .with_default("detail", &TerrainShape::detail_m, quantity(kLength, Range::at_least(0.0, "m")), "\"0 m\"",
-                    "triangles are made as large as leaves every height of the raster within this of the surface")
+      .with_default(
+          "detail", &TerrainShape::detail_m, quantity(kLength, Range::at_least(0.0, "m")), "\"0 m\"",
+          "triangles are made as large as leaves every height of the raster within this of the surface")
       .optional("unit", &TerrainShape::unit_m, quantity(kLength, Range::above(0.0, "m")),
                 "height that the number 1 means; without it as the file says, else 1 m")
-      .with_default("nodata", &TerrainShape::fill, choice<bool>({{"holes", false}, {"fill", true}}), "\"holes\"",
-                    "cells without a height: holes, or filled from the nearest cells in four quadrants, weighted by the "
+      .with_default("nodata", &TerrainShape::fill, choice<bool>({{"holes", false}, {"fill", true}}),
+                    "\"holes\"",
+                    "cells without a height: holes, or filled from the nearest cells in four quadrants, "
+                    "weighted by the "
                     "inverse of their distance")
-      .with_default("smooth", &TerrainShape::smooth, boolean(), "true",
-                    "slopes, as light sees them, change smoothly from height to height; else each triangle is flat")
+      .with_default(
+          "smooth", &TerrainShape::smooth, boolean(), "true",
+          "slopes, as light sees them, change smoothly from height to height; else each triangle is flat")
       .optional("form", &TerrainShape::form,
-                choice<TerrainShape::Form>({{"mesh", TerrainShape::Form::mesh}, {"grid", TerrainShape::Form::grid}}),
-                "a mesh of triangles, or the raster itself with every height (`detail` 0 and the scene's own `crs`): "
-                "4 bytes a cell and nothing to build; without it the raster itself, where that is possible and it has "
+                choice<TerrainShape::Form>(
+                    {{"mesh", TerrainShape::Form::mesh}, {"grid", TerrainShape::Form::grid}}),
+                "a mesh of triangles, or the raster itself with every height (`detail` 0 and the scene's own "
+                "`crs`): "
+                "4 bytes a cell and nothing to build; without it the raster itself, where that is possible "
+                "and it has "
                 "more than a million cells");
   return record.kind();
 }

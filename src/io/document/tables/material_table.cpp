@@ -25,9 +25,10 @@ Kind<TemperatureDocument> temperature_kind() {
 Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind() {
   const auto curves = [](SpectrumOf quantity) {
     const Kind<SpectrumDocument> spectrum = spectrum_kind(quantity);
-    return either(converted<std::vector<SpectrumDocument>>(
-                      spectrum, [](SpectrumDocument one) { return std::vector<SpectrumDocument>{std::move(one)}; }),
-                  list(spectrum, 2, kMostCurves));
+    return either(
+        converted<std::vector<SpectrumDocument>>(
+            spectrum, [](SpectrumDocument one) { return std::vector<SpectrumDocument>{std::move(one)}; }),
+        list(spectrum, 2, kMostCurves));
   };
   const auto store = [](bool is_emissivity) {
     return [is_emissivity](MaterialDocument& material, std::vector<SpectrumDocument> values) {
@@ -37,9 +38,11 @@ Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind() {
       material.further_curves = std::move(values);
     };
   };
-  Record<MaterialDocument> record("material", "A surface: reflectance, transmittance (0 unless given) and emissivity sum to 1.");
+  Record<MaterialDocument> record(
+      "material", "A surface: reflectance, transmittance (0 unless given) and emissivity sum to 1.");
   record.exactly_one()
-      .one("reflectance", store(false), curves(SpectrumOf::reflectance), "spectral reflectance, or several curves for a texture to pick from")
+      .one("reflectance", store(false), curves(SpectrumOf::reflectance),
+           "spectral reflectance, or several curves for a texture to pick from")
       .one("emissivity", store(true), curves(SpectrumOf::emissivity), "spectral emissivity, likewise")
       .optional("temperature", &MaterialDocument::temperature, temperature_kind(),
                 "without one, here or on the object, a surface emits nothing")
@@ -48,13 +51,16 @@ Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind() {
       .optional("texture", &MaterialDocument::texture, texture_kind(), "picks among several curves")
       .optional("relief", &MaterialDocument::relief, relief_kind(), "bumps that light sees")
       .optional("transmittance", &MaterialDocument::transmittance, spectrum_kind(SpectrumOf::transmittance),
-                "of a thin leaf, the same from both sides: what leaves the other side, spread as Lambert's law says; "
+                "of a thin leaf, the same from both sides: what leaves the other side, spread as Lambert's "
+                "law says; "
                 "emissivity is then 1 - reflectance - transmittance")
       .check([](const MaterialDocument& material, const DocumentNode& node) {
         const char* key = material.is_emissivity ? "emissivity" : "reflectance";
         if (material.transmittance && material.is_emissivity)
-          node.given("transmittance").fail_at_key("give the 'reflectance' of a material with a transmittance, not its "
-                                                  "emissivity, which follows from both");
+          node.given("transmittance")
+              .fail_at_key(
+                  "give the 'reflectance' of a material with a transmittance, not its "
+                  "emissivity, which follows from both");
         if (!material.further_curves.empty() && !material.texture)
           node.given(key).fail_at_key("several curves need a 'texture' that picks among them");
         if (material.texture && material.further_curves.empty())

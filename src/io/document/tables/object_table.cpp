@@ -104,8 +104,10 @@ Kind<ObjectDocument> scatter_object_kind() {
 Kind<std::vector<ObjectDocument>> objects_kind() {
   const Kind<ObjectDocument> shape = shape_object_kind();
   const int without_tag = 2;
-  const auto any =
-      tagged<ObjectDocument>({{{"instance", "instances"}, instance_object_kind()}, {{"scatter"}, scatter_object_kind()}, {{}, shape}}, without_tag);
+  const auto any = tagged<ObjectDocument>({{{"instance", "instances"}, instance_object_kind()},
+                                           {{"scatter"}, scatter_object_kind()},
+                                           {{}, shape}},
+                                          without_tag);
   return list(any, 1, kMostObjects);
 }
 

@@ -17,7 +17,8 @@ struct Quicklook {
 Kind<std::string> folder_kind() {
   const Kind<DocumentFile> any = file();
   ValueDescription d = *any.description;
-  d.expected = "the name of a folder beside the document or below it; 'ifov render --output FOLDER' writes anywhere";
+  d.expected =
+      "the name of a folder beside the document or below it; 'ifov render --output FOLDER' writes anywhere";
   d.short_name = "folder name";
   d.pattern = "^(?!/)(?!(.*/)?\\.\\.(/|$))[^\\u0000]+$";
   auto description = std::make_shared<const ValueDescription>(std::move(d));
@@ -50,9 +51,11 @@ Kind<std::string> name_kind() {
   return {description, [description](const DocumentNode& node) {
             const std::string name = text_of(node, *description);
             const auto plain = [](char c) {
-              return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+              return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+                     c == '_';
             };
-            if (name.empty() || name.size() > 100 || name.front() == '-' || !std::all_of(name.begin(), name.end(), plain))
+            if (name.empty() || name.size() > 100 || name.front() == '-' ||
+                !std::all_of(name.begin(), name.end(), plain))
               node.fail_expected(description->expected);
             return name;
           }};
@@ -97,11 +100,13 @@ Kind<OutputDocument> output_kind() {
       .optional(
           "folder", &OutputDocument::folder, folder_kind(),
           "folder of the products, relative to the document; the document's name with '.out' if not given")
-      .with_default("name", &OutputDocument::name, name_kind(), "\"image\"", "begins the name of every product")
+      .with_default("name", &OutputDocument::name, name_kind(), "\"image\"",
+                    "begins the name of every product")
       .with_default("formats", &OutputDocument::formats, formats_kind(), "[\"envi\", \"png\", \"html\"]",
                     "kinds of products; the ENVI cubes and the run record are always written")
       .optional("products", &OutputDocument::products, products_kind(),
-                "ENVI cubes beside the radiance, which is always written; if not given, those of the samples, the quality, the "
+                "ENVI cubes beside the radiance, which is always written; if not given, those of the "
+                "samples, the quality, the "
                 "abundances and half_width, and of frame cameras location")
       .optional(
           "quicklook",

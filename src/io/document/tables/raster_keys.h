@@ -38,13 +38,14 @@ template <class T>
 void add_raster_keys(Record<T>& record) {
   record.required(
       "file", [](T& t, DocumentFile f) { t.raster.file = std::move(f); }, file(), "a raster that GDAL reads");
-  add_placement_keys(
-      record, [](T& t) -> std::optional<RasterDocument::Placement>& { return t.raster.placement; });
+  add_placement_keys(record,
+                     [](T& t) -> std::optional<RasterDocument::Placement>& { return t.raster.placement; });
   record
       .with_default(
           "by", [](T& t, bool texture) { t.raster.by_texture = texture; },
           choice<bool>({{"place", false}, {"texture coordinates", true}}), "\"place\"",
-          "draped from above, or by the texture coordinates of the surface, of which 0 to 1 hold the raster once "
+          "draped from above, or by the texture coordinates of the surface, of which 0 to 1 hold the raster "
+          "once "
           "(v rises from its last row to its first)")
       .with_default(
           "copies", [](T& t, std::array<double, 2> copies) { t.raster.copies = copies; },
@@ -56,11 +57,14 @@ void add_raster_keys(Record<T>& record) {
           "\"edge\"", "beyond the raster: its outermost cells go on, or it repeats, or it repeats mirrored")
       .check([](const T& t, const DocumentNode& node) {
         if (t.raster.by_texture && t.raster.placement)
-          node.find("low_left")->fail_at_key("a raster by texture coordinates has no place on the map; its size on a "
-                                             "surface is set by 'copies'");
+          node.find("low_left")
+              ->fail_at_key(
+                  "a raster by texture coordinates has no place on the map; its size on a "
+                  "surface is set by 'copies'");
         if (!t.raster.by_texture && node.find("copies") != nullptr)
-          node.find("copies")->fail_at_key("'copies' is for rasters by texture coordinates; by place, 'size' sets how "
-                                           "large one copy is");
+          node.find("copies")->fail_at_key(
+              "'copies' is for rasters by texture coordinates; by place, 'size' sets how "
+              "large one copy is");
       });
 }
 

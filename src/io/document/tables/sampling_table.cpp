@@ -94,7 +94,8 @@ Kind<AccuracySampling> accuracy_kind() {
           "\"1 %\"",
           "allowed half-width of each pixel's interval: brightness temperature, share of the pixel's value, "
           "radiance, apparent reflectance, or share of the noise that channels declare; never finer than "
-          "1e-5 of the value, the precision of the products; reflectance is not judged in channels where a white "
+          "1e-5 of the value, the precision of the products; reflectance is not judged in channels where a "
+          "white "
           "surface sends less than 1 % of what the air does")
       .with_default("confidence", &AccuracySampling::confidence, fraction({0.5, 1.0, false, true, {}}),
                     "0.95", "probability with which the interval holds the true value")
@@ -134,10 +135,12 @@ Kind<SamplingDocument> sampling_kind() {
       .one("accuracy", &SamplingDocument::method, accuracy_kind(), "as many rays as an accuracy needs")
       .with_default("tile", &SamplingDocument::tile_px, integer(1, 4096), "64",
                     "pixels along a side of the tiles that are computed at once")
-      .with_default("mirror_reflections", &SamplingDocument::mirror_reflections, integer(0, 8), "8",
-                    "flat mirrors, one after the other, by way of which sunlight is sought; where more may matter, "
-                    "pixels are marked. With 0 neither sunlight nor what shines is sought by way of any mirror, round ones "
-                    "included")
+      .with_default(
+          "mirror_reflections", &SamplingDocument::mirror_reflections, integer(0, 8), "8",
+          "flat mirrors, one after the other, by way of which sunlight is sought; where more may matter, "
+          "pixels are marked. With 0 neither sunlight nor what shines is sought by way of any mirror, round "
+          "ones "
+          "included")
       .optional(
           "max_depth", &SamplingDocument::max_depth, integer(1, 10000),
           "surfaces a path may meet, for light that is cut short on purpose; without it no light is lost");

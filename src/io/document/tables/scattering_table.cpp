@@ -12,14 +12,19 @@ using materials::BsdfParameter;
 template <class V>
 void add(Record<ScatteringDocument>& record, const BsdfParameter& parameter, const Kind<V>& kind) {
   const std::string key(parameter.key), doc(parameter.doc), fallback(parameter.default_json);
-  const auto store = [key](ScatteringDocument& to, V value) { to.values.emplace_back(key, std::move(value)); };
+  const auto store = [key](ScatteringDocument& to, V value) {
+    to.values.emplace_back(key, std::move(value));
+  };
   if (fallback.empty())
     record.required(key, store, kind, doc);
   else
-    record.with_default(key, [key, store](ScatteringDocument& to, V value) {
-      std::erase_if(to.values, [&](const auto& known) { return known.first == key; });
-      store(to, std::move(value));
-    }, kind, fallback, doc);
+    record.with_default(
+        key,
+        [key, store](ScatteringDocument& to, V value) {
+          std::erase_if(to.values, [&](const auto& known) { return known.first == key; });
+          store(to, std::move(value));
+        },
+        kind, fallback, doc);
 }
 
 Kind<ScatteringDocument> parameters_kind(const BsdfModel& model) {
@@ -31,9 +36,7 @@ Kind<ScatteringDocument> parameters_kind(const BsdfModel& model) {
       case BsdfParameter::Form::angle:
         add(record, parameter, quantity(kAngle, Range::between(parameter.low, parameter.high, "deg")));
         break;
-      case BsdfParameter::Form::spectrum:
-        add(record, parameter, spectrum_kind(SpectrumOf::fraction));
-        break;
+      case BsdfParameter::Form::spectrum: add(record, parameter, spectrum_kind(SpectrumOf::fraction)); break;
     }
   return record.kind();
 }
@@ -44,13 +47,15 @@ Kind<ScatteringDocument> named_kind() {
   const DocumentTree nothing = parse_json("{}", "no parameters");
   for (const BsdfModel* model : materials::bsdf_models())
     if (!model->needs_parameters())
-      models.push_back({std::string(model->key), {std::string(model->key), parameters_kind(*model).read(*nothing.root).values}});
+      models.push_back({std::string(model->key),
+                        {std::string(model->key), parameters_kind(*model).read(*nothing.root).values}});
   const Kind<ScatteringDocument> named = choice<ScatteringDocument>(models);
   return {named.description, [named](const DocumentNode& node) {
             for (const BsdfModel* model : materials::bsdf_models())
-              if (model->needs_parameters() && node.type() == DocumentNode::Type::text && node.text() == model->key)
-                node.fail(format("{} is '{}', which needs its parameters: {{\"{}\": {{\"{}\": ...}}}}", node.title(), model->key,
-                                 model->key, model->parameters.front().key));
+              if (model->needs_parameters() && node.type() == DocumentNode::Type::text &&
+                  node.text() == model->key)
+                node.fail(format("{} is '{}', which needs its parameters: {{\"{}\": {{\"{}\": ...}}}}",
+                                 node.title(), model->key, model->key, model->parameters.front().key));
             return named.read(node);
           }};
 }
@@ -65,8 +70,12 @@ Kind<ScatteringDocument> scattering_kind() {
     if (model->parameters.empty()) continue;
     const std::string key(model->key);
     any = true;
-    with_parameters.one(key, [key](ScatteringDocument& to, ScatteringDocument with) { to = {key, std::move(with.values)}; },
-                        parameters_kind(*model), std::string(model->doc));
+    with_parameters.one(
+        key,
+        [key](ScatteringDocument& to, ScatteringDocument with) {
+          to = {key, std::move(with.values)};
+        },
+        parameters_kind(*model), std::string(model->doc));
   }
   return any ? either(named_kind(), with_parameters.kind()) : named_kind();
 }

@@ -38,12 +38,16 @@ Kind<OriginDocument> origin_kind() {
       .optional(
           "northing", [](OriginDocument& o, double v) { o.offset_m.y = v; }, quantity(kLength),
           "map coordinate of the origin")
-      .optional("crs", [](OriginDocument& o, std::pair<std::string, SourcePosition> crs) {
+      .optional(
+          "crs",
+          [](OriginDocument& o, std::pair<std::string, SourcePosition> crs) {
             o.crs = std::move(crs.first);
             o.crs_position = std::move(crs.second);
-          }, located_text(),
-                "coordinate reference system of the map coordinates, as PROJ knows it: \"EPSG:25832\"; rasters in others "
-                "are taken over into it, and without easting and northing it gives those of latitude and longitude")
+          },
+          located_text(),
+          "coordinate reference system of the map coordinates, as PROJ knows it: \"EPSG:25832\"; rasters in "
+          "others "
+          "are taken over into it, and without easting and northing it gives those of latitude and longitude")
       .with_default("height", &OriginDocument::height_m, quantity(kLength), "\"0 m\"",
                     "of the origin above the ellipsoid; with map coordinates, also subtracted from z")
       .needs("latitude", "longitude")
@@ -52,7 +56,8 @@ Kind<OriginDocument> origin_kind() {
       .needs("northing", "easting")
       .check([](const OriginDocument& origin, const DocumentNode& node) {
         if (!origin.crs.empty() && !origin.has_map_offset && !origin.geographic)
-          node.given("crs").fail_at_key("with 'crs', give 'easting' and 'northing', or 'latitude' and 'longitude'");
+          node.given("crs").fail_at_key(
+              "with 'crs', give 'easting' and 'northing', or 'latitude' and 'longitude'");
       });
   return converted<OriginDocument>(record.kind(), [](OriginDocument origin) {
     if (origin.has_map_offset) origin.offset_m.z = origin.height_m;
@@ -71,8 +76,9 @@ Kind<PeriodicDocument> periodic_kind() {
           },
           tuple<double, 2>(quantity(kLength, Range::above(0.0, "m"))),
           "after how much x and y everything repeats; objects may stand across the border of the cell")
-      .optional("low_left", &PeriodicDocument::low_left_m, tuple<double, 2>(quantity(kLength)),
-                "lower left corner of the cell, as it is drawn; without it the cell is centred on the origin");
+      .optional(
+          "low_left", &PeriodicDocument::low_left_m, tuple<double, 2>(quantity(kLength)),
+          "lower left corner of the cell, as it is drawn; without it the cell is centred on the origin");
   const Kind<PeriodicDocument> kind = record.kind();
   return {kind.description, [read = kind.read](const DocumentNode& node) {
             PeriodicDocument periodic = read(node);

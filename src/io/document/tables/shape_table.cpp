@@ -128,17 +128,22 @@ Kind<MeshShape> mesh_kind() {
       .required("file", &MeshShape::file, file(),
                 "Wavefront OBJ (.obj), PLY (.ply) or glTF 2 (.gltf, .glb), told apart by the extension")
       .with_default("unit", &MeshShape::unit_m, choice<double>(units), "\"m\"", "unit of its coordinates")
-      .optional("up", &MeshShape::y_is_up, choice<bool>({{"z", false}, {"y", true}}),
-                "which of its axes points up, if not y for glTF and z for the others; with y, its z points south");
+      .optional(
+          "up", &MeshShape::y_is_up, choice<bool>({{"z", false}, {"y", true}}),
+          "which of its axes points up, if not y for glTF and z for the others; with y, its z points south");
   return record.kind();
 }
 
 Kind<CityShape> city_kind() {
-  Record<CityShape> record("city", "The objects of a city model, each of them placed and counted on its own.");
-  record.required("file", &CityShape::file, file(), "a CityJSON file; its coordinates are those of the document")
-      .optional("lod", &CityShape::lod,
-                text_like("^[0-9]([.][0-9])?$", "a level of detail such as \"2\" or \"2.2\"", "level of detail"),
-                "the level of detail to place; the finest of each object if not given")
+  Record<CityShape> record("city",
+                           "The objects of a city model, each of them placed and counted on its own.");
+  record
+      .required("file", &CityShape::file, file(),
+                "a CityJSON file; its coordinates are those of the document")
+      .optional(
+          "lod", &CityShape::lod,
+          text_like("^[0-9]([.][0-9])?$", "a level of detail such as \"2\" or \"2.2\"", "level of detail"),
+          "the level of detail to place; the finest of each object if not given")
       .optional("types", &CityShape::types, list(label(), 1, kMostTypes),
                 "types of the objects to place, such as \"Building\"; all if not given")
       .check([](const CityShape& city, const DocumentNode& node) {
@@ -163,7 +168,8 @@ Kind<InstancesShape> instances_kind() {
       .exactly_one()
       .one("at", &InstancesShape::at_m, list(point(), 1, kMostCopies), "where the prototype's origin goes")
       .one("csv", &InstancesShape::csv, file(),
-           "rows of x, y, z in metres, rotation about z in degrees (counter-clockwise from above), scale, pitch "
+           "rows of x, y, z in metres, rotation about z in degrees (counter-clockwise from above), scale, "
+           "pitch "
            "and roll in degrees; the last two or four may be left out")
       .one("binary", &InstancesShape::binary, file(), "a binary instance list (`.ifovinst`)");
   return record.kind();

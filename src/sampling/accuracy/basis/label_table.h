@@ -27,7 +27,8 @@ class LabelTable {
   std::size_t size() const { return labels_.size(); }
   /// Whether there are labels that do not stand for the same.
   bool several() const {
-    return std::any_of(stands_for_.begin(), stands_for_.end(), [this](std::uint32_t as) { return as != stands_for_[0]; });
+    return std::any_of(stands_for_.begin(), stands_for_.end(),
+                       [this](std::uint32_t as) { return as != stands_for_[0]; });
   }
   Label label(std::uint32_t index) const { return labels_[index]; }
 

@@ -15,8 +15,8 @@ struct AccuracyOptions {
   int looks_per_side = 2;   ///< looks_per_side^2 jittered rays in every pixel, drawn anew for every seed
   int probes_per_side = 3;  ///< probes_per_side^2 jittered label rays in each suspect pixel and round
   int max_probe_rounds = 12;
-  bool seeds = true;               ///< one ray through the projected centre of every small object
-  bool clutter_switch = true;      ///< stratified samples where tracing edges would cost more
+  bool seeds = true;                    ///< one ray through the projected centre of every small object
+  bool clutter_switch = true;           ///< stratified samples where tracing edges would cost more
   std::uint32_t tracing_budget = 1500;  ///< label rays after which a pixel counts as clutter
   bool footprint_by_model = true;  ///< weight the traced picture by the footprint; false: draw rays from it
   std::uint32_t max_samples_per_pixel = 1u << 16;
@@ -27,7 +27,7 @@ struct AccuracyFaults {
   Label label_mask = ~Label{0};  ///< bits of a label that the sampler sees (without the Sun's state, say)
   bool zero_variance_single_samples = false;  ///< a stratum of one sample claims to be exact
   bool undithered_brackets = false;  ///< brackets by plain bisection, whose errors agree on aligned scenes
-  bool no_random_look = false;  ///< no rays beside the lattice in pixels where nothing is suspect
+  bool no_random_look = false;       ///< no rays beside the lattice in pixels where nothing is suspect
   bool other_labels_spread = false;  ///< few values of a label vary as those of other labels do
   bool one_sequence = false;  ///< the replicates of a round share their paths' sequence, and so their errors
 };

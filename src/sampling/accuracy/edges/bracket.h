@@ -94,9 +94,7 @@ struct Bracket {
   }
 
  private:
-  double grid_position(int j) const {
-    return (j - 1 + phase) * step;
-  }
+  double grid_position(int j) const { return (j - 1 + phase) * step; }
 };
 
 }  // namespace ifov::sampling

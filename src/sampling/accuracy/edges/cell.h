@@ -59,11 +59,11 @@ struct Curve {
   Point2 origin, normal;         ///< the line on which the middle was looked for
   double low = 0.0, high = 0.0;  ///< the curve meets that line between origin + low n and origin + high n
   double bend = 0.0;             ///< where it was predicted, from the middle of the chord
-  bool measured = false;         ///< it was searched for; else it is where it was predicted, within those bounds
-  double middle_width = 0.0;     ///< width of the error claimed for it, px
-  double leg_width = 0.0;        ///< of a corner: width of the band in which its legs were confirmed, px
-  double loose_area = 0.0;       ///< standard deviation of the area that the model cannot follow, px^2
-  double wanted_middle = 0.0;    ///< half-distance of the two verifying rays, set by the tolerance
+  bool measured = false;      ///< it was searched for; else it is where it was predicted, within those bounds
+  double middle_width = 0.0;  ///< width of the error claimed for it, px
+  double leg_width = 0.0;     ///< of a corner: width of the band in which its legs were confirmed, px
+  double loose_area = 0.0;    ///< standard deviation of the area that the model cannot follow, px^2
+  double wanted_middle = 0.0;  ///< half-distance of the two verifying rays, set by the tolerance
 };
 
 /// Where a curve runs: its ends, the sagitta of its arc over their chord (0 for straight legs).

@@ -32,7 +32,8 @@ struct CurveCheck {
   double chord = 0.0, least = 0.0, most = 0.0, tolerance = 0.0, predicted = 0.0;
   double low = 0.0, high = 0.0, blur = 0.0;
   std::uint32_t far = 0, near = 0;
-  bool smooth = false, beyond_wrong = false, has_apex = false, corner = false, confirmed = false, measured = false;
+  bool smooth = false, beyond_wrong = false, has_apex = false, corner = false, confirmed = false,
+       measured = false;
   Point2 apex;
   std::size_t first_point = 0;
 
@@ -61,17 +62,10 @@ struct CurveCheck {
         on_line(predicted + tolerance);
         on_line(predicted - tolerance);
         break;
-      case Stage::far_side:
-        on_line(beyond_wrong ? high : low);
-        break;
-      case Stage::bisect:
-        on_line(middle());
-        break;
-      case Stage::legs:
-        add_leg_points(points);
-        break;
-      case Stage::done:
-        break;
+      case Stage::far_side: on_line(beyond_wrong ? high : low); break;
+      case Stage::bisect: on_line(middle()); break;
+      case Stage::legs: add_leg_points(points); break;
+      case Stage::done: break;
     }
   }
 

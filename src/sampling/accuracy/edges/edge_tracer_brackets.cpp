@@ -82,7 +82,8 @@ void EdgeTracer::locate() {
   // By vertices alone: where the border is seen to be must not decide how well it is known.
   const auto narrow = [&](const Bracket& b) {
     if (b.width() <= kThinShare * b.length_px) return false;
-    if (b.width() * b.length_px * contrast_(b.pixel, b.first, b.last) < kWorth * std::sqrt(allowed_variance_[b.pixel]))
+    if (b.width() * b.length_px * contrast_(b.pixel, b.first, b.last) <
+        kWorth * std::sqrt(allowed_variance_[b.pixel]))
       return false;
     for (const std::int32_t step : {-Lattice::side(b.level), Lattice::side(b.level)}) {
       const std::int32_t x = b.vertical ? b.x : b.x + step, y = b.vertical ? b.y + step : b.y;

@@ -72,7 +72,8 @@ bool EdgeTracer::within_tolerance(const Cell& cell, FocalPoint point, std::uint3
 }
 
 /// Whether a point lies no farther from a border in its cell than the border is uncertain, with what is on its other side.
-bool EdgeTracer::beside_border(const Cell& cell, FocalPoint point, std::uint32_t seen, double slack_px) const {
+bool EdgeTracer::beside_border(const Cell& cell, FocalPoint point, std::uint32_t seen,
+                               double slack_px) const {
   if (cell.kind == CellKind::junction) return beside_legs(cell, point, seen, slack_px);
   if (cell.kind != CellKind::chord) return false;
   const Curve& curve = curves_[cell.chord];

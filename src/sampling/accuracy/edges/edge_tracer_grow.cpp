@@ -191,7 +191,8 @@ double EdgeTracer::narrowest_met(std::uint32_t pixel) const {
   double narrowest = INFINITY;
   for (int j = 0; j < k; ++j)
     for (int i = 0; i < k; ++i) {
-      const Cell& cell = cells_[root_cell(static_cast<int>(pixel)) + static_cast<std::uint32_t>(j * lattice_.columns() + i)];
+      const Cell& cell =
+          cells_[root_cell(static_cast<int>(pixel)) + static_cast<std::uint32_t>(j * lattice_.columns() + i)];
       const std::uint32_t* above = &root_vertices_[root_vertex(cell.x, cell.y)];
       const std::uint32_t* below = above + lattice_.columns() + 1;
       Cell root = cell;

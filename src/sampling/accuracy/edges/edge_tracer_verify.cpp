@@ -92,8 +92,7 @@ void EdgeTracer::weigh_answers(CurveCheck& check, const std::uint32_t* seen) {
       else
         refuse(check);
       return;
-    case CurveCheck::Stage::done:
-      return;
+    case CurveCheck::Stage::done: return;
   }
 }
 

@@ -33,10 +33,10 @@ void check_channels(const io::Document& document, std::span<const radiometry::Ch
     const double first_um = line ? channel.centre_um : channel.response.first_um(),
                  last_um = line ? channel.centre_um : channel.response.last_um();
     if (first_um >= kShortest_um && last_um <= kLongest_um) continue;
-    throw io::document_error(
-        document, document.sensor.channels[c].position,
-        format("the channel '{}' reaches from {:.4g} to {:.4g} um, and the modelled atmosphere from {:g} to {:g} um",
-               channel.name, first_um, last_um, kShortest_um, kLongest_um));
+    throw io::document_error(document, document.sensor.channels[c].position,
+                             format("the channel '{}' reaches from {:.4g} to {:.4g} um, and the modelled "
+                                    "atmosphere from {:g} to {:g} um",
+                                    channel.name, first_um, last_um, kShortest_um, kLongest_um));
   }
 }
 
@@ -56,11 +56,12 @@ atmosphere::SensorGeometry sensor_geometry(const io::Document& document, const s
   const math::Vec3 up = -ray.direction;
   geometry.view_zenith_rad = std::acos(std::clamp(up.z, -1.0, 1.0));
   if (!(geometry.view_zenith_rad <= kLowestView_rad))
-    throw io::document_error(
-        document, document.sensor.camera.position,
-        format("under a modelled atmosphere the camera must look down, at most {:.0f} degrees from the nadir; the middle "
-               "of its image looks {:.1f} degrees away",
-               kLowestView_rad * 180.0 / std::numbers::pi, geometry.view_zenith_rad * 180.0 / std::numbers::pi));
+    throw io::document_error(document, document.sensor.camera.position,
+                             format("under a modelled atmosphere the camera must look down, at most {:.0f} "
+                                    "degrees from the nadir; the middle "
+                                    "of its image looks {:.1f} degrees away",
+                                    kLowestView_rad * 180.0 / std::numbers::pi,
+                                    geometry.view_zenith_rad * 180.0 / std::numbers::pi));
   if (sun && sun->direction.z > 0.0) {
     const math::Vec3 towards = sun->direction;
     geometry.sun_zenith_rad = std::acos(std::clamp(towards.z, -1.0, 1.0));
@@ -111,23 +112,24 @@ atmosphere::SightRange sight_range(const sensor::Camera& camera, const std::opti
   return range;
 }
 
-std::string narrow_channels(std::span<const radiometry::Channel> channels, const std::vector<std::size_t>& narrow) {
+std::string narrow_channels(std::span<const radiometry::Channel> channels,
+                            const std::vector<std::size_t>& narrow) {
   if (narrow.empty()) return {};
   std::string names;
   constexpr std::size_t kNamed = 4;
   for (std::size_t k = 0; k < std::min(kNamed, narrow.size()); ++k)
     names += format("{}'{}'", k == 0 ? "" : ", ", channels[narrow[k]].name);
   if (narrow.size() > kNamed) names += format(" and {} more", narrow.size() - kNamed);
-  return format("channels narrower than the {:g} cm-1 that the atmosphere's band model resolves: {}; their absorption "
-                "is that of a channel of this width (wider channels, or spectra from a line-by-line code under "
-                "'tabulated', are right)",
-                atmosphere::kResolution_cm1, names);
+  return format(
+      "channels narrower than the {:g} cm-1 that the atmosphere's band model resolves: {}; their absorption "
+      "is that of a channel of this width (wider channels, or spectra from a line-by-line code under "
+      "'tabulated', are right)",
+      atmosphere::kResolution_cm1, names);
 }
 
-std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(const AirSubject& subject,
-                                                                  std::span<const radiometry::Spectrum> surfaces,
-                                                                  radiometry::NodeDemands demands,
-                                                                  const AtmosphereWork& work) {
+std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
+    const AirSubject& subject, std::span<const radiometry::Spectrum> surfaces,
+    radiometry::NodeDemands demands, const AtmosphereWork& work) {
   const io::Document& document = subject.document;
   check_channels(document, subject.channels);
   return with_position(document, document.atmosphere.position, [&] {
@@ -139,12 +141,14 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(const AirSubje
     inputs.demands = demands;
     inputs.demands.most_nodes = std::clamp(kMostColumns / subject.channels.size(), kUsualNodes, kMostNodes);
     inputs.demands.tolerance = inputs.demands.most_nodes > kUsualNodes
-                                   ? std::max(kFinest, node_tolerance(subject.scene, subject.channels, subject.request, kNodeTolerance))
+                                   ? std::max(kFinest, node_tolerance(subject.scene, subject.channels,
+                                                                      subject.request, kNodeTolerance))
                                    : kNodeTolerance;
-    inputs.geometry = sensor_geometry(document, subject.camera, subject.scene.sun,
-                                      column.levels().altitude_km.front());
-    inputs.sights.emplace(sight_range(subject.camera, subject.scene.sun, subject.scene.world->heights().high_m),
-                          column.levels());
+    inputs.geometry =
+        sensor_geometry(document, subject.camera, subject.scene.sun, column.levels().altitude_km.front());
+    inputs.sights.emplace(
+        sight_range(subject.camera, subject.scene.sun, subject.scene.world->heights().high_m),
+        column.levels());
     inputs.with_errors = true;
     inputs.ground = subject.scene.materials[subject.scene.surroundings.material].reflectance;
     inputs.threads = work.threads;

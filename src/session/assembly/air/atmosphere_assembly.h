@@ -35,7 +35,8 @@ atmosphere::SightRange sight_range(const sensor::Camera& camera, const std::opti
                                    double highest_m);
 
 /// The warning about channels (by index) that are narrower than the band model resolves; empty without any.
-std::string narrow_channels(std::span<const radiometry::Channel> channels, const std::vector<std::size_t>& narrow);
+std::string narrow_channels(std::span<const radiometry::Channel> channels,
+                            const std::vector<std::size_t>& narrow);
 
 /// How an atmosphere is worked out; the pointers may be null.
 struct AtmosphereWork {
@@ -47,9 +48,8 @@ struct AtmosphereWork {
 
 /// The document's modelled atmosphere as the channels of its sensor see it from its camera. `surfaces` and `demands`
 /// as for radiometry::SpectralNodes::build. Throws InputError, at the place in the document.
-std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(const AirSubject& subject,
-                                                                  std::span<const radiometry::Spectrum> surfaces,
-                                                                  radiometry::NodeDemands demands,
-                                                                  const AtmosphereWork& work);
+std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
+    const AirSubject& subject, std::span<const radiometry::Spectrum> surfaces,
+    radiometry::NodeDemands demands, const AtmosphereWork& work);
 
 }  // namespace ifov::session

@@ -13,8 +13,8 @@ constexpr double kShare = 0.1, kLeast = 2e-5;
 constexpr double kWarm_k = 300.0;
 
 /// What is asked for as a share of a radiance, in one channel.
-double relative(const scene::Scene& scene, const radiometry::Channel& channel, const render::AccuracyRequest& request,
-                std::size_t c) {
+double relative(const scene::Scene& scene, const radiometry::Channel& channel,
+                const render::AccuracyRequest& request, std::size_t c) {
   const scene::TemperatureRange emitted = scene.temperatures().value_or(scene::TemperatureRange{});
   const double hottest_k = std::max(kWarm_k, emitted.hottest_k);
   const double warm = radiometry::channel_planck_w_m2_sr_um(channel, hottest_k);
@@ -22,14 +22,11 @@ double relative(const scene::Scene& scene, const radiometry::Channel& channel, c
   const double white = sunlit / std::numbers::pi + warm;
   switch (request.unit) {
     case render::ErrorUnit::percent:
-    case render::ErrorUnit::reflectance:
-      return request.error;
+    case render::ErrorUnit::reflectance: return request.error;
     case render::ErrorUnit::kelvin:
       return request.error * radiometry::channel_planck_slope_w_m2_sr_um_k(channel, hottest_k) / warm;
-    case render::ErrorUnit::radiance:
-      return request.error / white;
-    case render::ErrorUnit::noise:
-      return request.error * request.noise_w_m2_sr_um[c] / white;
+    case render::ErrorUnit::radiance: return request.error / white;
+    case render::ErrorUnit::noise: return request.error * request.noise_w_m2_sr_um[c] / white;
   }
   return 1.0;
 }
@@ -43,7 +40,8 @@ double node_tolerance(const scene::Scene& scene, std::span<const radiometry::Cha
   double least = usual;
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const bool judged = request.channels.empty() ||
-                        std::find(request.channels.begin(), request.channels.end(), static_cast<int>(c)) != request.channels.end();
+                        std::find(request.channels.begin(), request.channels.end(), static_cast<int>(c)) !=
+                            request.channels.end();
     if (judged) least = std::min(least, kShare * relative(scene, channels[c], request, c));
   }
   return std::max(least, kLeast);

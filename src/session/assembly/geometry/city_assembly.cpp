@@ -48,14 +48,46 @@ std::vector<std::uint32_t> materials_of(const io::ObjectDocument& object, const 
 }
 
 /// Types of objects and of surfaces in CityJSON 2.0: rules may name what this model has none of.
-constexpr const char* kTypes[] = {
-    "Bridge", "BridgePart", "Building", "BuildingPart", "CityFurniture", "GenericCityObject", "LandUse", "OtherConstruction",
-    "PlantCover", "Railway", "Road", "SolitaryVegetationObject", "TINRelief", "TransportSquare", "Tunnel", "TunnelPart",
-    "WaterBody", "Waterway", "AuxiliaryTrafficArea", "CeilingSurface", "ClosureSurface", "Door", "FloorSurface", "GroundSurface",
-    "InteriorWallSurface", "OuterCeilingSurface", "OuterFloorSurface", "RoofSurface", "TrafficArea", "TransportationHole",
-    "TransportationMarking", "WallSurface", "WaterClosureSurface", "WaterGroundSurface", "WaterSurface", "Window", "other"};
+constexpr const char* kTypes[] = {"Bridge",
+                                  "BridgePart",
+                                  "Building",
+                                  "BuildingPart",
+                                  "CityFurniture",
+                                  "GenericCityObject",
+                                  "LandUse",
+                                  "OtherConstruction",
+                                  "PlantCover",
+                                  "Railway",
+                                  "Road",
+                                  "SolitaryVegetationObject",
+                                  "TINRelief",
+                                  "TransportSquare",
+                                  "Tunnel",
+                                  "TunnelPart",
+                                  "WaterBody",
+                                  "Waterway",
+                                  "AuxiliaryTrafficArea",
+                                  "CeilingSurface",
+                                  "ClosureSurface",
+                                  "Door",
+                                  "FloorSurface",
+                                  "GroundSurface",
+                                  "InteriorWallSurface",
+                                  "OuterCeilingSurface",
+                                  "OuterFloorSurface",
+                                  "RoofSurface",
+                                  "TrafficArea",
+                                  "TransportationHole",
+                                  "TransportationMarking",
+                                  "WallSurface",
+                                  "WaterClosureSurface",
+                                  "WaterGroundSurface",
+                                  "WaterSurface",
+                                  "Window",
+                                  "other"};
 
-void warn_of_misspelt_rules(const std::string& file, const io::MaterialSlots& given, const io::CityModel& model, LogSink& log) {
+void warn_of_misspelt_rules(const std::string& file, const io::MaterialSlots& given,
+                            const io::CityModel& model, LogSink& log) {
   std::set<std::string> known(std::begin(kTypes), std::end(kTypes));
   for (const io::CityObject& thing : model.objects) {
     known.insert(thing.type);
@@ -66,7 +98,8 @@ void warn_of_misspelt_rules(const std::string& file, const io::MaterialSlots& gi
     if (known.contains(entry.first) || entry.first.find_first_of("[/") != std::string::npos) continue;
     const std::string guess = nearest_name(entry.first, names);
     if (!guess.empty())
-      log.warn(format("city '{}': 'slots' has '{}', which no surface is; is '{}' meant?", file, entry.first, guess));
+      log.warn(format("city '{}': 'slots' has '{}', which no surface is; is '{}' meant?", file, entry.first,
+                      guess));
   }
 }
 
@@ -139,9 +172,11 @@ void place_city(const io::Document& document, const io::ObjectDocument& object,
       const math::Point3 before = read.low;
       take_over(read, *scene_from_file);
       if (log != nullptr)
-        log->info(format("city '{}': its file says {}, the scene '{}': taken from east {:.3f}, north {:.3f} to east {:.3f}, "
-                         "north {:.3f} m (its lower left corner)",
-                         shape.file.path, code, frame.reference()->name(), before.x, before.y, read.low.x, read.low.y));
+        log->info(format(
+            "city '{}': its file says {}, the scene '{}': taken from east {:.3f}, north {:.3f} to east "
+            "{:.3f}, "
+            "north {:.3f} m (its lower left corner)",
+            shape.file.path, code, frame.reference()->name(), before.x, before.y, read.low.x, read.low.y));
     }
     return read;
   });

@@ -183,10 +183,11 @@ class GeometryAssembly {
     if (many == nullptr) return nullptr;
     const auto file = many->binary ? many->binary : many->csv;
     if (file) {
-      const auto list = with_position(document_, file->position, [&]() -> std::shared_ptr<const geometry::Placings> {
-        if (many->binary) return std::make_shared<io::InstanceFile>(file->path);
-        return cached_instances(cache_, {file->path}, [&] { return io::read_instance_csv(file->path); });
-      });
+      const auto list =
+          with_position(document_, file->position, [&]() -> std::shared_ptr<const geometry::Placings> {
+            if (many->binary) return std::make_shared<io::InstanceFile>(file->path);
+            return cached_instances(cache_, {file->path}, [&] { return io::read_instance_csv(file->path); });
+          });
       if (list->count() == 0 && log_ != nullptr)
         log_->warn(format("'{}' holds no copies: nothing is placed", file->path));
       return list;
@@ -217,8 +218,8 @@ class GeometryAssembly {
 }  // namespace
 
 std::unique_ptr<geometry::World> assemble_geometry(const io::Document& document, CoveringAssembly& coverings,
-                                                   const MapFrame& frame, LogSink* log,
-                                                   io::SceneCache* cache, PlacedObjects& placed) {
+                                                   const MapFrame& frame, LogSink* log, io::SceneCache* cache,
+                                                   PlacedObjects& placed) {
   return GeometryAssembly(document, coverings, frame, log, cache).assemble(placed);
 }
 

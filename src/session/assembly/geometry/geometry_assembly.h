@@ -16,7 +16,7 @@ namespace ifov::session {
 /// and lists are kept in `cache` from run to run; it and `log` may be null. Throws InputError with the place
 /// in the document. `placed` takes down which of its objects stand for which of the document's.
 std::unique_ptr<geometry::World> assemble_geometry(const io::Document& document, CoveringAssembly& coverings,
-                                                   const MapFrame& frame, LogSink* log,
-                                                   io::SceneCache* cache, PlacedObjects& placed);
+                                                   const MapFrame& frame, LogSink* log, io::SceneCache* cache,
+                                                   PlacedObjects& placed);
 
 }  // namespace ifov::session

@@ -27,14 +27,16 @@ struct KindOfShape {
 
 std::size_t PlacedObjects::of(std::uint32_t placed) const {
   if (first_.empty() || placed >= first_.back()) return document_objects();
-  return static_cast<std::size_t>(std::upper_bound(first_.begin(), first_.end(), placed) - first_.begin()) - 1;
+  return static_cast<std::size_t>(std::upper_bound(first_.begin(), first_.end(), placed) - first_.begin()) -
+         1;
 }
 
 std::string title_of(const io::Document& document, std::size_t object) {
   if (object >= document.scene.objects.size()) return "an object";
   const io::ObjectDocument& one = document.scene.objects[object];
   if (!one.name.empty()) return format("'{}' (line {})", one.name, one.position.line);
-  return format("scene.objects[{}] (a {}, line {})", object, std::visit(KindOfShape{}, one.shape), one.position.line);
+  return format("scene.objects[{}] (a {}, line {})", object, std::visit(KindOfShape{}, one.shape),
+                one.position.line);
 }
 
 }  // namespace ifov::session

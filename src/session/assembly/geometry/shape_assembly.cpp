@@ -27,9 +27,12 @@ void warn_of_y_up(const std::string& path, const geometry::World::Bounds& b, Log
   if (!(size.y > 0.0) || !(size.z > 0.0) || std::abs(b.low_m.y) > kOnGround * size.y) return;
   constexpr double kFlat = 0.02;  // waves of a water that begins at y = 0
   if (size.z < kFlat * size.y) return;
-  if (b.low_m.z > -kBelow * size.z || b.high_m.z < kBelow * size.z || std::abs(b.low_m.x) <= kOnGround * size.x) return;
-  log.warn(format("mesh '{}' stands on y = 0 and reaches {:.3g} below z = 0: if its y points up, say \"up\": \"y\"",
-                  std::filesystem::path(path).filename().string(), -b.low_m.z));
+  if (b.low_m.z > -kBelow * size.z || b.high_m.z < kBelow * size.z ||
+      std::abs(b.low_m.x) <= kOnGround * size.x)
+    return;
+  log.warn(format(
+      "mesh '{}' stands on y = 0 and reaches {:.3g} below z = 0: if its y points up, say \"up\": \"y\"",
+      std::filesystem::path(path).filename().string(), -b.low_m.z));
 }
 
 }  // namespace
@@ -93,8 +96,9 @@ BuiltShape ShapeAssembly::shape(const io::MeshShape& s) {
 BuiltShape ShapeAssembly::shape(const io::TerrainShape& s) {
   // Its coordinates are about the scene's origin; the object's transform is meant for those of the document.
   return with_position(document_, s.file.position, [&]() -> BuiltShape {
-    return {is_traced_in_raster(s, frame_, use_ == Use::part_of_prototype) ? builder_.add_height_field(assemble_height_field(s, frame_, log_))
-                      : builder_.add_body(assemble_terrain(s, frame_, cache_, log_)),
+    return {is_traced_in_raster(s, frame_, use_ == Use::part_of_prototype)
+                ? builder_.add_height_field(assemble_height_field(s, frame_, log_))
+                : builder_.add_body(assemble_terrain(s, frame_, cache_, log_)),
             math::Transform::translation(document_.scene.origin.offset_m),
             {""}};
   });

@@ -33,7 +33,8 @@ MapFrame::MapFrame(const io::Document& document) {
 std::string map_system(const io::OriginDocument& origin) {
   if (!origin.crs.empty()) return io::MapReference(origin.crs).wkt();
   if (!origin.geographic) return "Arbitrary";
-  return io::MapReference::around(origin.geographic->latitude_rad * kDegrees, origin.geographic->longitude_rad * kDegrees,
+  return io::MapReference::around(origin.geographic->latitude_rad * kDegrees,
+                                  origin.geographic->longitude_rad * kDegrees,
                                   {origin.offset_m.x, origin.offset_m.y})
       .wkt();
 }
@@ -47,9 +48,10 @@ std::unique_ptr<io::MapTransform> MapFrame::transform_from(const std::string& pr
     return std::make_unique<io::MapTransform>(from, *reference_);
   }
   if (from.is_geographic() || (from.is_projected() && from.metres_per_unit() != 1.0))
-    throw InputError(format("'{}' is in '{}', whose coordinates are not metres; give the scene's 'origin' a 'crs' to "
-                            "take it to, such as \"EPSG:25832\"",
-                            raster, from.name()));
+    throw InputError(
+        format("'{}' is in '{}', whose coordinates are not metres; give the scene's 'origin' a 'crs' to "
+               "take it to, such as \"EPSG:25832\"",
+               raster, from.name()));
   return nullptr;
 }
 

@@ -22,7 +22,8 @@ class MapFrame {
 
   /// The way from a raster's reference to the scene's; null where the raster's coordinates are the scene's. Throws
   /// InputError, naming the raster, where it is not in metres and the scene states no reference to take it to.
-  std::unique_ptr<io::MapTransform> transform_from(const std::string& projection, const std::string& raster) const;
+  std::unique_ptr<io::MapTransform> transform_from(const std::string& projection,
+                                                   const std::string& raster) const;
 
  private:
   std::optional<io::MapReference> reference_;

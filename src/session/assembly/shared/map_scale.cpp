@@ -28,17 +28,19 @@ std::vector<std::string> scale_statements(const std::vector<MapScale>& scales, d
     const std::string name = std::filesystem::path(scale.path).filename().string();
     const double small = std::min(scale.cell_width_m, scale.cell_height_m);
     const double large = std::max(scale.cell_width_m, scale.cell_height_m);
-    const std::string cells = small == large ? format("cells of {:.3g} m", small)
-                                             : format("cells of {:.3g} m x {:.3g} m", scale.cell_width_m,
-                                                      scale.cell_height_m);
+    const std::string cells =
+        small == large ? format("cells of {:.3g} m", small)
+                       : format("cells of {:.3g} m x {:.3g} m", scale.cell_width_m, scale.cell_height_m);
     if (large * kMuch < ground_sample_m)
-      add(format("map '{}': {} are {:.3g} times finer than the ground sample of {:.3g} m; what they hold is "
-                             "seen as means of many of them",
-                             name, cells, ground_sample_m / large, ground_sample_m));
+      add(
+          format("map '{}': {} are {:.3g} times finer than the ground sample of {:.3g} m; what they hold is "
+                 "seen as means of many of them",
+                 name, cells, ground_sample_m / large, ground_sample_m));
     else if (small > kMuch * ground_sample_m)
-      add(format("map '{}': {} are {:.3g} times coarser than the ground sample of {:.3g} m; their edges will "
-                             "be seen",
-                             name, cells, small / ground_sample_m, ground_sample_m));
+      add(
+          format("map '{}': {} are {:.3g} times coarser than the ground sample of {:.3g} m; their edges will "
+                 "be seen",
+                 name, cells, small / ground_sample_m, ground_sample_m));
   }
   return lines;
 }

@@ -17,7 +17,8 @@ materials::Tiling tiling_of(io::Tiling tiling) {
 
 }  // namespace
 
-materials::MapGrid grid_of(const io::RasterDocument& source, const io::Raster& raster, const MapFrame& frame) {
+materials::MapGrid grid_of(const io::RasterDocument& source, const io::Raster& raster,
+                           const MapFrame& frame) {
   materials::MapGrid grid;
   grid.width = raster.width;
   grid.height = raster.height;
@@ -42,10 +43,10 @@ materials::MapGrid grid_of(const io::RasterDocument& source, const io::Raster& r
       throw InputError(format("the raster '{}' is not north up; warp it first, or give low_left and size",
                               source.file.path));
     if (frame.transform_from(raster.projection, source.file.path))
-      throw InputError(format("the raster '{}' is in '{}', the scene in '{}'; warp it first (gdalwarp -t_srs), or give "
-                              "low_left and size",
-                              source.file.path, io::MapReference(raster.projection).name(),
-                              frame.reference()->name()));
+      throw InputError(
+          format("the raster '{}' is in '{}', the scene in '{}'; warp it first (gdalwarp -t_srs), or give "
+                 "low_left and size",
+                 source.file.path, io::MapReference(raster.projection).name(), frame.reference()->name()));
     grid.cell_width_m = t[1];
     grid.cell_height_m = -t[5];
     grid.west_m = t[0];

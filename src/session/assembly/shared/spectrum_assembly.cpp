@@ -15,7 +15,8 @@ namespace ifov::session {
 namespace {
 
 radiometry::OutsideRange outside_range(io::OutsideRange outside) {
-  return outside == io::OutsideRange::extend ? radiometry::OutsideRange::extend : radiometry::OutsideRange::error;
+  return outside == io::OutsideRange::extend ? radiometry::OutsideRange::extend
+                                             : radiometry::OutsideRange::error;
 }
 
 /// The two halves of a spectrum, given in either order.
@@ -26,11 +27,14 @@ radiometry::Spectrum joined(const radiometry::Spectrum& one, const radiometry::S
 /// Wavelengths in another unit than the document says.
 void require_optical(const radiometry::Spectrum& read) {
   constexpr double kLongest_um = 150.0, kShortest_um = 0.02;
-  const char* const unit = read.first_um() > kLongest_um ? "nm" : read.last_um() < kShortest_um ? "um" : nullptr;
+  const char* const unit = read.first_um() > kLongest_um   ? "nm"
+                           : read.last_um() < kShortest_um ? "um"
+                                                           : nullptr;
   if (unit != nullptr)
-    throw InputError(format("its wavelengths reach from {:g} to {:g} um: are they {} in the file? Then say \"wavelength_unit\": "
-                            "\"{}\"",
-                            read.first_um(), read.last_um(), unit, unit));
+    throw InputError(format(
+        "its wavelengths reach from {:g} to {:g} um: are they {} in the file? Then say \"wavelength_unit\": "
+        "\"{}\"",
+        read.first_um(), read.last_um(), unit, unit));
 }
 
 struct Assemble {
@@ -52,10 +56,10 @@ struct Assemble {
   /// What was asked for, from what was measured of an opaque sample.
   radiometry::Spectrum of_sample(const radiometry::Spectrum& measured, io::SampleQuantity quantity) const {
     const radiometry::Spectrum values = counted(measured);
-    const bool same = (spectrum.quantity == io::SpectrumOf::reflectance && quantity == io::SampleQuantity::reflectance) ||
-                      (spectrum.quantity == io::SpectrumOf::emissivity && quantity == io::SampleQuantity::emissivity) ||
-                      (spectrum.quantity == io::SpectrumOf::transmittance &&
-                       quantity == io::SampleQuantity::transmittance);
+    const bool same =
+        (spectrum.quantity == io::SpectrumOf::reflectance && quantity == io::SampleQuantity::reflectance) ||
+        (spectrum.quantity == io::SpectrumOf::emissivity && quantity == io::SampleQuantity::emissivity) ||
+        (spectrum.quantity == io::SpectrumOf::transmittance && quantity == io::SampleQuantity::transmittance);
     if (same) return values;
     if (spectrum.quantity == io::SpectrumOf::transmittance || quantity == io::SampleQuantity::transmittance)
       throw InputError(format("the file holds the {} of a sample, which does not give what is asked for",
@@ -91,14 +95,16 @@ struct Assemble {
     for (const io::DocumentFile& file : source.files)
       parts.push_back(from(file, [&] { return io::read_ecostress(file.path).reflectance; }));
     return with_position(document, spectrum.position, [&] {
-      return of_sample(parts.size() == 1 ? parts[0] : joined(parts[0], parts[1]), io::SampleQuantity::reflectance);
+      return of_sample(parts.size() == 1 ? parts[0] : joined(parts[0], parts[1]),
+                       io::SampleQuantity::reflectance);
     });
   }
 
   radiometry::Spectrum operator()(const io::UsgsSpectrum& source) const {
     return from(source.file, [&] {
-      const io::SampleSpectrum read = source.wavelengths ? io::read_usgs(source.file.path, source.wavelengths->path)
-                                                         : io::read_usgs(source.file.path);
+      const io::SampleSpectrum read = source.wavelengths
+                                          ? io::read_usgs(source.file.path, source.wavelengths->path)
+                                          : io::read_usgs(source.file.path);
       return of_sample(read.values, read.quantity);
     });
   }
@@ -113,7 +119,8 @@ struct Assemble {
   radiometry::Spectrum operator()(const io::SliSpectrum& source) const {
     return from(source.file, [&] {
       const io::EnviLibrary library = io::read_envi_library(source.file.path);
-      const std::size_t index = std::visit([&](const auto& which) { return library.index_of(which); }, source.which);
+      const std::size_t index =
+          std::visit([&](const auto& which) { return library.index_of(which); }, source.which);
       return counted(library.spectrum(index).scaled(source.scale));
     });
   }
@@ -124,18 +131,22 @@ struct Assemble {
       if (source.curve > static_cast<int>(read.curves.size()))
         throw InputError(format("'{}' has no curve {}; it holds 1 to {}", source.file.path, source.curve,
                                 read.curves.size()));
-      return of_sample(read.curves[static_cast<std::size_t>(source.curve - 1)], io::SampleQuantity::emissivity);
+      return of_sample(read.curves[static_cast<std::size_t>(source.curve - 1)],
+                       io::SampleQuantity::emissivity);
     });
   }
 
   radiometry::Spectrum operator()(const io::LibrarySource& source) const {
     const io::LibraryCurve& curve = io::material_library().find(source.material).curves.at(source.curve);
     if (spectrum.quantity == io::SpectrumOf::emissivity) return curve.emissivity();
-    return spectrum.quantity == io::SpectrumOf::transmittance ? curve.transmittance.value() : curve.reflectance;
+    return spectrum.quantity == io::SpectrumOf::transmittance ? curve.transmittance.value()
+                                                              : curve.reflectance;
   }
 
   radiometry::Spectrum operator()(const io::JoinedSpectrum& source) const {
-    const auto part = [&](const io::SpectrumDocument& one) { return assemble_spectrum(document, one, "a part to join"); };
+    const auto part = [&](const io::SpectrumDocument& one) {
+      return assemble_spectrum(document, one, "a part to join");
+    };
     return joined(part(source.parts[0]), part(source.parts[1]));
   }
 };
@@ -144,9 +155,10 @@ struct Assemble {
 
 radiometry::Spectrum assemble_spectrum(const io::Document& document, const io::SpectrumDocument& spectrum,
                                        const std::string& name) {
-  return with_position(document, spectrum.position, [&] {
-           return std::visit(Assemble{document, spectrum}, spectrum.source);
-         })
+  return with_position(document, spectrum.position,
+                       [&] {
+                         return std::visit(Assemble{document, spectrum}, spectrum.source);
+                       })
       .with_outside(outside_range(spectrum.outside))
       .with_name(name);
 }

@@ -17,7 +17,8 @@ CoveringAssembly::CoveringAssembly(const io::Document& document, const MapFrame&
   add_materials();
 }
 
-void CoveringAssembly::assemble_scattering(const io::MaterialDocument& source, materials::Material& material) const {
+void CoveringAssembly::assemble_scattering(const io::MaterialDocument& source,
+                                           materials::Material& material) const {
   materials::BsdfInputs inputs{material.reflectance, {}};
   for (const auto& [key, value] : source.scattering.values) {
     if (const double* number = std::get_if<double>(&value))
@@ -40,10 +41,11 @@ void CoveringAssembly::add_materials() {
     materials::Material material;
     material.name = source.name;
     if (source.transmittance)
-      material.transmittance = assemble_spectrum(document_, *source.transmittance,
-                                                 format("transmittance of {}", source.name));
+      material.transmittance =
+          assemble_spectrum(document_, *source.transmittance, format("transmittance of {}", source.name));
     if (source.temperature)
-      if (const double* fixed_k = std::get_if<double>(&source.temperature->value)) material.temperature_k = *fixed_k;
+      if (const double* fixed_k = std::get_if<double>(&source.temperature->value))
+        material.temperature_k = *fixed_k;
     const auto take = [&](const io::SpectrumDocument& curve, const std::string& what) {
       const radiometry::Spectrum spectrum =
           assemble_spectrum(document_, curve, format("{}{}", what, source.name));
@@ -75,8 +77,8 @@ std::uint32_t CoveringAssembly::covering(const io::MaterialBinding& binding, con
       std::string names;
       for (const auto& slot : slots->slots) names += (names.empty() ? "'" : ", '") + slot.first + "'";
       throw io::document_error(document_, binding.position,
-                               format("no material for slot '{}' of the mesh; the slots given are {}", slot_name,
-                                      names.empty() ? "none" : names));
+                               format("no material for slot '{}' of the mesh; the slots given are {}",
+                                      slot_name, names.empty() ? "none" : names));
     }
     surfaces.push_back(surface_of(found->second, temperature));
   } else if (const auto* map = std::get_if<io::MaterialMap>(&binding.value)) {
@@ -84,8 +86,10 @@ std::uint32_t CoveringAssembly::covering(const io::MaterialBinding& binding, con
     for (const auto& entry : map->classes) surfaces.push_back(surface_of(entry.second, temperature));
   } else {
     const io::MixtureDocument& source = std::get<io::MixtureDocument>(binding.value);
-    for (const io::DocumentName& material : source.materials) surfaces.push_back(surface_of(material, temperature));
-    with_position(document_, binding.position, [&] { covering.patterns.push_back(mixture(source, surfaces)); });
+    for (const io::DocumentName& material : source.materials)
+      surfaces.push_back(surface_of(material, temperature));
+    with_position(document_, binding.position,
+                  [&] { covering.patterns.push_back(mixture(source, surfaces)); });
     covering.states.push_back(surfaces[0].state);
   }
   if (covering.states.empty())
@@ -117,12 +121,13 @@ void CoveringAssembly::add_patterns(scene::Covering& covering, const std::vector
         std::vector<scene::TexturePattern::Curve> curves;
         for (std::size_t c = 0; c <= source.further_curves.size(); ++c) {
           const std::uint32_t material =
-              c == 0 ? surface.material : first_further_[surface.material] + static_cast<std::uint32_t>(c - 1);
+              c == 0 ? surface.material
+                     : first_further_[surface.material] + static_cast<std::uint32_t>(c - 1);
           spectra.push_back(scene_.materials[material].reflectance);
           curves.push_back({state({material, surface.fixed_k}), material});
         }
-        texture = std::make_shared<scene::TexturePattern>(textures_.texture(surface.material, spectra), surface.state,
-                                                          std::move(curves));
+        texture = std::make_shared<scene::TexturePattern>(textures_.texture(surface.material, spectra),
+                                                          surface.state, std::move(curves));
       }
       append(textures, texture);
     }
@@ -134,20 +139,24 @@ void CoveringAssembly::add_patterns(scene::Covering& covering, const std::vector
 
 std::shared_ptr<const materials::ClassMap> CoveringAssembly::class_map(const io::MaterialMap& map) {
   std::string classes_text;
-  for (const auto& entry : map.classes) classes_text += format("{}{}", classes_text.empty() ? "" : ", ", entry.first);
+  for (const auto& entry : map.classes)
+    classes_text += format("{}{}", classes_text.empty() ? "" : ", ", entry.first);
   std::shared_ptr<const materials::ClassMap>& shared = class_maps_[key_of(map.raster, classes_text)];
   if (shared) return shared;
   const io::Raster& raster = textures_.read(map.raster);
-  std::vector<std::uint16_t> classes(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height));
+  std::vector<std::uint16_t> classes(static_cast<std::size_t>(raster.width) *
+                                     static_cast<std::size_t>(raster.height));
   for (int row = 0; row < raster.height; ++row)
     for (int column = 0; column < raster.width; ++column) {
       const float value = raster.at(0, row, column);
-      const auto found = std::lower_bound(
-          map.classes.begin(), map.classes.end(), value,
-          [](const auto& entry, float v) { return static_cast<double>(entry.first) < static_cast<double>(v); });
+      const auto found =
+          std::lower_bound(map.classes.begin(), map.classes.end(), value, [](const auto& entry, float v) {
+            return static_cast<double>(entry.first) < static_cast<double>(v);
+          });
       if (found == map.classes.end() || static_cast<double>(found->first) != static_cast<double>(value))
-        throw InputError(format("class {} at row {}, column {} of '{}' has no material; the classes given are {}",
-                                value, row + 1, column + 1, map.raster.file.path, classes_text));
+        throw InputError(
+            format("class {} at row {}, column {} of '{}' has no material; the classes given are {}", value,
+                   row + 1, column + 1, map.raster.file.path, classes_text));
       classes[static_cast<std::size_t>(row) * static_cast<std::size_t>(raster.width) +
               static_cast<std::size_t>(column)] = static_cast<std::uint16_t>(found - map.classes.begin());
     }
@@ -163,7 +172,8 @@ CoveringAssembly::Pattern CoveringAssembly::mixture(const io::MixtureDocument& s
   if (!map) {
     const io::Raster& raster = textures_.read(source.raster);
     if (static_cast<std::size_t>(raster.bands) != surfaces.size())
-      throw InputError(format("'{}' has {} bands; 'materials' names {}", path, raster.bands, surfaces.size()));
+      throw InputError(
+          format("'{}' has {} bands; 'materials' names {}", path, raster.bands, surfaces.size()));
     try {
       map = std::make_shared<materials::MixtureMap>(textures_.grid(source.raster, raster), surfaces.size(),
                                                     raster.values);
@@ -173,14 +183,16 @@ CoveringAssembly::Pattern CoveringAssembly::mixture(const io::MixtureDocument& s
     const materials::MixtureMap::Report& report = map->report();
     const std::string name = std::filesystem::path(path).filename().string();
     if (log_ != nullptr && report.rescaled > 0)
-      log_->warn(format("mixture '{}': the fractions of {} of {} cells sum to something else than 1 ({:.3g} to {:.3g}) "
-                        "and are rescaled",
-                        name, report.rescaled, map->grid().cell_count(), report.lowest_sum, report.highest_sum));
+      log_->warn(format(
+          "mixture '{}': the fractions of {} of {} cells sum to something else than 1 ({:.3g} to {:.3g}) "
+          "and are rescaled",
+          name, report.rescaled, map->grid().cell_count(), report.lowest_sum, report.highest_sum));
     if (log_ != nullptr && report.shortened > 0)
-      log_->warn(format("mixture '{}': {} of {} cells hold more than {} materials; the largest stay, and up to {:.3g} % "
-                        "of a cell goes to them",
-                        name, report.shortened, map->grid().cell_count(), materials::MixtureMap::kMost,
-                        100.0 * report.largest_loss));
+      log_->warn(format(
+          "mixture '{}': {} of {} cells hold more than {} materials; the largest stay, and up to {:.3g} % "
+          "of a cell goes to them",
+          name, report.shortened, map->grid().cell_count(), materials::MixtureMap::kMost,
+          100.0 * report.largest_loss));
   }
   std::string key = format("mixture {}", static_cast<const void*>(map.get()));
   std::vector<scene::MixturePattern::Part> parts;
@@ -193,8 +205,8 @@ CoveringAssembly::Pattern CoveringAssembly::mixture(const io::MixtureDocument& s
   return pattern;
 }
 
-CoveringAssembly::Surface CoveringAssembly::surface_of(const io::DocumentName& material,
-                                                       const std::optional<io::TemperatureDocument>& temperature) {
+CoveringAssembly::Surface CoveringAssembly::surface_of(
+    const io::DocumentName& material, const std::optional<io::TemperatureDocument>& temperature) {
   Surface surface;
   surface.material = material_index(material.name);
   const std::optional<io::TemperatureDocument>& source =
@@ -203,14 +215,16 @@ CoveringAssembly::Surface CoveringAssembly::surface_of(const io::DocumentName& m
     if (const double* fixed_k = std::get_if<double>(&source->value))
       surface.fixed_k = *fixed_k;
     else
-      with_position(document_, source->position,
-                    [&] { surface.temperature = temperature_map(std::get<io::TemperatureMap>(source->value)); });
+      with_position(document_, source->position, [&] {
+        surface.temperature = temperature_map(std::get<io::TemperatureMap>(source->value));
+      });
   }
   surface.state = state({surface.material, surface.fixed_k});
   return surface;
 }
 
-std::shared_ptr<const materials::TemperatureMap> CoveringAssembly::temperature_map(const io::TemperatureMap& map) {
+std::shared_ptr<const materials::TemperatureMap> CoveringAssembly::temperature_map(
+    const io::TemperatureMap& map) {
   std::shared_ptr<const materials::TemperatureMap>& shared =
       temperature_maps_[key_of(map.raster, format("{}", map.offset_k))];
   if (shared) return shared;
@@ -219,23 +233,29 @@ std::shared_ptr<const materials::TemperatureMap> CoveringAssembly::temperature_m
   std::vector<float> temperature_k;
   std::size_t unknown = 0;
   for (const float number : numbers) {
-    const bool missing = !std::isfinite(number) || (raster.nodata && number == static_cast<float>(*raster.nodata));
+    const bool missing =
+        !std::isfinite(number) || (raster.nodata && number == static_cast<float>(*raster.nodata));
     unknown += missing;
-    temperature_k.push_back(missing ? std::numeric_limits<float>::quiet_NaN() : number + static_cast<float>(map.offset_k));
+    temperature_k.push_back(missing ? std::numeric_limits<float>::quiet_NaN()
+                                    : number + static_cast<float>(map.offset_k));
   }
   const std::string& path = map.raster.file.path;
   if (unknown == numbers.size()) throw InputError(format("'{}': no cell has a temperature", path));
   if (unknown > 0) {
     io::fill_unknown(temperature_k, raster.width, raster.height, path);
     if (log_ != nullptr)
-      log_->warn(format("temperature map '{}': {} of {} cells hold no number and take the mean of their nearest neighbours",
-                        std::filesystem::path(path).filename().string(), unknown, numbers.size()));
+      log_->warn(format(
+          "temperature map '{}': {} of {} cells hold no number and take the mean of their nearest neighbours",
+          std::filesystem::path(path).filename().string(), unknown, numbers.size()));
   }
   try {
-    shared = std::make_shared<materials::TemperatureMap>(textures_.grid(map.raster, raster), std::move(temperature_k));
+    shared = std::make_shared<materials::TemperatureMap>(textures_.grid(map.raster, raster),
+                                                         std::move(temperature_k));
   } catch (const InputError& error) {
-    throw InputError(format("'{}': {}. If it stands for cells without a temperature, declare it as the file's nodata value "
-                            "(gdal_edit.py -a_nodata)", path, error.what()));
+    throw InputError(format(
+        "'{}': {}. If it stands for cells without a temperature, declare it as the file's nodata value "
+        "(gdal_edit.py -a_nodata)",
+        path, error.what()));
   }
   return shared;
 }

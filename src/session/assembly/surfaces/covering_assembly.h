@@ -50,7 +50,8 @@ class CoveringAssembly {
   /// The model of a material whose reflectance is known.
   void assemble_scattering(const io::MaterialDocument& source, materials::Material& material) const;
   std::uint32_t material_index(const std::string& name) const;
-  Surface surface_of(const io::DocumentName& material, const std::optional<io::TemperatureDocument>& temperature);
+  Surface surface_of(const io::DocumentName& material,
+                     const std::optional<io::TemperatureDocument>& temperature);
   std::shared_ptr<const materials::TemperatureMap> temperature_map(const io::TemperatureMap& map);
   std::uint32_t state(scene::SurfaceState wanted);
   std::shared_ptr<const materials::ClassMap> class_map(const io::MaterialMap& map);
@@ -62,7 +63,8 @@ class CoveringAssembly {
   scene::Scene& scene_;
   LogSink* log_;
   TextureAssembly textures_;
-  std::vector<std::uint32_t> first_further_;  ///< by material of the document: the first of its further curves
+  std::vector<std::uint32_t>
+      first_further_;  ///< by material of the document: the first of its further curves
   std::map<std::string, std::shared_ptr<const materials::TemperatureMap>> temperature_maps_;
   std::map<std::string, std::shared_ptr<const materials::ClassMap>> class_maps_;
   std::map<std::string, std::shared_ptr<const materials::MixtureMap>> mixture_maps_;

@@ -11,15 +11,21 @@ namespace ifov::session {
 materials::MapGrid TextureAssembly::grid(const io::RasterDocument& source, const io::Raster& raster) {
   const materials::MapGrid grid = grid_of(source, raster, frame_);
   if (grid.by == materials::MapBy::place) {
-    const MapScale scale{source.file.path, grid.cell_width_m,           grid.cell_height_m,
-                         grid.west_m,      grid.north_m,                grid.width * grid.cell_width_m,
-                         grid.height * grid.cell_height_m, grid.tiling != materials::Tiling::edge};
+    const MapScale scale{source.file.path,
+                         grid.cell_width_m,
+                         grid.cell_height_m,
+                         grid.west_m,
+                         grid.north_m,
+                         grid.width * grid.cell_width_m,
+                         grid.height * grid.cell_height_m,
+                         grid.tiling != materials::Tiling::edge};
     if (std::find(scales_.begin(), scales_.end(), scale) == scales_.end()) scales_.push_back(scale);
   }
   return grid;
 }
 
-materials::TextureMap::Image TextureAssembly::image(const io::TextureImage& source, const std::string& material) {
+materials::TextureMap::Image TextureAssembly::image(const io::TextureImage& source,
+                                                    const std::string& material) {
   return with_position(document_, source.raster.file.position, [&] {
     const io::Raster& raster = read(source.raster);
     const std::string& path = source.raster.file.path;
@@ -33,15 +39,16 @@ materials::TextureMap::Image TextureAssembly::image(const io::TextureImage& sour
       const std::string name = std::filesystem::path(path).filename().string();
       const auto warn_clipped = [&](double share, double number) {
         if (share > 0.0)
-          log_->warn(format("texture '{}' of material '{}': {:.1f} % of the cells hold the number {:g} at the end of the "
-                            "histogram, which looks clipped; they all take the same curve",
-                            name, material, 100.0 * share, number));
+          log_->warn(format(
+              "texture '{}' of material '{}': {:.1f} % of the cells hold the number {:g} at the end of the "
+              "histogram, which looks clipped; they all take the same curve",
+              name, material, 100.0 * share, number));
       };
       warn_clipped(scores.clipped_low, scores.lowest);
       warn_clipped(scores.clipped_high, scores.highest);
       if (scores.unknown > 0)
-        log_->warn(format("texture '{}' of material '{}': {} cells hold no number and take the mean", name, material,
-                          scores.unknown));
+        log_->warn(format("texture '{}' of material '{}': {} cells hold no number and take the mean", name,
+                          material, scores.unknown));
     }
     return materials::TextureMap::Image{grid(source.raster, raster), std::move(scores.scores)};
   });

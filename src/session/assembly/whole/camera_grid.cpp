@@ -3,7 +3,8 @@
 namespace ifov::session {
 
 std::vector<geometry::SurfacePoint> hits_of_camera(const geometry::World& world, const sensor::Camera& camera,
-                                                   int across, std::vector<math::Ray>* rays, double margin_px) {
+                                                   int across, std::vector<math::Ray>* rays,
+                                                   double margin_px) {
   std::vector<sampling::FocalPoint> points;
   for (int j = 0; j < across; ++j)
     for (int i = 0; i < across; ++i)

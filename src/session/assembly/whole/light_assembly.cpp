@@ -16,7 +16,8 @@ namespace {
 
 /// DIRSIG's simple atmosphere: a blackbody scaled so that a surface that faces it has what it gets on a clear day.
 radiometry::Spectrum simple_sunlight() {
-  constexpr double kTemperature_k = 5800.0, kClearDay_w_m2 = 1000.0, kStefanBoltzmann_w_m2_k4 = 5.670374419e-8;
+  constexpr double kTemperature_k = 5800.0, kClearDay_w_m2 = 1000.0,
+                   kStefanBoltzmann_w_m2_k4 = 5.670374419e-8;
   constexpr double kFirst_um = 0.2, kLast_um = 50.0;
   constexpr int kSteps = 600;
   const double scale =
@@ -44,8 +45,8 @@ math::Vec3 towards(const io::CelestialDirection& direction) {
 
 void dim_by_table(const io::Document& document, scene::Sun& sun) {
   if (document.atmosphere.tabulated && document.atmosphere.tabulated->sun_transmittance)
-    sun.transmittance =
-        assemble_spectrum(document, *document.atmosphere.tabulated->sun_transmittance, "transmittance to the Sun");
+    sun.transmittance = assemble_spectrum(document, *document.atmosphere.tabulated->sun_transmittance,
+                                          "transmittance to the Sun");
 }
 
 scene::Sun assemble_sun(const io::Document& document, const io::SunDocument& source) {
@@ -55,9 +56,8 @@ scene::Sun assemble_sun(const io::Document& document, const io::SunDocument& sou
   if (source.direction) sun.direction = towards(*source.direction);
   if (document.time && document.scene.origin.geographic) {
     const io::OriginDocument& origin = document.scene.origin;
-    const geodesy::SunPosition position =
-        geodesy::sun_position(*document.time, origin.geographic->latitude_rad, origin.geographic->longitude_rad,
-                              origin.height_m);
+    const geodesy::SunPosition position = geodesy::sun_position(
+        *document.time, origin.geographic->latitude_rad, origin.geographic->longitude_rad, origin.height_m);
     if (!source.direction) sun.direction = position.direction_enu;
     distance_au = position.distance_au;
   } else if (document.time) {
@@ -68,9 +68,9 @@ scene::Sun assemble_sun(const io::Document& document, const io::SunDocument& sou
     sun.irradiance = *at_ground;
     return sun;
   }
-  const radiometry::Spectrum at_1au = source.irradiance
-                                          ? assemble_spectrum(document, *source.irradiance, "irradiance of the Sun")
-                                          : radiometry::solar_irradiance_1au();
+  const radiometry::Spectrum at_1au =
+      source.irradiance ? assemble_spectrum(document, *source.irradiance, "irradiance of the Sun")
+                        : radiometry::solar_irradiance_1au();
   sun.irradiance = at_1au.scaled(1.0 / (distance_au * distance_au));
   dim_by_table(document, sun);
   return sun;
@@ -83,7 +83,8 @@ scene::Sun assemble_moon(const io::Document& document, const io::MoonDocument& s
   if (document.time) {
     const io::OriginDocument& origin = document.scene.origin;
     const auto place = origin.geographic.value_or(io::OriginDocument::Geographic());
-    position = geodesy::moon_position(*document.time, place.latitude_rad, place.longitude_rad, origin.height_m);
+    position =
+        geodesy::moon_position(*document.time, place.latitude_rad, place.longitude_rad, origin.height_m);
   }
   if (source.phase_angle_rad) position.phase_angle_rad = *source.phase_angle_rad;
   scene::Sun moon;
@@ -106,9 +107,12 @@ void assemble_plain_air(const io::Document& document, scene::Scene& scene) {
   const double lengths = curves.distance_m / curves.length_m;
   scene.sky.radiance =
       assemble_spectrum(document, curves.diffuse, "diffuse irradiance").scaled(1.0 / std::numbers::pi);
-  scene.view_path.transmittance = assemble_spectrum(document, curves.transmittance, "transmittance to the sensor")
-                                      .mapped([&](double t) { return std::pow(t, lengths); });
-  scene.view_path.radiance = assemble_spectrum(document, curves.path_radiance, "path radiance").scaled(lengths);
+  scene.view_path.transmittance =
+      assemble_spectrum(document, curves.transmittance, "transmittance to the sensor").mapped([&](double t) {
+        return std::pow(t, lengths);
+      });
+  scene.view_path.radiance =
+      assemble_spectrum(document, curves.path_radiance, "path radiance").scaled(lengths);
 }
 
 }  // namespace
@@ -116,29 +120,35 @@ void assemble_plain_air(const io::Document& document, scene::Scene& scene) {
 void assemble_light(const io::Document& document, scene::Scene& scene) {
   const io::LightDocument& light = document.light;
   if (light.sun)
-    scene.sun = with_position(document, light.sun->position, [&] { return assemble_sun(document, *light.sun); });
+    scene.sun =
+        with_position(document, light.sun->position, [&] { return assemble_sun(document, *light.sun); });
   const bool is_day = scene.sun && scene.sun->direction.z > 0.0;
   if (light.moon && !is_day)
-    scene.sun = with_position(document, light.moon->position, [&] { return assemble_moon(document, *light.moon); });
+    scene.sun =
+        with_position(document, light.moon->position, [&] { return assemble_moon(document, *light.moon); });
 
-  if (const auto* sky = std::get_if<io::SkyTemperature>(&light.sky)) scene.sky.temperature_k = sky->temperature_k;
+  if (const auto* sky = std::get_if<io::SkyTemperature>(&light.sky))
+    scene.sky.temperature_k = sky->temperature_k;
   if (const auto* sky = std::get_if<io::SkyRadiance>(&light.sky))
     scene.sky.radiance = assemble_spectrum(document, sky->radiance, "radiance of the sky");
 
   materials::Material around;
   around.name = "surroundings";
   if (light.surroundings) {
-    const radiometry::Spectrum spectrum = assemble_spectrum(document, light.surroundings->spectrum, around.name);
+    const radiometry::Spectrum spectrum =
+        assemble_spectrum(document, light.surroundings->spectrum, around.name);
     around.reflectance = light.surroundings->is_emissivity ? spectrum.complement() : spectrum;
     around.temperature_k = light.surroundings->temperature_k;
   }
-  scene.surroundings = {static_cast<std::uint32_t>(scene.materials.size()), around.temperature_k.value_or(0.0)};
+  scene.surroundings = {static_cast<std::uint32_t>(scene.materials.size()),
+                        around.temperature_k.value_or(0.0)};
   scene.materials.push_back(std::move(around));
 
   if (document.atmosphere.tabulated) {
     const io::TabulatedAtmosphere& table = *document.atmosphere.tabulated;
     if (table.transmittance)
-      scene.view_path.transmittance = assemble_spectrum(document, *table.transmittance, "transmittance to the sensor");
+      scene.view_path.transmittance =
+          assemble_spectrum(document, *table.transmittance, "transmittance to the sensor");
     if (table.path_radiance)
       scene.view_path.radiance = assemble_spectrum(document, *table.path_radiance, "path radiance");
   }

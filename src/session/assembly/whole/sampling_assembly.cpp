@@ -60,12 +60,14 @@ struct Plan {
         });
       else if (source.noise_k)
         result[c] = *source.noise_k * radiometry::channel_planck_slope_w_m2_sr_um_k(channels[c], kWarm_k);
-      const bool asked = judged.empty() || std::find(judged.begin(), judged.end(), static_cast<int>(c)) != judged.end();
+      const bool asked =
+          judged.empty() || std::find(judged.begin(), judged.end(), static_cast<int>(c)) != judged.end();
       if (asked && !(result[c] > 0.0))
-        throw io::document_error(document, source.position,
-                                 format("the accuracy is stated as a share of the sensor's noise, and channel '{}' has "
-                                        "none above 0: give it 'noise' or 'noise_temperature'",
-                                        source.name));
+        throw io::document_error(
+            document, source.position,
+            format("the accuracy is stated as a share of the sensor's noise, and channel '{}' has "
+                   "none above 0: give it 'noise' or 'noise_temperature'",
+                   source.name));
     }
     return result;
   }
@@ -94,8 +96,9 @@ struct Plan {
     options.relative = source.allowed_difference.unit == io::ErrorSize::Unit::fraction;
     SamplingPlan plan;
     plan.sampler = std::make_unique<sampling::AdaptiveSampler>(options);
-    plan.method = format("adaptive, {} x {} sub-elements, at most {} samples, difference {}", source.sub_columns,
-                         source.sub_rows, source.max_samples, text_of(source.allowed_difference));
+    plan.method =
+        format("adaptive, {} x {} sub-elements, at most {} samples, difference {}", source.sub_columns,
+               source.sub_rows, source.max_samples, text_of(source.allowed_difference));
     plan.drivers = judged(source.channel);
     return plan;
   }
@@ -133,7 +136,8 @@ struct Plan {
 
 }  // namespace
 
-SamplingPlan assemble_sampling(const io::Document& document, const std::vector<radiometry::Channel>& channels) {
+SamplingPlan assemble_sampling(const io::Document& document,
+                               const std::vector<radiometry::Channel>& channels) {
   return std::visit(Plan{document, channels}, document.sampling.method);
 }
 

@@ -18,12 +18,13 @@ struct SamplingPlan {
   std::unique_ptr<sampling::PixelSampler> sampler;
   std::optional<render::AccuracyRequest> request;  ///< only where an accuracy is asked for
   std::string method;                              ///< for people: "grid 10 x 10"
-  std::string accuracy_asked;                      ///< for people: "0.1 K in channel 'B10', at 95 %"; may be empty
+  std::string accuracy_asked;  ///< for people: "0.1 K in channel 'B10', at 95 %"; may be empty
   bool seed_objects = false;
-  bool knows_errors = true;                        ///< false for single rays
+  bool knows_errors = true;  ///< false for single rays
   std::vector<int> drivers;
 };
 
-SamplingPlan assemble_sampling(const io::Document& document, const std::vector<radiometry::Channel>& channels);
+SamplingPlan assemble_sampling(const io::Document& document,
+                               const std::vector<radiometry::Channel>& channels);
 
 }  // namespace ifov::session

@@ -13,12 +13,13 @@ namespace {
 /// What stands in the scene and how it is kept.
 std::string describe(const geometry::World& world) {
   const geometry::World::Storage kept = world.storage();
-  std::string text = format("scene: {} objects, {} triangles, {:.1f} MB", world.object_count(), world.triangle_count(),
-                            static_cast<double>(kept.bytes) / 1e6);
+  std::string text = format("scene: {} objects, {} triangles, {:.1f} MB", world.object_count(),
+                            world.triangle_count(), static_cast<double>(kept.bytes) / 1e6);
   if (kept.instances > 0)
     text += format("; {} instances of {} triangles{}", kept.instances, kept.stored_triangles,
                    kept.instance_table ? " in a table" : "");
-  if (kept.chunks > 0) text += format("; {} chunks of large meshes, each built when a ray comes near", kept.chunks);
+  if (kept.chunks > 0)
+    text += format("; {} chunks of large meshes, each built when a ray comes near", kept.chunks);
   if (kept.prototypes_apart > 0)
     text += format("; {} prototypes of prototypes stand part by part", kept.prototypes_apart);
   return text;

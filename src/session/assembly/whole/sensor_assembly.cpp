@@ -49,11 +49,13 @@ struct BuildCamera {
       const math::Point3 target_m = look->target_m - document.scene.origin.offset_m;
       const math::Vec3 along = math::normalized(target_m - settings.position_m);
       const bool vertical = std::abs(along.z) > 1.0 - 1e-9;
-      const math::Vec3 up = look->up.value_or(vertical ? math::Vec3{0.0, 1.0, 0.0} : math::Vec3{0.0, 0.0, 1.0});
+      const math::Vec3 up =
+          look->up.value_or(vertical ? math::Vec3{0.0, 1.0, 0.0} : math::Vec3{0.0, 0.0, 1.0});
       settings.axes = sensor::axes_looking_at(settings.position_m, target_m, up);
     } else {
       const io::Attitude& attitude = std::get<io::Attitude>(source.orientation);
-      settings.axes = sensor::axes_from_yaw_pitch_roll(attitude.yaw_rad, attitude.pitch_rad, attitude.roll_rad);
+      settings.axes =
+          sensor::axes_from_yaw_pitch_roll(attitude.yaw_rad, attitude.pitch_rad, attitude.roll_rad);
     }
     return std::make_unique<sensor::FrameCamera>(settings);
   }
@@ -100,8 +102,9 @@ struct BuildChannel {
 }  // namespace
 
 std::unique_ptr<sensor::Camera> assemble_camera(const io::Document& document, const scene::Scene& scene) {
-  return with_position(document, document.sensor.camera.position,
-                       [&] { return std::visit(BuildCamera{document, scene}, document.sensor.camera.model); });
+  return with_position(document, document.sensor.camera.position, [&] {
+    return std::visit(BuildCamera{document, scene}, document.sensor.camera.model);
+  });
 }
 
 std::vector<radiometry::Channel> assemble_channels(const io::Document& document) {
@@ -121,12 +124,15 @@ std::unique_ptr<sensor::Psf> assemble_psf(const io::Document& document) {
       psf = sensor::make_gaussian_psf(gaussian->sigma_px);
     } else if (const auto* airy = std::get_if<io::AiryPsf>(&source.psf)) {
       const io::FrameCamera& camera = std::get<io::FrameCamera>(source.camera.model);
-      psf = sensor::make_airy_psf({airy->wavelength_um, airy->aperture_m, camera.focal_length_m, camera.pitch_m});
+      psf = sensor::make_airy_psf(
+          {airy->wavelength_um, airy->aperture_m, camera.focal_length_m, camera.pitch_m});
     } else if (const auto* kernel = std::get_if<io::KernelPsf>(&source.psf)) {
       io::Raster raster = io::read_raster(kernel->file.path);
-      std::vector<double> values(raster.values.begin(),
-                                 raster.values.begin() + static_cast<std::ptrdiff_t>(raster.width) * raster.height);
-      psf = sensor::make_kernel_psf(raster.width, raster.height, std::move(values), kernel->samples_per_pixel);
+      std::vector<double> values(
+          raster.values.begin(),
+          raster.values.begin() + static_cast<std::ptrdiff_t>(raster.width) * raster.height);
+      psf =
+          sensor::make_kernel_psf(raster.width, raster.height, std::move(values), kernel->samples_per_pixel);
     }
     return psf;
   });

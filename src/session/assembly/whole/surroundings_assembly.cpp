@@ -10,9 +10,9 @@
 namespace ifov::session {
 namespace {
 
-constexpr int kAcross = 24;           // rays along each side of the image
-constexpr int kAcrossChunks = 8;      // where each place that is met has a tree of its own to be made
-constexpr std::size_t kNamed = 3;     // materials that the note names
+constexpr int kAcross = 24;        // rays along each side of the image
+constexpr int kAcrossChunks = 8;   // where each place that is met has a tree of its own to be made
+constexpr std::size_t kNamed = 3;  // materials that the note names
 
 /// What of the ground is made of which material, and how warm that is.
 struct Ground {
@@ -23,8 +23,8 @@ struct Ground {
     for (const scene::Constituent& part : scene.resolve(point)) {
       share[part.material] += part.weight;
       area += part.weight;
-      const double temperature_k =
-          part.mapped_temperature_k > 0.0 ? part.mapped_temperature_k : scene.states[part.state].temperature_k;
+      const double temperature_k = part.mapped_temperature_k > 0.0 ? part.mapped_temperature_k
+                                                                   : scene.states[part.state].temperature_k;
       if (!(temperature_k > 0.0)) continue;
       warm_area += part.weight;
       temperature_sum += part.weight * temperature_k;
@@ -74,7 +74,8 @@ radiometry::Spectrum mean_reflectance(const scene::Scene& scene, const Ground& g
 
 std::optional<std::string> assume_surroundings(const io::Document& document, const sensor::Camera& camera,
                                                scene::Scene& scene) {
-  if (document.light.surroundings || !(document.atmosphere.modelled || document.atmosphere.imported)) return std::nullopt;
+  if (document.light.surroundings || !(document.atmosphere.modelled || document.atmosphere.imported))
+    return std::nullopt;
   const Ground ground = ground_in_view(scene, camera);
   if (!(ground.area > 0.0)) return std::nullopt;
   materials::Material& around = scene.materials[scene.surroundings.material];
@@ -96,8 +97,9 @@ std::optional<std::string> assume_surroundings(const io::Document& document, con
     names += format("{}{:.0f} % '{}'", k == 0 ? "" : ", ", -100.0 * parts[k].first, parts[k].second);
   if (parts.size() > kNamed) names += format(" and {} more", parts.size() - kNamed);
   return format("surroundings: none declared; taken as the mean of the ground in the picture ({}), {}", names,
-                scene.surroundings.temperature_k > 0.0 ? format("at {:.1f} K", scene.surroundings.temperature_k)
-                                                       : std::string("which emits nothing"));
+                scene.surroundings.temperature_k > 0.0
+                    ? format("at {:.1f} K", scene.surroundings.temperature_k)
+                    : std::string("which emits nothing"));
 }
 
 }  // namespace ifov::session
