@@ -11,8 +11,8 @@
 #include "core/parallel.h"
 #include "render/glints.h"
 #include "render/object_seeds.h"
-#include "render/pixel_places.h"
 #include "render/tile_grid.h"
+#include "render/truth_layers.h"
 
 namespace ifov::render {
 
@@ -139,7 +139,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     if (glints) glints->add_to(job.footprint, job.tolerance, result);
     widen(job.air, job.tolerance, result);
     if (!job.keep_variances && !job.keep_memory) result.drop_variances();
-    if (job.locate) locate_pixels(*job.scene.scene().world, job.camera, result);
+    add_truth_layers(job.collectors, job.scene.scene(), job.camera, result);
     sink.write(result);
     tally.add(result);
   };

@@ -12,6 +12,7 @@
 #include "render/tile_source.h"
 #include "render/wing_light.h"
 #include "sampling/tile.h"
+#include "truth/collector.h"
 
 namespace ifov::render {
 
@@ -31,11 +32,11 @@ struct RenderJob {
   std::span<const AirHalfWidth> air{};      ///< by channel; empty: the air has no error that is known
   std::span<const NodeHalfWidth> nodes{};   ///< by channel; empty: not known, or in those of the air
   const sensor::PsfWings* wings = nullptr;  ///< of the footprint's PSF; null: it has none
-  double cut = 0.0;                 ///< share of the PSF's energy that is cut off and stands in no wings
-  bool keep_memory = false;         ///< tiles carry what a run at a tighter tolerance can go on from
-  bool keep_variances = true;       ///< else tiles have half-widths alone, unless they are to be gone on from
-  bool locate = false;              ///< tiles say where their pixels lie
-  EarlierTiles* earlier = nullptr;  ///< tiles of a run at a looser tolerance, to go on from
+  double cut = 0.0;            ///< share of the PSF's energy that is cut off and stands in no wings
+  bool keep_memory = false;    ///< tiles carry what a run at a tighter tolerance can go on from
+  bool keep_variances = true;  ///< else tiles have half-widths alone, unless they are to be gone on from
+  std::vector<const truth::Collector*> collectors{};  ///< of what tiles note beside radiance
+  EarlierTiles* earlier = nullptr;                    ///< tiles of a run at a looser tolerance, to go on from
 };
 
 /// How the work is done; the result does not depend on it.

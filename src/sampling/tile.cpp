@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/format.h"
+
 namespace ifov::sampling {
 
 void TileResult::reset(PixelRect tile_pixels, int column_count, bool with_errors) {
@@ -22,7 +24,7 @@ void TileResult::reset(PixelRect tile_pixels, int column_count, bool with_errors
   missable_fraction.assign(pixels, 1.0f);
   abundances.clear();
   border_share.clear();
-  position_m.clear();
+  layers.clear();
   halo_samples = seed_samples = probe_samples = 0;
   rays = {};
   memory.clear();
@@ -48,6 +50,39 @@ void TileResult::drop_variances() {
   border_share = std::move(shares);
   variance_geometry = {};
   variance_path = {};
+}
+
+const TileLayer* TileResult::layer(std::string_view name) const {
+  const auto found =
+      std::find_if(layers.begin(), layers.end(), [&](const TileLayer& layer) { return layer.name == name; });
+  return found == layers.end() ? nullptr : &*found;
+}
+
+std::string TileResult::fault() const {
+  const auto pixels = static_cast<std::size_t>(std::max(tile.count(), 0)),
+             cells = pixels * static_cast<std::size_t>(std::max(columns, 0));
+  std::string text;
+  const auto demand = [&](std::string_view name, std::size_t is, std::size_t wanted) {
+    if (text.empty() && is != wanted) text = format("{} has {} elements, not {}", name, is, wanted);
+  };
+  visit_arrays(*this, [&](const TileArray& array, const auto& values) {
+    using Extent = TileArray::Extent;
+    if (array.extent == Extent::any) return;
+    const bool of_cells = array.extent == Extent::cells || array.extent == Extent::cells_or_none,
+               may_lack = array.extent == Extent::cells_or_none || array.extent == Extent::pixels_or_none;
+    if (!may_lack || !values.empty()) demand(array.name, values.size(), of_cells ? cells : pixels);
+  });
+  for (const TileLayer& layer : layers)
+    demand(layer.name, layer.bytes.size(), pixels * layer.bands * layer.value_bytes);
+  return text;
+}
+
+std::uint64_t TileResult::bytes() const {
+  std::uint64_t sum = 0;
+  visit_arrays(*this,
+               [&](const TileArray&, const auto& values) { sum += sizeof(values[0]) * values.size(); });
+  for (const TileLayer& layer : layers) sum += layer.bytes.size();
+  return sum;
 }
 
 }  // namespace ifov::sampling

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/run_control.h"
@@ -33,16 +35,14 @@ struct TileProblem {
   const PixelFootprint* footprint = nullptr;
   const Tolerance* tolerance = nullptr;  ///< null for samplers that follow no accuracy
   std::span<const int> drivers;  ///< columns that steer decisions (at most some dozens); all are reported
-  std::span<const FocalPoint>
-      seeds;  ///< projected centres of compact objects smaller than a pixel, tile and halo
-  std::span<const std::uint32_t>
-      seed_objects;                     ///< the object of each seed (Field::object_of), where any ray that
-                                        ///< meets it finds all of it, or kNoObject; empty: of none
+  /// Projected centres of compact objects smaller than a pixel, of tile and halo.
+  std::span<const FocalPoint> seeds;
+  /// The object of each seed (Field::object_of), where any ray that meets it finds all of it, or kNoObject; empty: of none.
+  std::span<const std::uint32_t> seed_objects;
   const CancelToken* cancel = nullptr;  ///< throws ifov::Cancelled when set
   bool keep_memory = false;             ///< fill TileResult::memory
-  const TileResult* before =
-      nullptr;  ///< what an earlier run of the same problem left, with its memory, at a
-                ///< tolerance that is looser by a third at least
+  /// What an earlier run of the same problem left, with its memory, at a tolerance that is looser by a third at least.
+  const TileResult* before = nullptr;
 };
 
 /// Share of a pixel's response that falls on one material, with the half-width of its interval.
@@ -53,29 +53,51 @@ struct Abundance {
   float half_width = 0.0f;
 };
 
+/// What was noted of the pixels beside their radiance, of which no sampler knows. Travels with the tile as bytes.
+struct TileLayer {
+  std::string name;
+  std::uint32_t value_bytes = 0, bands = 0;
+  std::vector<std::byte> bytes;  ///< values as [pixel * bands + band]
+
+  template <class Value>
+  std::span<const Value> values() const {
+    return {reinterpret_cast<const Value*>(bytes.data()), bytes.size() / sizeof(Value)};
+  }
+};
+
+/// An array of a tile, for whoever treats all of them alike.
+struct TileArray {
+  /// How many elements it has: of cells (pixels times columns), of pixels, as many as there are; or as said, or none.
+  enum class Extent { cells, cells_or_none, pixels, pixels_or_none, any };
+  std::string_view name;
+  Extent extent = Extent::any;
+  bool in_cubes = false;  ///< its values are those of a cube that every run writes, or can write
+};
+
 /// One flat record per tile. Per-column arrays hold [pixel * columns + column], pixels row by row; the three that
 /// speak of errors are empty where the method says nothing of its error (single ray).
 struct TileResult {
   PixelRect tile;
   int columns = 0;
-  std::vector<float> mean;               ///< the pixel's value: mean over its footprint
-  std::vector<float> variance_geometry;  ///< variance of that mean that comes from where edges lie
-  std::vector<float> variance_path;      ///< and from paths (texture, penumbra, reflections, noise)
-  std::vector<float> border_share;       ///< per pixel, after drop_variances()
-  std::vector<float> half_width;         ///< of the interval at the tolerance's confidence (0.95 without one)
-  std::vector<std::uint32_t> samples;    ///< per pixel: all points queried (labels and values)
-  std::vector<std::uint32_t> label_rays;            ///< of which label queries
-  std::vector<std::uint32_t> radiance_evaluations;  ///< of which value queries
-  std::vector<Reasons> reasons;    ///< why the pixel is not converged; 0 where it is: every judged half-width
-                                   ///< is within its limit and nothing else speaks against it
-  std::vector<float> worst_ratio;  ///< largest half-width over its limit (0 without a tolerance)
-  std::vector<float>
-      missable_fraction;              ///< a compact feature at least this large (fraction of a pixel's area)
-                                      ///< was found with probability >= 0.95
+  /// The pixel's value: mean over its footprint.
+  std::vector<float> mean;
+  /// Variance of that mean that comes from where edges lie, and from paths (texture, penumbra, reflections, noise).
+  std::vector<float> variance_geometry, variance_path;
+  /// Per pixel, after drop_variances().
+  std::vector<float> border_share;
+  /// Of the interval at the tolerance's confidence (0.95 without one).
+  std::vector<float> half_width;
+  /// Per pixel: all points queried (labels and values); of which label queries; of which value queries.
+  std::vector<std::uint32_t> samples, label_rays, radiance_evaluations;
+  /// Why the pixel is not converged; 0 where it is: every judged half-width is within its limit and nothing else
+  /// speaks against it.
+  std::vector<Reasons> reasons;
+  /// Largest half-width over its limit (0 without a tolerance).
+  std::vector<float> worst_ratio;
+  /// A compact feature at least this large (fraction of a pixel's area) was found with probability >= 0.95.
+  std::vector<float> missable_fraction;
   std::vector<Abundance> abundances;  ///< sorted by (pixel, material)
-  std::vector<double>
-      position_m;  ///< x, y, z in the scene of what the ray through the pixel's middle meets, not
-                   ///< numbers where it meets nothing; empty where it was not asked for
+  std::vector<TileLayer> layers;
   std::uint64_t halo_samples = 0;                     ///< points queried outside the tile's own pixels
   std::uint64_t seed_samples = 0, probe_samples = 0;  ///< of all points, by purpose
   RayCounts rays;  ///< as Field::counts(): of this run alone; the other counts include `before`
@@ -93,7 +115,35 @@ struct TileResult {
     reasons[pixel] =
         static_cast<Reasons>(holds ? reasons[pixel] | bit(reason) : reasons[pixel] & ~bit(reason));
   }
+  /// Null where there is none of this name.
+  const TileLayer* layer(std::string_view name) const;
+
+  /// Calls `visit(TileArray, array)` for every array but the layers.
+  template <class Tile, class Visit>
+  static void visit_arrays(Tile& tile, const Visit& visit);
+  /// "mean has 3 elements, not 12": an array or a layer that does not fit pixels and columns; empty where all do.
+  std::string fault() const;
+  /// Of all arrays and layers.
+  std::uint64_t bytes() const;
 };
+
+template <class Tile, class Visit>
+void TileResult::visit_arrays(Tile& tile, const Visit& visit) {
+  using Extent = TileArray::Extent;
+  visit(TileArray{"mean", Extent::cells, true}, tile.mean);
+  visit(TileArray{"half_width", Extent::cells_or_none, true}, tile.half_width);
+  visit(TileArray{"variance_geometry", Extent::cells_or_none}, tile.variance_geometry);
+  visit(TileArray{"variance_path", Extent::cells_or_none}, tile.variance_path);
+  visit(TileArray{"border_share", Extent::pixels_or_none}, tile.border_share);
+  visit(TileArray{"samples", Extent::pixels}, tile.samples);
+  visit(TileArray{"label_rays", Extent::pixels}, tile.label_rays);
+  visit(TileArray{"radiance_evaluations", Extent::pixels}, tile.radiance_evaluations);
+  visit(TileArray{"worst_ratio", Extent::pixels}, tile.worst_ratio);
+  visit(TileArray{"missable_fraction", Extent::pixels}, tile.missable_fraction);
+  visit(TileArray{"reasons", Extent::pixels}, tile.reasons);
+  visit(TileArray{"abundances"}, tile.abundances);
+  visit(TileArray{"memory"}, tile.memory);
+}
 
 /// One way of turning a tile into pixel values.
 class PixelSampler {

@@ -65,6 +65,13 @@ inline void expect_same(const sampling::TileResult& a, const sampling::TileResul
   EXPECT_EQ(std::memcmp(a.abundances.data(), b.abundances.data(),
                         a.abundances.size() * sizeof(sampling::Abundance)),
             0);
+  ASSERT_EQ(a.layers.size(), b.layers.size());
+  for (std::size_t k = 0; k < a.layers.size(); ++k) {
+    EXPECT_EQ(a.layers[k].name, b.layers[k].name);
+    EXPECT_EQ(a.layers[k].value_bytes, b.layers[k].value_bytes);
+    EXPECT_EQ(a.layers[k].bands, b.layers[k].bands);
+    EXPECT_EQ(a.layers[k].bytes, b.layers[k].bytes);
+  }
   EXPECT_EQ(a.halo_samples, b.halo_samples);
   EXPECT_EQ(a.rays.primary, b.rays.primary);
   EXPECT_EQ(a.rays.shadow, b.rays.shadow);

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/products/product_writer.h"
@@ -36,6 +38,13 @@ inline std::string read_all(const std::filesystem::path& path) {
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
+}
+
+/// A layer with these values.
+inline sampling::TileLayer layer_of(std::string_view name, std::uint32_t bands,
+                                    std::span<const double> values) {
+  const auto bytes = std::as_bytes(values);
+  return {std::string(name), sizeof(double), bands, {bytes.begin(), bytes.end()}};
 }
 
 /// Every value of a synthetic image names its place: radiance, counts and fractions are functions of (x, y,

@@ -15,7 +15,10 @@
 #include "io/product_parts/sha256.h"
 #include "io/products/bil_cube.h"
 #include "io/products/envi_reader.h"
+#include "io/quantities/location_quantities.h"
+#include "io/quantities/quality_quantities.h"
 #include "io/synthetic_image.h"
+#include "truth/location.h"
 
 namespace ifov::io {
 namespace {
@@ -27,9 +30,9 @@ ProductOptions options_in(const std::filesystem::path& folder) {
   ProductOptions options;
   options.folder = folder;
   options.name = "demo";
-  options.cubes = ProductSet::all();
-  options.cubes.remove(Product::location);  // the synthetic image has no places
-  options.cubes.remove(Product::view_angles);
+  options.cubes = QuantitySet::all();
+  options.cubes.remove(quantities::kLocation);  // the synthetic image has no places
+  options.cubes.remove(quantities::kViewAngles);
   return options;
 }
 
@@ -315,7 +318,8 @@ TEST(ProductWriter, ProductsCanBeLeftAway) {
   const ScratchFolder folder("few");
   write_image(image, options_in(folder.path()), image.tiles(16));
   ProductOptions options = options_in(folder.path());
-  options.cubes = {Product::samples, Product::quality, Product::reasons, Product::quality_class};
+  options.cubes = {&quantities::kSamples, &quantities::kQuality, &quantities::kReasons,
+                   &quantities::kQualityClass};
   options.quicklook = options.report = false;
   write_image(image, options, image.tiles(16));  // and what the first run left under these names goes
   EXPECT_EQ(
@@ -330,8 +334,7 @@ TEST(ProductWriter, TilesWithoutVariancesMakeTheSameCubes) {
   const SyntheticImage image{20, 11, 3};
   const ScratchFolder whole("with_variances"), bare("without_variances");
   ProductOptions options = options_in(whole.path());
-  options.cubes = usual_products();
-  options.cubes.remove(Product::location);
+  options.cubes = usual_quantities(true);
   write_image(image, options, image.tiles(8));
   options.folder = bare.path();
   ProductWriter writer(options, image.identity());
@@ -353,7 +356,7 @@ TEST(ProductWriter, PlacesAreWrittenInMapCoordinates) {
   const SyntheticImage image{7, 5, 1};
   const ScratchFolder folder("places");
   ProductOptions options = options_in(folder.path());
-  options.cubes = {Product::location, Product::view_angles};
+  options.cubes = {&quantities::kLocation, &quantities::kViewAngles};
   RunIdentity identity = image.identity();
   identity.acquisition.origin_on_map_m = {477000.0, 5474000.0, 100.0};
   identity.acquisition.camera.is_frame = true;
@@ -362,10 +365,12 @@ TEST(ProductWriter, PlacesAreWrittenInMapCoordinates) {
   writer.begin(image.info());
   for (const auto& rect : image.tiles(4)) {
     sampling::TileResult tile = image.tile(rect);
+    std::vector<double> positions;
     for (int y = rect.y0; y < rect.y1; ++y)
       for (int x = rect.x0; x < rect.x1; ++x)
-        tile.position_m.insert(tile.position_m.end(), {x == 0 ? std::nan("") : x + 0.001953125,
-                                                       x == 0 ? std::nan("") : 500.0 * y, 0.0});
+        positions.insert(positions.end(),
+                         {x == 0 ? std::nan("") : x + 0.001953125, x == 0 ? std::nan("") : 500.0 * y, 0.0});
+    tile.layers.push_back(test::layer_of(truth::kLocation.name, 3, positions));
     writer.write(tile);
   }
   writer.finish(image.outcome());

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
 
 #include <atomic>
 #include <cstring>
@@ -8,6 +10,7 @@
 #include <thread>
 
 #include "core/error.h"
+#include "io/quantities/location_quantities.h"
 #include "io/run_of_tiles.h"
 #include "io/run_state/run_state.h"
 #include "io/run_state/tile_packs.h"
@@ -63,18 +66,22 @@ TEST(TileRecord, HoldsAllOfATile) {
   }
 }
 
-TEST(TileRecord, HoldsPlacesAndLeavesVariancesOut) {
+TEST(TileRecord, HoldsLayersAndLeavesVariancesOut) {
   const RunPlan plan = plan_of(kImage);
   const auto grid = plan.grid();
   sampling::TileResult tile = kImage.tile(grid[7]);
-  const std::size_t whole = encode_tile(tile, {7, 11, plan.key(), 2.5}).size();
   tile.drop_variances();
   EXPECT_FLOAT_EQ(tile.share_of_borders(0), 0.75f);
-  for (const bool placed : {false, true}) {
-    if (placed) tile.position_m.assign(3 * tile.samples.size(), 0.1);
+  const std::uint64_t pixels = tile.samples.size();
+  for (const bool noted : {false, true}) {
+    const std::vector<double> values(3 * pixels, 0.1), others(pixels, 0.2);
+    const std::uint64_t before = tile.bytes();
+    if (noted) {
+      tile.layers = {test::layer_of("location", 3, values), test::layer_of("nobody's", 1, others)};
+      EXPECT_EQ(tile.bytes(), before + 4 * 8 * pixels);
+    }
     const auto record = encode_tile(tile, {7, 11, plan.key(), 2.5});
-    EXPECT_EQ(record.size(), whole - 4 * (2 * tile.mean.size() - tile.samples.size()) +
-                                 (placed ? 24 : 0) * tile.samples.size());
+    EXPECT_EQ(record.size(), frame_bytes(tile) + tile.bytes());
     TileHeader header;
     std::memcpy(&header, record.data(), sizeof header);
     EXPECT_EQ(fault_of(header, {plan.key(), kImage.channels, grid}), "");
@@ -82,14 +89,14 @@ TEST(TileRecord, HoldsPlacesAndLeavesVariancesOut) {
     ASSERT_EQ(decode_tile(header, std::span(record).subspan(sizeof header), {}, back), "");
     expect_same(tile, back);
     EXPECT_EQ(back.border_share, tile.border_share);
-    EXPECT_EQ(back.position_m, tile.position_m);
+    EXPECT_EQ(back.layers.size(), noted ? 2u : 0u);
   }
 }
 
 TEST(RunPlan, KeepsWhatProductsSayOfTheAcquisition) {
   RunPlan plan = plan_of(kImage);
   plan.name = "flight_1";
-  plan.cubes = {Product::half_width, Product::location};
+  plan.cubes = {&quantities::kHalfWidth, &quantities::kLocation};
   Acquisition& a = plan.identity.acquisition;
   a.time = "2024-06-21T10:30:00.000Z";
   a.light = {35.0, 140.0, false};
@@ -106,6 +113,31 @@ TEST(RunPlan, KeepsWhatProductsSayOfTheAcquisition) {
   EXPECT_EQ(back.identity.acquisition.light->azimuth_deg, 140.0);
   EXPECT_FALSE(back.identity.acquisition.footprint[0]);
   EXPECT_EQ(back.identity.acquisition.footprint[1]->place->longitude_deg, 8.0);
+}
+
+TEST(TileRecord, ListsThatPromiseTooMuchAreRefused) {
+  const RunPlan plan = plan_of(kImage);
+  const auto grid = plan.grid();
+  const auto record = encode_tile(kImage.tile(grid[0]), {0, 11, plan.key(), 2.5});
+  constexpr std::size_t kValueBytes = 32, kBands = 36, kCount = 40;  // of an entry of the list
+  const auto fault = [&](std::size_t at, std::uint64_t number, std::size_t bytes) {
+    auto changed = record;
+    std::memcpy(changed.data() + sizeof(TileHeader) + at, &number, bytes);
+    TileHeader header;
+    std::memcpy(&header, changed.data(), sizeof header);
+    const std::size_t list = 48 * std::size_t{header.arrays};
+    header.list_hash = XXH3_64bits(changed.data() + sizeof header, list);  // as a stranger would
+    sampling::TileResult back;
+    return decode_tile(header, std::span(changed).subspan(sizeof header), {}, back);
+  };
+  EXPECT_EQ(fault(kCount, kImage.tile(grid[0]).mean.size(), 8), "") << "nothing is changed";
+  for (const std::uint64_t count : {std::uint64_t{1} << 37, std::uint64_t{1} << 62, ~std::uint64_t{0}})
+    EXPECT_EQ(fault(kCount, count, 8), "the checksum of tile 0 is wrong");
+  EXPECT_EQ(fault(kCount, 3, 8), "the checksum of tile 0 is wrong");
+  EXPECT_EQ(fault(kValueBytes, 1 << 30, 4), "the checksum of tile 0 is wrong");
+  EXPECT_NE(fault(kValueBytes, 8, 4), "");
+  EXPECT_NE(fault(kBands, 2, 4), "") << "the mean as a layer";
+  EXPECT_NE(fault(0, 'x', 1), "") << "xean";
 }
 
 TEST(TileRecord, AnyFlippedBitIsNoticed) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/document/document_values.h"
-#include "io/product_parts/product_kinds.h"
+#include "io/quantities/quantity_set.h"
 
 namespace ifov::io {
 
@@ -15,7 +15,7 @@ struct OutputDocument {
   std::string folder;  ///< resolved against the document's folder; by default the document's name with ".out"
   std::string name = "image";  ///< of the products: NAME_radiance.img and so on
   std::vector<ProductFormat> formats{ProductFormat::envi, ProductFormat::png, ProductFormat::html};
-  std::optional<ProductSet> products;  ///< the cubes; absent: those that are usual for the camera
+  std::optional<QuantitySet> products;  ///< the cubes; absent: those that are usual for the camera
   std::vector<DocumentName>
       quicklook_channels;  ///< none, one (grey) or three (red, green, blue); none: chosen
   SourcePosition position;

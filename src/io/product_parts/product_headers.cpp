@@ -1,6 +1,5 @@
 #include "io/product_parts/product_headers.h"
 
-#include <cctype>
 #include <cmath>
 
 #include "core/format.h"
@@ -30,50 +29,35 @@ void add_corners(EnviHeader& header, const Acquisition& acquisition) {
   if (!points.empty()) header.other["geo points"] = points;
 }
 
-std::string capitalised(std::string text) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
-}
-
 }  // namespace
 
-EnviHeader cube_header(const CubeKind& kind, const render::ImageInfo& info, const RunIdentity& identity,
-                       const std::string& statement) {
+EnviHeader image_header(std::string_view what, const render::ImageInfo& info, const RunIdentity& identity,
+                        const std::string& statement) {
   EnviHeader header;
   header.samples = info.width_px;
   header.lines = info.height_px;
-  header.data_type = kind.type;
-  header.data_units = kind.unit.empty() ? info.radiance_unit : kind.unit;
-  header.description = format("{}, made by ifov {} from {}\nseed {}, sampler {}", kind.what, identity.version,
+  header.description = format("{}, made by ifov {} from {}\nseed {}, sampler {}", what, identity.version,
                               identity.document_path, identity.seed, identity.sampler);
   if (!identity.accuracy_asked.empty()) header.description += "\naccuracy asked: " + identity.accuracy_asked;
   if (!statement.empty()) header.description += "\naccuracy reached: " + statement;
-
-  if (kind.spectral) {
-    header.bands = static_cast<int>(info.channels.size());
-    header.wavelength_units = "Micrometers";
-    for (const auto& channel : info.channels) {
-      header.band_names.push_back(channel.name);
-      header.wavelength.push_back(channel.centre_um);
-      header.fwhm.push_back(channel.fwhm_um);
-    }
-    for (const int channel : picture_channels(info)) header.default_bands.push_back(channel + 1);
-  } else {
-    header.bands = static_cast<int>(kind.band_names.size());
-    header.band_names = kind.band_names;
-  }
   if (info.has_map) {
     header.map_info = envi_map_info(info);
     header.coordinate_system = esri_coordinate_system_text(info);
   }
   if (!info.has_map) add_corners(header, identity.acquisition);
   add_acquisition(header, identity.acquisition);
-  if (kind.type == EnviType::float32 || kind.type == EnviType::float64)
-    header.other["data ignore value"] = "nan";
-  if (kind.spectral)
-    header.other["z plot titles"] =
-        format("Wavelength (Micrometers), {} ({})", capitalised(kind.what), header.data_units);
   return header;
+}
+
+void add_channels(EnviHeader& header, const render::ImageInfo& info) {
+  header.bands = static_cast<int>(info.channels.size());
+  header.wavelength_units = "Micrometers";
+  for (const auto& channel : info.channels) {
+    header.band_names.push_back(channel.name);
+    header.wavelength.push_back(channel.centre_um);
+    header.fwhm.push_back(channel.fwhm_um);
+  }
+  for (const int channel : picture_channels(info)) header.default_bands.push_back(channel + 1);
 }
 
 std::string shown_unit(const std::string& unit) {

@@ -1,17 +1,21 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "io/product_parts/cube_kinds.h"
 #include "io/product_parts/envi_header.h"
 #include "io/product_parts/run_record.h"
 
 namespace ifov::io {
 
-/// Header of one cube. `statement` is the accuracy reached, in words.
-EnviHeader cube_header(const CubeKind& kind, const render::ImageInfo& info, const RunIdentity& identity,
-                       const std::string& statement);
+/// Header of an image's cube, without bands and what values are. `what` it holds; `statement` is the accuracy reached,
+/// in words.
+EnviHeader image_header(std::string_view what, const render::ImageInfo& info, const RunIdentity& identity,
+                        const std::string& statement);
+
+/// Makes bands of the image's channels.
+void add_channels(EnviHeader& header, const render::ImageInfo& info);
 
 /// The radiance unit as people write it.
 std::string shown_unit(const std::string& unit);

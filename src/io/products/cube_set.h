@@ -1,15 +1,14 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "io/product_parts/cube_kinds.h"
 #include "io/product_parts/run_record.h"
 #include "io/products/bil_cube.h"
+#include "io/quantities/quantity_set.h"
 
 namespace ifov::io {
 
@@ -18,7 +17,7 @@ class CubeSet {
  public:
   /// Files are <stem>_radiance.img and so on. Reserves the disk space of all cubes, and asks for
   /// `further_bytes` more; leaves nothing behind where that fails but what an earlier start has left.
-  CubeSet(const std::filesystem::path& stem, ProductSet selection, const render::ImageInfo& info,
+  CubeSet(const std::filesystem::path& stem, const QuantitySet& selection, const render::ImageInfo& info,
           const Acquisition& acquisition, std::uint64_t further_bytes,
           PartFile::Left left = PartFile::Left::replace);
 
@@ -41,31 +40,28 @@ class CubeSet {
   void publish();
 
   /// Empty where the selection leaves the cube away.
-  RasterView view(Product product) const;
+  RasterView view(const Quantity& quantity) const;
   std::vector<std::filesystem::path> part_files() const;
   /// Where the cubes would be that the selection leaves away, and their headers.
   std::vector<std::filesystem::path> unselected_files() const;
 
  private:
   struct Cube {
-    Cube(CubeKind cube_kind, const std::filesystem::path& path, const render::ImageInfo& info,
+    Cube(const Quantity& quantity, const std::filesystem::path& path, const render::ImageInfo& info,
          PartFile::Left left);
-    CubeKind kind;
+    const Quantity& quantity;
     BilCube raster;
     std::unique_ptr<PartFile> header;
   };
 
-  const std::unique_ptr<Cube>& cube(Product product) const {
-    return cubes_[static_cast<std::size_t>(product)];
-  }
-  std::vector<Cube*> cubes() const;
-  void require_consistent(const sampling::TileResult& tile) const;
+  /// Null where the selection leaves it away.
+  Cube* cube(const Quantity& quantity) const;
 
   std::filesystem::path stem_;
-  ProductSet selection_;
+  QuantitySet selection_;
   render::ImageInfo info_;
   Acquisition acquisition_;
-  std::array<std::unique_ptr<Cube>, kProductCount> cubes_;
+  std::vector<std::unique_ptr<Cube>> cubes_;
 };
 
 }  // namespace ifov::io

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/error.h"
-#include "io/product_parts/cube_kinds.h"
 #include "io/products/netcdf_map.h"
+#include "io/quantities/quantity_set.h"
 #include "io/raster/netcdf_lock.h"
 
 namespace ifov::io {
@@ -18,7 +18,7 @@ namespace {
 
 class Writer {
  public:
-  Writer(const std::string& path, const NetcdfInput& input, const RunRecord& record)
+  Writer(const std::string& path, const std::vector<NetcdfCube>& input, const RunRecord& record)
       : path_(path), input_(input), record_(record), info_(record.image) {
     constexpr std::uint64_t kMostOfVariable = (std::uint64_t{1} << 32) - 4;
     const std::uint64_t bytes = 4 * static_cast<std::uint64_t>(info_.width_px) *
@@ -83,15 +83,12 @@ class Writer {
     text(fwhm_, "units", "um");
     define_names(size[0]);
     if (info_.has_map) map_.emplace(NetcdfMap::define(file_, size[1], size[2], info_));
-    define_cube("radiance", "spectral radiance", input_.radiance, size);
-    define_cube("standard_error", "standard error of the spectral radiance", input_.standard_error, size);
-    define_cube("half_width",
-                format("half-width of the {:g} % interval of the spectral radiance",
-                       100.0 * record_.identity.confidence),
-                input_.half_width, size);
-    std::string errors;
-    for (std::size_t k = 1; k < cubes_.size(); ++k) errors += (k > 1 ? " " : "") + names_[k];
-    if (!errors.empty()) text(cubes_.front().first, "ancillary_variables", errors);
+    std::string others;
+    for (const NetcdfCube& cube : input_) {
+      define_cube(*cube.quantity, cube.view, size);
+      if (&cube != &input_.front()) others += format("{}{}", others.empty() ? "" : " ", cube.quantity->name);
+    }
+    if (!others.empty()) text(cubes_.front().first, "ancillary_variables", others);
   }
 
   void define_names(int wavelength_size) {
@@ -102,18 +99,17 @@ class Writer {
     text(name_, "long_name", "name of the channel");
   }
 
-  void define_cube(const std::string& name, const std::string& what, const RasterView& view,
-                   const std::array<int, 3>& size) {
-    if (!view) return;
-    const int id = variable(name.c_str(), NC_FLOAT, {size.begin(), size.end()});
+  void define_cube(const Quantity& quantity, const RasterView& view, const std::array<int, 3>& size) {
+    const int id = variable(std::string(quantity.name).c_str(), NC_FLOAT, {size.begin(), size.end()});
     const float gap = std::numeric_limits<float>::quiet_NaN();
     require(nc_put_att_float(file_, id, "_FillValue", NC_FLOAT, 1, &gap));
-    text(id, "long_name", what);
+    text(id, "long_name", std::string(quantity.what));
+    if (quantity.statistic == Quantity::Statistic::half_width)
+      text(id, "comment", format("of the {:g} % interval", 100.0 * record_.identity.confidence));
     text(id, "units", info_.radiance_unit);
     text(id, "coordinates", "fwhm channel");
     if (map_ && map_->has_system()) text(id, "grid_mapping", NetcdfMap::kName);
     cubes_.emplace_back(id, &view);
-    names_.push_back(name);
   }
 
   void write_coordinates() const {
@@ -142,30 +138,28 @@ class Writer {
   }
 
   std::string path_;
-  const NetcdfInput& input_;
+  const std::vector<NetcdfCube>& input_;
   const RunRecord& record_;
   const render::ImageInfo& info_;
   int file_ = -1, wavelength_ = 0, fwhm_ = 0, name_ = 0;
   std::size_t name_length_ = 1;
   std::optional<NetcdfMap> map_;
   std::vector<std::pair<int, const RasterView*>> cubes_;
-  std::vector<std::string> names_;
 };
 
 }  // namespace
 
-std::uint64_t netcdf_bytes(const render::ImageInfo& info, ProductSet cubes) {
+std::uint64_t netcdf_bytes(const render::ImageInfo& image, const QuantitySet& quantities) {
   std::uint64_t bytes = 0;
-  cubes = possible_products(cubes, info);
-  for (const Product product : {Product::radiance, Product::standard_error, Product::half_width})
-    if (cubes.has(product))
-      for (const CubeSize& size : cube_sizes({Product::radiance}, info)) bytes += size.bytes();
+  for (const Quantity* quantity : possible_quantities(quantities, image))
+    if (quantity->is_spectral()) bytes += cube_size(*quantity, image).bytes();
   return bytes;
 }
 
-void write_netcdf(PartFile& file, const NetcdfInput& input, const RunRecord& record) {
-  const std::uint64_t cubes = 1 + (input.standard_error ? 1 : 0) + (input.half_width ? 1 : 0);
-  require_space(file.part_path().parent_path(), cubes * netcdf_bytes(record.image, {Product::radiance}));
+void write_netcdf(PartFile& file, const std::vector<NetcdfCube>& input, const RunRecord& record) {
+  std::uint64_t bytes = 0;
+  for (const NetcdfCube& cube : input) bytes += cube_size(*cube.quantity, record.image).bytes();
+  require_space(file.part_path().parent_path(), bytes);
   const std::scoped_lock lock(netcdf_mutex());
   Writer(file.part_path().string(), input, record).write();
 }

@@ -14,6 +14,8 @@
 #include "io/products/netcdf.h"
 #include "io/products/qgis_style.h"
 #include "io/products/quicklook.h"
+#include "io/quantities/quality_quantities.h"
+#include "io/quantities/radiance_quantities.h"
 #include "io/report/report.h"
 
 namespace ifov::io {
@@ -84,14 +86,17 @@ std::vector<std::unique_ptr<PartFile>> ProductWriter::State::derive(
       if (!failure) failure = error;
     }
   };
-  const RasterView radiance = cubes->view(Product::radiance);
+  const RasterView radiance = cubes->view(quantities::kRadiance);
   if (options.geotiff)
     make("_radiance.tif", "radiance, GeoTIFF",
          [&](PartFile& file) { write_geotiff(file, radiance, record); });
   if (options.netcdf)
     make("_radiance.nc", "radiance and its errors, NetCDF", [&](PartFile& file) {
-      write_netcdf(file, {radiance, cubes->view(Product::standard_error), cubes->view(Product::half_width)},
-                   record);
+      std::vector<NetcdfCube> by_channel;
+      for (const Quantity* quantity : all_quantities())
+        if (const RasterView view = cubes->view(*quantity); view && quantity->is_spectral())
+          by_channel.push_back({quantity, view});
+      write_netcdf(file, by_channel, record);
     });
   make("_radiance.qml", "layer style for QGIS",
        [&](PartFile& file) { write_part(file, qgis_style(radiance, record, options.quicklook_channels)); });
@@ -104,10 +109,10 @@ std::vector<std::unique_ptr<PartFile>> ProductWriter::State::derive(
       ReportInput input;
       input.picture = options.quicklook_channels;
       input.radiance = radiance;
-      input.half_width = cubes->view(Product::half_width);
-      input.samples = cubes->view(Product::samples);
-      input.quality = cubes->view(Product::quality);
-      input.reasons = cubes->view(Product::reasons);
+      input.half_width = cubes->view(quantities::kHalfWidth);
+      input.samples = cubes->view(quantities::kSamples);
+      input.quality = cubes->view(quantities::kQuality);
+      input.reasons = cubes->view(quantities::kReasons);
       write_part(file, make_report(record, input));
     });
   return files;

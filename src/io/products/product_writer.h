@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "io/product_parts/product_kinds.h"
 #include "io/product_parts/run_record.h"
+#include "io/quantities/quantity_set.h"
 #include "render/tile_sink.h"
 
 namespace ifov::io {
@@ -16,7 +16,7 @@ namespace ifov::io {
 struct ProductOptions {
   std::filesystem::path folder;  ///< made where it is missing
   std::string name = "image";    ///< files are <folder>/<name>_radiance.img and so on
-  ProductSet cubes = usual_products();
+  QuantitySet cubes = usual_quantities(false);
   bool go_on = false;  ///< with the `.part` cubes that an earlier start of the same run has left
   bool geotiff = false;
   bool netcdf = false;

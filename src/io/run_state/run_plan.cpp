@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/format.h"
-#include "io/product_parts/cube_kinds.h"
+#include "render/truth_layers.h"
 
 namespace ifov::io {
 namespace {
@@ -59,12 +59,21 @@ std::vector<sampling::PixelRect> RunPlan::grid() const {
   return render::tile_grid(image.width_px, image.height_px, tile_px);
 }
 
-ProductSet RunPlan::made_cubes() const {
-  ProductSet made = possible_products(cubes, image);
-  if (!knows_errors)
-    for (const Product product : {Product::standard_error, Product::half_width, Product::air_half_width})
-      made.remove(product);
-  return made;
+QuantitySet RunPlan::made_cubes() const { return possible_quantities(cubes, image, knows_errors); }
+
+bool RunPlan::keeps_variances() const {
+  const QuantitySet made = made_cubes();
+  return keeps_memory ||
+         std::any_of(made.begin(), made.end(), [](const Quantity* q) { return q->needs.variances; });
+}
+
+sampling::TileResult RunPlan::example_tile(int pixels) const {
+  sampling::TileResult tile;
+  tile.reset({0, 0, pixels, 1}, static_cast<int>(image.channels.size()), knows_errors);
+  if (!keeps_variances()) tile.drop_variances();
+  for (const truth::Collector* collector : collectors_of(made_cubes()))
+    tile.layers.push_back(render::empty_layer(*collector, static_cast<std::size_t>(pixels)));
+  return tile;
 }
 
 ProductOptions RunPlan::products(const std::filesystem::path& folder) const {

@@ -7,6 +7,7 @@
 
 #include "io/product_parts/run_record.h"
 #include "io/products/product_writer.h"
+#include "io/quantities/radiance_quantities.h"
 #include "io/scene_cache/file_stamp.h"
 #include "render/tile_grid.h"
 #include "render/tile_sink.h"
@@ -26,7 +27,7 @@ struct RunPlan {
   bool knows_errors = false;
   std::vector<std::string> notes;
   std::string name = "image";  ///< of the products
-  ProductSet cubes = usual_products();
+  QuantitySet cubes = usual_quantities(false);
   bool geotiff = false, netcdf = false, quicklook = false, report = false;
   std::vector<int> quicklook_channels;
   render::TileShare share;
@@ -39,14 +40,15 @@ struct RunPlan {
 
   std::vector<sampling::PixelRect> grid() const;
   /// Those of `cubes` that there is something for.
-  ProductSet made_cubes() const;
-  /// Whether tiles carry the variances, and the places of their pixels.
-  bool keeps_variances() const { return keeps_memory || made_cubes().has(Product::standard_error); }
+  QuantitySet made_cubes() const;
+  /// Whether tiles carry the variances.
+  bool keeps_variances() const;
   /// Whether the cubes hold all the values that tiles have, so that the state need not.
   bool leaves_values_to_cubes() const {
-    return !keeps_variances() && (!knows_errors || made_cubes().has(Product::half_width));
+    return !keeps_variances() && (!knows_errors || made_cubes().has(quantities::kHalfWidth));
   }
-  bool locates() const { return cubes.has(Product::location) || cubes.has(Product::view_angles); }
+  /// A tile of so many pixels that holds what this run's tiles hold, its lists empty.
+  sampling::TileResult example_tile(int pixels) const;
   ProductOptions products(const std::filesystem::path& folder) const;
   /// Tells this run's tiles from those of others: of all that a tile's numbers depend on.
   std::uint64_t key() const;

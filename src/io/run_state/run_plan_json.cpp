@@ -89,8 +89,7 @@ render::ImageInfo image_of(const JsonView& v) {
 
 void write_products(JsonWriter& json, const RunPlan& plan) {
   std::vector<std::string_view> cubes;
-  for (std::size_t k = 0; k < kProductCount; ++k)
-    if (plan.cubes.has(static_cast<Product>(k))) cubes.push_back(kProductNames[k]);
+  for (const Quantity* quantity : plan.cubes) cubes.push_back(quantity->name);
   json.member("name", plan.name);
   json.member("cubes", cubes);
   json.member("geotiff", plan.geotiff);
@@ -184,10 +183,8 @@ RunPlan plan_of(const JsonView& v) {
   for (const JsonView& note : v["notes"].items()) plan.notes.push_back(note.text());
   plan.name = v["products"]["name"].text();
   plan.cubes = {};
-  for (const JsonView& name : v["products"]["cubes"].items()) {
-    const auto found = std::find(kProductNames.begin(), kProductNames.end(), name.text());
-    if (found != kProductNames.end()) plan.cubes.add(static_cast<Product>(found - kProductNames.begin()));
-  }
+  for (const JsonView& name : v["products"]["cubes"].items())
+    if (const Quantity* quantity = find_quantity(name.text())) plan.cubes.add(*quantity);
   plan.geotiff = v["products"]["geotiff"].boolean();
   plan.netcdf = v["products"]["netcdf"].boolean();
   plan.quicklook = v["products"]["quicklook"].boolean();

@@ -7,7 +7,6 @@
 
 #include "core/error.h"
 #include "io/files/own_files.h"
-#include "io/product_parts/cube_kinds.h"
 #include "io/products/geotiff.h"
 #include "io/products/netcdf.h"
 #include "io/products/part_file.h"
@@ -103,8 +102,10 @@ bool holds_complete_run(const std::filesystem::path& folder) {
 
 ProductBytes product_bytes(const RunPlan& plan) {
   ProductBytes bytes;
-  for (const CubeSize& cube : cube_sizes(plan.made_cubes(), plan.image))
-    (cube.bytes() >= kManyBytes ? bytes.direct : bytes.cached) += cube.bytes();
+  for (const Quantity* quantity : plan.made_cubes()) {
+    const std::uint64_t cube = cube_size(*quantity, plan.image).bytes();
+    (cube >= kManyBytes ? bytes.direct : bytes.cached) += cube;
+  }
   if (plan.geotiff) bytes.cached += geotiff_bytes(plan.image);
   if (plan.netcdf) bytes.cached += netcdf_bytes(plan.image, plan.made_cubes());
   return bytes;
@@ -135,19 +136,19 @@ std::uint64_t state_bytes(const RunPlan& plan, bool one_process) {
   constexpr double kTilesHigh = 1.5, kPacked = 0.5;
   const auto width = static_cast<std::uint64_t>(plan.image.width_px),
              height = static_cast<std::uint64_t>(plan.image.height_px);
-  const std::uint64_t values = 4 * plan.image.channels.size() *
-                               (!plan.knows_errors       ? 1
-                                : plan.keeps_variances() ? 4
-                                                         : 2);
-  const std::uint64_t others = 6 * 4 + sizeof(sampling::Reasons) + (plan.locates() ? 3 * 8 : 0) +
-                               kMaterialsInPixel * sizeof(sampling::Abundance);
+  std::uint64_t values = 0, others = kMaterialsInPixel * sizeof(sampling::Abundance);
+  const sampling::TileResult pixel = plan.example_tile(1);
+  sampling::TileResult::visit_arrays(pixel, [&](const sampling::TileArray& array, const auto& elements) {
+    (array.in_cubes ? values : others) += sizeof(elements[0]) * elements.size();
+  });
+  for (const sampling::TileLayer& layer : pixel.layers) others += layer.bytes.size();
   const bool leaves = one_process && plan.share.is_whole() && plan.leaves_values_to_cubes();
   const std::uint64_t held =
       leaves ? std::min(height, static_cast<std::uint64_t>(kTilesHigh * plan.tile_px)) : height;
   const std::uint64_t kept =
       leaves ? static_cast<std::uint64_t>(kPacked * static_cast<double>(others)) : others;
   return width * (height * kept + held * values) / static_cast<std::uint64_t>(plan.share.count) +
-         plan.grid().size() * sizeof(TileHeader);
+         plan.grid().size() * frame_bytes(pixel);
 }
 
 RunState::RunState(const std::filesystem::path& folder, const RunPlan& plan, RunStart start, LogSink* log)

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <stdexcept>
+#include <string_view>
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -13,70 +15,127 @@ namespace ifov::io {
 namespace {
 
 constexpr char kMagic[9] = "IFOVTILE";
-constexpr std::uint32_t kByteOrder = 0x01020304, kFormat = 6;
+constexpr std::uint32_t kByteOrder = 0x01020304, kFormat = 7;
 
 std::uint64_t hash_of_header(const TileHeader& header) {
   return XXH3_64bits(&header, offsetof(TileHeader, header_hash));
 }
 
-/// Calls `visit` with means and half-widths.
-template <class Tile, class Visit>
-void for_each_value_array(Tile& tile, const Visit& visit) {
-  visit(tile.mean);
-  visit(tile.half_width);
+/// A line of the list of arrays.
+struct ArrayEntry {
+  char name[32];              ///< ends with a zero
+  std::uint32_t value_bytes;  ///< of an element
+  std::uint32_t bands;        ///< of a layer; 0: a member of the tile
+  std::uint64_t count;        ///< elements
+
+  std::string_view shown_name() const { return {name, strnlen(name, sizeof name)}; }
+  std::uint64_t bytes() const { return value_bytes * count; }
+};
+static_assert(sizeof(ArrayEntry) == 48);
+
+ArrayEntry entry_of(std::string_view name, std::size_t value_bytes, std::uint32_t bands, std::size_t count) {
+  ArrayEntry entry{};
+  if (name.empty() || name.size() >= sizeof entry.name)
+    throw std::logic_error("a tile's array needs a short name");
+  std::copy(name.begin(), name.end(), entry.name);
+  entry.value_bytes = static_cast<std::uint32_t>(value_bytes);
+  entry.bands = bands;
+  entry.count = count;
+  return entry;
 }
 
-/// Calls `visit` with each of the arrays that follow these in the file, in its order.
-template <class Tile, class Visit>
-void for_each_other_array(Tile& tile, const Visit& visit) {
-  visit(tile.variance_geometry);
-  visit(tile.variance_path);
-  visit(tile.border_share);
-  visit(tile.samples);
-  visit(tile.label_rays);
-  visit(tile.radiance_evaluations);
-  visit(tile.worst_ratio);
-  visit(tile.missable_fraction);
-  visit(tile.abundances);
-  visit(tile.position_m);
-  visit(tile.reasons);
-  visit(tile.memory);
+/// The list of a record, and where its arrays lie.
+class ArrayList {
+ public:
+  /// `payload`: as of a header without fault.
+  ArrayList(const TileHeader& header, std::span<const std::byte> payload) {
+    const std::size_t size = sizeof(ArrayEntry) * std::size_t{header.arrays};
+    if (header.arrays > kMostArrays || payload.size() < size ||
+        XXH3_64bits(payload.data(), size) != header.list_hash)
+      return;
+    entries_.resize(header.arrays);
+    std::memcpy(entries_.data(), payload.data(), size);
+    for (const ArrayEntry& entry : entries_) {
+      if (entry.value_bytes > kMostValueBytes || entry.count > kMostElements) return;
+      (is_value(entry) ? value_bytes_ : other_bytes_) += entry.bytes();
+    }
+    const std::uint64_t left = payload.size() - size;
+    whole_ = header.values_in_cubes != 0 ? left <= ZSTD_compressBound(other_bytes_)
+                                         : left == value_bytes_ + other_bytes_;
+    arrays_ = payload.subspan(size);
+  }
+
+  bool whole() const { return whole_; }
+  const std::vector<ArrayEntry>& entries() const { return entries_; }
+  std::uint64_t value_bytes() const { return value_bytes_; }
+  std::uint64_t other_bytes() const { return other_bytes_; }
+  /// What follows the list.
+  std::span<const std::byte> arrays() const { return arrays_; }
+
+  static bool is_value(const ArrayEntry& entry) {
+    bool found = false;
+    sampling::TileResult tile;
+    sampling::TileResult::visit_arrays(tile, [&](const sampling::TileArray& array, const auto&) {
+      found = found || (entry.bands == 0 && array.in_cubes && array.name == entry.shown_name());
+    });
+    return found;
+  }
+
+ private:
+  static constexpr std::uint32_t kMostArrays = 1000, kMostValueBytes = 1 << 16;
+  static constexpr std::uint64_t kMostElements = std::uint64_t{1} << 38;
+
+  std::vector<ArrayEntry> entries_;
+  std::span<const std::byte> arrays_;
+  std::uint64_t value_bytes_ = 0, other_bytes_ = 0;
+  bool whole_ = false;
+};
+
+/// An array on its way into a record.
+struct ArrayBytes {
+  ArrayEntry entry;
+  const void* data;
+  bool in_cubes;
+};
+
+/// In the order of the file: those that lie in cubes as well, the others, the layers.
+std::vector<ArrayBytes> arrays_of(const sampling::TileResult& tile) {
+  std::vector<ArrayBytes> arrays;
+  sampling::TileResult::visit_arrays(tile, [&](const sampling::TileArray& array, const auto& values) {
+    if (!values.empty())
+      arrays.push_back(
+          {entry_of(array.name, sizeof(values[0]), 0, values.size()), values.data(), array.in_cubes});
+  });
+  for (const sampling::TileLayer& layer : tile.layers)
+    if (layer.value_bytes > 0 && layer.bands > 0)
+      arrays.push_back(
+          {entry_of(layer.name, layer.value_bytes, layer.bands, layer.bytes.size() / layer.value_bytes),
+           layer.bytes.data(), false});
+  std::stable_partition(arrays.begin(), arrays.end(), [](const ArrayBytes& array) { return array.in_cubes; });
+  return arrays;
 }
 
-/// TileHeader::has_errors
-enum Errors : std::uint32_t { kNoErrors, kWithVariances, kHalfWidthsAlone };
-
-bool has_variances(const TileHeader& header) { return header.has_errors == kWithVariances; }
-
-/// Of means and half-widths.
-std::uint64_t value_bytes_of(const TileHeader& header) {
-  const auto pixels = static_cast<std::uint64_t>(header.rect().count());
-  return sizeof(float) * pixels * static_cast<std::uint64_t>(header.columns) *
-         (header.has_errors == kNoErrors ? 1 : 2);
-}
-
-/// Of the arrays beside these.
-std::uint64_t other_bytes_of(const TileHeader& header) {
-  const auto pixels = static_cast<std::uint64_t>(header.rect().count());
-  const std::uint64_t cells = pixels * static_cast<std::uint64_t>(header.columns);
-  return 4 * (has_variances(header)            ? 2 * cells
-              : header.has_errors != kNoErrors ? pixels
-                                               : 0) +
-         pixels * (5 * 4 + sizeof(sampling::Reasons)) + (header.has_positions != 0 ? 3 * 8 * pixels : 0) +
-         sizeof(sampling::Abundance) * std::uint64_t{header.abundances} + header.memory_bytes;
-}
-
-bool has_right_size(const TileHeader& header) {
-  const std::uint64_t others = other_bytes_of(header);
-  return header.values_in_cubes != 0 ? header.payload_bytes <= ZSTD_compressBound(others)
-                                     : header.payload_bytes == value_bytes_of(header) + others;
+/// Makes room for an array in a tile; where its bytes belong, or null where a tile has none of this kind.
+void* make_room(const ArrayEntry& entry, sampling::TileResult& tile) {
+  if (entry.bands > 0) {
+    tile.layers.push_back({std::string(entry.shown_name()), entry.value_bytes, entry.bands,
+                           std::vector<std::byte>(entry.bytes())});
+    return tile.layers.back().bytes.data();
+  }
+  void* place = nullptr;
+  sampling::TileResult::visit_arrays(tile, [&](const sampling::TileArray& array, auto& values) {
+    if (array.name != entry.shown_name() || sizeof(values[0]) != entry.value_bytes) return;
+    values.resize(entry.count);
+    place = values.data();
+  });
+  return place;
 }
 
 std::uint64_t hash_of_values(const sampling::TileResult& tile) {
   XXH3_state_t state;
   XXH3_64bits_reset(&state);
-  for_each_value_array(tile, [&](const std::vector<float>& array) {
-    XXH3_64bits_update(&state, array.data(), sizeof(float) * array.size());
+  sampling::TileResult::visit_arrays(tile, [&](const sampling::TileArray& array, const auto& values) {
+    if (array.in_cubes) XXH3_64bits_update(&state, values.data(), sizeof(values[0]) * values.size());
   });
   return XXH3_64bits_digest(&state);
 }
@@ -92,11 +151,6 @@ std::vector<std::byte> encode_tile(const sampling::TileResult& tile, const TileS
   header.index = stamp.index;
   header.x0 = tile.tile.x0, header.y0 = tile.tile.y0, header.x1 = tile.tile.x1, header.y1 = tile.tile.y1;
   header.columns = tile.columns;
-  header.has_errors = !tile.has_errors()               ? kNoErrors
-                      : tile.variance_geometry.empty() ? kHalfWidthsAlone
-                                                       : kWithVariances;
-  header.has_positions = tile.position_m.empty() ? 0 : 1;
-  header.abundances = static_cast<std::uint32_t>(tile.abundances.size());
   header.halo_samples = tile.halo_samples;
   header.seed_samples = tile.seed_samples;
   header.probe_samples = tile.probe_samples;
@@ -111,28 +165,32 @@ std::vector<std::byte> encode_tile(const sampling::TileResult& tile, const TileS
   std::copy(reasons.begin(), reasons.end(), header.reasons);
   for (const float ratio : tile.worst_ratio) header.worst_ratio = std::max(header.worst_ratio, ratio);
   header.run = stamp.run;
-  header.memory_bytes = tile.memory.size();
 
-  std::size_t value_bytes = 0, bytes = sizeof header;
-  const auto size_of = [](const auto& array) { return sizeof(array[0]) * array.size(); };
-  for_each_value_array(tile, [&](const auto& array) { value_bytes += size_of(array); });
-  for_each_other_array(tile, [&](const auto& array) { bytes += size_of(array); });
-  bytes += value_bytes;
-  std::vector<std::byte> record(bytes);
-  std::byte* to = record.data() + sizeof header;
-  const auto put = [&](const auto& array) {
-    if (!array.empty()) std::memcpy(to, array.data(), size_of(array));
-    to += size_of(array);
-  };
-  for_each_value_array(tile, put);
-  for_each_other_array(tile, put);
-  header.payload_bytes = bytes - sizeof header;
-  const std::byte* const values = record.data() + sizeof header;
+  const std::vector<ArrayBytes> arrays = arrays_of(tile);
+  header.arrays = static_cast<std::uint32_t>(arrays.size());
+  const std::size_t list_bytes = sizeof(ArrayEntry) * arrays.size();
+  std::size_t value_bytes = 0, other_bytes = 0;
+  for (const ArrayBytes& array : arrays) (array.in_cubes ? value_bytes : other_bytes) += array.entry.bytes();
+  header.payload_bytes = list_bytes + value_bytes + other_bytes;
+  std::vector<std::byte> record(sizeof header + header.payload_bytes);
+  std::byte *const list = record.data() + sizeof header, *const values = list + list_bytes;
+  std::byte *to_list = list, *to = values;
+  for (const ArrayBytes& array : arrays) {
+    std::memcpy(to_list, &array.entry, sizeof array.entry);
+    to_list += sizeof array.entry;
+    std::memcpy(to, array.data, array.entry.bytes());
+    to += array.entry.bytes();
+  }
+  header.list_hash = XXH3_64bits(list, list_bytes);
   header.values_hash = XXH3_64bits(values, value_bytes);
-  header.payload_hash = XXH3_64bits(values + value_bytes, header.payload_bytes - value_bytes);
+  header.payload_hash = XXH3_64bits(values + value_bytes, other_bytes);
   header.header_hash = hash_of_header(header);
   std::memcpy(record.data(), &header, sizeof header);
   return record;
+}
+
+std::uint64_t frame_bytes(const sampling::TileResult& tile) {
+  return sizeof(TileHeader) + sizeof(ArrayEntry) * arrays_of(tile).size();
 }
 
 std::string fault_of(const TileHeader& header, const TileDemands& demands) {
@@ -145,7 +203,7 @@ std::string fault_of(const TileHeader& header, const TileDemands& demands) {
   const bool in_grid = header.index < demands.grid.size();
   const sampling::PixelRect place = in_grid ? demands.grid[header.index] : sampling::PixelRect{};
   if (!in_grid || header.x0 != place.x0 || header.y0 != place.y0 || header.x1 != place.x1 ||
-      header.y1 != place.y1 || header.columns != demands.columns || !has_right_size(header))
+      header.y1 != place.y1 || header.columns != demands.columns)
     return "it does not fit the image";
   return {};
 }
@@ -153,38 +211,38 @@ std::string fault_of(const TileHeader& header, const TileDemands& demands) {
 std::string decode_tile(const TileHeader& header, std::span<const std::byte> payload,
                         const ReadValues& read_values, sampling::TileResult& tile) {
   const std::string wrong = format("the checksum of tile {} is wrong", header.index);
-  if (payload.size() != header.payload_bytes || !has_right_size(header)) return wrong;
-  std::span<const std::byte> values, others;
+  if (payload.size() != header.payload_bytes) return wrong;
+  const ArrayList list(header, payload);
+  if (!list.whole()) return wrong;
+  std::span<const std::byte> values, others = list.arrays();
   std::vector<std::byte> unpacked;
   if (header.values_in_cubes != 0) {
-    unpacked.resize(other_bytes_of(header));
-    if (ZSTD_decompress(unpacked.data(), unpacked.size(), payload.data(), payload.size()) != unpacked.size())
+    if (ZSTD_getFrameContentSize(others.data(), others.size()) != list.other_bytes()) return wrong;
+    unpacked.resize(list.other_bytes());
+    if (ZSTD_decompress(unpacked.data(), unpacked.size(), others.data(), others.size()) != unpacked.size())
       return wrong;
     others = unpacked;
   } else {
-    values = payload.first(value_bytes_of(header));
-    others = payload.subspan(values.size());
+    values = others.first(list.value_bytes());
+    others = others.subspan(values.size());
+    if (XXH3_64bits(values.data(), values.size()) != header.values_hash) return wrong;
   }
   if (XXH3_64bits(others.data(), others.size()) != header.payload_hash) return wrong;
-  tile.reset(header.rect(), header.columns, header.has_errors != kNoErrors);
-  if (header.has_errors == kHalfWidthsAlone) tile.drop_variances();
-  if (header.has_positions != 0) tile.position_m.resize(3 * tile.samples.size());
-  tile.abundances.resize(header.abundances);
-  tile.memory.resize(header.memory_bytes);
-  const auto take_from = [](std::span<const std::byte>& from) {
-    return [&from](auto& array) {
-      const std::size_t size = sizeof(array[0]) * array.size();
-      if (size > 0) std::memcpy(array.data(), from.data(), size);
-      from = from.subspan(size);
-    };
-  };
-  if (header.values_in_cubes == 0) {
-    if (XXH3_64bits(values.data(), values.size()) != header.values_hash) return wrong;
-    for_each_value_array(tile, take_from(values));
-  } else if (!read_values || !read_values(tile, [&] { return hash_of_values(tile) == header.values_hash; })) {
-    return format("the values of tile {} are in the cubes no more", header.index);
+  tile = {};
+  tile.tile = header.rect();
+  tile.columns = header.columns;
+  for (const ArrayEntry& entry : list.entries()) {
+    void* const to = make_room(entry, tile);
+    if (to == nullptr) return "it is of another format";
+    if (ArrayList::is_value(entry) && header.values_in_cubes != 0) continue;
+    std::span<const std::byte>& from = ArrayList::is_value(entry) ? values : others;
+    std::memcpy(to, from.data(), entry.bytes());
+    from = from.subspan(entry.bytes());
   }
-  for_each_other_array(tile, take_from(others));
+  if (!tile.fault().empty()) return "it does not fit the image";
+  if (header.values_in_cubes != 0 &&
+      (!read_values || !read_values(tile, [&] { return hash_of_values(tile) == header.values_hash; })))
+    return format("the values of tile {} are in the cubes no more", header.index);
   tile.halo_samples = header.halo_samples;
   tile.seed_samples = header.seed_samples;
   tile.probe_samples = header.probe_samples;
@@ -193,19 +251,23 @@ std::string decode_tile(const TileHeader& header, std::span<const std::byte> pay
 }
 
 std::vector<std::byte> without_values(const TileHeader& header, std::span<const std::byte> payload) {
-  if (header.values_in_cubes != 0 || has_variances(header)) return {};
-  const std::span<const std::byte> others = payload.subspan(value_bytes_of(header));
+  const ArrayList list(header, payload);
+  if (header.values_in_cubes != 0 || !list.whole()) return {};
+  const std::span<const std::byte> entries = payload.first(payload.size() - list.arrays().size()),
+                                   others = list.arrays().subspan(list.value_bytes());
   constexpr int kLevel = 1;  // the quickest
-  std::vector<std::byte> record(sizeof header + ZSTD_compressBound(others.size()));
-  const std::size_t packed = ZSTD_compress(record.data() + sizeof header, record.size() - sizeof header,
-                                           others.data(), others.size(), kLevel);
+  const std::size_t before = sizeof header + entries.size();
+  std::vector<std::byte> record(before + ZSTD_compressBound(others.size()));
+  const std::size_t packed =
+      ZSTD_compress(record.data() + before, record.size() - before, others.data(), others.size(), kLevel);
   if (ZSTD_isError(packed) != 0) return {};
-  record.resize(sizeof header + packed);
+  record.resize(before + packed);
   TileHeader rest = header;
   rest.values_in_cubes = 1;
-  rest.payload_bytes = packed;
+  rest.payload_bytes = entries.size() + packed;
   rest.header_hash = hash_of_header(rest);
   std::memcpy(record.data(), &rest, sizeof rest);
+  std::memcpy(record.data() + sizeof rest, entries.data(), entries.size());
   return record;
 }
 

@@ -12,19 +12,18 @@
 
 namespace ifov::io {
 
-/// What a finished tile is kept as: this header, then its arrays (docs/formats/run_state.md). The hashes
-/// are of means and half-widths, of the other arrays, and of the header before it.
+/// What a finished tile is kept as: this header, a list of the arrays, and these (docs/formats/run_state.md). Nothing
+/// here knows what they hold: an array or a layer that a tile gains is kept, too. The hashes are of the list, of the
+/// arrays that lie in cubes as well, of the others, and of the header before it.
 struct TileHeader {
   char magic[8];
   std::uint32_t byte_order, format;
   std::uint32_t index;          ///< in the image's grid of tiles, row by row
   std::int32_t x0, y0, x1, y1;  ///< pixels [x0, x1) x [y0, y1)
   std::int32_t columns;
-  std::uint32_t has_errors;     ///< 0: none; 1: with variances; 2: half-widths alone
-  std::uint32_t has_positions;  ///< 0 or 1
-  std::uint32_t abundances;
+  std::uint32_t arrays;  ///< in the list
   std::uint32_t
-      values_in_cubes;  ///< 1: means and half-widths lie in the run's cubes, and the other arrays are compressed
+      values_in_cubes;  ///< 1: means and half-widths lie in the run's cubes, the others are compressed
   std::uint64_t payload_bytes;
   std::uint64_t halo_samples, seed_samples, probe_samples;
   std::uint64_t primary_rays, shadow_rays, bounce_rays;
@@ -34,13 +33,12 @@ struct TileHeader {
   float worst_ratio;
   std::uint32_t reasons[sampling::kReasonNames.size()];  ///< pixels, by reason why they are not converged
   std::uint64_t run;                                     ///< which run the tile belongs to, RunPlan::key()
-  std::uint64_t memory_bytes;                            ///< of what the sampler keeps for a tighter accuracy
-  std::uint64_t values_hash, payload_hash, header_hash;
+  std::uint64_t list_hash, values_hash, payload_hash, header_hash;
 
   std::uint64_t record_bytes() const { return sizeof(TileHeader) + payload_bytes; }
   sampling::PixelRect rect() const { return {x0, y0, x1, y1}; }
 };
-static_assert(sizeof(TileHeader) == 216);
+static_assert(sizeof(TileHeader) == 208);
 
 /// What a tile's header says besides the tile.
 struct TileStamp {
@@ -51,6 +49,9 @@ struct TileStamp {
 
 /// Header and arrays, one behind the other.
 std::vector<std::byte> encode_tile(const sampling::TileResult& tile, const TileStamp& stamp);
+
+/// Of what a record holds beside its arrays.
+std::uint64_t frame_bytes(const sampling::TileResult& tile);
 
 /// What the header must say, beside being whole: a record of another run or image is not taken.
 struct TileDemands {
@@ -72,8 +73,7 @@ using ReadValues = std::function<bool(sampling::TileResult& tile, const std::fun
 std::string decode_tile(const TileHeader& header, std::span<const std::byte> payload,
                         const ReadValues& read_values, sampling::TileResult& tile);
 
-/// The record of such a tile whose means and half-widths lie in the cubes. Empty for one that holds none or that has
-/// variances, which lie in no cube.
+/// The record of such a tile whose means and half-widths lie in the cubes. Empty for one that holds none already.
 std::vector<std::byte> without_values(const TileHeader& header, std::span<const std::byte> payload);
 
 }  // namespace ifov::io

@@ -7,7 +7,6 @@
 #include "core/machine_memory.h"
 #include "core/parallel.h"
 #include "io/files/free_space.h"
-#include "io/product_parts/cube_kinds.h"
 #include "io/products/bil_cube.h"
 #include "io/run_state/run_state.h"
 
@@ -16,9 +15,11 @@ namespace ifov::session {
 std::uint64_t buffer_bytes(const io::RunPlan& plan) {
   constexpr std::uint64_t kMostTiles = std::uint64_t{64} << 20;
   std::uint64_t bytes = std::min(kMostTiles, io::state_bytes(plan, false));
-  for (const io::CubeSize& cube : io::cube_sizes(plan.made_cubes(), plan.image))
+  for (const io::Quantity* quantity : plan.made_cubes()) {
+    const io::CubeSize cube = io::cube_size(*quantity, plan.image);
     bytes +=
         io::BilCube::waiting_bytes(cube.width_px, cube.height_px, cube.bands, plan.tile_px, cube.value_bytes);
+  }
   return bytes;
 }
 
@@ -29,9 +30,11 @@ std::uint64_t least_memory_bytes(const io::RunPlan& plan, int threads) {
       plan.grid().size());
   const auto side =
       static_cast<std::uint64_t>(std::min(plan.tile_px, std::max(plan.image.width_px, plan.image.height_px)));
-  const std::uint64_t values = (plan.knows_errors ? 4 : 1) + (plan.judged ? kLatticeValues : 0);
+  sampling::TileResult pixel;
+  pixel.reset({0, 0, 1, 1}, static_cast<int>(plan.image.channels.size()), plan.knows_errors);
+  const std::uint64_t lattice = plan.judged ? kLatticeValues * plan.image.channels.size() * sizeof(float) : 0;
   return resident_memory_bytes() + (plan.share.is_whole() ? buffer_bytes(plan) : 0) +
-         workers * side * side * plan.image.channels.size() * values * sizeof(float);
+         workers * side * side * (pixel.bytes() + lattice);
 }
 
 std::vector<std::string> shortages(const std::filesystem::path& folder, std::uint64_t disk_bytes,

@@ -22,14 +22,6 @@ const char* name_of(render::ErrorUnit unit) {
   return "noise";
 }
 
-/// Where the map says where every pixel lies, places are written where they are asked for.
-io::ProductSet cubes_of(const io::Document& document, const sensor::Camera& camera) {
-  if (document.output.products) return *document.output.products;
-  io::ProductSet usual = io::usual_products();
-  if (camera.ground_grid()) usual.remove(io::Product::location);
-  return usual;
-}
-
 }  // namespace
 
 io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
@@ -63,7 +55,8 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
   plan.geotiff = formats.contains(io::ProductFormat::geotiff);
   plan.netcdf = formats.contains(io::ProductFormat::netcdf);
   plan.name = document.output.name;
-  plan.cubes = cubes_of(document, *parts.camera);
+  const bool map_tells = parts.camera->ground_grid().has_value();
+  plan.cubes = document.output.products.value_or(io::usual_quantities(map_tells));
   plan.quicklook = formats.contains(io::ProductFormat::png);
   plan.report = formats.contains(io::ProductFormat::html);
   for (const io::DocumentName& channel : document.output.quicklook_channels)
@@ -76,7 +69,7 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
 void set_contents(const io::RunPlan& plan, render::RenderJob& job) {
   job.keep_memory = plan.keeps_memory;
   job.keep_variances = plan.keeps_variances();
-  job.locate = plan.locates();
+  job.collectors = io::collectors_of(plan.made_cubes());
 }
 
 }  // namespace ifov::session

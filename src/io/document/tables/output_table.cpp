@@ -62,18 +62,19 @@ Kind<std::string> name_kind() {
 }
 
 /// Cubes by their names; "all" for every one.
-Kind<ProductSet> products_kind() {
+Kind<QuantitySet> products_kind() {
+  const auto all = all_quantities();
   std::vector<std::pair<std::string, int>> words;
-  for (std::size_t k = 0; k < kProductCount; ++k) words.emplace_back(kProductNames[k], static_cast<int>(k));
+  for (std::size_t k = 0; k < all.size(); ++k) words.emplace_back(all[k]->name, static_cast<int>(k));
   words.emplace_back("all", -1);
   const std::size_t most = words.size();
-  return converted<ProductSet>(list(choice<int>(words), 1, most), [](const std::vector<int>& names) {
-    ProductSet products;
+  return converted<QuantitySet>(list(choice<int>(words), 1, most), [](const std::vector<int>& names) {
+    QuantitySet quantities;
     for (const int name : names) {
-      if (name < 0) return ProductSet::all();
-      products.add(static_cast<Product>(name));
+      if (name < 0) return QuantitySet::all();
+      quantities.add(*all_quantities()[static_cast<std::size_t>(name)]);
     }
-    return products;
+    return quantities;
   });
 }
 

@@ -1,0 +1,23 @@
+#include <array>
+
+#include "io/quantities/location_quantities.h"
+#include "io/quantities/quality_quantities.h"
+#include "io/quantities/quantity_set.h"
+#include "io/quantities/radiance_quantities.h"
+#include "io/quantities/share_quantities.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr std::array kQuantities{&quantities::kRadiance,  &quantities::kStandardError,
+                                 &quantities::kHalfWidth, &quantities::kAirHalfWidth,
+                                 &quantities::kSamples,   &quantities::kQuality,
+                                 &quantities::kReasons,   &quantities::kQualityClass,
+                                 &quantities::kAbundance, &quantities::kAbundanceHalfWidth,
+                                 &quantities::kLocation,  &quantities::kViewAngles};
+
+}  // namespace
+
+std::span<const Quantity* const> all_quantities() { return kQuantities; }
+
+}  // namespace ifov::io

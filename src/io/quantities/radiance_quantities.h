@@ -1,0 +1,12 @@
+#pragma once
+
+#include "io/quantities/quantity.h"
+
+namespace ifov::io::quantities {
+
+/// By channel, in the radiance unit.
+extern const Quantity kRadiance, kStandardError, kHalfWidth;
+/// The part of the half-width that the air's computation adds.
+extern const Quantity kAirHalfWidth;
+
+}  // namespace ifov::io::quantities

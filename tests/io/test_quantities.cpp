@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "io/quantities/location_quantities.h"
+#include "io/quantities/quality_quantities.h"
+#include "io/quantities/quantity_header.h"
+#include "io/quantities/quantity_set.h"
+#include "io/quantities/radiance_quantities.h"
+#include "io/quantities/share_quantities.h"
+#include "io/synthetic_image.h"
+#include "truth/location.h"
+
+namespace ifov::io {
+namespace {
+
+using test::SyntheticImage;
+
+/// How many values of which type it was given.
+class Counting final : public ValueSink {
+ public:
+  void put(std::span<const float> values) override { take(values, EnviType::float32); }
+  void put(std::span<const double> values) override { take(values, EnviType::float64); }
+  void put(std::span<const std::uint32_t> values) override { take(values, EnviType::uint32); }
+  void put(std::span<const std::uint16_t> values) override { take(values, EnviType::uint16); }
+  void put(std::span<const std::uint8_t> values) override { take(values, EnviType::byte); }
+  std::size_t count = 0;
+  int calls = 0;
+  EnviType type = EnviType::int16;
+
+ private:
+  template <class Value>
+  void take(std::span<const Value> values, EnviType of) {
+    count = values.size(), type = of, ++calls;
+  }
+};
+
+TEST(Quantities, RowsAreWhatTheyWrite) {
+  const SyntheticImage image{9, 7, 5};
+  const sampling::TileResult tile = image.tile({0, 0, 8, 7});
+  const render::ImageInfo info = image.info();
+  std::set<std::string_view> names;
+  for (const Quantity* quantity : all_quantities()) {
+    EXPECT_TRUE(names.insert(quantity->name).second) << quantity->name;
+    EXPECT_EQ(find_quantity(quantity->name), quantity);
+    EXPECT_FALSE(quantity->what.empty());
+    EXPECT_EQ(quantity->unit.empty(), quantity->is_spectral()) << quantity->name;
+    EXPECT_EQ(quantity->band_names.empty(), quantity->bands != Quantity::Bands::named) << quantity->name;
+    Counting sink;
+    quantity->values({tile, info, {}}, sink);
+    EXPECT_EQ(sink.calls, 1) << quantity->name;
+    EXPECT_EQ(sink.type, quantity->type) << quantity->name;
+    EXPECT_EQ(sink.count, 56u * static_cast<std::size_t>(quantity->band_count(info))) << quantity->name;
+    const EnviHeader header = header_of(*quantity, info, image.identity(), "");
+    EXPECT_EQ(header.bands, quantity->band_count(info));
+    EXPECT_EQ(header.band_names.size(), static_cast<std::size_t>(header.bands)) << quantity->name;
+    EXPECT_EQ(header.data_units, quantity->unit.empty() ? info.radiance_unit : quantity->unit);
+  }
+  EXPECT_EQ(find_quantity("radiances"), nullptr);
+}
+
+TEST(Quantities, EachIsInTheDocumentation) {
+  std::ifstream file(IFOV_SOURCE_DIR "/docs/formats/products.md");
+  std::stringstream page;
+  page << file.rdbuf();
+  for (const Quantity* quantity : all_quantities())
+    EXPECT_NE(page.str().find("_" + std::string(quantity->name) + ".img"), std::string::npos)
+        << quantity->name;
+}
+
+TEST(QuantitySet, KeepsTheOrderOfTheTable) {
+  const QuantitySet one{&quantities::kLocation, &quantities::kRadiance},
+      same{&quantities::kRadiance, &quantities::kLocation};
+  EXPECT_TRUE(one == same);
+  EXPECT_EQ(*one.begin(), &quantities::kRadiance);
+  QuantitySet all = QuantitySet::all();
+  EXPECT_EQ(all.size(), all_quantities().size());
+  all.add(quantities::kRadiance);
+  EXPECT_EQ(all.size(), all_quantities().size());
+  all.remove(quantities::kRadiance);
+  EXPECT_FALSE(all.has(quantities::kRadiance));
+}
+
+TEST(QuantitySet, UsualOnesLeaveOutWhatTheMapTells) {
+  EXPECT_TRUE(usual_quantities(false).has(quantities::kLocation));
+  EXPECT_FALSE(usual_quantities(true).has(quantities::kLocation));
+  EXPECT_FALSE(usual_quantities(true).has(quantities::kStandardError));
+}
+
+TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
+  render::ImageInfo image = SyntheticImage{4, 4, 2}.info();
+  EXPECT_FALSE(possible_quantities(QuantitySet::all(), image).has(quantities::kAirHalfWidth));
+  image.channels[1].air.emplace();
+  EXPECT_EQ(possible_quantities(QuantitySet::all(), image).size(), all_quantities().size());
+  image.materials.clear();
+  const QuantitySet bare = possible_quantities(QuantitySet::all(), image, false);
+  EXPECT_TRUE(bare == QuantitySet({&quantities::kRadiance, &quantities::kSamples, &quantities::kQuality,
+                                   &quantities::kReasons, &quantities::kQualityClass, &quantities::kLocation,
+                                   &quantities::kViewAngles}));
+  EXPECT_TRUE(possible_quantities({}, image).has(quantities::kRadiance));
+}
+
+TEST(QuantitySet, WhatTwoOfThemNeedIsNotedOnce) {
+  EXPECT_EQ(collectors_of(QuantitySet::all()), std::vector{&truth::kLocation});
+  EXPECT_TRUE(collectors_of({&quantities::kRadiance}).empty());
+}
+
+}  // namespace
+}  // namespace ifov::io
