@@ -16,7 +16,7 @@ namespace ifov::radiometry {
 /// from x for one whom the light meets. V > 0: at a fixed place the field turns from x to y, counterclockwise
 /// for one whom the light meets and clockwise for one who looks along it: right-handed as IEEE and the
 /// International Astronomical Union have it (Hamaker and Bregman 1996, A&AS 117, 161; with x north and y east
-/// these are the IAU's parameters of 1973). The index of refraction of what absorbs is n + ik, k > 0.
+/// these are the IAU's parameters of 1974). The index of refraction of what absorbs is n + ik, k > 0.
 ///
 /// Other signs of U and V, frame by frame, are those of a y that points the other way.
 struct StokesVector {

@@ -8,6 +8,8 @@
 #include "atmosphere/scattering/column_solver.h"
 #include "radiometry/solar_spectrum.h"
 #include "transport/sky/sky_dome.h"
+#include "transport/small_scene.h"
+#include "transport/spectral_scene.h"
 #include "transport/view_table.h"
 
 namespace ifov::transport {
@@ -211,6 +213,38 @@ TEST_F(PolarizedLight, NotAskedForIsNotThere) {
       EXPECT_EQ(a.weight[k], b.weight[k]);
     }
   }
+}
+
+// Where one line of sight holds for all, paths take its row, and the table is there for its polarization alone.
+TEST_F(PolarizedLight, OfASceneSeenFromAfar) {
+  atmosphere::SensorAtmosphere::Inputs far = inputs(true);
+  far.geometry.view_zenith_rad = 25.0 * kDegree;
+  far.geometry.view_azimuth_rad = -60.0 * kDegree;
+  far.sights.reset();
+  test::SmallScene scene;
+  scene.build();
+  scene.scene().sun.emplace().direction = towards_sun_;
+  const atmosphere::SensorAtmosphere seen(column(), far);
+  const SpectralScene spectral(scene.scene(), seen);
+  EXPECT_EQ(spectral.view_table(), nullptr);
+  ASSERT_NE(spectral.polarized_path(), nullptr);
+  std::vector<StokesVector> light(seen.node_count());
+  for (const double side : {1.0, -1.0}) {
+    const Propagation up{std::cos(25.0 * kDegree), side * 60.0 * kDegree - kPi};
+    const PolarizationFrame frame = spectral.polarized_path()->stokes(
+        direction(25.0 * kDegree, side * 60.0 * kDegree + kSunAzimuth), 0.0, light);
+    const StokesVector expected = about(solved().sunlit().path(up, kSensor_km).radiance(), up, frame);
+    EXPECT_LT(error({light[0].i, light[0].q, light[0].u, 0.0},
+                    radiometry::solar_irradiance_1au().at(kUm) * expected)
+                  .polarization,
+              3e-3)
+        << side;
+    EXPECT_GT(std::abs(expected.u), 0.01 * expected.i);
+    EXPECT_NEAR(light[0].i, static_cast<double>(spectral.view_radiance()[0]), 1e-6 * light[0].i);
+  }
+  far.polarized = false;
+  const atmosphere::SensorAtmosphere scalar(column(), far);
+  EXPECT_EQ(SpectralScene(scene.scene(), scalar).polarized_path(), nullptr);
 }
 
 // A Sun in the zenith has no azimuth: light is the same all around, and unpolarized in the zenith.

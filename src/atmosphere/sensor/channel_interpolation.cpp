@@ -95,16 +95,19 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
   result.sight_path.assign(sights, std::vector<double>(count));
   result.sight_diffuse.assign(sights, std::vector<double>(count));
   result.sky_at_height.assign(heights, std::vector<double>(count));
+  if (polarized_)
+    for (auto* rows : {&result.path_q, &result.path_u, &result.diffuse_q})
+      rows->assign(1 + sights, std::vector<double>(count));
   result.share.assign(nodes_.size(), std::vector<double>(count, 0.0));
   const double ground_km = column_.levels().altitude_km.front();
   for (std::size_t p = 0; p < count; ++p) {
     const ChannelPoints::Point& point = points_.points[p];
     const ScatteringColumn column(column_.levels(), point.layers(), geometry_.any_sun_zenith_rad(), options_);
     const auto once = [&](const Propagation& up, double length_km) {
-      if (!sunlit_) return 0.0;
+      if (!sunlit_) return StokesVector{};
       return points_.irradiance[p] * single_scattering(column, options_.aerosol_polarization, up,
                                                        geometry_.sensor_altitude_km, length_km)
-                                         .single.i;
+                                         .single;
     };
     const std::vector<Part> parts = parts_at(p);
     for (const Part& part : parts) result.share[part.solution][p] = part.plain;
@@ -118,28 +121,31 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
       for (const Part& part : parts) sum += part.scaled * of(*part.node);
       return std::exp(sum);
     };
-    result.once[p] = once(towards_sensor(), kEndless_km);
-    result.path[p] = result.once[p] * path_ratio([](const Node& n) { return n.path; });
+    const StokesVector own = once(towards_sensor(), kEndless_km);
+    result.once[p] = own.i;
+    result.path[p] = own.i * path_ratio([](const Node& n) { return n.path; });
     result.sky_irradiance[p] =
         sunlit_ ? points_.sun[p] * ratio([](const Node& n) { return n.sky_irradiance; }) : 0.0;
     result.diffuse_transmittance[p] =
         points_.view[p] * ratio([](const Node& n) { return n.diffuse_transmittance; });
     result.spherical_albedo[p] = ratio([](const Node& n) { return n.spherical_albedo; });
+    if (polarized_) polarize(0, p, parts, own, result.path[p], result.diffuse_transmittance[p], result);
     for (std::size_t s = 0; s < sights; ++s) {
       const SightLine& line = geometry_.sights[s];
       const double mu = std::cos(line.zenith_rad);
-      result.sight_path[s][p] = once({mu, line.azimuth_rad - std::numbers::pi},
-                                     sight_length_km(geometry_, ground_km, line.height_km, mu)) *
-                                path_ratio([s](const Node& n) { return n.sight_path[s]; });
+      const StokesVector along = once({mu, line.azimuth_rad - std::numbers::pi},
+                                      sight_length_km(geometry_, ground_km, line.height_km, mu));
+      result.sight_path[s][p] = along.i * path_ratio([s](const Node& n) { return n.sight_path[s]; });
       result.sight_diffuse[s][p] =
           points_.sight_view[s][p] * ratio([s](const Node& n) { return n.sight_diffuse[s]; });
+      if (polarized_)
+        polarize(1 + s, p, parts, along, result.sight_path[s][p], result.sight_diffuse[s][p], result);
     }
     for (std::size_t h = 0; h < heights; ++h)
       result.sky_at_height[h][p] =
           sunlit_ ? points_.sun_at_height[h][p] * ratio([h](const Node& n) { return n.sky_at_height[h]; })
                   : 0.0;
   }
-  if (polarized_) polarize(result);
   return result;
 }
 

@@ -3,7 +3,6 @@
 #include <map>
 #include <numbers>
 
-#include "atmosphere/scattering/single_scattering.h"
 #include "atmosphere/scattering/sky_ring.h"
 #include "atmosphere/sensor/channel_scattering.h"
 
@@ -44,37 +43,18 @@ void ChannelScattering::solve_polarization(const ColumnSolution& solved, double 
 }
 
 /// Light scattered once is exact at every point; Q and U of the rest are interpolated relative to its I.
-void ChannelScattering::polarize(AtPoints& at) const {
-  const std::vector<SightLine> all = lines();
-  for (auto* rows : {&at.path_q, &at.path_u, &at.diffuse_q})
-    rows->assign(all.size(), std::vector<double>(points_.size(), 0.0));
-  const double ground_km = column_.levels().altitude_km.front();
-  for (std::size_t p = 0; p < points_.size(); ++p) {
-    const ScatteringColumn column(column_.levels(), points_.points[p].layers(),
-                                  geometry_.any_sun_zenith_rad(), options_);
-    const std::vector<Part> parts = parts_at(p);
-    for (std::size_t s = 0; s < all.size(); ++s) {
-      LinePolarization mean;
-      for (const Part& part : parts) {
-        mean.q += part.scaled * part.node->lines[s].q;
-        mean.u += part.scaled * part.node->lines[s].u;
-        mean.diffuse_q += part.plain * part.node->lines[s].diffuse_q;
-      }
-      at.diffuse_q[s][p] =
-          mean.diffuse_q * (s == 0 ? at.diffuse_transmittance[p] : at.sight_diffuse[s - 1][p]);
-      if (!sunlit_) continue;
-      const double mu = std::cos(all[s].zenith_rad);
-      const StokesVector once =
-          points_.irradiance[p] *
-          single_scattering(column, options_.aerosol_polarization,
-                            {mu, all[s].azimuth_rad - std::numbers::pi}, geometry_.sensor_altitude_km,
-                            sight_length_km(geometry_, ground_km, all[s].height_km, mu))
-              .single;
-      const double rest = (s == 0 ? at.path[p] : at.sight_path[s - 1][p]) - once.i;
-      at.path_q[s][p] = once.q + rest * mean.q;
-      at.path_u[s][p] = once.u + rest * mean.u;
-    }
+void ChannelScattering::polarize(std::size_t line, std::size_t point, const std::vector<Part>& parts,
+                                 const StokesVector& once, double path, double diffuse, AtPoints& at) const {
+  LinePolarization mean;
+  for (const Part& part : parts) {
+    const LinePolarization& there = part.node->lines[line];
+    mean.q += part.scaled * there.q;
+    mean.u += part.scaled * there.u;
+    mean.diffuse_q += part.plain * there.diffuse_q;
   }
+  at.path_q[line][point] = once.q + (path - once.i) * mean.q;
+  at.path_u[line][point] = once.u + (path - once.i) * mean.u;
+  at.diffuse_q[line][point] = mean.diffuse_q * diffuse;
 }
 
 }  // namespace ifov::atmosphere

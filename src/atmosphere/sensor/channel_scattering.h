@@ -104,7 +104,10 @@ class ChannelScattering {
   /// `scale` and `groundlit_scale`: of the shapes of the sky.
   void solve_polarization(const ColumnSolution& solved, double scale, double groundlit_scale,
                           Node& node) const;
-  void polarize(AtPoints& at) const;
+  /// Q and U of a line at a point, whose light scattered once, whole path radiance and diffuse transmittance
+  /// are known.
+  void polarize(std::size_t line, std::size_t point, const std::vector<Part>& parts, const StokesVector& once,
+                double path, double diffuse, AtPoints& at) const;
   /// The geometry's own line of sight, then its sights.
   std::vector<SightLine> lines() const;
   Propagation towards_sensor() const;
