@@ -49,7 +49,8 @@ class ChannelScattering {
     /// [solution]: the share of each solution in the shapes of the sky.
     std::vector<std::vector<double>> share;
     /// Q and U of the paths, Q of what they let through diffusely, about the vertical plane: of the geometry's
-    /// own line of sight, then of its sights, [line][point]. Empty unless asked for.
+    /// own line of sight, then of its sights, [line][point], with azimuths read as counterclockwise. Empty
+    /// unless asked for.
     std::vector<std::vector<double>> path_q, path_u, diffuse_q;
   };
   AtPoints at_points() const;
