@@ -48,7 +48,10 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Sensor
   const std::vector<double> ground = couple(air, air.sky_irradiance(), emitted.values(0));
   const math::Vec3 towards_sun = scene.sun ? scene.sun->direction : math::Vec3{1.0, 0.0, 0.0};
   dome_.emplace(air, towards_sun, ground);
-  if (!air.sights().single()) view_table_.emplace(air, towards_sun, ground);
+  if (!air.sights().single())
+    view_table_.emplace(air, towards_sun, ground);
+  else if (air.polarized())
+    single_view_.emplace(air, towards_sun, ground);
   light_heights(air);
   light_surroundings();
   find_emitters();

@@ -66,6 +66,11 @@ class SpectralScene {
   const float* view_radiance() const { return light_.row(kViewRadiance); }
   /// Null where the two hold for all lines of sight and heights.
   const ViewTable* view_table() const { return view_table_ ? &*view_table_ : nullptr; }
+  /// A table that tells the path's polarization, also where one line of sight holds for all; null where the
+  /// atmosphere's tables are unpolarized.
+  const ViewTable* polarized_path() const {
+    return single_view_ ? &*single_view_ : view_table_ && view_table_->polarized() ? &*view_table_ : nullptr;
+  }
 
   /// Null where no surface outshines the others so much that its light has to be sought.
   const Emitters* emitters() const { return emitters_.get(); }
@@ -110,7 +115,7 @@ class SpectralScene {
   radiometry::SpectrumBlock light_;     // by LightRow
   std::unique_ptr<radiometry::PlanckTable> planck_;  // only where a temperature map needs it
   std::optional<SkyDome> dome_;
-  std::optional<ViewTable> view_table_;
+  std::optional<ViewTable> view_table_, single_view_;
   std::vector<double> heights_m_;                  // rising from 0; empty: all is as at the ground
   radiometry::SpectrumBlock sun_rows_, sky_rows_;  // by height
   bool has_view_path_ = false;

@@ -10,6 +10,11 @@ namespace {
 /// rim.
 constexpr double kLeastRise = 0.0872;
 
+/// The azimuth from the Sun's, of a line of sight or of its mirror image, that is on the counterclockwise side.
+double counterclockwise(double azimuth_rad) {
+  return std::atan2(std::abs(std::sin(azimuth_rad)), std::cos(azimuth_rad));
+}
+
 }  // namespace
 
 ViewTable::ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towards_sun,
@@ -44,6 +49,69 @@ ViewTable::ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 
         }
         ++row;
       }
+  if (atmosphere.polarized()) polarize(atmosphere, ground_radiance);
+}
+
+void ViewTable::polarize(const atmosphere::SensorAtmosphere& atmosphere,
+                         const std::vector<double>& ground_radiance) {
+  const atmosphere::SightGrid& grid = atmosphere.sights();
+  const std::size_t nodes = atmosphere.node_count();
+  q_.resize(radiance_.rows(), nodes);
+  u_.resize(radiance_.rows(), nodes);
+  // Here x is towards the Sun and z up.
+  std::vector<radiometry::MuellerMatrix> turn;
+  for (const atmosphere::SightLine& line : grid.lines()) {
+    const radiometry::PolarizationFrame own =
+        radiometry::meridional_frame(std::cos(line.zenith_rad), counterclockwise(line.azimuth_rad));
+    turn.push_back(turned(own, radiometry::carried({}, own.direction)));
+  }
+  std::vector<radiometry::StokesVector> light(nodes);
+  std::size_t row = 0;
+  for (const double height : axes_[0])
+    for (const double along : axes_[1])
+      for (const double across : axes_[2]) {
+        const std::vector<double> weight = grid.weights(height, along, across);
+        std::fill(light.begin(), light.end(), radiometry::StokesVector{});
+        for (std::size_t line = 0; line < weight.size(); ++line) {
+          if (weight[line] == 0.0) continue;
+          const atmosphere::SensorAtmosphere::SightPolarization sight = atmosphere.sight_polarization(line);
+          const radiometry::MuellerMatrix part = weight[line] * turn[line];
+          for (std::size_t n = 0; n < nodes; ++n)
+            light[n] +=
+                part * radiometry::StokesVector{0.0, sight.q[n] + ground_radiance[n] * sight.diffuse_q[n],
+                                                sight.u[n], 0.0};
+        }
+        for (std::size_t n = 0; n < nodes; ++n) {
+          // Polynomials between lines may go beyond what can be.
+          const double whole = static_cast<double>(radiance_.row(row)[n]);
+          const double polarized = std::hypot(light[n].q, light[n].u);
+          const double share = polarized > whole ? whole / polarized : 1.0;
+          q_.row(row)[n] = static_cast<float>(share * light[n].q);
+          u_.row(row)[n] = static_cast<float>(share * light[n].u);
+        }
+        ++row;
+      }
+}
+
+radiometry::PolarizationFrame ViewTable::stokes(math::Vec3 towards_sensor, double height_m,
+                                                std::span<radiometry::StokesVector> nodes) const {
+  const Place place = at(towards_sensor, height_m);
+  const radiometry::PolarizationFrame upright{{0.0, 0.0, 1.0}, {sun_x_, sun_y_, 0.0}},
+      frame = radiometry::meridional_frame(towards_sensor);
+  const radiometry::MuellerMatrix turn = turned(radiometry::carried(upright, towards_sensor), frame);
+  const double side = dot(towards_sensor, upright.y()) < 0.0 ? -1.0 : 1.0;
+  std::fill(nodes.begin(), nodes.end(), radiometry::StokesVector{});
+  for (std::size_t k = 0; k < place.count; ++k) {
+    const std::size_t row =
+        static_cast<std::size_t>(place.radiance[k] - radiance_.row(0)) / radiance_.stride();
+    const double weight = static_cast<double>(place.weight[k]);
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+      nodes[n] += weight * radiometry::StokesVector{static_cast<double>(place.radiance[k][n]),
+                                                    static_cast<double>(q_.row(row)[n]),
+                                                    side * static_cast<double>(u_.row(row)[n]), 0.0};
+  }
+  for (radiometry::StokesVector& light : nodes) light = turn * light;
+  return frame;
 }
 
 ViewTable::Place ViewTable::at(math::Vec3 towards_sensor, double height_m) const {

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "math/vec3.h"
+#include "radiometry/polarization_frame.h"
 #include "radiometry/spectrum_block.h"
 
 namespace ifov::transport {
@@ -27,10 +29,22 @@ class ViewTable {
   /// `towards_sensor` is a unit vector that points up. Beyond the table its rim holds.
   Place at(math::Vec3 towards_sensor, double height_m) const;
 
+  /// Whether the atmosphere's tables are: stokes() is then there.
+  bool polarized() const { return q_.rows() > 0; }
+  /// What the path adds, with its polarization, by node; returns the frame that it is about, the meridional one
+  /// of light that goes to the sensor. Lines of sight are interpolated in frames carried to them from the
+  /// vertical, which change smoothly across it.
+  radiometry::PolarizationFrame stokes(math::Vec3 towards_sensor, double height_m,
+                                       std::span<radiometry::StokesVector> nodes) const;
+
  private:
+  void polarize(const atmosphere::SensorAtmosphere& atmosphere, const std::vector<double>& ground_radiance);
   double sun_x_ = 0.0, sun_y_ = 1.0;         // horizontal direction of the Sun, unit
   std::array<std::vector<double>, 3> axes_;  // height in km, along, across
   radiometry::SpectrumBlock transmittance_, radiance_;
+  /// As radiance_, about frames carried from the vertical, where x is towards the Sun; of lines on the
+  /// counterclockwise side. Empty where not asked for.
+  radiometry::SpectrumBlock q_, u_;
 };
 
 }  // namespace ifov::transport

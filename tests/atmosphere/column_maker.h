@@ -80,14 +80,15 @@ inline double rayleigh_depth(double wavelength_um) {
 }
 
 /// Radiance upward at the top or downward at the ground with Lambertian ground, by the coupling terms.
-inline Stokes light_with_ground(const ColumnSolution& solution, const Propagation& direction, double albedo) {
+inline StokesVector light_with_ground(const ColumnSolution& solution, const Propagation& direction,
+                                      double albedo) {
   const FluxProfile::Fluxes fluxes = solution.sunlit().fluxes().at(0.0);
   const double irradiance =
       (fluxes.direct_down + fluxes.diffuse_down) / (1.0 - albedo * solution.spherical_albedo());
   const double leaving = albedo * irradiance / std::numbers::pi;
   const double observer = direction.mu > 0.0 ? 1e4 : 0.0;
   const PathLight path = solution.sunlit().path(direction, observer);
-  Stokes light = path.radiance();
+  StokesVector light = path.radiance();
   if (direction.mu > 0.0) {
     light += leaving * solution.diffuse_transmittance(direction.mu, observer);
     light.i += leaving * path.transmittance;

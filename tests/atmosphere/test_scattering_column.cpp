@@ -186,7 +186,7 @@ TEST(ScatteringColumn, OpaqueGasIsNoTrouble) {
     const Column column = air.column();
     const ColumnSolution solution = ColumnSolver().solve(column.levels, column.optics, 70.0 * kDegree);
     for (double mu : {1.0, 0.1, -0.1, -1.0}) {
-      const Stokes light = solution.sunlit().path({mu, 1.0}, mu > 0.0 ? kSpace_km : 0.0).radiance();
+      const StokesVector light = solution.sunlit().path({mu, 1.0}, mu > 0.0 ? kSpace_km : 0.0).radiance();
       EXPECT_TRUE(std::isfinite(light.i) && std::isfinite(light.q) && light.i >= 0.0) << gas << " " << mu;
     }
     EXPECT_LT(solution.sunlit().fluxes().diffuse_down.back(), 1e-6);

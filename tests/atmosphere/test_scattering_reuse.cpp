@@ -93,14 +93,14 @@ class ScatteringReuse : public testing::Test {
           column.optics.gas_absorption[i] += high.optics.gas_absorption[i];
         }
         const auto exact = quantities(solver, column.levels, column.optics, true);
-        std::vector<Stokes> first, total(exact.size());
+        std::vector<StokesVector> first, total(exact.size());
         for (const auto& light : quantities(solver, column.levels, column.optics, false))
           first.push_back(light.first);
         GasPlacement placement = gas_placement(column.optics);
         if (!placed) placement.under = placement.under_square = 1.0;
         table.complete(um, placement, first, total);
         for (std::size_t k = 0; k < exact.size(); ++k) {
-          const Stokes light = exact[k].first + exact[k].rest;
+          const StokesVector light = exact[k].first + exact[k].rest;
           const double unit = without_gas[k].first.i + without_gas[k].rest.i;
           worst = std::max({worst, std::abs(total[k].i - light.i) / unit,
                             std::abs(total[k].q - light.q) / unit, std::abs(total[k].u - light.u) / unit});
@@ -141,7 +141,7 @@ TEST_F(ScatteringReuse, NodesAreExactAndThreadsDoNotMatter) {
   const ColumnSolver solver;
   const Column column = column_at(0.5, 0.3, kMixed);
   const auto exact = quantities(solver, column.levels, column.optics, true);
-  std::vector<Stokes> first, a(exact.size()), b(exact.size());
+  std::vector<StokesVector> first, a(exact.size()), b(exact.size());
   for (const auto& light : exact) first.push_back(light.first);
   one.complete(0.5, gas_placement(column.optics), first, a);
   two.complete(0.5, gas_placement(column.optics), first, b);

@@ -138,7 +138,7 @@ TEST(ScatteringSky, SkyIsSeenThroughShells) {
   EXPECT_NEAR(ratio(1.0), 1.0, 1e-12);
   EXPECT_NEAR(ratio(0.3), 1.0, 0.02);
   EXPECT_LT(ratio(0.01), 0.8) << "flat layers pass for shells";
-  const Stokes horizon = solution.sunlit().sky({0.0, 1.0}, 0.0).radiance();
+  const StokesVector horizon = solution.sunlit().sky({0.0, 1.0}, 0.0).radiance();
   EXPECT_TRUE(std::isfinite(horizon.i) && horizon.i > 0.0);
 }
 
@@ -150,8 +150,8 @@ TEST(ScatteringSky, PathsJoin) {
   const double mu = 0.35, azimuth = 0.8;
   const SlantSource down = solution.sunlit().along(mu), up = solution.sunlit().along(-mu);
   const auto joined = [](const PathLight& near, const PathLight& far, const PathLight& whole) {
-    const Stokes sum = near.radiance() + near.peak_transmittance * far.radiance(),
-                 expected = whole.radiance();
+    const StokesVector sum = near.radiance() + near.peak_transmittance * far.radiance(),
+                       expected = whole.radiance();
     EXPECT_NEAR(sum.i, expected.i, 1e-12 * expected.i);
     EXPECT_NEAR(sum.q, expected.q, 1e-12 * expected.i);
     EXPECT_NEAR(sum.u, expected.u, 1e-12 * expected.i);
@@ -175,7 +175,7 @@ TEST(ScatteringSky, AureoleIsBrightAndSideSkyIsPolarized) {
     return solution.sunlit().path({-std::cos(zenith * kDegree), azimuth * kDegree}, 0.0).radiance();
   };
   EXPECT_GT(sky(57.0, 0.0).i, 3.0 * sky(60.0, 90.0).i);
-  const Stokes side = sky(30.0, 180.0);
+  const StokesVector side = sky(30.0, 180.0);
   EXPECT_GT(-side.q / side.i, 0.2) << "90 degrees from the Sun light swings across the Sun's vertical";
   EXPECT_NEAR(side.u / side.i, 0.0, 1e-12);
 }

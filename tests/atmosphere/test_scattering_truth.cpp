@@ -44,7 +44,8 @@ Worst against_natraj(const ScatteringOptions& options) {
   for (const auto& row : read_numbers(*ifov::test::truth_file(kNatraj))) {
     if (row.size() != 6) continue;
     ++rows;
-    const Stokes light = std::numbers::pi * light_with_ground(solution, {row[1], row[2] * kDegree}, row[0]);
+    const StokesVector light =
+        std::numbers::pi * light_with_ground(solution, {row[1], row[2] * kDegree}, row[0]);
     worst.i = std::max(worst.i, std::abs(light.i - row[3]));
     worst.q = std::max(worst.q, std::abs(-light.q - row[4]));  // the table has the other sign of Q
     worst.u = std::max(worst.u, std::abs(light.u - row[5]));
@@ -99,8 +100,8 @@ TEST(ScatteringTruth, FourHundredAndEightyDirections) {
       }
     }
     const Propagation direction{row[3], row[4] * kDegree};
-    const Stokes light = std::numbers::pi * light_with_ground(solutions[0], direction, row[2]);
-    const Stokes scalar = std::numbers::pi * light_with_ground(solutions[1], direction, row[2]);
+    const StokesVector light = std::numbers::pi * light_with_ground(solutions[0], direction, row[2]);
+    const StokesVector scalar = std::numbers::pi * light_with_ground(solutions[1], direction, row[2]);
     worst.i = std::max(worst.i, std::abs(light.i - row[5]));
     worst.q = std::max(worst.q, std::abs(light.q - row[6]));
     worst.u = std::max(worst.u, std::abs(light.u - row[7]));
@@ -136,7 +137,8 @@ TEST(ScatteringTruth, IprtCaseB2SingleScattering) {
       if (row.size() != 9 || std::abs(row[4]) < 0.01) continue;
       ++directions;
       const Propagation direction{std::cos(row[3] * kDegree), row[2] * kDegree};
-      const Stokes light = single_scattering(sunlit, 0.0, direction, direction.mu > 0.0 ? 1e3 : 0.0).single;
+      const StokesVector light =
+          single_scattering(sunlit, 0.0, direction, direction.mu > 0.0 ? 1e3 : 0.0).single;
       worst = std::max({worst, std::abs(light.i - row[5]) / row[5], std::abs(light.q - row[6]) / row[5],
                         std::abs(light.u + row[7]) / row[5]});  // U of Hovenier and van der Mee
     }
@@ -176,7 +178,7 @@ TEST(ScatteringTruth, PolradtranSky) {
     double result = 0.0;
     for (int direction = 0; direction < 3; ++direction) {
       for (int azimuth = 0; azimuth < 3; ++azimuth) {
-        const Stokes light =
+        const StokesVector light =
             their_irradiance / irradiance *
             light_with_ground(solution, {lights[direction][0], azimuth * 90.0 * kDegree}, 0.2);
         const double i = lights[direction][2 + azimuth];

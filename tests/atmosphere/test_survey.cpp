@@ -90,8 +90,8 @@ TEST(SkyView, ClearSkyIsPolarizedAcrossTheSunsPlane) {
   const std::size_t away = sky.azimuth_rad.size() - 1;
   const std::size_t ninety = 15;  // 30 degrees from the zenith, opposite the Sun
   ASSERT_NEAR(sky.zenith_rad[ninety], 30.0 * kDegree, 1e-12);
-  EXPECT_NEAR(polarization_degree(sky.at(ninety, away)), 0.80, 0.08);
-  EXPECT_LT(polarization_degree(sky.at(30, 0)), 0.05);
+  EXPECT_NEAR(radiometry::degree_of_linear_polarization(sky.at(ninety, away)), 0.80, 0.08);
+  EXPECT_LT(radiometry::degree_of_linear_polarization(sky.at(30, 0)), 0.05);
   int neutral = 0;
   for (std::size_t z = 1; z + 1 < sky.zenith_rad.size(); ++z)
     neutral += sky.at(z, 0).q * sky.at(z + 1, 0).q < 0.0 ? 1 : 0;
@@ -119,7 +119,7 @@ TEST(SkyView, NeutralPointsAreWhereTheTableHasThem) {
   EXPECT_EQ(distance(0.65, "Arago"), 0.0);
 
   SkyView once = view_sky(column("none"), 0.45, 1.0, sun);
-  for (Stokes& light : once.light) light.q = -light.i;
+  for (StokesVector& light : once.light) light.q = -light.i;
   EXPECT_TRUE(neutral_points(once, sun).empty());
 }
 

@@ -106,9 +106,9 @@ double ColumnSolution::spherical_albedo() const {
   return groundlit_.fluxes().diffuse_down.back() / std::numbers::pi;
 }
 
-Stokes ColumnSolution::diffuse_transmittance(double mu, double observer_km, double length_km) const {
+StokesVector ColumnSolution::diffuse_transmittance(double mu, double observer_km, double length_km) const {
   const PathLight light = groundlit_.path({mu, 0.0}, observer_km, length_km);
-  Stokes scattered = light.multiple;
+  StokesVector scattered = light.multiple;
   scattered.i += light.peak_transmittance - light.transmittance;
   return scattered;
 }

@@ -32,7 +32,7 @@ class ColumnSolution {
   /// Radiance of scattered light that an observer above receives from ground of radiance 1 everywhere, in
   /// light that propagates with mu > 0. Light straight from the ground is not in it.
   /// `length_km`: of the path that is lit from below.
-  Stokes diffuse_transmittance(double mu, double observer_km, double length_km = kEndless_km) const;
+  StokesVector diffuse_transmittance(double mu, double observer_km, double length_km = kEndless_km) const;
   /// Transmittance of the sunbeam down to an altitude.
   double sun_transmittance(double altitude_km) const;
 

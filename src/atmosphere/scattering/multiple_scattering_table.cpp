@@ -144,7 +144,8 @@ MultipleScatteringTable::MultipleScatteringTable(const Nodes& nodes, const MakeO
 }
 
 void MultipleScatteringTable::complete(double wavelength_um, const GasPlacement& gas,
-                                       std::span<const Stokes> first, std::span<Stokes> total) const {
+                                       std::span<const StokesVector> first,
+                                       std::span<StokesVector> total) const {
   if (first.size() != quantities_ || total.size() != quantities_) {
     throw std::invalid_argument("as many quantities are completed as were solved");
   }
@@ -169,7 +170,7 @@ void MultipleScatteringTable::complete(double wavelength_um, const GasPlacement&
   }
   for (std::size_t k = 0; k < quantities_; ++k) {
     const double rest = first[k].i * std::exp(mean[k].log_ratio);
-    total[k] = first[k] + Stokes{rest, rest * mean[k].q, rest * mean[k].u};
+    total[k] = first[k] + StokesVector{rest, rest * mean[k].q, rest * mean[k].u};
   }
 }
 

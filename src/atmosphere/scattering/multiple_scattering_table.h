@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "atmosphere/layer_optics.h"
-#include "atmosphere/scattering/stokes.h"
+#include "atmosphere/scattering/propagation.h"
 
 namespace ifov::atmosphere {
 
@@ -23,8 +23,8 @@ GasPlacement gas_placement(const LayerOptics& optics);
 
 /// Some light (radiance of a path, a flux, the spherical albedo; a flux has only `i`), split by order.
 struct LightByOrder {
-  Stokes first;  ///< scattered once
-  Stokes rest;   ///< scattered more often
+  StokesVector first;  ///< scattered once
+  StokesVector rest;   ///< scattered more often
 };
 
 /// Reuses solutions: light scattered more than once as a function of wavelength and of gas absorption,
@@ -54,8 +54,8 @@ class MultipleScatteringTable {
 
   /// All light of every quantity from the light scattered once in a column with this gas. Beyond the nodes
   /// the outermost hold.
-  void complete(double wavelength_um, const GasPlacement& gas, std::span<const Stokes> first,
-                std::span<Stokes> total) const;
+  void complete(double wavelength_um, const GasPlacement& gas, std::span<const StokesVector> first,
+                std::span<StokesVector> total) const;
 
  private:
   struct Entry {

@@ -92,14 +92,14 @@ class SlantSource::Sum {
     transmission_ *= step.transmission;
     return transmission_ > 0.0;
   }
-  const Stokes& multiple() const { return multiple_; }
+  const StokesVector& multiple() const { return multiple_; }
 
  private:
   const double* values_;
   std::size_t sublayers_;
   std::vector<std::array<double, 2>> turn_;  ///< cos and sin of mode times azimuth
   double transmission_ = 1.0;
-  Stokes multiple_;
+  StokesVector multiple_;
 };
 
 PathLight SlantSource::path(double azimuth_rad, double observer_km, double length_km) const {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "atmosphere/scattering/stokes.h"
+#include "atmosphere/scattering/propagation.h"
 
 namespace ifov::atmosphere {
 
@@ -29,6 +29,7 @@ std::array<double, 9> meridian_matrix(const Propagation& from, const Propagation
                                       const ScatteringMatrix& matrix);
 
 /// Its first column: unpolarized light of radiance 1 scattered from one direction into the other.
-Stokes scatter_unpolarized(const Propagation& from, const Propagation& to, const ScatteringMatrix& matrix);
+StokesVector scatter_unpolarized(const Propagation& from, const Propagation& to,
+                                 const ScatteringMatrix& matrix);
 
 }  // namespace ifov::atmosphere

@@ -49,7 +49,7 @@ class SingleScattering {
  private:
   const ScatteringColumn& column_;
   double cosine_, asymmetry_ = 0.0, henyey_greenstein_ = 1.0;
-  Stokes molecules_, particles_;
+  StokesVector molecules_, particles_;
   double rayleigh_sum_ = 0.0, aerosol_sum_ = 0.0, depth_ = 0.0, true_depth_ = 0.0;
 };
 

@@ -1,20 +1,20 @@
 #pragma once
 
+#include "atmosphere/scattering/propagation.h"
 #include "atmosphere/scattering/scattering_column.h"
 #include "atmosphere/scattering/slant_path.h"
-#include "atmosphere/scattering/stokes.h"
 
 namespace ifov::atmosphere {
 
 /// Light that a path adds, and what it lets through.
 struct PathLight {
-  Stokes single;    ///< scattered once, with the whole phase function
-  Stokes multiple;  ///< scattered more often
+  StokesVector single;    ///< scattered once, with the whole phase function
+  StokesVector multiple;  ///< scattered more often
   double transmittance = 1.0;
   /// exp(-scaled depth): what is let through where light scattered into the forward peak counts as not
   /// scattered.
   double peak_transmittance = 1.0;
-  Stokes radiance() const { return single + multiple; }
+  StokesVector radiance() const { return single + multiple; }
 };
 
 /// Sunlight of irradiance 1 (across the beam, above the air) scattered once into `direction`, on the way to

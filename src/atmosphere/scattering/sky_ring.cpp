@@ -71,21 +71,67 @@ double mode_light(const ModeMoments& moments, const ColumnPhase& phase, const Wa
   return std::accumulate(sum.begin(), sum.end(), 0.0);
 }
 
+/// Q and U of one azimuthal mode, likewise.
+struct ModePolarization {
+  double q = 0.0, u = 0.0;
+};
+ModePolarization mode_polarization(const ModeMoments& moments, const ColumnPhase& phase, const Walk& walk,
+                                   double mu) {
+  ModePolarization sum;
+  if (moments.components == 1) return sum;
+  const SphericalFunctions f = spherical_functions(moments.mode, moments.terms, mu);
+  const auto arriving = [&](const double* at, std::size_t s) {
+    return walk.top[s] * at[s] + walk.bottom[s] * at[s + 1];
+  };
+  for (int l = moments.mode; l < moments.terms; ++l) {
+    const double r = f.r[l - moments.mode], t = f.t[l - moments.mode];
+    const double *gamma = phase.at(phase.gamma, l), *alpha = phase.at(phase.alpha, l),
+                 *zeta = phase.at(phase.zeta, l);
+    const double *i = moments.at(l, 0), *q = moments.at(l, 1);
+    const double* u = moments.components > 2 ? moments.at(l, 2) : nullptr;
+    double along = 0.0, aside = 0.0;
+    for (std::size_t s = 0; s < phase.sublayers; ++s) {
+      along += gamma[s] * arriving(i, s) + alpha[s] * arriving(q, s);
+      if (u != nullptr) aside += zeta[s] * arriving(u, s);
+    }
+    sum.q += r * along + t * aside;
+    sum.u += t * along + r * aside;
+  }
+  return sum;
+}
+
+Walk walk_of(const ScatteredField& field, double mu, double observer_km) {
+  const SolvedColumn& solved = field.solved();
+  Walk walk(solved.column);
+  walk_sky(solved.column, observer_km, mu, walk);
+  return walk;
+}
+
+/// What is scattered once along the walk; only a1 and b1 of it are told.
+ScatteringMatrix scattered_once(const SolvedColumn& solved, const Walk& walk, double cosine) {
+  const ScatteringMatrix molecules = rayleigh_matrix(cosine, solved.column.depolarization);
+  ScatteringMatrix light{walk.rayleigh * molecules.a1, 0.0, 0.0, walk.rayleigh * molecules.b1};
+  for (const Walk::Aerosol& part : walk.aerosol) {
+    const ScatteringMatrix particles = aerosol_matrix(cosine, part.asymmetry, solved.aerosol_polarization);
+    light.a1 += part.light * particles.a1;
+    light.b1 += part.light * particles.b1;
+  }
+  light.a1 *= 0.25 / std::numbers::pi;
+  light.b1 *= 0.25 / std::numbers::pi;
+  return light;
+}
+
 }  // namespace
 
 std::vector<double> sky_ring(const ScatteredField& field, double mu, std::span<const double> azimuth_rad,
                              double observer_km) {
   const SolvedColumn& solved = field.solved();
-  Walk walk(solved.column);
-  walk_sky(solved.column, observer_km, mu, walk);
+  const Walk walk = walk_of(field, mu, observer_km);
   std::vector<double> radiance(azimuth_rad.size(), 0.0);
   if (field.sunlit())
     for (std::size_t a = 0; a < azimuth_rad.size(); ++a) {
       const double cosine = scattering_cosine({-solved.column.sun_mu, 0.0}, {mu, azimuth_rad[a]});
-      double light = walk.rayleigh * rayleigh_matrix(cosine, solved.column.depolarization).a1;
-      for (const Walk::Aerosol& part : walk.aerosol)
-        light += part.light * aerosol_matrix(cosine, part.asymmetry, 0.0).a1;
-      radiance[a] = 0.25 / std::numbers::pi * light;
+      radiance[a] = scattered_once(solved, walk, cosine).a1;
     }
   for (const ModeMoments& moments : field.modes()) {
     const double light = mode_light(moments, solved.phase, walk, mu);
@@ -93,6 +139,29 @@ std::vector<double> sky_ring(const ScatteredField& field, double mu, std::span<c
       radiance[a] += light * std::cos(moments.mode * azimuth_rad[a]);
   }
   return radiance;
+}
+
+std::vector<StokesVector> sky_ring_stokes(const ScatteredField& field, double mu,
+                                          std::span<const double> azimuth_rad, double observer_km) {
+  const SolvedColumn& solved = field.solved();
+  const Walk walk = walk_of(field, mu, observer_km);
+  const Propagation sunlight{-solved.column.sun_mu, 0.0};
+  std::vector<StokesVector> light(azimuth_rad.size());
+  if (field.sunlit())
+    for (std::size_t a = 0; a < azimuth_rad.size(); ++a) {
+      const Propagation direction{mu, azimuth_rad[a]};
+      light[a] = scatter_unpolarized(sunlight, direction,
+                                     scattered_once(solved, walk, scattering_cosine(sunlight, direction)));
+    }
+  for (const ModeMoments& moments : field.modes()) {
+    const double i = mode_light(moments, solved.phase, walk, mu);
+    const ModePolarization polarization = mode_polarization(moments, solved.phase, walk, mu);
+    for (std::size_t a = 0; a < azimuth_rad.size(); ++a) {
+      const double c = std::cos(moments.mode * azimuth_rad[a]), s = std::sin(moments.mode * azimuth_rad[a]);
+      light[a] += {c * i, c * polarization.q, s * polarization.u, 0.0};
+    }
+  }
+  return light;
 }
 
 }  // namespace ifov::atmosphere

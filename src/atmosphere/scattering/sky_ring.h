@@ -12,4 +12,8 @@ namespace ifov::atmosphere {
 std::vector<double> sky_ring(const ScatteredField& field, double mu, std::span<const double> azimuth_rad,
                              double observer_km);
 
+/// The same with its polarization; i is what sky_ring() tells, bit for bit.
+std::vector<StokesVector> sky_ring_stokes(const ScatteredField& field, double mu,
+                                          std::span<const double> azimuth_rad, double observer_km);
+
 }  // namespace ifov::atmosphere

@@ -34,13 +34,11 @@ std::vector<ChannelScattering::WeakPoint> ChannelScattering::weak_points() const
     std::size_t point = 0;
   };
   std::map<std::pair<std::size_t, std::size_t>, Gap> gaps;
-  std::vector<double> scaled_depths;
-  for (const double depth : depth_) scaled_depths.push_back(scaled_depth(depth));
   const auto bulge = [](double share) { return share >= 1.0 ? 1.0 : std::abs(4.0 * share * (1.0 - share)); };
   for (std::size_t p = 0; p < points_.size(); ++p) {
     const double gas = points_.gas_depth[p];
     const Place wavelength = place(log_wavelength_, std::log(points_.points[p].wavelength_um));
-    const Place depth = place(scaled_depths, scaled_depth(gas));
+    const Place depth = place(scaled_depth_, scaled_depth(gas));
     const double light =
         points_.share[p] *
         (points_.sun[p] * points_.view[p] + kPathShare * points_.irradiance[p] * std::exp(-kPathDepth * gas));
@@ -67,6 +65,26 @@ std::vector<ChannelScattering::WeakPoint> ChannelScattering::weak_points() const
   return points;
 }
 
+std::vector<ChannelScattering::Part> ChannelScattering::parts_at(std::size_t p) const {
+  const std::size_t columns = depth_.size();
+  const Place at_wavelength = place(log_wavelength_, std::log(points_.points[p].wavelength_um));
+  const double depth = std::clamp(points_.gas_depth[p], depth_.front(), depth_.back());
+  const Place at_depth = place(depth_, depth), at_scaled = place(scaled_depth_, scaled_depth(depth));
+  std::vector<Part> parts;
+  for (std::size_t w = at_wavelength.low; w <= std::min(at_wavelength.low + 1, log_wavelength_.size() - 1);
+       ++w)
+    for (std::size_t d = 0; d < columns; ++d) {
+      const double across =
+          w == at_wavelength.low ? 1.0 - at_wavelength.high_share : at_wavelength.high_share;
+      const auto share = [&](const Place& here) {
+        return d == here.low ? 1.0 - here.high_share : d == here.low + 1 ? here.high_share : 0.0;
+      };
+      const std::size_t solution = w * columns + d;
+      parts.push_back({&nodes_[solution], solution, across * share(at_depth), across * share(at_scaled)});
+    }
+  return parts;
+}
+
 ChannelScattering::AtPoints ChannelScattering::at_points() const {
   const std::size_t count = points_.size(), sights = geometry_.sights.size(),
                     heights = geometry_.heights_km.size();
@@ -77,39 +95,22 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
   result.sight_path.assign(sights, std::vector<double>(count));
   result.sight_diffuse.assign(sights, std::vector<double>(count));
   result.sky_at_height.assign(heights, std::vector<double>(count));
+  if (polarized_)
+    for (auto* rows : {&result.path_q, &result.path_u, &result.diffuse_q})
+      rows->assign(1 + sights, std::vector<double>(count));
   result.share.assign(nodes_.size(), std::vector<double>(count, 0.0));
-  std::vector<double> scaled_depths;
-  for (const double depth : depth_) scaled_depths.push_back(scaled_depth(depth));
-  const std::size_t columns = depth_.size();
   const double ground_km = column_.levels().altitude_km.front();
   for (std::size_t p = 0; p < count; ++p) {
     const ChannelPoints::Point& point = points_.points[p];
     const ScatteringColumn column(column_.levels(), point.layers(), geometry_.any_sun_zenith_rad(), options_);
     const auto once = [&](const Propagation& up, double length_km) {
-      if (!sunlit_) return 0.0;
+      if (!sunlit_) return StokesVector{};
       return points_.irradiance[p] * single_scattering(column, options_.aerosol_polarization, up,
                                                        geometry_.sensor_altitude_km, length_km)
-                                         .single.i;
+                                         .single;
     };
-    const Place at_wavelength = place(log_wavelength_, std::log(point.wavelength_um));
-    const double depth = std::clamp(points_.gas_depth[p], depth_.front(), depth_.back());
-    const Place at_depth = place(depth_, depth), at_scaled = place(scaled_depths, scaled_depth(depth));
-    struct Part {
-      const Node* node;
-      double plain, scaled;
-    };
-    std::vector<Part> parts;
-    for (std::size_t w = at_wavelength.low; w <= std::min(at_wavelength.low + 1, log_wavelength_.size() - 1);
-         ++w)
-      for (std::size_t d = 0; d < columns; ++d) {
-        const double across =
-            w == at_wavelength.low ? 1.0 - at_wavelength.high_share : at_wavelength.high_share;
-        const auto share = [&](const Place& here) {
-          return d == here.low ? 1.0 - here.high_share : d == here.low + 1 ? here.high_share : 0.0;
-        };
-        parts.push_back({&nodes_[w * columns + d], across * share(at_depth), across * share(at_scaled)});
-        result.share[w * columns + d][p] = parts.back().plain;
-      }
+    const std::vector<Part> parts = parts_at(p);
+    for (const Part& part : parts) result.share[part.solution][p] = part.plain;
     const auto ratio = [&](const auto& of) {
       double sum = 0.0;
       for (const Part& part : parts) sum += part.plain * of(*part.node);
@@ -120,21 +121,25 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
       for (const Part& part : parts) sum += part.scaled * of(*part.node);
       return std::exp(sum);
     };
-    result.once[p] = once(towards_sensor(), kEndless_km);
-    result.path[p] = result.once[p] * path_ratio([](const Node& n) { return n.path; });
+    const StokesVector own = once(towards_sensor(), kEndless_km);
+    result.once[p] = own.i;
+    result.path[p] = own.i * path_ratio([](const Node& n) { return n.path; });
     result.sky_irradiance[p] =
         sunlit_ ? points_.sun[p] * ratio([](const Node& n) { return n.sky_irradiance; }) : 0.0;
     result.diffuse_transmittance[p] =
         points_.view[p] * ratio([](const Node& n) { return n.diffuse_transmittance; });
     result.spherical_albedo[p] = ratio([](const Node& n) { return n.spherical_albedo; });
+    if (polarized_) polarize(0, p, parts, own, result.path[p], result.diffuse_transmittance[p], result);
     for (std::size_t s = 0; s < sights; ++s) {
       const SightLine& line = geometry_.sights[s];
       const double mu = std::cos(line.zenith_rad);
-      result.sight_path[s][p] = once({mu, line.azimuth_rad - std::numbers::pi},
-                                     sight_length_km(geometry_, ground_km, line.height_km, mu)) *
-                                path_ratio([s](const Node& n) { return n.sight_path[s]; });
+      const StokesVector along = once({mu, line.azimuth_rad - std::numbers::pi},
+                                      sight_length_km(geometry_, ground_km, line.height_km, mu));
+      result.sight_path[s][p] = along.i * path_ratio([s](const Node& n) { return n.sight_path[s]; });
       result.sight_diffuse[s][p] =
           points_.sight_view[s][p] * ratio([s](const Node& n) { return n.sight_diffuse[s]; });
+      if (polarized_)
+        polarize(1 + s, p, parts, along, result.sight_path[s][p], result.sight_diffuse[s][p], result);
     }
     for (std::size_t h = 0; h < heights; ++h)
       result.sky_at_height[h][p] =

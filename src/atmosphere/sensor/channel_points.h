@@ -14,7 +14,8 @@ struct SensorGeometry {
   std::optional<double> sun_zenith_rad;
   /// From the ground towards the sensor.
   double view_zenith_rad = 0.0;
-  /// Of that direction from the Sun's.
+  /// Of that direction from the Sun's, either way round: the air is the same on both sides of the Sun's plane,
+  /// but for the sign of U.
   double view_azimuth_rad = 0.0;
   /// Above mean sea level; at or above the top of the air it is the same everywhere.
   double sensor_altitude_km = 100.0;

@@ -26,37 +26,16 @@ double log_ratio(double a, double b) { return std::log(std::max(a, kDark) / std:
 
 double ChannelScattering::scaled_depth(double gas_depth) { return std::log1p(10.0 * gas_depth); }
 
-std::vector<double> solution_question(const ScatteringOptions& options, const SensorGeometry& geometry,
-                                      const Levels& levels, const LayerOptics& optics) {
-  std::vector<double> all{geometry.any_sun_zenith_rad(),
-                          geometry.view_zenith_rad,
-                          geometry.view_azimuth_rad,
-                          geometry.sensor_altitude_km,
-                          options.aerosol_polarization,
-                          options.sublayer_depth,
-                          options.tolerance};
-  for (const int count : {options.nodes_per_hemisphere, options.polarized ? 1 : 0,
-                          options.spherical_earth ? 1 : 0, options.most_sublayers, options.most_orders})
-    all.push_back(count);
-  for (const std::vector<double>* list :
-       {&levels.altitude_km, &optics.gas_absorption, &optics.rayleigh_scattering, &optics.aerosol_scattering,
-        &optics.aerosol_absorption, &optics.aerosol_asymmetry}) {
-    all.push_back(static_cast<double>(list->size()));
-    all.insert(all.end(), list->begin(), list->end());
-  }
-  all.push_back(optics.depolarization);
-  return all;
-}
-
 ChannelScattering::ChannelScattering(const AtmosphereColumn& column, const ChannelPoints& points,
                                      const SensorGeometry& geometry, const SkyDirections& directions,
-                                     const ScatteringOptions& options)
+                                     const ScatteringOptions& options, bool polarized)
     : column_(column),
       points_(points),
       geometry_(geometry),
       directions_(directions),
       options_(options),
-      sunlit_(geometry.sun_zenith_rad && points.points.front().wavelength_um <= kLastSolar_um) {
+      sunlit_(geometry.sun_zenith_rad && points.points.front().wavelength_um <= kLastSolar_um),
+      polarized_(polarized) {
   options_.most_sublayers = 1;  // light scattered once is exact in whole layers
   choose_nodes();
   for (std::size_t w = 0; w < log_wavelength_.size(); ++w)
@@ -97,6 +76,7 @@ void ChannelScattering::choose_nodes() {
     const bool too_deep = k > 0 && kDepths[k - 1] >= deep;
     if (!too_shallow && !too_deep) depth_.push_back(kDepths[k]);
   }
+  for (const double depth : depth_) scaled_depth_.push_back(scaled_depth(depth));
 }
 
 /// Everything but gas from the bin next to the wavelength; gas of the mean profile of the channel's points of
@@ -128,56 +108,6 @@ LayerOptics ChannelScattering::optics_at(double log_wavelength, double depth) co
 
 Propagation ChannelScattering::towards_sensor() const {
   return {std::cos(geometry_.view_zenith_rad), geometry_.view_azimuth_rad - std::numbers::pi};
-}
-
-std::vector<double> ChannelScattering::question(const ColumnSolver& solver, const Node& node) const {
-  std::vector<double> all = solution_question(solver.options(), geometry_, column_.levels(), node.optics);
-  for (const std::vector<double>* list :
-       {&directions_.zenith_rad, &directions_.azimuth_rad, &geometry_.heights_km}) {
-    all.push_back(static_cast<double>(list->size()));
-    all.insert(all.end(), list->begin(), list->end());
-  }
-  for (const SightLine& line : geometry_.sights)
-    all.insert(all.end(), {line.zenith_rad, line.azimuth_rad, line.height_km});
-  return all;
-}
-
-void ChannelScattering::solve(const ColumnSolver& solver, std::size_t solution, KeptSolutions* kept) {
-  Node& node = nodes_[solution];
-  if (kept == nullptr) return solve(solver, node);
-  const std::vector<double> asked = question(solver, node);
-  const std::size_t rings = directions_.zenith_rad.size() * (directions_.azimuth_rad.size() + 1);
-  std::vector<double> answer(4 + 2 * geometry_.sights.size() + geometry_.heights_km.size() + rings);
-  if (kept->find(asked, answer)) return node.unpack(answer, geometry_, directions_);
-  solve(solver, node);
-  kept->keep(asked, node.packed());
-}
-
-std::vector<double> ChannelScattering::Node::packed() const {
-  std::vector<double> answer{path, sky_irradiance, diffuse_transmittance, spherical_albedo};
-  for (const std::vector<double>* list : {&sight_path, &sight_diffuse, &sky_at_height, &sky, &groundlit})
-    answer.insert(answer.end(), list->begin(), list->end());
-  return answer;
-}
-
-void ChannelScattering::Node::unpack(std::span<const double> answer, const SensorGeometry& geometry,
-                                     const SkyDirections& directions) {
-  path = answer[0];
-  sky_irradiance = answer[1];
-  diffuse_transmittance = answer[2];
-  spherical_albedo = answer[3];
-  const std::size_t zeniths = directions.zenith_rad.size(), azimuths = directions.azimuth_rad.size();
-  std::size_t next = 4;
-  const auto take = [&](std::vector<double>& list, std::size_t count) {
-    const auto part = answer.subspan(next, count);
-    list.assign(part.begin(), part.end());
-    next += count;
-  };
-  take(sight_path, geometry.sights.size());
-  take(sight_diffuse, geometry.sights.size());
-  take(sky_at_height, geometry.heights_km.size());
-  take(sky, zeniths * azimuths);
-  take(groundlit, zeniths);
 }
 
 /// Ratios as at the ground and along the sensor's own line of sight.
@@ -234,6 +164,9 @@ void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
   }
   for (double& value : node.sky) value /= std::max(sky_sum, kDark);
   for (double& value : node.groundlit) value *= std::numbers::pi / std::max(groundlit_sum, kDark);
+  if (polarized_)
+    solve_polarization(solved, 1.0 / std::max(sky_sum, kDark),
+                       std::numbers::pi / std::max(groundlit_sum, kDark), node);
 }
 
 }  // namespace ifov::atmosphere

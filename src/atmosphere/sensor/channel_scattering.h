@@ -20,10 +20,10 @@ std::vector<double> solution_question(const ScatteringOptions& options, const Se
 /// between the solutions are the ratios of everything else to them, which are smooth in wavelength and depth.
 class ChannelScattering {
  public:
-  /// Decides what is to be solved. Keeps references to the first four.
+  /// Decides what is to be solved. Keeps references to the first four. `polarized`: Q and U are told, too.
   ChannelScattering(const AtmosphereColumn& column, const ChannelPoints& points,
                     const SensorGeometry& geometry, const SkyDirections& directions,
-                    const ScatteringOptions& options);
+                    const ScatteringOptions& options, bool polarized = false);
 
   std::size_t solutions() const { return nodes_.size(); }
   /// Whether there is sunlight; else only light of the ground is told.
@@ -48,6 +48,10 @@ class ChannelScattering {
     std::vector<std::vector<double>> sight_path, sight_diffuse, sky_at_height;
     /// [solution]: the share of each solution in the shapes of the sky.
     std::vector<std::vector<double>> share;
+    /// Q and U of the paths, Q of what they let through diffusely, about the vertical plane: of the geometry's
+    /// own line of sight, then of its sights, [line][point], with azimuths read as counterclockwise. Empty
+    /// unless asked for.
+    std::vector<std::vector<double>> path_q, path_u, diffuse_q;
   };
   AtPoints at_points() const;
 
@@ -57,8 +61,20 @@ class ChannelScattering {
   const std::vector<double>& groundlit_shape(std::size_t solution) const {
     return nodes_[solution].groundlit;
   }
+  /// Q and U of these, in the same units, about the vertical planes of directions with azimuths counted
+  /// counterclockwise from the Sun's. Empty unless asked for.
+  struct SkyPolarization {
+    std::vector<double> q, u, groundlit_q;
+  };
+  const SkyPolarization& sky_polarization(std::size_t solution) const {
+    return nodes_[solution].sky_polarization;
+  }
 
  private:
+  /// Of one line of sight: light scattered more than once over its I, diffuse transmittance over its I.
+  struct LinePolarization {
+    double q = 0.0, u = 0.0, diffuse_q = 0.0;
+  };
   struct Node {
     std::size_t wavelength = 0, depth = 0;
     LayerOptics optics;
@@ -68,15 +84,33 @@ class ChannelScattering {
     // The same by sight and by height.
     std::vector<double> sight_path, sight_diffuse, sky_at_height;
     std::vector<double> sky, groundlit;
+    std::vector<LinePolarization> lines;  // the geometry's own, then its sights
+    SkyPolarization sky_polarization;
     std::vector<double> packed() const;
     void unpack(std::span<const double> answer, const SensorGeometry& geometry,
-                const SkyDirections& directions);
+                const SkyDirections& directions, bool polarized);
   };
+  /// What a solution counts at a point.
+  struct Part {
+    const Node* node;
+    std::size_t solution;
+    double plain, scaled;
+  };
+  std::vector<Part> parts_at(std::size_t point) const;
   void solve(const ColumnSolver& solver, Node& node) const;
   std::vector<double> question(const ColumnSolver& solver, const Node& node) const;
   void choose_nodes();
   LayerOptics optics_at(double log_wavelength, double depth) const;
   void solve_sights(const ColumnSolution& solved, Node& node) const;
+  /// `scale` and `groundlit_scale`: of the shapes of the sky.
+  void solve_polarization(const ColumnSolution& solved, double scale, double groundlit_scale,
+                          Node& node) const;
+  /// Q and U of a line at a point, whose light scattered once, whole path radiance and diffuse transmittance
+  /// are known.
+  void polarize(std::size_t line, std::size_t point, const std::vector<Part>& parts, const StokesVector& once,
+                double path, double diffuse, AtPoints& at) const;
+  /// The geometry's own line of sight, then its sights.
+  std::vector<SightLine> lines() const;
   Propagation towards_sensor() const;
   /// Depth as the ratio of all light to light scattered once varies with it.
   static double scaled_depth(double gas_depth);
@@ -86,9 +120,9 @@ class ChannelScattering {
   const SensorGeometry& geometry_;
   const SkyDirections& directions_;
   ScatteringOptions options_;
-  bool sunlit_;
-  std::vector<double> log_wavelength_, depth_;  // of the nodes, rising
-  std::vector<Node> nodes_;                     // [wavelength][depth]
+  bool sunlit_, polarized_;
+  std::vector<double> log_wavelength_, depth_, scaled_depth_;  // of the nodes, rising
+  std::vector<Node> nodes_;                                    // [wavelength][depth]
 };
 
 }  // namespace ifov::atmosphere

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <numbers>
 #include <numeric>
+#include <stdexcept>
 
 #include "atmosphere/column/light_limits.h"
 #include "atmosphere/sensor/error_estimate.h"
@@ -29,6 +30,8 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
       directions_(inputs.sky.value_or(SkyDirections::standard(inputs.geometry.sun_zenith_rad))),
       sights_(inputs.sights.value_or(
           SightGrid(SightLine{geometry_.view_zenith_rad, geometry_.view_azimuth_rad, 0.0}))) {
+  if (inputs.polarized && !inputs.scattering.polarized)
+    throw std::invalid_argument("polarized tables of the air need the polarized solver");
   if (!sights_.trivial()) {
     geometry_.sights = sights_.lines();
     const std::vector<SightLine> checks = sights_.checks();
@@ -58,7 +61,8 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
     if (!(geometry_.sun_zenith_rad && shortest.wavelength_um <= kLastSolar_um) &&
         longest.wavelength_um < kFirstThermal_um)
       continue;
-    lights.scattering.emplace(column, lights.points, geometry_, directions_, inputs.scattering);
+    lights.scattering.emplace(column, lights.points, geometry_, directions_, inputs.scattering,
+                              inputs.polarized);
     for (std::size_t k = 0; k < lights.scattering->solutions(); ++k) tasks.push_back({&lights, k, false});
     if (!finer) continue;
     lights.checks.emplace(*lights.scattering, lights.points, geometry_, *finer);
@@ -96,13 +100,22 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
   }
   sky_.assign(zeniths * directions_.azimuth_rad.size() * nodes, 0.0);
   groundlit_.assign(zeniths * nodes, 0.0);
+  if (inputs.polarized) {
+    Polarization& all = polarization_.emplace();
+    for (auto* rows : {&all.sky_q, &all.sky_u}) rows->assign(sky_.size(), 0.0);
+    all.groundlit_q.assign(groundlit_.size(), 0.0);
+    for (auto* rows : {&all.path_q, &all.path_u, &all.diffuse_q})
+      rows->assign(sights_.known_lines() * nodes, 0.0);
+  }
   parallel_for(static_cast<std::int64_t>(channels.size()), inputs.threads, [&](std::int64_t k) {
     const std::size_t channel = static_cast<std::size_t>(k);
     if (channels[channel].scattering) add_scattering(channel, channels[channel]);
     if (channels[channel].emitted) add_emission(channel, channels[channel]);
     if (!sights_.trivial()) add_sights(channel, channels[channel]);
+    if (polarization_ && channels[channel].scattering) add_polarization(channel, channels[channel]);
   });
   normalise_sky();
+  if (polarization_) bound_polarization();
   if (!finer) return;
   const SensorGeometry alone = geometry_.alone();
   errors_ = estimate_errors(
@@ -197,11 +210,19 @@ void SensorAtmosphere::normalise_sky() {
       sky_sum += weights[d] * sky;
       groundlit_sum += weights[d] * std::max(0.0, groundlit_[d / azimuths * node_count() + n]);
     }
-    for (std::size_t d = 0; d < weights.size() && sky_sum > 0.0; ++d)
-      sky_[d * node_count() + n] *= sky_irradiance_[n] / sky_sum;
+    for (std::size_t d = 0; d < weights.size() && sky_sum > 0.0; ++d) {
+      const std::size_t at = d * node_count() + n;
+      sky_[at] *= sky_irradiance_[n] / sky_sum;
+      if (!polarization_) continue;
+      polarization_->sky_q[at] *= sky_irradiance_[n] / sky_sum;
+      polarization_->sky_u[at] *= sky_irradiance_[n] / sky_sum;
+    }
     for (std::size_t z = 0; z < zeniths && groundlit_sum > 0.0; ++z) {
       double& sky = groundlit_[z * node_count() + n];
       sky = std::max(0.0, sky) * std::numbers::pi * spherical_albedo_[n] / groundlit_sum;
+      if (polarization_)
+        polarization_->groundlit_q[z * node_count() + n] *=
+            std::numbers::pi * spherical_albedo_[n] / groundlit_sum;
     }
   }
 }

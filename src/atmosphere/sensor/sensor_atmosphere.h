@@ -34,12 +34,16 @@ class SensorAtmosphere {
     int threads = 0;
     std::optional<SightGrid> sights = {};  ///< none: that of the geometry holds for all surfaces
     KeptSolutions* kept = nullptr;         ///< solutions from before, if any
+    /// Whether Q and U of sky and path are kept beside I; needs scattering.polarized.
+    bool polarized = false;
     /// Whether errors() are wanted, and the reflectance of the ground around the scene, which they depend on.
     bool with_errors = false;
     radiometry::Spectrum ground = radiometry::Spectrum::constant(0.0);
     /// Told how many solutions of how many are there, one call at a time; may throw to end it.
     std::function<void(std::size_t, std::size_t)> progress = {};
   };
+  /// Throws InputError where a channel leaves the atmosphere's tables, std::invalid_argument where polarized
+  /// light is asked of a scalar solver.
   SensorAtmosphere(const AtmosphereColumn& column, const Inputs& inputs);
 
   const radiometry::SpectralNodes& nodes() const { return nodes_; }
@@ -77,6 +81,20 @@ class SensorAtmosphere {
     return groundlit_[zenith * node_count() + node];
   }
 
+  /// Whether it was asked for; the next three are then there. Emission of air is unpolarized, and circular
+  /// polarization 0.
+  bool polarized() const { return polarization_.has_value(); }
+  /// As sky() and groundlit_sky(), about the meridional_frame of light from that direction; azimuths count
+  /// counterclockwise from the Sun's, seen from above, and have -u on the other side.
+  StokesVector sky_stokes(std::size_t zenith, std::size_t azimuth, std::size_t node) const;
+  StokesVector groundlit_sky_stokes(std::size_t zenith, std::size_t node) const;
+  /// Q and U of Sight::radiance and Q of Sight::diffuse_transmittance (its U is 0), by node, about the
+  /// meridional_frame of light that goes towards the sensor; u for a line on the counterclockwise side.
+  struct SightPolarization {
+    std::span<const double> q, u, diffuse_q;
+  };
+  SightPolarization sight_polarization(std::size_t line) const;
+
   /// How far each channel may be off because of how all this is computed; empty where it was not asked for.
   const std::vector<AirErrors>& errors() const { return errors_; }
 
@@ -93,6 +111,13 @@ class SensorAtmosphere {
   AirError sight_error(std::size_t channel, const ChannelLights& lights,
                        const radiometry::Spectrum& ground) const;
   void normalise_sky();
+  void add_polarization(std::size_t channel, const ChannelLights& lights);
+  /// Makes light that interpolation left too polarized wholly polarized.
+  void bound_polarization();
+  struct Polarization {
+    std::vector<double> sky_q, sky_u, groundlit_q;  // as sky_, groundlit_
+    std::vector<double> path_q, path_u, diffuse_q;  // [line][node]
+  };
   std::span<const double> row(const std::vector<double>& rows, std::size_t k) const {
     return std::span(rows).subspan(k * node_count(), node_count());
   }
@@ -107,6 +132,7 @@ class SensorAtmosphere {
   SightGrid sights_;
   std::vector<double> sight_transmittance_, sight_radiance_, sight_diffuse_;  // [line][node]
   std::vector<double> sun_at_height_, sky_at_height_;                         // [height][node]
+  std::optional<Polarization> polarization_;
 };
 
 }  // namespace ifov::atmosphere

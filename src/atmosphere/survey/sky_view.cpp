@@ -46,10 +46,6 @@ void add_emitted(const AtmosphereColumn& column, const LayerOptics& optics, doub
 
 }  // namespace
 
-double polarization_degree(const Stokes& light) {
-  return light.i > 0.0 ? std::hypot(light.q, light.u) / light.i : 0.0;
-}
-
 SkyView view_sky(const AtmosphereColumn& column, double wavelength_um, double solar_irradiance,
                  std::optional<double> sun_zenith_rad, int threads) {
   SkyView sky;

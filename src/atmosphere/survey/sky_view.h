@@ -4,25 +4,23 @@
 #include <vector>
 
 #include "atmosphere/column/atmosphere_column.h"
+#include "atmosphere/scattering/propagation.h"
 #include "atmosphere/scattering/scattering_options.h"
-#include "atmosphere/scattering/stokes.h"
 
 namespace ifov::atmosphere {
 
 /// The whole sky at one wavelength, seen from the ground, over black ground and without the Sun's disc.
 struct SkyView {
   double wavelength_um = 0.0;
-  std::vector<double> zenith_rad;   ///< 0 to pi / 2
-  std::vector<double> azimuth_rad;  ///< from the Sun's, 0 to pi; the other half mirrors it
-  std::vector<Stokes> light;        ///< [zenith][azimuth], W m-2 sr-1 um-1
+  std::vector<double> zenith_rad;  ///< 0 to pi / 2
+  std::vector<double>
+      azimuth_rad;  ///< counterclockwise from the Sun's, 0 to pi; the other half mirrors it, with -u
+  std::vector<StokesVector> light;  ///< [zenith][azimuth], W m-2 sr-1 um-1
 
-  const Stokes& at(std::size_t zenith, std::size_t azimuth) const {
+  const StokesVector& at(std::size_t zenith, std::size_t azimuth) const {
     return light[zenith * azimuth_rad.size() + azimuth];
   }
 };
-
-/// Degree of linear polarization; 0 of darkness.
-double polarization_degree(const Stokes& light);
 
 /// `solar_irradiance`: above the air, W m-2 um-1, mean over the 20 cm-1 that the band model resolves. All
 /// absorption terms of the wavelength are solved by themselves. Without a Sun the sky is what the air emits.

@@ -9,13 +9,13 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-void add_row(std::string& text, double zenith_rad, double azimuth_rad, const atmosphere::Stokes& light) {
+void add_row(std::string& text, double zenith_rad, double azimuth_rad,
+             const radiometry::StokesVector& light) {
   double azimuth_deg = std::fmod(azimuth_rad / kDegree + 720.0, 360.0);
   if (azimuth_deg > 360.0 - 1e-9) azimuth_deg = 0.0;
-  double angle_deg = 0.5 * std::atan2(light.u, light.q) / kDegree;
-  if (angle_deg < 0.0) angle_deg += 180.0;
+  const double angle_deg = radiometry::angle_of_linear_polarization_rad(light) / kDegree;
   text += format("{:.6g},{:.6g},{:.7g},{:.7g},{:.7g},{:.5f},{:.2f}\n", zenith_rad / kDegree, azimuth_deg,
-                 light.i, light.q, light.u, atmosphere::polarization_degree(light), angle_deg);
+                 light.i, light.q, light.u, radiometry::degree_of_linear_polarization(light), angle_deg);
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ std::string sky_csv(const AirReport& report) {
     for (std::size_t a = sky.azimuth_rad.size(); a-- > 0;)
       add_row(text, sky.zenith_rad[z], sun - sky.azimuth_rad[a], sky.at(z, a));
     for (std::size_t a = 1; a + 1 < sky.azimuth_rad.size(); ++a) {
-      atmosphere::Stokes light = sky.at(z, a);
+      radiometry::StokesVector light = sky.at(z, a);
       light.u = -light.u;
       add_row(text, sky.zenith_rad[z], sun + sky.azimuth_rad[a], light);
     }

@@ -15,7 +15,7 @@ constexpr int kSide = 560;
 constexpr double kBrightest = 0.985;  // quantile at the end of the scale: the aureole is brighter
 
 using atmosphere::SkyView;
-using atmosphere::Stokes;
+using radiometry::StokesVector;
 
 /// Index of the interval that holds x, and the share of its upper end.
 std::pair<std::size_t, double> place(const std::vector<double>& nodes, double x) {
@@ -24,22 +24,22 @@ std::pair<std::size_t, double> place(const std::vector<double>& nodes, double x)
   return {low, std::clamp((x - nodes[low]) / (nodes[low + 1] - nodes[low]), 0.0, 1.0)};
 }
 
-Stokes light_at(const SkyView& sky, double zenith_rad, double azimuth_rad) {
+StokesVector light_at(const SkyView& sky, double zenith_rad, double azimuth_rad) {
   const auto [z, up] = place(sky.zenith_rad, zenith_rad);
   const auto [a, on] = place(sky.azimuth_rad, azimuth_rad);
   return (1.0 - up) * ((1.0 - on) * sky.at(z, a) + on * sky.at(z, a + 1)) +
          up * ((1.0 - on) * sky.at(z + 1, a) + on * sky.at(z + 1, a + 1));
 }
 
-double shown(const AirReport& report, const Stokes& light, SkyQuantity quantity) {
-  if (quantity == SkyQuantity::polarization) return 100.0 * atmosphere::polarization_degree(light);
+double shown(const AirReport& report, const StokesVector& light, SkyQuantity quantity) {
+  if (quantity == SkyQuantity::polarization) return 100.0 * radiometry::degree_of_linear_polarization(light);
   if (report.sky_is_thermal) return radiometry::brightness_temperature_k(report.sky->wavelength_um, light.i);
   return light.i;
 }
 
 Axis scale_of(const AirReport& report, SkyQuantity quantity) {
   std::vector<double> values;
-  for (const Stokes& light : report.sky->light) values.push_back(shown(report, light, quantity));
+  for (const StokesVector& light : report.sky->light) values.push_back(shown(report, light, quantity));
   std::sort(values.begin(), values.end());
   const double high = values[static_cast<std::size_t>(kBrightest * static_cast<double>(values.size() - 1))];
   if (quantity == SkyQuantity::polarization)

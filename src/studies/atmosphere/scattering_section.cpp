@@ -29,12 +29,12 @@ ColumnSolution solve_layer(const ColumnSolver& solver, double depth, double mu0)
   return solver.solve(levels, optics, std::acos(mu0));
 }
 
-Stokes light_with_ground(const ColumnSolution& solution, const Propagation& direction, double albedo) {
+StokesVector light_with_ground(const ColumnSolution& solution, const Propagation& direction, double albedo) {
   const FluxProfile::Fluxes fluxes = solution.sunlit().fluxes().at(0.0);
   const double leaving = albedo * (fluxes.direct_down + fluxes.diffuse_down) /
                          (1.0 - albedo * solution.spherical_albedo()) / std::numbers::pi;
   const PathLight path = solution.sunlit().path(direction, 1e4);
-  Stokes light = path.radiance();
+  StokesVector light = path.radiance();
   light += leaving * solution.diffuse_transmittance(direction.mu, 1e4);
   light.i += leaving * path.transmittance;
   return std::numbers::pi * light;
@@ -49,7 +49,7 @@ void add_natraj(const AtmosphereOptions& options, AtmosphereSection& section) {
   const ColumnSolution scalar = solve_layer(flat_solver(16, 0.0025, false), 0.5, 0.2);
   for (const auto& row : number_rows(*file, 6)) {
     const Propagation direction{row[1], row[2] * kDegree};
-    const Stokes light = light_with_ground(vector, direction, row[0]);
+    const StokesVector light = light_with_ground(vector, direction, row[0]);
     worst =
         std::max({worst, std::abs(light.i - row[3]), std::abs(light.q + row[4]), std::abs(light.u - row[5])});
     worst_scalar =
@@ -78,7 +78,7 @@ void add_table(const AtmosphereOptions& options, AtmosphereSection& section) {
         solutions.push_back(solve_layer(flat_solver(12, 0.005, polarized), depth, mu0));
     }
     const Propagation direction{row[3], row[4] * kDegree};
-    const Stokes light = light_with_ground(solutions[0], direction, row[2]);
+    const StokesVector light = light_with_ground(solutions[0], direction, row[2]);
     worst =
         std::max({worst, std::abs(light.i - row[5]), std::abs(light.q - row[6]), std::abs(light.u - row[7])});
     if (row[2] != 0.0) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ifov::transport {
 namespace {
@@ -27,6 +28,18 @@ SkyDome::SkyDome(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towa
         rows_.row(z * azimuth_rad_.size() + a)[n] =
             static_cast<float>(atmosphere.sky(z, a, n) + ground_radiance[n] * atmosphere.groundlit_sky(z, n));
   make_sampler(atmosphere.node_count());
+  if (!atmosphere.polarized()) return;
+  q_.resize(rows_.rows(), atmosphere.node_count());
+  u_.resize(rows_.rows(), atmosphere.node_count());
+  for (std::size_t r = 0; r < rows_.rows(); ++r) {
+    const std::size_t z = r / azimuth_rad_.size(), a = r % azimuth_rad_.size();
+    for (std::size_t n = 0; n < atmosphere.node_count(); ++n) {
+      const radiometry::StokesVector light =
+          atmosphere.sky_stokes(z, a, n) + ground_radiance[n] * atmosphere.groundlit_sky_stokes(z, n);
+      q_.row(r)[n] = static_cast<float>(light.q);
+      u_.row(r)[n] = static_cast<float>(light.u);
+    }
+  }
 }
 
 /// A cell between directions of the table is as bright as the mean of its corners; nodes count by their share of their
@@ -61,6 +74,36 @@ SkyDome::Corners SkyDome::at(math::Vec3 direction) const {
   return {{row(z, a), row(z, a + 1), row(z + 1, a), row(z + 1, a + 1)},
           {static_cast<float>((1.0 - above) * (1.0 - beyond)), static_cast<float>((1.0 - above) * beyond),
            static_cast<float>(above * (1.0 - beyond)), static_cast<float>(above * beyond)}};
+}
+
+radiometry::PolarizationFrame SkyDome::stokes(math::Vec3 direction,
+                                              std::span<radiometry::StokesVector> nodes) const {
+  const Corners corners = at(direction);
+  const radiometry::PolarizationFrame frame = radiometry::meridional_frame(-direction);
+  // Towards the direction's own azimuth from the Sun's, counterclockwise on one side and clockwise on the other.
+  const double along = direction.x * towards_sun_.x + direction.y * towards_sun_.y;
+  const double left = direction.y * towards_sun_.x - direction.x * towards_sun_.y;
+  const double side = left < 0.0 ? -1.0 : 1.0, from_sun = std::atan2(std::abs(left), along);
+  const bool vertical = !(std::hypot(direction.x, direction.y) > 0.0);
+  const double own =
+      vertical ? std::atan2(towards_sun_.y, towards_sun_.x) : std::atan2(direction.y, direction.x);
+  std::fill(nodes.begin(), nodes.end(), radiometry::StokesVector{});
+  for (std::size_t k = 0; k < corners.row.size(); ++k) {
+    const double weight = static_cast<double>(corners.weight[k]);
+    if (weight == 0.0) continue;
+    const std::size_t r = static_cast<std::size_t>(corners.row[k] - rows_.row(0)) / rows_.stride();
+    const double zenith = zenith_rad_[r / azimuth_rad_.size()],
+                 azimuth = azimuth_rad_[r % azimuth_rad_.size()];
+    const radiometry::PolarizationFrame there =
+        radiometry::meridional_frame(-std::cos(zenith), own + side * (azimuth - from_sun) + std::numbers::pi);
+    const radiometry::MuellerMatrix turn =
+        weight * turned(radiometry::carried(there, frame.direction), frame);
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+      nodes[n] += turn * radiometry::StokesVector{static_cast<double>(corners.row[k][n]),
+                                                  static_cast<double>(q_.row(r)[n]),
+                                                  side * static_cast<double>(u_.row(r)[n]), 0.0};
+  }
+  return frame;
 }
 
 }  // namespace ifov::transport

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "math/vec3.h"
+#include "radiometry/polarization_frame.h"
 #include "radiometry/spectrum_block.h"
 #include "transport/sky/sky_sampler.h"
 
@@ -26,6 +28,13 @@ class SkyDome {
   };
   Corners at(math::Vec3 direction) const;
 
+  /// Whether the atmosphere's tables are: stokes() is then there.
+  bool polarized() const { return q_.rows() > 0; }
+  /// The same radiance with its polarization, by node; returns the frame that it is about, the meridional one
+  /// of light from there. Light of the table's directions is interpolated in frames carried to this one, so
+  /// that the zenith is a direction like others.
+  radiometry::PolarizationFrame stokes(math::Vec3 direction, std::span<radiometry::StokesVector> nodes) const;
+
   /// Directions that are drawn as bright as they are, all nodes alike.
   const SkySampler& sampler() const { return sampler_; }
 
@@ -37,6 +46,7 @@ class SkyDome {
   math::Vec3 towards_sun_;
   std::vector<double> zenith_rad_, azimuth_rad_;
   radiometry::SpectrumBlock rows_;
+  radiometry::SpectrumBlock q_, u_;  // as rows_, of counterclockwise azimuths; empty where not asked for
   SkySampler sampler_;
 };
 

@@ -1,0 +1,91 @@
+// The part of ChannelScattering that keeps solutions and takes them from what was kept.
+#include <span>
+
+#include "atmosphere/sensor/channel_scattering.h"
+
+namespace ifov::atmosphere {
+
+std::vector<double> solution_question(const ScatteringOptions& options, const SensorGeometry& geometry,
+                                      const Levels& levels, const LayerOptics& optics) {
+  std::vector<double> all{geometry.any_sun_zenith_rad(),
+                          geometry.view_zenith_rad,
+                          geometry.view_azimuth_rad,
+                          geometry.sensor_altitude_km,
+                          options.aerosol_polarization,
+                          options.sublayer_depth,
+                          options.tolerance};
+  for (const int count : {options.nodes_per_hemisphere, options.polarized ? 1 : 0,
+                          options.spherical_earth ? 1 : 0, options.most_sublayers, options.most_orders})
+    all.push_back(count);
+  for (const std::vector<double>* list :
+       {&levels.altitude_km, &optics.gas_absorption, &optics.rayleigh_scattering, &optics.aerosol_scattering,
+        &optics.aerosol_absorption, &optics.aerosol_asymmetry}) {
+    all.push_back(static_cast<double>(list->size()));
+    all.insert(all.end(), list->begin(), list->end());
+  }
+  all.push_back(optics.depolarization);
+  return all;
+}
+
+std::vector<double> ChannelScattering::question(const ColumnSolver& solver, const Node& node) const {
+  std::vector<double> all = solution_question(solver.options(), geometry_, column_.levels(), node.optics);
+  for (const std::vector<double>* list :
+       {&directions_.zenith_rad, &directions_.azimuth_rad, &geometry_.heights_km}) {
+    all.push_back(static_cast<double>(list->size()));
+    all.insert(all.end(), list->begin(), list->end());
+  }
+  for (const SightLine& line : geometry_.sights)
+    all.insert(all.end(), {line.zenith_rad, line.azimuth_rad, line.height_km});
+  if (polarized_) all.push_back(1.0);
+  return all;
+}
+
+void ChannelScattering::solve(const ColumnSolver& solver, std::size_t solution, KeptSolutions* kept) {
+  Node& node = nodes_[solution];
+  if (kept == nullptr) return solve(solver, node);
+  const std::vector<double> asked = question(solver, node);
+  const std::size_t rings = directions_.zenith_rad.size() * (directions_.azimuth_rad.size() + 1);
+  std::size_t count = 4 + 2 * geometry_.sights.size() + geometry_.heights_km.size() + rings;
+  if (polarized_) count += 3 * (1 + geometry_.sights.size()) + 2 * rings - directions_.zenith_rad.size();
+  std::vector<double> answer(count);
+  if (kept->find(asked, answer)) return node.unpack(answer, geometry_, directions_, polarized_);
+  solve(solver, node);
+  kept->keep(asked, node.packed());
+}
+
+std::vector<double> ChannelScattering::Node::packed() const {
+  std::vector<double> answer{path, sky_irradiance, diffuse_transmittance, spherical_albedo};
+  for (const std::vector<double>* list :
+       {&sight_path, &sight_diffuse, &sky_at_height, &sky, &groundlit, &sky_polarization.q,
+        &sky_polarization.u, &sky_polarization.groundlit_q})
+    answer.insert(answer.end(), list->begin(), list->end());
+  for (const LinePolarization& line : lines) answer.insert(answer.end(), {line.q, line.u, line.diffuse_q});
+  return answer;
+}
+
+void ChannelScattering::Node::unpack(std::span<const double> answer, const SensorGeometry& geometry,
+                                     const SkyDirections& directions, bool polarized) {
+  path = answer[0];
+  sky_irradiance = answer[1];
+  diffuse_transmittance = answer[2];
+  spherical_albedo = answer[3];
+  const std::size_t zeniths = directions.zenith_rad.size(), azimuths = directions.azimuth_rad.size();
+  std::size_t next = 4;
+  const auto take = [&](std::vector<double>& list, std::size_t count) {
+    const auto part = answer.subspan(next, count);
+    list.assign(part.begin(), part.end());
+    next += count;
+  };
+  take(sight_path, geometry.sights.size());
+  take(sight_diffuse, geometry.sights.size());
+  take(sky_at_height, geometry.heights_km.size());
+  take(sky, zeniths * azimuths);
+  take(groundlit, zeniths);
+  if (!polarized) return;
+  take(sky_polarization.q, zeniths * azimuths);
+  take(sky_polarization.u, zeniths * azimuths);
+  take(sky_polarization.groundlit_q, zeniths);
+  for (; next < answer.size(); next += 3) lines.push_back({answer[next], answer[next + 1], answer[next + 2]});
+}
+
+}  // namespace ifov::atmosphere
