@@ -19,6 +19,7 @@
 #include "io/json/json_adapter.h"
 #include "io/json/json_view.h"
 #include "io/json/json_writer.h"
+#include "render/image_renderer.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
 #include "simulation.h"

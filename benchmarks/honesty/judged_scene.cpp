@@ -8,6 +8,7 @@
 #include "core/format.h"
 #include "honesty/plain_truth.h"
 #include "honesty/single_tile.h"
+#include "sensor/camera.h"
 
 namespace ifov::benchmarks {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sensor/camera.h"
+
 namespace ifov::benchmarks {
 
 namespace {

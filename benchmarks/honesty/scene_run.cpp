@@ -11,8 +11,10 @@
 #include "core/parallel.h"
 #include "honesty/single_tile.h"
 #include "io/document/document.h"
+#include "render/image_renderer.h"
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "scene/forest.h"
+#include "sensor/camera.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
 

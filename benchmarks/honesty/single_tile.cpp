@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "io/document/document.h"
+#include "render/image_renderer.h"
 
 namespace ifov::benchmarks {
 

@@ -14,10 +14,13 @@
 
 #include "core/error.h"
 #include "io/document/document.h"
+#include "render/image_renderer.h"
 #include "render/scene_field.h"
 #include "sampling/region_interval.h"
+#include "sensor/camera.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
+#include "transport/spectral_scene.h"
 
 namespace {
 

@@ -9,6 +9,7 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
+#include "render/image_renderer.h"
 #include "scene/forest.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"

@@ -10,7 +10,9 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
+#include "render/image_renderer.h"
 #include "scene/forest.h"
+#include "sensor/camera.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
 

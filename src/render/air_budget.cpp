@@ -4,6 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "atmosphere/sensor/sensor_atmosphere.h"
+#include "render/accuracy_tolerance.h"
+#include "transport/spectral_scene.h"
+
 namespace ifov::render {
 
 std::vector<AirHalfWidth> air_half_widths(const transport::SpectralScene& scene,

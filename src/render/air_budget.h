@@ -3,12 +3,19 @@
 #include <span>
 #include <vector>
 
-#include "render/accuracy_tolerance.h"
 #include "render/air_half_width.h"
 #include "sampling/tile.h"
-#include "transport/spectral_scene.h"
+
+namespace ifov::atmosphere {
+class SensorAtmosphere;
+}
+namespace ifov::transport {
+class SpectralScene;
+}
 
 namespace ifov::render {
+
+class AccuracyTolerance;
 
 /// By channel; empty where the atmosphere does not know its errors.
 std::vector<AirHalfWidth> air_half_widths(const transport::SpectralScene& scene,

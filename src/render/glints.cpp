@@ -6,8 +6,12 @@
 #include <optional>
 
 #include "radiometry/spectrum_block.h"
+#include "render/accuracy_tolerance.h"
 #include "sampling/quantiles.h"
 #include "transport/mirror_ways.h"
+#include "transport/spectral_scene.h"
+#include "transport/sun_mirrors.h"
+#include "transport/view_table.h"
 
 namespace ifov::render {
 

@@ -6,8 +6,12 @@
 #include "render/accuracy_tolerance.h"
 #include "render/glint_search.h"
 #include "sampling/tile.h"
+#include "scene/resolved_surface.h"
 #include "sensor/camera.h"
-#include "transport/spectral_scene.h"
+
+namespace ifov::transport {
+class SpectralScene;
+}
 
 namespace ifov::render {
 

@@ -9,10 +9,14 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "render/air_budget.h"
 #include "render/glints.h"
+#include "render/node_budget.h"
 #include "render/object_seeds.h"
+#include "render/scene_field.h"
 #include "render/tile_grid.h"
 #include "render/truth_layers.h"
+#include "render/wing_light.h"
 
 namespace ifov::render {
 

@@ -5,16 +5,28 @@
 #include <vector>
 
 #include "core/run_control.h"
-#include "render/air_budget.h"
-#include "render/node_budget.h"
-#include "render/scene_field.h"
+#include "render/air_half_width.h"
+#include "render/label_detail.h"
+#include "render/node_half_width.h"
 #include "render/tile_sink.h"
 #include "render/tile_source.h"
-#include "render/wing_light.h"
 #include "sampling/tile.h"
-#include "truth/collector.h"
+#include "transport/transport_options.h"
+
+namespace ifov::sensor {
+class Camera;
+class PsfWings;
+}  // namespace ifov::sensor
+namespace ifov::transport {
+class SpectralScene;
+}
+namespace ifov::truth {
+struct Collector;
+}
 
 namespace ifov::render {
+
+class AccuracyTolerance;
 
 /// All that an image depends on. Keeps references; they must outlive the job.
 struct RenderJob {

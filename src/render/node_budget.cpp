@@ -3,6 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "render/accuracy_tolerance.h"
+#include "transport/spectral_scene.h"
+
 namespace ifov::render {
 
 std::vector<NodeHalfWidth> node_half_widths(const transport::SpectralScene& scene) {

@@ -4,12 +4,16 @@
 #include <span>
 #include <vector>
 
-#include "render/accuracy_tolerance.h"
 #include "render/node_half_width.h"
 #include "sampling/tile.h"
-#include "transport/spectral_scene.h"
+
+namespace ifov::transport {
+class SpectralScene;
+}
 
 namespace ifov::render {
+
+class AccuracyTolerance;
 
 /// By channel, of the errors that the nodes' own checks found.
 std::vector<NodeHalfWidth> node_half_widths(const transport::SpectralScene& scene);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "render/blend_columns.h"
+#include "render/label_detail.h"
 #include "render/map_detail.h"
 #include "render/surface_label.h"
 #include "render/unseen_light.h"
@@ -14,12 +15,6 @@
 #include "transport/view_air.h"
 
 namespace ifov::render {
-
-/// How much a label says.
-enum class LabelDetail {
-  material,   ///< instance, patch, material, facing: no further rays
-  sun_state,  ///< and how the Sun's disc is seen, by rays to fixed points of it, and what mirrors throw of it
-};
 
 /// The picture on a camera's focal plane: answers a sampler's queries by tracing the scene. One tile, one thread.
 class SceneField final : public sampling::Field {

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include "render/accuracy_tolerance.h"
+#include "transport/spectral_scene.h"
+#include "transport/sun_mirrors.h"
+
 namespace ifov::render {
 
 UnseenLight::UnseenLight(const transport::SpectralScene& scene, int column) : column_(column) {

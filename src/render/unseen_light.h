@@ -2,12 +2,16 @@
 
 #include <vector>
 
-#include "render/accuracy_tolerance.h"
 #include "sampling/tile.h"
 #include "transport/path_record.h"
-#include "transport/spectral_scene.h"
+
+namespace ifov::transport {
+class SpectralScene;
+}
 
 namespace ifov::render {
+
+class AccuracyTolerance;
 
 /// Sunlight that may arrive by ways that are not sought: by mirrors that bend onto other surfaces (caustics), by more
 /// flat mirrors in turn than are sought, and by several mirrors to the sensor of which one bends. How much is told

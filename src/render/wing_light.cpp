@@ -6,9 +6,12 @@
 #include <map>
 #include <numeric>
 
+#include "render/accuracy_tolerance.h"
 #include "sampling/quantiles.h"
 #include "sampling/random.h"
 #include "sampling/value_batch.h"
+#include "sensor/psf_wings.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::render {
 namespace {

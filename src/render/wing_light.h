@@ -1,10 +1,14 @@
 #pragma once
 
-#include "render/accuracy_tolerance.h"
 #include "sampling/tile.h"
-#include "sensor/psf_wings.h"
+
+namespace ifov::sensor {
+class PsfWings;
+}
 
 namespace ifov::render {
+
+class AccuracyTolerance;
 
 /// Share of the accuracy asked for that samplers leave to what a PSF's cut leaves out.
 inline constexpr double kCutShare = 0.1;

@@ -4,9 +4,18 @@
 #include <chrono>
 #include <mutex>
 
+#include "atmosphere/imported_atmosphere.h"
+#include "atmosphere/sensor/sensor_atmosphere.h"
 #include "core/version.h"
+#include "io/document/document.h"
 #include "materials/bsdf/hemisphere.h"
+#include "radiometry/spectral_nodes.h"
+#include "render/accuracy_tolerance.h"
+#include "render/air_budget.h"
+#include "render/channel_brightness.h"
+#include "render/node_budget.h"
 #include "sampling/region_interval.h"
+#include "sensor/psf_wings.h"
 #include "session/air_statements.h"
 #include "session/assembly/air/atmosphere_assembly.h"
 #include "session/assembly/air/atmosphere_cache.h"
@@ -24,6 +33,7 @@
 #include "session/statements.h"
 #include "transport/emitter_mirrors.h"
 #include "transport/emitters.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::session {
 
@@ -171,47 +181,19 @@ void make_sense(Parts& parts, LogSink& log) {
 
 }  // namespace
 
-render::RenderJob Parts::job(const SamplingPlan& sampling, const render::AccuracyTolerance* limits) const {
-  render::RenderJob job{*spectral_scene, *camera, *footprint, *sampling.sampler};
-  job.tolerance = limits;
-  job.wings = wings.get();
-  job.cut = psf_cut;
-  job.nodes = node_errors;
-  job.air = air;
-  if (document.sampling.max_depth) job.transport.maximum_scatterings = *document.sampling.max_depth;
-  job.transport.mirror_reflections = document.sampling.mirror_reflections;
-  job.label_detail = sampling.request ? render::LabelDetail::sun_state : render::LabelDetail::material;
-  job.seed = document.seed;
-  job.tile_px = document.sampling.tile_px;
-  job.seed_objects = sampling.seed_objects;
-  job.drivers = sampling.drivers;
-  return job;
-}
-
-std::unique_ptr<render::AccuracyTolerance> Parts::tolerance_of(const SamplingPlan& sampling) const {
-  if (!sampling.request) return nullptr;
-  auto limits = std::make_unique<render::AccuracyTolerance>(
-      *sampling.request, *brightness, spectral_scene->white_reflected(),
-      static_cast<std::int64_t>(camera->width_px()) * camera->height_px(), spectral_scene->path_radiance(),
-      air);
-  limits->leave_room(node_errors, wings ? render::kCutShare : 0.0);
-  return limits;
-}
-
 Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() = default;
 
 Session Session::load(const io::Document& document, LogSink* outer_log, const LoadOptions& options) {
-  auto parts = std::make_unique<Parts>();
+  auto parts = std::make_unique<Parts>(document);
   Parts& p = *parts;
   const auto phase = [&](const char* what) {
     if (options.progress != nullptr) options.progress->phase(what);
   };
   KeptWarnings kept(outer_log, p.warnings);
   LogSink* const log = &kept;
-  p.document = document;
   std::optional<io::SceneCache> cache;
   if (options.scene_cache)
     cache.emplace(std::filesystem::path(document.file_name).replace_extension(".ifovcache"), version(), log);

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "transport/spectral_scene.h"
+
 namespace ifov::transport {
 
 namespace {

@@ -3,9 +3,10 @@
 #include <vector>
 
 #include "geometry/surface_piece.h"
-#include "transport/spectral_scene.h"
 
 namespace ifov::transport {
+
+class SpectralScene;
 
 /// Which coverings of a scene emit so much more than the rest of it, in some channel, that scattered paths alone would find
 /// their light by luck. A covering is sought where it may be brighter than `kContrast` times both the light that falls on

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "transport/spectral_scene.h"
+
 namespace ifov::transport {
 
 using geometry::PieceKind;

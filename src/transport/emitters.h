@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "geometry/surface_point.h"
+#include "geometry/world.h"
 #include "transport/emitter_choice.h"
 #include "transport/emitter_tree.h"
-#include "transport/spectral_scene.h"
 
 namespace ifov::transport {
+
+class SpectralScene;
 
 /// What of a scene light is sought from by next-event estimation: the pieces of surface that EmitterChoice names. Each is
 /// drawn from by EmitterTree and EmitterShape; what paths find by scattering is weighed against that by density().

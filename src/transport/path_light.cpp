@@ -6,6 +6,8 @@
 
 #include "math/vec3.h"
 #include "transport/row_arithmetic.h"
+#include "transport/sky/sky_dome.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::transport {
 

@@ -2,9 +2,10 @@
 
 #include "radiometry/spectrum_block.h"
 #include "transport/path_record.h"
-#include "transport/spectral_scene.h"
 
 namespace ifov::transport {
+
+class SpectralScene;
 
 /// The light of recorded paths, one whole path after the other: its own rows stay in the first-level cache.
 /// An object serves one thread.

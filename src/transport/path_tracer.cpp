@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "math/vec3.h"
+#include "transport/sky/sky_dome.h"
 #include "transport/wide_sun.h"
 
 namespace ifov::transport {

@@ -16,27 +16,16 @@
 #include "transport/spectral_scene.h"
 #include "transport/sun_mirrors.h"
 #include "transport/surface_lobe.h"
+#include "transport/transport_options.h"
 
 namespace ifov::transport {
+
+class SkySampler;
 
 /// The random numbers of a path: element `index` of the scrambled sequence `sequence`.
 struct PathKey {
   std::uint64_t sequence = 0;
   std::uint32_t index = 0;
-};
-
-struct TransportOptions {
-  /// Surfaces a path may scatter at: 0 emission and sky only, 1 adds direct sun; negative: no limit, paths end by
-  /// Russian roulette without bias.
-  int maximum_scatterings = -1;
-  /// Whether light is sought from the scene's emitters, if it has any; the mean is the same without.
-  bool seek_emitters = true;
-  /// Sunlight is sought by way of so many flat mirrors in turn, at most SunImages::kMostReflections; 0: none.
-  int mirror_reflections = 8;
-  /// Two kinds of sunlight are left out that paths otherwise find by chance, seldom and bright: glints on curved mirrors
-  /// that the sensor sees directly, which are added apart (Glints), and what reaches a surface that scatters by mirrors
-  /// that are not sought, which is marked (UnseenLight).
-  bool sought_only = false;
 };
 
 /// Finds paths, breadth first: a batch advances together, one bounce at a time, so that the ray tracer sees large

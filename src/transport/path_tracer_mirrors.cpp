@@ -6,6 +6,7 @@
 #include "sampling/sequence.h"
 #include "transport/path_sides.h"
 #include "transport/path_tracer.h"
+#include "transport/spectral_scene.h"
 #include "transport/wide_sun.h"
 
 namespace ifov::transport {

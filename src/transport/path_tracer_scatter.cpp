@@ -7,6 +7,8 @@
 #include "sampling/sequence.h"
 #include "transport/path_sides.h"
 #include "transport/path_tracer.h"
+#include "transport/sky/sky_dome.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::transport {
 

@@ -5,8 +5,14 @@
 #include <limits>
 #include <numbers>
 
+#include "atmosphere/imported_atmosphere.h"
+#include "atmosphere/sensor/sensor_atmosphere.h"
+#include "radiometry/planck_table.h"
 #include "transport/emitter_mirrors.h"
 #include "transport/emitters.h"
+#include "transport/sky/sky_dome.h"
+#include "transport/sun_mirrors.h"
+#include "transport/view_table.h"
 
 namespace ifov::transport {
 
@@ -47,11 +53,11 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Sensor
   emit(scene.surroundings, emitted.row(0));
   const std::vector<double> ground = couple(air, air.sky_irradiance(), emitted.values(0));
   const math::Vec3 towards_sun = scene.sun ? scene.sun->direction : math::Vec3{1.0, 0.0, 0.0};
-  dome_.emplace(air, towards_sun, ground);
+  dome_ = std::make_unique<SkyDome>(air, towards_sun, ground);
   if (!air.sights().single())
-    view_table_.emplace(air, towards_sun, ground);
+    view_table_ = std::make_unique<ViewTable>(air, towards_sun, ground);
   else if (air.polarized())
-    single_view_.emplace(air, towards_sun, ground);
+    single_view_ = std::make_unique<ViewTable>(air, towards_sun, ground);
   light_heights(air);
   light_surroundings();
   find_emitters();
@@ -75,6 +81,13 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Import
   light_surroundings();
   find_emitters();
   find_mirrors();
+}
+
+SpectralScene::~SpectralScene() = default;
+
+const ViewTable* SpectralScene::polarized_path() const {
+  if (single_view_) return single_view_.get();
+  return view_table_ && view_table_->polarized() ? view_table_.get() : nullptr;
 }
 
 template <class Air>
@@ -154,7 +167,7 @@ void SpectralScene::find_emitters() {
 void SpectralScene::find_mirrors() {
   const geometry::SurfaceSurvey* survey =
       scene_.sun && scene_.world != nullptr ? scene_.world->survey() : nullptr;
-  if (survey != nullptr) mirrors_.emplace(scene_, *survey);
+  if (survey != nullptr) mirrors_ = std::make_unique<SunMirrors>(scene_, *survey);
 }
 
 void SpectralScene::emit_surfaces() {

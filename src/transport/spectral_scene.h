@@ -1,24 +1,29 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "atmosphere/imported_atmosphere.h"
 #include "materials/spectral_materials.h"
-#include "radiometry/planck_table.h"
 #include "radiometry/spectral_nodes.h"
 #include "radiometry/spectrum_block.h"
 #include "scene/scene.h"
-#include "transport/sky/sky_dome.h"
-#include "transport/sun_mirrors.h"
-#include "transport/view_table.h"
+
+namespace ifov::atmosphere {
+class ImportedAtmosphere;
+class SensorAtmosphere;
+}  // namespace ifov::atmosphere
+namespace ifov::radiometry {
+class PlanckTable;
+}
 
 namespace ifov::transport {
 
 class EmitterMirrors;
 class Emitters;
+class SkyDome;
+class SunMirrors;
+class ViewTable;
 
 /// The scene's spectra as rows over the spectral nodes of a sensor: what a path multiplies and adds.
 class SpectralScene {
@@ -30,6 +35,7 @@ class SpectralScene {
   SpectralScene(const scene::Scene& scene, const atmosphere::SensorAtmosphere& atmosphere);
   /// With what another code computed, under a uniform sky of its irradiance; where it has none, under the scene's own.
   SpectralScene(const scene::Scene& scene, const atmosphere::ImportedAtmosphere& atmosphere);
+  ~SpectralScene();
 
   const scene::Scene& scene() const { return scene_; }
   const radiometry::SpectralNodes& nodes() const { return nodes_; }
@@ -38,7 +44,7 @@ class SpectralScene {
 
   const materials::SpectralMaterials& materials() const { return materials_; }
   /// Null where the Sun lights no mirror.
-  const SunMirrors* sun_mirrors() const { return mirrors_ ? &*mirrors_ : nullptr; }
+  const SunMirrors* sun_mirrors() const { return mirrors_.get(); }
 
   /// What of the light that meets a material goes on in any node, at most; 0 marks a black surface, which ends paths.
   double brightest(std::uint32_t material) const {
@@ -59,18 +65,16 @@ class SpectralScene {
   const float* sun_irradiance() const { return light_.row(kSunIrradiance); }
   /// Of a uniform sky; under an atmosphere the mean over the sky, weighted as a level surface sees it.
   const float* sky_radiance() const { return light_.row(kSky); }
-  const SkyDome* sky_dome() const { return dome_ ? &*dome_ : nullptr; }  ///< null: the sky is uniform
+  const SkyDome* sky_dome() const { return dome_.get(); }  ///< null: the sky is uniform
   const float* surroundings_radiance() const { return light_.row(kSurroundings); }
   bool has_view_path() const { return has_view_path_; }
   const float* view_transmittance() const { return light_.row(kViewTransmittance); }
   const float* view_radiance() const { return light_.row(kViewRadiance); }
   /// Null where the two hold for all lines of sight and heights.
-  const ViewTable* view_table() const { return view_table_ ? &*view_table_ : nullptr; }
+  const ViewTable* view_table() const { return view_table_.get(); }
   /// A table that tells the path's polarization, also where one line of sight holds for all; null where the
   /// atmosphere's tables are unpolarized.
-  const ViewTable* polarized_path() const {
-    return single_view_ ? &*single_view_ : view_table_ && view_table_->polarized() ? &*view_table_ : nullptr;
-  }
+  const ViewTable* polarized_path() const;
 
   /// Null where no surface outshines the others so much that its light has to be sought.
   const Emitters* emitters() const { return emitters_.get(); }
@@ -114,14 +118,14 @@ class SpectralScene {
   radiometry::SpectrumBlock black_;     // by state, of directional materials: a black body of its temperature
   radiometry::SpectrumBlock light_;     // by LightRow
   std::unique_ptr<radiometry::PlanckTable> planck_;  // only where a temperature map needs it
-  std::optional<SkyDome> dome_;
-  std::optional<ViewTable> view_table_, single_view_;
+  std::unique_ptr<const SkyDome> dome_;
+  std::unique_ptr<const ViewTable> view_table_, single_view_;
   std::vector<double> heights_m_;                  // rising from 0; empty: all is as at the ground
   radiometry::SpectrumBlock sun_rows_, sky_rows_;  // by height
   bool has_view_path_ = false;
   std::shared_ptr<const Emitters> emitters_;
   std::shared_ptr<const EmitterMirrors> emitter_mirrors_;
-  std::optional<SunMirrors> mirrors_;
+  std::unique_ptr<const SunMirrors> mirrors_;
 };
 
 }  // namespace ifov::transport

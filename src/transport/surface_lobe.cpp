@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "transport/spectral_scene.h"
+
 namespace ifov::transport {
 
 namespace {

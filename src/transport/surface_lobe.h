@@ -3,9 +3,11 @@
 #include <numbers>
 
 #include "materials/bsdf/bsdf.h"
-#include "transport/spectral_scene.h"
+#include "scene/resolved_surface.h"
 
 namespace ifov::transport {
+
+class SpectralScene;
 
 /// What a resolved surface does with the light that meets it: constituents of one model, added up.
 struct SurfaceLobe {

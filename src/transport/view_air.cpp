@@ -1,6 +1,8 @@
 #include "transport/view_air.h"
 
 #include "transport/row_arithmetic.h"
+#include "transport/spectral_scene.h"
+#include "transport/view_table.h"
 
 namespace ifov::transport {
 

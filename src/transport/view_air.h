@@ -1,9 +1,10 @@
 #pragma once
 
 #include "transport/path_record.h"
-#include "transport/spectral_scene.h"
 
 namespace ifov::transport {
+
+class SpectralScene;
 
 /// What the air between a sensor and what its rays meet makes of the light of their paths.
 class ViewAir {

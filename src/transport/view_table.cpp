@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atmosphere/sensor/sensor_atmosphere.h"
+
 namespace ifov::transport {
 namespace {
 

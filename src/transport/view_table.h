@@ -5,10 +5,13 @@
 #include <span>
 #include <vector>
 
-#include "atmosphere/sensor/sensor_atmosphere.h"
 #include "math/vec3.h"
 #include "radiometry/polarization_frame.h"
 #include "radiometry/spectrum_block.h"
+
+namespace ifov::atmosphere {
+class SensorAtmosphere;
+}
 
 namespace ifov::transport {
 

@@ -12,6 +12,7 @@
 #include "session/loaded/parts.h"
 #include "session/session.h"
 #include "session/statements.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::session {
 namespace {

@@ -16,6 +16,7 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
+#include "render/image_renderer.h"
 #include "render/scene_field.h"
 #include "sampling/region_interval.h"
 #include "session/loaded/parts.h"

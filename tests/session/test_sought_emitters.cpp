@@ -6,6 +6,8 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
+#include "radiometry/spectral_nodes.h"
+#include "render/image_renderer.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
 #include "transport/emitters.h"

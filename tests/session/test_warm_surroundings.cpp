@@ -14,6 +14,7 @@
 #include "session/assembly/air/atmosphere_assembly.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::session {
 namespace {

@@ -13,6 +13,7 @@
 #include "render/glints.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::session {
 namespace {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "atmosphere/column/light_limits.h"
+#include "atmosphere/sensor/channel_lights.h"
 #include "atmosphere/sensor/error_estimate.h"
 #include "core/parallel.h"
 #include "radiometry/planck.h"

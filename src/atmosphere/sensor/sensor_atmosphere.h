@@ -6,14 +6,18 @@
 #include <vector>
 
 #include "atmosphere/column/atmosphere_column.h"
+#include "atmosphere/scattering/propagation.h"
 #include "atmosphere/scattering/scattering_options.h"
 #include "atmosphere/sensor/air_error.h"
-#include "atmosphere/sensor/channel_lights.h"
+#include "atmosphere/sensor/channel_points.h"
 #include "atmosphere/sensor/kept_solutions.h"
+#include "atmosphere/sensor/sight_grid.h"
 #include "atmosphere/sensor/sky_directions.h"
 #include "radiometry/spectral_nodes.h"
 
 namespace ifov::atmosphere {
+
+struct ChannelLights;
 
 /// The atmosphere as one sensor's channels see it: spectral nodes, and what the air does to light in each of
 /// them. A node stands for those parts of a channel (bins of the band model and their absorption terms) that

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 
+#include "atmosphere/sensor/channel_lights.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 
 namespace ifov::atmosphere {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <numbers>
 
+#include "atmosphere/sensor/channel_lights.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "radiometry/planck.h"
 

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "io/products/netcdf_map.h"
+#include "io/quantities/quantity.h"
 #include "io/quantities/quantity_set.h"
 #include "io/raster/netcdf_lock.h"
 

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "io/product_parts/acquisition.h"
+#include "render/tile_sink.h"
 #include "truth/location.h"
 
 namespace ifov::io::quantities {

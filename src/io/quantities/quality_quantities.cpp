@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "io/product_parts/quality_classes.h"
+#include "render/tile_sink.h"
 
 namespace ifov::io::quantities {
 namespace {

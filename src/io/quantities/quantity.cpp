@@ -1,5 +1,7 @@
 #include "io/quantities/quantity.h"
 
+#include "render/tile_sink.h"
+
 namespace ifov::io {
 
 int Quantity::band_count(const render::ImageInfo& image) const {

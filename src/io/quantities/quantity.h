@@ -4,13 +4,21 @@
 #include <span>
 #include <string_view>
 
-#include "io/product_parts/acquisition.h"
 #include "io/product_parts/envi_header.h"
-#include "render/tile_sink.h"
-#include "sampling/tile.h"
-#include "truth/collector.h"
+
+namespace ifov::render {
+struct ImageInfo;
+}
+namespace ifov::sampling {
+struct TileResult;
+}
+namespace ifov::truth {
+struct Collector;
+}
 
 namespace ifov::io {
+
+struct Acquisition;
 
 /// What a quantity's values are made of: a tile that is done, and what is known of the image.
 struct FinishedTile {

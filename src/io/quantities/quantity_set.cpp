@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "io/quantities/radiance_quantities.h"
+#include "render/tile_sink.h"
+#include "truth/collector.h"
 
 namespace ifov::io {
 namespace {

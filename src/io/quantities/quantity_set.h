@@ -6,9 +6,16 @@
 #include <string_view>
 #include <vector>
 
-#include "io/quantities/quantity.h"
+namespace ifov::render {
+struct ImageInfo;
+}
+namespace ifov::truth {
+struct Collector;
+}
 
 namespace ifov::io {
+
+struct Quantity;
 
 /// All there are, in the order in which their cubes are written.
 std::span<const Quantity* const> all_quantities();

@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "render/tile_sink.h"
+
 namespace ifov::io::quantities {
 namespace {
 

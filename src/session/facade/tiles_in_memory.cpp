@@ -3,6 +3,7 @@
 #include <mutex>
 
 #include "core/error.h"
+#include "render/image_renderer.h"
 #include "render/tile_grid.h"
 #include "sampling/reason_words.h"
 #include "session/loaded/parts.h"

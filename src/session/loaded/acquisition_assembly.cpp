@@ -3,7 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "io/document/document.h"
 #include "io/raster/map_reference.h"
+#include "sensor/camera.h"
 
 namespace ifov::session {
 namespace {

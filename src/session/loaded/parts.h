@@ -1,21 +1,49 @@
 #pragma once
 
-#include "atmosphere/imported_atmosphere.h"
-#include "atmosphere/sensor/sensor_atmosphere.h"
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "atmosphere/weather_series.h"
-#include "io/document/document.h"
 #include "io/scene_cache/file_stamp.h"
-#include "render/air_budget.h"
-#include "render/image_renderer.h"
+#include "radiometry/channel.h"
+#include "render/air_half_width.h"
+#include "render/node_half_width.h"
+#include "render/tile_sink.h"
+#include "scene/scene.h"
 #include "session/assembly/geometry/placed_objects.h"
 #include "session/assembly/shared/map_scale.h"
 #include "session/assembly/whole/sampling_assembly.h"
+
+namespace ifov::atmosphere {
+class ImportedAtmosphere;
+class SensorAtmosphere;
+}  // namespace ifov::atmosphere
+namespace ifov::radiometry {
+class SpectralNodes;
+}
+namespace ifov::render {
+class AccuracyTolerance;
+class ChannelBrightness;
+struct RenderJob;
+}  // namespace ifov::render
+namespace ifov::sensor {
+class PsfWings;
+}
+namespace ifov::transport {
+class SpectralScene;
+}
 
 namespace ifov::session {
 
 /// What a loaded document consists of. Immutable once loaded; members refer to those above them.
 struct Parts {
-  io::Document document;
+  explicit Parts(const io::Document& of);
+  ~Parts();
+
+  const std::unique_ptr<const io::Document> kept_document;
+  const io::Document& document;
   scene::Scene scene;
   std::vector<MapScale> map_scales;
   PlacedObjects placed;
@@ -44,7 +72,7 @@ struct Parts {
   std::vector<std::string> warnings;  ///< all that were given while the document was loaded
 
   /// The job that renders the document's image.
-  render::RenderJob job() const { return job(plan, tolerance.get()); }
+  render::RenderJob job() const;
   /// The same image sampled in another way; keeps references to both.
   render::RenderJob job(const SamplingPlan& sampling, const render::AccuracyTolerance* limits) const;
   /// What a plan's accuracy asks for; null where it asks for none.

@@ -8,6 +8,7 @@
 #include "core/parallel.h"
 #include "io/products/part_file.h"
 #include "io/run_state/run_state.h"
+#include "render/image_renderer.h"
 #include "session/loaded/parts.h"
 #include "session/runs/coordinator.h"
 #include "session/runs/needs.h"
@@ -15,6 +16,7 @@
 #include "session/runs/probing.h"
 #include "session/runs/refinement.h"
 #include "session/session.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::session {
 namespace {

@@ -4,7 +4,11 @@
 #include <set>
 
 #include "core/version.h"
+#include "io/document/document.h"
 #include "io/run_state/scene_files.h"
+#include "render/accuracy_tolerance.h"
+#include "render/image_renderer.h"
+#include "sensor/camera.h"
 #include "session/loaded/acquisition_assembly.h"
 #include "session/statements.h"
 

@@ -6,9 +6,11 @@
 
 #include "core/error.h"
 #include "core/machine_memory.h"
+#include "io/document/document.h"
 #include "io/files/own_files.h"
 #include "io/products/part_file.h"
 #include "io/run_state/run_state.h"
+#include "render/image_renderer.h"
 #include "session/loaded/parts.h"
 #include "session/runs/coordinator.h"
 #include "session/runs/needs.h"

@@ -5,7 +5,9 @@
 
 #include "cluster/tile_client.h"
 #include "core/error.h"
+#include "io/document/document.h"
 #include "io/run_state/run_state.h"
+#include "render/image_renderer.h"
 #include "session/loaded/parts.h"
 #include "session/runs/coordinator.h"
 #include "session/runs/plan_assembly.h"

@@ -4,11 +4,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "atmosphere/imported_atmosphere.h"
 #include "core/format.h"
+#include "io/document/document.h"
 #include "sampling/halton.h"
 #include "sampling/warp.h"
+#include "sensor/psf_wings.h"
 #include "session/assembly/whole/camera_grid.h"
 #include "session/loaded/parts.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::session {
 namespace {

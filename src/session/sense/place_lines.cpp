@@ -5,6 +5,9 @@
 #include <numbers>
 
 #include "core/format.h"
+#include "io/document/document.h"
+#include "render/channel_brightness.h"
+#include "sensor/camera.h"
 #include "session/loaded/parts.h"
 
 namespace ifov::session {

@@ -5,6 +5,8 @@
 
 #include "core/format.h"
 #include "core/names.h"
+#include "io/document/document.h"
+#include "sensor/camera.h"
 #include "session/loaded/acquisition_assembly.h"
 #include "session/loaded/parts.h"
 #include "session/sense/place_lines.h"

@@ -6,9 +6,13 @@
 #include <map>
 #include <numbers>
 
+#include "io/document/document.h"
+#include "render/image_renderer.h"
 #include "render/scene_field.h"
 #include "sampling/hash.h"
+#include "sensor/camera.h"
 #include "session/loaded/parts.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::session {
 namespace {

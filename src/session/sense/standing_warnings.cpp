@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/format.h"
+#include "io/document/document.h"
 #include "session/loaded/parts.h"
 #include "session/sense/sense_warnings.h"
 

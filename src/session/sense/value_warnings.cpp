@@ -2,9 +2,13 @@
 #include <cmath>
 
 #include "core/format.h"
+#include "io/document/document.h"
+#include "render/accuracy_tolerance.h"
+#include "render/channel_brightness.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/loaded/parts.h"
 #include "session/sense/sense_warnings.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::session {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/format.h"
+#include "io/document/document.h"
 #include "render/accuracy_tolerance.h"
 #include "render/image_renderer.h"
 #include "session/assembly/whole/sampling_assembly.h"

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "atmosphere/sensor/sensor_atmosphere.h"
+
 namespace ifov::transport {
 namespace {
 

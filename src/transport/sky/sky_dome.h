@@ -5,11 +5,14 @@
 #include <span>
 #include <vector>
 
-#include "atmosphere/sensor/sensor_atmosphere.h"
 #include "math/vec3.h"
 #include "radiometry/polarization_frame.h"
 #include "radiometry/spectrum_block.h"
 #include "transport/sky/sky_sampler.h"
+
+namespace ifov::atmosphere {
+class SensorAtmosphere;
+}
 
 namespace ifov::transport {
 

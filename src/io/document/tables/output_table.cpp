@@ -4,6 +4,7 @@
 #include "core/format.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
+#include "io/quantities/quantity.h"
 
 namespace ifov::io {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "core/names.h"
 #include "io/city/city_json_reader.h"
+#include "io/document/document.h"
 #include "session/assembly/shared/with_position.h"
 
 namespace ifov::session {

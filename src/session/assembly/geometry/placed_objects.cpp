@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/format.h"
+#include "io/document/document.h"
 
 namespace ifov::session {
 namespace {

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "io/document/document.h"
+namespace ifov::io {
+struct Document;
+}
 
 namespace ifov::session {
 

@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "io/document/document.h"
 #include "radiometry/channel.h"
 #include "render/accuracy_tolerance.h"
 #include "sampling/tile.h"
-#include "transport/spectral_scene.h"
+
+namespace ifov::io {
+struct Document;
+}
 
 namespace ifov::session {
 

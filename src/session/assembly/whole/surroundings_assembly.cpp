@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/format.h"
+#include "io/document/document.h"
 #include "session/assembly/whole/camera_grid.h"
 
 namespace ifov::session {
