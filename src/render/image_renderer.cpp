@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "render/glints.h"
+#include "render/mirror_images.h"
 #include "render/object_seeds.h"
 #include "render/pixel_places.h"
 #include "render/tile_grid.h"
@@ -108,6 +109,13 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   if (transport.maximum_scatterings != 0 && Glints::in(job.scene))
     glints.emplace(job.scene, job.camera, job.footprint.half_width_px(), job.seed);
 
+  std::unique_ptr<const MirrorImages> mirror_images;
+  if (transport.maximum_scatterings < 0 || transport.maximum_scatterings > 1)
+    mirror_images =
+        MirrorImages::find(job.scene, job.camera, job.footprint.half_width_px(), job.seed, control.threads);
+  if (mirror_images != nullptr && !mirror_images->apart().empty())
+    transport.images_apart = &mirror_images->apart();
+
   Tally tally(pixels, control.progress);
   const auto render_tile = [&](std::size_t index) {
     if (control.cancel != nullptr && control.cancel->cancelled()) throw Cancelled();
@@ -137,6 +145,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     field.blends().settle(result);
     widen(job.nodes, job.tolerance, result);
     if (glints) glints->add_to(job.footprint, job.tolerance, result);
+    if (mirror_images != nullptr) mirror_images->add_to(job.footprint, job.tolerance, result);
     widen(job.air, job.tolerance, result);
     if (!job.keep_variances && !job.keep_memory) result.drop_variances();
     if (job.locate) locate_pixels(*job.scene.scene().world, job.camera, result);

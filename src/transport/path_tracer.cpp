@@ -29,7 +29,7 @@ const PathRecord& PathTracer::trace(std::span<const math::Ray> rays, std::span<c
   record_.start(rays.size());
   paths_.resize(rays.size());
   for (std::size_t k = 0; k < rays.size(); ++k)
-    paths_[k] = {rays[k], keys[k], static_cast<std::uint32_t>(k), true, {}, {}};
+    paths_[k] = {rays[k], keys[k], static_cast<std::uint32_t>(k), true, {}, {}, ImagesApart::kNone};
   for (int depth = 0; !paths_.empty(); ++depth) {
     trace_segment(counts, depth);
     if (depth == 0) {
@@ -84,8 +84,8 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
     if (event.shadow == kNone || blocked_[event.shadow] != 0) event.vertex.sun_weight = 0.0f;
     record_.add(path.number, event.vertex);
     if (event.vertex.bounce_weight > 0.0f)
-      next_paths_.push_back(
-          {event.next, path.key, path.number, event.next_sees_sun, event.left, event.next_way});
+      next_paths_.push_back({event.next, path.key, path.number, event.next_sees_sun, event.left,
+                             event.next_way, event.next_mirror});
   }
   paths_.swap(next_paths_);
 }

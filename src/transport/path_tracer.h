@@ -11,6 +11,7 @@
 #include "sampling/warp.h"
 #include "transport/emitter_mirrors.h"
 #include "transport/emitters.h"
+#include "transport/images_apart.h"
 #include "transport/mirror_ways.h"
 #include "transport/path_record.h"
 #include "transport/spectral_scene.h"
@@ -37,6 +38,8 @@ struct TransportOptions {
   /// that the sensor sees directly, which are added apart (Glints), and what reaches a surface that scatters by mirrors
   /// that are not sought, which is marked (UnseenLight).
   bool sought_only = false;
+  /// Images in mirrors that are added apart and left out of paths; null: none.
+  const ImagesApart* images_apart = nullptr;
 };
 
 /// Finds paths, breadth first: a batch advances together, one bounce at a time, so that the ray tracer sees large
@@ -86,6 +89,7 @@ class PathTracer {
     bool sees_sun = true;      // no next-event estimation was made for this segment
     Departure left;            // where it left the surface before
     Way way;
+    ImagesApart::Mirror mirror = ImagesApart::kNone;  // that it came by straight from the sensor
   };
   struct Scatter {  // a path that scatters at this depth
     std::uint32_t path = 0;
@@ -98,6 +102,7 @@ class PathTracer {
     double seek_reflected =
         -1.0;  // chance that one was sought for what is reflected; below 0: none was sought
     Way next_way;
+    ImagesApart::Mirror next_mirror = ImagesApart::kNone;
   };
   struct Seek {  // a ray that was sent to an emitter
     Emitters::Aim aim;
