@@ -146,8 +146,10 @@ void GlintSearch::search(Vec3 plane_normal, double offset_m, std::uint64_t numbe
     camera_.rays({&image, 1}, {&ray, 1});
     const double facing = dot(ray.direction, plane_normal);
     const double along = (offset_m - dot(plane_normal, ray.origin_m - Point3{})) / facing;
-    // Behind the camera there is no mirror.
-    at = along > 0.0 ? ray.origin_m + along * ray.direction : Point3{NAN, NAN, NAN};
+    // Behind the camera, and along the line of sight, there is no mirror.
+    constexpr double kGrazing = 1e-9;
+    at = along > 0.0 && std::abs(facing) > kGrazing ? ray.origin_m + along * ray.direction
+                                                    : Point3{NAN, NAN, NAN};
     normal = plane_normal;
   };
   divide_quad(window, low_x, low_y, high_x, high_y, number, found);

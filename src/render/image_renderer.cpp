@@ -14,6 +14,7 @@
 #include "render/object_seeds.h"
 #include "render/pixel_places.h"
 #include "render/tile_grid.h"
+#include "render/unseen_images.h"
 
 namespace ifov::render {
 
@@ -115,6 +116,9 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
         MirrorImages::find(job.scene, job.camera, job.footprint.half_width_px(), job.seed, control.threads);
   if (mirror_images != nullptr && !mirror_images->apart().empty())
     transport.images_apart = &mirror_images->apart();
+  std::unique_ptr<const UnseenImages> unseen_images;
+  if (mirror_images != nullptr)
+    unseen_images = UnseenImages::find(job.scene, job.camera, *mirror_images, job.seed);
 
   Tally tally(pixels, control.progress);
   const auto render_tile = [&](std::size_t index) {
@@ -146,6 +150,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     widen(job.nodes, job.tolerance, result);
     if (glints) glints->add_to(job.footprint, job.tolerance, result);
     if (mirror_images != nullptr) mirror_images->add_to(job.footprint, job.tolerance, result);
+    if (unseen_images != nullptr) unseen_images->settle(job.tolerance, result);
     widen(job.air, job.tolerance, result);
     if (!job.keep_variances && !job.keep_memory) result.drop_variances();
     if (job.locate) locate_pixels(*job.scene.scene().world, job.camera, result);

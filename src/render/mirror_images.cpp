@@ -37,6 +37,7 @@ std::unique_ptr<const MirrorImages> MirrorImages::find(const transport::Spectral
   double work = 0.0;
   std::size_t kept = 0;
   while (kept < pairs.size() && (work += pairs[kept].work) <= kMostWork) ++kept;
+  images->all_settled_ = kept == pairs.size() && images->apart_.any();
   pairs.resize(kept);
   std::vector<std::optional<Found>> found(pairs.size());
   parallel_for(static_cast<std::int64_t>(pairs.size()), threads, [&](std::int64_t k) {
@@ -46,7 +47,10 @@ std::unique_ptr<const MirrorImages> MirrorImages::find(const transport::Spectral
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const ImagesApart::Mirror mirror = images->mirrors_[pairs[k].mirror].name;
     const std::uint32_t object = images->parts_.parts()[pairs[k].first].object;
-    if (found[k]->outcome == Outcome::given_up) continue;
+    if (found[k]->outcome == Outcome::given_up) {
+      images->all_settled_ = false;
+      continue;
+    }
     images->settled_.push_back({mirror, object});
     if (found[k]->outcome == Outcome::met || found[k]->lights.lights().empty()) continue;
     images->apart_.add(mirror, object);
@@ -89,19 +93,24 @@ void MirrorImages::list_mirrors() {
   }
 }
 
-std::vector<MirrorImages::Pair> MirrorImages::pairs() const {
+std::vector<MirrorImages::Pair> MirrorImages::pairs() {
   std::vector<Pair> pairs;
   const std::span<const ShiningParts::Part> parts = parts_.parts();
   for (std::size_t first = 0; first < parts.size();) {
     std::size_t last = first;
     while (last < parts.size() && parts[last].object == parts[first].object) ++last;
-    for (std::size_t m = 0; m < mirrors_.size(); ++m)
-      if (std::any_of(parts.begin() + static_cast<std::ptrdiff_t>(first),
+    for (std::size_t m = 0; m < mirrors_.size(); ++m) {
+      const bool matters =
+          std::any_of(parts.begin() + static_cast<std::ptrdiff_t>(first),
                       parts.begin() + static_cast<std::ptrdiff_t>(last),
-                      [&](const ShiningParts::Part& part) { return may_matter(mirrors_[m], part); })) {
-        const double work = kUsualWork + 3.0 * static_cast<double>(mirrors_[m].triangles);
-        pairs.push_back({m, first, last, work * static_cast<double>(last - first)});
+                      [&](const ShiningParts::Part& part) { return may_matter(mirrors_[m], part); });
+      if (!matters) {
+        settled_.push_back({mirrors_[m].name, parts[first].object});
+        continue;
       }
+      const double work = kUsualWork + 3.0 * static_cast<double>(mirrors_[m].triangles);
+      pairs.push_back({m, first, last, work * static_cast<double>(last - first)});
+    }
     first = last;
   }
   std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.work < b.work; });

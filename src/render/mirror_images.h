@@ -30,6 +30,9 @@ class MirrorImages {
   /// Whether a thing is looked for in a mirror, or its image left to paths because they meet it.
   bool settled(transport::ImagesApart::Mirror mirror, std::uint32_t object) const;
 
+  /// Whether all that may matter is settled.
+  bool all_settled() const { return all_settled_ && parts_.complete(); }
+
   /// As FocalLights::add_to.
   void add_to(const sampling::PixelFootprint& footprint, const sampling::Tolerance* tolerance,
               sampling::TileResult& tile) const {
@@ -65,7 +68,8 @@ class MirrorImages {
     FocalLights lights;
   };
   void list_mirrors();
-  std::vector<Pair> pairs() const;
+  /// Those that may matter; others are settled.
+  std::vector<Pair> pairs();
   bool may_matter(const Mirror& mirror, const transport::ShiningParts::Part& part) const;
   Found look(const Pair& pair, double margin_px, std::uint64_t seed, std::uint64_t number) const;
   /// Traces points at which a part may be seen in a mirror; keeps those where it is, with their areas.
@@ -84,6 +88,7 @@ class MirrorImages {
     friend auto operator<=>(const Name&, const Name&) = default;
   };
   std::vector<Name> settled_;  // sorted
+  bool all_settled_ = true;
   FocalLights lights_;
 };
 

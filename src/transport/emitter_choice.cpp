@@ -129,6 +129,14 @@ void EmitterChoice::find_contrasts(double contrast, bool shown) {
   }
 }
 
+std::vector<double> EmitterChoice::highest(std::uint32_t covering) const {
+  std::vector<double> highest(unit_.size(), 0.0);
+  for (const Surface& s : surfaces_)
+    for (std::size_t c = 0; c < highest.size() && s.covering == covering; ++c)
+      highest[c] = std::max(highest[c], s.hottest[c]);
+  return highest;
+}
+
 double EmitterChoice::brightness(const float* emission) const {
   if (emission == nullptr) return 0.0;
   const std::vector<double> means = channels(emission);

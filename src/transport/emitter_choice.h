@@ -35,8 +35,8 @@ struct EmitterChoice {
   /// How many times as bright a covering may be as white under Sun and sky and as the median surface, in some channel; 0
   /// of one that is not wanted.
   double contrast(std::uint32_t covering) const { return contrast_[covering]; }
-  /// At most, of all surfaces, by channel, W m-2 sr-1 um-1.
-  const std::vector<double>& highest() const { return unit_; }
+  /// What a covering emits at most, by channel, W m-2 sr-1 um-1.
+  std::vector<double> highest(std::uint32_t covering) const;
 
  private:
   EmitterChoice(const SpectralScene& scene, double contrast, bool shown);

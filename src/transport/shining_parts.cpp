@@ -44,7 +44,8 @@ ShiningParts::ShiningParts(const SpectralScene& scene) {
   const EmitterChoice choice(scene, EmitterChoice::InMirrors{kContrast});
   if (!choice.any()) return;
   wanted_ = choice.wanted();
-  highest_ = choice.highest();
+  for (std::uint32_t c = 0; c < wanted_.size(); ++c)
+    highest_.push_back(wanted_[c] ? choice.highest(c) : std::vector<double>());
   const geometry::World& world = *scene.scene().world;
   std::size_t count = 0;
   world.visit_surfaces(wanted_, [&](const SurfacePiece&) { ++count; });
@@ -62,10 +63,12 @@ ShiningParts::ShiningParts(const SpectralScene& scene) {
   std::vector<Piece> pieces;
   for (std::size_t first = 0; first < found.size();) {
     const std::uint32_t object = found[first].object;
-    double contrast = 0.0;
+    Part part;
+    part.object = object;
     std::size_t last = first;
     for (; last < found.size() && found[last].object == object; ++last)
-      contrast = std::max(contrast, choice.contrast(found[last].material));
+      if (const double contrast = choice.contrast(found[last].material); contrast > part.contrast)
+        part.contrast = contrast, part.covering = found[last].material;
     pieces.clear();
     for (; first < last; ++first) {
       const SurfacePiece& piece = found[first];
@@ -73,17 +76,17 @@ ShiningParts::ShiningParts(const SpectralScene& scene) {
       entries_.push_back({{piece.object, piece.primitive, piece.patch}, 0, 1, {}, {}});
       const double area = geometry::area_m2(piece);
       if (area < disc_m2(shape.radius_m()) / kLong)
-        cut(piece, contrast);
+        cut(piece, part);
       else
         pieces.push_back({{shape.centre_m(), shape.radius_m()}, area, entries_.size() - 1});
     }
-    put_together(pieces, object, contrast);
+    put_together(pieces, part);
   }
   std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.name < b.name; });
 }
 
 /// Of the piece whose entry is the last.
-void ShiningParts::cut(const SurfacePiece& piece, double contrast) {
+void ShiningParts::cut(const SurfacePiece& piece, Part part) {
   const math::Transform& map = piece.scene_from_unit;
   // The box of the unit shape, and its longest side in the scene.
   const bool flat = piece.kind == PieceKind::triangle || piece.kind == PieceKind::parallelogram;
@@ -123,15 +126,15 @@ void ShiningParts::cut(const SurfacePiece& piece, double contrast) {
   const Vec3 middle = 0.5 * (side[0] + side[1] + side[2]);
   const Vec3 off = middle - dot(middle, axis) * axis;
   const double radius = std::hypot(0.5 * span / parts, 0.5 * across);
-  const double fill = geometry::area_m2(piece) / parts / disc_m2(radius);
-  for (std::uint32_t k = 0; k < entry.count; ++k)
-    parts_.push_back({{origin + off + axis * (from + span * (k + 0.5) / parts), radius},
-                      std::clamp(fill, kLeastFill, 1.0),
-                      piece.object,
-                      contrast});
+  part.ball.radius_m = radius;
+  part.fill = std::clamp(geometry::area_m2(piece) / parts / disc_m2(radius), kLeastFill, 1.0);
+  for (std::uint32_t k = 0; k < entry.count; ++k) {
+    part.ball.centre_m = origin + off + axis * (from + span * (k + 0.5) / parts);
+    parts_.push_back(part);
+  }
 }
 
-void ShiningParts::put_together(std::span<Piece> pieces, std::uint32_t object, double contrast) {
+void ShiningParts::put_together(std::span<Piece> pieces, Part part) {
   if (pieces.empty()) return;
   std::vector<const geometry::SurfaceSurvey::Ball*> balls;
   double area = 0.0;
@@ -140,7 +143,9 @@ void ShiningParts::put_together(std::span<Piece> pieces, std::uint32_t object, d
   const double fill = area / disc_m2(ball.radius_m);
   if (pieces.size() == 1 || fill >= kFilled) {
     for (const Piece& piece : pieces) entries_[piece.entry].part = static_cast<std::uint32_t>(parts_.size());
-    parts_.push_back({ball, std::clamp(fill, kLeastFill, 1.0), object, contrast});
+    part.ball = ball;
+    part.fill = std::clamp(fill, kLeastFill, 1.0);
+    parts_.push_back(part);
     return;
   }
   const auto at = [](const Piece& piece, int axis) {
@@ -158,8 +163,8 @@ void ShiningParts::put_together(std::span<Piece> pieces, std::uint32_t object, d
   const std::size_t half = pieces.size() / 2;
   std::nth_element(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(half), pieces.end(),
                    [&](const Piece& a, const Piece& b) { return at(a, longest) < at(b, longest); });
-  put_together(pieces.first(half), object, contrast);
-  put_together(pieces.subspan(half), object, contrast);
+  put_together(pieces.first(half), part);
+  put_together(pieces.subspan(half), part);
 }
 
 std::uint32_t ShiningParts::part_of(const geometry::SurfacePoint& hit) const {

@@ -26,7 +26,8 @@ class ShiningParts {
     geometry::SurfaceSurvey::Ball ball;
     double fill = 1.0;  ///< about the share of the ball's disc that it fills, above 0
     std::uint32_t object = 0;
-    double contrast = 0.0;  ///< how many times as bright as the rest it may be
+    double contrast = 0.0;       ///< how many times as bright as the rest it may be
+    std::uint32_t covering = 0;  ///< the brightest of it
   };
 
   explicit ShiningParts(const SpectralScene& scene);
@@ -39,8 +40,8 @@ class ShiningParts {
   std::uint32_t part_of(const geometry::SurfacePoint& hit) const;
   /// Whether what was met is of a covering that may shine.
   bool shines(const geometry::SurfacePoint& hit) const { return wanted_[hit.material]; }
-  /// By channel: the highest emission of all that may shine, W m-2 sr-1 um-1.
-  std::span<const double> highest() const { return highest_; }
+  /// What a covering that shines emits at most, by channel, W m-2 sr-1 um-1.
+  std::span<const double> highest(std::uint32_t covering) const { return highest_[covering]; }
 
  private:
   struct Name {
@@ -59,11 +60,11 @@ class ShiningParts {
     double area_m2 = 0.0;
     std::size_t entry = 0;
   };
-  void cut(const geometry::SurfacePiece& piece, double contrast);
-  void put_together(std::span<Piece> pieces, std::uint32_t object, double contrast);
+  void cut(const geometry::SurfacePiece& piece, Part part);
+  void put_together(std::span<Piece> pieces, Part part);
 
   geometry::WantedMaterials wanted_;
-  std::vector<double> highest_;
+  std::vector<std::vector<double>> highest_;  // by covering
   std::vector<Part> parts_;
   std::vector<Entry> entries_;  // sorted by name
   bool complete_ = true;
