@@ -1,6 +1,7 @@
 #include "render/mirror_images.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -8,7 +9,9 @@
 
 #include "core/parallel.h"
 #include "geometry/world.h"
-#include "render/mirrored_rows.h"
+#include "sampling/random.h"
+#include "transport/path_light.h"
+#include "transport/view_air.h"
 
 namespace ifov::render {
 
@@ -23,12 +26,14 @@ constexpr std::size_t kBatch = 4096;
 constexpr double kSteps = 16.0;
 /// About how many places of a mirror are looked at for a part, beside those of a mesh.
 constexpr double kUsualWork = 2e4;
+constexpr std::uint64_t kImages = 0x6d6972726f72ull;
 
 }  // namespace
 
 std::unique_ptr<const MirrorImages> MirrorImages::find(const transport::SpectralScene& scene,
-                                                       const sensor::Camera& camera, double margin_px,
-                                                       std::uint64_t seed, int threads) {
+                                                       const sensor::Camera& camera,
+                                                       const transport::TransportOptions& transport,
+                                                       double margin_px, std::uint64_t seed, int threads) {
   if (scene.scene().world == nullptr || scene.scene().world->survey() == nullptr) return nullptr;
   std::unique_ptr<MirrorImages> images(new MirrorImages(scene, camera));
   if (images->parts_.parts().empty() && images->parts_.complete()) return nullptr;
@@ -39,25 +44,32 @@ std::unique_ptr<const MirrorImages> MirrorImages::find(const transport::Spectral
   while (kept < pairs.size() && (work += pairs[kept].work) <= kMostWork) ++kept;
   images->all_settled_ = kept == pairs.size() && images->apart_.any();
   pairs.resize(kept);
-  std::vector<std::optional<Found>> found(pairs.size());
-  parallel_for(static_cast<std::int64_t>(pairs.size()), threads, [&](std::int64_t k) {
+  std::vector<Found> found(pairs.size());
+  const auto count = static_cast<std::int64_t>(pairs.size());
+  const auto key = [seed](std::int64_t pair) { return sampling::hash(seed, kImages, pair); };
+  parallel_for(count, threads, [&](std::int64_t k) {
     const auto at = static_cast<std::size_t>(k);
-    found[at].emplace(images->look(pairs[at], margin_px, seed, at));
+    found[at] = images->look(pairs[at], margin_px, key(k));
   });
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const ImagesApart::Mirror mirror = images->mirrors_[pairs[k].mirror].name;
     const std::uint32_t object = images->parts_.parts()[pairs[k].first].object;
-    if (found[k]->outcome == Outcome::given_up) {
+    if (found[k].outcome == Outcome::given_up) {
       images->all_settled_ = false;
       continue;
     }
     images->settled_.push_back({mirror, object});
-    if (found[k]->outcome == Outcome::met || found[k]->lights.lights().empty()) continue;
-    images->apart_.add(mirror, object);
-    images->lights_.append(found[k]->lights);
+    if (!found[k].seen.empty()) images->apart_.add(mirror, object);
   }
   images->apart_.finish();
   std::sort(images->settled_.begin(), images->settled_.end());
+  std::vector<std::optional<FocalLights>> lights(pairs.size());
+  parallel_for(count, threads, [&](std::int64_t k) {
+    const auto at = static_cast<std::size_t>(k);
+    if (!found[at].seen.empty()) lights[at].emplace(images->weigh(transport, key(k), found[at].seen));
+  });
+  for (const std::optional<FocalLights>& light : lights)
+    if (light) images->lights_.append(*light);
   images->lights_.sort();
   return images;
 }
@@ -140,40 +152,37 @@ bool MirrorImages::may_matter(const Mirror& mirror, const ShiningParts::Part& pa
   return kPerspective * area_px2 * part.contrast > kNegligible;
 }
 
-MirrorImages::Found MirrorImages::look(const Pair& pair, double margin_px, std::uint64_t seed,
-                                       std::uint64_t number) const {
-  Found found{Outcome::apart, FocalLights(scene_.nodes().channel_count())};
+MirrorImages::Found MirrorImages::look(const Pair& pair, double margin_px, std::uint64_t key) const {
+  Found found;
   const Mirror& mirror = mirrors_[pair.mirror];
   const geometry::SurfaceSurvey& survey = *scene_.scene().world->survey();
-  std::vector<FocalLights::Light> seen;
+  std::vector<FocalLights::Light>& seen = found.seen;
   std::vector<GlintPoint> points;
   for (std::size_t p = pair.first; p < pair.last; ++p) {
     const ShiningParts::Part& part = parts_.parts()[p];
-    GlintSearch search(camera_, part.ball, margin_px, kSteps / std::sqrt(part.fill), seed ^ 0x6d6972726f72ull,
-                       kMostTriangles);
+    GlintSearch search(camera_, part.ball, margin_px, kSteps / std::sqrt(part.fill), key, kMostTriangles);
     const auto keep = [&](const GlintPoint& point) {
       points.push_back(point);
-      if (points.size() == kBatch) trace(mirror, static_cast<std::uint32_t>(p), points, found.lights, seen);
+      if (points.size() == kBatch) trace(mirror, static_cast<std::uint32_t>(p), points, seen);
     };
-    const std::uint64_t name = number << 32 | p;
-    for (const std::size_t k : mirror.rounds) search.search(survey.rounds[k], name, keep);
-    for (const std::size_t k : mirror.smooths) search.search(survey.smooths[k], name, keep);
+    for (const std::size_t k : mirror.rounds) search.search(survey.rounds[k], p, keep);
+    for (const std::size_t k : mirror.smooths) search.search(survey.smooths[k], p, keep);
     if (mirror.rounds.empty() && mirror.smooths.empty()) {
       const ImagesApart::Plane& plane = apart_.planes()[static_cast<std::size_t>(mirror.name & 0xffffffffu)];
-      search.search(plane.normal, plane.offset_m, name, keep);
+      search.search(plane.normal, plane.offset_m, p, keep);
     }
-    trace(mirror, static_cast<std::uint32_t>(p), points, found.lights, seen);
+    trace(mirror, static_cast<std::uint32_t>(p), points, seen);
     if (!search.broken_off()) continue;
     found.outcome = met_by_paths(seen) ? Outcome::met : Outcome::given_up;
+    seen.clear();
     return found;
   }
-  if (met_by_paths(seen)) found.outcome = Outcome::met;
-  for (const FocalLights::Light& light : seen) found.lights.add(light);
+  if (met_by_paths(seen)) found.outcome = Outcome::met, seen.clear();
   return found;
 }
 
 void MirrorImages::trace(const Mirror& mirror, std::uint32_t part, std::vector<GlintPoint>& points,
-                         FocalLights& lights, std::vector<FocalLights::Light>& seen) const {
+                         std::vector<FocalLights::Light>& seen) const {
   const scene::Scene& scene = scene_.scene();
   std::vector<sampling::FocalPoint> images;
   for (const GlintPoint& point : points) images.push_back(point.image);
@@ -185,8 +194,7 @@ void MirrorImages::trace(const Mirror& mirror, std::uint32_t part, std::vector<G
   for (std::size_t k = 0; k < points.size(); ++k) {
     const geometry::SurfacePoint& hit = hits[k];
     if (!hit.hit()) continue;
-    const scene::ResolvedSurface surface = scene.resolve(hit);
-    const math::Vec3 normal = surface.shading_normal.as_vector(), view = rays[k].direction;
+    const math::Vec3 normal = scene.resolve(hit).shading_normal.as_vector(), view = rays[k].direction;
     if (apart_.mirror_of(hit, normal) != mirror.name) continue;
     // What was searched must be what is seen.
     if (length(hit.position_m - points[k].at_m) > 1e-6 * (1.0 + hit.distance_m)) continue;
@@ -198,28 +206,74 @@ void MirrorImages::trace(const Mirror& mirror, std::uint32_t part, std::vector<G
   }
   std::vector<geometry::SurfacePoint> met(onward.size());
   scene.world->intersect(onward, met);
-  MirroredRows rows(scene_);
-  radiometry::SpectrumBlock scratch(3, scene_.node_count());
-  // Parts of one state in mirrors of one state share a row.
-  std::uint64_t last_states = ~std::uint64_t{0};
-  std::uint32_t row = 0;
   for (std::size_t j = 0; j < legs.size(); ++j) {
     if (!met[j].hit() || !parts_.shines(met[j]) || parts_.part_of(met[j]) != part) continue;
-    const scene::ResolvedSurface thing = scene.resolve(met[j]), surface = scene.resolve(hits[legs[j]]);
-    const bool alike = !scene_.is_mixed(thing) && surface.count == 1 && scene_.view_table() == nullptr;
-    const std::uint64_t states =
-        static_cast<std::uint64_t>(thing.constituents[0].state) << 32 | surface.constituents[0].state;
-    if (!alike || states != last_states) {
-      const float* light = scene_.emission(thing, -onward[j].direction, scratch.row(0));
-      if (light == nullptr) continue;
-      row =
-          lights.add_row(rows.channels(surface, hits[legs[j]].position_m.z, -rays[legs[j]].direction, light));
-      last_states = alike ? states : ~std::uint64_t{0};
-    }
     const GlintPoint& point = points[legs[j]];
-    seen.push_back({point.image, static_cast<float>(point.area), row, point.replicate});
+    seen.push_back({point.image, static_cast<float>(point.area), 0, point.replicate});
   }
   points.clear();
+}
+
+FocalLights MirrorImages::weigh(transport::TransportOptions transport, std::uint64_t key,
+                                std::vector<FocalLights::Light>& seen) const {
+  const std::size_t channels = scene_.nodes().channel_count();
+  FocalLights lights(channels);
+  transport.images_apart = nullptr;
+  transport::PathTracer all(scene_, transport);
+  transport.images_apart = &apart_;
+  transport::PathTracer through(scene_, transport);
+  transport::PathLight light(scene_);
+  const transport::ViewAir air(scene_);
+  // Points of one replicate in one pixel share a row: their mean by area.
+  struct Row {
+    double area = 0.0;
+    std::vector<double> sum;
+    std::uint32_t number = 0;
+  };
+  std::map<std::array<int, 3>, Row> rows;
+  const auto row_of = [&](const FocalLights::Light& point) -> Row& {
+    return rows[{static_cast<int>(std::floor(point.at.x_px)), static_cast<int>(std::floor(point.at.y_px)),
+                 static_cast<int>(point.replicate)}];
+  };
+  std::vector<sampling::FocalPoint> images;
+  std::vector<math::Ray> rays;
+  std::vector<transport::PathKey> keys;
+  std::vector<geometry::SurfacePoint> hits;
+  std::vector<float> row(std::max(channels, scene_.stride()));
+  sampling::RayCounts counts;
+  for (std::size_t first = 0; first < seen.size(); first += kBatch) {
+    const std::size_t count = std::min(kBatch, seen.size() - first);
+    images.resize(count), rays.resize(count), keys.resize(count), hits.resize(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      images[k] = seen[first + k].at;
+      keys[k] = {key, static_cast<std::uint32_t>(first + k)};
+    }
+    camera_.rays(images, rays);
+    for (transport::PathTracer* tracer : {&all, &through}) {
+      const double sign = tracer == &all ? 1.0 : -1.0;
+      const transport::PathRecord& paths = tracer->trace(rays, keys, hits, counts);
+      for (std::size_t k = 0; k < count; ++k) {
+        const FocalLights::Light& point = seen[first + k];
+        float* radiance = light.radiance(paths, k);
+        air.apply(paths.paths[k], radiance);
+        scene_.nodes().to_channels(radiance, row.data());
+        Row& sum = row_of(point);
+        const auto area = static_cast<double>(point.per_radiance);
+        if (sum.sum.empty()) sum.sum.assign(channels, 0.0);
+        if (tracer == &all) sum.area += area;
+        for (std::size_t c = 0; c < channels; ++c) sum.sum[c] += sign * area * static_cast<double>(row[c]);
+      }
+    }
+  }
+  for (auto& [name, sum] : rows) {
+    for (std::size_t c = 0; c < channels; ++c) row[c] = static_cast<float>(sum.sum[c] / sum.area);
+    sum.number = lights.add_row(row);
+  }
+  for (FocalLights::Light& point : seen) {
+    point.row = row_of(point).number;
+    lights.add(point);
+  }
+  return lights;
 }
 
 bool MirrorImages::met_by_paths(const std::vector<FocalLights::Light>& seen) const {

@@ -8,21 +8,24 @@
 #include "render/glint_search.h"
 #include "sensor/camera.h"
 #include "transport/images_apart.h"
+#include "transport/path_tracer.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {
 
 /// Images of what shines (transport::ShiningParts) in mirrors that the sensor sees directly, flat or bent: in a pixel that
 /// sees a mirror ball a hot thing is a spot that no path need meet. Where it lies follows from the shapes (GlintSearch);
-/// what stands before the mirror and between it and the thing is traced. Paths leave these images out, and they are added
-/// to finished tiles. Images that fill a good part of the pixels that they lie in are left to paths.
+/// what stands before the mirror and between it and the thing is traced. Paths see through the thing there, and the
+/// difference that it makes is added to finished tiles. Images that fill a good part of the pixels that they lie in are
+/// left to paths.
 class MirrorImages {
  public:
   /// Null where there is nothing to look for. Keeps references. `margin_px`: a footprint's half width. The result does
   /// not depend on the number of threads.
   static std::unique_ptr<const MirrorImages> find(const transport::SpectralScene& scene,
-                                                  const sensor::Camera& camera, double margin_px,
-                                                  std::uint64_t seed, int threads);
+                                                  const sensor::Camera& camera,
+                                                  const transport::TransportOptions& transport,
+                                                  double margin_px, std::uint64_t seed, int threads);
 
   /// For transport::TransportOptions.
   const transport::ImagesApart& apart() const { return apart_; }
@@ -65,17 +68,20 @@ class MirrorImages {
   enum class Outcome : std::uint8_t { apart, met, given_up };
   struct Found {
     Outcome outcome = Outcome::apart;
-    FocalLights lights;
+    std::vector<FocalLights::Light> seen;  // of images that are added apart; without their radiance
   };
   void list_mirrors();
   /// Those that may matter; others are settled.
   std::vector<Pair> pairs();
   bool may_matter(const Mirror& mirror, const transport::ShiningParts::Part& part) const;
-  Found look(const Pair& pair, double margin_px, std::uint64_t seed, std::uint64_t number) const;
-  /// Traces points at which a part may be seen in a mirror; keeps those where it is, with their areas.
-  void trace(const Mirror& mirror, std::uint32_t part, std::vector<GlintPoint>& points, FocalLights& lights,
+  Found look(const Pair& pair, double margin_px, std::uint64_t key) const;
+  /// Traces points at which a part may be seen in a mirror; keeps those where it is, with their areas, as lights.
+  void trace(const Mirror& mirror, std::uint32_t part, std::vector<GlintPoint>& points,
              std::vector<FocalLights::Light>& seen) const;
   bool met_by_paths(const std::vector<FocalLights::Light>& seen) const;
+  /// Their radiance: what paths find less what they find where they see through what is added apart.
+  FocalLights weigh(transport::TransportOptions transport, std::uint64_t key,
+                    std::vector<FocalLights::Light>& seen) const;
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;

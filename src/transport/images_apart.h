@@ -11,8 +11,8 @@
 namespace ifov::transport {
 
 /// Images of what shines in mirrors that the sensor sees directly, and that are added to it apart: whoever meets such a
-/// thing by way of such a mirror leaves its emission out. Mirrors are told apart by object where they bend and by plane
-/// where they are flat.
+/// thing by way of such a mirror goes on as if it were not there. Mirrors are told apart by object where they bend and by
+/// plane where they are flat.
 class ImagesApart {
  public:
   using Mirror = std::uint64_t;

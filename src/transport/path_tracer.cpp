@@ -63,7 +63,9 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
   mirror_rays_.clear();
   unseen_rays_.clear();
   for (std::size_t k = 0; k < paths_.size(); ++k) {
-    if (hits_[k].hit())
+    if (passes(paths_[k], hits_[k]))
+      pass(paths_[k], hits_[k]);
+    else if (hits_[k].hit())
       scatter(paths_[k], static_cast<std::uint32_t>(k), scene_.scene().resolve(hits_[k]), depth);
     else
       escape(paths_[k]);
@@ -79,6 +81,7 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
   if (!mirror_seeks_.empty()) trace_mirror_seeks(counts);
 
   next_paths_.clear();
+  next_paths_.swap(passing_);
   for (Scatter& event : scatters_) {
     const Path& path = paths_[event.path];
     if (event.shadow == kNone || blocked_[event.shadow] != 0) event.vertex.sun_weight = 0.0f;
@@ -88,6 +91,16 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
                              event.next_way, event.next_mirror});
   }
   paths_.swap(next_paths_);
+}
+
+bool PathTracer::passes(const Path& path, const geometry::SurfacePoint& hit) const {
+  return path.mirror != ImagesApart::kNone && options_.images_apart->holds(path.mirror, hit);
+}
+
+void PathTracer::pass(const Path& path, const geometry::SurfacePoint& hit) {
+  const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
+  passing_.push_back(path);
+  passing_.back().ray = {hit.position_m - hit.offset_m * outward, path.ray.direction};
 }
 
 void PathTracer::escape(const Path& path) {

@@ -38,7 +38,7 @@ struct TransportOptions {
   /// that the sensor sees directly, which are added apart (Glints), and what reaches a surface that scatters by mirrors
   /// that are not sought, which is marked (UnseenLight).
   bool sought_only = false;
-  /// Images in mirrors that are added apart and left out of paths; null: none.
+  /// Images in mirrors that are added apart: paths see through what they show; null: none.
   const ImagesApart* images_apart = nullptr;
 };
 
@@ -134,6 +134,9 @@ class PathTracer {
   void trace_segment(sampling::RayCounts& counts, int depth);
   void advance(int depth, sampling::RayCounts& counts);
   void escape(const Path& path);
+  /// Whether what a path met is added apart where it is seen by this way: then it goes on as if nothing were there.
+  bool passes(const Path& path, const geometry::SurfacePoint& hit) const;
+  void pass(const Path& path, const geometry::SurfacePoint& hit);
   PathVertex vertex_of(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, math::Vec3 outgoing);
   /// Index of a surface whose rows are not kept.
   std::uint32_t add_mixed(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
@@ -210,7 +213,7 @@ class PathTracer {
   const SkySampler* sky_ = nullptr;     // of a sky that is not uniform
   const Emitters* emitters_ = nullptr;  // null: none are sought
   PathRecord record_;
-  std::vector<Path> paths_, next_paths_;
+  std::vector<Path> paths_, next_paths_, passing_;
   std::vector<math::Ray> rays_, shadow_rays_;
   std::vector<geometry::SurfacePoint> hits_;
   std::vector<Scatter> scatters_;

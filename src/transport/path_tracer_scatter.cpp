@@ -63,8 +63,6 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
   event.vertex = vertex_of(surface, lobe, -path.ray.direction);
   event.vertex.height_m = hit.position_m.z;
   if (path.left.seek_chance > 0.0) event.vertex.emission_weight = unsought(path, hit);
-  if (path.mirror != ImagesApart::kNone && options_.images_apart->holds(path.mirror, hit))
-    event.vertex.emission_weight = 0.0f;
   if (depth == options_.maximum_scatterings || lobe.highest_reflectance + lobe.highest_transmittance <= 0.0)
     return;
 
