@@ -14,6 +14,7 @@
 #include "render/object_seeds.h"
 #include "render/pixel_places.h"
 #include "render/tile_grid.h"
+#include "render/unseen_emitters.h"
 #include "render/unseen_images.h"
 
 namespace ifov::render {
@@ -119,6 +120,8 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   std::unique_ptr<const UnseenImages> unseen_images;
   if (mirror_images != nullptr)
     unseen_images = UnseenImages::find(job.scene, job.camera, *mirror_images, job.seed);
+  std::unique_ptr<const UnseenEmitters> unseen_emitters;
+  if (transport.maximum_scatterings != 0) unseen_emitters = UnseenEmitters::find(job.scene, job.camera);
 
   Tally tally(pixels, control.progress);
   const auto render_tile = [&](std::size_t index) {
@@ -150,6 +153,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     widen(job.nodes, job.tolerance, result);
     if (glints) glints->add_to(job.footprint, job.tolerance, result);
     if (mirror_images != nullptr) mirror_images->add_to(job.footprint, job.tolerance, result);
+    if (unseen_emitters != nullptr) unseen_emitters->settle(job.tolerance, result);
     if (unseen_images != nullptr) unseen_images->settle(job.tolerance, result);
     widen(job.air, job.tolerance, result);
     if (!job.keep_variances && !job.keep_memory) result.drop_variances();

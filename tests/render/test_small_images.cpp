@@ -15,6 +15,7 @@
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "sampling/random.h"
 #include "sensor/orthographic_camera.h"
+#include "transport/emitters.h"
 #include "transport/small_scene.h"
 
 namespace ifov {
@@ -239,6 +240,34 @@ TEST(SmallImages, SeveralMirrorsInTurnAndReliefsMarkWhereTheyMayLie) {
                 around[static_cast<std::size_t>((row - 1) * kSide + column)]);
     EXPECT_LT(std::count(some.begin(), some.end(), true), kSide * kSide * 3 / 4);
   }
+}
+
+/// Hot specks over grey ground, so many that none is sought, at one end of a picture.
+TEST(UnseenEmitters, MarkWhatTheyMayLightAndNothingFarOff) {
+  const auto picture = [](std::size_t specks) {
+    SmallScene scene;
+    scene.place(geometry::Plane{}, scene.material(0.5, kWarm_k));
+    geometry::TriangleMesh mesh;
+    constexpr double kSize = 1e-5;
+    for (std::size_t k = 0; k < specks; ++k) {
+      const math::Point3 at{-3.0 + 1e-3 * static_cast<double>(k % 1024),
+                            -0.5 + 1e-3 * static_cast<double>(k / 1024), 1.0};
+      const auto first = static_cast<std::uint32_t>(mesh.vertices_m.size());
+      for (const math::Vec3 to : {math::Vec3{}, math::Vec3{kSize, 0.0, 0.0}, math::Vec3{0.0, kSize, 0.0}})
+        mesh.vertices_m.push_back(at + to);
+      mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    scene.place(std::move(mesh), scene.material(0.0, 1.0e5));
+    scene.sky(planck(kWarm_k));
+    return image_of(scene.build(), 0.0, 0.0, 1).reasons;
+  };
+  const auto unseen = sampling::bit(sampling::Reason::unseen_light);
+  const std::vector<sampling::Reasons> few = picture(1000), many = picture(transport::Emitters::kMost + 1024);
+  for (const sampling::Reasons reasons : few) EXPECT_EQ(reasons & unseen, 0);
+  const std::size_t row = kSide / 2 * kSide;
+  EXPECT_NE(many[row] & unseen, 0);
+  EXPECT_NE(many[row + 1] & unseen, 0);
+  EXPECT_EQ(many[row + kSide - 1] & unseen, 0);
 }
 
 }  // namespace
