@@ -23,7 +23,7 @@ namespace {
 /// Points traced together.
 constexpr std::size_t kBatch = 4096;
 /// Steps across the half-angle of what is looked for.
-constexpr double kSteps = 16.0;
+constexpr double kSteps = 16.0, kFewestSteps = 4.0;
 /// About how many places of a mirror are looked at for a part, beside those of a mesh.
 constexpr double kUsualWork = 2e4;
 constexpr std::uint64_t kImages = 0x6d6972726f72ull;
@@ -158,9 +158,12 @@ MirrorImages::Found MirrorImages::look(const Pair& pair, double margin_px, std::
   const geometry::SurfaceSurvey& survey = *scene_.scene().world->survey();
   std::vector<FocalLights::Light>& seen = found.seen;
   std::vector<GlintPoint> points;
+  // Many parts tell of one thing together.
+  const double steps =
+      std::max(kFewestSteps, kSteps / std::sqrt(static_cast<double>(pair.last - pair.first)));
   for (std::size_t p = pair.first; p < pair.last; ++p) {
     const ShiningParts::Part& part = parts_.parts()[p];
-    GlintSearch search(camera_, part.ball, margin_px, kSteps / std::sqrt(part.fill), key, kMostTriangles);
+    GlintSearch search(camera_, part.ball, margin_px, steps / std::sqrt(part.fill), key, kMostTriangles);
     const auto keep = [&](const GlintPoint& point) {
       points.push_back(point);
       if (points.size() == kBatch) trace(mirror, static_cast<std::uint32_t>(p), points, seen);

@@ -213,6 +213,47 @@ TEST(SmallImages, PathsSeeThroughWhatIsAddedApart) {
   EXPECT_NEAR(small.radiance(straight, 4, 1, apart).mean, planck(kHot_k), 1e-3 * planck(kHot_k));
 }
 
+// A rod far thinner than the sphere about it, and specks of one object far apart: what is looked for is where they are.
+TEST(SmallImages, RodsAndScatteredSpecksAreFoundWhole) {
+  constexpr double kThin = 0.004, kLength = 1.7;
+  for (const bool rod : {true, false}) {
+    SmallScene scene;
+    scene.place(geometry::Plane{}, scene.material(0.0, kWarm_k));
+    scene.place(kFlat, scene.material(kMirror, kWarm_k, kMirrorKind));
+    double area = 0.0;
+    if (rod) {
+      // Lies along y; its ends are not seen.
+      scene.place(geometry::Cylinder{{0.0, 0.0, 0.0}, kThin, kLength, true}, scene.material(0.0, kHot_k),
+                  math::Transform::translation(kThing - math::Point3{0.0, 0.5 * kLength, 0.0}) *
+                      math::Transform::rotation({1.0, 0.0, 0.0}, -0.5 * std::numbers::pi));
+      area = 2.0 * kThin * kLength;
+    } else {
+      geometry::TriangleMesh mesh;  // faces towards the mirror
+      for (std::uint32_t k = 0; k < 60; ++k) {
+        const math::Point3 at =
+            kThing + math::Vec3{0.0, 3.0 * sampling::unit_double(k) - 1.5, sampling::unit_double(k + 99)};
+        for (const math::Vec3 to : {math::Vec3{}, math::Vec3{0.0, kThin, 0.0}, math::Vec3{0.0, 0.0, kThin}})
+          mesh.vertices_m.push_back(at + to);
+        mesh.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+        area += 0.5 * kThin * kThin;
+      }
+      scene.place(std::move(mesh), scene.material(0.0, kHot_k));
+    }
+    scene.sky(planck(kWarm_k));
+    const transport::SpectralScene& spectral = scene.build();
+    const sensor::OrthographicCamera camera = camera_over(kInFlat.x, kInFlat.y);
+    const auto images = render::MirrorImages::find(spectral, camera, {}, 0.5, 1, 1);
+    ASSERT_NE(images, nullptr);
+    sampling::TileResult tile;
+    tile.reset({0, 0, kSide, kSide}, 1);
+    images->add_to(sampling::PixelFootprint::box(1.0), nullptr, tile);
+    double sum = 0.0;
+    for (const float mean : tile.mean) sum += static_cast<double>(mean);
+    const double expected = kMirror * (planck(kHot_k) - planck(kWarm_k)) * area;
+    EXPECT_NEAR(sum, expected, 0.01 * expected) << rod;
+  }
+}
+
 /// Pixels of a picture that say that light may reach them by ways that are not sought.
 std::vector<bool> marked(const sampling::TileResult& tile) {
   std::vector<bool> marks;
