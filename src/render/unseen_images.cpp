@@ -19,15 +19,15 @@ namespace {
 constexpr int kAcross = 3;
 /// What directions between three may lie beyond them, over their spread (GlintSearch's).
 constexpr double kBeyond = 1.2;
+/// Of the usual radiance: what counts for nothing.
+constexpr double kTooLittle = 1e-4;
 /// Spread of directions that say nothing of what lies between them.
 constexpr double kAnywhere = 2.0;
 
-/// Whether one mirror alone stands in the scene that light cannot meet twice.
-bool once_at_most(const geometry::SurfaceSurvey& survey) {
-  if (!survey.smooths.empty() || !survey.balls.empty()) return false;
-  if (survey.flats.size() + survey.rounds.size() != 1) return false;
-  return survey.flats.empty() ? survey.rounds[0].kind == geometry::UnitKind::sphere
-                              : survey.flats[0].planes_m.size() == 1;
+/// Whether one plane of mirrors stands in the scene, or none.
+bool one_plane(const geometry::SurfaceSurvey& survey) {
+  return survey.rounds.empty() && survey.smooths.empty() && survey.balls.empty() &&
+         survey.flats.size() == 1 && survey.flats[0].planes_m.size() == 1;
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ std::unique_ptr<const UnseenImages> UnseenImages::find(const transport::Spectral
   const std::vector<scene::Covering>& coverings = scene.scene().coverings;
   const bool reliefs = std::any_of(coverings.begin(), coverings.end(),
                                    [](const scene::Covering& c) { return c.bends_normals(); });
-  if (once_at_most(*world.survey()) && !world.period() && !reliefs && images.all_settled()) return nullptr;
+  if (one_plane(*world.survey()) && !world.period() && !reliefs && images.all_settled()) return nullptr;
   return std::unique_ptr<const UnseenImages>(new UnseenImages(scene, camera, images, seed));
 }
 
@@ -67,7 +67,8 @@ UnseenImages::UnseenImages(const transport::SpectralScene& scene, const sensor::
 }
 
 std::vector<std::vector<UnseenImages::Leaving>> UnseenImages::follow(
-    const std::vector<sampling::FocalPoint>& points, sampling::RayCounts& counts) const {
+    const std::vector<sampling::FocalPoint>& points, std::vector<Lit>& lit,
+    sampling::RayCounts& counts) const {
   const scene::Scene& scene = scene_.scene();
   std::vector<std::vector<Leaving>> levels;
   std::vector<math::Ray> rays(points.size());
@@ -86,9 +87,13 @@ std::vector<std::vector<UnseenImages::Leaving>> UnseenImages::follow(
       const geometry::SurfacePoint& hit = hits[k];
       if (!hit.hit()) continue;
       const scene::ResolvedSurface surface = scene.resolve(hit);
-      double share = 0.0;
+      double share = 0.0, scattered = 0.0;
       for (const scene::Constituent& part : surface)
-        if (transport::is_mirror(scene, part)) share += part.weight * scene_.brightest(part.material);
+        (transport::is_mirror(scene, part) ? share : scattered) +=
+            part.weight * scene_.brightest(part.material);
+      if (level == 0 && scattered > 0.0)
+        lit.push_back({hit.position_m, (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector(),
+                       who[k], scattered});
       if (!(share > 0.0)) continue;
       const Vec3 normal = surface.shading_normal.as_vector(), seen = rays[k].direction;
       Leaving& next = leaving[who[k]];
@@ -113,16 +118,52 @@ std::vector<std::vector<UnseenImages::Leaving>> UnseenImages::follow(
   return levels;
 }
 
-bool UnseenImages::is_free(const Leaving& from, const Target& target, sampling::RayCounts& counts) const {
-  const Vec3 to = target.centre_m - from.at;
-  const double distance = length(to), before = distance - target.part.ball.radius_m;
+bool UnseenImages::is_free(math::Point3 from, math::Point3 centre_m, double radius_m,
+                           sampling::RayCounts& counts) const {
+  const Vec3 to = centre_m - from;
+  const double distance = length(to), before = distance - radius_m;
   if (!(before > 0.0)) return true;
-  math::Ray ray{from.at, to / distance};
+  math::Ray ray{from, to / distance};
   ray.t_max_m = before * (1.0 - 1e-6);
   std::uint8_t blocked = 0;
   scene_.scene().world->occluded({&ray, 1}, {&blocked, 1});
   ++counts.shadow;
   return blocked == 0;
+}
+
+/// A wave of radius D that a sphere of radius R reflects at an angle t spreads over (a + 2 L / (R cos t)) (a + 2 L cos t / R),
+/// a = 1 + L / D, at a distance L: at least (a + 2 L / R)^2, as cos t + 1 / cos t >= 2. Of a cylinder one factor is a.
+void UnseenImages::add_thrown(const Lit& lit, double weight, double* unseen,
+                              sampling::RayCounts& counts) const {
+  for (const geometry::SurfaceSurvey::Round& round : scene_.scene().world->survey()->rounds) {
+    const Vec3 x = round.scene_from_unit.column_x(), y = round.scene_from_unit.column_y(),
+               z = round.scene_from_unit.column_z();
+    const bool tube =
+        round.kind == geometry::UnitKind::cylinder || round.kind == geometry::UnitKind::open_cylinder;
+    const double radius = tube ? std::max(length(x), length(y)) : std::max({length(x), length(y), length(z)});
+    const double apart = length(round.ball.centre_m - lit.at), way = apart - round.ball.radius_m;
+    const double cosine = (dot(round.ball.centre_m - lit.at, lit.outward) + round.ball.radius_m) /
+                          std::max(apart, round.ball.radius_m);
+    if (!(cosine > 0.0)) continue;
+    const double nearest = std::max(way, 0.0);
+    bool free = false, asked = false;
+    for (const Target& target : targets_) {
+      const double to = std::max(length(target.centre_m - round.ball.centre_m) - round.ball.radius_m,
+                                 target.part.ball.radius_m);
+      const double a = 1.0 + nearest / to, other = a + 2.0 * nearest / radius;
+      const double arrives_sr = std::numbers::pi * std::pow(target.part.ball.radius_m / to, 2) *
+                                target.part.fill / (other * (tube ? a : other));
+      const double share = weight * lit.brightness * std::min(1.0, cosine) * arrives_sr / std::numbers::pi;
+      if (!(share * target.part.contrast > kTooLittle)) continue;
+      if (!asked)
+        free = is_free(lit.at + 1e-6 * (1.0 + apart) * lit.outward, round.ball.centre_m, round.ball.radius_m,
+                       counts);
+      asked = true;
+      if (!free) break;
+      const std::span<const double> highest = images_.parts().highest(target.part.covering);
+      for (std::size_t c = 0; c < highest.size(); ++c) unseen[c] += share * highest[c];
+    }
+  }
 }
 
 void UnseenImages::look(const Leaving* const (&corner)[3], double area_px2, double* unseen,
@@ -148,7 +189,9 @@ void UnseenImages::look(const Leaving* const (&corner)[3], double area_px2, doub
       // pi of both cancels; an equilateral triangle has 0.43 of its squared side.
       if (area_px2 * std::numbers::pi * filled > kMet_px2 * 0.43 * spread * spread) return;
       const double share = std::min(1.0, filled / std::pow(std::min(kAnywhere, kBeyond * spread + wide), 2));
-      if (!(share > 0.0) || (!period && !is_free(from, target, counts))) return;
+      if (!(share > 0.0) ||
+          (!period && !is_free(from.at, target.centre_m, target.part.ball.radius_m, counts)))
+        return;
       const std::span<const double> highest = images_.parts().highest(target.part.covering);
       for (std::size_t c = 0; c < highest.size(); ++c)
         unseen[c] += area * share * from.brightness * highest[c];
@@ -208,11 +251,20 @@ void UnseenImages::settle(const AccuracyTolerance* tolerance, sampling::TileResu
     for (int i = 0; i < columns; ++i)
       points.push_back(
           {tile.tile.x0 + shift_x_ + (i - 0.5) / kAcross, tile.tile.y0 + shift_y_ + (j - 0.5) / kAcross});
-  std::vector<std::vector<Leaving>> levels = follow(points, tile.rays);
-  if (levels.empty()) return;
+  std::vector<Lit> lit;
+  std::vector<std::vector<Leaving>> levels = follow(points, lit, tile.rays);
   for (std::vector<Leaving>& level : levels) find_neighbours(level, columns);
   const std::size_t channels = scene_.nodes().channel_count();
   std::vector<double> unseen(static_cast<std::size_t>(tile.tile.count()) * channels, 0.0);
+  // Rays beyond the last column and row belong to other tiles.
+  for (const Lit& one : lit) {
+    const int i = static_cast<int>(one.ray) % columns / kAcross,
+              j = static_cast<int>(one.ray) / columns / kAcross;
+    if (i < width && j < height)
+      // A bound needs no caution.
+      add_thrown(one, 1.0 / (kAcross * kAcross * kCaution),
+                 &unseen[static_cast<std::size_t>(j * width + i) * channels], tile.rays);
+  }
   constexpr double kCell_px2 = 0.5 / (kAcross * kAcross);
   for (const std::vector<Leaving>& level : levels)
     for (int j = 0; j + 1 < rows; ++j)

@@ -13,7 +13,8 @@ namespace ifov::render {
 /// Images of what shines by ways that MirrorImages does not look for: by several mirrors in turn, by reliefs, height fields
 /// and the mirrors of a world that repeats, and where there are too many. Rays on a lattice of each pixel are followed from
 /// mirror to mirror. Where the directions of three that came the same way may hold a thing between them, it is taken to
-/// be there with the share of them that it fills. That marks pixels; it never enters a radiance.
+/// be there with the share of them that it fills. And light of such things that round mirrors throw on other surfaces, as
+/// far as it can be bounded. That marks pixels; it never enters a radiance.
 class UnseenImages {
  public:
   /// Null where there are no such ways. Keeps references.
@@ -45,18 +46,28 @@ class UnseenImages {
     const Leaving* beside[2] = {nullptr, nullptr};  ///< that came the same way, across and along the lattice
   };
   static constexpr std::size_t kMostMirrors = 6;
+  /// A surface that scatters, met first.
+  struct Lit {
+    math::Point3 at;
+    math::Vec3 outward;
+    std::size_t ray = 0;
+    double brightness = 0.0;  ///< what it makes of light, at most
+  };
   struct Target {
     transport::ShiningParts::Part part;
     math::Point3 centre_m;
   };
   /// Rays of the lattice of a tile, by mirrors met: [mirrors - 1][ray].
   std::vector<std::vector<Leaving>> follow(const std::vector<sampling::FocalPoint>& points,
-                                           sampling::RayCounts& counts) const;
+                                           std::vector<Lit>& lit, sampling::RayCounts& counts) const;
+  /// Adds what round mirrors may throw on a surface, by channel, times a weight.
+  void add_thrown(const Lit& lit, double weight, double* unseen, sampling::RayCounts& counts) const;
   static void find_neighbours(std::vector<Leaving>& level, int columns);
   /// Adds what may be seen within a triangle of an area of the focal plane, by channel.
   void look(const Leaving* const (&corner)[3], double area_px2, double* unseen,
             sampling::RayCounts& counts) const;
-  bool is_free(const Leaving& from, const Target& target, sampling::RayCounts& counts) const;
+  /// Whether nothing stands between a point and a ball.
+  bool is_free(math::Point3 from, math::Point3 centre_m, double radius_m, sampling::RayCounts& counts) const;
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
