@@ -9,8 +9,8 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "render/glints.h"
-#include "render/mirror_images.h"
+#include "render/mirrors/glints.h"
+#include "render/mirrors/mirror_images.h"
 #include "render/object_seeds.h"
 #include "render/pixel_places.h"
 #include "render/tile_grid.h"

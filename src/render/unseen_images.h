@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/accuracy_tolerance.h"
-#include "render/mirror_images.h"
+#include "render/mirrors/mirror_images.h"
 #include "sampling/tile.h"
 
 namespace ifov::render {

@@ -11,7 +11,7 @@
 #include "materials/bsdf/mirror.h"
 #include "radiometry/planck.h"
 #include "render/image_renderer.h"
-#include "render/mirror_images.h"
+#include "render/mirrors/mirror_images.h"
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "sampling/random.h"
 #include "sensor/orthographic_camera.h"

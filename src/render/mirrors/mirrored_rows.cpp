@@ -1,4 +1,4 @@
-#include "render/mirrored_rows.h"
+#include "render/mirrors/mirrored_rows.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "render/glint_search.h"
+#include "render/mirrors/glint_search.h"
 
 #include <algorithm>
 #include <array>

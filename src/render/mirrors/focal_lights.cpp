@@ -1,4 +1,4 @@
-#include "render/focal_lights.h"
+#include "render/mirrors/focal_lights.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/focal_lights.h"
-#include "render/glint_search.h"
-#include "render/mirrored_rows.h"
+#include "render/mirrors/focal_lights.h"
+#include "render/mirrors/glint_search.h"
+#include "render/mirrors/mirrored_rows.h"
 #include "sampling/tile.h"
 #include "sensor/camera.h"
 #include "transport/spectral_scene.h"

@@ -1,4 +1,4 @@
-#include "render/mirror_images.h"
+#include "render/mirrors/mirror_images.h"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "render/focal_lights.h"
-#include "render/glint_search.h"
+#include "render/mirrors/focal_lights.h"
+#include "render/mirrors/glint_search.h"
 #include "sensor/camera.h"
 #include "transport/images_apart.h"
 #include "transport/path_tracer.h"

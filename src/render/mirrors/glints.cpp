@@ -1,4 +1,4 @@
-#include "render/glints.h"
+#include "render/mirrors/glints.h"
 
 #include <cmath>
 #include <numbers>
