@@ -16,6 +16,7 @@
 #include "cli/terminal/terminal_picture.h"
 #include "core/error.h"
 #include "core/format.h"
+#include "io/document/document.h"
 #include "io/products/part_file.h"
 #include "session/preview.h"
 

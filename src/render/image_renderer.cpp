@@ -10,12 +10,15 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "render/air_budget.h"
-#include "render/glints.h"
+#include "render/mirrors/glints.h"
+#include "render/mirrors/mirror_images.h"
 #include "render/node_budget.h"
 #include "render/object_seeds.h"
 #include "render/scene_field.h"
 #include "render/tile_grid.h"
 #include "render/truth_layers.h"
+#include "render/unseen_emitters.h"
+#include "render/unseen_images.h"
 #include "render/wing_light.h"
 
 namespace ifov::render {
@@ -112,6 +115,18 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   if (transport.maximum_scatterings != 0 && Glints::in(job.scene))
     glints.emplace(job.scene, job.camera, job.footprint.half_width_px(), job.seed);
 
+  std::unique_ptr<const MirrorImages> mirror_images;
+  if (transport.maximum_scatterings < 0 || transport.maximum_scatterings > 1)
+    mirror_images = MirrorImages::find(job.scene, job.camera, transport, job.footprint.half_width_px(),
+                                       job.seed, control.threads);
+  if (mirror_images != nullptr && !mirror_images->apart().empty())
+    transport.images_apart = &mirror_images->apart();
+  std::unique_ptr<const UnseenImages> unseen_images;
+  if (mirror_images != nullptr)
+    unseen_images = UnseenImages::find(job.scene, job.camera, *mirror_images, job.seed);
+  std::unique_ptr<const UnseenEmitters> unseen_emitters;
+  if (transport.maximum_scatterings != 0) unseen_emitters = UnseenEmitters::find(job.scene, job.camera);
+
   Tally tally(pixels, control.progress);
   const auto render_tile = [&](std::size_t index) {
     if (control.cancel != nullptr && control.cancel->cancelled()) throw Cancelled();
@@ -141,6 +156,9 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     field.blends().settle(result);
     widen(job.nodes, job.tolerance, result);
     if (glints) glints->add_to(job.footprint, job.tolerance, result);
+    if (mirror_images != nullptr) mirror_images->add_to(job.footprint, job.tolerance, result);
+    if (unseen_emitters != nullptr) unseen_emitters->settle(job.tolerance, result);
+    if (unseen_images != nullptr) unseen_images->settle(job.tolerance, result);
     widen(job.air, job.tolerance, result);
     if (!job.keep_variances && !job.keep_memory) result.drop_variances();
     add_truth_layers(job.collectors, job.scene.scene(), job.camera, result);

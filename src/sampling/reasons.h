@@ -14,7 +14,7 @@ enum class Reason : std::uint8_t {
   time,          ///< stopped by time
   error,         ///< the sampler ended above the error asked for another reason: borders or looks were spent
   structure,     ///< finer structure than was resolved keeps turning up, or is known to be there
-  unseen_light,  ///< light may reach it by a way that is not sought (caustics)
+  unseen_light,  ///< light may reach it by a way that is not sought (caustics, images by several mirrors)
   air,           ///< the air's own error leaves no room within the error asked
   nodes,         ///< the spectral nodes' error leaves no room
   psf_cut,       ///< what the cut of the point spread function leaves out leaves no room

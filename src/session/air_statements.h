@@ -5,9 +5,10 @@
 
 #include "core/run_control.h"
 #include "render/air_half_width.h"
-#include "session/loaded/parts.h"
 
 namespace ifov::session {
+
+struct Parts;
 
 /// One line: how far the channels may be off because of how the air is computed.
 std::string air_error_note(std::span<const render::AirHalfWidth> air);

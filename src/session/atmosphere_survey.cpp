@@ -8,6 +8,7 @@
 #include "core/names.h"
 #include "geodesy/sun_position.h"
 #include "geometry/world/world_builder.h"
+#include "io/document/document.h"
 #include "session/assembly/air/atmosphere_assembly.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/whole/light_assembly.h"

@@ -5,7 +5,10 @@
 
 #include "core/run_control.h"
 #include "io/air/air_report.h"
-#include "io/document/document.h"
+
+namespace ifov::io {
+struct Document;
+}
 
 namespace ifov::session {
 

@@ -4,8 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "io/document/document.h"
 #include "session/session.h"
+
+namespace ifov::io {
+struct Document;
+}
 
 namespace ifov::session {
 

@@ -8,6 +8,7 @@
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "core/version.h"
 #include "io/document/document.h"
+#include "io/scene_cache/scene_cache.h"
 #include "materials/bsdf/hemisphere.h"
 #include "radiometry/spectral_nodes.h"
 #include "render/accuracy_tolerance.h"

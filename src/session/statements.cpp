@@ -11,6 +11,7 @@
 #include "render/accuracy_tolerance.h"
 #include "session/air_statements.h"
 #include "session/assembly/air/weather_assembly.h"
+#include "session/loaded/parts.h"
 
 namespace ifov::session {
 

@@ -8,9 +8,10 @@
 #include "io/run_state/run_plan.h"
 #include "render/tile_sink.h"
 #include "sampling/reason_words.h"
-#include "session/loaded/parts.h"
 
 namespace ifov::session {
+
+struct Parts;
 
 /// What was loaded, a few lines for people.
 std::string describe(const Parts& parts);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/format.h"
+#include "io/document/document.h"
 #include "studies/common/image_store.h"
 #include "studies/common/scene_renderer.h"
 

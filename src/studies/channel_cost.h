@@ -1,8 +1,11 @@
 #pragma once
 
-#include "io/document/document.h"
 #include "studies/common/figures.h"
 #include "studies/common/study_options.h"
+
+namespace ifov::io {
+struct Document;
+}
 
 namespace ifov::studies {
 

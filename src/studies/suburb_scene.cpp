@@ -1,5 +1,6 @@
 #include "studies/suburb_scene.h"
 
+#include "io/document/document.h"
 #include "landscape/landscapes.h"
 
 namespace ifov::studies {

@@ -1,7 +1,10 @@
 #pragma once
 
-#include "io/document/document.h"
 #include "studies/common/study_options.h"
+
+namespace ifov::io {
+struct Document;
+}
 
 namespace ifov::studies {
 

@@ -11,6 +11,9 @@ namespace ifov::transport {
 
 namespace {
 
+/// Contrast with what does not shine at all.
+constexpr double kEndless = 1e30;
+
 /// The value that half of the weight lies at or below.
 double median(std::vector<std::pair<double, double>> value_and_weight) {
   std::sort(value_and_weight.begin(), value_and_weight.end());
@@ -23,15 +26,16 @@ double median(std::vector<std::pair<double, double>> value_and_weight) {
 
 }  // namespace
 
-EmitterChoice::EmitterChoice(const SpectralScene& scene)
+EmitterChoice::EmitterChoice(const SpectralScene& scene, double contrast, bool shown)
     : scene_(scene),
       wanted_(scene.scene().coverings.size(), false),
       mapped_(scene.scene().coverings.size(), false),
       brightest_(scene.scene().coverings.size(), 0.0),
+      contrast_(scene.scene().coverings.size(), 0.0),
       unit_(scene.nodes().channel_count(), 0.0) {
   if (!scene.scene().world) return;
   list_surfaces();
-  find_contrasts();
+  find_contrasts(contrast, shown);
 }
 
 std::vector<double> EmitterChoice::channels(const float* nodes) const {
@@ -86,7 +90,7 @@ void EmitterChoice::list_surfaces() {
   }
 }
 
-void EmitterChoice::find_contrasts() {
+void EmitterChoice::find_contrasts(double contrast, bool shown) {
   for (const Surface& s : surfaces_)
     for (std::size_t c = 0; c < unit_.size(); ++c) unit_[c] = std::max(unit_[c], s.hottest[c]);
   // A white surface that faces the Sun, under the sky.
@@ -100,7 +104,7 @@ void EmitterChoice::find_contrasts() {
   for (std::size_t c = 0; c < unit_.size(); ++c) {
     double coldest = unit_[c];
     for (const Surface& s : surfaces_) coldest = std::min(coldest, s.coldest[c]);
-    if (!(unit_[c] > kContrast * std::max(lit[c], coldest))) continue;
+    if (!(unit_[c] > contrast * std::max(lit[c], coldest))) continue;
     if (areas.empty()) areas = scene_.scene().world->surface_areas_m2(wanted_.size());
     std::vector<std::size_t> parts(wanted_.size(), 0);
     for (const Surface& s : surfaces_) ++parts[s.covering];
@@ -109,11 +113,14 @@ void EmitterChoice::find_contrasts() {
       levels.emplace_back(s.coldest[c], areas[s.covering] / static_cast<double>(parts[s.covering]));
     const double usual = std::max(lit[c], median(std::move(levels)));
     for (const Surface& s : surfaces_) {
-      if (!(s.hottest[c] > kContrast * usual) || areas[s.covering] <= 0.0) continue;
-      for (const Surface& r : surfaces_)
-        if (r.scatters && areas[r.covering] > 0.0 &&
-            r.albedo[c] * s.hottest[c] > kShown * (r.coldest[c] + r.albedo[c] * lit[c]))
-          wanted_[s.covering] = any_ = true;
+      if (!(s.hottest[c] > contrast * usual) || areas[s.covering] <= 0.0) continue;
+      const bool wanted = !shown || std::any_of(surfaces_.begin(), surfaces_.end(), [&](const Surface& r) {
+        return r.scatters && areas[r.covering] > 0.0 &&
+               r.albedo[c] * s.hottest[c] > kShown * (r.coldest[c] + r.albedo[c] * lit[c]);
+      });
+      if (!wanted) continue;
+      wanted_[s.covering] = any_ = true;
+      contrast_[s.covering] = std::max(contrast_[s.covering], usual > 0.0 ? s.hottest[c] / usual : kEndless);
     }
   }
   for (const Surface& s : surfaces_) {
@@ -122,6 +129,14 @@ void EmitterChoice::find_contrasts() {
       if (unit_[c] > 0.0) mean += s.hottest[c] / unit_[c] / static_cast<double>(unit_.size());
     brightest_[s.covering] = std::max(brightest_[s.covering], mean);
   }
+}
+
+std::vector<double> EmitterChoice::highest(std::uint32_t covering) const {
+  std::vector<double> highest(unit_.size(), 0.0);
+  for (const Surface& s : surfaces_)
+    for (std::size_t c = 0; c < highest.size() && s.covering == covering; ++c)
+      highest[c] = std::max(highest[c], s.hottest[c]);
+  return highest;
 }
 
 double EmitterChoice::brightness(const float* emission) const {

@@ -16,7 +16,14 @@ struct EmitterChoice {
   static constexpr double kContrast = 20.0;
   static constexpr double kShown = 0.1;
 
-  explicit EmitterChoice(const SpectralScene& scene);
+  explicit EmitterChoice(const SpectralScene& scene) : EmitterChoice(scene, kContrast, true) {}
+
+  /// The same for what is looked for in mirrors: of another contrast, whatever else would show of it.
+  struct InMirrors {
+    double contrast;
+  };
+  EmitterChoice(const SpectralScene& scene, InMirrors mirrors)
+      : EmitterChoice(scene, mirrors.contrast, false) {}
 
   bool any() const { return any_; }
   const geometry::WantedMaterials& wanted() const { return wanted_; }  ///< by covering
@@ -26,11 +33,17 @@ struct EmitterChoice {
   double brightness(const float* emission) const;
   /// At most, of a covering.
   double brightest(std::uint32_t covering) const { return brightest_[covering]; }
+  /// How many times as bright a covering may be as white under Sun and sky and as the median surface, in some channel; 0
+  /// of one that is not wanted.
+  double contrast(std::uint32_t covering) const { return contrast_[covering]; }
+  /// What a covering emits at most, by channel, W m-2 sr-1 um-1.
+  std::vector<double> highest(std::uint32_t covering) const;
 
  private:
+  EmitterChoice(const SpectralScene& scene, double contrast, bool shown);
   std::vector<double> channels(const float* nodes) const;
   void list_surfaces();
-  void find_contrasts();
+  void find_contrasts(double contrast, bool shown);
 
   /// What a covering may be somewhere.
   struct Surface {
@@ -42,7 +55,7 @@ struct EmitterChoice {
   bool any_ = false;
   geometry::WantedMaterials wanted_;
   std::vector<bool> mapped_;
-  std::vector<double> brightest_;
+  std::vector<double> brightest_, contrast_;  // by covering
   std::vector<Surface> surfaces_;
   std::vector<double> unit_;  // radiance of brightness 1, by channel
 };

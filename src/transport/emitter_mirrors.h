@@ -7,7 +7,7 @@
 
 #include "geometry/surface_point.h"
 #include "scene/scene.h"
-#include "transport/emitter_shape.h"
+#include "transport/shapes/emitter_shape.h"
 
 namespace ifov::transport {
 

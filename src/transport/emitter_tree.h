@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "transport/emitter_shape.h"
+#include "transport/shapes/emitter_shape.h"
 
 namespace ifov::transport {
 

@@ -1,7 +1,9 @@
 #include "transport/emitters.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "transport/spectral_scene.h"
@@ -142,6 +144,7 @@ void Emitters::take(const SpectralScene& scene, const EmitterChoice& choice) {
   if (too_many) {
     pieces.clear();
     leaves_some_ = true;
+    leave_out(world);
   }
   for (std::size_t first = 0; first < pieces.size();) {
     std::size_t last = first;
@@ -155,6 +158,41 @@ void Emitters::take(const SpectralScene& scene, const EmitterChoice& choice) {
       add(piece, piece.kind == PieceKind::triangle && closure.closed(), radiance);
     }
   }
+}
+
+void Emitters::leave_out(const geometry::World& world) {
+  constexpr double kCells = 8.0;  // along a side of the scene
+  const geometry::World::Bounds bounds = world.bounds();
+  const Vec3 sides = bounds.high_m - bounds.low_m;
+  const double cell_m = std::max({sides.x, sides.y, sides.z, 1e-9}) / kCells;
+  struct Box {
+    Point3 low, high;
+    double area_m2 = 0.0;
+  };
+  std::map<std::array<std::int64_t, 4>, Box> boxes;
+  world.visit_surfaces(wanted_, [&](const SurfacePiece& piece) {
+    const EmitterShape shape(piece, false);
+    const Point3 c = shape.centre_m();
+    const double r = shape.radius_m();
+    const auto cell = [&](double at, double low) {
+      return static_cast<std::int64_t>(std::floor((at - low) / cell_m));
+    };
+    const auto [known, fresh] = boxes.try_emplace(
+        {piece.material, cell(c.x, bounds.low_m.x), cell(c.y, bounds.low_m.y), cell(c.z, bounds.low_m.z)});
+    Box& box = known->second;
+    if (fresh) box.low = box.high = c;
+    box.low = {std::min(box.low.x, c.x - r), std::min(box.low.y, c.y - r), std::min(box.low.z, c.z - r)};
+    box.high = {std::max(box.high.x, c.x + r), std::max(box.high.y, c.y + r), std::max(box.high.z, c.z + r)};
+    box.area_m2 += geometry::area_m2(piece);
+  });
+  for (const auto& [name, box] : boxes)
+    for (int column = repeats_ ? -1 : 0; column <= (repeats_ ? 1 : 0); ++column)
+      for (int row = repeats_ ? -1 : 0; row <= (repeats_ ? 1 : 0); ++row) {
+        const Vec3 moved{column * period_.x_m, row * period_.y_m, 0.0};
+        left_out_.push_back({{box.low + (box.high - box.low) * 0.5 + moved, 0.5 * length(box.high - box.low)},
+                             box.area_m2,
+                             static_cast<std::uint32_t>(name[0])});
+      }
 }
 
 void Emitters::add(const SurfacePiece& piece, bool closed, double radiance) {

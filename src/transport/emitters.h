@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "geometry/surface_point.h"
 #include "geometry/world.h"
+#include "geometry/world/surface_survey.h"
 #include "transport/emitter_choice.h"
 #include "transport/emitter_tree.h"
 
@@ -28,6 +30,15 @@ class Emitters {
   std::size_t count() const { return emitters_.size(); }
   /// Whether some of what ought to be sought is not: on planes and height fields, or of too many pieces.
   bool leaves_some() const { return leaves_some_; }
+
+  /// What is not sought because there are too many pieces, of one covering and near each other; of a world that repeats
+  /// those of the first cell and the eight around it.
+  struct LeftOut {
+    geometry::SurfaceSurvey::Ball ball;
+    double area_m2 = 0.0;
+    std::uint32_t covering = 0;
+  };
+  std::span<const LeftOut> left_out() const { return left_out_; }
 
   /// A direction in which an emitter may be seen; density 0: none. Emitters share out `u.x`, so that points that are well
   /// spread over the unit square are so over all that is sought together.
@@ -61,6 +72,8 @@ class Emitters {
   Emitters() = default;
   void take(const SpectralScene& scene, const EmitterChoice& choice);
   void add(const geometry::SurfacePiece& piece, bool closed, double radiance);
+  /// Puts together by place what is not sought.
+  void leave_out(const geometry::World& world);
   void finish();
   Home at_home(const Receiver& receiver) const;
 
@@ -68,6 +81,7 @@ class Emitters {
   bool repeats_ = false, leaves_some_ = false;
   geometry::WantedMaterials wanted_;
   std::vector<Emitter> emitters_;
+  std::vector<LeftOut> left_out_;
   std::vector<Name> names_;             // by emitter
   std::vector<std::uint32_t> by_name_;  // emitters, sorted by name
   std::unique_ptr<EmitterTree> tree_;

@@ -30,7 +30,7 @@ const PathRecord& PathTracer::trace(std::span<const math::Ray> rays, std::span<c
   record_.start(rays.size());
   paths_.resize(rays.size());
   for (std::size_t k = 0; k < rays.size(); ++k)
-    paths_[k] = {rays[k], keys[k], static_cast<std::uint32_t>(k), true, {}, {}};
+    paths_[k] = {rays[k], keys[k], static_cast<std::uint32_t>(k), true, {}, {}, ImagesApart::kNone};
   for (int depth = 0; !paths_.empty(); ++depth) {
     trace_segment(counts, depth);
     if (depth == 0) {
@@ -64,7 +64,9 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
   mirror_rays_.clear();
   unseen_rays_.clear();
   for (std::size_t k = 0; k < paths_.size(); ++k) {
-    if (hits_[k].hit())
+    if (passes(paths_[k], hits_[k]))
+      pass(paths_[k], hits_[k]);
+    else if (hits_[k].hit())
       scatter(paths_[k], static_cast<std::uint32_t>(k), scene_.scene().resolve(hits_[k]), depth);
     else
       escape(paths_[k]);
@@ -80,15 +82,26 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
   if (!mirror_seeks_.empty()) trace_mirror_seeks(counts);
 
   next_paths_.clear();
+  next_paths_.swap(passing_);
   for (Scatter& event : scatters_) {
     const Path& path = paths_[event.path];
     if (event.shadow == kNone || blocked_[event.shadow] != 0) event.vertex.sun_weight = 0.0f;
     record_.add(path.number, event.vertex);
     if (event.vertex.bounce_weight > 0.0f)
-      next_paths_.push_back(
-          {event.next, path.key, path.number, event.next_sees_sun, event.left, event.next_way});
+      next_paths_.push_back({event.next, path.key, path.number, event.next_sees_sun, event.left,
+                             event.next_way, event.next_mirror});
   }
   paths_.swap(next_paths_);
+}
+
+bool PathTracer::passes(const Path& path, const geometry::SurfacePoint& hit) const {
+  return path.mirror != ImagesApart::kNone && options_.images_apart->holds(path.mirror, hit);
+}
+
+void PathTracer::pass(const Path& path, const geometry::SurfacePoint& hit) {
+  const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
+  passing_.push_back(path);
+  passing_.back().ray = {hit.position_m - hit.offset_m * outward, path.ray.direction};
 }
 
 void PathTracer::escape(const Path& path) {

@@ -11,6 +11,7 @@
 #include "sampling/warp.h"
 #include "transport/emitter_mirrors.h"
 #include "transport/emitters.h"
+#include "transport/images_apart.h"
 #include "transport/mirror_ways.h"
 #include "transport/path_record.h"
 #include "transport/spectral_scene.h"
@@ -75,6 +76,7 @@ class PathTracer {
     bool sees_sun = true;      // no next-event estimation was made for this segment
     Departure left;            // where it left the surface before
     Way way;
+    ImagesApart::Mirror mirror = ImagesApart::kNone;  // that it came by straight from the sensor
   };
   struct Scatter {  // a path that scatters at this depth
     std::uint32_t path = 0;
@@ -87,6 +89,7 @@ class PathTracer {
     double seek_reflected =
         -1.0;  // chance that one was sought for what is reflected; below 0: none was sought
     Way next_way;
+    ImagesApart::Mirror next_mirror = ImagesApart::kNone;
   };
   struct Seek {  // a ray that was sent to an emitter
     Emitters::Aim aim;
@@ -118,6 +121,9 @@ class PathTracer {
   void trace_segment(sampling::RayCounts& counts, int depth);
   void advance(int depth, sampling::RayCounts& counts);
   void escape(const Path& path);
+  /// Whether what a path met is added apart where it is seen by this way: then it goes on as if nothing were there.
+  bool passes(const Path& path, const geometry::SurfacePoint& hit) const;
+  void pass(const Path& path, const geometry::SurfacePoint& hit);
   PathVertex vertex_of(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, math::Vec3 outgoing);
   /// Index of a surface whose rows are not kept.
   std::uint32_t add_mixed(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
@@ -194,7 +200,7 @@ class PathTracer {
   const SkySampler* sky_ = nullptr;     // of a sky that is not uniform
   const Emitters* emitters_ = nullptr;  // null: none are sought
   PathRecord record_;
-  std::vector<Path> paths_, next_paths_;
+  std::vector<Path> paths_, next_paths_, passing_;
   std::vector<math::Ray> rays_, shadow_rays_;
   std::vector<geometry::SurfacePoint> hits_;
   std::vector<Scatter> scatters_;

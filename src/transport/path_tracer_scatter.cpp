@@ -107,6 +107,8 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
                       path.left.mirror_chance, 0.0, true};
     }
   }
+  if (options_.images_apart != nullptr && depth == 0 && lobe.bsdf->is_delta() && !vertex.bounce_through)
+    event.next_mirror = options_.images_apart->mirror_of(hit, surface.shading_normal.as_vector());
   if (mirrors_ != nullptr && vertex.bounce_weight > 0.0f) note_way(path, lobe, sides, hit, event);
   if (vertex.mixed != PathVertex::kNone) return;
   const std::uint32_t material = surface.constituents[0].material;

@@ -8,7 +8,7 @@
 #include "geometry/world.h"
 #include "geometry/world/surface_survey.h"
 #include "scene/scene.h"
-#include "transport/round_mirror.h"
+#include "transport/shapes/round_mirror.h"
 
 namespace ifov::transport {
 

@@ -2,6 +2,8 @@
 
 namespace ifov::transport {
 
+class ImagesApart;
+
 struct TransportOptions {
   /// Surfaces a path may scatter at: 0 emission and sky only, 1 adds direct sun; negative: no limit, paths end by
   /// Russian roulette without bias.
@@ -14,6 +16,8 @@ struct TransportOptions {
   /// that the sensor sees directly, which are added apart (Glints), and what reaches a surface that scatters by mirrors
   /// that are not sought, which is marked (UnseenLight).
   bool sought_only = false;
+  /// Images in mirrors that are added apart: paths see through what they show; null: none.
+  const ImagesApart* images_apart = nullptr;
 };
 
 }  // namespace ifov::transport

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "materials/bsdf/mirror.h"
-#include "render/glints.h"
+#include "render/mirrors/glints.h"
 #include "sampling/random.h"
 #include "sensor/frame_camera.h"
 #include "sensor/orthographic_camera.h"

@@ -4,12 +4,16 @@
 #include <numbers>
 
 #include "accuracy_scenes.h"
+#include "core/error.h"
+#include "core/run_control.h"
 #include "sampling/accuracy/basis/flat_map.h"
 #include "sampling/accuracy/basis/lattice.h"
+#include "sampling/accuracy/basis/ray_ledger.h"
 #include "sampling/accuracy/basis/small_vector.h"
 #include "sampling/accuracy/clutter.h"
 #include "sampling/accuracy/edges/bracket.h"
 #include "sampling/accuracy/edges/chord.h"
+#include "sampling/accuracy/pixel_model.h"
 #include "sampling/accuracy/spread.h"
 
 namespace ifov::sampling {
@@ -121,6 +125,59 @@ TEST(Chord, CurvatureOfThreePointsPredictsTheSagitta) {
   const Point2 d = e - q, normal{-d.y / c, d.x / c},
                top = 0.5 * (q + e) + sagitta_of_curvature(curvature, c) * normal;
   EXPECT_NEAR(length(top - m), 0.0, 1e-12);
+}
+
+// What is added to a pixel anew starts from nothing.
+TEST(PixelModel, PartsThatWereForgottenLeaveNoWeights) {
+  PixelModel model;
+  model.outputs.push_back(0);
+  model.outputs.push_back(1);
+  const auto add = [&] {
+    model.add_region(4);
+    model.add_border(4, 5);
+    model.add_loose_pair(4, 5);
+  };
+  add();
+  model.area[0] = 0.5;
+  for (std::size_t o = 0; o < 2; ++o)
+    model.weight[o] = model.border_variance[o] = model.loose_weight[o] = 0.25;
+  model.forget_parts();
+  EXPECT_EQ(model.outputs.size(), 2u);
+  add();
+  EXPECT_EQ(model.area[0], 0.0);
+  for (std::size_t o = 0; o < 2; ++o) {
+    EXPECT_EQ(model.weight_of(0, o), 0.0);
+    EXPECT_EQ(model.border_variance_of(0, o), 0.0);
+    EXPECT_EQ(model.loose_weight_of(0, o), 0.0);
+  }
+  EXPECT_EQ(model.loose_weight.size(), 2u);
+}
+
+// Every kind of question looks whether the work was cancelled before it traces anything.
+TEST(RayLedger, EveryQuestionEndsWhenCancelled) {
+  test::ShapeField field = test::uniform_field(1.0f);
+  CancelToken cancel;
+  TileProblem problem;
+  problem.cancel = &cancel;
+  const Lattice lattice({0, 0, 2, 2}, 3);
+  LabelTable table(1);
+  RayLedger ledger(field, problem, lattice, table, {}, nullptr);
+  const FocalPoint point{0.5, 0.5};
+  const PathRequest request{point, 1, 0};
+  std::vector<std::uint32_t> out;
+  std::vector<float> values(static_cast<std::size_t>(field.stride()));
+  const auto ask_all = [&](const auto& check) {
+    check([&] { ledger.labels({&point, 1}, out, Purpose::trace); });
+    check([&] { ledger.values({&request, 1}, out, values); });
+    check([&] { ledger.first_values({&request, 1}, out, values); });
+    check([&] { ledger.values_and_materials({&request, 1}, out, values); });
+  };
+  ask_all([](const auto& ask) { EXPECT_NO_THROW(ask()); });
+  const std::uint64_t before = field.counts().total();
+  EXPECT_EQ(before, 4u);
+  cancel.cancel();
+  ask_all([](const auto& ask) { EXPECT_THROW(ask(), Cancelled); });
+  EXPECT_EQ(field.counts().total(), before);
 }
 
 TEST(Polygon, ClipsToTheSameAreaAsTheIntegral) {

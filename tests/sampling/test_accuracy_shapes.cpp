@@ -55,6 +55,23 @@ TEST(AccuracyShapes, TurnedSquare) {
   EXPECT_GE(t.coverage(), 0.93);
 }
 
+// Where two borders that go on meet is looked for first. Cells halved down to a corner take half as many rays again.
+TEST(AccuracyShapes, CornersAreSoughtWhereTheirSidesMeet) {
+  Trials t;
+  for (int i = 0; i < kTrials; ++i) {
+    Draw draw(2000 + static_cast<std::uint64_t>(i));
+    const double x = 1.5 + (draw() - 0.5) * 0.3, y = 1.5 + (draw() - 0.5) * 0.3, side = std::sqrt(0.5);
+    const PolygonScene scene{turned_rectangle(x, y, side, side, draw() * std::numbers::pi)};
+    ShapeField field = scene.field();
+    Rendering render = three_by_three(2000 + static_cast<std::uint64_t>(i));
+    render.half_width = 0.01 * kRadiancePerKelvin;
+    t.add(render(field), scene.truth(), field);
+  }
+  EXPECT_LE(t.mean_samples(), 800.0);
+  EXPECT_LE(t.quantile(0.95), 0.01 * kRadiancePerKelvin);
+  EXPECT_GE(t.coverage(), 0.93);
+}
+
 // A disc that bulges over its pixel's rim between two points of the lattice: its part beyond is seen by nobody, and
 // what it may hold belongs to the interval.
 TEST(AccuracyShapes, ArcsThatLeaveTheirPixelAreWithinTheInterval) {

@@ -231,6 +231,12 @@ TEST(AdaptiveSampler, RefinesOnlyAroundTheEdge) {
   EXPECT_EQ(r.samples[4], 319u);
 }
 
+// Labels come with values: every ray of a pixel is both, and the counts say so.
+TEST(AdaptiveSampler, EverySampleIsARadianceEvaluation) {
+  const TileResult r = adaptive_study(20, true);
+  EXPECT_EQ(r.radiance_evaluations, r.samples);
+}
+
 TEST(AdaptiveSampler, ErrorsLieWithinTheIntervals) {
   int inside = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {

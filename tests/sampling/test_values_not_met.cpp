@@ -47,5 +47,49 @@ TEST(ValuesNotMet, ArePartOfTheInterval) {
   EXPECT_LE(far_off, 0.004 * pixels);
 }
 
+// Small patches of one label, far apart, with bright specks: the few values about a patch often agree by chance, and those
+// of the other patches tell that they need not.
+TEST(ValuesNotMet, PatchesFarOffTellWhatFewValuesHide) {
+  constexpr int kSide = 12, kFine = 100;
+  constexpr double kRadius_px = 0.3, kGround = 5.0, kSpecked = 40.0, kSpecks = 0.1;
+  int pixels = 0, off = 0;
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const auto in_patch = [&](double x, double y) {
+      const auto i = static_cast<std::int64_t>(std::floor(x / 4.0)),
+                 j = static_cast<std::int64_t>(std::floor(y / 4.0));
+      return std::hypot(x - static_cast<double>(4 * i) - 1.0 - 2.0 * unit_double(hash(seed, 7, i, j)),
+                        y - static_cast<double>(4 * j) - 1.0 - 2.0 * unit_double(hash(seed, 8, i, j))) <
+             kRadius_px;
+    };
+    const auto value = [&](double x, double y) {
+      if (!in_patch(x, y)) return kGround;
+      const auto i = static_cast<std::int64_t>(std::floor(20.0 * x)),
+                 j = static_cast<std::int64_t>(std::floor(20.0 * y));
+      return unit_double(hash(91 + seed, i, j)) < kSpecks ? kSpecked : kLevel;
+    };
+    ShapeField field([&](double x, double y) { return Label{in_patch(x, y) ? 2u : 1u}; },
+                     [&](Label, double x, double y, int) { return static_cast<float>(value(x, y)); });
+    Rendering render = three_by_three(seed);
+    render.tile = render.image = {0, 0, kSide, kSide};
+    render.half_width = 0.3;
+    const TileResult result = render(field);
+    for (int p = 0; p < kSide * kSide; ++p) {
+      double sum = 0.0;
+      bool any = false;
+      for (int k = 0; k < kFine * kFine; ++k) {
+        const double x = p % kSide + (k % kFine + 0.5) / kFine, y = p / kSide + (k / kFine + 0.5) / kFine;
+        any = any || in_patch(x, y);
+        sum += value(x, y);
+      }
+      if (!any) continue;
+      ++pixels;
+      off += std::abs(static_cast<double>(result.mean[p]) - sum / (kFine * kFine)) >
+             static_cast<double>(result.half_width[p]);
+    }
+  }
+  EXPECT_GT(pixels, 500);
+  EXPECT_LT(off, 0.04 * pixels);
+}
+
 }  // namespace
 }  // namespace ifov::test

@@ -10,7 +10,7 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
-#include "render/glints.h"
+#include "render/mirrors/glints.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
 #include "transport/spectral_scene.h"

@@ -8,8 +8,8 @@
 
 #include "geometry/world/world_builder.h"
 #include "sampling/warp.h"
-#include "transport/emitter_shape.h"
 #include "transport/emitter_tree.h"
+#include "transport/shapes/emitter_shape.h"
 
 namespace ifov {
 namespace {

@@ -8,7 +8,7 @@
 #include "materials/bsdf/mirror.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
-#include "transport/round_mirror.h"
+#include "transport/shapes/round_mirror.h"
 #include "transport/small_scene.h"
 
 namespace ifov {

@@ -10,6 +10,7 @@
 
 #include "geodesy/utc_time.h"
 #include "io/document/atmosphere_document.h"
+#include "io/document/document_error.h"
 #include "io/document/light_document.h"
 #include "io/document/output_document.h"
 #include "io/document/sampling_document.h"
@@ -52,11 +53,6 @@ Document read_document(const std::string& path, std::span<const DocumentOverride
 /// The same from text; `file_name` is used in messages and its folder for relative paths.
 Document parse_document(std::string text, const std::string& file_name,
                         std::span<const DocumentOverride> overrides = {});
-
-/// An input error about something in the document, for later stages (a mesh that does not load, a map without
-/// the class it needs): `message` is one sentence without a position, e.g. "mesh 'a.obj' has no faces"; the
-/// result has position, message and, where the position lies in the document, its line with a caret.
-InputError document_error(const Document& document, const SourcePosition& position, std::string_view message);
 
 /// The JSON Schema (draft 7) of a document, pretty-printed.
 std::string schema_json();

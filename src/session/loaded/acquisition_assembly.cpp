@@ -6,6 +6,7 @@
 #include "io/document/document.h"
 #include "io/raster/map_reference.h"
 #include "sensor/camera.h"
+#include "session/loaded/parts.h"
 
 namespace ifov::session {
 namespace {

@@ -4,9 +4,10 @@
 #include <string>
 
 #include "io/product_parts/acquisition.h"
-#include "session/loaded/parts.h"
 
 namespace ifov::session {
+
+struct Parts;
 
 /// Latitude and longitude of a place on a map; nothing where its system (well-known text) is unknown or ends before.
 std::optional<io::Acquisition::Place> geographic_place(const std::string& map_system, math::Point3 on_map_m);

@@ -10,6 +10,7 @@
 #include "render/image_renderer.h"
 #include "sensor/camera.h"
 #include "session/loaded/acquisition_assembly.h"
+#include "session/loaded/parts.h"
 #include "session/statements.h"
 
 namespace ifov::session {

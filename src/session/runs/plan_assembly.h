@@ -1,9 +1,14 @@
 #pragma once
 
 #include "io/run_state/run_plan.h"
-#include "session/loaded/parts.h"
+
+namespace ifov::render {
+struct RenderJob;
+}
 
 namespace ifov::session {
+
+struct Parts;
 
 /// What the tiles and the products of a document's run depend on. Looks at every file of the scene, where it is to be
 /// `with_files`. Throws EnvironmentError where one cannot be read.

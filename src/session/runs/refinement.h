@@ -6,9 +6,10 @@
 #include "core/run_start.h"
 #include "io/run_state/kept_run.h"
 #include "io/run_state/run_plan.h"
-#include "session/loaded/parts.h"
 
 namespace ifov::session {
+
+struct Parts;
 
 /// Makes the plan that of a run which takes the kept run in the folder to the plan's tighter accuracy. Throws
 /// InputError where there is none, where it differs in anything but the error asked for, and where that is

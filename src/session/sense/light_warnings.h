@@ -1,9 +1,10 @@
 #pragma once
 
 #include "core/run_control.h"
-#include "session/loaded/parts.h"
 
 namespace ifov::session {
+
+struct Parts;
 
 /// Says what light is left out of the picture and was not declared to be: a Sun or Moon below the horizon, no sky, black
 /// surroundings that the picture or its surfaces see, reflections beyond max_depth, surfaces without a temperature in

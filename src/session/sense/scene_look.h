@@ -4,9 +4,10 @@
 #include <vector>
 
 #include "session/assembly/geometry/placed_objects.h"
-#include "session/loaded/parts.h"
 
 namespace ifov::session {
+
+struct Parts;
 
 /// What some thousand rays of the camera, one path each, and a pass over the objects say of a loaded scene. It is for
 /// people: nothing of the result is taken from it.

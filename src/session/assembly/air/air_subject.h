@@ -2,11 +2,21 @@
 
 #include <span>
 
-#include "io/document/document.h"
 #include "radiometry/channel.h"
-#include "render/accuracy_tolerance.h"
-#include "scene/scene.h"
-#include "sensor/camera.h"
+
+namespace ifov::render {
+struct AccuracyRequest;
+}
+namespace ifov::scene {
+struct Scene;
+}
+namespace ifov::sensor {
+class Camera;
+}
+
+namespace ifov::io {
+struct Document;
+}
 
 namespace ifov::session {
 

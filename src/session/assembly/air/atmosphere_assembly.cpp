@@ -4,7 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "atmosphere/sensor/sensor_atmosphere.h"
 #include "core/format.h"
+#include "io/document/document.h"
+#include "scene/scene.h"
+#include "sensor/camera.h"
 #include "session/assembly/air/node_tolerance.h"
 #include "session/assembly/shared/with_position.h"
 

@@ -8,9 +8,20 @@
 #include <string>
 #include <vector>
 
-#include "atmosphere/sensor/sensor_atmosphere.h"
 #include "core/run_control.h"
+#include "radiometry/spectral_nodes.h"
 #include "session/assembly/air/air_subject.h"
+
+namespace ifov::atmosphere {
+class AtmosphereColumn;
+class KeptSolutions;
+class SensorAtmosphere;
+struct SensorGeometry;
+struct SightRange;
+}  // namespace ifov::atmosphere
+namespace ifov::scene {
+struct Sun;
+}
 
 namespace ifov::session {
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "io/scene_cache/scene_cache.h"
+
 namespace ifov::session {
 namespace {
 

@@ -4,8 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "atmosphere/imported_atmosphere.h"
 #include "core/names.h"
 #include "io/atmosphere/import_paths.h"
+#include "io/document/document.h"
+#include "scene/scene.h"
+#include "sensor/camera.h"
 #include "session/assembly/shared/with_position.h"
 
 namespace ifov::session {

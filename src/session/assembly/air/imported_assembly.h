@@ -2,9 +2,13 @@
 
 #include <memory>
 
-#include "atmosphere/imported_atmosphere.h"
 #include "core/run_control.h"
+#include "radiometry/spectral_nodes.h"
 #include "session/assembly/air/air_subject.h"
+
+namespace ifov::atmosphere {
+class ImportedAtmosphere;
+}
 
 namespace ifov::session {
 

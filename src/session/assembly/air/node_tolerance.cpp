@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "radiometry/planck.h"
+#include "render/accuracy_tolerance.h"
+#include "scene/scene.h"
 
 namespace ifov::session {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "io/document/document.h"
 #include "io/weather/weather_file.h"
 #include "session/assembly/shared/with_position.h"
 

@@ -4,7 +4,10 @@
 #include <string>
 
 #include "atmosphere/weather_series.h"
-#include "io/document/document.h"
+
+namespace ifov::io {
+struct Document;
+}
 
 namespace ifov::session {
 

@@ -2,10 +2,14 @@
 
 #include "core/run_control.h"
 #include "geometry/world/world_builder.h"
-#include "io/document/document.h"
+#include "io/document/scene_document.h"
 #include "math/transform.h"
 #include "session/assembly/shared/map_frame.h"
 #include "session/assembly/surfaces/covering_assembly.h"
+
+namespace ifov::io {
+struct Document;
+}
 
 namespace ifov::session {
 

@@ -8,13 +8,16 @@
 #include <vector>
 
 #include "geometry/world/world_builder.h"
+#include "io/document/document.h"
 #include "io/instances/instance_csv.h"
 #include "io/instances/instance_file.h"
+#include "io/scene_cache/scene_cache.h"
 #include "session/assembly/geometry/city_assembly.h"
 #include "session/assembly/geometry/mesh_cache.h"
 #include "session/assembly/geometry/scatter_assembly.h"
 #include "session/assembly/geometry/shape_assembly.h"
 #include "session/assembly/shared/with_position.h"
+#include "session/loaded/parts.h"
 
 namespace ifov::session {
 namespace {

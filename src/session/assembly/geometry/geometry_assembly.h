@@ -4,11 +4,14 @@
 
 #include "core/run_control.h"
 #include "geometry/world.h"
-#include "io/document/document.h"
-#include "io/scene_cache/scene_cache.h"
 #include "session/assembly/geometry/placed_objects.h"
 #include "session/assembly/shared/map_frame.h"
 #include "session/assembly/surfaces/covering_assembly.h"
+
+namespace ifov::io {
+struct Document;
+class SceneCache;
+}  // namespace ifov::io
 
 namespace ifov::session {
 

@@ -6,6 +6,7 @@
 #include "core/format.h"
 #include "geometry/body_record.h"
 #include "io/instances/instance_csv.h"
+#include "io/scene_cache/scene_cache.h"
 
 namespace ifov::session {
 namespace {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "io/document/document.h"
 #include "sampling/scatter.h"
 #include "session/assembly/shared/raster_assembly.h"
 #include "session/assembly/shared/with_position.h"

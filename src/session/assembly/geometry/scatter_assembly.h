@@ -4,9 +4,13 @@
 
 #include "core/run_control.h"
 #include "geometry/world.h"
-#include "io/document/document.h"
+#include "io/document/scene_document.h"
 #include "io/instances/instance.h"
 #include "session/assembly/shared/map_frame.h"
+
+namespace ifov::io {
+struct Document;
+}
 
 namespace ifov::session {
 

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "core/error.h"
+#include "io/document/document.h"
 #include "io/mesh/mesh_reader.h"
 #include "session/assembly/geometry/mesh_cache.h"
 #include "session/assembly/geometry/terrain_assembly.h"

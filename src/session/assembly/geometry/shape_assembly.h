@@ -6,9 +6,13 @@
 
 #include "core/run_control.h"
 #include "geometry/world/world_builder.h"
-#include "io/document/document.h"
-#include "io/scene_cache/scene_cache.h"
+#include "io/document/scene_document.h"
 #include "session/assembly/shared/map_frame.h"
+
+namespace ifov::io {
+struct Document;
+class SceneCache;
+}  // namespace ifov::io
 
 namespace ifov::session {
 

@@ -5,9 +5,12 @@
 #include "core/run_control.h"
 #include "geometry/body.h"
 #include "geometry/height_field.h"
-#include "io/document/document.h"
-#include "io/scene_cache/scene_cache.h"
+#include "io/document/scene_document.h"
 #include "session/assembly/shared/map_frame.h"
+
+namespace ifov::io {
+class SceneCache;
+}
 
 namespace ifov::session {
 

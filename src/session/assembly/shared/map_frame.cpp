@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "io/document/document.h"
 #include "session/assembly/shared/with_position.h"
 
 namespace ifov::session {

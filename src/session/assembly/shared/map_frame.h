@@ -4,8 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "io/document/document.h"
+#include "io/document/scene_document.h"
 #include "io/raster/map_reference.h"
+
+namespace ifov::io {
+struct Document;
+}
 
 namespace ifov::session {
 

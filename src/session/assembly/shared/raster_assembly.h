@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/document/document.h"
+#include "io/document/scene_document.h"
 #include "io/raster/raster.h"
 #include "materials/map_grid.h"
 #include "session/assembly/shared/map_frame.h"

@@ -1,5 +1,6 @@
 #include "session/assembly/shared/spectrum_assembly.h"
 
+#include "io/document/document.h"
 #include "io/library/material_library.h"
 #include "io/spectra/asd.h"
 #include "io/spectra/csv_spectrum.h"
@@ -9,6 +10,7 @@
 #include "io/spectra/sample_spectrum.h"
 #include "io/spectra/usgs.h"
 #include "session/assembly/shared/with_position.h"
+#include "session/loaded/parts.h"
 
 namespace ifov::session {
 

@@ -2,8 +2,12 @@
 
 #include <string>
 
-#include "io/document/document.h"
 #include "radiometry/spectrum.h"
+
+namespace ifov::io {
+struct Document;
+struct SpectrumDocument;
+}  // namespace ifov::io
 
 namespace ifov::session {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/document/document.h"
+#include "io/document/document_error.h"
 
 namespace ifov::session {
 

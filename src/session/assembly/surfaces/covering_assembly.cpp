@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <limits>
 
+#include "io/document/document.h"
 #include "io/raster/fill_unknown.h"
 #include "materials/bsdf/hemisphere.h"
 #include "session/assembly/shared/spectrum_assembly.h"
 #include "session/assembly/shared/with_position.h"
+#include "session/loaded/parts.h"
 
 namespace ifov::session {
 CoveringAssembly::CoveringAssembly(const io::Document& document, const MapFrame& frame, scene::Scene& scene,

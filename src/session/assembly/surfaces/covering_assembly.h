@@ -9,12 +9,16 @@
 #include <vector>
 
 #include "core/run_control.h"
-#include "io/document/document.h"
+#include "io/document/scene_document.h"
 #include "scene/map_patterns.h"
 #include "scene/scene.h"
 #include "session/assembly/shared/map_scale.h"
 #include "session/assembly/shared/raster_assembly.h"
 #include "session/assembly/surfaces/texture_assembly.h"
+
+namespace ifov::io {
+struct Document;
+}
 
 namespace ifov::session {
 

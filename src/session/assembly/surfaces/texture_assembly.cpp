@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "io/document/document.h"
 #include "sampling/hash.h"
 #include "session/assembly/shared/with_position.h"
 

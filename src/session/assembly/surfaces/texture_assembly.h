@@ -7,12 +7,16 @@
 #include <vector>
 
 #include "core/run_control.h"
-#include "io/document/document.h"
+#include "io/document/scene_document.h"
 #include "materials/relief_map.h"
 #include "materials/texture_map.h"
 #include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/map_scale.h"
 #include "session/assembly/shared/raster_assembly.h"
+
+namespace ifov::io {
+struct Document;
+}
 
 namespace ifov::session {
 

@@ -5,6 +5,7 @@
 
 #include "geodesy/moon_position.h"
 #include "geodesy/sun_position.h"
+#include "io/document/document.h"
 #include "radiometry/planck.h"
 #include "radiometry/solar_spectrum.h"
 #include "session/assembly/shared/spectrum_assembly.h"

@@ -1,7 +1,10 @@
 #pragma once
 
-#include "io/document/document.h"
 #include "scene/scene.h"
+
+namespace ifov::io {
+struct Document;
+}
 
 namespace ifov::session {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/document/document.h"
 #include "render/image_renderer.h"
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "sampling/adaptive_sampler.h"

@@ -1,6 +1,8 @@
 #include "session/assembly/whole/scene_assembly.h"
 
 #include "geometry/periodic_world.h"
+#include "io/document/document.h"
+#include "io/scene_cache/scene_cache.h"
 #include "session/assembly/geometry/geometry_assembly.h"
 #include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/with_position.h"

@@ -4,11 +4,14 @@
 #include <vector>
 
 #include "core/run_control.h"
-#include "io/document/document.h"
-#include "io/scene_cache/scene_cache.h"
 #include "scene/scene.h"
 #include "session/assembly/geometry/placed_objects.h"
 #include "session/assembly/shared/map_scale.h"
+
+namespace ifov::io {
+struct Document;
+class SceneCache;
+}  // namespace ifov::io
 
 namespace ifov::session {
 

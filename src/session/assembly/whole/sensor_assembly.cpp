@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/document/document.h"
 #include "io/raster/raster.h"
 #include "io/spectra/channel_table.h"
 #include "io/spectra/csv_spectrum.h"

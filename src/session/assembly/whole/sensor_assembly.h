@@ -3,12 +3,15 @@
 #include <memory>
 #include <vector>
 
-#include "io/document/document.h"
 #include "radiometry/channel.h"
 #include "render/tile_sink.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
 #include "sensor/psf.h"
+
+namespace ifov::io {
+struct Document;
+}
 
 namespace ifov::session {
 

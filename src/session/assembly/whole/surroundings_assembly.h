@@ -3,9 +3,12 @@
 #include <optional>
 #include <string>
 
-#include "io/document/document.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
+
+namespace ifov::io {
+struct Document;
+}
 
 namespace ifov::session {
 

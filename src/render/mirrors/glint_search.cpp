@@ -1,4 +1,4 @@
-#include "render/glint_search.h"
+#include "render/mirrors/glint_search.h"
 
 #include <algorithm>
 #include <array>
@@ -46,6 +46,10 @@ GlintSearch::GlintSearch(const sensor::Camera& camera, Vec3 towards_sun, double 
   first_ = frame.first, second_ = frame.second;
 }
 
+GlintSearch::GlintSearch(const sensor::Camera& camera, const geometry::SurfaceSurvey::Ball& ball,
+                         double margin_px, double steps, std::uint64_t seed, std::size_t most)
+    : camera_(camera), ball_(ball), margin_(margin_px), step_(0.0), steps_(steps), most_(most), seed_(seed) {}
+
 GlintSearch::Corner GlintSearch::corner(const Surface& surface, double u, double v) const {
   Corner c;
   c.u = u, c.v = v;
@@ -56,6 +60,13 @@ GlintSearch::Corner GlintSearch::corner(const Surface& surface, double u, double
   camera_.rays({&c.image, 1}, {&ray, 1});
   c.from = normalized(ray.direction - 2.0 * dot(ray.direction, normal) * normal);
   c.seen = std::isfinite(c.from.x + c.from.y + c.from.z);
+  c.off = c.from, c.wide = half_angle_;
+  if (ball_) {
+    const Vec3 to = ball_->centre_m - c.at;
+    const double distance = length(to);
+    c.wide = distance > ball_->radius_m ? std::asin(ball_->radius_m / distance) : std::numbers::pi;
+    if (distance > 0.0) c.off = c.from - to / distance;
+  }
   return c;
 }
 
@@ -114,6 +125,36 @@ void GlintSearch::search(const geometry::SurfaceSurvey::Smooth& smooth, std::uin
   }
 }
 
+void GlintSearch::search(Vec3 plane_normal, double offset_m, std::uint64_t number, const Found& found) {
+  // The window about the image of the ball that stands behind the plane.
+  const Point3 behind =
+      ball_->centre_m - 2.0 * (dot(plane_normal, ball_->centre_m - Point3{}) - offset_m) * plane_normal;
+  double low_x = HUGE_VAL, high_x = -HUGE_VAL, low_y = HUGE_VAL, high_y = -HUGE_VAL;
+  for (int k = 0; k < 8; ++k) {
+    const Vec3 to{(k & 1) != 0 ? 1.0 : -1.0, (k & 2) != 0 ? 1.0 : -1.0, (k & 4) != 0 ? 1.0 : -1.0};
+    sampling::FocalPoint image;
+    if (!camera_.project(behind + ball_->radius_m * to, image)) {
+      broken_off_ = true;
+      return;
+    }
+    low_x = std::min(low_x, image.x_px), high_x = std::max(high_x, image.x_px);
+    low_y = std::min(low_y, image.y_px), high_y = std::max(high_y, image.y_px);
+  }
+  const Surface window = [&](double u, double v, Point3& at, Vec3& normal) {
+    const sampling::FocalPoint image{u, v};
+    math::Ray ray;
+    camera_.rays({&image, 1}, {&ray, 1});
+    const double facing = dot(ray.direction, plane_normal);
+    const double along = (offset_m - dot(plane_normal, ray.origin_m - Point3{})) / facing;
+    // Behind the camera, and along the line of sight, there is no mirror.
+    constexpr double kGrazing = 1e-9;
+    at = along > 0.0 && std::abs(facing) > kGrazing ? ray.origin_m + along * ray.direction
+                                                    : Point3{NAN, NAN, NAN};
+    normal = plane_normal;
+  };
+  divide_quad(window, low_x, low_y, high_x, high_y, number, found);
+}
+
 void GlintSearch::divide_quad(const Surface& surface, double u0, double v0, double u1, double v1,
                               std::uint64_t number, const Found& found) {
   const Corner a = corner(surface, u0, v0), b = corner(surface, u1, v0), c = corner(surface, u1, v1),
@@ -124,6 +165,7 @@ void GlintSearch::divide_quad(const Surface& surface, double u0, double v0, doub
 
 void GlintSearch::divide(const Surface& surface, const Cell& whole, std::uint64_t number,
                          const Found& found) {
+  if (broken_off_) return;
   cells_.assign(1, whole);
   while (!cells_.empty()) {
     const Cell cell = cells_.back();
@@ -132,17 +174,21 @@ void GlintSearch::divide(const Surface& surface, const Cell& whole, std::uint64_
     const bool seen = c[0].seen && c[1].seen && c[2].seen;
     int longest = 0;
     if (seen) {
-      double spread = 0.0, side_px = 0.0, worst = -1.0;
+      double spread = 0.0, side_px = 0.0, worst = -1.0, wide = half_angle_, step = step_;
+      if (ball_) {
+        wide = std::max({c[0].wide, c[1].wide, c[2].wide});
+        step = std::min({c[0].wide, c[1].wide, c[2].wide}) / steps_;
+      }
       for (int k = 0; k < 3; ++k) {
-        const double turn = length(c[k].from - c[(k + 1) % 3].from),
+        const double turn = length(c[k].off - c[(k + 1) % 3].off),
                      px = apart(c[k].image, c[(k + 1) % 3].image);
         spread = std::max(spread, turn), side_px = std::max(side_px, px);
-        const double needed = std::max(turn / step_, half_angle_ > 0.0 ? px / kLongest_px : 0.0);
+        const double needed = std::max(turn / step, wide > 0.0 ? px / kLongest_px : 0.0);
         if (needed > worst) worst = needed, longest = k;
       }
       if (spread < kEven) {
-        const Vec3 middle = (c[0].from + c[1].from + c[2].from) / 3.0;
-        if (length(middle - towards_sun_) > 1.01 * half_angle_ + kBeyond * spread) continue;
+        const Vec3 middle = (c[0].off + c[1].off + c[2].off) / 3.0;
+        if (length(middle - towards_sun_) > 1.01 * wide + kBeyond * spread) continue;
         const double reach = margin_ + side_px;
         bool left = true, right = true, above = true, below = true;
         for (int k = 0; k < 3; ++k) {
@@ -154,9 +200,11 @@ void GlintSearch::divide(const Surface& surface, const Cell& whole, std::uint64_
         if (left || right || above || below) continue;
       }
       if (worst <= 1.0) {
-        if (half_angle_ > 0.0)
+        if (wide > 0.0) {
+          broken_off_ = drawn_ >= most_;
+          if (broken_off_) return;
           draw(surface, cell, number, found);
-        else
+        } else
           solve(surface, cell, found);
         continue;
       }
@@ -172,6 +220,11 @@ void GlintSearch::divide(const Surface& surface, const Cell& whole, std::uint64_
   }
 }
 
+bool GlintSearch::shows(const Corner& corner) const {
+  if (!ball_) return length(cross(corner.from, towards_sun_)) < std::sin(half_angle_);
+  return length(corner.off) <= 2.0 * std::sin(0.5 * corner.wide) * (1.0 + 1e-9);
+}
+
 void GlintSearch::draw(const Surface& surface, const Cell& cell, std::uint64_t number, const Found& found) {
   const Corner* c = cell.corner;
   const double x1 = c[1].image.x_px - c[0].image.x_px, y1 = c[1].image.y_px - c[0].image.y_px;
@@ -184,8 +237,7 @@ void GlintSearch::draw(const Surface& surface, const Cell& cell, std::uint64_t n
     const double s = root * (1.0 - share), t = root * share;
     const Corner at = corner(surface, c[0].u + s * (c[1].u - c[0].u) + t * (c[2].u - c[0].u),
                              c[0].v + s * (c[1].v - c[0].v) + t * (c[2].v - c[0].v));
-    if (at.seen && length(cross(at.from, towards_sun_)) < std::sin(half_angle_))
-      found({at.at, at.image, area, k});
+    if (at.seen && shows(at)) found({at.at, at.image, area, k});
   }
 }
 

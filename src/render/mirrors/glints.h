@@ -3,8 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/accuracy_tolerance.h"
-#include "render/glint_search.h"
+#include "render/mirrors/focal_lights.h"
+#include "render/mirrors/glint_search.h"
+#include "render/mirrors/mirrored_rows.h"
 #include "sampling/tile.h"
 #include "scene/resolved_surface.h"
 #include "sensor/camera.h"
@@ -29,29 +30,23 @@ class Glints {
   Glints(const transport::SpectralScene& scene, const sensor::Camera& camera, double margin_px,
          std::uint64_t seed);
 
-  /// Into the means of a tile that has channels alone, with the error of their shares in each pixel; `tolerance` may be
-  /// null.
+  /// As FocalLights::add_to.
   void add_to(const sampling::PixelFootprint& footprint, const sampling::Tolerance* tolerance,
-              sampling::TileResult& tile) const;
+              sampling::TileResult& tile) const {
+    lights_.add_to(footprint, tolerance, tile);
+  }
 
-  std::size_t count() const { return lights_.size(); }
+  std::size_t count() const { return lights_.lights().size(); }
 
  private:
-  struct Light {
-    sampling::FocalPoint at;
-    float per_radiance = 0.0f;  ///< px2; times its row
-    std::uint32_t row = 0;
-    std::uint32_t replicate = 0;
-  };
   void trace(std::vector<GlintPoint>& points);
   std::uint32_t row_of(const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface,
                        math::Vec3 towards_sensor);
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
-  std::size_t channels_;
-  std::vector<Light> lights_;  // by row of the image
-  std::vector<float> rows_;    // [row][channel]: radiance of the Sun's disc, reflected, at the sensor
+  MirroredRows mirrored_;
+  FocalLights lights_;  // radiance of the Sun's disc, reflected, at the sensor
   std::uint32_t last_material_ = ~0u, last_row_ = 0;
 };
 

@@ -1,4 +1,4 @@
-#include "transport/emitter_shape.h"
+#include "transport/shapes/emitter_shape.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "transport/round_mirror.h"
+#include "transport/shapes/round_mirror.h"
 
 #include <algorithm>
 #include <cmath>

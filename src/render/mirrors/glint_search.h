@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "geometry/world/surface_survey.h"
@@ -10,7 +11,7 @@
 
 namespace ifov::render {
 
-/// A point of a curved mirror that may show the Sun to the sensor, before anything is known of what stands between.
+/// A point of a mirror that may show the Sun, or what is looked for, to the sensor, before anything is known of what stands between.
 struct GlintPoint {
   math::Point3 at_m;
   sampling::FocalPoint image;
@@ -23,7 +24,8 @@ struct GlintPoint {
 /// than a fraction of the Sun's disc, and as long as it may come from the disc; each triangle that is left is an area
 /// of the focal plane and gets one random point for each replicate. Under a point Sun Newton's method finds
 /// the point of the triangle that shows it, which stands for |det dp/dw| px2 sr-1: p on the focal plane, w the
-/// direction that light comes from.
+/// direction that light comes from. The same is done for a ball in place of the disc: there the directions are those
+/// relative to its centre's, which change along the surface.
 class GlintSearch {
  public:
   static constexpr std::uint32_t kReplicates = 8;
@@ -32,10 +34,19 @@ class GlintSearch {
   GlintSearch(const sensor::Camera& camera, math::Vec3 towards_sun, double half_angle_rad, double margin_px,
               int steps, std::uint64_t seed);
 
+  /// For a ball. More triangles than `most` are not made.
+  GlintSearch(const sensor::Camera& camera, const geometry::SurfaceSurvey::Ball& ball, double margin_px,
+              double steps, std::uint64_t seed, std::size_t most);
+
+  /// Whether there were more triangles than were to be made; those that were lie anywhere.
+  bool broken_off() const { return broken_off_; }
+
   /// Calls back with the points of one surface. `number` tells surfaces apart.
   using Found = std::function<void(const GlintPoint&)>;
   void search(const geometry::SurfaceSurvey::Round& round, std::uint64_t number, const Found& found);
   void search(const geometry::SurfaceSurvey::Smooth& smooth, std::uint64_t number, const Found& found);
+  /// For a ball in a plane of mirrors, normal . p = offset_m, its edges not minded.
+  void search(math::Vec3 normal, double offset_m, std::uint64_t number, const Found& found);
 
  private:
   /// A surface by two parameters.
@@ -43,7 +54,9 @@ class GlintSearch {
   struct Corner {
     double u = 0.0, v = 0.0;
     math::Point3 at;
-    math::Vec3 from;  ///< where light comes from that the surface reflects to the sensor
+    math::Vec3 from;    ///< where light comes from that the surface reflects to the sensor
+    math::Vec3 off;     ///< the same, relative to the ball's centre
+    double wide = 0.0;  ///< half-angle of what is looked for, rad
     sampling::FocalPoint image;
     bool seen = false;
   };
@@ -58,10 +71,16 @@ class GlintSearch {
   void draw(const Surface& surface, const Cell& cell, std::uint64_t number, const Found& found);
   void solve(const Surface& surface, const Cell& cell, const Found& found);
 
+  bool shows(const Corner& corner) const;
+
   const sensor::Camera& camera_;
-  math::Vec3 towards_sun_, first_, second_;
-  double half_angle_, margin_, step_;
+  std::optional<geometry::SurfaceSurvey::Ball> ball_;
+  math::Vec3 towards_sun_{}, first_{}, second_{};
+  double half_angle_ = 0.0, margin_, step_;
+  double steps_ = 0.0;  // across a ball's half-angle
+  std::size_t most_ = ~std::size_t{0};
   std::uint64_t seed_, drawn_ = 0;
+  bool broken_off_ = false;
   std::vector<Cell> cells_;
   std::vector<math::Point3> solved_;  // of this surface
 };

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sampling/field.h"
+#include "sampling/pixel_footprint.h"
+#include "sampling/tile.h"
+#include "sampling/tolerance.h"
+
+namespace ifov::render {
+
+/// Light on the focal plane from images that are smaller than a pixel, as points of it: each stands for an area of the
+/// plane with one radiance, in one of several replicates of the whole, whose spread tells the error.
+class FocalLights {
+ public:
+  static constexpr std::uint32_t kReplicates = 8;
+  struct Light {
+    sampling::FocalPoint at;
+    float per_radiance = 0.0f;  ///< px2; times its row
+    std::uint32_t row = 0;
+    std::uint32_t replicate = 0;
+  };
+
+  explicit FocalLights(std::size_t channels) : channels_(channels) {}
+
+  /// Radiance by channel; returns its number.
+  std::uint32_t add_row(std::span<const float> channels);
+  void add(const Light& light) { lights_.push_back(light); }
+  void append(const FocalLights& other);
+  /// Before add_to.
+  void sort();
+
+  /// Into the means of a tile that has channels alone, with the error of their shares in each pixel; `tolerance` may be
+  /// null.
+  void add_to(const sampling::PixelFootprint& footprint, const sampling::Tolerance* tolerance,
+              sampling::TileResult& tile) const;
+
+  std::span<const Light> lights() const { return lights_; }
+
+ private:
+  std::size_t channels_;
+  std::vector<Light> lights_;  // by row of the image
+  std::vector<float> rows_;    // [row][channel]
+};
+
+}  // namespace ifov::render

@@ -1,0 +1,294 @@
+#include "render/mirrors/mirror_images.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+
+#include "core/parallel.h"
+#include "geometry/world.h"
+#include "sampling/random.h"
+#include "transport/path_light.h"
+#include "transport/view_air.h"
+
+namespace ifov::render {
+
+using transport::ImagesApart;
+using transport::ShiningParts;
+
+namespace {
+
+/// Points traced together.
+constexpr std::size_t kBatch = 4096;
+/// Steps across the half-angle of what is looked for.
+constexpr double kSteps = 16.0, kFewestSteps = 4.0;
+/// About how many places of a mirror are looked at for a part, beside those of a mesh.
+constexpr double kUsualWork = 2e4;
+constexpr std::uint64_t kImages = 0x6d6972726f72ull;
+
+}  // namespace
+
+std::unique_ptr<const MirrorImages> MirrorImages::find(const transport::SpectralScene& scene,
+                                                       const sensor::Camera& camera,
+                                                       const transport::TransportOptions& transport,
+                                                       double margin_px, std::uint64_t seed, int threads) {
+  if (scene.scene().world == nullptr || scene.scene().world->survey() == nullptr) return nullptr;
+  std::unique_ptr<MirrorImages> images(new MirrorImages(scene, camera));
+  if (images->parts_.parts().empty() && images->parts_.complete()) return nullptr;
+  images->list_mirrors();
+  std::vector<Pair> pairs = images->pairs();
+  double work = 0.0;
+  std::size_t kept = 0;
+  while (kept < pairs.size() && (work += pairs[kept].work) <= kMostWork) ++kept;
+  images->all_settled_ = kept == pairs.size() && images->apart_.any();
+  pairs.resize(kept);
+  std::vector<Found> found(pairs.size());
+  const auto count = static_cast<std::int64_t>(pairs.size());
+  const auto key = [seed](std::int64_t pair) { return sampling::hash(seed, kImages, pair); };
+  parallel_for(count, threads, [&](std::int64_t k) {
+    const auto at = static_cast<std::size_t>(k);
+    found[at] = images->look(pairs[at], margin_px, key(k));
+  });
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const ImagesApart::Mirror mirror = images->mirrors_[pairs[k].mirror].name;
+    const std::uint32_t object = images->parts_.parts()[pairs[k].first].object;
+    if (found[k].outcome == Outcome::given_up) {
+      images->all_settled_ = false;
+      continue;
+    }
+    images->settled_.push_back({mirror, object});
+    if (!found[k].seen.empty()) images->apart_.add(mirror, object);
+  }
+  images->apart_.finish();
+  std::sort(images->settled_.begin(), images->settled_.end());
+  std::vector<std::optional<FocalLights>> lights(pairs.size());
+  parallel_for(count, threads, [&](std::int64_t k) {
+    const auto at = static_cast<std::size_t>(k);
+    if (!found[at].seen.empty()) lights[at].emplace(images->weigh(transport, key(k), found[at].seen));
+  });
+  for (const std::optional<FocalLights>& light : lights)
+    if (light) images->lights_.append(*light);
+  images->lights_.sort();
+  return images;
+}
+
+MirrorImages::MirrorImages(const transport::SpectralScene& scene, const sensor::Camera& camera)
+    : scene_(scene),
+      camera_(camera),
+      parts_(scene),
+      apart_(scene.scene(), parts_),
+      lights_(scene.nodes().channel_count()) {}
+
+bool MirrorImages::settled(ImagesApart::Mirror mirror, std::uint32_t object) const {
+  return std::binary_search(settled_.begin(), settled_.end(), Name{mirror, object});
+}
+
+void MirrorImages::list_mirrors() {
+  if (!apart_.any()) return;
+  const geometry::SurfaceSurvey& survey = *scene_.scene().world->survey();
+  std::map<std::uint32_t, Mirror> bent;  // by object
+  for (std::size_t k = 0; k < survey.rounds.size(); ++k) bent[survey.rounds[k].object].rounds.push_back(k);
+  for (std::size_t k = 0; k < survey.smooths.size(); ++k) {
+    Mirror& mirror = bent[survey.smooths[k].object];
+    mirror.smooths.push_back(k);
+    mirror.triangles += survey.smooths[k].triangles.size();
+  }
+  for (auto& [object, mirror] : bent) {
+    mirror.name = ImagesApart::bent(object);
+    mirrors_.push_back(std::move(mirror));
+  }
+  for (std::size_t k = 0; k < apart_.planes().size(); ++k) {
+    mirrors_.emplace_back();
+    mirrors_.back().name = ImagesApart::flat(k);
+  }
+}
+
+std::vector<MirrorImages::Pair> MirrorImages::pairs() {
+  std::vector<Pair> pairs;
+  const std::span<const ShiningParts::Part> parts = parts_.parts();
+  for (std::size_t first = 0; first < parts.size();) {
+    std::size_t last = first;
+    while (last < parts.size() && parts[last].object == parts[first].object) ++last;
+    for (std::size_t m = 0; m < mirrors_.size(); ++m) {
+      const bool matters =
+          std::any_of(parts.begin() + static_cast<std::ptrdiff_t>(first),
+                      parts.begin() + static_cast<std::ptrdiff_t>(last),
+                      [&](const ShiningParts::Part& part) { return may_matter(mirrors_[m], part); });
+      if (!matters) {
+        settled_.push_back({mirrors_[m].name, parts[first].object});
+        continue;
+      }
+      const double work = kUsualWork + 3.0 * static_cast<double>(mirrors_[m].triangles);
+      pairs.push_back({m, first, last, work * static_cast<double>(last - first)});
+    }
+    first = last;
+  }
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.work < b.work; });
+  return pairs;
+}
+
+/// By the largest image that there can be: light from all directions fills the whole outline of a sphere alike, so that a
+/// part of solid angle W at its nearest fills W / 4 pi of it.
+bool MirrorImages::may_matter(const Mirror& mirror, const ShiningParts::Part& part) const {
+  if (!mirror.smooths.empty() || mirror.rounds.empty()) return true;
+  const geometry::SurfaceSurvey& survey = *scene_.scene().world->survey();
+  double area_px2 = 0.0;
+  for (const std::size_t k : mirror.rounds) {
+    const geometry::SurfaceSurvey::Round& round = survey.rounds[k];
+    const math::Vec3 x = round.scene_from_unit.column_x();
+    const double radius = length(x);
+    if (round.kind != geometry::UnitKind::sphere || !transport::RoundMirror::of(round)) return true;
+    const math::Point3 centre = round.scene_from_unit.origin_m();
+    const double nearest = length(part.ball.centre_m - centre) - radius;
+    if (nearest < 2.0 * part.ball.radius_m) return true;
+    sampling::FocalPoint image;
+    if (!camera_.project(centre, image)) return true;
+    const double outline = std::numbers::pi * std::pow(radius / camera_.gsd_m(centre), 2);
+    area_px2 += outline * 0.25 * std::pow(part.ball.radius_m / nearest, 2);
+  }
+  constexpr double kPerspective = 4.0;  // what a near camera makes of it
+  return kPerspective * area_px2 * part.contrast > kNegligible;
+}
+
+MirrorImages::Found MirrorImages::look(const Pair& pair, double margin_px, std::uint64_t key) const {
+  Found found;
+  const Mirror& mirror = mirrors_[pair.mirror];
+  const geometry::SurfaceSurvey& survey = *scene_.scene().world->survey();
+  std::vector<FocalLights::Light>& seen = found.seen;
+  std::vector<GlintPoint> points;
+  // Many parts tell of one thing together.
+  const double steps =
+      std::max(kFewestSteps, kSteps / std::sqrt(static_cast<double>(pair.last - pair.first)));
+  for (std::size_t p = pair.first; p < pair.last; ++p) {
+    const ShiningParts::Part& part = parts_.parts()[p];
+    GlintSearch search(camera_, part.ball, margin_px, steps / std::sqrt(part.fill), key, kMostTriangles);
+    const auto keep = [&](const GlintPoint& point) {
+      points.push_back(point);
+      if (points.size() == kBatch) trace(mirror, static_cast<std::uint32_t>(p), points, seen);
+    };
+    for (const std::size_t k : mirror.rounds) search.search(survey.rounds[k], p, keep);
+    for (const std::size_t k : mirror.smooths) search.search(survey.smooths[k], p, keep);
+    if (mirror.rounds.empty() && mirror.smooths.empty()) {
+      const ImagesApart::Plane& plane = apart_.planes()[static_cast<std::size_t>(mirror.name & 0xffffffffu)];
+      search.search(plane.normal, plane.offset_m, p, keep);
+    }
+    trace(mirror, static_cast<std::uint32_t>(p), points, seen);
+    if (!search.broken_off()) continue;
+    found.outcome = met_by_paths(seen) ? Outcome::met : Outcome::given_up;
+    seen.clear();
+    return found;
+  }
+  if (met_by_paths(seen)) found.outcome = Outcome::met, seen.clear();
+  return found;
+}
+
+void MirrorImages::trace(const Mirror& mirror, std::uint32_t part, std::vector<GlintPoint>& points,
+                         std::vector<FocalLights::Light>& seen) const {
+  const scene::Scene& scene = scene_.scene();
+  std::vector<sampling::FocalPoint> images;
+  for (const GlintPoint& point : points) images.push_back(point.image);
+  std::vector<math::Ray> rays(points.size()), onward;
+  std::vector<geometry::SurfacePoint> hits(points.size());
+  camera_.rays(images, rays);
+  scene.world->intersect(rays, hits);
+  std::vector<std::size_t> legs;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const geometry::SurfacePoint& hit = hits[k];
+    if (!hit.hit()) continue;
+    const math::Vec3 normal = scene.resolve(hit).shading_normal.as_vector(), view = rays[k].direction;
+    if (apart_.mirror_of(hit, normal) != mirror.name) continue;
+    // What was searched must be what is seen.
+    if (length(hit.position_m - points[k].at_m) > 1e-6 * (1.0 + hit.distance_m)) continue;
+    const math::Vec3 from = math::normalized(view - 2.0 * dot(view, normal) * normal);
+    const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
+    if (!(dot(from, outward) > 0.0)) continue;
+    legs.push_back(k);
+    onward.push_back({hit.position_m + hit.offset_m * outward, from});
+  }
+  std::vector<geometry::SurfacePoint> met(onward.size());
+  scene.world->intersect(onward, met);
+  for (std::size_t j = 0; j < legs.size(); ++j) {
+    if (!met[j].hit() || !parts_.shines(met[j]) || parts_.part_of(met[j]) != part) continue;
+    const GlintPoint& point = points[legs[j]];
+    seen.push_back({point.image, static_cast<float>(point.area), 0, point.replicate});
+  }
+  points.clear();
+}
+
+FocalLights MirrorImages::weigh(transport::TransportOptions transport, std::uint64_t key,
+                                std::vector<FocalLights::Light>& seen) const {
+  const std::size_t channels = scene_.nodes().channel_count();
+  FocalLights lights(channels);
+  transport.images_apart = nullptr;
+  transport::PathTracer all(scene_, transport);
+  transport.images_apart = &apart_;
+  transport::PathTracer through(scene_, transport);
+  transport::PathLight light(scene_);
+  const transport::ViewAir air(scene_);
+  // Points of one replicate in one pixel share a row: their mean by area.
+  struct Row {
+    double area = 0.0;
+    std::vector<double> sum;
+    std::uint32_t number = 0;
+  };
+  std::map<std::array<int, 3>, Row> rows;
+  const auto row_of = [&](const FocalLights::Light& point) -> Row& {
+    return rows[{static_cast<int>(std::floor(point.at.x_px)), static_cast<int>(std::floor(point.at.y_px)),
+                 static_cast<int>(point.replicate)}];
+  };
+  std::vector<sampling::FocalPoint> images;
+  std::vector<math::Ray> rays;
+  std::vector<transport::PathKey> keys;
+  std::vector<geometry::SurfacePoint> hits;
+  std::vector<float> row(std::max(channels, scene_.stride()));
+  sampling::RayCounts counts;
+  for (std::size_t first = 0; first < seen.size(); first += kBatch) {
+    const std::size_t count = std::min(kBatch, seen.size() - first);
+    images.resize(count), rays.resize(count), keys.resize(count), hits.resize(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      images[k] = seen[first + k].at;
+      keys[k] = {key, static_cast<std::uint32_t>(first + k)};
+    }
+    camera_.rays(images, rays);
+    for (transport::PathTracer* tracer : {&all, &through}) {
+      const double sign = tracer == &all ? 1.0 : -1.0;
+      const transport::PathRecord& paths = tracer->trace(rays, keys, hits, counts);
+      for (std::size_t k = 0; k < count; ++k) {
+        const FocalLights::Light& point = seen[first + k];
+        float* radiance = light.radiance(paths, k);
+        air.apply(paths.paths[k], radiance);
+        scene_.nodes().to_channels(radiance, row.data());
+        Row& sum = row_of(point);
+        const auto area = static_cast<double>(point.per_radiance);
+        if (sum.sum.empty()) sum.sum.assign(channels, 0.0);
+        if (tracer == &all) sum.area += area;
+        for (std::size_t c = 0; c < channels; ++c) sum.sum[c] += sign * area * static_cast<double>(row[c]);
+      }
+    }
+  }
+  for (auto& [name, sum] : rows) {
+    for (std::size_t c = 0; c < channels; ++c) row[c] = static_cast<float>(sum.sum[c] / sum.area);
+    sum.number = lights.add_row(row);
+  }
+  for (FocalLights::Light& point : seen) {
+    point.row = row_of(point).number;
+    lights.add(point);
+  }
+  return lights;
+}
+
+bool MirrorImages::met_by_paths(const std::vector<FocalLights::Light>& seen) const {
+  std::map<std::pair<int, int>, double> pixels;
+  double area = 0.0;
+  for (const FocalLights::Light& light : seen) {
+    const double part = static_cast<double>(light.per_radiance) / FocalLights::kReplicates;
+    pixels[{static_cast<int>(std::floor(light.at.x_px)), static_cast<int>(std::floor(light.at.y_px))}] +=
+        part;
+    area += part;
+  }
+  return area > kMet * static_cast<double>(pixels.size());
+}
+
+}  // namespace ifov::render

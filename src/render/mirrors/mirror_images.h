@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "render/mirrors/focal_lights.h"
+#include "render/mirrors/glint_search.h"
+#include "sensor/camera.h"
+#include "transport/images_apart.h"
+#include "transport/path_tracer.h"
+#include "transport/spectral_scene.h"
+
+namespace ifov::render {
+
+/// Images of what shines (transport::ShiningParts) in mirrors that the sensor sees directly, flat or bent: in a pixel that
+/// sees a mirror ball a hot thing is a spot that no path need meet. Where it lies follows from the shapes (GlintSearch);
+/// what stands before the mirror and between it and the thing is traced. Paths see through the thing there, and the
+/// difference that it makes is added to finished tiles. Images that fill a good part of the pixels that they lie in are
+/// left to paths.
+class MirrorImages {
+ public:
+  /// Null where there is nothing to look for. Keeps references. `margin_px`: a footprint's half width. The result does
+  /// not depend on the number of threads.
+  static std::unique_ptr<const MirrorImages> find(const transport::SpectralScene& scene,
+                                                  const sensor::Camera& camera,
+                                                  const transport::TransportOptions& transport,
+                                                  double margin_px, std::uint64_t seed, int threads);
+
+  /// For transport::TransportOptions.
+  const transport::ImagesApart& apart() const { return apart_; }
+  const transport::ShiningParts& parts() const { return parts_; }
+  /// Whether a thing is looked for in a mirror, or its image left to paths because they meet it.
+  bool settled(transport::ImagesApart::Mirror mirror, std::uint32_t object) const;
+
+  /// Whether all that may matter is settled.
+  bool all_settled() const { return all_settled_ && parts_.complete(); }
+
+  /// As FocalLights::add_to.
+  void add_to(const sampling::PixelFootprint& footprint, const sampling::Tolerance* tolerance,
+              sampling::TileResult& tile) const {
+    lights_.add_to(footprint, tolerance, tile);
+  }
+
+  std::size_t count() const { return lights_.lights().size(); }
+
+  /// An image that fills more of the pixels in which it lies is met by paths.
+  static constexpr double kMet = 0.25;
+  /// More triangles are not made for one part in one mirror.
+  static constexpr std::size_t kMostTriangles = 1 << 16;
+  /// Places of mirrors that are looked at for all images together, about.
+  static constexpr double kMostWork = 1e8;
+  /// An image that, were it in view whole, brought less than this share of the usual radiance is not looked for.
+  static constexpr double kNegligible = 1e-4;
+
+ private:
+  MirrorImages(const transport::SpectralScene& scene, const sensor::Camera& camera);
+  struct Mirror {
+    transport::ImagesApart::Mirror name = 0;
+    std::vector<std::size_t> rounds, smooths;  // of the survey
+    std::size_t triangles = 0;
+  };
+  struct Pair {
+    std::size_t mirror = 0;
+    std::size_t first = 0, last = 0;  // parts of one object
+    double work = 0.0;
+  };
+  enum class Outcome : std::uint8_t { apart, met, given_up };
+  struct Found {
+    Outcome outcome = Outcome::apart;
+    std::vector<FocalLights::Light> seen;  // of images that are added apart; without their radiance
+  };
+  void list_mirrors();
+  /// Those that may matter; others are settled.
+  std::vector<Pair> pairs();
+  bool may_matter(const Mirror& mirror, const transport::ShiningParts::Part& part) const;
+  Found look(const Pair& pair, double margin_px, std::uint64_t key) const;
+  /// Traces points at which a part may be seen in a mirror; keeps those where it is, with their areas, as lights.
+  void trace(const Mirror& mirror, std::uint32_t part, std::vector<GlintPoint>& points,
+             std::vector<FocalLights::Light>& seen) const;
+  bool met_by_paths(const std::vector<FocalLights::Light>& seen) const;
+  /// Their radiance: what paths find less what they find where they see through what is added apart.
+  FocalLights weigh(transport::TransportOptions transport, std::uint64_t key,
+                    std::vector<FocalLights::Light>& seen) const;
+
+  const transport::SpectralScene& scene_;
+  const sensor::Camera& camera_;
+  transport::ShiningParts parts_;
+  transport::ImagesApart apart_;
+  std::vector<Mirror> mirrors_;
+  struct Name {
+    transport::ImagesApart::Mirror mirror;
+    std::uint32_t object;
+    friend auto operator<=>(const Name&, const Name&) = default;
+  };
+  std::vector<Name> settled_;  // sorted
+  bool all_settled_ = true;
+  FocalLights lights_;
+};
+
+}  // namespace ifov::render

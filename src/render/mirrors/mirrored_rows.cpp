@@ -1,0 +1,41 @@
+#include "render/mirrors/mirrored_rows.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "transport/mirror_ways.h"
+#include "transport/sun_mirrors.h"
+#include "transport/view_table.h"
+
+namespace ifov::render {
+
+MirroredRows::MirroredRows(const transport::SpectralScene& scene)
+    : scene_(scene),
+      work_(1, scene.node_count()),
+      share_(scene.node_count()),
+      channels_(std::max(scene.nodes().channel_count(), scene.stride())) {}
+
+std::span<const float> MirroredRows::channels(const scene::ResolvedSurface& surface, double height_m,
+                                              math::Vec3 towards_sensor, const float* light) {
+  std::fill(share_.begin(), share_.end(), 0.0);
+  for (const scene::Constituent& part : surface)
+    if (transport::is_mirror(scene_.scene(), part))
+      for (std::size_t n = 0; n < share_.size(); ++n)
+        share_[n] += part.weight * scene_.materials().reflectance(part.material)[n];
+  const transport::ViewTable* table = scene_.view_table();
+  std::optional<transport::ViewTable::Place> place;
+  if (table != nullptr) place = table->at(towards_sensor, height_m);
+  float* reflected = work_.row(0);
+  for (std::size_t n = 0; n < share_.size(); ++n) {
+    double through = scene_.has_view_path() ? scene_.view_transmittance()[n] : 1.0;
+    if (place) {
+      through = 0.0;
+      for (std::size_t k = 0; k < place->count; ++k) through += place->weight[k] * place->transmittance[k][n];
+    }
+    reflected[n] = static_cast<float>(share_[n] * light[n] * through);
+  }
+  scene_.nodes().to_channels(reflected, channels_.data());
+  return {channels_.data(), scene_.nodes().channel_count()};
+}
+
+}  // namespace ifov::render

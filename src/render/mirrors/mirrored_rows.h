@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "transport/spectral_scene.h"
+
+namespace ifov::render {
+
+/// Light that a mirror sends to the sensor, by channel. An object serves one thread.
+class MirroredRows {
+ public:
+  explicit MirroredRows(const transport::SpectralScene& scene);
+
+  /// `light`: radiance in nodes that meets a surface at a height; its mirror parts reflect it, and the air takes its
+  /// share. By channel, until the next call.
+  std::span<const float> channels(const scene::ResolvedSurface& surface, double height_m,
+                                  math::Vec3 towards_sensor, const float* light);
+
+ private:
+  const transport::SpectralScene& scene_;
+  radiometry::SpectrumBlock work_;
+  std::vector<double> share_;
+  std::vector<float> channels_;
+};
+
+}  // namespace ifov::render

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "render/accuracy_tolerance.h"
+#include "sampling/tile.h"
+#include "sensor/camera.h"
+#include "transport/emitters.h"
+#include "transport/spectral_scene.h"
+
+namespace ifov::render {
+
+/// Light of emitters that are too many to be sought (transport::Emitters::left_out), which scattered paths find by chance:
+/// a pixel that met none of it may be sure of too little. What it may be at most follows from areas and distances, with
+/// nothing in the way and all of it facing the surface. That marks pixels; it never enters a radiance.
+class UnseenEmitters {
+ public:
+  /// Null where all are sought. Keeps references.
+  static std::unique_ptr<const UnseenEmitters> find(const transport::SpectralScene& scene,
+                                                    const sensor::Camera& camera);
+
+  /// Widens the half-widths of a finished tile that has channels alone; pixels that become wider than was asked for get
+  /// Reason::unseen_light. Adds the rays. Nothing without a tolerance.
+  void settle(const AccuracyTolerance* tolerance, sampling::TileResult& tile) const;
+
+  /// Less than this share of what was asked for is left alone.
+  static constexpr double kNegligible = 0.1;
+
+ private:
+  UnseenEmitters(const transport::SpectralScene& scene, const sensor::Camera& camera);
+
+  const transport::SpectralScene& scene_;
+  const sensor::Camera& camera_;
+  std::vector<std::vector<double>> highest_;  // by covering: emission by channel
+};
+
+}  // namespace ifov::render

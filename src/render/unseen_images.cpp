@@ -1,0 +1,309 @@
+#include "render/unseen_images.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/world.h"
+#include "sampling/random.h"
+#include "transport/mirror_ways.h"
+#include "transport/sun_mirrors.h"
+
+namespace ifov::render {
+
+using math::Vec3;
+using transport::ImagesApart;
+
+namespace {
+
+/// Rays along a side of a pixel.
+constexpr int kAcross = 3;
+/// What directions between three may lie beyond them, over their spread (GlintSearch's).
+constexpr double kBeyond = 1.2;
+/// Of the usual radiance: what counts for nothing.
+constexpr double kTooLittle = 1e-4;
+/// Spread of directions that say nothing of what lies between them.
+constexpr double kAnywhere = 2.0;
+
+/// Whether one plane of mirrors stands in the scene, or none.
+bool one_plane(const geometry::SurfaceSurvey& survey) {
+  return survey.rounds.empty() && survey.smooths.empty() && survey.balls.empty() &&
+         survey.flats.size() == 1 && survey.flats[0].planes_m.size() == 1;
+}
+
+}  // namespace
+
+std::unique_ptr<const UnseenImages> UnseenImages::find(const transport::SpectralScene& scene,
+                                                       const sensor::Camera& camera,
+                                                       const MirrorImages& images, std::uint64_t seed) {
+  const geometry::World& world = *scene.scene().world;
+  const std::vector<scene::Covering>& coverings = scene.scene().coverings;
+  const bool reliefs = std::any_of(coverings.begin(), coverings.end(),
+                                   [](const scene::Covering& c) { return c.bends_normals(); });
+  if (one_plane(*world.survey()) && !world.period() && !reliefs && images.all_settled()) return nullptr;
+  return std::unique_ptr<const UnseenImages>(new UnseenImages(scene, camera, images, seed));
+}
+
+UnseenImages::UnseenImages(const transport::SpectralScene& scene, const sensor::Camera& camera,
+                           const MirrorImages& images, std::uint64_t seed)
+    : scene_(scene),
+      camera_(camera),
+      images_(images),
+      shift_x_(sampling::unit_double(sampling::hash(seed, 0x756e7365656eull)) / kAcross),
+      shift_y_(sampling::unit_double(sampling::hash(seed, 0x756e7365656full)) / kAcross) {
+  const auto period = scene.scene().world->period();
+  for (const transport::ShiningParts::Part& part : images.parts().parts()) {
+    if (!period) {
+      targets_.push_back({part, part.ball.centre_m});
+      continue;
+    }
+    // The copies about a ray that is moved to the first cell.
+    const math::Point3 c = part.ball.centre_m;
+    const Vec3 home{-std::floor(c.x / period->x_m) * period->x_m,
+                    -std::floor(c.y / period->y_m) * period->y_m, 0.0};
+    for (int column = -1; column <= 1; ++column)
+      for (int row = -1; row <= 1; ++row)
+        targets_.push_back({part, c + home + Vec3{column * period->x_m, row * period->y_m, 0.0}});
+  }
+}
+
+std::vector<std::vector<UnseenImages::Leaving>> UnseenImages::follow(
+    const std::vector<sampling::FocalPoint>& points, std::vector<Lit>& lit,
+    sampling::RayCounts& counts) const {
+  const scene::Scene& scene = scene_.scene();
+  std::vector<std::vector<Leaving>> levels;
+  std::vector<math::Ray> rays(points.size());
+  camera_.rays(points, rays);
+  counts.primary += rays.size();
+  std::vector<std::size_t> who(points.size());
+  for (std::size_t k = 0; k < who.size(); ++k) who[k] = k;
+  std::vector<geometry::SurfacePoint> hits;
+  for (std::size_t level = 0; level < kMostMirrors && !rays.empty(); ++level) {
+    hits.resize(rays.size());
+    scene.world->intersect(rays, hits);
+    if (level > 0) counts.bounce += rays.size();
+    std::vector<Leaving> leaving(points.size());
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      const geometry::SurfacePoint& hit = hits[k];
+      if (!hit.hit()) continue;
+      const scene::ResolvedSurface surface = scene.resolve(hit);
+      double share = 0.0, scattered = 0.0;
+      for (const scene::Constituent& part : surface)
+        (transport::is_mirror(scene, part) ? share : scattered) +=
+            part.weight * scene_.brightest(part.material);
+      if (level == 0 && scattered > 0.0)
+        lit.push_back({hit.position_m, (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector(),
+                       who[k], scattered});
+      if (!(share > 0.0)) continue;
+      const Vec3 normal = surface.shading_normal.as_vector(), seen = rays[k].direction;
+      Leaving& next = leaving[who[k]];
+      next.direction = math::normalized(seen - 2.0 * dot(seen, normal) * normal);
+      next.outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
+      if (!(dot(next.direction, next.outward) > 0.0)) continue;
+      const Leaving* before = level > 0 ? &levels[level - 1][who[k]] : nullptr;
+      next.any = true;
+      next.at = hit.position_m + hit.offset_m * next.outward;
+      // Faces of one object count as one where they bend, each as its own else.
+      const std::uint64_t face = hit.bend == geometry::Bend::none ? hit.primitive + 1u : 0u;
+      next.way = sampling::hash(before != nullptr ? before->way : level, hit.instance, hit.patch, face);
+      if (before == nullptr) next.only = images_.apart().mirror_of(hit, normal);
+      next.brightness = (before != nullptr ? before->brightness : 1.0) * share;
+      rays[kept] = {next.at, next.direction};
+      who[kept++] = who[k];
+    }
+    rays.resize(kept);
+    who.resize(kept);
+    if (kept > 0) levels.push_back(std::move(leaving));
+  }
+  return levels;
+}
+
+bool UnseenImages::is_free(math::Point3 from, math::Point3 centre_m, double radius_m,
+                           sampling::RayCounts& counts) const {
+  const Vec3 to = centre_m - from;
+  const double distance = length(to), before = distance - radius_m;
+  if (!(before > 0.0)) return true;
+  math::Ray ray{from, to / distance};
+  ray.t_max_m = before * (1.0 - 1e-6);
+  std::uint8_t blocked = 0;
+  scene_.scene().world->occluded({&ray, 1}, {&blocked, 1});
+  ++counts.shadow;
+  return blocked == 0;
+}
+
+/// A wave of radius D that a sphere of radius R reflects at an angle t spreads over (a + 2 L / (R cos t)) (a + 2 L cos t / R),
+/// a = 1 + L / D, at a distance L: at least (a + 2 L / R)^2, as cos t + 1 / cos t >= 2. Of a cylinder one factor is a.
+void UnseenImages::add_thrown(const Lit& lit, double weight, double* unseen,
+                              sampling::RayCounts& counts) const {
+  for (const geometry::SurfaceSurvey::Round& round : scene_.scene().world->survey()->rounds) {
+    const Vec3 x = round.scene_from_unit.column_x(), y = round.scene_from_unit.column_y(),
+               z = round.scene_from_unit.column_z();
+    const bool tube =
+        round.kind == geometry::UnitKind::cylinder || round.kind == geometry::UnitKind::open_cylinder;
+    const double radius = tube ? std::max(length(x), length(y)) : std::max({length(x), length(y), length(z)});
+    const double apart = length(round.ball.centre_m - lit.at), way = apart - round.ball.radius_m;
+    const double cosine = (dot(round.ball.centre_m - lit.at, lit.outward) + round.ball.radius_m) /
+                          std::max(apart, round.ball.radius_m);
+    if (!(cosine > 0.0)) continue;
+    const double nearest = std::max(way, 0.0);
+    bool free = false, asked = false;
+    for (const Target& target : targets_) {
+      const double to = std::max(length(target.centre_m - round.ball.centre_m) - round.ball.radius_m,
+                                 target.part.ball.radius_m);
+      const double a = 1.0 + nearest / to, other = a + 2.0 * nearest / radius;
+      const double arrives_sr = std::numbers::pi * std::pow(target.part.ball.radius_m / to, 2) *
+                                target.part.fill / (other * (tube ? a : other));
+      const double share = weight * lit.brightness * std::min(1.0, cosine) * arrives_sr / std::numbers::pi;
+      if (!(share * target.part.contrast > kTooLittle)) continue;
+      if (!asked)
+        free = is_free(lit.at + 1e-6 * (1.0 + apart) * lit.outward, round.ball.centre_m, round.ball.radius_m,
+                       counts);
+      asked = true;
+      if (!free) break;
+      const std::span<const double> highest = images_.parts().highest(target.part.covering);
+      for (std::size_t c = 0; c < highest.size(); ++c) unseen[c] += share * highest[c];
+    }
+  }
+}
+
+void UnseenImages::look(const Leaving* const (&corner)[3], double area_px2, double* unseen,
+                        sampling::RayCounts& counts) const {
+  const bool alike = corner[0]->any && corner[1]->any && corner[2]->any && corner[0]->way == corner[1]->way &&
+                     corner[0]->way == corner[2]->way;
+  const auto period = scene_.scene().world->period();
+  for (const Target& target : targets_) {
+    const auto meets = [&](const Leaving& from, Vec3& off, double& wide) {
+      math::Point3 at = from.at;
+      if (period)
+        at = at - Vec3{std::floor(at.x / period->x_m) * period->x_m,
+                       std::floor(at.y / period->y_m) * period->y_m, 0.0};
+      const Vec3 to = target.centre_m - at;
+      const double distance = length(to), radius = target.part.ball.radius_m;
+      wide = distance > radius ? std::asin(radius / distance) : std::numbers::pi;
+      off = from.direction - to / std::max(distance, 1e-300);
+      return dot(to, from.outward) > -radius;
+    };
+    const auto add = [&](const Leaving& from, double spread, double wide, double area) {
+      if (from.only != ImagesApart::kNone && images_.settled(from.only, target.part.object)) return;
+      const double filled = std::pow(std::sin(std::min(wide, 0.5 * std::numbers::pi)), 2) * target.part.fill;
+      // pi of both cancels; an equilateral triangle has 0.43 of its squared side.
+      if (area_px2 * std::numbers::pi * filled > kMet_px2 * 0.43 * spread * spread) return;
+      const double share = std::min(1.0, filled / std::pow(std::min(kAnywhere, kBeyond * spread + wide), 2));
+      if (!(share > 0.0) ||
+          (!period && !is_free(from.at, target.centre_m, target.part.ball.radius_m, counts)))
+        return;
+      const std::span<const double> highest = images_.parts().highest(target.part.covering);
+      for (std::size_t c = 0; c < highest.size(); ++c)
+        unseen[c] += area * share * from.brightness * highest[c];
+    };
+    if (!alike) {
+      // Each as those go on that came the same way beside it.
+      for (const Leaving* from : corner) {
+        Vec3 off, other;
+        double wide = 0.0, spread = kAnywhere, unused = 0.0;
+        if (!from->any || !meets(*from, off, wide)) continue;
+        if (from->beside[0] != nullptr && from->beside[1] != nullptr) {
+          spread = 0.0;
+          for (const Leaving* beside : from->beside) {
+            meets(*beside, other, unused);
+            spread += length(off - other);
+          }
+        }
+        if (spread >= kAnywhere || length(off) <= (1.0 + kBeyond) * spread + wide)
+          add(*from, spread, wide, area_px2 / 3.0);
+      }
+      continue;
+    }
+    Vec3 off[3];
+    double wide[3];
+    bool any = false;
+    for (int k = 0; k < 3; ++k) any = meets(*corner[k], off[k], wide[k]) || any;
+    const double spread =
+        std::max({length(off[0] - off[1]), length(off[1] - off[2]), length(off[2] - off[0])});
+    const double widest = std::max({wide[0], wide[1], wide[2]});
+    if (!any || length((off[0] + off[1] + off[2]) / 3.0) > kBeyond * spread + widest) continue;
+    add(*corner[0], spread, widest, area_px2);
+  }
+}
+
+void UnseenImages::find_neighbours(std::vector<Leaving>& level, int columns) {
+  const int rows = static_cast<int>(level.size()) / columns;
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      Leaving& own = level[static_cast<std::size_t>(j * columns + i)];
+      if (!own.any) continue;
+      const auto take = [&](int axis, int column, int row) {
+        if (column < 0 || row < 0 || column >= columns || row >= rows) return;
+        const Leaving& other = level[static_cast<std::size_t>(row * columns + column)];
+        if (other.any && other.way == own.way) own.beside[axis] = &other;
+      };
+      take(0, i - 1, j), take(0, i + 1, j);
+      take(1, i, j - 1), take(1, i, j + 1);
+    }
+}
+
+void UnseenImages::settle(const AccuracyTolerance* tolerance, sampling::TileResult& tile) const {
+  if (tolerance == nullptr || !tile.has_errors()) return;
+  const int width = tile.tile.width(), height = tile.tile.height();
+  const int columns = kAcross * width + 1, rows = kAcross * height + 1;
+  std::vector<sampling::FocalPoint> points;
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i)
+      points.push_back(
+          {tile.tile.x0 + shift_x_ + (i - 0.5) / kAcross, tile.tile.y0 + shift_y_ + (j - 0.5) / kAcross});
+  std::vector<Lit> lit;
+  std::vector<std::vector<Leaving>> levels = follow(points, lit, tile.rays);
+  for (std::vector<Leaving>& level : levels) find_neighbours(level, columns);
+  const std::size_t channels = scene_.nodes().channel_count();
+  std::vector<double> unseen(static_cast<std::size_t>(tile.tile.count()) * channels, 0.0);
+  // Rays beyond the last column and row belong to other tiles.
+  for (const Lit& one : lit) {
+    const int i = static_cast<int>(one.ray) % columns / kAcross,
+              j = static_cast<int>(one.ray) / columns / kAcross;
+    if (i < width && j < height)
+      // A bound needs no caution.
+      add_thrown(one, 1.0 / (kAcross * kAcross * kCaution),
+                 &unseen[static_cast<std::size_t>(j * width + i) * channels], tile.rays);
+  }
+  constexpr double kCell_px2 = 0.5 / (kAcross * kAcross);
+  for (const std::vector<Leaving>& level : levels)
+    for (int j = 0; j + 1 < rows; ++j)
+      for (int i = 0; i + 1 < columns; ++i) {
+        const auto at = static_cast<std::size_t>(j * columns + i);
+        const Leaving *a = &level[at], *b = &level[at + 1],
+                      *c = &level[at + static_cast<std::size_t>(columns)], *d = c + 1;
+        if (!a->any && !b->any && !c->any && !d->any) continue;
+        double* here = &unseen[static_cast<std::size_t>((j / kAcross) * width + i / kAcross) * channels];
+        look({a, b, d}, kCell_px2, here, tile.rays);
+        look({a, d, c}, kCell_px2, here, tile.rays);
+        if (!images_.parts().complete())
+          tile.set(static_cast<std::size_t>((j / kAcross) * width + i / kAcross),
+                   sampling::Reason::unseen_light);
+      }
+  std::vector<double> mean(channels), limit(channels);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const auto pixel = static_cast<std::size_t>(y * width + x);
+      for (std::size_t c = 0; c < channels; ++c)
+        mean[c] = static_cast<double>(tile.mean[pixel * channels + c]);
+      tolerance->asked(mean, limit);
+      for (std::size_t c = 0; c < channels; ++c) {
+        double around = 0.0;
+        int count = 0;
+        for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j)
+          for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i, ++count)
+            around += unseen[static_cast<std::size_t>(j * width + i) * channels + c];
+        const double more = kCaution * std::max(unseen[pixel * channels + c], around / count);
+        if (!(more > kNegligible * limit[c])) continue;
+        float& half_width = tile.half_width[pixel * channels + c];
+        half_width += static_cast<float>(more);
+        const auto ratio = static_cast<float>(static_cast<double>(half_width) / limit[c]);
+        tile.worst_ratio[pixel] = std::max(tile.worst_ratio[pixel], ratio);
+        constexpr float kRounding = 1e-5f;
+        if (ratio > 1.0f + kRounding) tile.set(pixel, sampling::Reason::unseen_light);
+      }
+    }
+}
+
+}  // namespace ifov::render
