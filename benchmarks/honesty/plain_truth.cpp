@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/document/document.h"
 #include "sensor/camera.h"
 
 namespace ifov::benchmarks {

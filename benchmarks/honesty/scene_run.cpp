@@ -12,11 +12,13 @@
 #include "honesty/single_tile.h"
 #include "io/document/document.h"
 #include "render/image_renderer.h"
+#include "render/scene_field.h"
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "scene/forest.h"
 #include "sensor/camera.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::benchmarks {
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "sampling/warp.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::render {
 
@@ -47,6 +48,13 @@ void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<
   scene_.scene().world->intersect(rays_, hits_);
   counts_.primary += points.size();
   label_hits(hits_, detail_, labels);
+}
+
+std::uint32_t SceneField::object_of(sampling::Label label) const {
+  const bool sky = SurfaceLabel::material_of(label) == SurfaceLabel::kSky;
+  return sky || scene_.scene().world->object_count() > SurfaceLabel::kMaximumInstances
+             ? kNoObject
+             : SurfaceLabel::instance_of(label);
 }
 
 std::uint32_t SceneField::material_of(sampling::Label label) const {

@@ -41,12 +41,7 @@ class SceneField final : public sampling::Field {
     return SurfaceLabel::is_uneven(label, mirror_light_ != nullptr);
   }
   /// The instance, where labels hold its whole number.
-  std::uint32_t object_of(sampling::Label label) const override {
-    const bool sky = SurfaceLabel::material_of(label) == SurfaceLabel::kSky;
-    return sky || scene_.scene().world->object_count() > SurfaceLabel::kMaximumInstances
-               ? kNoObject
-               : SurfaceLabel::instance_of(label);
-  }
+  std::uint32_t object_of(sampling::Label label) const override;
   const BlendColumns& blends() const { return blends_; }
   const UnseenLight& unseen() const { return unseen_; }
   sampling::RayCounts counts() const override { return counts_; }

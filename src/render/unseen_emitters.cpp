@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "geometry/world.h"
+#include "transport/emitter_choice.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::render {
 

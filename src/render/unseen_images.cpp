@@ -7,6 +7,7 @@
 #include "geometry/world.h"
 #include "sampling/random.h"
 #include "transport/mirror_ways.h"
+#include "transport/spectral_scene.h"
 #include "transport/sun_mirrors.h"
 
 namespace ifov::render {

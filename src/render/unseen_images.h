@@ -7,6 +7,7 @@
 #include "render/accuracy_tolerance.h"
 #include "render/mirrors/mirror_images.h"
 #include "sampling/tile.h"
+#include "transport/shining_parts.h"
 
 namespace ifov::render {
 

@@ -6,6 +6,8 @@
 #include <map>
 #include <numeric>
 
+#include "transport/emitter_choice.h"
+#include "transport/emitter_tree.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::transport {
@@ -107,6 +109,11 @@ class Closure {
 };
 
 }  // namespace
+
+Emitters::Emitters() = default;
+Emitters::~Emitters() = default;
+
+double Emitters::reach(const Receiver& receiver) const { return tree_->reach(at_home(receiver).receiver); }
 
 std::unique_ptr<const Emitters> Emitters::find(const SpectralScene& scene) {
   if (scene.scene().world == nullptr) return nullptr;  // spectra alone

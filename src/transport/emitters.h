@@ -8,12 +8,12 @@
 #include "geometry/surface_point.h"
 #include "geometry/world.h"
 #include "geometry/world/surface_survey.h"
-#include "transport/emitter_choice.h"
 #include "transport/emitter_tree.h"
 
 namespace ifov::transport {
 
 class SpectralScene;
+struct EmitterChoice;
 
 /// What of a scene light is sought from by next-event estimation: the pieces of surface that EmitterChoice names. Each is
 /// drawn from by EmitterTree and EmitterShape; what paths find by scattering is weighed against that by density().
@@ -25,6 +25,7 @@ class Emitters {
 
   /// Null where there is nothing to seek. Keeps no reference to the scene.
   static std::unique_ptr<const Emitters> find(const SpectralScene& scene);
+  ~Emitters();
 
   /// 0 where all that there is is left out.
   std::size_t count() const { return emitters_.size(); }
@@ -57,7 +58,7 @@ class Emitters {
   double density(const Receiver& receiver, math::Vec3 direction, const geometry::SurfacePoint& hit) const;
 
   /// About what emitters send to a receiver, in a unit of its own.
-  double reach(const Receiver& receiver) const { return tree_->reach(at_home(receiver).receiver); }
+  double reach(const Receiver& receiver) const;
 
  private:
   struct Name {
@@ -69,7 +70,7 @@ class Emitters {
     Receiver receiver;  // moved to the first cell
     std::int32_t column = 0, row = 0;
   };
-  Emitters() = default;
+  Emitters();
   void take(const SpectralScene& scene, const EmitterChoice& choice);
   void add(const geometry::SurfacePiece& piece, bool closed, double radiance);
   /// Puts together by place what is not sought.

@@ -4,6 +4,9 @@
 #include <cmath>
 
 #include "geometry/world.h"
+#include "geometry/world/surface_survey.h"
+#include "scene/scene.h"
+#include "transport/shining_parts.h"
 
 namespace ifov::transport {
 

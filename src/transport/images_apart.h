@@ -1,14 +1,19 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/surface_point.h"
-#include "geometry/world/surface_survey.h"
-#include "scene/scene.h"
-#include "transport/shining_parts.h"
+#include "math/vec3.h"
+
+namespace ifov::scene {
+struct Scene;
+}
 
 namespace ifov::transport {
+
+class ShiningParts;
 
 /// Images of what shines in mirrors that the sensor sees directly, and that are added to it apart: whoever meets such a
 /// thing by way of such a mirror goes on as if it were not there. Mirrors are told apart by object where they bend and by

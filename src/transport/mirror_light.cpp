@@ -6,6 +6,7 @@
 
 #include "sampling/random.h"
 #include "sampling/warp.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::transport {
 
@@ -39,7 +40,10 @@ std::unique_ptr<MirrorLight> MirrorLight::find(const SpectralScene& scene, const
 }
 
 MirrorLight::MirrorLight(const SpectralScene& scene, const SunImages& images)
-    : scene_(scene), mirrors_(*scene.sun_mirrors()), images_(images), tracer_(scene, mirrors_, images_) {
+    : scene_(scene),
+      mirrors_(*scene.sun_mirrors()),
+      images_(images),
+      tracer_(scene.scene(), mirrors_, images_) {
   for (const SunImages::Image& image : images_.images()) {
     if (disc_points_.size() == kMostImages) break;
     disc_points_.push_back(fixed_disc_points(image.direction, scene.scene().sun->half_angle_rad));

@@ -35,7 +35,7 @@ bool reflect(MirrorWay& way, const SunMirrors& mirrors, const geometry::SurfaceP
 
 bool MirrorTracer::mirrors_at(const scene::ResolvedSurface& surface) const {
   return std::any_of(surface.begin(), surface.end(),
-                     [&](const scene::Constituent& part) { return is_mirror(scene_.scene(), part); });
+                     [&](const scene::Constituent& part) { return is_mirror(scene_, part); });
 }
 
 bool MirrorTracer::is_image(const MirrorWay& way) const {

@@ -7,7 +7,7 @@
 
 #include "math/ray.h"
 #include "sampling/field.h"
-#include "transport/spectral_scene.h"
+#include "scene/scene.h"
 #include "transport/sun_mirrors.h"
 
 namespace ifov::transport {
@@ -36,7 +36,7 @@ inline bool is_mirror(const scene::Scene& scene, const scene::Constituent& part)
 /// Traces ways until they reach the Sun or do not. An object serves one thread.
 class MirrorTracer {
  public:
-  MirrorTracer(const SpectralScene& scene, const SunMirrors& mirrors, const SunImages& images)
+  MirrorTracer(const scene::Scene& scene, const SunMirrors& mirrors, const SunImages& images)
       : scene_(scene), mirrors_(mirrors), images_(images) {}
 
   /// `ways`: of a type derived from MirrorWay; used up. `met(way, hit, surface)`: at each mirror that a way is reflected
@@ -49,7 +49,7 @@ class MirrorTracer {
       rays_.clear();
       for (const Way& way : ways) rays_.push_back(way.ray);
       hits_.resize(rays_.size());
-      scene_.scene().world->intersect(rays_, hits_);
+      scene_.world->intersect(rays_, hits_);
       counts.shadow += rays_.size();
       std::size_t kept = 0;
       for (std::size_t k = 0; k < ways.size(); ++k) {
@@ -59,7 +59,7 @@ class MirrorTracer {
           continue;
         }
         if (reflections == most) continue;
-        const scene::ResolvedSurface surface = scene_.scene().resolve(hits_[k]);
+        const scene::ResolvedSurface surface = scene_.resolve(hits_[k]);
         if (!mirrors_at(surface) || !reflect(way, mirrors_, hits_[k], surface)) continue;
         met(way, hits_[k], surface);
         ways[kept++] = way;
@@ -73,7 +73,7 @@ class MirrorTracer {
   bool mirrors_at(const scene::ResolvedSurface& surface) const;
   bool is_image(const MirrorWay& way) const;
 
-  const SpectralScene& scene_;
+  const scene::Scene& scene_;
   const SunMirrors& mirrors_;
   const SunImages& images_;
   std::vector<math::Ray> rays_;

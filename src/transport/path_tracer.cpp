@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "math/vec3.h"
+#include "transport/emitter_mirrors.h"
 #include "transport/sky/sky_dome.h"
+#include "transport/spectral_scene.h"
 #include "transport/wide_sun.h"
 
 namespace ifov::transport {
@@ -19,7 +21,7 @@ PathTracer::PathTracer(const SpectralScene& scene, TransportOptions options)
   mirrors_ = scene.sun_mirrors();
   if (mirrors_ != nullptr) {
     images_ = SunImages(*mirrors_, scene.scene().sun->direction, options.mirror_reflections);
-    mirror_tracer_.emplace(scene, *mirrors_, images_);
+    mirror_tracer_.emplace(scene.scene(), *mirrors_, images_);
   }
 }
 

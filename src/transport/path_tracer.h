@@ -9,19 +9,19 @@
 #include "math/ray.h"
 #include "sampling/field.h"
 #include "sampling/warp.h"
-#include "transport/emitter_mirrors.h"
 #include "transport/emitters.h"
 #include "transport/images_apart.h"
 #include "transport/mirror_ways.h"
 #include "transport/path_record.h"
-#include "transport/spectral_scene.h"
 #include "transport/sun_mirrors.h"
 #include "transport/surface_lobe.h"
 #include "transport/transport_options.h"
 
 namespace ifov::transport {
 
+class EmitterMirrors;
 class SkySampler;
+class SpectralScene;
 
 /// The random numbers of a path: element `index` of the scrambled sequence `sequence`.
 struct PathKey {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "sampling/sequence.h"
+#include "transport/emitter_mirrors.h"
 #include "transport/path_sides.h"
 #include "transport/path_tracer.h"
 #include "transport/spectral_scene.h"

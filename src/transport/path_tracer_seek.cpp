@@ -4,6 +4,7 @@
 #include "materials/bsdf/mirror.h"
 #include "math/vec3.h"
 #include "sampling/sequence.h"
+#include "transport/emitter_mirrors.h"
 #include "transport/path_sides.h"
 #include "transport/path_tracer.h"
 #include "transport/sky/sky_dome.h"

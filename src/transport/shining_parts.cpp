@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "transport/emitter_choice.h"
 #include "transport/shapes/emitter_shape.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::transport {
 

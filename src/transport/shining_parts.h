@@ -7,10 +7,10 @@
 #include "geometry/surface_piece.h"
 #include "geometry/surface_point.h"
 #include "geometry/world/surface_survey.h"
-#include "transport/emitter_choice.h"
-#include "transport/spectral_scene.h"
 
 namespace ifov::transport {
+
+class SpectralScene;
 
 /// What of a scene shines so much that its image in a mirror matters however small it is: pieces of surface, put together
 /// into parts that fill the spheres about them.

@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "radiometry/channel.h"
+#include "radiometry/spectral_nodes.h"
+#include "render/accuracy_tolerance.h"
 #include "render/air_budget.h"
 
 namespace ifov::render {

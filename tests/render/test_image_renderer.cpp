@@ -9,6 +9,7 @@
 #include "sampling/single_sampler.h"
 #include "sensor/orthographic_camera.h"
 #include "transport/small_scene.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov {
 namespace {

@@ -6,11 +6,14 @@
 #include <numbers>
 
 #include "materials/bsdf/mirror.h"
+#include "render/accuracy_tolerance.h"
+#include "render/channel_brightness.h"
 #include "render/image_renderer.h"
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "sampling/random.h"
 #include "sensor/orthographic_camera.h"
 #include "transport/small_scene.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov {
 namespace {

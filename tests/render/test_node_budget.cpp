@@ -6,7 +6,11 @@
 #include <vector>
 
 #include "radiometry/channel.h"
+#include "radiometry/spectral_nodes.h"
+#include "render/accuracy_tolerance.h"
 #include "render/node_budget.h"
+#include "scene/scene.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::render {
 namespace {

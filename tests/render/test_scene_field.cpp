@@ -6,6 +6,7 @@
 #include "render/scene_field.h"
 #include "sensor/orthographic_camera.h"
 #include "transport/small_scene.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov {
 namespace {

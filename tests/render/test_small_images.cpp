@@ -10,13 +10,17 @@
 
 #include "materials/bsdf/mirror.h"
 #include "radiometry/planck.h"
+#include "render/accuracy_tolerance.h"
+#include "render/channel_brightness.h"
 #include "render/image_renderer.h"
 #include "render/mirrors/mirror_images.h"
+#include "render/scene_field.h"
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "sampling/random.h"
 #include "sensor/orthographic_camera.h"
 #include "transport/emitters.h"
 #include "transport/small_scene.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov {
 namespace {

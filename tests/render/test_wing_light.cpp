@@ -5,8 +5,13 @@
 #include <complex>
 #include <numbers>
 
+#include "radiometry/spectral_nodes.h"
+#include "render/accuracy_tolerance.h"
+#include "render/channel_brightness.h"
 #include "render/wing_light.h"
 #include "sampling/accuracy/accuracy_sampler.h"
+#include "sensor/psf.h"
+#include "sensor/psf_wings.h"
 
 namespace ifov::render {
 namespace {

@@ -14,6 +14,7 @@
 #include "session/loaded/parts.h"
 #include "session/session.h"
 #include "transport/spectral_scene.h"
+#include "transport/view_table.h"
 
 namespace ifov::session {
 namespace {

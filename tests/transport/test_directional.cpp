@@ -9,6 +9,7 @@
 #include "materials/bsdf/oren_nayar.h"
 #include "radiometry/planck.h"
 #include "transport/small_scene.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov {
 namespace {

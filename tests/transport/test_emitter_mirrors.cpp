@@ -5,6 +5,7 @@
 
 #include "materials/bsdf/mirror.h"
 #include "transport/small_scene.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov {
 namespace {

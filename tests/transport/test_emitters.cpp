@@ -10,6 +10,7 @@
 #include "radiometry/planck.h"
 #include "transport/emitters.h"
 #include "transport/small_scene.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "radiometry/planck.h"
 #include "transport/small_scene.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov {
 namespace {

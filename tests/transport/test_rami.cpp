@@ -4,6 +4,7 @@
 
 #include "support/truth_data.h"
 #include "transport/rami_scene.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov {
 namespace {

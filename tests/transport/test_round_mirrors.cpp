@@ -10,6 +10,7 @@
 #include "sampling/warp.h"
 #include "transport/shapes/round_mirror.h"
 #include "transport/small_scene.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov {
 namespace {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "atmosphere/column/atmosphere_description.h"
 #include "atmosphere/gas/gas_amounts.h"
 #include "atmosphere/gas/term_overlap.h"
 #include "atmosphere/layer_optics.h"
@@ -10,13 +11,6 @@
 #include "atmosphere/profile/profile_description.h"
 
 namespace ifov::atmosphere {
-
-/// All that a user says of an atmosphere; everything has a default.
-struct AtmosphereDescription {
-  ProfileDescription air;
-  AerosolDescription aerosol;
-  GasModel gas_model = GasModel::standard;
-};
 
 /// How absorption is split into terms and the air into layers.
 struct ColumnOptions {

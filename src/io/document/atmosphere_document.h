@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "atmosphere/column/atmosphere_column.h"
+#include "atmosphere/column/atmosphere_description.h"
 #include "io/document/spectrum_document.h"
 
 namespace ifov::io {

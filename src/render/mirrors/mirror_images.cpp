@@ -11,6 +11,7 @@
 #include "geometry/world.h"
 #include "sampling/random.h"
 #include "transport/path_light.h"
+#include "transport/spectral_scene.h"
 #include "transport/view_air.h"
 
 namespace ifov::render {

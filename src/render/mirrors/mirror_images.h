@@ -9,6 +9,7 @@
 #include "sensor/camera.h"
 #include "transport/images_apart.h"
 #include "transport/path_tracer.h"
+#include "transport/shining_parts.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {

@@ -8,7 +8,6 @@
 #include "io/document/document.h"
 #include "io/files/own_files.h"
 #include "render/image_renderer.h"
-#include "sensor/psf_wings.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
 

@@ -17,7 +17,6 @@
 #include "session/assembly/geometry/scatter_assembly.h"
 #include "session/assembly/geometry/shape_assembly.h"
 #include "session/assembly/shared/with_position.h"
-#include "session/loaded/parts.h"
 
 namespace ifov::session {
 namespace {

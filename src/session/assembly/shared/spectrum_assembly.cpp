@@ -10,7 +10,6 @@
 #include "io/spectra/sample_spectrum.h"
 #include "io/spectra/usgs.h"
 #include "session/assembly/shared/with_position.h"
-#include "session/loaded/parts.h"
 
 namespace ifov::session {
 

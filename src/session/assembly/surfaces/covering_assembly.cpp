@@ -10,7 +10,6 @@
 #include "materials/bsdf/hemisphere.h"
 #include "session/assembly/shared/spectrum_assembly.h"
 #include "session/assembly/shared/with_position.h"
-#include "session/loaded/parts.h"
 
 namespace ifov::session {
 CoveringAssembly::CoveringAssembly(const io::Document& document, const MapFrame& frame, scene::Scene& scene,

@@ -7,7 +7,6 @@
 #include "core/format.h"
 #include "io/document/document.h"
 #include "session/assembly/whole/camera_grid.h"
-#include "session/loaded/parts.h"
 
 namespace ifov::session {
 namespace {

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "atmosphere/gas/continua.h"
+#include "atmosphere/particles/aerosol_column.h"
+#include "atmosphere/profile/profile_description.h"
+
+namespace ifov::atmosphere {
+
+/// All that a user says of an atmosphere; everything has a default.
+struct AtmosphereDescription {
+  ProfileDescription air;
+  AerosolDescription aerosol;
+  GasModel gas_model = GasModel::standard;
+};
+
+}  // namespace ifov::atmosphere
