@@ -14,7 +14,7 @@
 #include "io/product_parts/product_headers.h"
 #include "io/products/quicklook.h"
 #include "render/image_renderer.h"
-#include "render/scene_field.h"
+#include "render/make_field.h"
 #include "sampling/hash.h"
 #include "sensor/camera.h"
 #include "session/assembly/whole/sensor_assembly.h"
@@ -96,27 +96,26 @@ class Painter {
         if (!first || paths_[index(x, y)] == 0) pixels.push_back(index(x, y));
     std::atomic<std::size_t> next{0};
     std::atomic<bool> over{false};
-    parallel_for(
-        static_cast<std::int64_t>(fields_.size()), static_cast<int>(fields_.size()),
-        [&](std::int64_t thread) {
-          std::unique_ptr<render::SceneField>& field = fields_[static_cast<std::size_t>(thread)];
-          if (!field)
-            field =
-                std::make_unique<render::SceneField>(*parts_.spectral_scene, *parts_.camera,
-                                                     parts_.job().transport, render::LabelDetail::material);
-          while (!over) {
-            if (options_.cancel != nullptr && options_.cancel->cancelled()) throw Cancelled();
-            if (passed() > patience * options_.seconds) over = true;
-            const std::size_t begin = next.fetch_add(kBatch);
-            if (begin >= pixels.size()) return;
-            if (!over)
-              trace(*field, std::span(pixels).subspan(begin, std::min(kBatch, pixels.size() - begin)));
-          }
-        });
+    parallel_for(static_cast<std::int64_t>(fields_.size()), static_cast<int>(fields_.size()),
+                 [&](std::int64_t thread) {
+                   std::unique_ptr<sampling::Field>& field = fields_[static_cast<std::size_t>(thread)];
+                   if (!field)
+                     field = render::make_field(*parts_.spectral_scene, *parts_.camera,
+                                                parts_.job().transport, render::LabelDetail::material);
+                   while (!over) {
+                     if (options_.cancel != nullptr && options_.cancel->cancelled()) throw Cancelled();
+                     if (passed() > patience * options_.seconds) over = true;
+                     const std::size_t begin = next.fetch_add(kBatch);
+                     if (begin >= pixels.size()) return;
+                     if (!over)
+                       trace(*field,
+                             std::span(pixels).subspan(begin, std::min(kBatch, pixels.size() - begin)));
+                   }
+                 });
     return !over;
   }
 
-  void trace(render::SceneField& field, std::span<const std::size_t> pixels) {
+  void trace(sampling::Field& field, std::span<const std::size_t> pixels) {
     std::vector<sampling::PathRequest> requests;
     for (const std::size_t pixel : pixels) {
       // Additive recurrence, beginning in the middle: Roberts, M. (2018), R2 sequence.
@@ -143,7 +142,7 @@ class Painter {
   std::size_t channels_;
   std::vector<float> sum_;
   std::vector<std::uint32_t> paths_;
-  std::vector<std::unique_ptr<render::SceneField>> fields_;
+  std::vector<std::unique_ptr<sampling::Field>> fields_;
   Clock::time_point start_;
 };
 

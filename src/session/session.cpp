@@ -1,15 +1,11 @@
 #include "session/session.h"
 
 #include <algorithm>
-#include <chrono>
 #include <mutex>
 
-#include "atmosphere/imported_atmosphere.h"
-#include "atmosphere/sensor/sensor_atmosphere.h"
 #include "core/version.h"
 #include "io/document/document.h"
 #include "io/scene_cache/scene_cache.h"
-#include "materials/bsdf/hemisphere.h"
 #include "radiometry/spectral_nodes.h"
 #include "render/accuracy_tolerance.h"
 #include "render/air_budget.h"
@@ -18,27 +14,25 @@
 #include "sampling/region_interval.h"
 #include "sensor/psf_wings.h"
 #include "session/air_statements.h"
-#include "session/assembly/air/atmosphere_assembly.h"
 #include "session/assembly/air/atmosphere_cache.h"
-#include "session/assembly/air/imported_assembly.h"
-#include "session/assembly/air/node_tolerance.h"
 #include "session/assembly/air/weather_assembly.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/whole/scene_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
 #include "session/assembly/whole/surroundings_assembly.h"
 #include "session/loaded/parts.h"
+#include "session/node_assembly.h"
 #include "session/sense/light_warnings.h"
-#include "session/sense/place_lines.h"
-#include "session/sense/sense_warnings.h"
+#include "session/sense/sense.h"
 #include "session/statements.h"
-#include "transport/emitter_mirrors.h"
-#include "transport/emitters.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::session {
 
 namespace {
+
+/// Channels integrate within this of a full integration.
+constexpr double kChannelError = 1e-3;
 
 /// The footprint of a pixel, and what of its PSF lies beyond.
 void place_response(Parts& parts) {
@@ -51,101 +45,6 @@ void place_response(Parts& parts) {
     parts.wings = std::make_unique<sensor::PsfWings>(*psf, fill_factor);
   else
     parts.psf_cut = 1.0 - psf->kept();
-}
-
-/// Channels integrate within this of a full integration.
-constexpr double kChannelError = 1e-3;
-
-/// Tells how many of the atmosphere's solutions are there, and ends the work when asked to.
-std::function<void(std::size_t, std::size_t)> atmosphere_progress(const LoadOptions& options) {
-  if (options.progress == nullptr && options.cancel == nullptr) return {};
-  return [options, start = std::chrono::steady_clock::now()](std::size_t done, std::size_t total) {
-    if (options.cancel != nullptr && options.cancel->cancelled()) throw Cancelled();
-    if (options.progress == nullptr) return;
-    Progress progress;
-    progress.pixels_done = static_cast<std::int64_t>(done);
-    progress.pixels_total = static_cast<std::int64_t>(total);
-    progress.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    options.progress->report(progress);
-  };
-}
-
-/// What a model makes of light at some angles, and of what: nodes have to hold all of it.
-void add_directional(const materials::Bsdf& bsdf, std::vector<radiometry::Spectrum>& surfaces) {
-  constexpr double kCosines[] = {1.0, 0.5, 0.1};
-  surfaces.insert(surfaces.end(), bsdf.spectra().begin(), bsdf.spectra().end());
-  for (const double cosine : kCosines)
-    for (const materials::Side side : {materials::Side::reflected, materials::Side::transmitted})
-      if (side == materials::Side::reflected || bsdf.may_transmit())
-        surfaces.push_back(materials::directional_hemispherical(bsdf, side, cosine));
-}
-
-/// Spectral nodes for what light can do in the scene (how often it is reflected, and how hot surfaces are), behind the
-/// atmosphere where one is modelled.
-void build_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept) {
-  const scene::Scene& scene = parts.scene;
-  std::vector<radiometry::Spectrum> surfaces;
-  for (const materials::Material& material : scene.materials) {
-    surfaces.push_back(material.reflectance);
-    if (!material.bsdf->is_separable()) add_directional(*material.bsdf, surfaces);
-    if (!material.transmittance) continue;
-    surfaces.push_back(*material.transmittance);
-    // What a leaf emits is what it neither reflects nor transmits.
-    if (parts.document.atmosphere.modelled)
-      surfaces.push_back(radiometry::sum(material.reflectance, *material.transmittance));
-  }
-  if (scene.sun) surfaces.push_back(scene.sun->transmittance);
-  if (scene.view_path.transmittance) surfaces.push_back(*scene.view_path.transmittance);
-
-  const render::AccuracyRequest* request = parts.plan.request ? &*parts.plan.request : nullptr;
-  const AirSubject subject{parts.document, scene, *parts.camera, parts.channels, request};
-  radiometry::NodeDemands demands;
-  demands.tolerance = node_tolerance(scene, parts.channels, request, demands.tolerance);
-  if (const std::optional<int>& depth = parts.document.sampling.max_depth)
-    demands.reflections = std::clamp(*depth, 1, demands.reflections);
-  const scene::TemperatureRange emitted = scene.temperatures().value_or(scene::TemperatureRange{});
-  demands.coldest_k = emitted.coldest_k;
-  demands.hottest_k = emitted.hottest_k;
-  demands.all_glow = parts.document.atmosphere.modelled && scene.all_emit();
-  if (parts.document.atmosphere.modelled) {
-    parts.atmosphere = assemble_atmosphere(subject, surfaces, demands,
-                                           {options.threads, kept, atmosphere_progress(options), log});
-    parts.nodes = &parts.atmosphere->nodes();
-    parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.atmosphere);
-    return;
-  }
-  if (parts.document.atmosphere.imported) {
-    parts.imported = assemble_imported(subject, surfaces, demands, log);
-    parts.nodes = &parts.imported->nodes();
-    parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.imported);
-    return;
-  }
-  const radiometry::Spectrum sun = scene.sun ? scene.sun->irradiance : radiometry::Spectrum();
-  parts.own_nodes = std::make_unique<radiometry::SpectralNodes>(radiometry::SpectralNodes::build(
-      parts.channels, sun, surfaces, demands, scene.sky.radiance ? &*scene.sky.radiance : nullptr));
-  parts.nodes = parts.own_nodes.get();
-  parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.nodes);
-}
-
-void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log) {
-  const transport::Emitters* emitters = scene.emitters();
-  if (emitters == nullptr) return;
-  if (emitters->count() > 0)
-    log.info(
-        format("emitters: faces that outshine the scene and whose light is sought: {}", emitters->count()));
-  if (emitters->leaves_some())
-    log.warn(
-        format("light of some surfaces that outshine the scene is found by chance alone: it is not sought "
-               "from planes "
-               "and terrain, nor from more than {} faces",
-               transport::Emitters::kMost));
-  if (emitters->count() > 0 && transport::EmitterMirrors::leave_some(scene.scene()))
-    log.warn(
-        "light of surfaces that outshine the scene is sought by way of one flat mirror, not of bent ones or "
-        "of several "
-        "in turn: what those throw of it on other surfaces is found by chance alone, and pixels near them "
-        "may be less "
-        "sure than they say");
 }
 
 /// Passes on what is said, and keeps the warnings.
@@ -168,17 +67,6 @@ class KeptWarnings final : public LogSink {
   std::mutex mutex_;
   std::vector<std::string>& warnings_;
 };
-
-/// Whether the document can mean what was loaded.
-void make_sense(Parts& parts, LogSink& log) {
-  const SceneLook look = look_at(parts);
-  parts.places = place_lines(parts, look);
-  for (const std::string& line : parts.places) log.info(line);
-  require_light(parts, look);
-  warn_of_places(parts, look, log);
-  warn_of_standing(parts, log);
-  warn_of_values(parts, look, log);
-}
 
 }  // namespace
 
@@ -219,7 +107,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   phase(document.atmosphere.modelled ? "atmosphere" : "spectra");
   try {
     with_position(document, document.sensor.position,
-                  [&] { build_nodes(p, log, options, solutions ? &*solutions : nullptr); });
+                  [&] { assemble_nodes(p, log, options, solutions ? &*solutions : nullptr); });
   } catch (...) {
     save();
     throw;

@@ -31,7 +31,7 @@ class AddAQuantity(unittest.TestCase):
         add("io/quantities/range_quantity.h", ['"io/quantities/quantity.h"'], "ifov::io::quantities")
         sources = [add("truth/range.cpp", ['"truth/range.h"', "<limits>"], "ifov::truth"),
                    add("io/quantities/range_quantity.cpp",
-                       ['"io/quantities/range_quantity.h"', '"truth/range.h"', "<limits>", "<vector>"], "ifov::io::quantities")]
+                       ['"io/quantities/range_quantity.h"', '"sampling/tile.h"', '"truth/range.h"', "<limits>", "<vector>"], "ifov::io::quantities")]
         row = re.search(r"&quantities::kRange\b", PAGE.code("src/" + TABLE)).group(0)
         table, rows = re.subn(r"(constexpr std::array kQuantities\{[^}]*)\}", rf"\1, {row}}}", (ROOT / "src" / TABLE).read_text())
         self.assertEqual(rows, 1)

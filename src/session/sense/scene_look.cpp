@@ -8,7 +8,7 @@
 
 #include "io/document/document.h"
 #include "render/image_renderer.h"
-#include "render/scene_field.h"
+#include "render/make_field.h"
 #include "sampling/hash.h"
 #include "sensor/camera.h"
 #include "session/loaded/parts.h"
@@ -75,18 +75,18 @@ void see(const Parts& parts, std::span<const sampling::FocalPoint> points, Scene
 }
 
 void measure(const Parts& parts, std::span<const sampling::FocalPoint> points, SceneLook& look) {
-  render::SceneField field(*parts.spectral_scene, *parts.camera, parts.job().transport,
-                           render::LabelDetail::material);
+  const auto field = render::make_field(*parts.spectral_scene, *parts.camera, parts.job().transport,
+                                        render::LabelDetail::material);
   std::vector<sampling::PathRequest> requests;
   for (const sampling::FocalPoint& point : points)
     requests.push_back({point, sampling::hash(parts.document.seed, 0x10c, requests.size()), 0});
   std::vector<sampling::Label> labels(points.size());
-  std::vector<float> values(points.size() * static_cast<std::size_t>(field.stride()));
-  field.values(requests, labels, values);
+  std::vector<float> values(points.size() * static_cast<std::size_t>(field->stride()));
+  field->values(requests, labels, values);
   for (std::size_t k = 0; k < points.size(); ++k)
     for (std::size_t c = 0; c < look.radiance.size(); ++c)
       include(look.radiance[c],
-              static_cast<double>(values[k * static_cast<std::size_t>(field.stride()) + c]));
+              static_cast<double>(values[k * static_cast<std::size_t>(field->stride()) + c]));
 }
 
 void light(const Parts& parts, SceneLook& look) {

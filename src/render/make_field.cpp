@@ -1,0 +1,14 @@
+#include "render/make_field.h"
+
+#include "render/scene_field.h"
+
+namespace ifov::render {
+
+std::unique_ptr<sampling::Field> make_field(const transport::SpectralScene& scene,
+                                            const sensor::Camera& camera,
+                                            const transport::TransportOptions& transport,
+                                            LabelDetail detail) {
+  return std::make_unique<SceneField>(scene, camera, transport, detail);
+}
+
+}  // namespace ifov::render

@@ -1,0 +1,91 @@
+#include "session/node_assembly.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "atmosphere/imported_atmosphere.h"
+#include "atmosphere/sensor/sensor_atmosphere.h"
+#include "io/document/document.h"
+#include "materials/bsdf/hemisphere.h"
+#include "radiometry/spectral_nodes.h"
+#include "session/assembly/air/atmosphere_assembly.h"
+#include "session/assembly/air/imported_assembly.h"
+#include "session/assembly/air/node_tolerance.h"
+#include "session/loaded/parts.h"
+#include "transport/spectral_scene.h"
+
+namespace ifov::session {
+namespace {
+
+/// Tells how many of the atmosphere's solutions are there, and ends the work when asked to.
+std::function<void(std::size_t, std::size_t)> atmosphere_progress(const LoadOptions& options) {
+  if (options.progress == nullptr && options.cancel == nullptr) return {};
+  return [options, start = std::chrono::steady_clock::now()](std::size_t done, std::size_t total) {
+    if (options.cancel != nullptr && options.cancel->cancelled()) throw Cancelled();
+    if (options.progress == nullptr) return;
+    Progress progress;
+    progress.pixels_done = static_cast<std::int64_t>(done);
+    progress.pixels_total = static_cast<std::int64_t>(total);
+    progress.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    options.progress->report(progress);
+  };
+}
+
+/// What a model makes of light at some angles, and of what: nodes have to hold all of it.
+void add_directional(const materials::Bsdf& bsdf, std::vector<radiometry::Spectrum>& surfaces) {
+  constexpr double kCosines[] = {1.0, 0.5, 0.1};
+  surfaces.insert(surfaces.end(), bsdf.spectra().begin(), bsdf.spectra().end());
+  for (const double cosine : kCosines)
+    for (const materials::Side side : {materials::Side::reflected, materials::Side::transmitted})
+      if (side == materials::Side::reflected || bsdf.may_transmit())
+        surfaces.push_back(materials::directional_hemispherical(bsdf, side, cosine));
+}
+
+}  // namespace
+
+void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept) {
+  const scene::Scene& scene = parts.scene;
+  std::vector<radiometry::Spectrum> surfaces;
+  for (const materials::Material& material : scene.materials) {
+    surfaces.push_back(material.reflectance);
+    if (!material.bsdf->is_separable()) add_directional(*material.bsdf, surfaces);
+    if (!material.transmittance) continue;
+    surfaces.push_back(*material.transmittance);
+    // What a leaf emits is what it neither reflects nor transmits.
+    if (parts.document.atmosphere.modelled)
+      surfaces.push_back(radiometry::sum(material.reflectance, *material.transmittance));
+  }
+  if (scene.sun) surfaces.push_back(scene.sun->transmittance);
+  if (scene.view_path.transmittance) surfaces.push_back(*scene.view_path.transmittance);
+
+  const render::AccuracyRequest* request = parts.plan.request ? &*parts.plan.request : nullptr;
+  const AirSubject subject{parts.document, scene, *parts.camera, parts.channels, request};
+  radiometry::NodeDemands demands;
+  demands.tolerance = node_tolerance(scene, parts.channels, request, demands.tolerance);
+  if (const std::optional<int>& depth = parts.document.sampling.max_depth)
+    demands.reflections = std::clamp(*depth, 1, demands.reflections);
+  const scene::TemperatureRange emitted = scene.temperatures().value_or(scene::TemperatureRange{});
+  demands.coldest_k = emitted.coldest_k;
+  demands.hottest_k = emitted.hottest_k;
+  demands.all_glow = parts.document.atmosphere.modelled && scene.all_emit();
+  if (parts.document.atmosphere.modelled) {
+    parts.atmosphere = assemble_atmosphere(subject, surfaces, demands,
+                                           {options.threads, kept, atmosphere_progress(options), log});
+    parts.nodes = &parts.atmosphere->nodes();
+    parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.atmosphere);
+    return;
+  }
+  if (parts.document.atmosphere.imported) {
+    parts.imported = assemble_imported(subject, surfaces, demands, log);
+    parts.nodes = &parts.imported->nodes();
+    parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.imported);
+    return;
+  }
+  const radiometry::Spectrum sun = scene.sun ? scene.sun->irradiance : radiometry::Spectrum();
+  parts.own_nodes = std::make_unique<radiometry::SpectralNodes>(radiometry::SpectralNodes::build(
+      parts.channels, sun, surfaces, demands, scene.sky.radiance ? &*scene.sky.radiance : nullptr));
+  parts.nodes = parts.own_nodes.get();
+  parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.nodes);
+}
+
+}  // namespace ifov::session

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "session/session.h"
+
+namespace ifov::atmosphere {
+class KeptSolutions;
+}
+
+namespace ifov::session {
+
+/// Spectral nodes for what light can do in the scene (how often it is reflected, and how hot surfaces are), behind the
+/// atmosphere where one is modelled.
+/// Fills nodes, spectral scene and air of parts whose scene, camera, channels and sampling are there. `log` and `kept` may be
+/// null.
+void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept);
+
+}  // namespace ifov::session
