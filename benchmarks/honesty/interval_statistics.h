@@ -15,16 +15,16 @@ struct ChannelHonesty {
   std::int64_t count = 0;
   double coverage = 0.0;     ///< share of intervals that hold the reference, misses included
   double beyond_four = 0.0;  ///< share with |z| > 4
-  double half_width_to_rms =
-      0.0;            ///< mean half-width over the RMS error (the reference's own variance removed)
+  /// Mean half-width over the RMS error (the reference's own variance removed).
+  double half_width_to_rms = 0.0;
   double bias = 0.0;  ///< of the image mean, over its standard error
   double mean_half_width = 0.0;
   double rms_error = 0.0;
   double geometric_sigma = 0.0;          ///< root mean variance that the sampler states for where edges lie,
   double path_sigma = 0.0;               ///< and for paths
   double reference_to_half_width = 0.0;  ///< root mean square error of the reference over the mean half-width
-  std::int64_t small_misses =
-      0;  ///< intervals that miss by more than a feature below the detection size could
+  /// Intervals that miss by more than a feature below the detection size could.
+  std::int64_t small_misses = 0;
 
   /// What the intervals must keep; empty where they do, else in words which they break.
   std::string fault() const;

@@ -70,8 +70,7 @@ bool looks_like_a_lie(const Value& value, const PlainTruthPixel& truth, std::siz
 
 std::string summary(const JudgedScene& s) {
   return format(
-      "{}: coverage {:.3f} of {} converged values, {:.1f} % converged, {} off by more than 5 half-widths, "
-      "worst z {:.3g}, "
+      "{}: coverage {:.3f} of {} converged values, {:.1f} % converged, {} off by more than 5 half-widths, worst z {:.3g}, "
       "reference {:.2f} of the half-width, left out {}, {:.0f} rays a pixel; {}",
       s.name, s.coverage(), s.converged(),
       s.values > 0 ? 100.0 * static_cast<double>(s.converged()) / static_cast<double>(s.values) : 0.0, s.lies,

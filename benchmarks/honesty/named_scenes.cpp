@@ -114,9 +114,9 @@ void write_files(const std::filesystem::path& folder) {
       shares.append(reinterpret_cast<const char*>(&share), sizeof share);
     }
   save(folder / "shares.img", shares);
-  save(folder / "shares.img.hdr",
-       "ENVI\nsamples = 4\nlines = 4\nbands = 2\nheader offset = 0\ndata type = 4\ninterleave = bsq\nbyte "
-       "order = 0\n");
+  save(
+      folder / "shares.img.hdr",
+      "ENVI\nsamples = 4\nlines = 4\nbands = 2\nheader offset = 0\ndata type = 4\ninterleave = bsq\nbyte order = 0\n");
 }
 
 PlainHints::Ball about_box(math::Point3 low, math::Point3 high) {

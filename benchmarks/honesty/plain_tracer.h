@@ -21,8 +21,8 @@ struct PlainHints {
   };
   std::vector<Ball> lamps;    ///< spheres of the material "lamp", which nothing else is made of
   std::vector<Ball> mirrors;  ///< mirror spheres, seen from outside: their glints are looked for
-  std::vector<Ball>
-      around_mirrors;  ///< balls that hold all mirrors: sunlight by way of them is traced from the Sun
+  /// Balls that hold all mirrors: sunlight by way of them is traced from the Sun.
+  std::vector<Ball> around_mirrors;
 };
 
 /// Means over replicates, by channel.

@@ -12,10 +12,8 @@ std::vector<FigureRow> report_rows_study(const RowsStudy& study) {
   for (const RowsOutcome& outcome : run_rows_study(study)) {
     const std::string form = name_of(outcome.form);
     std::printf(
-        "    rows as %-6s %lld pixels, %.1f rays a pixel; off by more than their half-width %.2f %%; "
-        "converged %.2f %%, of "
-        "them off by more than their half-width %.2f %%, by more than 5 half-widths %.3f %%, worst z %.3g; "
-        "scenes with "
+        "    rows as %-6s %lld pixels, %.1f rays a pixel; off by more than their half-width %.2f %%; converged %.2f %%, of "
+        "them off by more than their half-width %.2f %%, by more than 5 half-widths %.3f %%, worst z %.3g; scenes with "
         "coverage below 0.9: %d of %d\n",
         form.c_str(), static_cast<long long>(outcome.pixels), outcome.rays, 100.0 * outcome.outside,
         100.0 * outcome.converged, 100.0 * outcome.outside_converged, 100.0 * outcome.lies, outcome.worst_z,

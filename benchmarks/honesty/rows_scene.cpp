@@ -79,8 +79,7 @@ const char* name_of(RowsScene::Form form) {
 
 std::string RowsScene::description() const {
   return format(
-      "{}{}, pitch {:.6g} px ({:.6g} m), duty {:.4g}, {:.4g} deg, GSD {:.6g} m, phase {:.6g} px, {}, {:.4g} "
-      "and {:.4g}{}{}",
+      "{}{}, pitch {:.6g} px ({:.6g} m), duty {:.4g}, {:.4g} deg, GSD {:.6g} m, phase {:.6g} px, {}, {:.4g} and {:.4g}{}{}",
       name_of(form), tiled ? " that repeats" : "", pitch_m / gsd_m, pitch_m, duty, angle_deg, gsd_m,
       phase_m / gsd_m, across_east ? "rows north-south" : "rows east-west", row, between, lit ? "" : " K",
       psf_sigma_px > 0.0 ? format(", PSF of {} px", psf_sigma_px) : "");

@@ -125,16 +125,14 @@ void WildDraft::raster(const std::string& file, int columns, int rows,
              static_cast<std::streamsize>(values.size() * sizeof(float)));
   std::ofstream header(folder / (file + ".hdr"));
   header << format(
-      "ENVI\nsamples = {}\nlines = {}\nbands = {}\nheader offset = 0\ndata type = 4\ninterleave = bsq\nbyte "
-      "order = 0\n",
+      "ENVI\nsamples = {}\nlines = {}\nbands = {}\nheader offset = 0\ndata type = 4\ninterleave = bsq\nbyte order = 0\n",
       columns, rows, values.size() / static_cast<std::size_t>(columns * rows));
   if (!data.flush() || !header.flush()) throw std::runtime_error("cannot write " + (folder / file).string());
 }
 
 std::string WildDraft::text(const std::string& kind) const {
   std::string text = format(
-      "{{\n  // {}, {} ({} px of {:.4g} m, {:.4g} deg)\n  \"ifov\": 1,\n  \"scene\": {{\n    \"materials\": "
-      "{{\n      ",
+      "{{\n  // {}, {} ({} px of {:.4g} m, {:.4g} deg)\n  \"ifov\": 1,\n  \"scene\": {{\n    \"materials\": {{\n      ",
       name, kind, size_px, gsd_m, angle_deg);
   for (const std::string& m : materials) text += (&m == materials.data() ? "" : ",\n      ") + m;
   text += "\n    },\n    \"objects\": [\n      ";

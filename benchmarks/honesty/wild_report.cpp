@@ -42,8 +42,7 @@ struct Totals {
 
 void print(const std::string& name, const Totals& t) {
   std::printf(
-      "    %-12s %4d scenes, coverage below 0.9 in %3d; %6lld values, converged %6.2f %%, of them held %6.2f "
-      "%%, off by more "
+      "    %-12s %4d scenes, coverage below 0.9 in %3d; %6lld values, converged %6.2f %%, of them held %6.2f %%, off by more "
       "than 5 half-widths %6.3f %%, |z| > 4 %6.3f %%, worst z %-7.3g; left out %lld\n",
       name.c_str(), t.scenes, t.poor, static_cast<long long>(t.values),
       100.0 * t.share(t.converged, t.values), 100.0 * t.share(t.right, t.converged),

@@ -169,14 +169,14 @@ int main(int argc, char** argv) {
   std::size_t met = 0;
   for (const geometry::SurfacePoint& hit : hits) met += hit.hit();
   std::puts(
-      format("{{\"instances\": {}, \"triangles\": {}, \"table\": {}, \"list_s\": {:.2f}, \"load_s\": {:.2f}, "
-             "\"load_cpu_s\": {:.2f}, \"peak_gib\": {:.3f}, \"bytes_per_instance\": {:.0f}, "
-             "\"tables_and_trees_bytes_per_instance\": {:.0f}, "
-             "\"rays\": {}, \"met\": {}, \"wrong\": {}, \"mrays_per_s\": {:.3f}}}",
-             world->object_count(), world->triangle_count(), world->storage().instance_table, list_s, load_s,
-             load_cpu_s, load_gib, (load_gib - before_gib) * 1073741824.0 / static_cast<double>(count),
-             static_cast<double>(world->storage().bytes) / static_cast<double>(count), rays.size(), met,
-             wrong_hits(rays, hits, *list, mesh), 1e-6 * static_cast<double>(rays.size()) / trace_s)
+      format(
+          "{{\"instances\": {}, \"triangles\": {}, \"table\": {}, \"list_s\": {:.2f}, \"load_s\": {:.2f}, "
+          "\"load_cpu_s\": {:.2f}, \"peak_gib\": {:.3f}, \"bytes_per_instance\": {:.0f}, \"tables_and_trees_bytes_per_instance\": {:.0f}, "
+          "\"rays\": {}, \"met\": {}, \"wrong\": {}, \"mrays_per_s\": {:.3f}}}",
+          world->object_count(), world->triangle_count(), world->storage().instance_table, list_s, load_s,
+          load_cpu_s, load_gib, (load_gib - before_gib) * 1073741824.0 / static_cast<double>(count),
+          static_cast<double>(world->storage().bytes) / static_cast<double>(count), rays.size(), met,
+          wrong_hits(rays, hits, *list, mesh), 1e-6 * static_cast<double>(rays.size()) / trace_s)
           .c_str());
   std::error_code ignored;
   std::filesystem::remove(path, ignored);

@@ -160,8 +160,7 @@ void print_regions(const Trials& trials, const sampling::RegionRule& rule, int s
     }
   }
   std::printf(
-      "%3d x %-3d coverage %.3f, half-width over RMS error %.1f; as if errors were independent: coverage "
-      "%.3f\n",
+      "%3d x %-3d coverage %.3f, half-width over RMS error %.1f; as if errors were independent: coverage %.3f\n",
       size, size, held / count, widths / count / std::sqrt(squares / count), alone / count);
 }
 

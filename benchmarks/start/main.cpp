@@ -54,8 +54,7 @@ geometry::Triangle triangle(std::uint32_t cells, std::uint32_t number) {
 void write_mesh(const std::filesystem::path& path, std::uint32_t cells) {
   std::ofstream file(path, std::ios::binary);
   file << format(
-      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty "
-      "float z\n"
+      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
       "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
       (cells + 1) * (cells + 1), 2 * cells * cells);
   std::vector<char> row;

@@ -33,8 +33,8 @@ struct Progress {
   std::int64_t pixels_total = 0;
   std::int64_t pixels_converged = 0;
   std::int64_t rays = 0;  ///< all rays traced so far, of every kind
-  double worst_error_ratio =
-      0.0;  ///< largest half-width so far in units of its limit; 0 where no accuracy is asked
+  /// Largest half-width so far in units of its limit; 0 where no accuracy is asked.
+  double worst_error_ratio = 0.0;
   double elapsed_s = 0.0;
 };
 

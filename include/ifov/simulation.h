@@ -16,9 +16,9 @@ namespace ifov {
 
 /// How a document is loaded. Pointers may be null, and what they point to must live as long as the call.
 struct LoadOptions {
-  bool scene_cache =
-      false;        ///< keep beside the document what is worked out from large files, and use it (.ifovcache)
-  int threads = 0;  ///< for the atmosphere; 0: all cores
+  /// Keep beside the document what is worked out from large files, and use it (.ifovcache).
+  bool scene_cache = false;
+  int threads = 0;                      ///< for the atmosphere; 0: all cores
   const CancelToken* cancel = nullptr;  ///< asked while the atmosphere is worked out
   ProgressSink* progress = nullptr;     ///< of the atmosphere: solutions instead of pixels
   LogSink* log = nullptr;
@@ -34,8 +34,8 @@ struct RenderOptions {
   bool keep = false;                 ///< leave, beside the products, what `refine` can go on from
   bool refine = false;               ///< take the kept run in the folder to the document's tighter accuracy
   bool anyway = false;               ///< begin also where memory or disk will not do
-  std::optional<std::chrono::steady_clock::time_point> deadline =
-      {};  ///< --time-limit: when products are to be whole; pixels not reached by then hold no value
+  /// --time-limit: when products are to be whole; pixels not reached by then hold no value.
+  std::optional<std::chrono::steady_clock::time_point> deadline = {};
   const CancelToken* cancel = nullptr;  ///< asked between batches of rays
   ProgressSink* progress = nullptr;
   LogSink* log = nullptr;

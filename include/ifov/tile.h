@@ -29,13 +29,13 @@ struct Tile {
   int width_px = 0, height_px = 0;
   int channels = 0;
   std::span<const float> radiance;  ///< [row][column][channel], W m-2 sr-1 um-1
-  std::span<const float>
-      half_width;  ///< the same shape and unit: of the interval at the document's confidence; empty where
-                   ///< the document's way of sampling knows no error
+  /// The same shape and unit: of the interval at the document's confidence; empty where the document's way of
+  /// sampling knows no error.
+  std::span<const float> half_width;
   std::span<const std::uint32_t> samples;  ///< [row][column]: points that were looked at
-  std::span<const std::uint16_t>
-      reasons;  ///< [row][column]: why the pixel does not meet the accuracy; 0 where it does; bit
-                ///< k stands for reason_name(k), as in image_reasons.img
+  /// [row][column]: why the pixel does not meet the accuracy; 0 where it does; bit k stands for reason_name(k), as in
+  /// image_reasons.img.
+  std::span<const std::uint16_t> reasons;
 };
 
 /// What a bit of Tile::reasons means: "samples", "air"; empty where there is no such bit.

@@ -12,8 +12,8 @@ namespace ifov::atmosphere {
 /// What another code computed for one atmosphere, one Sun and one line of sight from the ground to the
 /// sensor.
 struct ImportedRuns {
-  std::vector<ImportedPath>
-      runs;                    ///< one to three, over level Lambertian grounds that differ in albedo alone
+  /// One to three, over level Lambertian grounds that differ in albedo alone.
+  std::vector<ImportedPath> runs;
   std::vector<double> albedo;  ///< of these grounds
   /// Runs that tell about the light above and at the ground alone, over black ground: the direct beam of the
   /// Sun, irradiances, the spherical albedo. They fill in what `runs` do not say, at their wavelengths.

@@ -70,10 +70,8 @@ Command add_check_command(CLI::App& app) {
   parser->add_flag("--strict", arguments->strict, "Warnings are errors: exit code 1");
   parser->add_flag("-q,--quiet", arguments->quiet, "Print nothing but errors");
   parser->footer(
-      "Prints what was loaded and where it is: bounds of the scene, what the camera sees, the Sun, light "
-      "and\n"
-      "radiance by channel from some thousand rays, the floors of the accuracy. Warns of what is most "
-      "likely\n"
+      "Prints what was loaded and where it is: bounds of the scene, what the camera sees, the Sun, light and\n"
+      "radiance by channel from some thousand rays, the floors of the accuracy. Warns of what is most likely\n"
       "not meant. An error names file, line and column and shows the line.\n"
       "Exit codes: 0 all well; 1 an error; 2 a file cannot be read; 6 warnings.\n\n"
       "Examples:\n"

@@ -4,10 +4,10 @@ namespace ifov::cli {
 
 void DocumentArguments::add_to(CLI::App& parser) {
   parser
-      .add_option("--set", set,
-                  "Put a value in place of the document's: --set sensor.camera.orthographic.gsd=\"2 m\", "
-                  "--set light.sky=null "
-                  "to take a key away; may be given more than once")
+      .add_option(
+          "--set", set,
+          "Put a value in place of the document's: --set sensor.camera.orthographic.gsd=\"2 m\", --set light.sky=null "
+          "to take a key away; may be given more than once")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

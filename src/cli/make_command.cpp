@@ -72,17 +72,15 @@ Command add_make_command(CLI::App& app) {
   std::string footer = "Scenes:\n";
   for (const landscape::LandscapeEntry& entry : landscape::all_landscapes())
     footer += format("  {:<10} {}\n", entry.name, entry.summary);
-  parser->footer(footer +
-                 "\nA scene is a folder of ordinary files: documents (JSON), meshes (OBJ, PLY), lists of "
-                 "instances (CSV)\n"
-                 "and maps (GeoTIFF), all to be edited. scene.json holds the scene and its light, and the "
-                 "others include it:\n"
-                 "quicklook.json shows it from above in colour, oblique.json at an angle; render_vswir.json "
-                 "is an imaging\n"
-                 "spectrometer of 210 channels at 1 m, render_thermal.json a thermal imager.\n\n"
-                 "Examples:\n"
-                 "  ifov make suburb --size 200m --seed 7 suburb\n"
-                 "  ifov render suburb/quicklook.json");
+  parser->footer(
+      footer +
+      "\nA scene is a folder of ordinary files: documents (JSON), meshes (OBJ, PLY), lists of instances (CSV)\n"
+      "and maps (GeoTIFF), all to be edited. scene.json holds the scene and its light, and the others include it:\n"
+      "quicklook.json shows it from above in colour, oblique.json at an angle; render_vswir.json is an imaging\n"
+      "spectrometer of 210 channels at 1 m, render_thermal.json a thermal imager.\n\n"
+      "Examples:\n"
+      "  ifov make suburb --size 200m --seed 7 suburb\n"
+      "  ifov render suburb/quicklook.json");
   return {parser, [arguments] { return make(*arguments); }};
 }
 

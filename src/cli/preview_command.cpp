@@ -98,10 +98,8 @@ Command add_preview_command(CLI::App& app) {
                    "Read all files of the scene, and keep nothing of them beside the document");
   parser->add_flag("-q,--quiet", arguments->quiet, "Print nothing but errors");
   parser->footer(
-      "One path after another at each pixel of a small image, coarse first, in the channels of the picture "
-      "alone;\n"
-      "draws it in a terminal that has colours, and says of the scene what 'ifov check' says. No accuracy "
-      "is\n"
+      "One path after another at each pixel of a small image, coarse first, in the channels of the picture alone;\n"
+      "draws it in a terminal that has colours, and says of the scene what 'ifov check' says. No accuracy is\n"
       "promised. Exit codes: 0 all well; 6 warnings; others as 'ifov --help' says.\n\n"
       "Examples:\n"
       "  ifov preview scene.json\n"

@@ -166,8 +166,7 @@ Communicator::~Communicator() = default;
 std::unique_ptr<Communicator> Communicator::join() {
   if (is_one_of_several())
     throw EnvironmentError(
-        "this ifov was built without MPI, and was started as one of several ranks: each would make the whole "
-        "image. "
+        "this ifov was built without MPI, and was started as one of several ranks: each would make the whole image. "
         "Install an MPI library (Debian: libopenmpi-dev) and build again, or render shares (--tiles)");
   return nullptr;
 }

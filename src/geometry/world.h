@@ -48,9 +48,8 @@ class World {
     double radius_m = 0.0;
     math::Point3 seed_m;  ///< a point on or in the object that a ray towards it meets (centroid of its
                           ///< largest face for open meshes, the centre for solids)
-    std::array<math::Vec3, 3>
-        half_sides_m;      ///< from the centre to the sides of the box in the object's own frame,
-                           ///< longest first; 0 for planes
+    /// From the centre to the sides of the box in the object's own frame, longest first; 0 for planes.
+    std::array<math::Vec3, 3> half_sides_m;
     bool compact = false;  ///< one connected thing, not a leaf or part of a larger object
   };
   virtual std::size_t object_count() const = 0;

@@ -49,8 +49,7 @@ View imaging_spectrometer(double size_m) {
   const int pixels = static_cast<int>(std::lround(size_m));
   return {
       "render_vswir.json",
-      "An imaging spectrometer: 210 Gaussian channels of 10 nm from 400 to 2500 nm, 1 m on the ground, no "
-      "noise.\n"
+      "An imaging spectrometer: 210 Gaussian channels of 10 nm from 400 to 2500 nm, 1 m on the ground, no noise.\n"
       "Each pixel to 5 % of its value in all channels.",
       sensor(
           nadir(1.0, pixels),

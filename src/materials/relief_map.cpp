@@ -11,8 +11,7 @@ ReliefMap::ReliefMap(MapGrid grid, std::vector<float> numbers, bool heights)
   check(grid_, heights_ ? numbers_.size() : numbers_.size() / 2, "a relief map");
   if (grid_.by == MapBy::texture_coordinates)
     throw InputError(
-        "a relief map lies on the scene by place: the directions of texture coordinates on a surface are not "
-        "known");
+        "a relief map lies on the scene by place: the directions of texture coordinates on a surface are not known");
 }
 
 ReliefMap ReliefMap::from_heights(MapGrid grid, std::span<const float> height_m) {

@@ -89,8 +89,8 @@ class Trial {
 
   struct Errors {
     double worst = 0.0;
-    double mean =
-        0.0;  ///< of fourth powers: falls where many radiances get better and the worst does not yet
+    /// Of fourth powers: falls where many radiances get better and the worst does not yet.
+    double mean = 0.0;
   };
   Errors errors(const NodeRule& rule) const {
     const std::size_t nodes = rule.node_count();

@@ -72,8 +72,8 @@ std::vector<double> merged_wavelengths_um(std::span<const Spectrum* const> spect
 /// Where what is made of several spectra is known, and how it ends: one that is an error outside its range bounds it, the
 /// others are asked beyond theirs.
 struct CommonWavelengths {
-  std::vector<double>
-      um;  ///< as merged_wavelengths_um; empty where all are constants, or where there is no such wavelength
+  /// As merged_wavelengths_um; empty where all are constants, or where there is no such wavelength.
+  std::vector<double> um;
   OutsideRange outside = OutsideRange::extend;
 };
 CommonWavelengths common_wavelengths(std::span<const Spectrum* const> spectra);

@@ -12,8 +12,8 @@ struct AirHalfWidth {
   double sky = 0.0;            ///< of skylight that they reflect, relative
   double path_radiance = 0.0;  ///< what is above it comes from surfaces
   double white_in_sky = 0.0;   ///< what a white surface reflects of the sky: no surface reflects more
-  double grey_radiance =
-      0.0;  ///< of a level surface of reflectance 0.2 and 288 K, to say how much all this is
+  /// Of a level surface of reflectance 0.2 and 288 K, to say how much all this is.
+  double grey_radiance = 0.0;
   double nodes_path = 0.0, nodes_surface = 0.0,
          nodes_sky = 0.0;  ///< what of the first three the few spectral nodes make
 

@@ -56,9 +56,8 @@ struct RenderControl {
   int threads = 0;
   const CancelToken* cancel = nullptr;
   ProgressSink* progress = nullptr;
-  std::span<const int>
-      tile_order;  ///< positions in the tile grid, of all tiles or of those that are wanted; empty:
-                   ///< all, row by row
+  /// Positions in the tile grid, of all tiles or of those that are wanted; empty: all, row by row.
+  std::span<const int> tile_order;
   TileSource* source = nullptr;  ///< where given, tiles come from it and not in an order
 };
 

@@ -28,8 +28,8 @@ class PixelAccumulator {
     Label label;
     std::uint32_t material;
     double weight = 0.0, weight_squared = 0.0;
-    std::vector<float>
-        origin;  // the first sample: sums are of differences from it, so that equal values give 0
+    // The first sample: sums are of differences from it, so that equal values give 0.
+    std::vector<float> origin;
     std::vector<double> w_d, w2_d, w2_d2;  // sums of w d, w^2 d, w^2 d^2 with d = x - origin
   };
   Group& group_of(Label label, std::uint32_t material, const float* values);

@@ -18,9 +18,8 @@ namespace ifov::scene {
 struct Sun {
   math::Vec3 direction;         ///< unit, from the scene towards the Sun (ENU)
   double half_angle_rad = 0.0;  ///< of the disc; 0: a point, without penumbra
-  radiometry::Spectrum
-      irradiance;  ///< W m-2 um-1 on a surface that faces the Sun, outside the atmosphere, at
-                   ///< the Sun's actual distance
+  /// W m-2 um-1 on a surface that faces the Sun, outside the atmosphere, at the Sun's actual distance.
+  radiometry::Spectrum irradiance;
   radiometry::Spectrum transmittance = radiometry::Spectrum::constant(1.0);  ///< from there to the surface
   bool is_moon = false;
 };
@@ -96,8 +95,8 @@ struct Scene {
   std::vector<Covering> coverings;
   std::optional<Sun> sun;
   Sky sky;
-  SurfaceState
-      surroundings;  ///< an open, level plain of this state, met by rays that leave below the horizon
+  /// An open, level plain of this state, met by rays that leave below the horizon.
+  SurfaceState surroundings;
   ViewPath view_path;
 
   ResolvedSurface resolve(const geometry::SurfacePoint& point) const;

@@ -99,8 +99,7 @@ class AiryPsf final : public Psf {
   }
   std::string description() const override {
     return format(
-        "Airy pattern, first dark ring at {:.4g} px, traced to {:.4g} px; the {:.2g} % of the energy beyond "
-        "are wings",
+        "Airy pattern, first dark ring at {:.4g} px, traced to {:.4g} px; the {:.2g} % of the energy beyond are wings",
         1.2196698912665045 * q_px_, radius_px_, 100.0 * (1.0 - kept_));
   }
 

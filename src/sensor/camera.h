@@ -12,8 +12,8 @@ namespace ifov::sensor {
 /// How a camera stands in the scene.
 struct CameraPose {
   CameraAxes axes;  ///< of rays that diverge, unit vectors; of parallel ones `down` lies on the ground
-  std::optional<math::Point3>
-      position_m;  ///< perspective centre, scene frame; none where rays are parallel: above all air
+  /// Perspective centre, scene frame; none where rays are parallel: above all air.
+  std::optional<math::Point3> position_m;
   double focal_length_m = 0.0, pitch_m = 0.0;  ///< 0 where rays are parallel
 };
 

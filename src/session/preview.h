@@ -17,8 +17,8 @@ namespace ifov::session {
 io::Document for_preview(io::Document document, int longest_px);
 
 struct PreviewOptions {
-  double seconds =
-      3.0;  ///< for paths; every pixel gets one, if that takes longer, unless it takes ten times as long
+  /// For paths; every pixel gets one, if that takes longer, unless it takes ten times as long.
+  double seconds = 3.0;
   int threads = 0;  ///< 0: all cores
   const CancelToken* cancel = nullptr;
 };

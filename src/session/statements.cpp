@@ -117,8 +117,7 @@ std::string DetectionTally::statement() const {
   for (std::uint64_t below = pixels_[0]; below <= count_ / 2; below += pixels_[middle]) ++middle;
   while (pixels_[last] == 0) --last;
   return format(
-      "A compact feature that covers {:.2g} % of a pixel or more was found with a probability of at least 95 "
-      "% in half "
+      "A compact feature that covers {:.2g} % of a pixel or more was found with a probability of at least 95 % in half "
       "of the pixels; in the least sampled pixel that holds from {:.2g} % on.",
       100.0 * fraction_of(middle), 100.0 * fraction_of(last));
 }

@@ -81,18 +81,15 @@ std::string scatter_panels(const std::vector<ScatterImage>& images,
   for (const ScatterImage& image : images) names.push_back(image.name);
   std::string out =
       "<style>.scatter { display: grid; grid-template-columns: repeat(4, 1fr); gap: .6em; }\n"
-      ".scatter figure { margin: 0; } .scatter canvas { width: 100%; border: 1px solid #ccc; touch-action: "
-      "none; cursor: "
-      "grab; }\n#scatter-legend span { display: inline-block; margin-right: 1em; } #scatter-legend i { "
-      "display: "
+      ".scatter figure { margin: 0; } .scatter canvas { width: 100%; border: 1px solid #ccc; touch-action: none; cursor: "
+      "grab; }\n#scatter-legend span { display: inline-block; margin-right: 1em; } #scatter-legend i { display: "
       "inline-block; width: .8em; height: .8em; margin-right: .3em; }\n</style>\n<p>";
   out +=
       "<select id=\"scatter-transform\"><option value=\"principal\">principal components</option><option "
       "value=\"noise_fraction\">minimum noise fraction</option></select>\n";
   for (int axis = 0; axis < 3; ++axis) out += axis_choice(axis);
   out +=
-      "<select id=\"scatter-colour\"><option value=\"density\">by density</option><option "
-      "value=\"material\">by "
+      "<select id=\"scatter-colour\"><option value=\"density\">by density</option><option value=\"material\">by "
       "dominant material</option></select>\n<label>last panel <select id=\"scatter-last\"></select></label>\n"
       "<button id=\"scatter-spin\">turn</button> <button id=\"scatter-front\">front</button></p>\n"
       "<div class=\"scatter\">";
@@ -100,8 +97,7 @@ std::string scatter_panels(const std::vector<ScatterImage>& images,
     out += "<figure><canvas></canvas><figcaption></figcaption></figure>";
   out += "</div>\n<p id=\"scatter-legend\" hidden></p>\n";
   out += format(
-      "<script type=\"application/json\" id=\"scatter-meta\">{{\"axes\": {}, \"images\": [{}], "
-      "\"materials\": "
+      "<script type=\"application/json\" id=\"scatter-meta\">{{\"axes\": {}, \"images\": [{}], \"materials\": "
       "[{}]}}</script>\n",
       kScatterAxes, list_of(names), list_of(materials));
   const std::vector<Scale> principal = scales_of(images, &ScatterImage::principal);

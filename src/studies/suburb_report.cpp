@@ -34,21 +34,16 @@ std::string table_2(const SceneResults& r) {
     const SceneResult& s = r.results[k];
     const PaperRow paper = k < std::size(kPaper) ? kPaper[k] : PaperRow{"", "", ""};
     rows += format(
-        "<tr><td>{}{}</td><td class=\"n\">{}/{:.1f}/{}</td><td class=\"n\">{}</td><td "
-        "class=\"n\">{:.3f}</td><td "
+        "<tr><td>{}{}</td><td class=\"n\">{}/{:.1f}/{}</td><td class=\"n\">{}</td><td class=\"n\">{:.3f}</td><td "
         "class=\"n\">{:.3f}</td><td class=\"n\">{}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{}</td><td "
-        "class=\"n\">{:.1f}</td><td class=\"n\">{:.4f}</td><td class=\"n\">{:.3f}</td><td "
-        "class=\"n\">{:.3f}</td></tr>\n",
+        "class=\"n\">{:.1f}</td><td class=\"n\">{:.4f}</td><td class=\"n\">{:.3f}</td><td class=\"n\">{:.3f}</td></tr>\n",
         html_text(s.name), role(r, k), s.fewest_samples, s.samples_per_px, s.most_samples, paper.samples,
         s.materials.counted, s.materials.raw, paper.materials, s.seconds / r.results[0].seconds, paper.time,
         s.seconds, s.abundances.rms, s.worst_over_grid, s.largest_over_grid);
   }
-  return "<table><tr><th>sampling</th><th>samples per pixel, least/mean/most</th><th>paper</th><th>materials "
-         "per "
-         "pixel, at least 0.1 %</th><th>raw</th><th>paper</th><th>time over one "
-         "ray</th><th>paper</th><th>seconds"
-         "</th><th>abundances, RMS error</th><th>radiance, RMS error over 10 x 10, worst "
-         "band</th><th>largest of all "
+  return "<table><tr><th>sampling</th><th>samples per pixel, least/mean/most</th><th>paper</th><th>materials per "
+         "pixel, at least 0.1 %</th><th>raw</th><th>paper</th><th>time over one ray</th><th>paper</th><th>seconds"
+         "</th><th>abundances, RMS error</th><th>radiance, RMS error over 10 x 10, worst band</th><th>largest of all "
          "bands, over the largest of 10 x 10</th></tr>\n" +
          rows + "</table>\n";
 }
@@ -134,10 +129,8 @@ std::string suburb_report(const SceneResults& r, ReportFigures& figures) {
   maps += "</div>\n";
   const std::string body =
       format(
-          "<p>{} x {} pixels of a generated residential area, {} channels from {:.2f} to {:.2f} µm, without "
-          "noise. "
-          "{} How much of what lies inside the pixels does each way of sampling find, and what does it "
-          "cost?</p>\n",
+          "<p>{} x {} pixels of a generated residential area, {} channels from {:.2f} to {:.2f} µm, without noise. "
+          "{} How much of what lies inside the pixels does each way of sampling find, and what does it cost?</p>\n",
           ours.image->width(), ours.image->height(), r.wavelengths_um.size(), r.wavelengths_um.front(),
           r.wavelengths_um.back(), html_text(r.lighting)) +
       r.figures.html() + "<h2>The image (figure 8 of the paper)</h2>\n<div class=\"row\">" +
@@ -145,22 +138,18 @@ std::string suburb_report(const SceneResults& r, ReportFigures& figures) {
       radiance_map(r, ours, 0.86, figures) + radiance_map(r, ours, 2.2, figures) +
       "</div>\n<h2>Samples, materials, time (table 2 of the paper)</h2>\n" + table_2(r) +
       format(
-          "<p>Materials and abundances are held against labels on a lattice of 64 x 64 in every pixel; "
-          "radiances "
-          "against 64 x 64 rays a pixel in {:.0f} % of the pixels. Every ray is one path, whatever the "
-          "sampling: the "
+          "<p>Materials and abundances are held against labels on a lattice of 64 x 64 in every pixel; radiances "
+          "against 64 x 64 rays a pixel in {:.0f} % of the pixels. Every ray is one path, whatever the sampling: the "
           "errors hold the noise of paths. A material counts from 0.1 % of a pixel's area.</p>\n",
           100.0 * r.reference_pixels) +
       "<h2>Where the samples go (figure 12 of the paper)</h2>\n" + maps +
       "<h2>Error by wavelength</h2>\n<figure>" + rms_plot(r, figures) +
       format(
-          "<figcaption>Accuracy sampling took {:.2f} times the time of the grid 10 x "
-          "10.</figcaption></figure>\n",
+          "<figcaption>Accuracy sampling took {:.2f} times the time of the grid 10 x 10.</figcaption></figure>\n",
           ours.seconds / ten.seconds) +
       "<h2>All pixels in spectral space (figure 13 of the paper)</h2>\n" + scatter(r) +
       "<p>Drag to turn, wheel to zoom; all panels turn together. The axes are those of the image by stated "
-      "accuracy, their scale that of all images but the first, so that the panels can be compared; what lies "
-      "beyond is "
+      "accuracy, their scale that of all images but the first, so that the panels can be compared; what lies beyond is "
       "drawn at the rim. With one ray a pixel nothing mixes and the clusters "
       "stand apart; as sampling grows finer the space between them fills with mixtures.</p>\n";
   return html_page("Sub-pixel content of a hyperspectral image", body);

@@ -21,9 +21,8 @@ struct SceneResult {
   std::vector<double> rms;       ///< by channel, against the reference where there is one, W m-2 sr-1 um-1
   double worst_over_grid = 0.0;  ///< largest ratio of its RMS error to that of the grid 10 x 10, over
                                  ///< channels in which that is more than rounding
-  double largest_over_grid =
-      0.0;  ///< ratio of the largest RMS error of any channel to the grid's largest, each in the
-            ///< channel where it is worst
+  /// Ratio of the largest RMS error of any channel to the grid's largest, each in the channel where it is worst.
+  double largest_over_grid = 0.0;
   double coverage = 0.0;  ///< share of radiance intervals that hold the reference; NaN without intervals
   MaterialCounts materials;
   AbundanceErrors abundances;

@@ -17,16 +17,16 @@ struct PathVertex {
   std::uint32_t mixed = kNone;        ///< index into PathRecord::mixed, whose rows have to be computed
   const float* emission = nullptr;    ///< null: nothing, or that of `mixed`
   const float* sun_factor = nullptr;  ///< what is made of sunlight; null: of `mixed`
-  const float* bounce_factor =
-      nullptr;                 ///< what is made of the light of the path's next segment; null: of `mixed`
+  /// What is made of the light of the path's next segment; null: of `mixed`.
+  const float* bounce_factor = nullptr;
   float sun_weight = 0.0f;     ///< of factor times solar irradiance; 0: none arrives
   float bounce_weight = 0.0f;  ///< of the factor, chances included; 0: the path ends here
   bool sun_through = false, bounce_through = false;  ///< transmitted, not reflected
   bool sought_through = false;
-  float emission_weight =
-      1.0f;  ///< share of its own emission that the ray which came here counts; the rest was sought
-  float sought_weight =
-      0.0f;  ///< of factor times emission of an emitter that was sought from here; 0: none was seen
+  /// Share of its own emission that the ray which came here counts; the rest was sought.
+  float emission_weight = 1.0f;
+  /// Of factor times emission of an emitter that was sought from here; 0: none was seen.
+  float sought_weight = 0.0f;
   const float* sought_factor = nullptr;    ///< null: of `mixed`
   const float* sought_emission = nullptr;  ///< null: of `sought_mixed`
   std::uint32_t sought_mixed = kNone;      ///< index into PathRecord::mixed
@@ -45,10 +45,10 @@ struct PathRecord {
     bool escaped_sees_sun = false;  ///< no sunlight was sent for where that segment starts
     math::Vec3 escaped_direction;
     double escaped_from_m = 0.0;  ///< height at which that segment starts
-    float brightest =
-        1.0f;  ///< at least the throughput in any node; kept where there are mirrors (SunMirrors)
-    float unseen =
-        0.0f;  ///< of the Sun's irradiance, 1/sr: what may come by ways that are not sought (WideSun)
+    /// At least the throughput in any node; kept where there are mirrors (SunMirrors).
+    float brightest = 1.0f;
+    /// Of the Sun's irradiance, 1/sr: what may come by ways that are not sought (WideSun).
+    float unseen = 0.0f;
   };
   /// A surface whose rows are not kept: materials side by side, a temperature from a map, or a model that depends on
   /// direction.
@@ -56,8 +56,8 @@ struct PathRecord {
     scene::ResolvedSurface surface;
     SurfaceLobe lobe;
     math::Vec3 outgoing;  ///< towards where the path comes from
-    std::uint32_t events =
-        PathVertex::kNone;  ///< index into PathRecord::events; none where the lobe is separable
+    /// Index into PathRecord::events; none where the lobe is separable.
+    std::uint32_t events = PathVertex::kNone;
   };
   /// Of one surface, by what light met it.
   struct Events {

@@ -86,8 +86,8 @@ class PathTracer {
     bool next_sees_sun = false;
     Departure left;
     std::uint32_t seek = kNone;  // index of its ray to an emitter
-    double seek_reflected =
-        -1.0;  // chance that one was sought for what is reflected; below 0: none was sought
+    // Chance that one was sought for what is reflected; below 0: none was sought.
+    double seek_reflected = -1.0;
     Way next_way;
     ImagesApart::Mirror next_mirror = ImagesApart::kNone;
   };

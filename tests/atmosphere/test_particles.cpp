@@ -26,8 +26,8 @@ AtmosphereDescription us_standard_rural() {
 // Bodhaine et al. (1999), table 3 and equation 30: the optical depth of a standard atmosphere at sea level,
 // 360 ppm CO2.
 TEST(Rayleigh, OpticalDepthOfTheStandardAtmosphere) {
-  constexpr double kMoleculesCm2 =
-      2.1528e25;  // 1013.25 hPa over 28.9595 g/mol and the mean gravity of the column
+  // 1013.25 hPa over 28.9595 g/mol and the mean gravity of the column.
+  constexpr double kMoleculesCm2 = 2.1528e25;
   for (const double wavelength : {0.30, 0.40, 0.55, 0.70, 1.00}) {
     const double s = 1.0 / (wavelength * wavelength), w = wavelength * wavelength;
     const double equation_30 =

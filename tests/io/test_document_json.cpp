@@ -202,8 +202,7 @@ TEST(DocumentJson, HalvesOfSurrogatePairsAreNoCharacters) {
 
 TEST(DocumentJson, NumbersAreTakenAsWritten) {
   const DocumentTree tree = parse_json(
-      "[9223372036854775807, 9223372036854775808, -9223372036854775808, 9007199254740993.0, -0, -0.0, "
-      "1e-400, 4.9e-324, 1.0]",
+      "[9223372036854775807, 9223372036854775808, -9223372036854775808, 9007199254740993.0, -0, -0.0, 1e-400, 4.9e-324, 1.0]",
       "a.json");
   const auto& items = tree.root->items();
   EXPECT_EQ(items[0].integer(), INT64_MAX);

@@ -67,25 +67,25 @@ TEST(DocumentMessages, Units) {
             "such as \"30 deg\" (units: deg, rad, mrad)\n"
             "    7 |     \"origin\": {\"latitude\": \"93 deg\", \"longitude\": \"-77 deg\"},\n"
             "      |                            ^");
-  EXPECT_EQ(message_with("\"0.1 K\"", "\"0.1 degC\""),
-            "folder/a.json:41:38: 'sampling.accuracy.error' is the text \"0.1 degC\", expected a size above "
-            "0 with its "
-            "unit, such as \"0.1 K\", \"1 %\", \"12 W m-2 sr-1 um-1\", \"0.002 reflectance\", \"0.5 noise\" "
-            "(units: K, mK, "
-            "%, W m-2 sr-1 "
-            "um-1, W m-2 sr-1 nm-1, mW m-2 sr-1 nm-1, uW cm-2 sr-1 nm-1, reflectance, noise)\n"
-            "   41 |   \"sampling\": {\"accuracy\": {\"error\": \"0.1 degC\", \"channel\": \"8.5 um\"}},\n"
-            "      |                                      ^");
+  EXPECT_EQ(
+      message_with("\"0.1 K\"", "\"0.1 degC\""),
+      "folder/a.json:41:38: 'sampling.accuracy.error' is the text \"0.1 degC\", expected a size above "
+      "0 with its "
+      "unit, such as \"0.1 K\", \"1 %\", \"12 W m-2 sr-1 um-1\", \"0.002 reflectance\", \"0.5 noise\" (units: K, mK, "
+      "%, W m-2 sr-1 "
+      "um-1, W m-2 sr-1 nm-1, mW m-2 sr-1 nm-1, uW cm-2 sr-1 nm-1, reflectance, noise)\n"
+      "   41 |   \"sampling\": {\"accuracy\": {\"error\": \"0.1 degC\", \"channel\": \"8.5 um\"}},\n"
+      "      |                                      ^");
 }
 
 TEST(DocumentMessages, UnknownKeys) {
-  EXPECT_EQ(message_with("\"seed\": 7", "\"sead\": 7"),
-            "folder/a.json:4:3: unknown key 'sead' in the document; did you mean 'seed'? Known keys: 'ifov', "
-            "'$schema', "
-            "'include', 'seed', 'time', 'scene', 'light', 'atmosphere', 'weather', 'sensor', 'sampling' and "
-            "'output'\n"
-            "    4 |   \"sead\": 7,\n"
-            "      |   ^");
+  EXPECT_EQ(
+      message_with("\"seed\": 7", "\"sead\": 7"),
+      "folder/a.json:4:3: unknown key 'sead' in the document; did you mean 'seed'? Known keys: 'ifov', "
+      "'$schema', "
+      "'include', 'seed', 'time', 'scene', 'light', 'atmosphere', 'weather', 'sensor', 'sampling' and 'output'\n"
+      "    4 |   \"sead\": 7,\n"
+      "      |   ^");
   EXPECT_EQ(
       message_with("\"fwhm\": \"0.02 um\"", "\"width\": \"0.02 um\""),
       "folder/a.json:35:56: unknown key 'width' in 'sensor.channels[0].gaussian'. Known keys: 'center' and "
@@ -159,8 +159,7 @@ TEST(DocumentMessages, WrongTypesCountsAndWords) {
             "      |                                                              ^");
   EXPECT_EQ(
       message_with("\"sampling\": {", "\"sampling\": {\"mirror_reflections\": 9, "),
-      "folder/a.json:41:38: 'sampling.mirror_reflections' is the number 9, expected an integer between 0 and "
-      "8\n"
+      "folder/a.json:41:38: 'sampling.mirror_reflections' is the number 9, expected an integer between 0 and 8\n"
       "   41 |   \"sampling\": {\"mirror_reflections\": 9, \"accuracy\": {\"error\": \"0.1 K\", \"channel\": "
       "\"8.5 um\"}},\n"
       "      |                                      ^");
@@ -187,11 +186,11 @@ TEST(DocumentMessages, WrongTypesCountsAndWords) {
 TEST(DocumentMessages, ADocumentDoesNotWriteOutsideOfItsFolder) {
   const std::string given = "\"folder\": \"products\"";
   for (const std::string bad : {"/tmp/products", "../products", "products/../../elsewhere", ".."})
-    EXPECT_EQ(first_line_with(given, "\"folder\": \"" + bad + "\""),
-              "folder/a.json:42:24: 'output.folder' is the text \"" + bad +
-                  "\", expected the name of a folder beside the document or below it; 'ifov render --output "
-                  "FOLDER' "
-                  "writes anywhere");
+    EXPECT_EQ(
+        first_line_with(given, "\"folder\": \"" + bad + "\""),
+        "folder/a.json:42:24: 'output.folder' is the text \"" + bad +
+            "\", expected the name of a folder beside the document or below it; 'ifov render --output FOLDER' "
+            "writes anywhere");
   for (const std::string good : {"products/red", "a..b", "."})
     EXPECT_EQ(first_line_with(given, "\"folder\": \"" + good + "\""), "accepted") << good;
 }
@@ -204,11 +203,11 @@ TEST(DocumentMessages, ProductsHavePlainNames) {
                   "\", expected letters, digits, '-' and '_', of which the first is no '-', at most 100");
   for (const std::string good : {"flight-7_b", "_", "7"})
     EXPECT_EQ(first_line_with(given, "\"name\": \"" + good + "\""), "accepted") << good;
-  EXPECT_EQ(first_line_with(given, "\"products\": [\"half_width\", \"radiances\"]"),
-            "folder/a.json:42:41: 'output.products[1]' is the text \"radiances\", expected 'radiance', "
-            "'standard_error', 'half_width', 'air_half_width', 'samples', 'quality', 'reasons', "
-            "'quality_class', 'abundance', "
-            "'abundance_half_width', 'location', 'view_angles' or 'all'; did you mean 'radiance'?");
+  EXPECT_EQ(
+      first_line_with(given, "\"products\": [\"half_width\", \"radiances\"]"),
+      "folder/a.json:42:41: 'output.products[1]' is the text \"radiances\", expected 'radiance', "
+      "'standard_error', 'half_width', 'air_half_width', 'samples', 'quality', 'reasons', 'quality_class', 'abundance', "
+      "'abundance_half_width', 'location', 'view_angles' or 'all'; did you mean 'radiance'?");
 }
 
 TEST(DocumentMessages, NamesThatAreNotDeclared) {

@@ -136,9 +136,9 @@ TEST_F(DocumentParts, OverridesReplaceWholeValues) {
 }
 
 TEST_F(DocumentParts, WrongOverridesAreErrors) {
-  EXPECT_EQ(message(kBase, {"sensor.camera.orthographic.gsd=7"}).substr(0, 107),
-            "--set sensor.camera.orthographic.gsd:1:1: 'sensor.camera.orthographic.gsd' is the number 7 "
-            "without a unit, ");
+  EXPECT_EQ(
+      message(kBase, {"sensor.camera.orthographic.gsd=7"}).substr(0, 107),
+      "--set sensor.camera.orthographic.gsd:1:1: 'sensor.camera.orthographic.gsd' is the number 7 without a unit, ");
   EXPECT_EQ(message(kBase, {"sensor.camera.orthographic.gds=7 m"}).substr(0, 80),
             "--set sensor.camera.orthographic.gds:1:1: unknown key 'gds' in 'sensor.camera.or");
   EXPECT_EQ(message(kBase, {"scene.objects[2].material=lawn"}),
@@ -146,8 +146,7 @@ TEST_F(DocumentParts, WrongOverridesAreErrors) {
   EXPECT_EQ(message(kBase, {"scene.objects.material=lawn"}),
             "--set scene.objects.material: 'scene.objects' is a list of 2, not an object");
   const std::string how =
-      "; expected a key and its value, such as sensor.camera.orthographic.gsd=\"2 m\" or "
-      "scene.objects[0].material=lawn";
+      "; expected a key and its value, such as sensor.camera.orthographic.gsd=\"2 m\" or scene.objects[0].material=lawn";
   EXPECT_EQ(message(kBase, {"seed"}), "--set seed: there is no '='" + how);
   EXPECT_EQ(message(kBase, {"a..b=1"}), "--set a..b=1: a key is empty" + how);
   EXPECT_EQ(message(kBase, {"a[x]=1"}), "--set a[x]=1: '[' needs a number and ']'" + how);

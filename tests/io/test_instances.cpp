@@ -167,10 +167,10 @@ TEST_F(Instances, AFileIsCheckedAgainstItsHeader) {
             "a.ifovinst: the header says 2305843009213693955 instances; at most 4294967294 can be placed");
   EXPECT_EQ(message_of(with(24, "\x21")),
             "a.ifovinst: records of this layout have 32 bytes; the header says 33");
-  EXPECT_EQ(message_of(with(29, "\x04")),
-            "a.ifovinst: the layout (position 0, rotation 4, scale 1, reserved 0) is not known; positions "
-            "are 0 or 1, "
-            "rotations 0 to 3, scales 0 to 2, reserved 0");
+  EXPECT_EQ(
+      message_of(with(29, "\x04")),
+      "a.ifovinst: the layout (position 0, rotation 4, scale 1, reserved 0) is not known; positions are 0 or 1, "
+      "rotations 0 to 3, scales 0 to 2, reserved 0");
 }
 
 TEST_F(Instances, RecordsMustMakeSense) {
@@ -247,9 +247,9 @@ TEST_F(Instances, ErrorsInTextAreLocated) {
   EXPECT_EQ(
       csv_message("x,y,z\n1,2\n"),
       "a.csv:2: found 2 fields; expected 3, 4, 5 or 7 numbers: x, y, z, yaw, scale, pitch, roll\n  1,2");
-  EXPECT_EQ(csv_message("id,x,y,z\n1,2,3,4\n"),
-            "a.csv:1:4: found 'x' as column 2; expected the columns x, y, z, yaw, scale, pitch, roll in this "
-            "order\n  id,x,y,z\n     ^");
+  EXPECT_EQ(
+      csv_message("id,x,y,z\n1,2,3,4\n"),
+      "a.csv:1:4: found 'x' as column 2; expected the columns x, y, z, yaw, scale, pitch, roll in this order\n  id,x,y,z\n     ^");
   EXPECT_EQ(csv_message("1,2,3\n1,2,3,4\n"),
             "a.csv:2: found 4 fields; expected 3 numbers, as above\n  1,2,3,4");
   EXPECT_EQ(csv_message("1,2,3\n\n1,oak,3\n"), "a.csv:3:3: found 'oak'; expected a number\n  1,oak,3\n    ^");

@@ -176,10 +176,10 @@ TEST(MaterialLibrary, FindsAndSuggests) {
             "'grass, blades, pile'");
   EXPECT_EQ(message_of([&] { library.find("unobtainium"); }),
             "the library has no material 'unobtainium'; 'ifov materials' lists them all");
-  EXPECT_EQ(message_of([&] { library.find("Water, lake"); }),
-            "'Water, lake' is in the library no more, for its figures have no open licence; nearest to it is "
-            "'water, "
-            "coastal'. A file of your own is read by \"ecostress\" or another key of spectra");
+  EXPECT_EQ(
+      message_of([&] { library.find("Water, lake"); }),
+      "'Water, lake' is in the library no more, for its figures have no open licence; nearest to it is 'water, "
+      "coastal'. A file of your own is read by \"ecostress\" or another key of spectra");
   EXPECT_EQ(library.search("train rail").size(), 0u);
   EXPECT_EQ(library.search("track rail").front()->name, "stone, granite");
   EXPECT_EQ(library.search("").size(), library.materials().size());

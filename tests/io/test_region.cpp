@@ -80,8 +80,7 @@ TEST(ImageRegion, SaysWhatIsWrong) {
     return error_of([&] { ImageRegion::parse(text, image_of(6, 4)); });
   };
   const std::string expected =
-      "expected x0,y0,x1,y1 (a rectangle), x,y of three corners or more, both in pixels or after 'map:' in "
-      "map coordinates, "
+      "expected x0,y0,x1,y1 (a rectangle), x,y of three corners or more, both in pixels or after 'map:' in map coordinates, "
       "or mask:FILE";
   EXPECT_EQ(error("1,2,x,4"), "region '1,2,x,4': 'x' is no number; " + expected);
   EXPECT_EQ(error("1,2,3"), "region '1,2,3': found 3 numbers; " + expected);

@@ -168,10 +168,10 @@ TEST_F(SceneCacheFile, OfAnotherVersionIsMadeAgain) {
   run("1.0");
   const Run other = run("1.1");
   EXPECT_EQ(other.made, "a.obj b.obj ");
-  EXPECT_EQ(other.words,
-            "the scene cache 'scene.ifovcache' is not used: it was written by version 1.0; the scene is read "
-            "from its "
-            "files\n");
+  EXPECT_EQ(
+      other.words,
+      "the scene cache 'scene.ifovcache' is not used: it was written by version 1.0; the scene is read from its "
+      "files\n");
   EXPECT_EQ(run("1.1").made, "");
 }
 

@@ -12,11 +12,9 @@ namespace ifov::io {
 namespace {
 
 std::string header(const std::string& type, const std::string& order = "0", const std::string& more = {}) {
-  return "ENVI\nsamples = 3\nlines = 2\nbands = 1\nheader offset = 0\nfile type = ENVI Spectral "
-         "Library\ndata type = " +
+  return "ENVI\nsamples = 3\nlines = 2\nbands = 1\nheader offset = 0\nfile type = ENVI Spectral Library\ndata type = " +
          type + "\ninterleave = bsq\nbyte order = " + order +
-         "\nwavelength units = Nanometers\nspectra names = {\n roof, \n lawn}\nwavelength = {400, 500,\n "
-         "600}\n" +
+         "\nwavelength units = Nanometers\nspectra names = {\n roof, \n lawn}\nwavelength = {400, 500,\n 600}\n" +
          more;
 }
 

@@ -8,8 +8,7 @@ namespace ifov::io {
 namespace {
 
 const std::string kRows =
-    "USGS Digital Spectral Library splib06a\n\nButlerite GDS25              W1R1Ba AREF\ncopy of splib05a r "
-    "1439\n"
+    "USGS Digital Spectral Library splib06a\n\nButlerite GDS25              W1R1Ba AREF\ncopy of splib05a r 1439\n"
     "       0.205100      -1.23e34        0.010460\n"
     "       0.221100       0.015736       0.001491\n"
     "       0.229100       0.013988       0.001296\n";
@@ -49,10 +48,10 @@ TEST(Usgs, Version7TakesWavelengthsFromTheirOwnFile) {
 }
 
 TEST(Usgs, ErrorsShowThePlace) {
-  EXPECT_EQ(error_of(kColumn),
-            "FILE: found no row of wavelength, reflectance and standard deviation; a file of version 7 needs "
-            "its file of "
-            "wavelengths");
+  EXPECT_EQ(
+      error_of(kColumn),
+      "FILE: found no row of wavelength, reflectance and standard deviation; a file of version 7 needs its file of "
+      "wavelengths");
   EXPECT_EQ(error_of(kRows + " 0.24 0.1\n"),
             "FILE:8: found 2 columns; expected wavelength, reflectance and standard deviation\n   0.24 0.1");
   EXPECT_EQ(error_of(kRows + " 0.24 x 0.1\n"),

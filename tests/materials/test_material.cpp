@@ -34,10 +34,10 @@ TEST(Material, LeavesLetThroughNoMoreThanIsLeft) {
   m.transmittance = radiometry::Spectrum({0.5, 0.9}, {0.2, 0.5});
   EXPECT_NO_THROW(check(m));
   m.transmittance = radiometry::Spectrum({0.5, 0.9}, {0.2, 0.75});
-  EXPECT_EQ(message_of([&] { check(m); }),
-            "material 'leaf': reflectance and transmittance must not sum to more than 1; at 0.9 um they are "
-            "0.466667 "
-            "and 0.75");
+  EXPECT_EQ(
+      message_of([&] { check(m); }),
+      "material 'leaf': reflectance and transmittance must not sum to more than 1; at 0.9 um they are 0.466667 "
+      "and 0.75");
   m.transmittance = radiometry::Spectrum::constant(-0.1);
   EXPECT_EQ(message_of([&] { check(m); }),
             "material 'leaf': transmittance must lie between 0 and 1; it reaches from -0.1 to -0.1");

@@ -26,9 +26,9 @@ TEST(Reasons, AreSaidInWordsTheMostFrequentFirst) {
   counts[static_cast<std::size_t>(Reason::samples)] = 1;
   EXPECT_EQ(describe_reasons(counts), "the samples that a pixel may take were spent (1 pixel)");
   counts[static_cast<std::size_t>(Reason::unseen_light)] = 30;
-  EXPECT_EQ(describe_reasons(counts),
-            "light may reach it in ways that are not sought (30 pixels); the samples that a pixel may take "
-            "were spent (1)");
+  EXPECT_EQ(
+      describe_reasons(counts),
+      "light may reach it in ways that are not sought (30 pixels); the samples that a pixel may take were spent (1)");
 }
 
 TEST(Reasons, TheGravestIsOneWithWhichTheTruthMayLieOutside) {

@@ -114,9 +114,9 @@ TEST(AiryPsf, IsCutWhereItsEnergyIsReached) {
   const auto psf = make_airy_psf(kAperture, 0.61726142);
   EXPECT_NEAR(psf->half_width_px(), 2.0 / pi, 1e-7);
   EXPECT_NEAR(encircled(*psf, 1.0), 1.0, 1e-9);
-  EXPECT_EQ(psf->description(),
-            "Airy pattern, first dark ring at 1.22 px, traced to 0.6366 px; the 38 % of the energy beyond "
-            "are wings");
+  EXPECT_EQ(
+      psf->description(),
+      "Airy pattern, first dark ring at 1.22 px, traced to 0.6366 px; the 38 % of the energy beyond are wings");
 }
 
 TEST(AiryPsf, ScalesWithWavelengthAndFocalRatio) {

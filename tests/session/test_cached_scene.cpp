@@ -158,8 +158,7 @@ TEST_F(CachedScene, OfManyTrianglesIsTheSameWithAnyNumberOfThreads) {
   {
     std::ofstream file(folder_ / "large.ply", std::ios::binary);
     file << format(
-        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float "
-        "y\nproperty float "
+        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float "
         "z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
         kNodes * kNodes, 2 * kCells * kCells);
     const auto put = [&](const auto& values) {

@@ -74,12 +74,12 @@ TEST(LightLeftOut, NoSky) {
       warnings_of(document(kPlane, kSun)),
       "there is no sky: what the Sun does not reach is lit by other surfaces alone. Give light.sky, or an "
       "atmosphere; \"sky\": {\"none\": {}} says that this is meant\n");
-  EXPECT_EQ(warnings_of(document(R"({"materials": {"grey": {"reflectance": 0.5, "temperature": "300 K"}},
+  EXPECT_EQ(
+      warnings_of(document(R"({"materials": {"grey": {"reflectance": 0.5, "temperature": "300 K"}},
                                      "objects": [{"plane": {}, "material": "grey"}]})",
-                                 "", "", R"({"name": "tir", "monochromatic": {"at": "10 um"}})")),
-            "there is no sky: surfaces reflect a sky at 0 K. Give light.sky, or an atmosphere; \"sky\": "
-            "{\"none\": {}} "
-            "says that this is meant\n");
+                           "", "", R"({"name": "tir", "monochromatic": {"at": "10 um"}})")),
+      "there is no sky: surfaces reflect a sky at 0 K. Give light.sky, or an atmosphere; \"sky\": {\"none\": {}} "
+      "says that this is meant\n");
 }
 
 // A disc that fills the middle of the picture: what lies beside it looks past it.
@@ -97,8 +97,7 @@ TEST(LightLeftOut, ReflectionsBeyondTheDepth) {
   const std::string light = std::string(kSun) + R"(, "sky": {"radiance": "20 W m-2 sr-1 um-1"})";
   EXPECT_EQ(
       warnings_of(document(kPlane, light, R"(, "sampling": {"single": {}, "max_depth": 2})")),
-      "max_depth 2: light that is reflected more often is left out, and no interval knows of it. Between "
-      "surfaces like "
+      "max_depth 2: light that is reflected more often is left out, and no interval knows of it. Between surfaces like "
       "'grey', which reflects up to 50 %, that is up to 25 % of it; without max_depth nothing is left out\n");
   EXPECT_EQ(warnings_of(document(kPlane, light, R"(, "sampling": {"single": {}, "max_depth": 12})")), "");
 }
@@ -140,8 +139,7 @@ TEST(LightLeftOut, SurroundingsUnderAnAtmosphereAreTheGroundInThePicture) {
     EXPECT_LT(at_sensor(black, c) / at_sensor(declared, c), 0.9) << c;
   }
   const std::string said =
-      "surroundings: none declared; taken as the mean of the ground in the picture (100 % 'grey'), which "
-      "emits nothing";
+      "surroundings: none declared; taken as the mean of the ground in the picture (100 % 'grey'), which emits nothing";
   expect_in(said, log.infos);
   expect_in(said, describe(assumed.parts()));
   EXPECT_EQ(log.warnings.find("surroundings"), std::string::npos) << log.warnings;

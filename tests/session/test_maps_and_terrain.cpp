@@ -48,12 +48,12 @@ class MapsAndTerrain : public testing::Test {
   Session load(const std::string& scene, LogSink* log = nullptr, double gsd_m = 1.0) const {
     return Session::load(
         io::parse_document(
-            format("{{\"ifov\": 1,\n \"scene\": {},\n"
-                   " \"light\": {{\"sky\": {{\"radiance\": \"50 W m-2 sr-1 um-1\"}}}},\n"
-                   " \"sensor\": {{\"camera\": {{\"orthographic\": {{\"gsd\": \"{} m\", \"pixels\": [4, "
-                   "4]}}}},\n"
-                   "  \"channels\": [{{\"name\": \"red\", \"monochromatic\": {{\"at\": \"0.65 um\"}}}}]}}}}",
-                   scene, gsd_m),
+            format(
+                "{{\"ifov\": 1,\n \"scene\": {},\n"
+                " \"light\": {{\"sky\": {{\"radiance\": \"50 W m-2 sr-1 um-1\"}}}},\n"
+                " \"sensor\": {{\"camera\": {{\"orthographic\": {{\"gsd\": \"{} m\", \"pixels\": [4, 4]}}}},\n"
+                "  \"channels\": [{{\"name\": \"red\", \"monochromatic\": {{\"at\": \"0.65 um\"}}}}]}}}}",
+                scene, gsd_m),
             (folder_ / "scene.json").string()),
         log);
   }
@@ -113,8 +113,7 @@ TEST_F(MapsAndTerrain, TexturesGoWithTheClassesOfAMap) {
   write_grid("lawn.asc", 0, 0, 1, 2, 1, "50 250");
   write_grid("classes.asc", 0, 0, 10, 2, 1, "7 3");
   const Session session = load(format(
-      "{{\"materials\": {{{}, \"road\": {{\"reflectance\": 0.08}}}}, \"objects\": [{{\"plane\": {{}}, "
-      "\"material\": "
+      "{{\"materials\": {{{}, \"road\": {{\"reflectance\": 0.08}}}}, \"objects\": [{{\"plane\": {{}}, \"material\": "
       "{{\"map\": {{\"file\": \"classes.asc\", \"classes\": {{\"3\": \"road\", \"7\": \"lawn\"}}}}}}}}]}}",
       kLawn));
   EXPECT_NEAR(reflectance_at(session, 1.0, 1.0), 0.4 - std::sqrt(0.05), 1e-6);
@@ -184,8 +183,7 @@ TEST_F(MapsAndTerrain, ClippedTexturesAreSaid) {
   load(format("{{\"materials\": {{{}}}, \"objects\": [{{\"plane\": {{}}, \"material\": \"lawn\"}}]}}", kLawn),
        &log);
   expect_in(
-      "warning: texture 'lawn.asc' of material 'lawn': 25.0 % of the cells hold the number 255 at the end of "
-      "the "
+      "warning: texture 'lawn.asc' of material 'lawn': 25.0 % of the cells hold the number 255 at the end of the "
       "histogram, which looks clipped",
       log.text);
 }
@@ -276,8 +274,7 @@ TEST_F(MapsAndTerrain, ATerrainMayBeTracedInItsRaster) {
   expect_in("terrain 'dem.asc': 4 x 4 heights, traced as a grid of 18 triangles", log.text);
   expect_in("warning: terrain 'dem.asc': 1 of 16 cells have no height; they are holes", log.text);
   expect_in(
-      "a terrain of the form 'grid' keeps every height: found a detail of 2 m, expected 0 m or the form "
-      "'mesh'",
+      "a terrain of the form 'grid' keeps every height: found a detail of 2 m, expected 0 m or the form 'mesh'",
       load_error(scene(R"(, "form": "grid", "detail": "2 m")")));
   expect_in("terrain.form' is the text \"tin\", expected 'mesh' or 'grid'",
             load_error(scene(R"(, "form": "tin")")));
@@ -312,10 +309,10 @@ TEST_F(MapsAndTerrain, LargeRastersAreTracedAsTheyLieWherePossible) {
 
 TEST_F(MapsAndTerrain, DegreesNeedAReference) {
   write_grid("dem.asc", 8.7, 49.4, 0.001, 3, 3, "1 2 3\n4 5 6\n7 8 9");
-  write("dem.prj",
-        "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS "
-        "84\",6378137,298.257223563]],PRIMEM[\"Greenwich\",0],"
-        "UNIT[\"degree\",0.0174532925199433]]\n");
+  write(
+      "dem.prj",
+      "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563]],PRIMEM[\"Greenwich\",0],"
+      "UNIT[\"degree\",0.0174532925199433]]\n");
   const auto scene = [](const std::string& origin, const char* form = "mesh") {
     return format(
         "{{{}\"materials\": {{\"a\": {{\"reflectance\": 0.1}}}}, \"objects\": [{{\"terrain\": {{\"file\": "
@@ -356,13 +353,13 @@ TEST_F(MapsAndTerrain, TheHeidelbergModelKeepsItsDetail) {
       {0, 0, 34.000000}, {520, 356, 286.000000}, {1040, 712, 34.000000}, {300, 600, 93.000000}};
   for (const auto& [detail_m, form] : {std::pair{0.0, "mesh"}, {5.0, "mesh"}, {0.0, "grid"}}) {
     Messages log;
-    const Session session = load(format("{{\"origin\": {{\"easting\": \"478000 m\", \"northing\": \"5474000 "
-                                        "m\", \"crs\": \"EPSG:32632\"}}, "
-                                        "\"materials\": {{\"a\": {{\"reflectance\": 0.1}}}}, \"objects\": "
-                                        "[{{\"terrain\": {{\"file\": \"{}\", "
-                                        "\"detail\": \"{} m\", \"form\": \"{}\"}}, \"material\": \"a\"}}]}}",
-                                        file->string(), detail_m, form),
-                                 &log);
+    const Session session = load(
+        format(
+            "{{\"origin\": {{\"easting\": \"478000 m\", \"northing\": \"5474000 m\", \"crs\": \"EPSG:32632\"}}, "
+            "\"materials\": {{\"a\": {{\"reflectance\": 0.1}}}}, \"objects\": [{{\"terrain\": {{\"file\": \"{}\", "
+            "\"detail\": \"{} m\", \"form\": \"{}\"}}, \"material\": \"a\"}}]}}",
+            file->string(), detail_m, form),
+        &log);
     for (const Cell& cell : cells) {
       // A millimetre inside: rays along the rim may pass it.
       const double inwards_x = cell.column == 0 ? 1e-3 : -1e-3, inwards_y = cell.row == 0 ? -1e-3 : 1e-3;

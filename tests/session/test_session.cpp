@@ -117,15 +117,11 @@ TEST_F(SessionTest, CoordinatesAreTakenOffTheMapOriginInDouble) {
     const io::Document document = io::parse_document(
         format(
             "{{\"ifov\": 1, \"scene\": {{{} \"materials\": {{\"grey\": {{\"reflectance\": 0.3}}, "
-            "\"white\": {{\"reflectance\": 0.9}}}},\n\"objects\": [{{\"plane\": {{}}, \"material\": "
-            "\"grey\"}}, "
+            "\"white\": {{\"reflectance\": 0.9}}}},\n\"objects\": [{{\"plane\": {{}}, \"material\": \"grey\"}}, "
             "{{\"box\": {{\"low\": [\"{} m\", \"0 m\", \"0 m\"], \"high\": [\"{} m\", \"1 m\", \"1 m\"]}}, "
-            "\"material\": \"white\"}}]}},\n\"light\": {{\"sky\": {{\"radiance\": \"50 W m-2 sr-1 "
-            "um-1\"}}}},\n"
-            "\"sensor\": {{\"camera\": {{\"orthographic\": {{\"gsd\": \"0.37 m\", \"pixels\": [9, 9], "
-            "\"center\": "
-            "[\"{} m\", \"0 m\"]}}}}, \"channels\": [{{\"name\": \"red\", \"monochromatic\": {{\"at\": "
-            "\"0.65 "
+            "\"material\": \"white\"}}]}},\n\"light\": {{\"sky\": {{\"radiance\": \"50 W m-2 sr-1 um-1\"}}}},\n"
+            "\"sensor\": {{\"camera\": {{\"orthographic\": {{\"gsd\": \"0.37 m\", \"pixels\": [9, 9], \"center\": "
+            "[\"{} m\", \"0 m\"]}}}}, \"channels\": [{{\"name\": \"red\", \"monochromatic\": {{\"at\": \"0.65 "
             "um\"}}}}]}}, \"sampling\": {{\"grid\": {{\"elements\": [3, 3]}}, \"max_depth\": 1}}}}",
             origin, east_m, east_m + 1.0, east_m),
         (folder_ / "far.json").string());

@@ -147,10 +147,11 @@ TEST(SoughtEmitters, AreToldOf) {
       R"({"plane": {"height": "-1 m"}, "material": "soil"}, {"plane": {"height": "-5 m"}, "material": "hot"})",
       &left);
   EXPECT_EQ(left.text.find("emitters:"), std::string::npos) << left.text;
-  EXPECT_NE(left.text.find("warning: light of some surfaces that outshine the scene is found by chance "
-                           "alone: it is not sought "
-                           "from planes and terrain, nor from more than 1048576 faces\n"),
-            std::string::npos)
+  EXPECT_NE(
+      left.text.find(
+          "warning: light of some surfaces that outshine the scene is found by chance alone: it is not sought "
+          "from planes and terrain, nor from more than 1048576 faces\n"),
+      std::string::npos)
       << left.text;
 }
 

@@ -24,14 +24,11 @@ TEST(FigureTable, JudgesAndWrites) {
       "{\n"
       "  \"seconds\": {\n    \"value\": 1.5,\n    \"unit\": \"s\",\n    \"must\": \"\",\n    \"ok\": null,\n"
       "    \"meaning\": \"time taken\"\n  },\n"
-      "  \"samples\": {\n    \"value\": 180,\n    \"unit\": \"samples\",\n    \"must\": \"<= 185\",\n    "
-      "\"ok\": true,\n"
+      "  \"samples\": {\n    \"value\": 180,\n    \"unit\": \"samples\",\n    \"must\": \"<= 185\",\n    \"ok\": true,\n"
       "    \"meaning\": \"to \\\"0.1 C\\\"\"\n  },\n"
-      "  \"grid\": {\n    \"value\": 15876,\n    \"unit\": \"samples\",\n    \"must\": \"= 15876\",\n    "
-      "\"ok\": true,\n"
+      "  \"grid\": {\n    \"value\": 15876,\n    \"unit\": \"samples\",\n    \"must\": \"= 15876\",\n    \"ok\": true,\n"
       "    \"meaning\": \"of the grid\"\n  },\n"
-      "  \"found\": {\n    \"value\": 0.5,\n    \"unit\": \"\",\n    \"must\": \">= 1\",\n    \"ok\": "
-      "false,\n"
+      "  \"found\": {\n    \"value\": 0.5,\n    \"unit\": \"\",\n    \"must\": \">= 1\",\n    \"ok\": false,\n"
       "    \"meaning\": \"share\"\n  }\n"
       "}\n");
   EXPECT_NE(table.text().find("samples           180  samples  <= 185   ok\n"), std::string::npos)

@@ -9,8 +9,8 @@ namespace ifov::atmosphere {
 /// Extinction at 550 nm, km-1, of the four regions of the aerosol at the altitudes of LOWTRAN7's table.
 struct AerosolHeights {
   std::vector<double> altitude_km;
-  std::array<std::vector<double>, 4>
-      extinction_km;  ///< boundary layer, troposphere, stratosphere, above 30 km
+  /// Boundary layer, troposphere, stratosphere, above 30 km.
+  std::array<std::vector<double>, 4> extinction_km;
 };
 
 /// Names of the table's columns that a state of the stratosphere stands for.

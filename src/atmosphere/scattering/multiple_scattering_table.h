@@ -16,8 +16,8 @@ struct GasPlacement {
   /// Mean over the gas of the share of the column's scattering depth that is above it: near 0 for ozone, 0.5
   /// to 0.6 for well-mixed gases, near 1 for water vapour.
   double under = 0.5;
-  double under_square =
-      0.25;  ///< mean of that share's square: tells a mixture of high and low gas from one between
+  /// Mean of that share's square: tells a mixture of high and low gas from one between.
+  double under_square = 0.25;
 };
 GasPlacement gas_placement(const LayerOptics& optics);
 

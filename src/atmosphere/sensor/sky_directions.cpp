@@ -54,8 +54,8 @@ std::vector<double> SkyDirections::level_weights() const {
   }
   by_zenith.back() += 0.5 * std::pow(std::cos(zenith_rad.back()), 2);
   for (std::size_t a = 0; a + 1 < azimuths; ++a) {
-    const double width =
-        azimuth_rad[a + 1] - azimuth_rad[a];  // both sides of the Sun's plane, half to each end
+    // Both sides of the Sun's plane, half to each end.
+    const double width = azimuth_rad[a + 1] - azimuth_rad[a];
     by_azimuth[a] += width;
     by_azimuth[a + 1] += width;
   }

@@ -13,8 +13,8 @@ namespace ifov::atmosphere {
 struct SkyView {
   double wavelength_um = 0.0;
   std::vector<double> zenith_rad;  ///< 0 to pi / 2
-  std::vector<double>
-      azimuth_rad;  ///< counterclockwise from the Sun's, 0 to pi; the other half mirrors it, with -u
+  /// Counterclockwise from the Sun's, 0 to pi; the other half mirrors it, with -u.
+  std::vector<double> azimuth_rad;
   std::vector<StokesVector> light;  ///< [zenith][azimuth], W m-2 sr-1 um-1
 
   const StokesVector& at(std::size_t zenith, std::size_t azimuth) const {

@@ -21,12 +21,11 @@ Command add_info_command(CLI::App& app) {
                    "A folder of products, a run record (run.json) or an ENVI file (.img, .hdr)")
       ->required();
   parser
-      ->add_option("--region", wanted->regions,
-                   "Mean radiance over a region, with its interval; may be given several times. x0,y0,x1,y1 "
-                   "is a rectangle "
-                   "in pixels, x,y,x,y,x,y,... a polygon, 'map:' before them makes them map coordinates, "
-                   "mask:FILE is an "
-                   "ENVI raster of the image's size that is not 0 inside")
+      ->add_option(
+          "--region", wanted->regions,
+          "Mean radiance over a region, with its interval; may be given several times. x0,y0,x1,y1 is a rectangle "
+          "in pixels, x,y,x,y,x,y,... a polygon, 'map:' before them makes them map coordinates, mask:FILE is an "
+          "ENVI raster of the image's size that is not 0 inside")
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("REGION");

@@ -146,8 +146,8 @@ class EmbreeWorld final : public World {
 
   std::vector<std::uint32_t> materials_;
   std::vector<Attributes> attributes_;
-  std::vector<std::uint32_t>
-      attributes_of_;  ///< by template: into attributes_, or kNoIndex; empty: none at all
+  /// By template: into attributes_, or kNoIndex; empty: none at all.
+  std::vector<std::uint32_t> attributes_of_;
   std::size_t triangle_count_ = 0;
   Storage storage_;
   std::unique_ptr<const SurfaceSurvey> survey_;

@@ -55,8 +55,8 @@ struct SurfaceSurvey {
   std::vector<Flat> flats;
   std::vector<Round> rounds;
   std::vector<Smooth> smooths;
-  std::vector<Ball>
-      balls;  ///< about what is neither flat nor round: smooth triangles, height fields, flats too many
+  /// About what is neither flat nor round: smooth triangles, height fields, flats too many.
+  std::vector<Ball> balls;
   bool all_flats = true;  ///< false: there are more than kMostFlats normals
 };
 

@@ -25,8 +25,8 @@ void require_invertible(const math::Transform& map) {
 }  // namespace
 
 struct WorldBuilder::Content : WorldContent {
-  std::map<std::vector<std::uint32_t>, std::uint32_t>
-      known_materials;  ///< list of an object -> where it begins
+  /// List of an object -> where it begins.
+  std::map<std::vector<std::uint32_t>, std::uint32_t> known_materials;
 
   const Template& at(ShapeId id) const {
     if (id.value >= templates.size()) throw InputError(format("there is no shape number {}", id.value));

@@ -23,8 +23,8 @@ struct ShapeId {
 struct Part {
   ShapeId what;
   math::Transform prototype_from_part;
-  std::vector<std::uint32_t>
-      slots;  ///< the prototype's material slot for each slot of the part; empty: all 0
+  /// The prototype's material slot for each slot of the part; empty: all 0.
+  std::vector<std::uint32_t> slots;
   std::shared_ptr<const Placings> list = nullptr;  ///< copies stand at prototype_from_part * list->at(k)
 };
 
@@ -40,8 +40,8 @@ struct BuildOptions {
   int threads = 0;                                         ///< 0: all cores
   InstanceStorage instances = InstanceStorage::by_number;  ///< up to a million nodes, else a table
   LargeMeshes large_meshes = LargeMeshes::by_number;  ///< up to 2^21 stored triangles at once, else by chunk
-  std::vector<bool>
-      surveyed{};  ///< by material: whether its surfaces are listed (World::survey); empty: none
+  /// By material: whether its surfaces are listed (World::survey); empty: none.
+  std::vector<bool> surveyed{};
 };
 
 /// Collects shapes and where they stand, then builds the world. Shapes are kept once, however often they are

@@ -15,8 +15,8 @@ namespace ifov::io {
 struct CityObject {
   std::string id;
   std::string type;  ///< "Building", "Road", ...; of the object that the parts belong to
-  std::vector<std::pair<std::string, std::string>>
-      attributes;   ///< single values, as text, in the file's order
+  /// Single values, as text, in the file's order.
+  std::vector<std::pair<std::string, std::string>> attributes;
   std::string lod;  ///< of the geometry taken, the finest of its parts
 
   /// Vertices are metres about `origin`, slots the kinds of surfaces (see read_city_json).

@@ -39,8 +39,8 @@ struct FourCurveAtmosphere {
 /// An atmosphere computed from its state.
 struct ModelledAtmosphere {
   atmosphere::AtmosphereDescription description;
-  std::optional<double>
-      sensor_altitude_km;  ///< above mean sea level; absent: a frame camera's own, else above the air
+  /// Above mean sea level; absent: a frame camera's own, else above the air.
+  std::optional<double> sensor_altitude_km;
 };
 
 /// What another code computed.

@@ -41,8 +41,8 @@ struct Document {
   std::string file_name;  ///< as the user gave it
   /// As read; with all that it includes and that the command line replaced where there is such. Never null.
   std::shared_ptr<const std::string> text;
-  std::vector<std::shared_ptr<const DocumentSource>>
-      sources;                     ///< of positions: the document, what it includes, overrides
+  /// Of positions: the document, what it includes, overrides.
+  std::vector<std::shared_ptr<const DocumentSource>> sources;
   std::vector<std::string> files;  ///< that it names or includes, as far as they are there
 };
 

@@ -15,20 +15,18 @@ struct CelestialDirection {
 };
 
 struct SunDocument {
-  std::optional<CelestialDirection>
-      direction;                      ///< absent: from the document's time and the scene's geographic
-                                      ///< origin, which are there then
-  double diameter_rad = 0.0;          ///< angular diameter of the disc; 0 for a point
-  std::optional<double> distance_au;  ///< absent: from the document's time, else 1
+  /// Absent: from the document's time and the scene's geographic origin, which are there then.
+  std::optional<CelestialDirection> direction;
+  double diameter_rad = 0.0;                   ///< angular diameter of the disc; 0 for a point
+  std::optional<double> distance_au;           ///< absent: from the document's time, else 1
   std::optional<SpectrumDocument> irradiance;  ///< W m-2 um-1 at 1 au; absent: the built-in one
   SourcePosition position;
 };
 
 /// Lights the scene where the Sun does not: it is absent, or below the horizon.
 struct MoonDocument {
-  std::optional<CelestialDirection>
-      direction;  ///< absent: from the document's time and the scene's geographic origin,
-                  ///< which are there then
+  /// Absent: from the document's time and the scene's geographic origin, which are there then.
+  std::optional<CelestialDirection> direction;
   std::optional<double> phase_angle_rad;  ///< absent: from the document's time, which is there then
   SourcePosition position;
 };
@@ -55,9 +53,8 @@ struct LightDocument {
   std::optional<MoonDocument> moon;
   std::variant<NoSky, SkyTemperature, SkyRadiance> sky;
   SourcePosition sky_position;
-  std::optional<SurroundingsDocument>
-      surroundings;  ///< absent: the mean of the ground in the picture under a
-                     ///< modelled or imported atmosphere, else black and at 0 K
+  /// Absent: the mean of the ground in the picture under a modelled or imported atmosphere, else black and at 0 K.
+  std::optional<SurroundingsDocument> surroundings;
   SourcePosition position;
 };
 

@@ -16,8 +16,8 @@ struct OutputDocument {
   std::string name = "image";  ///< of the products: NAME_radiance.img and so on
   std::vector<ProductFormat> formats{ProductFormat::envi, ProductFormat::png, ProductFormat::html};
   std::optional<QuantitySet> products;  ///< the cubes; absent: those that are usual for the camera
-  std::vector<DocumentName>
-      quicklook_channels;  ///< none, one (grey) or three (red, green, blue); none: chosen
+  /// None, one (grey) or three (red, green, blue); none: chosen.
+  std::vector<DocumentName> quicklook_channels;
   SourcePosition position;
 };
 

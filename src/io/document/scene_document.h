@@ -33,8 +33,8 @@ struct OriginDocument {
 /// A model of materials::bsdf_models() with its parameters.
 struct ScatteringDocument {
   std::string model = "lambertian";
-  std::vector<std::pair<std::string, std::variant<double, SpectrumDocument>>>
-      values;  ///< by key; angles in radians
+  /// By key; angles in radians.
+  std::vector<std::pair<std::string, std::variant<double, SpectrumDocument>>> values;
 };
 
 struct MaterialDocument {
@@ -84,8 +84,8 @@ struct PolygonShape {
 struct MeshShape {
   DocumentFile file;    ///< its extension names the format, see read_mesh
   double unit_m = 1.0;  ///< metres per unit of the file
-  std::optional<bool>
-      y_is_up;  ///< file axes (x, y, z) become scene axes (x, -z, y); absent: as the format says
+  /// File axes (x, y, z) become scene axes (x, -z, y); absent: as the format says.
+  std::optional<bool> y_is_up;
 };
 /// All objects of a city model, each placed on its own.
 struct CityShape {
@@ -147,8 +147,8 @@ struct ObjectDocument {
   std::optional<MaterialBinding> material;  ///< always there except on instances, whose prototype has its own
   std::optional<TemperatureDocument> temperature;  ///< instead of the material's
   TransformDocument transform;
-  std::optional<bool>
-      seed;  ///< send a ray at it where it is smaller than a pixel; absent: decided by its shape
+  /// Send a ray at it where it is smaller than a pixel; absent: decided by its shape.
+  std::optional<bool> seed;
   SourcePosition position;
   SourcePosition shape_position;
 };

@@ -16,8 +16,8 @@ namespace ifov::io {
 struct OrthographicCamera {
   double gsd_m = 0.0;
   int width_px = 0, height_px = 0;
-  std::optional<std::array<double, 2>>
-      centre_m;               ///< ground point of the image's centre; absent: the scene's origin
+  /// Ground point of the image's centre; absent: the scene's origin.
+  std::optional<std::array<double, 2>> centre_m;
   double rotation_rad = 0.0;  ///< of the camera about the vertical, clockwise seen from above: the top of the
                               ///< image points to this azimuth
   std::optional<double> height_m;                        ///< z at which rays start; absent: above everything

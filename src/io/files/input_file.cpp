@@ -41,8 +41,8 @@ fs::path place_of(const Descriptor& file) {
 }
 
 int open_for_reading(const fs::path& path) {
-  constexpr int kFlags =
-      O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;  // a pipe does not make us wait for its writer
+  // A pipe does not make us wait for its writer.
+  constexpr int kFlags = O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;
   if (allowed_folder().empty()) return open(path.c_str(), kFlags);
   // Looked at before it is opened: to open a device may do something.
   const Descriptor place(open(path.c_str(), O_PATH | O_CLOEXEC));

@@ -24,11 +24,10 @@ EnvironmentError cannot_write(const fs::path& path, int error) {
 void refuse_link(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_symlink(fs::symlink_status(folder, error))) return;
-  throw EnvironmentError(
-      format("'{}' is a link (to '{}'), and ifov writes through no link that lies beside a document or in "
-             "its output "
-             "folder; delete the link, or say where to write (--output)",
-             folder.string(), fs::read_symlink(folder, error).string()));
+  throw EnvironmentError(format(
+      "'{}' is a link (to '{}'), and ifov writes through no link that lies beside a document or in its output "
+      "folder; delete the link, or say where to write (--output)",
+      folder.string(), fs::read_symlink(folder, error).string()));
 }
 
 void refuse_links_below(const fs::path& trusted, const fs::path& folder) {

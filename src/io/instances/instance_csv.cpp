@@ -56,9 +56,11 @@ class RowReader {
       const auto column = std::find(std::begin(kColumns), std::end(kColumns), lower_case(fields[k].text)) -
                           std::begin(kColumns);
       if (column < std::ssize(kColumns) && static_cast<std::size_t>(column) != k)
-        fail(fields[k].column, format("found '{}' as column {}; expected the columns x, y, z, yaw, scale, "
-                                      "pitch, roll in this order",
-                                      fields[k].text, k + 1));
+        fail(
+            fields[k].column,
+            format(
+                "found '{}' as column {}; expected the columns x, y, z, yaw, scale, pitch, roll in this order",
+                fields[k].text, k + 1));
     }
   }
 

@@ -112,11 +112,10 @@ const LibraryMaterial& MaterialLibrary::find(std::string_view name) const {
   for (const LibraryMaterial& material : materials_)
     if (std::find(material.instead_of.begin(), material.instead_of.end(), wanted) !=
         material.instead_of.end())
-      throw InputError(
-          format("'{}' is in the library no more, for its figures have no open licence; nearest to it is "
-                 "'{}'. A file "
-                 "of your own is read by \"ecostress\" or another key of spectra",
-                 name, material.name));
+      throw InputError(format(
+          "'{}' is in the library no more, for its figures have no open licence; nearest to it is '{}'. A file "
+          "of your own is read by \"ecostress\" or another key of spectra",
+          name, material.name));
   const std::string likely = did_you_mean(name, names);
   std::string message = format("the library has no material '{}'", name);
   if (!likely.empty()) throw InputError(message + likely);

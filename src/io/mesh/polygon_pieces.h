@@ -18,8 +18,8 @@ std::optional<std::vector<geometry::Triangle>> cut_face(std::span<const math::Po
 
 /// A polygon with holes as triangles.
 struct PolygonPieces {
-  std::vector<math::Point3>
-      vertices;  ///< those of the rings one after another, then new ones where rings cross
+  /// Those of the rings one after another, then new ones where rings cross.
+  std::vector<math::Point3> vertices;
   std::vector<geometry::Triangle> triangles;  ///< wound like the outer ring
   bool repaired = false;                      ///< rings crossed themselves or each other
 };

@@ -23,8 +23,8 @@ struct Acquisition {
     math::Point3 position_m;                     ///< of a frame camera
     math::Vec3 right, down, forward;             ///< unit vectors: image x, image y, the line of sight
     double focal_length_m = 0.0, pitch_m = 0.0;  ///< of a frame camera
-    double ground_sample_m =
-        0.0;  ///< side of a pixel on the ground; of a frame camera at its middle; 0: not known
+    /// Side of a pixel on the ground; of a frame camera at its middle; 0: not known.
+    double ground_sample_m = 0.0;
   };
   /// Where the ray through a corner of the image meets the scene.
   struct Corner {
@@ -38,8 +38,8 @@ struct Acquisition {
   double origin_height_m = 0.0;
   math::Point3 origin_on_map_m;
   Camera camera;
-  std::vector<std::optional<Corner>>
-      footprint;  ///< clockwise from the upper left; none where the ray meets nothing
+  /// Clockwise from the upper left; none where the ray meets nothing.
+  std::vector<std::optional<Corner>> footprint;
 };
 
 }  // namespace ifov::io

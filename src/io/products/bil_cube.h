@@ -119,8 +119,8 @@ class BilCube {
   std::vector<Buffer> spares_;  // of strips that were written: fresh pages cost more than filling them
   std::size_t spare_bytes_ = 0;
 
-  std::map<std::pair<int, int>, std::int64_t>
-      written_;  // pixels in the file of [y0, y1), of or before which some are missing
+  // Pixels in the file of [y0, y1), of or before which some are missing.
+  std::map<std::pair<int, int>, std::int64_t> written_;
   std::atomic<int> lines_written_{0};
 
   std::mutex scan_mutex_;

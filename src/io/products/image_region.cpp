@@ -11,8 +11,7 @@ namespace ifov::io {
 namespace {
 
 constexpr const char* kExpected =
-    "expected x0,y0,x1,y1 (a rectangle), x,y of three corners or more, both in pixels or after 'map:' in map "
-    "coordinates, "
+    "expected x0,y0,x1,y1 (a rectangle), x,y of three corners or more, both in pixels or after 'map:' in map coordinates, "
     "or mask:FILE";
 
 std::vector<double> numbers_of(const std::string& text, std::string_view list) {

@@ -22,8 +22,8 @@ struct ProductOptions {
   bool netcdf = false;
   bool quicklook = true;
   bool report = true;
-  std::vector<int>
-      quicklook_channels;  ///< three for colour, one for a colour map; empty: chosen from wavelengths
+  /// Three for colour, one for a colour map; empty: chosen from wavelengths.
+  std::vector<int> quicklook_channels;
 };
 
 /// Streams finished tiles into ENVI cubes and completes them with the other products. Everything is written

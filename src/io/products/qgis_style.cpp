@@ -9,9 +9,7 @@ namespace {
 
 std::string stretch(const char* name, const Range& range) {
   return format(
-      "      "
-      "<{0}><minValue>{1:.9g}</minValue><maxValue>{2:.9g}</maxValue><algorithm>StretchToMinimumMaximum</"
-      "algorithm></{0}>\n",
+      "      <{0}><minValue>{1:.9g}</minValue><maxValue>{2:.9g}</maxValue><algorithm>StretchToMinimumMaximum</algorithm></{0}>\n",
       name, range.low, range.high);
 }
 
@@ -24,8 +22,7 @@ std::string qgis_style(const RasterView& radiance, const RunRecord& record,
   if (chosen.size() == 3) {
     const std::vector<Range> ranges = colour_ranges(radiance, record.image, chosen);
     renderer = format(
-        "    <rasterrenderer type=\"multibandcolor\" redBand=\"{}\" greenBand=\"{}\" blueBand=\"{}\" "
-        "alphaBand=\"-1\" opacity=\"1\">\n",
+        "    <rasterrenderer type=\"multibandcolor\" redBand=\"{}\" greenBand=\"{}\" blueBand=\"{}\" alphaBand=\"-1\" opacity=\"1\">\n",
         chosen[0] + 1, chosen[1] + 1, chosen[2] + 1);
     renderer += "      <rasterTransparency/>\n" + stretch("redContrastEnhancement", ranges[0]) +
                 stretch("greenContrastEnhancement", ranges[1]) +
@@ -34,13 +31,11 @@ std::string qgis_style(const RasterView& radiance, const RunRecord& record,
     const int factor = averaging_factor(radiance.width, radiance.height);
     const Range range = percentiles(averaged_layer(radiance, chosen[0], factor), kLowShare, kHighShare);
     renderer = format(
-        "    <rasterrenderer type=\"singlebandgray\" grayBand=\"{}\" gradient=\"BlackToWhite\" "
-        "alphaBand=\"-1\" opacity=\"1\">\n",
+        "    <rasterrenderer type=\"singlebandgray\" grayBand=\"{}\" gradient=\"BlackToWhite\" alphaBand=\"-1\" opacity=\"1\">\n",
         chosen[0] + 1);
     renderer += "      <rasterTransparency/>\n" + stretch("contrastEnhancement", range);
   }
-  return "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n<qgis version=\"3.22\" "
-         "styleCategories=\"Symbology\">\n  <pipe>\n" +
+  return "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n<qgis version=\"3.22\" styleCategories=\"Symbology\">\n  <pipe>\n" +
          renderer + "    </rasterrenderer>\n  </pipe>\n</qgis>\n";
 }
 

@@ -48,12 +48,11 @@ Elevation read_elevation(const std::filesystem::path& path, int band, std::optio
     value = missing ? std::numeric_limits<float>::quiet_NaN()
                     : static_cast<float>(factor * static_cast<double>(value));
     if (value < kDeepest_m || value > kHighest_m)
-      throw InputError(
-          format("{}: {:g} at row {}, column {} is no height in metres ({:g}): if it means that there is "
-                 "none, the file "
-                 "must say so (gdal_translate -a_nodata {:g}), else give 'unit'",
-                 name, number, k / static_cast<std::size_t>(raster.width) + 1,
-                 k % static_cast<std::size_t>(raster.width) + 1, value, number));
+      throw InputError(format(
+          "{}: {:g} at row {}, column {} is no height in metres ({:g}): if it means that there is none, the file "
+          "must say so (gdal_translate -a_nodata {:g}), else give 'unit'",
+          name, number, k / static_cast<std::size_t>(raster.width) + 1,
+          k % static_cast<std::size_t>(raster.width) + 1, value, number));
   }
   if (terrain.unknown == cells) throw InputError(format("{}: no cell has a height", name));
   if (terrain.unknown > 0 && unknown == UnknownHeights::fill) {

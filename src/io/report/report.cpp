@@ -156,18 +156,16 @@ class Page {
       html += format(
           "<section><h2>{}</h2><div class=\"stage\"><canvas id=\"map-{}\" "
           "style=\"cursor:default\"></canvas></div>"
-          "<svg class=\"bar\" id=\"map-{}-bar\"></svg><svg id=\"hist-{}\" "
-          "width=\"100%\"></svg>{}</section>\n",
+          "<svg class=\"bar\" id=\"map-{}-bar\"></svg><svg id=\"hist-{}\" width=\"100%\"></svg>{}</section>\n",
           name, id, id, id, note);
     };
-    const std::string seams = record_.statistics.halo_samples == 0
-                                  ? std::string()
-                                  : format(
-                                        "<p class=\"note\">Lines along the edges of tiles are no fault of "
-                                        "the image: points that a tile queries outside "
-                                        "its own pixels, {} in all, are in no pixel's count, and pixels at "
-                                        "an edge need fewer of their own.</p>",
-                                        short_count(static_cast<double>(record_.statistics.halo_samples)));
+    const std::string seams =
+        record_.statistics.halo_samples == 0
+            ? std::string()
+            : format(
+                  "<p class=\"note\">Lines along the edges of tiles are no fault of the image: points that a tile queries outside "
+                  "its own pixels, {} in all, are in no pixel's count, and pixels at an edge need fewer of their own.</p>",
+                  short_count(static_cast<double>(record_.statistics.halo_samples)));
     if (input_.samples) map("samples", "Where the samples went", seams);
     if (judged_) map("error", "Error reached, in units of its limit", "");
     return html.empty() ? html : format("<div class=\"two\">{}</div>\n<p></p>\n", html);
@@ -203,12 +201,13 @@ class Page {
       html += "</tr>";
     }
     return html +
-           format("</tbody></table></div><p class=\"soft\">Radiances in {}.{}</p></section>\n",
-                  escape_html(shown_unit(record_.image.radiance_unit)),
-                  split ? " More rays narrow the part of sampling alone; that of the air, of how it was "
-                          "computed, and that of "
-                          "the nodes, few wavelengths that stand for a channel, are of the mean radiance."
-                        : "");
+           format(
+               "</tbody></table></div><p class=\"soft\">Radiances in {}.{}</p></section>\n",
+               escape_html(shown_unit(record_.image.radiance_unit)),
+               split
+                   ? " More rays narrow the part of sampling alone; that of the air, of how it was computed, and that of "
+                     "the nodes, few wavelengths that stand for a channel, are of the mean radiance."
+                   : "");
   }
 
   std::string cost() const {

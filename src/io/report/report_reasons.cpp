@@ -32,18 +32,15 @@ std::string reasons_section(const RunRecord& record) {
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return s.reasons[a] > s.reasons[b]; });
   std::string html =
-      "<section><h2>Why pixels are not converged</h2><div class=\"two\"><div class=\"stage\"><canvas "
-      "id=\"map-reasons\" "
-      "style=\"cursor:default\"></canvas></div><div><table "
-      "class=\"legend\"><thead><tr><th>Reason</th><th>Meaning</th>"
+      "<section><h2>Why pixels are not converged</h2><div class=\"two\"><div class=\"stage\"><canvas id=\"map-reasons\" "
+      "style=\"cursor:default\"></canvas></div><div><table class=\"legend\"><thead><tr><th>Reason</th><th>Meaning</th>"
       "<th>Pixels</th></tr></thead><tbody>";
   html += legend_row(0, "every interval is within its limit, and nothing speaks against it", s.converged);
   for (const std::size_t r : order)
     if (s.reasons[r] > 0)
       html += legend_row(r + 1, sampling::words_of(static_cast<sampling::Reason>(r)), s.reasons[r]);
   return html +
-         "</tbody></table><p class=\"soft\">A pixel may have several reasons; the map shows the "
-         "gravest.</p></div></div>"
+         "</tbody></table><p class=\"soft\">A pixel may have several reasons; the map shows the gravest.</p></div></div>"
          "</section>\n";
 }
 

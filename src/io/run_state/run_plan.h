@@ -34,8 +34,8 @@ struct RunPlan {
   double error = 0.0;         ///< asked for, in the unit of the accuracy
   std::string error_unit;     ///< "K", "%"; empty where no accuracy is asked for
   bool keeps_memory = false;  ///< its tiles carry what a tighter accuracy can go on from
-  std::vector<std::string>
-      refined_from;        ///< accuracies of the runs that it goes on from, the first one first
+  /// Accuracies of the runs that it goes on from, the first one first.
+  std::vector<std::string> refined_from;
   std::uint64_t base = 0;  ///< key() of the last of them; 0: none
 
   std::vector<sampling::PixelRect> grid() const;

@@ -22,8 +22,8 @@ struct TileHeader {
   std::int32_t x0, y0, x1, y1;  ///< pixels [x0, x1) x [y0, y1)
   std::int32_t columns;
   std::uint32_t arrays;  ///< in the list
-  std::uint32_t
-      values_in_cubes;  ///< 1: means and half-widths lie in the run's cubes, the others are compressed
+  /// 1: means and half-widths lie in the run's cubes, the others are compressed.
+  std::uint32_t values_in_cubes;
   std::uint64_t payload_bytes;
   std::uint64_t halo_samples, seed_samples, probe_samples;
   std::uint64_t primary_rays, shadow_rays, bounce_rays;

@@ -93,8 +93,8 @@ class ClutterRound {
   BlockSums sums_;
   std::size_t blocks_in_ = 0;  // that have come
   std::vector<double> steps_;  // by column: sum of the squared differences of neighbouring cells
-  std::vector<float>
-      above_;  // values of the cells above the row of blocks that comes in, and of those left of the block
+  // Values of the cells above the row of blocks that comes in, and of those left of the block.
+  std::vector<float> above_;
   std::vector<float> values_;
   std::vector<Point2> points_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> materials_;

@@ -16,8 +16,8 @@ class OutputSums {
   struct Row {
     double *mean, *geometry;
     Satterthwaite* path;  ///< as if all paths were drawn apart
-    Satterthwaite*
-        replicated;     ///< as replicates of paths differ, else as `path`; null where nothing has replicates
+    /// As replicates of paths differ, else as `path`; null where nothing has replicates.
+    Satterthwaite* replicated;
     double* deviation;  ///< sum of weight * standard deviation of one value, for Neyman's allocation
     double* gain;       ///< variance of paths over what it would be if all were drawn apart
 

@@ -27,8 +27,8 @@ struct StratumMoments {
 /// Of a stratum whose values weigh by a footprint, per asked column.
 struct WeighedMoments {
   std::vector<double> mean;
-  double share =
-      1.0;  ///< variance of `mean` in units of StratumMoments::variance, were all paths drawn apart
+  /// Variance of `mean` in units of StratumMoments::variance, were all paths drawn apart.
+  double share = 1.0;
   std::vector<double> variance;  ///< of `mean`, as the replicates of the paths' sequences differ
   double freedom = 0.0;          ///< degrees of freedom behind `variance`; 0: values are too few for it
 };
@@ -52,8 +52,8 @@ class Radiance {
     std::uint32_t round = 0;
     std::uint32_t paths = 0;        ///< of its one sequence used so far, where no footprint weighs its values
     std::vector<BlockSums> rounds;  ///< of accepted values, one per jittered grid
-    std::vector<std::uint32_t>
-        samples;  ///< indices of accepted values where those are kept, round after round
+    /// Indices of accepted values where those are kept, round after round.
+    std::vector<std::uint32_t> samples;
     Nets nets;
     std::vector<double> twin_squares;  ///< per column: half the squared differences of two paths at one point
     double twins = 0.0;

@@ -94,8 +94,8 @@ class TileWork {
   Stopping stopping_;
   Lattice lattice_;
   LabelTable table_;
-  std::optional<TileMemory>
-      memory_;  // of the run before, where there is one; for the next, where it is to be kept
+  // Of the run before, where there is one; for the next, where it is to be kept.
+  std::optional<TileMemory> memory_;
   RayLedger ledger_;
   Contrast contrast_;
   EdgeTracer tracer_;

@@ -63,8 +63,8 @@ struct Parts {
   std::unique_ptr<transport::SpectralScene> spectral_scene;
   std::unique_ptr<render::ChannelBrightness> brightness;
   std::vector<render::AirHalfWidth> air;  ///< by channel; empty without a modelled atmosphere
-  std::vector<render::NodeHalfWidth>
-      node_errors;  ///< by channel; empty with a modelled one, whose error holds that
+  /// By channel; empty with a modelled one, whose error holds that.
+  std::vector<render::NodeHalfWidth> node_errors;
   SamplingPlan plan;
   std::unique_ptr<render::AccuracyTolerance> tolerance;  ///< null where no accuracy is asked for
   render::ImageInfo info;

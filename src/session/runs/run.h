@@ -21,9 +21,8 @@ struct RunRequest {
   bool refine = false;         ///< take the kept run in the folder to the document's tighter accuracy
   bool anyway = false;         ///< begin also where memory or disk will not do by all that is known
   render::TileShare share;     ///< of the tiles; a share leaves tiles and no products, see merge_runs()
-  std::optional<std::chrono::steady_clock::time_point>
-      deadline;  ///< when all must be done; pixels that are not by then
-                 ///< hold no value in the products
+  /// When all must be done; pixels that are not by then hold no value in the products.
+  std::optional<std::chrono::steady_clock::time_point> deadline;
 
   Coordinator* coordinator = nullptr;  ///< of ranks that share the tiles; needs keep_tiles
 

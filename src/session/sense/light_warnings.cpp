@@ -71,11 +71,10 @@ void warn_of_sky(const Parts& parts, LogSink& log) {
   const bool thermal =
       parts.scene.temperatures() && any_channel(parts, [](double um) { return um > kEmission_um; });
   if (!reflective && !thermal) return;
-  log.warn(
-      format("there is no sky: {}{}{}. Give light.sky, or an atmosphere; \"sky\": {{\"none\": {{}}}} says "
-             "that this is meant",
-             reflective ? "what the Sun does not reach is lit by other surfaces alone" : "",
-             reflective && thermal ? ", and " : "", thermal ? "surfaces reflect a sky at 0 K" : ""));
+  log.warn(format(
+      "there is no sky: {}{}{}. Give light.sky, or an atmosphere; \"sky\": {{\"none\": {{}}}} says that this is meant",
+      reflective ? "what the Sun does not reach is lit by other surfaces alone" : "",
+      reflective && thermal ? ", and " : "", thermal ? "surfaces reflect a sky at 0 K" : ""));
 }
 
 /// Shares of rays that leave below the horizon: of those of the camera, and of those that what they meet reflects.
@@ -166,8 +165,7 @@ void warn_of_depth(const Parts& parts, LogSink& log) {
   if (left < kNoticed) return;
   log.warn(format(
       "max_depth {}: light that is reflected more often is left out, and no interval knows of it. Between "
-      "surfaces like '{}', which reflects up to {:.2g} %, that is up to {:.2g} % of it; without max_depth "
-      "nothing is left out",
+      "surfaces like '{}', which reflects up to {:.2g} %, that is up to {:.2g} % of it; without max_depth nothing is left out",
       *depth, name, 100.0 * brightest, 100.0 * left));
 }
 

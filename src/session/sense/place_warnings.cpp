@@ -44,11 +44,10 @@ void warn_of_camera(const Parts& parts, const SceneLook& look, LogSink& log) {
   const math::Vec3 offset_m = parts.document.scene.origin.offset_m;
   if (const auto height_m = std::visit(CameraHeight{}, parts.document.sensor.camera.model);
       height_m && *height_m - offset_m.z < top_m)
-    log.warn(
-        format("the camera's 'height' of {:g} m lies below the top of the scene at {:g} m: what is above it "
-               "is not seen. "
-               "Leave 'height' out, and rays start above everything",
-               *height_m, top_m + offset_m.z));
+    log.warn(format(
+        "the camera's 'height' of {:g} m lies below the top of the scene at {:g} m: what is above it is not seen. "
+        "Leave 'height' out, and rays start above everything",
+        *height_m, top_m + offset_m.z));
   const std::optional<math::Point3> place = parts.camera->pose().position_m;
   if (place && world.object_count() > 0) {
     constexpr double kInside = 0.9;
@@ -114,17 +113,16 @@ void warn_of_far_objects(const Parts& parts, const SceneLook& look, LogSink& log
     }
     if (far == 0) continue;
     const io::OriginDocument& origin = parts.document.scene.origin;
-    log.warn(format("{}: {} lie{} up to {:.0f} km from the picture: are {} coordinates of another frame? {}",
-                    title_of(parts.document, d),
-                    count == 1
-                        ? std::string("it")
-                        : format("{} of {} copies", static_cast<double>(far) / looked_at * count, count),
-                    count == 1 ? "s" : "", furthest_m / 1000.0, count == 1 ? "its" : "their",
-                    origin.has_map_offset || !origin.crs.empty()
-                        ? "The scene's are map coordinates, since its 'origin' has some"
-                        : "The scene's are metres about its origin; for map coordinates give the scene's "
-                          "'origin' an 'easting' "
-                          "and a 'northing'"));
+    log.warn(format(
+        "{}: {} lie{} up to {:.0f} km from the picture: are {} coordinates of another frame? {}",
+        title_of(parts.document, d),
+        count == 1 ? std::string("it")
+                   : format("{} of {} copies", static_cast<double>(far) / looked_at * count, count),
+        count == 1 ? "s" : "", furthest_m / 1000.0, count == 1 ? "its" : "their",
+        origin.has_map_offset || !origin.crs.empty()
+            ? "The scene's are map coordinates, since its 'origin' has some"
+            : "The scene's are metres about its origin; for map coordinates give the scene's 'origin' an 'easting' "
+              "and a 'northing'"));
   }
 }
 
@@ -161,14 +159,13 @@ void warn_of_shared_places(const Parts& parts, const SceneLook& look, LogSink& l
   std::size_t named = 0;
   for (const SceneLook::Shared& one : shared) {
     if (one.share < kNoticed || named++ >= kNamed) break;
-    log.warn(
-        format("surfaces of {} and {} lie in one place in {:.2g} % of the picture: {} is seen there, {}. "
-               "Lift one by a "
-               "centimetre, or put it elsewhere in the list",
-               title_of(parts.document, one.seen), title_of(parts.document, one.hidden), 100.0 * one.share,
-               title_of(parts.document, one.seen),
-               one.seen > one.hidden ? "which is the later of the two in the document"
-                                     : "which is higher by less than a hair"));
+    log.warn(format(
+        "surfaces of {} and {} lie in one place in {:.2g} % of the picture: {} is seen there, {}. Lift one by a "
+        "centimetre, or put it elsewhere in the list",
+        title_of(parts.document, one.seen), title_of(parts.document, one.hidden), 100.0 * one.share,
+        title_of(parts.document, one.seen),
+        one.seen > one.hidden ? "which is the later of the two in the document"
+                              : "which is higher by less than a hair"));
   }
 }
 
@@ -184,8 +181,7 @@ void warn_of_maps(const Parts& parts, const SceneLook& look, LogSink& log) {
     if (map.repeats || (map.west_m < x.high && east_m > x.low && south_m < y.high && map.north_m > y.low))
       continue;
     log.warn(format(
-        "map '{}' covers {}, and all of the scene lies at {}: everything gets the value of its nearest cell. "
-        "Are these "
+        "map '{}' covers {}, and all of the scene lies at {}: everything gets the value of its nearest cell. Are these "
         "coordinates of another frame?",
         map.path, area_text(parts, {map.west_m, east_m}, {south_m, map.north_m}), area_text(parts, x, y)));
   }
@@ -217,14 +213,12 @@ void warn_of_two_origins(const Parts& parts, LogSink& log) {
                  std::sqrt(std::cos(latitude) * std::cos(other)) * std::sin(0.5 * between));
   const double apart_m = 2.0 * kRadius_m * std::asin(std::min(1.0, half_chord));
   if (apart_m < kNoticed_m) return;
-  log.warn(
-      format("the origin's latitude {:.4g} and longitude {:.4g} deg lie {:.0f} km from its easting and "
-             "northing, which are at "
-             "latitude {:.4g} and longitude {:.4g} deg: the Sun follows the first, the map the second. "
-             "Correct one, or leave "
-             "'latitude' and 'longitude' away",
-             latitude / kDegree, longitude / kDegree, apart_m / 1000.0, on_map->latitude_deg,
-             on_map->longitude_deg));
+  log.warn(format(
+      "the origin's latitude {:.4g} and longitude {:.4g} deg lie {:.0f} km from its easting and northing, which are at "
+      "latitude {:.4g} and longitude {:.4g} deg: the Sun follows the first, the map the second. Correct one, or leave "
+      "'latitude' and 'longitude' away",
+      latitude / kDegree, longitude / kDegree, apart_m / 1000.0, on_map->latitude_deg,
+      on_map->longitude_deg));
 }
 
 }  // namespace

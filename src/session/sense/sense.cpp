@@ -18,17 +18,14 @@ void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log) {
     log.info(
         format("emitters: faces that outshine the scene and whose light is sought: {}", emitters->count()));
   if (emitters->leaves_some())
-    log.warn(
-        format("light of some surfaces that outshine the scene is found by chance alone: it is not sought "
-               "from planes "
-               "and terrain, nor from more than {} faces",
-               transport::Emitters::kMost));
+    log.warn(format(
+        "light of some surfaces that outshine the scene is found by chance alone: it is not sought from planes "
+        "and terrain, nor from more than {} faces",
+        transport::Emitters::kMost));
   if (emitters->count() > 0 && transport::EmitterMirrors::leave_some(scene.scene()))
     log.warn(
-        "light of surfaces that outshine the scene is sought by way of one flat mirror, not of bent ones or "
-        "of several "
-        "in turn: what those throw of it on other surfaces is found by chance alone, and pixels near them "
-        "may be less "
+        "light of surfaces that outshine the scene is sought by way of one flat mirror, not of bent ones or of several "
+        "in turn: what those throw of it on other surfaces is found by chance alone, and pixels near them may be less "
         "sure than they say");
 }
 

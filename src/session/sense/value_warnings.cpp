@@ -45,10 +45,9 @@ void warn_of_dark_channels(const Parts& parts, const SceneLook& look, LogSink& l
   const std::vector<std::string> names =
       channels_that(parts, [&](std::size_t c) { return dark(parts, look, c); });
   if (!names.empty())
-    log.warn(
-        format("nothing shines in {}: neither Sun nor sky has light there, and nothing that is seen emits; "
-               "the radiance will be 0",
-               named(names)));
+    log.warn(format(
+        "nothing shines in {}: neither Sun nor sky has light there, and nothing that is seen emits; the radiance will be 0",
+        named(names)));
 }
 
 void warn_of_hot_sky(const Parts& parts, const SceneLook& look, LogSink& log) {
@@ -106,11 +105,10 @@ void warn_of_kelvins(const Parts& parts, LogSink& log) {
     return parts.tolerance->judged(static_cast<int>(c)) && parts.channels[c].centre_um < kThermal_um;
   });
   if (!names.empty())
-    log.warn(
-        format("an accuracy of {:g} K is asked of {}, where surfaces reflect and a brightness temperature "
-               "says little: "
-               "give the error in %, or judge a thermal channel ('channel')",
-               parts.plan.request->error, named(names)));
+    log.warn(format(
+        "an accuracy of {:g} K is asked of {}, where surfaces reflect and a brightness temperature says little: "
+        "give the error in %, or judge a thermal channel ('channel')",
+        parts.plan.request->error, named(names)));
 }
 
 /// Gases that no air on Earth holds so much, or so little, of. None at all is meant.
@@ -141,8 +139,7 @@ void require_light(const Parts& parts, const SceneLook& look) {
     if (!dark(parts, look, c)) return;
   throw io::document_error(
       parts.document, light.position.line > 0 ? light.position : parts.document.sensor.position,
-      "nothing shines: no Sun above the horizon, no sky, and nothing that is seen has a temperature in these "
-      "channels. Give "
+      "nothing shines: no Sun above the horizon, no sky, and nothing that is seen has a temperature in these channels. Give "
       "'light' a 'sun' and a 'sky', the document an 'atmosphere', or materials a 'temperature'");
 }
 

@@ -168,11 +168,12 @@ class ReferenceCheck {
                            "the Moon has no phase: give 'phase_angle', or the document's 'time'");
     const std::string maker = document_.atmosphere.imported ? "imported" : document_.atmosphere.sky_maker();
     if (!maker.empty() && maker != "profile")
-      throw document_error(document_, moon->position,
-                           format("the atmosphere's '{}' says what light the Sun gives, not the Moon: leave "
-                                  "out 'moon', or name a "
-                                  "'profile'",
-                                  maker));
+      throw document_error(
+          document_, moon->position,
+          format(
+              "the atmosphere's '{}' says what light the Sun gives, not the Moon: leave out 'moon', or name a "
+              "'profile'",
+              maker));
   }
 
   void check_sky() const {

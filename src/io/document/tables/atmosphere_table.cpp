@@ -151,10 +151,10 @@ Kind<AtmosphereDocument> atmosphere_kind() {
       .one("uniform", &AtmosphereDocument::uniform, uniform_kind(), "no air, light without colour")
       .one("four_curve", &AtmosphereDocument::four_curve, four_curve_kind(),
            "four spectra, the same for every path")
-      .one("profile", into(air, &ProfileDescription::model), word(atmosphere::model_atmosphere_names()),
-           "the model atmosphere (Anderson et al. 1986) that gives pressure, temperature and gases where the "
-           "keys "
-           "below say nothing else")
+      .one(
+          "profile", into(air, &ProfileDescription::model), word(atmosphere::model_atmosphere_names()),
+          "the model atmosphere (Anderson et al. 1986) that gives pressure, temperature and gases where the keys "
+          "below say nothing else")
       .optional("levels", into(air, &ProfileDescription::levels), list(level_kind(), 2, 1000),
                 "a profile of your own, from the ground up; the model atmosphere continues it")
       .optional(
@@ -186,8 +186,7 @@ Kind<AtmosphereDocument> atmosphere_kind() {
             whole(*d.modelled).sensor_altitude_km = 1e-3 * m;
           },
           quantity(kLength, Range::above(0.0, "m")),
-          "of the sensor above mean sea level; without it that of a frame camera, and above all air for an "
-          "orthographic one");
+          "of the sensor above mean sea level; without it that of a frame camera, and above all air for an orthographic one");
   for (const char* key : {"levels", "ground_altitude", "water_vapour", "ozone", "co2", "ch4", "n2o",
                           "aerosol", "sensor_altitude"})
     record.needs(key, "profile");

@@ -106,9 +106,9 @@ Kind<ChannelEntry> entry_kind() {
       .one("monochromatic", store, monochromatic_kind(), "one wavelength")
       .one("series", &ChannelEntry::responses, series_kind(), "many at once")
       .at_most_one()
-      .one("noise", &ChannelEntry::noise, spectrum_kind(SpectrumOf::radiance),
-           "standard deviation of the sensor's noise as a radiance at the centre of the channel (NEdL); for "
-           "errors stated in its unit")
+      .one(
+          "noise", &ChannelEntry::noise, spectrum_kind(SpectrumOf::radiance),
+          "standard deviation of the sensor's noise as a radiance at the centre of the channel (NEdL); for errors stated in its unit")
       .one("noise_temperature", &ChannelEntry::noise_k,
            quantity(kTemperatureDifference, Range::above(0.0, "K")),
            "the same as a temperature difference of a black surface of 300 K (NEdT)");

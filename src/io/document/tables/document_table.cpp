@@ -53,8 +53,7 @@ Kind<Document> document_kind() {
           "$schema", [](Document&, const std::string&) {}, label(), "for editors: where the schema is")
       .optional(
           "include", [](Document&, const std::vector<DocumentFile>&) {}, included_kind(),
-          "documents whose values count where this one has none: objects are put together key by key, and a "
-          "null takes a "
+          "documents whose values count where this one has none: objects are put together key by key, and a null takes a "
           "key away; of several the last counts most")
       .with_default(
           "seed", [](Document& d, std::int64_t seed) { d.seed = static_cast<std::uint64_t>(seed); },

@@ -109,10 +109,10 @@ Kind<LightDocument> light_kind() {
             light.sky_position = entry.position;
           },
           sky_kind(), "without it a black sky")
-      .optional("surroundings", &LightDocument::surroundings, surroundings_kind(),
-                "without them the mean of the ground in the picture where an atmosphere is modelled or "
-                "imported, else "
-                "black and cold");
+      .optional(
+          "surroundings", &LightDocument::surroundings, surroundings_kind(),
+          "without them the mean of the ground in the picture where an atmosphere is modelled or imported, else "
+          "black and cold");
   return record.kind();
 }
 

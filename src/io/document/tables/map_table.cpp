@@ -66,20 +66,19 @@ Kind<TemperatureMap> temperature_map_kind() {
 }
 
 Kind<TextureDocument> texture_kind() {
-  Record<TextureDocument> record("texture",
-                                 "Picks the curve of a material with several of them from images, by "
-                                 "matching statistics: a cell that lies so many "
-                                 "standard deviations above its image's mean takes the curve that lies as "
-                                 "many above the mean of the curves, or a "
-                                 "mixture of two.");
+  Record<TextureDocument> record(
+      "texture",
+      "Picks the curve of a material with several of them from images, by matching statistics: a cell that lies so many "
+      "standard deviations above its image's mean takes the curve that lies as many above the mean of the curves, or a "
+      "mixture of two.");
   record
       .required("images", &TextureDocument::images, list(texture_image_kind(), 1, kMostImages),
                 "one or more images, each of a spectral range")
-      .with_default("matching", &TextureDocument::covariance,
-                    choice<bool>({{"plain", false}, {"covariance", true}}), "\"plain\"",
-                    "how distances in several ranges add up: equally, or by Mahalanobis's distance, in which "
-                    "ranges that "
-                    "go together count once");
+      .with_default(
+          "matching", &TextureDocument::covariance, choice<bool>({{"plain", false}, {"covariance", true}}),
+          "\"plain\"",
+          "how distances in several ranges add up: equally, or by Mahalanobis's distance, in which ranges that "
+          "go together count once");
   return record.kind();
 }
 
@@ -118,10 +117,10 @@ Kind<MaterialBinding> binding_kind() {
   Record<MaterialMap> map("material map", "Materials by the class numbers of a raster.");
   add_raster_keys(map);
   map.required("classes", &MaterialMap::classes, classes_kind(), "material of each class number");
-  Record<MixtureDocument> mixture("mixture map",
-                                  "Fractions of materials from the bands of a raster. What does not sum to 1 "
-                                  "is rescaled, and the log says so; of a "
-                                  "cell with more than four materials the four largest stay.");
+  Record<MixtureDocument> mixture(
+      "mixture map",
+      "Fractions of materials from the bands of a raster. What does not sum to 1 is rescaled, and the log says so; of a "
+      "cell with more than four materials the four largest stay.");
   add_raster_keys(mixture);
   mixture.required("materials", &MixtureDocument::materials,
                    list(name, 1, static_cast<std::size_t>(kMostBands)),
@@ -153,22 +152,20 @@ Kind<TerrainShape> terrain_kind() {
           "triangles are made as large as leaves every height of the raster within this of the surface")
       .optional("unit", &TerrainShape::unit_m, quantity(kLength, Range::above(0.0, "m")),
                 "height that the number 1 means; without it as the file says, else 1 m")
-      .with_default("nodata", &TerrainShape::fill, choice<bool>({{"holes", false}, {"fill", true}}),
-                    "\"holes\"",
-                    "cells without a height: holes, or filled from the nearest cells in four quadrants, "
-                    "weighted by the "
-                    "inverse of their distance")
+      .with_default(
+          "nodata", &TerrainShape::fill, choice<bool>({{"holes", false}, {"fill", true}}), "\"holes\"",
+          "cells without a height: holes, or filled from the nearest cells in four quadrants, weighted by the "
+          "inverse of their distance")
       .with_default(
           "smooth", &TerrainShape::smooth, boolean(), "true",
           "slopes, as light sees them, change smoothly from height to height; else each triangle is flat")
-      .optional("form", &TerrainShape::form,
-                choice<TerrainShape::Form>(
-                    {{"mesh", TerrainShape::Form::mesh}, {"grid", TerrainShape::Form::grid}}),
-                "a mesh of triangles, or the raster itself with every height (`detail` 0 and the scene's own "
-                "`crs`): "
-                "4 bytes a cell and nothing to build; without it the raster itself, where that is possible "
-                "and it has "
-                "more than a million cells");
+      .optional(
+          "form", &TerrainShape::form,
+          choice<TerrainShape::Form>(
+              {{"mesh", TerrainShape::Form::mesh}, {"grid", TerrainShape::Form::grid}}),
+          "a mesh of triangles, or the raster itself with every height (`detail` 0 and the scene's own `crs`): "
+          "4 bytes a cell and nothing to build; without it the raster itself, where that is possible and it has "
+          "more than a million cells");
   return record.kind();
 }
 

@@ -50,10 +50,10 @@ Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind() {
                     "how the surface reflects: a model by its name or, with its parameters, as an object")
       .optional("texture", &MaterialDocument::texture, texture_kind(), "picks among several curves")
       .optional("relief", &MaterialDocument::relief, relief_kind(), "bumps that light sees")
-      .optional("transmittance", &MaterialDocument::transmittance, spectrum_kind(SpectrumOf::transmittance),
-                "of a thin leaf, the same from both sides: what leaves the other side, spread as Lambert's "
-                "law says; "
-                "emissivity is then 1 - reflectance - transmittance")
+      .optional(
+          "transmittance", &MaterialDocument::transmittance, spectrum_kind(SpectrumOf::transmittance),
+          "of a thin leaf, the same from both sides: what leaves the other side, spread as Lambert's law says; "
+          "emissivity is then 1 - reflectance - transmittance")
       .check([](const MaterialDocument& material, const DocumentNode& node) {
         const char* key = material.is_emissivity ? "emissivity" : "reflectance";
         if (material.transmittance && material.is_emissivity)

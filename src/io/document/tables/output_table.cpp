@@ -106,10 +106,10 @@ Kind<OutputDocument> output_kind() {
                     "begins the name of every product")
       .with_default("formats", &OutputDocument::formats, formats_kind(), "[\"envi\", \"png\", \"html\"]",
                     "kinds of products; the ENVI cubes and the run record are always written")
-      .optional("products", &OutputDocument::products, products_kind(),
-                "ENVI cubes beside the radiance, which is always written; if not given, those of the "
-                "samples, the quality, the "
-                "abundances and half_width, and of frame cameras location")
+      .optional(
+          "products", &OutputDocument::products, products_kind(),
+          "ENVI cubes beside the radiance, which is always written; if not given, those of the samples, the quality, the "
+          "abundances and half_width, and of frame cameras location")
       .optional(
           "quicklook",
           [](OutputDocument& output, Quicklook quicklook) {

@@ -44,8 +44,7 @@ void add_raster_keys(Record<T>& record) {
       .with_default(
           "by", [](T& t, bool texture) { t.raster.by_texture = texture; },
           choice<bool>({{"place", false}, {"texture coordinates", true}}), "\"place\"",
-          "draped from above, or by the texture coordinates of the surface, of which 0 to 1 hold the raster "
-          "once "
+          "draped from above, or by the texture coordinates of the surface, of which 0 to 1 hold the raster once "
           "(v rises from its last row to its first)")
       .with_default(
           "copies", [](T& t, std::array<double, 2> copies) { t.raster.copies = copies; },

@@ -94,8 +94,7 @@ Kind<AccuracySampling> accuracy_kind() {
           "\"1 %\"",
           "allowed half-width of each pixel's interval: brightness temperature, share of the pixel's value, "
           "radiance, apparent reflectance, or share of the noise that channels declare; never finer than "
-          "1e-5 of the value, the precision of the products; reflectance is not judged in channels where a "
-          "white "
+          "1e-5 of the value, the precision of the products; reflectance is not judged in channels where a white "
           "surface sends less than 1 % of what the air does")
       .with_default("confidence", &AccuracySampling::confidence, fraction({0.5, 1.0, false, true, {}}),
                     "0.95", "probability with which the interval holds the true value")
@@ -138,8 +137,7 @@ Kind<SamplingDocument> sampling_kind() {
       .with_default(
           "mirror_reflections", &SamplingDocument::mirror_reflections, integer(0, 8), "8",
           "flat mirrors, one after the other, by way of which sunlight is sought; where more may matter, "
-          "pixels are marked. With 0 neither sunlight nor what shines is sought by way of any mirror, round "
-          "ones "
+          "pixels are marked. With 0 neither sunlight nor what shines is sought by way of any mirror, round ones "
           "included")
       .optional(
           "max_depth", &SamplingDocument::max_depth, integer(1, 10000),

@@ -45,8 +45,7 @@ Kind<OriginDocument> origin_kind() {
             o.crs_position = std::move(crs.second);
           },
           located_text(),
-          "coordinate reference system of the map coordinates, as PROJ knows it: \"EPSG:25832\"; rasters in "
-          "others "
+          "coordinate reference system of the map coordinates, as PROJ knows it: \"EPSG:25832\"; rasters in others "
           "are taken over into it, and without easting and northing it gives those of latitude and longitude")
       .with_default("height", &OriginDocument::height_m, quantity(kLength), "\"0 m\"",
                     "of the origin above the ellipsoid; with map coordinates, also subtracted from z")

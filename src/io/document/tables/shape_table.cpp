@@ -167,10 +167,10 @@ Kind<InstancesShape> instances_kind() {
   record.required("of", &InstancesShape::of, name_of("a prototype"), "what is copied")
       .exactly_one()
       .one("at", &InstancesShape::at_m, list(point(), 1, kMostCopies), "where the prototype's origin goes")
-      .one("csv", &InstancesShape::csv, file(),
-           "rows of x, y, z in metres, rotation about z in degrees (counter-clockwise from above), scale, "
-           "pitch "
-           "and roll in degrees; the last two or four may be left out")
+      .one(
+          "csv", &InstancesShape::csv, file(),
+          "rows of x, y, z in metres, rotation about z in degrees (counter-clockwise from above), scale, pitch "
+          "and roll in degrees; the last two or four may be left out")
       .one("binary", &InstancesShape::binary, file(), "a binary instance list (`.ifovinst`)");
   return record.kind();
 }

@@ -279,8 +279,8 @@ class EdgeTracer {
   std::vector<std::uint32_t> budget_;
   std::vector<std::uint8_t> abandoned_, suspect_;
   std::vector<std::uint8_t> followed_;  // finest level of cells that a feature was followed into; 0: none
-  std::vector<std::uint8_t>
-      stirred_;  // pixels whose cells, curves or brackets changed since they were sharpened
+  // Pixels whose cells, curves or brackets changed since they were sharpened.
+  std::vector<std::uint8_t> stirred_;
   std::vector<std::uint8_t> changed_;  // those that changed since forget_changes()
   std::vector<std::uint8_t> due_;      // those that are being sharpened
   std::vector<double> sharpened_for_;  // allowed variance of each pixel when it was sharpened last

@@ -37,10 +37,11 @@ void check_channels(const io::Document& document, std::span<const radiometry::Ch
     const double first_um = line ? channel.centre_um : channel.response.first_um(),
                  last_um = line ? channel.centre_um : channel.response.last_um();
     if (first_um >= kShortest_um && last_um <= kLongest_um) continue;
-    throw io::document_error(document, document.sensor.channels[c].position,
-                             format("the channel '{}' reaches from {:.4g} to {:.4g} um, and the modelled "
-                                    "atmosphere from {:g} to {:g} um",
-                                    channel.name, first_um, last_um, kShortest_um, kLongest_um));
+    throw io::document_error(
+        document, document.sensor.channels[c].position,
+        format(
+            "the channel '{}' reaches from {:.4g} to {:.4g} um, and the modelled atmosphere from {:g} to {:g} um",
+            channel.name, first_um, last_um, kShortest_um, kLongest_um));
   }
 }
 
@@ -60,12 +61,12 @@ atmosphere::SensorGeometry sensor_geometry(const io::Document& document, const s
   const math::Vec3 up = -ray.direction;
   geometry.view_zenith_rad = std::acos(std::clamp(up.z, -1.0, 1.0));
   if (!(geometry.view_zenith_rad <= kLowestView_rad))
-    throw io::document_error(document, document.sensor.camera.position,
-                             format("under a modelled atmosphere the camera must look down, at most {:.0f} "
-                                    "degrees from the nadir; the middle "
-                                    "of its image looks {:.1f} degrees away",
-                                    kLowestView_rad * 180.0 / std::numbers::pi,
-                                    geometry.view_zenith_rad * 180.0 / std::numbers::pi));
+    throw io::document_error(
+        document, document.sensor.camera.position,
+        format(
+            "under a modelled atmosphere the camera must look down, at most {:.0f} degrees from the nadir; the middle "
+            "of its image looks {:.1f} degrees away",
+            kLowestView_rad * 180.0 / std::numbers::pi, geometry.view_zenith_rad * 180.0 / std::numbers::pi));
   if (sun && sun->direction.z > 0.0) {
     const math::Vec3 towards = sun->direction;
     geometry.sun_zenith_rad = std::acos(std::clamp(towards.z, -1.0, 1.0));

@@ -174,8 +174,7 @@ void place_city(const io::Document& document, const io::ObjectDocument& object,
       take_over(read, *scene_from_file);
       if (log != nullptr)
         log->info(format(
-            "city '{}': its file says {}, the scene '{}': taken from east {:.3f}, north {:.3f} to east "
-            "{:.3f}, "
+            "city '{}': its file says {}, the scene '{}': taken from east {:.3f}, north {:.3f} to east {:.3f}, "
             "north {:.3f} m (its lower left corner)",
             shape.file.path, code, frame.reference()->name(), before.x, before.y, read.low.x, read.low.y));
     }

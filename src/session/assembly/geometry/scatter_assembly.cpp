@@ -167,11 +167,10 @@ std::vector<std::vector<io::Instance>> scatter_copies(const io::Document& docume
           names, source.minimum_distance_m, most_m2 * kPer_ha, density.peak_m2 * kPer_ha,
           100.0 * asked.share_above));
     if (places.empty())
-      log->warn(
-          format("scatter of {}: no copies stand there, {:.3g} are expected on its {:.4g} m2: is 'density' "
-                 "or 'area' of another "
-                 "unit?",
-                 names, asked.mean_m2 * area.square_metres(), area.square_metres()));
+      log->warn(format(
+          "scatter of {}: no copies stand there, {:.3g} are expected on its {:.4g} m2: is 'density' or 'area' of another "
+          "unit?",
+          names, asked.mean_m2 * area.square_metres(), area.square_metres()));
     if (placed < places.size())
       log->warn(format("scatter of {}: {} of {} places have nothing of '{}' under them and stay empty", names,
                        places.size() - placed, places.size(), source.on->name));

@@ -67,8 +67,8 @@ class CoveringAssembly {
   scene::Scene& scene_;
   LogSink* log_;
   TextureAssembly textures_;
-  std::vector<std::uint32_t>
-      first_further_;  ///< by material of the document: the first of its further curves
+  /// By material of the document: the first of its further curves.
+  std::vector<std::uint32_t> first_further_;
   std::map<std::string, std::shared_ptr<const materials::TemperatureMap>> temperature_maps_;
   std::map<std::string, std::shared_ptr<const materials::ClassMap>> class_maps_;
   std::map<std::string, std::shared_ptr<const materials::MixtureMap>> mixture_maps_;
