@@ -46,7 +46,7 @@ void check_sum(const Material& material, const radiometry::Spectrum& transmittan
 
 /// A model may be such that parameters in their ranges reflect more than what arrives.
 void check_energy(const Material& material) {
-  constexpr double kCosines[] = {1.0, 0.7, 0.4, 0.2, 0.1}, kRounding = 1e-3;
+  constexpr double kCosines[] = {1.0, 0.7, 0.4, 0.2, 0.1, 0.02}, kRounding = 1e-3;
   for (const double cosine : kCosines) {
     radiometry::Spectrum whole = directional_hemispherical(*material.bsdf, Side::reflected, cosine);
     if (material.bsdf->may_transmit())

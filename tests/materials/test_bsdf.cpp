@@ -222,7 +222,8 @@ TEST(Bsdf, TheRegistryKnowsEveryModel) {
     ADD_FAILURE();
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()),
-              "there is no scattering model 'lambertain'; there are 'lambertian', 'mirror', 'oren_nayar'");
+              "there is no scattering model 'lambertain'; there are 'lambertian', 'mirror', 'oren_nayar', "
+              "'ross_li', 'rpv'");
   }
 }
 

@@ -7,6 +7,8 @@
 #include "materials/bsdf/hemisphere.h"
 #include "materials/bsdf/mirror.h"
 #include "materials/bsdf/oren_nayar.h"
+#include "materials/bsdf/ross_li.h"
+#include "materials/bsdf/rpv.h"
 #include "radiometry/planck.h"
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
@@ -113,11 +115,17 @@ TEST(DirectionalModels, PlantedFaultOfOneSideIsSeen) {
   EXPECT_GT(std::abs(wrong.mean - separable.mean), 1e-3 * separable.mean);
 }
 
-std::uint32_t rough(SmallScene& scene, double reflectance, double slope_rad, double temperature_k = 0.0) {
-  const auto bsdf = std::make_shared<materials::OrenNayar>(Spectrum::constant(reflectance), slope_rad);
+std::uint32_t scattering_by(SmallScene& scene, const std::shared_ptr<const materials::Bsdf>& bsdf,
+                            double temperature_k) {
   const Spectrum whole =
       materials::directional_hemispherical(*bsdf, materials::Side::reflected, materials::kBihemispherical);
   return scene.material(whole.values()[0], temperature_k, bsdf);
+}
+
+std::uint32_t rough(SmallScene& scene, double reflectance, double slope_rad, double temperature_k = 0.0) {
+  return scattering_by(scene,
+                       std::make_shared<materials::OrenNayar>(Spectrum::constant(reflectance), slope_rad),
+                       temperature_k);
 }
 
 TEST(DirectionalModels, FurnaceReturnsPlanck) {
@@ -131,6 +139,26 @@ TEST(DirectionalModels, FurnaceReturnsPlanck) {
     const auto estimate = scene.radiance({{0.1, -0.2, 0.3}, math::normalized(towards)}, 1 << 17);
     EXPECT_LT(estimate.standard_error, 2e-3 * expected);
     EXPECT_NEAR(estimate.mean, expected, 3.0 * estimate.standard_error + 3e-4 * expected);
+  }
+}
+
+TEST(DirectionalModels, FurnaceOfLandReturnsPlanck) {
+  // Their hot spots are sharp, and emissivity is known less well.
+  SmallScene scene;
+  const auto constant = [](double value) { return Spectrum::constant(value); };
+  scene.place(geometry::Box{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}},
+              scattering_by(scene, std::make_shared<materials::Rpv>(constant(0.2), 0.8, -0.1), 300.0));
+  scene.place(
+      geometry::Sphere{{0.3, 0.4, -0.6}, 0.3},
+      scattering_by(scene,
+                    std::make_shared<materials::RossLi>(constant(0.3), constant(0.15), constant(0.02), 0.026),
+                    300.0));
+  scene.build();
+  const double expected = radiometry::planck_w_m2_sr_um(SmallScene::kWavelength_um, 300.0);
+  for (const Vec3 towards : {Vec3{0.3, 0.5, -0.7}, {0.9, 0.05, 0.1}, {0.2, 0.6, -0.9}}) {
+    const auto estimate = scene.radiance({{0.1, -0.2, 0.3}, math::normalized(towards)}, 1 << 17);
+    EXPECT_LT(estimate.standard_error, 2e-3 * expected);
+    EXPECT_NEAR(estimate.mean, expected, 3.0 * estimate.standard_error + 5e-4 * expected);
   }
 }
 

@@ -23,7 +23,8 @@ struct BsdfParameter {
   std::string_view key, doc;
   Form form = Form::number;
   double low = 0.0, high = 1.0;        ///< of a number, or an angle in degrees
-  std::string_view default_json = {};  ///< empty: the document has to give it
+  std::string_view default_json = {};  ///< empty: the document has to give it, unless it is optional
+  bool optional = false;               ///< may be left out without a default; then the inputs lack it
 };
 
 /// What a model is made of: the material's reflectance, and the model's parameters by key.
@@ -32,6 +33,7 @@ struct BsdfInputs {
   radiometry::Spectrum reflectance;
   std::vector<std::pair<std::string, Value>> values;
 
+  bool has(std::string_view key) const;
   /// Throw std::logic_error where the model has declared no such parameter of this form.
   double number(std::string_view key) const;
   const radiometry::Spectrum& spectrum(std::string_view key) const;
@@ -45,7 +47,7 @@ struct BsdfModel {
   /// Throws InputError where the inputs contradict each other.
   std::shared_ptr<const Bsdf> (*make)(const BsdfInputs& inputs);
 
-  /// Whether its name alone does not say all: a parameter has no default.
+  /// Whether its name alone does not say all: a parameter has to be given.
   bool needs_parameters() const;
 };
 

@@ -7,11 +7,14 @@
 #include "materials/bsdf/lambertian.h"
 #include "materials/bsdf/mirror.h"
 #include "materials/bsdf/oren_nayar.h"
+#include "materials/bsdf/ross_li.h"
+#include "materials/bsdf/rpv.h"
 
 namespace ifov::materials {
 namespace {
 
-constexpr std::array kModels{&Lambertian::kModel, &Mirror::kModel, &OrenNayar::kModel};
+constexpr std::array kModels{&Lambertian::kModel, &Mirror::kModel, &OrenNayar::kModel, &RossLi::kModel,
+                             &Rpv::kModel};
 
 template <class Value>
 const Value& value_of(const BsdfInputs& inputs, std::string_view key) {
@@ -23,6 +26,10 @@ const Value& value_of(const BsdfInputs& inputs, std::string_view key) {
 
 }  // namespace
 
+bool BsdfInputs::has(std::string_view key) const {
+  return std::any_of(values.begin(), values.end(), [&](const auto& value) { return value.first == key; });
+}
+
 double BsdfInputs::number(std::string_view key) const { return value_of<double>(*this, key); }
 
 const radiometry::Spectrum& BsdfInputs::spectrum(std::string_view key) const {
@@ -31,7 +38,7 @@ const radiometry::Spectrum& BsdfInputs::spectrum(std::string_view key) const {
 
 bool BsdfModel::needs_parameters() const {
   return std::any_of(parameters.begin(), parameters.end(),
-                     [](const BsdfParameter& p) { return p.default_json.empty(); });
+                     [](const BsdfParameter& p) { return p.default_json.empty() && !p.optional; });
 }
 
 std::span<const BsdfModel* const> bsdf_models() { return kModels; }

@@ -15,7 +15,9 @@ void add(Record<ScatteringDocument>& record, const BsdfParameter& parameter, con
   const auto store = [key](ScatteringDocument& to, V value) {
     to.values.emplace_back(key, std::move(value));
   };
-  if (fallback.empty())
+  if (parameter.optional)
+    record.optional(key, store, kind, doc);
+  else if (fallback.empty())
     record.required(key, store, kind, doc);
   else
     record.with_default(
@@ -41,7 +43,7 @@ Kind<ScatteringDocument> parameters_kind(const BsdfModel& model) {
   return record.kind();
 }
 
-/// A model by its name alone: each of its parameters has a default, or it has none.
+/// A model by its name alone: none of its parameters has to be given.
 Kind<ScatteringDocument> named_kind() {
   std::vector<std::pair<std::string, ScatteringDocument>> models;
   const DocumentTree nothing = parse_json("{}", "no parameters");

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "materials/bsdf/bsdf.h"
+
+namespace ifov::materials::test {
+
+inline constexpr double kDegree = std::numbers::pi / 180.0;
+
+inline math::Vec3 at(double zenith_rad, double azimuth_rad) {
+  return {std::sin(zenith_rad) * std::cos(azimuth_rad), std::sin(zenith_rad) * std::sin(azimuth_rad),
+          std::cos(zenith_rad)};
+}
+
+/// Zenith angles and azimuth between the two in degrees; azimuth 0: the viewer has the light in the back.
+inline BsdfEvent event_of(double out_deg, double in_deg, double azimuth_deg) {
+  return {at(out_deg * kDegree, azimuth_deg * kDegree),
+          at(in_deg * kDegree, 0.0),
+          {0.0, 0.0, 1.0},
+          {},
+          Side::reflected};
+}
+
+/// pi x BRDF of a model whose spectra are constant.
+inline double reflectance_factor(const Bsdf& bsdf, const BsdfEvent& event) {
+  std::vector<float> values;
+  std::vector<const float*> rows;
+  for (const radiometry::Spectrum& spectrum : bsdf.spectra())
+    values.push_back(static_cast<float>(spectrum.at(1.0)));
+  for (const float& value : values) rows.push_back(&value);
+  float found = 0.0f;
+  bsdf.evaluate(event, rows, 1, &found);
+  return std::numbers::pi * static_cast<double>(found);
+}
+
+/// Radiances of uvspec (libRadtran) above a surface without air, in units of the Sun's irradiance: per cosine of the
+/// view the mean over azimuth and the radiances at the azimuths of the heading.
+struct UvspecRow {
+  double cosine, mean;
+  std::vector<double> radiance;
+};
+inline std::vector<UvspecRow> read_uvspec(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);  // fluxes
+  std::getline(file, line);  // azimuths
+  std::vector<UvspecRow> rows;
+  while (std::getline(file, line)) {
+    std::istringstream words(line);
+    UvspecRow row;
+    if (!(words >> row.cosine >> row.mean)) continue;
+    for (double value; words >> value;) row.radiance.push_back(value);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace ifov::materials::test
