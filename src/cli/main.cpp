@@ -3,10 +3,9 @@
 #include <system_error>
 #include <vector>
 
-#include "cli/command.h"
+#include "cli/commands.h"
 #include "cli/faults.h"
 #include "cli/ranks.h"
-#include "cli/run_commands.h"
 #include "cli/terminal/say.h"
 #include "core/error.h"
 #include "core/format.h"
@@ -57,10 +56,8 @@ int run(int argc, char** argv) {
                        format("ifov {}\n{}", version(), mpi.empty() ? "built without MPI" : mpi));
   app.footer(kFooter);
   app.require_subcommand(1);
-  const std::vector<Command> commands{
-      add_render_command(app), add_check_command(app), add_preview_command(app), add_atmosphere_command(app),
-      add_info_command(app),   add_study_command(app), add_make_command(app),    add_materials_command(app),
-      add_status_command(app), add_merge_command(app), add_schema_command(app)};
+  std::vector<Command> commands;
+  for (const AddCommand add : all_commands()) commands.push_back(add(app));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,11 +1,15 @@
-"""The program with files put beside those of the tree, as pages of docs/developer show them."""
+"""The program with what a page of docs/developer adds, made beside the tree: its new files and its changes to old ones."""
 
+import concurrent.futures
+import functools
 import os
 import pathlib
 import re
 import shlex
 import shutil
 import subprocess
+import tempfile
+import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = pathlib.Path(os.environ.get("IFOV_PROGRAM", str(ROOT / "build" / "ifov")))
@@ -14,58 +18,151 @@ HAS_NINJA = bool(shutil.which("ninja")) and (BUILD / "build.ninja").exists()
 
 
 class Page:
-    """A page of docs/developer whose code blocks begin with the name of their file."""
+    """A page of docs/developer. Its blocks of code begin with a line that names their file, `// src/...`: those in ``cpp``
+    are code, those in ``diff`` changes to a file of the tree."""
 
     def __init__(self, name):
         self.text = (ROOT / "docs/developer" / name).read_text()
 
+    def blocks(self, language):
+        """(path, text) of every block that names its file."""
+        return re.findall(rf"^```{language}\n// (\S+)\n(.*?)^```", self.text, re.MULTILINE | re.DOTALL)
+
     def code(self, path):
-        return re.search(rf"^```cpp\n// {re.escape(path)}\n(.*?)^```", self.text, re.MULTILINE | re.DOTALL).group(1)
+        return dict(self.blocks("cpp"))[path]
 
 
+def changed(text, diff):
+    """A file's text after the lines of a diff: what it shows of the file has to stand there once."""
+    lines = diff.splitlines(keepends=True)
+    if any(line[0] not in " +-" for line in lines):
+        raise AssertionError(f"a line of a diff begins with ' ', '+' or '-':\n{diff}")
+    old = "".join(line[1:] for line in lines if line[0] != "+")
+    new = "".join(line[1:] for line in lines if line[0] != "-")
+    if text.count(old) != 1:
+        raise AssertionError(f"these lines stand {text.count(old)} times in the file, not once:\n{old}")
+    return text.replace(old, new)
+
+
+def files_to_edit(what):
+    """What the table of extending.md says: the existing files to edit in order to add such a thing."""
+    rows = re.findall(rf"^\| \[{re.escape(what)}\]\([^)]*\) \| (\d+) \| ([^|]*) \|", (ROOT / "docs/developer/extending.md").read_text(), re.MULTILINE)
+    if len(rows) != 1:
+        raise AssertionError(f"extending.md has {len(rows)} rows '{what}'")
+    files = re.findall(r"`([^`]+)`", rows[0][1])
+    if len(files) != int(rows[0][0]):
+        raise AssertionError(f"extending.md says {rows[0][0]} and names {len(files)} files to edit for '{what}'")
+    return set(files)
+
+
+@functools.lru_cache
 def command_for(output):
     """The shell command by which the build makes a file."""
-    text = subprocess.run(["ninja", "-C", str(BUILD), "-t", "commands", output], capture_output=True, text=True, check=True).stdout
+    text = subprocess.run(["ninja", "-C", str(BUILD), "-t", "commands", "-s", output], capture_output=True, text=True, check=True).stdout
     return text.strip().splitlines()[-1]
 
 
-class Extended:
-    """Sources in a folder of their own, laid out as src/, which take the place of the room's or stand beside them."""
+def objects_of_the_program():
+    """Object of each source that the program is linked of, with the archive of its room, or None for the program's own."""
+    archives = sorted(set(re.findall(r"src/\w+/libifov_\w+\.a", command_for("ifov"))))
+    found = {made: archive for archive in archives for made in re.findall(r"\S+\.cpp\.o", command_for(archive))}
+    return found | {made: None for made in re.findall(r"\S+\.cpp\.o", command_for("ifov"))}
 
-    def __init__(self, folder, room):
-        self.folder, self.archive = pathlib.Path(folder), f"src/{room}/libifov_{room}.a"
+
+class Extended:
+    """A folder laid out as src/, whose files take the place of the tree's or stand beside them."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        self.written, self.edited = set(), set()  # paths from src/ on; `edited` are those that the tree has
 
     def write(self, path, text):
-        """`path` from src/ on."""
         file = self.folder / path
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text)
-        return file
+        self.written.add(path)
+        if (ROOT / "src" / path).exists():
+            self.edited.add(path)
+
+    def add(self, page):
+        """All that a page shows whole."""
+        for path, text in page.blocks("cpp"):
+            if (ROOT / path).exists():
+                raise AssertionError(f"{path} is in the tree")
+            self.write(path.removeprefix("src/"), text)
+        for path, diff in page.blocks("diff"):
+            path = path.removeprefix("src/")
+            old = self.folder / path if path in self.edited else ROOT / "src" / path
+            self.write(path, changed(old.read_text(), diff))
 
     def compile(self, source, like):
-        """An object file of a source, made as the build makes that of the source `like` of the room."""
-        made = next(word for word in command_for(self.archive).split() if word.endswith(f"/{like}.o"))
-        words = [word for word in shlex.split(command_for(made)) if not word.endswith("ccache")]
-        target = self.folder / (source.name + ".o")
+        """Compiles a file as the build makes the object `like`; the object's path."""
+        words = [word for word in shlex.split(command_for(like)) if not word.endswith("ccache")]
+        target = self.folder / (str(source).strip("/").replace("/", "-") + ".o")
         for option, value in (("-o", str(target)), ("-c", str(source)), ("-MF", str(target) + ".d")):
             words[words.index(option) + 1] = value
-        words[-1] = str(source)
         words.insert(1, f"-I{self.folder}")
         result = subprocess.run(words, cwd=BUILD, capture_output=True, text=True, check=False)
         if result.returncode != 0:
             raise AssertionError(result.stderr[-3000:])
-        return target
+        return str(target)
 
-    def program(self, sources, replaced):
-        """The program linked with these sources, one of which takes the place of the room's `replaced`."""
-        archive = self.folder / pathlib.Path(self.archive).name
-        shutil.copy(BUILD / self.archive, archive)
-        subprocess.run(["ar", "d", archive, f"{replaced}.o"], check=True)
-        objects = [self.compile(source, replaced) for source in sources]
-        subprocess.run(["ar", "r", archive, *objects], check=True, capture_output=True)
-        program = self.folder / "ifov"
-        link = re.sub(r"-o ifov\b", f"-o {program}", command_for("ifov").replace(self.archive, str(archive)))
-        if str(program) not in link:
-            raise AssertionError(link)
+    def program(self):
+        """The program linked anew, of the files written and of what includes a header of theirs."""
+        archive_of = objects_of_the_program()
+        source_of = {made: re.sub(r"CMakeFiles/\w+\.dir/(.*)\.o$", r"\1", made) for made in archive_of}
+        headers = {str(ROOT / "src" / path) for path in self.edited if path.endswith(".h")}
+        tasks = {source_of[made]: (ROOT / source_of[made], made) for made in self.including(headers) & set(archive_of)}
+        for path in self.written:
+            if path.endswith(".cpp"):
+                room = [made for made in archive_of if made.startswith(f"src/{path.partition('/')[0]}/") and "processor" not in made]
+                tasks[f"src/{path}"] = (self.folder / path, next((made for made in room if source_of[made] == f"src/{path}"), room[0]))
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            compiled = dict(zip(tasks, pool.map(lambda task: self.compile(*task), tasks.values())))
+
+        link = re.sub(r"-o ifov\b", f"-o {self.folder / 'ifov'}", command_for("ifov"))
+        for archive in {archive_of[like] for _, like in tasks.values()}:
+            kept = {made: compiled.get(source_of[made], made) for made in archive_of if archive_of[made] == archive}
+            added = [file for source, file in compiled.items() if archive_of[tasks[source][1]] == archive and file not in kept.values()]
+            if archive:
+                copy = self.folder / pathlib.Path(archive).name
+                subprocess.run(["ar", "rcs", copy, *kept.values(), *added], cwd=BUILD, check=True, capture_output=True)
+                link = link.replace(archive, str(copy))
+            else:
+                for made, file in kept.items():
+                    link = link.replace(made, file)
+                link = link.replace(" -o ", f" {' '.join(added)} -o ", 1)
         subprocess.run(link, shell=True, cwd=BUILD, check=True, capture_output=True)
-        return program
+        return self.folder / "ifov"
+
+    def including(self, headers):
+        """Objects of the tree that depend on one of the headers."""
+        if not headers:
+            return set()
+        text = subprocess.run(["ninja", "-C", str(BUILD), "-t", "deps"], capture_output=True, text=True, check=True).stdout
+        return {entry.partition(":")[0] for entry in text.split("\n\n")
+                if any(str((BUILD / line.strip()).resolve()) in headers for line in entry.splitlines()[1:])}
+
+
+@unittest.skipUnless(HAS_NINJA, "the build was not made by ninja")
+class PageTest(unittest.TestCase):
+    """A test of what a page adds; derived classes name the page and the row of the table in extending.md."""
+
+    page = row = None
+    program = None
+
+    def extend(self, tree):
+        """Puts what the page adds into the tree."""
+        tree.add(Page(self.page))
+
+    def setUp(self):
+        name = tempfile.TemporaryDirectory()
+        self.addCleanup(name.cleanup)
+        self.folder = pathlib.Path(name.name)
+        tree = Extended(self.folder / "src")
+        self.extend(tree)
+        self.assertEqual({f"src/{path}" for path in tree.edited}, files_to_edit(self.row))
+        self.program = tree.program()
+
+    def run_it(self, *arguments):
+        return subprocess.run([self.program, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True, timeout=100, check=False)

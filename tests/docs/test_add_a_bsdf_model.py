@@ -1,66 +1,56 @@
 """docs/developer/add_a_bsdf_model.md is true: its model, put beside the others, is read, explained and rendered."""
 
 import json
-import pathlib
 import re
-import subprocess
-import tempfile
 import unittest
 
-from outside_tree import HAS_NINJA, ROOT, Extended, Page
+from outside_tree import ROOT, Page, PageTest
 
 PAGE = Page("add_a_bsdf_model.md")
 FOLDER = "materials/bsdf"
 REGISTRY = f"{FOLDER}/bsdf_models.cpp"
 
 
-@unittest.skipUnless(HAS_NINJA, "the build was not made by ninja")
-class AddAModel(unittest.TestCase):
-    def program_with_the_model(self, folder):
-        tree = Extended(folder, "materials")
+class AddAModel(PageTest):
+    row = "scattering model"
+
+    def extend(self, tree):
         tree.write(f"{FOLDER}/minnaert.h", '#pragma once\n#include "materials/bsdf/bsdf_model.h"\nnamespace ifov::materials {\n'
                    + PAGE.code(f"src/{FOLDER}/minnaert.h") + "}\n")
-        model = tree.write(f"{FOLDER}/minnaert.cpp", '#include "materials/bsdf/minnaert.h"\n#include <cmath>\n#include <numbers>\n'
-                           "namespace ifov::materials {\n" + PAGE.code(f"src/{FOLDER}/minnaert.cpp") + "}\n")
+        tree.write(f"{FOLDER}/minnaert.cpp", '#include "materials/bsdf/minnaert.h"\n#include <cmath>\n#include <numbers>\n'
+                   "namespace ifov::materials {\n" + PAGE.code(f"src/{FOLDER}/minnaert.cpp") + "}\n")
         registry, rows = re.subn(r"^constexpr std::array kModels\{.*?\};\n", PAGE.code("src/" + REGISTRY),
                                  (ROOT / "src" / REGISTRY).read_text(), flags=re.MULTILINE | re.DOTALL)
         self.assertEqual(rows, 1)
-        registry = tree.write(REGISTRY, '#include "materials/bsdf/minnaert.h"\n' + registry)
-        return tree.program([model, registry], "bsdf_models.cpp")
+        tree.write(REGISTRY, '#include "materials/bsdf/minnaert.h"\n' + registry)
 
     def test_two_new_files_and_one_row(self):
-        with tempfile.TemporaryDirectory() as name:
-            folder = pathlib.Path(name)
-            program = self.program_with_the_model(folder)
+        folder, run = self.folder, self.run_it
+        page = run("schema", "--markdown").stdout
+        self.assertIn("| `darkening` | number between 1 and 2 | `1` | exponent; 1 is Lambert's law |", page)
+        document = {"ifov": 1, "scene": {"materials": {"dust": {"reflectance": 0.3, "scattering": {"minnaert": {"darkening": 1.5}}}},
+                                         "objects": [{"plane": {}, "material": "dust"}]},
+                    "light": {"sun": {"point": {"zenith": "60 deg", "azimuth": "90 deg"}}},
+                    "sensor": {"camera": {"orthographic": {"gsd": "1 m", "pixels": [2, 2]}},
+                               "channels": [{"name": "red", "monochromatic": {"at": "0.65 um"}}]}}
 
-            def run(*arguments):
-                return subprocess.run([program, *arguments], cwd=folder, capture_output=True, text=True, timeout=100, check=False)
-
-            page = run("schema", "--markdown").stdout
-            self.assertIn("| `darkening` | number between 1 and 2 | `1` | exponent; 1 is Lambert's law |", page)
-            document = {"ifov": 1, "scene": {"materials": {"dust": {"reflectance": 0.3, "scattering": {"minnaert": {"darkening": 1.5}}}},
-                                             "objects": [{"plane": {}, "material": "dust"}]},
-                        "light": {"sun": {"point": {"zenith": "60 deg", "azimuth": "90 deg"}}},
-                        "sensor": {"camera": {"orthographic": {"gsd": "1 m", "pixels": [2, 2]}},
-                                   "channels": [{"name": "red", "monochromatic": {"at": "0.65 um"}}]}}
-
-            def radiance(scattering):
-                document["scene"]["materials"]["dust"]["scattering"] = scattering
-                (folder / "scene.json").write_text(json.dumps(document))
-                result = run("render", "scene.json", "-o", "out", "--restart", "-q")
-                self.assertIn(result.returncode, (0, 6), result.stderr)
-                cubes = list((folder / "out").glob("*_radiance.img"))
-                return memoryview(cubes[0].read_bytes()).cast("f")[0]
-
-            plain = radiance("lambertian")
-            self.assertGreater(plain, 0.0)
-            self.assertAlmostEqual(radiance({"minnaert": {"darkening": 1.0}}) / plain, 1.0, 6)
-            self.assertAlmostEqual(radiance("minnaert") / plain, 1.0, 6)
-            # The view is from above, the Sun 60 degrees off: cos(60 deg) to the power 0.5.
-            self.assertAlmostEqual(radiance({"minnaert": {"darkening": 1.5}}) / plain, 0.5**0.5, 6)
-            document["scene"]["materials"]["dust"]["scattering"] = {"minnaert": {"darkening": 3}}
+        def radiance(scattering):
+            document["scene"]["materials"]["dust"]["scattering"] = scattering
             (folder / "scene.json").write_text(json.dumps(document))
-            self.assertIn("minnaert.darkening' is the number 3, expected a number between 1 and 2", run("check", "scene.json").stderr)
+            result = run("render", "scene.json", "-o", "out", "--restart", "-q")
+            self.assertIn(result.returncode, (0, 6), result.stderr)
+            cubes = list((folder / "out").glob("*_radiance.img"))
+            return memoryview(cubes[0].read_bytes()).cast("f")[0]
+
+        plain = radiance("lambertian")
+        self.assertGreater(plain, 0.0)
+        self.assertAlmostEqual(radiance({"minnaert": {"darkening": 1.0}}) / plain, 1.0, 6)
+        self.assertAlmostEqual(radiance("minnaert") / plain, 1.0, 6)
+        # The view is from above, the Sun 60 degrees off: cos(60 deg) to the power 0.5.
+        self.assertAlmostEqual(radiance({"minnaert": {"darkening": 1.5}}) / plain, 0.5**0.5, 6)
+        document["scene"]["materials"]["dust"]["scattering"] = {"minnaert": {"darkening": 3}}
+        (folder / "scene.json").write_text(json.dumps(document))
+        self.assertIn("minnaert.darkening' is the number 3, expected a number between 1 and 2", run("check", "scene.json").stderr)
 
 
 if __name__ == "__main__":

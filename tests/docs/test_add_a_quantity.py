@@ -2,13 +2,10 @@
 
 import array
 import json
-import pathlib
 import re
-import subprocess
-import tempfile
 import unittest
 
-from outside_tree import HAS_NINJA, ROOT, Extended, Page
+from outside_tree import ROOT, Page, PageTest
 
 PAGE = Page("add_a_quantity.md")
 TABLE = "io/quantities/quantity_table.cpp"
@@ -18,64 +15,56 @@ def room_file(header, includes, namespace, code):
     return f"{header}" + "".join(f"#include {name}\n" for name in includes) + f"namespace {namespace} {{\n{code}}}\n"
 
 
-@unittest.skipUnless(HAS_NINJA, "the build was not made by ninja")
-class AddAQuantity(unittest.TestCase):
-    def program(self, folder):
-        tree = Extended(folder, "io")
+class AddAQuantity(PageTest):
+    row = "quantity"
 
+    def extend(self, tree):
         def add(path, includes, namespace):
-            code = PAGE.code("src/" + path)
-            return tree.write(path, room_file("#pragma once\n" if path.endswith(".h") else "", includes, namespace, code))
+            tree.write(path, room_file("#pragma once\n" if path.endswith(".h") else "", includes, namespace, PAGE.code("src/" + path)))
 
         add("truth/range.h", ['"truth/collector.h"'], "ifov::truth")
         add("io/quantities/range_quantity.h", ['"io/quantities/quantity.h"'], "ifov::io::quantities")
-        sources = [add("truth/range.cpp", ['"truth/range.h"', "<limits>"], "ifov::truth"),
-                   add("io/quantities/range_quantity.cpp",
-                       ['"io/quantities/range_quantity.h"', '"sampling/tile.h"', '"truth/range.h"', "<limits>", "<vector>"], "ifov::io::quantities")]
+        add("truth/range.cpp", ['"truth/range.h"', "<limits>"], "ifov::truth")
+        add("io/quantities/range_quantity.cpp",
+            ['"io/quantities/range_quantity.h"', '"sampling/tile.h"', '"truth/range.h"', "<limits>", "<vector>"], "ifov::io::quantities")
         row = re.search(r"&quantities::kRange\b", PAGE.code("src/" + TABLE)).group(0)
         table, rows = re.subn(r"(constexpr std::array kQuantities\{[^}]*)\}", rf"\1, {row}}}", (ROOT / "src" / TABLE).read_text())
         self.assertEqual(rows, 1)
-        sources.append(tree.write(TABLE, '#include "io/quantities/range_quantity.h"\n' + table))
-        return tree.program(sources, "quantity_table.cpp")
+        tree.write(TABLE, '#include "io/quantities/range_quantity.h"\n' + table)
 
     def test_two_pairs_of_files_and_one_row(self):
-        with tempfile.TemporaryDirectory() as name:
-            folder = pathlib.Path(name)
-            program = self.program(folder)
-            document = {"ifov": 1, "scene": {"materials": {"soil": {"reflectance": 0.3, "temperature": "300 K"}},
-                                             "objects": [{"disk": {"center": ["0 m", "0 m", "0 m"], "radius": "31 m", "normal": [0, 0, 1]},
-                                                          "material": "soil"}]},
-                        "light": {"sky": {"temperature": "280 K"}},
-                        "sensor": {"camera": {"frame": {"position": ["0 m", "0 m", "100 m"], "look_at": ["0 m", "0 m", "0 m"],
-                                                        "up": [0, 1, 0], "focal_length": "100 mm", "pitch": "10 mm", "pixels": [9, 9]}},
-                                   "channels": [{"name": "thermal", "top_hat": {"from": "10 um", "to": "12 um"}}]},
-                        "sampling": {"tile": 3}, "output": {"products": ["range", "samples"]}}
-            (folder / "scene.json").write_text(json.dumps(document))
+        folder, run = self.folder, self.run_it
+        document = {"ifov": 1, "scene": {"materials": {"soil": {"reflectance": 0.3, "temperature": "300 K"}},
+                                         "objects": [{"disk": {"center": ["0 m", "0 m", "0 m"], "radius": "31 m", "normal": [0, 0, 1]},
+                                                      "material": "soil"}]},
+                    "light": {"sky": {"temperature": "280 K"}},
+                    "sensor": {"camera": {"frame": {"position": ["0 m", "0 m", "100 m"], "look_at": ["0 m", "0 m", "0 m"],
+                                                    "up": [0, 1, 0], "focal_length": "100 mm", "pitch": "10 mm", "pixels": [9, 9]}},
+                               "channels": [{"name": "thermal", "top_hat": {"from": "10 um", "to": "12 um"}}]},
+                    "sampling": {"tile": 3}, "output": {"products": ["range", "samples"]}}
+        (folder / "scene.json").write_text(json.dumps(document))
 
-            def run(*arguments):
-                return subprocess.run([program, *arguments], cwd=folder, capture_output=True, text=True, timeout=100, check=False)
+        self.assertIn("`range`", run("schema", "--markdown").stdout)
+        result = run("render", "scene.json", "-o", "out", "-q")
+        self.assertIn(result.returncode, (0, 6), result.stderr)
+        values = array.array("f", (folder / "out/image_range.img").read_bytes())
+        self.assertEqual(len(values), 81)
+        for k, value in enumerate(values):
+            x, y = (k % 9 - 4) * 10.0, (k // 9 - 4) * 10.0
+            if x * x + y * y < 31.0**2:
+                self.assertAlmostEqual(value, (100.0**2 + x * x + y * y) ** 0.5, 3)
+            else:
+                self.assertNotEqual(value, value, "not a number where nothing is seen")
+        header = (folder / "out/image_range.img.hdr").read_text()
+        self.assertIn("distance from the sensor to what the middle of each pixel sees", header)
+        self.assertIn("band names = {range}", header)
 
-            self.assertIn("`range`", run("schema", "--markdown").stdout)
-            result = run("render", "scene.json", "-o", "out", "-q")
-            self.assertIn(result.returncode, (0, 6), result.stderr)
-            values = array.array("f", (folder / "out/image_range.img").read_bytes())
-            self.assertEqual(len(values), 81)
-            for k, value in enumerate(values):
-                x, y = (k % 9 - 4) * 10.0, (k // 9 - 4) * 10.0
-                if x * x + y * y < 31.0**2:
-                    self.assertAlmostEqual(value, (100.0**2 + x * x + y * y) ** 0.5, 3)
-                else:
-                    self.assertNotEqual(value, value, "not a number where nothing is seen")
-            header = (folder / "out/image_range.img.hdr").read_text()
-            self.assertIn("distance from the sensor to what the middle of each pixel sees", header)
-            self.assertIn("band names = {range}", header)
-
-            # Shares are kept as tiles, which know nothing of what they carry.
-            for share in ("1/2", "2/2"):
-                self.assertIn(run("render", "scene.json", "-o", "part" + share[0], "--tiles", share, "-q").returncode, (0, 6))
-            merged = run("merge", "part1", "part2", "-o", "whole")
-            self.assertIn(merged.returncode, (0, 6), merged.stderr)
-            self.assertEqual((folder / "whole/image_range.img").read_bytes(), (folder / "out/image_range.img").read_bytes())
+        # Shares are kept as tiles, which know nothing of what they carry.
+        for share in ("1/2", "2/2"):
+            self.assertIn(run("render", "scene.json", "-o", "part" + share[0], "--tiles", share, "-q").returncode, (0, 6))
+        merged = run("merge", "part1", "part2", "-o", "whole")
+        self.assertIn(merged.returncode, (0, 6), merged.stderr)
+        self.assertEqual((folder / "whole/image_range.img").read_bytes(), (folder / "out/image_range.img").read_bytes())
 
 
 if __name__ == "__main__":
