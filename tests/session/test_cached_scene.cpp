@@ -111,6 +111,43 @@ TEST_F(CachedScene, IsReadAgainWhereItsFilesHaveChanged) {
   EXPECT_EQ(render(true).words, plain.words);
 }
 
+TEST_F(CachedScene, IsReadAgainWhereABufferBesideAMeshHasChanged) {
+  constexpr std::uint32_t kCells = 100, kNodes = kCells + 1, kVertices = kNodes * kNodes,
+                          kIndices = 6 * kCells * kCells;
+  const auto write_buffer = [&](float height_m) {
+    std::ofstream file(folder_ / "waves 1.bin", std::ios::binary);
+    const auto put = [&](auto values) {
+      file.write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(sizeof values));
+    };
+    for (std::uint32_t j = 0; j < kNodes; ++j)  // y up: the rows run to the south
+      for (std::uint32_t i = 0; i < kNodes; ++i)
+        put(std::array{0.08f * float(i) - 4.0f, height_m * std::sin(0.3f * float(i)),
+                       4.0f - 0.08f * float(j)});
+    for (std::uint32_t j = 0; j < kCells; ++j)
+      for (std::uint32_t i = 0; i < kCells; ++i) {
+        const std::uint32_t a = j * kNodes + i, d = a + kNodes + 1;
+        put(std::array{a, a + 1, d, a, d, d - 1});
+      }
+  };
+  std::ofstream(folder_ / "waves.gltf") << format(
+      R"({{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}], "nodes": [{{"mesh": 0}}],
+           "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "indices": 1}}]}}],
+           "buffers": [{{"uri": "waves%201.bin", "byteLength": {0}}}],
+           "bufferViews": [{{"buffer": 0, "byteLength": {1}}}, {{"buffer": 0, "byteOffset": {1}, "byteLength": {2}}}],
+           "accessors": [{{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": {3}}},
+                         {{"bufferView": 1, "componentType": 5125, "type": "SCALAR", "count": {4}}}]}})",
+      12 * kVertices + 4 * kIndices, 12 * kVertices, 4 * kIndices, kVertices, kIndices);
+  const char* waves = R"({"mesh": {"file": "waves.gltf"}, "material": "soil"})";
+  write_buffer(0.4f);
+  const Run first = render(true, waves);
+  EXPECT_EQ(first.image, render(true, waves).image);
+  write_buffer(0.7f);
+  const Run changed = render(true, waves);
+  EXPECT_NE(changed.image, first.image);
+  EXPECT_EQ(changed.image, render(false, waves).image);
+  EXPECT_NE(changed.words.find("'waves 1.bin' has changed since"), std::string::npos) << changed.words;
+}
+
 TEST_F(CachedScene, KeepsATerrainAndWhatWasSaidOfIt) {
   const auto write_heights = [&](double height_m) {
     std::ofstream file(folder_ / "heights.asc");

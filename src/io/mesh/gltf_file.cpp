@@ -167,4 +167,15 @@ tinygltf::Model load_gltf(const std::filesystem::path& path, LogSink* log) {
   return model;
 }
 
+std::vector<std::filesystem::path> gltf_buffers(const std::filesystem::path& path) {
+  const std::string bytes = read_input(path);
+  JsonRules rules;
+  rules.max_bytes = rules.max_values = bytes.size();
+  try {
+    return openable_files(parse_json(json_of(bytes, path.string()), path.string(), rules), path).files;
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 }  // namespace ifov::io

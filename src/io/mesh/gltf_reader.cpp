@@ -15,6 +15,8 @@
 namespace ifov::io {
 namespace {
 
+constexpr std::string_view kGltfExtensions[] = {".gltf", ".glb"};
+
 using geometry::kNoIndex;
 using geometry::Triangle;
 using math::Transform;
@@ -261,5 +263,11 @@ class Reader {
 geometry::TriangleMesh read_gltf(const std::filesystem::path& path, LogSink* log) {
   return Reader(path, log).read();
 }
+
+constinit const MeshFormat kGltf{.name = "glTF 2",
+                                 .extensions = kGltfExtensions,
+                                 .y_up = true,
+                                 .read = read_gltf,
+                                 .further_files = gltf_buffers};
 
 }  // namespace ifov::io

@@ -4,6 +4,7 @@
 
 #include "core/run_control.h"
 #include "geometry/triangle_mesh.h"
+#include "io/mesh/mesh_format.h"
 
 namespace ifov::io {
 
@@ -19,5 +20,7 @@ inline constexpr std::size_t kMostUnfoldedTriangles = 5'000'000;
 /// with a word to `log` (may be null). Throws InputError for anything broken, for compressed or sparse data;
 /// EnvironmentError if the file cannot be read.
 geometry::TriangleMesh read_gltf(const std::filesystem::path& path, LogSink* log = nullptr);
+
+extern const MeshFormat kGltf;
 
 }  // namespace ifov::io

@@ -16,6 +16,8 @@
 namespace ifov::io {
 namespace {
 
+constexpr std::string_view kObjExtensions[] = {".obj"};
+
 using geometry::kNoIndex;
 using geometry::Triangle;
 
@@ -165,5 +167,8 @@ class Reader {
 geometry::TriangleMesh read_obj(const std::filesystem::path& path, LogSink* log) {
   return Reader(path, log).read();
 }
+
+constinit const MeshFormat kObj{
+    .name = "Wavefront OBJ", .extensions = kObjExtensions, .y_up = false, .read = read_obj};
 
 }  // namespace ifov::io

@@ -4,6 +4,7 @@
 
 #include "core/run_control.h"
 #include "geometry/triangle_mesh.h"
+#include "io/mesh/mesh_format.h"
 
 namespace ifov::io {
 
@@ -14,5 +15,7 @@ namespace ifov::io {
 /// makes a slot all the same. Coordinates are kept in double. Throws InputError with file and line for
 /// anything broken, EnvironmentError if the file cannot be read.
 geometry::TriangleMesh read_obj(const std::filesystem::path& path, LogSink* log = nullptr);
+
+extern const MeshFormat kObj;
 
 }  // namespace ifov::io

@@ -15,6 +15,8 @@
 namespace ifov::io {
 namespace {
 
+constexpr std::string_view kPlyExtensions[] = {".ply"};
+
 using geometry::Triangle;
 
 constexpr std::pair<std::string_view, std::string_view> kTextureNames[] = {
@@ -205,5 +207,11 @@ class Reader {
 }  // namespace
 
 geometry::TriangleMesh read_ply(const std::filesystem::path& path) { return Reader(path).read(); }
+
+constinit const MeshFormat kPly{
+    .name = "PLY",
+    .extensions = kPlyExtensions,
+    .y_up = false,
+    .read = [](const std::filesystem::path& path, LogSink*) { return read_ply(path); }};
 
 }  // namespace ifov::io

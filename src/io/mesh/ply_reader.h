@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "geometry/triangle_mesh.h"
+#include "io/mesh/mesh_format.h"
 
 namespace ifov::io {
 
@@ -14,5 +15,7 @@ namespace ifov::io {
 /// without triangles. Throws InputError with file and line (binary: byte) for anything broken,
 /// EnvironmentError if the file cannot be read.
 geometry::TriangleMesh read_ply(const std::filesystem::path& path);
+
+extern const MeshFormat kPly;
 
 }  // namespace ifov::io

@@ -2,34 +2,15 @@
 
 #include <algorithm>
 
-#include "core/error.h"
 #include "core/parallel.h"
-#include "io/files/input_file.h"
-#include "io/json/json_adapter.h"
-#include "io/json/json_view.h"
+#include "io/mesh/mesh_format.h"
 
 namespace ifov::io {
 namespace {
 
-/// Names of the buffers beside a .gltf file; whether it is right is for its reader to say.
-std::vector<std::filesystem::path> buffers_of(const std::filesystem::path& gltf) {
-  std::vector<std::filesystem::path> buffers;
-  const std::string text = read_input(gltf);
-  JsonRules rules;
-  rules.max_bytes = rules.max_values = text.size();
-  try {
-    const DocumentTree tree = parse_json(text, gltf.string(), rules);
-    for (const JsonView& buffer : JsonView(tree)["buffers"].items()) {
-      const std::string uri = buffer["uri"].text("data:");
-      if (!uri.starts_with("data:")) buffers.push_back(gltf.parent_path() / uri);
-    }
-  } catch (const InputError&) {
-  }
-  return buffers;
-}
-
 std::vector<std::filesystem::path> companions_of(const std::filesystem::path& file) {
-  if (file.extension() == ".gltf") return buffers_of(file);
+  if (const MeshFormat* mesh = mesh_format_of(file); mesh != nullptr && mesh->further_files != nullptr)
+    return mesh->further_files(file);
   std::vector<std::filesystem::path> companions{file.string() + ".aux.xml", file.string() + ".hdr"};
   for (const char* extension : {".aux.xml", ".hdr", ".prj", ".tfw", ".wld", ".img", ".bil", ".flt", ".sdat"})
     companions.push_back(std::filesystem::path(file).replace_extension(extension));

@@ -47,7 +47,10 @@ geometry::Body cached_mesh(io::SceneCache* cache, const MeshSource& source,
       }
       cache->reject(name);
     }
-  std::vector<io::FileStamp> stamps = cache->stamps(source.files);
+  std::vector<std::string> files = source.files;
+  if (source.further)
+    for (std::string& file : source.further()) files.push_back(std::move(file));
+  std::vector<io::FileStamp> stamps = cache->stamps(files);
   geometry::Body body = geometry::body_of(read());
   const geometry::BodyRecord record = geometry::record_of(body);
   std::vector<std::span<const std::byte>> pieces{std::as_bytes(std::span(record.head))};

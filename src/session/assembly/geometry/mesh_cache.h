@@ -20,6 +20,8 @@ namespace ifov::session {
 struct MeshSource {
   std::vector<std::string> files;
   std::string more;
+  /// Files that `files` name, asked for where the mesh is read; may be empty.
+  std::function<std::vector<std::string>()> further;
 };
 
 /// The body of the mesh that `read` makes of its source. `words`, where given, is what `read` puts there,

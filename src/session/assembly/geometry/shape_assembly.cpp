@@ -83,7 +83,8 @@ BuiltShape ShapeAssembly::shape(const io::MeshShape& s) {
   if (known != meshes_.end()) return known->second;
   return with_position(document_, s.file.position, [&] {
     geometry::Body body =
-        cached_mesh(cache_, {{s.file.path}, ""}, [&] { return io::read_mesh(s.file.path, log_); });
+        cached_mesh(cache_, {{s.file.path}, "", [&] { return io::further_mesh_files(s.file.path); }},
+                    [&] { return io::read_mesh(s.file.path, log_); });
     if (!y_is_up && log_ != nullptr) warn_of_y_up(s.file.path, body.bounds, *log_);
     std::vector<std::string> slots = body.mesh.slot_names;
     if (slots.empty()) slots = {""};

@@ -70,7 +70,7 @@ std::string words_of(const io::TerrainShape& source, const geometry::TerrainGrid
 
 /// The raster, the files beside it that GDAL looks at, and all else that its mesh depends on.
 MeshSource source_of(const io::TerrainShape& s, const MapFrame& frame) {
-  MeshSource source{{s.file.path}, {}};
+  MeshSource source{{s.file.path}, {}, {}};
   const std::filesystem::path path = s.file.path;
   std::vector<std::filesystem::path> companions{s.file.path + ".aux.xml", s.file.path + ".hdr"};
   for (const char* extension : {".aux.xml", ".hdr", ".prj", ".tfw", ".wld", ".img", ".bil", ".flt", ".sdat"})
