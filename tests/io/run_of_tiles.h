@@ -6,6 +6,8 @@
 #include <string>
 
 #include "core/run_control.h"
+#include "io/products/geotiff.h"
+#include "io/products/report_format.h"
 #include "io/run_state/run_plan.h"
 #include "io/synthetic_image.h"
 
@@ -26,7 +28,7 @@ inline io::RunPlan plan_of(const SyntheticImage& image) {
   plan.tile_px = kTile_px;
   plan.judged = plan.knows_errors = true;
   plan.notes = {"floor of the accuracy: \"0.001\""};
-  plan.geotiff = plan.report = true;
+  plan.formats = {&io::formats::kGeotiff, &io::formats::kHtml};
   plan.quicklook_channels = {4, 2, 0};
   return plan;
 }

@@ -15,6 +15,7 @@
 #include "io/product_parts/sha256.h"
 #include "io/products/bil_cube.h"
 #include "io/products/envi_reader.h"
+#include "io/products/geotiff.h"
 #include "io/quantities/location_quantities.h"
 #include "io/quantities/quality_quantities.h"
 #include "io/synthetic_image.h"
@@ -230,7 +231,7 @@ TEST(ProductWriter, RunRecordHoldsFiguresAndChecksums) {
   const SyntheticImage image{33, 21, 4};
   const ScratchFolder folder("record");
   ProductOptions options = options_in(folder.path());
-  options.geotiff = true;
+  options.formats.add(formats::kGeotiff);
   write_image(image, options, image.tiles(8));
 
   const DocumentTree record = parse_json(test::read_all(folder.path() / "demo_run.json"), "run.json");
@@ -320,7 +321,7 @@ TEST(ProductWriter, ProductsCanBeLeftAway) {
   ProductOptions options = options_in(folder.path());
   options.cubes = {&quantities::kSamples, &quantities::kQuality, &quantities::kReasons,
                    &quantities::kQualityClass};
-  options.quicklook = options.report = false;
+  options.formats = {};
   write_image(image, options, image.tiles(16));  // and what the first run left under these names goes
   EXPECT_EQ(
       names_in(folder.path()),

@@ -7,7 +7,9 @@
 #include <cstdlib>
 
 #include "core/error.h"
+#include "io/products/geotiff.h"
 #include "io/products/part_file.h"
+#include "io/products/quicklook.h"
 #include "io/small_disk.h"
 #include "io/synthetic_image.h"
 
@@ -41,8 +43,7 @@ void expect_readable_by(const std::string& reader, double rotation_rad, const st
   ProductOptions options;
   options.folder = folder.path();
   options.name = "demo";
-  options.geotiff = true;
-  options.report = false;
+  options.formats = {&formats::kGeotiff, &formats::kPng};
   auto info = image.info();
   info.map_rotation_rad = rotation_rad;
   info.map_projection = projection;

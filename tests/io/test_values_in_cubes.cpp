@@ -96,7 +96,7 @@ std::uint64_t bytes_of_packs(const std::filesystem::path& folder) {
 TEST(RunState, ValuesThatTheCubesHoldAreNotHeldTwice) {
   const ScratchFolder folder("values");
   RunPlan plan = plan_of(kImage);
-  plan.geotiff = plan.report = false;
+  plan.formats = {};
   ASSERT_TRUE(plan.leaves_values_to_cubes());
   const auto grid = plan.grid();
   const auto tile_of = [&](std::size_t k) {
@@ -149,7 +149,7 @@ TEST(RunState, ValuesThatTheCubesHoldAreNotHeldTwice) {
 TEST(RunState, AStopWithoutCloseLosesNoTileThatWasPut) {
   const ScratchFolder folder("stopped");
   RunPlan plan = plan_of(kImage);
-  plan.geotiff = plan.report = false;
+  plan.formats = {};
   const auto grid = plan.grid();
   std::size_t next = 0;
   for (int start = 0; start < 8; ++start) {
@@ -170,7 +170,7 @@ TEST(RunState, AStopWithoutCloseLosesNoTileThatWasPut) {
 TEST(RunState, TheDiskIsForetoldWithoutValuesHeldTwice) {
   RunPlan plan = plan_of(SyntheticImage{4096, 4096, 210});
   plan.tile_px = 64;
-  plan.geotiff = false;
+  plan.formats = {};
   const double image = 4.0 * 210 * 4096 * 4096;
   const double products = static_cast<double>(product_bytes(plan).all());
   EXPECT_LE((products + static_cast<double>(state_bytes(plan, true))) / image, 2.2);

@@ -5,16 +5,15 @@
 #include <vector>
 
 #include "io/document/document_values.h"
+#include "io/products/product_format.h"
 #include "io/quantities/quantity_set.h"
 
 namespace ifov::io {
 
-enum class ProductFormat { envi, geotiff, netcdf, png, html };
-
 struct OutputDocument {
   std::string folder;  ///< resolved against the document's folder; by default the document's name with ".out"
   std::string name = "image";  ///< of the products: NAME_radiance.img and so on
-  std::vector<ProductFormat> formats{ProductFormat::envi, ProductFormat::png, ProductFormat::html};
+  ProductFormats formats = usual_product_formats();
   std::optional<QuantitySet> products;  ///< the cubes; absent: those that are usual for the camera
   /// None, one (grey) or three (red, green, blue); none: chosen.
   std::vector<DocumentName> quicklook_channels;

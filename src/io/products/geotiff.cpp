@@ -13,6 +13,7 @@
 #include "io/product_parts/map_info.h"
 #include "io/product_parts/product_headers.h"
 #include "io/products/gdal_view.h"
+#include "io/quantities/radiance_quantities.h"
 #include "io/raster/gdal_setup.h"
 
 namespace ifov::io {
@@ -122,5 +123,15 @@ void write_geotiff(PartFile& file, const RasterView& radiance, const RunRecord& 
   if (!failure.message.empty() || written == nullptr)
     throw EnvironmentError(format("{}: cannot be written: {}", file.part_path().string(), failure.message));
 }
+
+constinit const ProductFormat formats::kGeotiff{
+    .name = "geotiff",
+    .ending = "_radiance.tif",
+    .what = "radiance, GeoTIFF",
+    .write =
+        [](PartFile& file, const FormatInput& input) {
+          write_geotiff(file, input.values_of(quantities::kRadiance), input.record);
+        },
+    .bytes = [](const render::ImageInfo& image, const QuantitySet&) { return geotiff_bytes(image); }};
 
 }  // namespace ifov::io

@@ -5,6 +5,7 @@
 #include "io/product_parts/raster_view.h"
 #include "io/product_parts/run_record.h"
 #include "io/products/part_file.h"
+#include "io/products/product_format.h"
 
 namespace ifov::io {
 
@@ -16,5 +17,9 @@ void write_geotiff(PartFile& file, const RasterView& radiance, const RunRecord& 
 
 /// Disk space that this takes at most while it is made.
 std::uint64_t geotiff_bytes(const render::ImageInfo& info);
+
+namespace formats {
+extern const ProductFormat kGeotiff;
+}
 
 }  // namespace ifov::io

@@ -165,4 +165,18 @@ void write_netcdf(PartFile& file, const std::vector<NetcdfCube>& input, const Ru
   Writer(file.part_path().string(), input, record).write();
 }
 
+constinit const ProductFormat formats::kNetcdf{.name = "netcdf",
+                                               .ending = "_radiance.nc",
+                                               .what = "radiance and its errors, NetCDF",
+                                               .write =
+                                                   [](PartFile& file, const FormatInput& input) {
+                                                     std::vector<NetcdfCube> by_channel;
+                                                     for (const Quantity* quantity : all_quantities())
+                                                       if (const RasterView view = input.values_of(*quantity);
+                                                           view && quantity->is_spectral())
+                                                         by_channel.push_back({quantity, view});
+                                                     write_netcdf(file, by_channel, input.record);
+                                                   },
+                                               .bytes = netcdf_bytes};
+
 }  // namespace ifov::io

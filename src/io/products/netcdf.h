@@ -6,6 +6,7 @@
 #include "io/product_parts/raster_view.h"
 #include "io/product_parts/run_record.h"
 #include "io/products/part_file.h"
+#include "io/products/product_format.h"
 #include "io/quantities/quantity_set.h"
 
 namespace ifov::io {
@@ -23,5 +24,9 @@ void write_netcdf(PartFile& file, const std::vector<NetcdfCube>& input, const Ru
 
 /// Disk space that this takes, but for what is small.
 std::uint64_t netcdf_bytes(const render::ImageInfo& image, const QuantitySet& quantities);
+
+namespace formats {
+extern const ProductFormat kNetcdf;
+}
 
 }  // namespace ifov::io

@@ -10,13 +10,7 @@
 #include "io/product_parts/map_info.h"
 #include "io/product_parts/run_json.h"
 #include "io/products/cube_set.h"
-#include "io/products/geotiff.h"
-#include "io/products/netcdf.h"
-#include "io/products/qgis_style.h"
-#include "io/products/quicklook.h"
-#include "io/quantities/quality_quantities.h"
-#include "io/quantities/radiance_quantities.h"
-#include "io/report/report.h"
+#include "io/products/product_format.h"
 
 namespace ifov::io {
 namespace {
@@ -54,8 +48,8 @@ struct ProductWriter::State {
   ImageStatistics statistics;
   bool finished = false;
 
-  std::filesystem::path path(const std::string& ending) const {
-    return options.folder / (options.name + ending);
+  std::filesystem::path path(std::string_view ending) const {
+    return options.folder / (options.name + std::string(ending));
   }
   std::uint64_t pixels() const {
     return static_cast<std::uint64_t>(info.width_px) * static_cast<std::uint64_t>(info.height_px);
@@ -72,49 +66,24 @@ struct ProductWriter::State {
 std::vector<std::unique_ptr<PartFile>> ProductWriter::State::derive(
     RunRecord& record, std::optional<EnvironmentError>& failure) const {
   std::vector<std::unique_ptr<PartFile>> files;
-  const auto make = [&](const std::string& ending, const std::string& what, const auto& write) {
+  const auto make = [&](const ProductFormat& format, const FormatInput& input) {
     std::unique_ptr<PartFile> file;
     try {
-      file = std::make_unique<PartFile>(path(ending));
-      write(*file);
+      file = std::make_unique<PartFile>(path(format.ending));
+      format.write(*file, input);
       file->sync();
       const std::uint64_t bytes = std::filesystem::file_size(file->part_path());
-      record.files.push_back({file->final_path(), what, bytes, checksum(*file, bytes)});
+      record.files.push_back({file->final_path(), std::string(format.what), bytes, checksum(*file, bytes)});
       files.push_back(std::move(file));
     } catch (const EnvironmentError& error) {
       if (file) file->discard();
       if (!failure) failure = error;
     }
   };
-  const RasterView radiance = cubes->view(quantities::kRadiance);
-  if (options.geotiff)
-    make("_radiance.tif", "radiance, GeoTIFF",
-         [&](PartFile& file) { write_geotiff(file, radiance, record); });
-  if (options.netcdf)
-    make("_radiance.nc", "radiance and its errors, NetCDF", [&](PartFile& file) {
-      std::vector<NetcdfCube> by_channel;
-      for (const Quantity* quantity : all_quantities())
-        if (const RasterView view = cubes->view(*quantity); view && quantity->is_spectral())
-          by_channel.push_back({quantity, view});
-      write_netcdf(file, by_channel, record);
-    });
-  make("_radiance.qml", "layer style for QGIS",
-       [&](PartFile& file) { write_part(file, qgis_style(radiance, record, options.quicklook_channels)); });
-  if (options.quicklook)
-    make("_quicklook.png", "picture", [&](PartFile& file) {
-      write_part(file, make_quicklook(radiance, record, options.quicklook_channels));
-    });
-  if (options.report)
-    make("_report.html", "report", [&](PartFile& file) {
-      ReportInput input;
-      input.picture = options.quicklook_channels;
-      input.radiance = radiance;
-      input.half_width = cubes->view(quantities::kHalfWidth);
-      input.samples = cubes->view(quantities::kSamples);
-      input.quality = cubes->view(quantities::kQuality);
-      input.reasons = cubes->view(quantities::kReasons);
-      write_part(file, make_report(record, input));
-    });
+  const FormatInput input{record, options.quicklook_channels,
+                          [&](const Quantity& quantity) { return cubes->view(quantity); }};
+  for (const ProductFormat* format : options.formats.list())
+    if (format->write != nullptr) make(*format, input);
   return files;
 }
 
@@ -128,9 +97,8 @@ void ProductWriter::State::publish(const RunRecord& record, std::vector<std::uni
 
   // What an earlier run of this name left and this one does not replace would not belong to its cubes.
   auto leftovers = cubes->unselected_files();
-  for (const char* ending :
-       {"_radiance.tif", "_radiance.nc", "_radiance.qml", "_quicklook.png", "_report.html"})
-    leftovers.push_back(path(ending));
+  for (const ProductFormat* format : all_product_formats())
+    if (format->write != nullptr) leftovers.push_back(path(format->ending));
   for (const auto& leftover : leftovers)
     if (std::none_of(record.files.begin(), record.files.end(),
                      [&](const ProductFile& file) { return file.path == leftover; }))
@@ -162,9 +130,7 @@ void ProductWriter::begin(const render::ImageInfo& info) {
     throw std::logic_error("an image needs pixels and channels");
   coordinate_system_text(info);  // an unknown system is said now, not after the last ray
   s.info = info;
-  std::uint64_t further_bytes = 0;
-  if (s.options.geotiff) further_bytes += geotiff_bytes(info);
-  if (s.options.netcdf) further_bytes += netcdf_bytes(info, s.options.cubes);
+  const std::uint64_t further_bytes = s.options.formats.bytes(info, s.options.cubes);
   s.cubes =
       std::make_unique<CubeSet>(s.path(""), s.options.cubes, info, s.identity.acquisition, further_bytes,
                                 s.options.go_on ? PartFile::Left::go_on : PartFile::Left::replace);

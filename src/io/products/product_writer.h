@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/product_parts/run_record.h"
+#include "io/products/product_format.h"
 #include "io/quantities/quantity_set.h"
 #include "render/tile_sink.h"
 
@@ -18,10 +19,7 @@ struct ProductOptions {
   std::string name = "image";    ///< files are <folder>/<name>_radiance.img and so on
   QuantitySet cubes = usual_quantities(false);
   bool go_on = false;  ///< with the `.part` cubes that an earlier start of the same run has left
-  bool geotiff = false;
-  bool netcdf = false;
-  bool quicklook = true;
-  bool report = true;
+  ProductFormats formats = usual_product_formats();
   /// Three for colour, one for a colour map; empty: chosen from wavelengths.
   std::vector<int> quicklook_channels;
 };

@@ -3,6 +3,8 @@
 #include "core/format.h"
 #include "io/product_parts/picture.h"
 #include "io/product_parts/product_headers.h"
+#include "io/products/part_file.h"
+#include "io/quantities/radiance_quantities.h"
 
 namespace ifov::io {
 namespace {
@@ -38,5 +40,14 @@ std::string qgis_style(const RasterView& radiance, const RunRecord& record,
   return "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n<qgis version=\"3.22\" styleCategories=\"Symbology\">\n  <pipe>\n" +
          renderer + "    </rasterrenderer>\n  </pipe>\n</qgis>\n";
 }
+
+constinit const ProductFormat formats::kQgisStyle{
+    .name = "",
+    .ending = "_radiance.qml",
+    .what = "layer style for QGIS",
+    .write = [](PartFile& file, const FormatInput& input) {
+      write_part(file,
+                 qgis_style(input.values_of(quantities::kRadiance), input.record, input.picture_channels));
+    }};
 
 }  // namespace ifov::io

@@ -5,6 +5,7 @@
 
 #include "io/product_parts/raster_view.h"
 #include "io/product_parts/run_record.h"
+#include "io/products/product_format.h"
 
 namespace ifov::io {
 
@@ -12,5 +13,9 @@ namespace ifov::io {
 /// raster, with the ending .qml, and without one takes the first three bands for red, green and blue, whatever the raster says
 /// of them. `channels` as for make_quicklook(). QGIS stretches linearly, in radiance, between the picture's ends.
 std::string qgis_style(const RasterView& radiance, const RunRecord& record, const std::vector<int>& channels);
+
+namespace formats {
+extern const ProductFormat kQgisStyle;
+}
 
 }  // namespace ifov::io

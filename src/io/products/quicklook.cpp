@@ -10,6 +10,8 @@
 #include "core/error.h"
 #include "io/product_parts/picture.h"
 #include "io/product_parts/product_headers.h"
+#include "io/products/part_file.h"
+#include "io/quantities/radiance_quantities.h"
 
 namespace ifov::io {
 namespace {
@@ -259,5 +261,14 @@ PictureColours picture_colours(const RasterView& radiance, const RunRecord& reco
                                  : one_channel(radiance, record, chosen.front(), 1);
   return {p.width, p.height, std::move(p.pixels)};
 }
+
+constinit const ProductFormat formats::kPng{
+    .name = "png",
+    .ending = "_quicklook.png",
+    .what = "picture",
+    .write = [](PartFile& file, const FormatInput& input) {
+      write_part(
+          file, make_quicklook(input.values_of(quantities::kRadiance), input.record, input.picture_channels));
+    }};
 
 }  // namespace ifov::io

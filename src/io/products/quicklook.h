@@ -6,6 +6,7 @@
 
 #include "io/product_parts/raster_view.h"
 #include "io/product_parts/run_record.h"
+#include "io/products/product_format.h"
 
 namespace ifov::io {
 
@@ -22,5 +23,9 @@ struct PictureColours {
 };
 PictureColours picture_colours(const RasterView& radiance, const RunRecord& record,
                                const std::vector<int>& channels);
+
+namespace formats {
+extern const ProductFormat kPng;
+}
 
 }  // namespace ifov::io

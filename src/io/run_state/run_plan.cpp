@@ -81,10 +81,7 @@ ProductOptions RunPlan::products(const std::filesystem::path& folder) const {
   options.folder = folder;
   options.name = name;
   options.cubes = made_cubes();
-  options.geotiff = geotiff;
-  options.netcdf = netcdf;
-  options.quicklook = quicklook;
-  options.report = report;
+  options.formats = formats;
   options.quicklook_channels = quicklook_channels;
   return options;
 }

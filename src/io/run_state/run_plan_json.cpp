@@ -12,7 +12,7 @@
 namespace ifov::io {
 namespace {
 
-constexpr int kFormat = 4;
+constexpr int kFormat = 5;
 
 std::string hex(std::uint64_t value) { return format("{:016x}", value); }
 std::uint64_t from_hex(const std::string& text) { return std::stoull(text, nullptr, 16); }
@@ -90,12 +90,12 @@ render::ImageInfo image_of(const JsonView& v) {
 void write_products(JsonWriter& json, const RunPlan& plan) {
   std::vector<std::string_view> cubes;
   for (const Quantity* quantity : plan.cubes) cubes.push_back(quantity->name);
+  std::vector<std::string_view> formats;
+  for (const ProductFormat* format : plan.formats.list())
+    if (!format->name.empty()) formats.push_back(format->name);
   json.member("name", plan.name);
   json.member("cubes", cubes);
-  json.member("geotiff", plan.geotiff);
-  json.member("netcdf", plan.netcdf);
-  json.member("quicklook", plan.quicklook);
-  json.member("report", plan.report);
+  json.member("formats", formats);
   json.member("quicklook_channels", plan.quicklook_channels);
 }
 
@@ -185,10 +185,8 @@ RunPlan plan_of(const JsonView& v) {
   plan.cubes = {};
   for (const JsonView& name : v["products"]["cubes"].items())
     if (const Quantity* quantity = find_quantity(name.text())) plan.cubes.add(*quantity);
-  plan.geotiff = v["products"]["geotiff"].boolean();
-  plan.netcdf = v["products"]["netcdf"].boolean();
-  plan.quicklook = v["products"]["quicklook"].boolean();
-  plan.report = v["products"]["report"].boolean();
+  for (const JsonView& name : v["products"]["formats"].items())
+    if (const ProductFormat* format = find_product_format(name.text())) plan.formats.add(*format);
   for (const JsonView& channel : v["products"]["quicklook_channels"].items())
     plan.quicklook_channels.push_back(channel.small_integer());
   return plan;

@@ -7,8 +7,6 @@
 
 #include "core/error.h"
 #include "io/files/own_files.h"
-#include "io/products/geotiff.h"
-#include "io/products/netcdf.h"
 #include "io/products/part_file.h"
 #include "io/run_state/kept_run.h"
 #include "io/run_state/tile_packs.h"
@@ -106,8 +104,7 @@ ProductBytes product_bytes(const RunPlan& plan) {
     const std::uint64_t cube = cube_size(*quantity, plan.image).bytes();
     (cube >= kManyBytes ? bytes.direct : bytes.cached) += cube;
   }
-  if (plan.geotiff) bytes.cached += geotiff_bytes(plan.image);
-  if (plan.netcdf) bytes.cached += netcdf_bytes(plan.image, plan.made_cubes());
+  bytes.cached += plan.formats.bytes(plan.image, plan.made_cubes());
   return bytes;
 }
 

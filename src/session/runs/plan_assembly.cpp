@@ -1,7 +1,6 @@
 #include "session/runs/plan_assembly.h"
 
 #include <filesystem>
-#include <set>
 
 #include "core/version.h"
 #include "io/document/document.h"
@@ -56,14 +55,10 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
   for (const std::string& warning : parts.warnings) plan.notes.push_back("warning: " + warning);
   for (const std::string& line : parts.places) plan.notes.push_back(line);
   for (const std::string& note : notes(parts)) plan.notes.push_back(note);
-  const std::set<io::ProductFormat> formats(document.output.formats.begin(), document.output.formats.end());
-  plan.geotiff = formats.contains(io::ProductFormat::geotiff);
-  plan.netcdf = formats.contains(io::ProductFormat::netcdf);
+  plan.formats = document.output.formats;
   plan.name = document.output.name;
   const bool map_tells = parts.camera->ground_grid().has_value();
   plan.cubes = document.output.products.value_or(io::usual_quantities(map_tells));
-  plan.quicklook = formats.contains(io::ProductFormat::png);
-  plan.report = formats.contains(io::ProductFormat::html);
   for (const io::DocumentName& channel : document.output.quicklook_channels)
     for (std::size_t c = 0; c < document.sensor.channels.size(); ++c)
       if (document.sensor.channels[c].name == channel.name)

@@ -4,6 +4,7 @@
 #include "core/format.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
+#include "io/products/product_format.h"
 #include "io/quantities/quantity.h"
 
 namespace ifov::io {
@@ -32,14 +33,17 @@ Kind<std::string> folder_kind() {
           }};
 }
 
-Kind<std::vector<ProductFormat>> formats_kind() {
-  const auto formats = list(choice<ProductFormat>({{"envi", ProductFormat::envi},
-                                                   {"geotiff", ProductFormat::geotiff},
-                                                   {"netcdf", ProductFormat::netcdf},
-                                                   {"png", ProductFormat::png},
-                                                   {"html", ProductFormat::html}}),
-                            1, 5);
-  return formats;
+Kind<ProductFormats> formats_kind() {
+  std::vector<std::pair<std::string, const ProductFormat*>> words;
+  for (const ProductFormat* format : all_product_formats())
+    if (!format->name.empty()) words.emplace_back(format->name, format);
+  const std::size_t most = words.size();
+  return converted<ProductFormats>(list(choice<const ProductFormat*>(words), 1, most),
+                                   [](const std::vector<const ProductFormat*>& chosen) {
+                                     ProductFormats formats;
+                                     for (const ProductFormat* format : chosen) formats.add(*format);
+                                     return formats;
+                                   });
 }
 
 /// Only what is a good file name everywhere.

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "io/product_parts/raster_view.h"
+
+namespace ifov::render {
+struct ImageInfo;
+}
+
+namespace ifov::io {
+
+class PartFile;
+class QuantitySet;
+struct Quantity;
+struct RunRecord;
+
+/// What a format is written from, once the cubes are whole.
+struct FormatInput {
+  const RunRecord& record;
+  const std::vector<int>& picture_channels;              ///< as of ProductOptions::quicklook_channels
+  std::function<RasterView(const Quantity&)> values_of;  ///< empty where the run keeps no such cube
+};
+
+/// A kind of product: one file beside the cubes, or the cubes themselves.
+struct ProductFormat {
+  std::string_view name;      ///< as a document asks for it (output.formats); empty: it comes with every run
+  std::string_view ending{};  ///< of the file's name, behind that of the products: "_radiance.tif"
+  std::string_view what{};    ///< in lists of files: "radiance, GeoTIFF"
+
+  /// Throws EnvironmentError on full disks; then the run keeps its other products. Null: no file of its own.
+  void (*write)(PartFile& file, const FormatInput& input) = nullptr;
+
+  /// Disk space that this takes at most while it is made, of cubes of these quantities; null where it is small.
+  std::uint64_t (*bytes)(const render::ImageInfo& image, const QuantitySet& cubes) = nullptr;
+};
+
+/// All there are, in the order of documents and in that in which they are made.
+std::span<const ProductFormat* const> all_product_formats();
+
+/// Null where no document can ask for one of this name.
+const ProductFormat* find_product_format(std::string_view name);
+
+/// A choice among them, in their order; those that come with every run are in all.
+class ProductFormats {
+ public:
+  ProductFormats() = default;
+  ProductFormats(std::initializer_list<const ProductFormat*> formats) : asked_(formats) {}
+
+  bool has(const ProductFormat& format) const;
+  void add(const ProductFormat& format) { asked_.push_back(&format); }
+  std::vector<const ProductFormat*> list() const;
+
+  /// Of the files, which are not small.
+  std::uint64_t bytes(const render::ImageInfo& image, const QuantitySet& cubes) const;
+
+ private:
+  std::vector<const ProductFormat*> asked_;
+};
+
+/// What is written where a document asks for nothing: cubes, picture and report.
+ProductFormats usual_product_formats();
+
+}  // namespace ifov::io

@@ -1,0 +1,50 @@
+#include <algorithm>
+#include <array>
+
+#include "io/products/geotiff.h"
+#include "io/products/netcdf.h"
+#include "io/products/product_format.h"
+#include "io/products/qgis_style.h"
+#include "io/products/quicklook.h"
+#include "io/products/report_format.h"
+
+namespace ifov::io {
+namespace {
+
+/// The cubes, which are written while the run is at work.
+constexpr ProductFormat kEnvi{.name = "envi"};
+
+constexpr std::array kFormats{&kEnvi,         &formats::kGeotiff, &formats::kNetcdf, &formats::kQgisStyle,
+                              &formats::kPng, &formats::kHtml};
+
+}  // namespace
+
+std::span<const ProductFormat* const> all_product_formats() { return kFormats; }
+
+const ProductFormat* find_product_format(std::string_view name) {
+  for (const ProductFormat* format : kFormats)
+    if (!name.empty() && format->name == name) return format;
+  return nullptr;
+}
+
+bool ProductFormats::has(const ProductFormat& format) const {
+  return format.name.empty() || std::find(asked_.begin(), asked_.end(), &format) != asked_.end();
+}
+
+std::vector<const ProductFormat*> ProductFormats::list() const {
+  std::vector<const ProductFormat*> chosen;
+  for (const ProductFormat* format : kFormats)
+    if (has(*format)) chosen.push_back(format);
+  return chosen;
+}
+
+std::uint64_t ProductFormats::bytes(const render::ImageInfo& image, const QuantitySet& cubes) const {
+  std::uint64_t bytes = 0;
+  for (const ProductFormat* format : list())
+    if (format->bytes != nullptr) bytes += format->bytes(image, cubes);
+  return bytes;
+}
+
+ProductFormats usual_product_formats() { return {&kEnvi, &formats::kPng, &formats::kHtml}; }
+
+}  // namespace ifov::io
