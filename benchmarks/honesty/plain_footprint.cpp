@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <variant>
 
+#include "io/document/cameras/camera_settings.h"
+
 namespace ifov::benchmarks {
 
 namespace {
@@ -49,8 +51,8 @@ PlainFootprint::PlainFootprint(const io::SensorDocument& sensor) : side_px_(std:
       quantiles_.push_back(0.5 * (low + high));
     }
   } else if (const auto* airy = std::get_if<io::AiryPsf>(&sensor.psf)) {
-    const auto* camera = std::get_if<io::FrameCamera>(&sensor.camera.model);
-    if (camera == nullptr) throw std::runtime_error("an Airy pattern without a frame camera");
+    const auto camera = sensor.camera.settings->optics();
+    if (!camera) throw std::runtime_error("an Airy pattern without a frame camera");
     airy_q_px_ = airy->wavelength_um * 1e-6 * camera->focal_length_m / (airy->aperture_m * camera->pitch_m);
     reach_px_ = std::numeric_limits<double>::infinity();
   } else if (std::holds_alternative<io::KernelPsf>(sensor.psf)) {

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "core/names.h"
-#include "geodesy/sun_position.h"
 #include "geometry/world/world_builder.h"
+#include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
 #include "session/assembly/air/atmosphere_assembly.h"
 #include "session/assembly/shared/with_position.h"
@@ -33,15 +33,8 @@ io::Document asked(const io::Document& document, const AtmosphereQuestion& quest
     changed.light.sun->direction = {question.sun->zenith_rad, question.sun->azimuth_rad};
   }
   if (question.view) {
-    const double zenith = question.view->zenith_rad, azimuth = question.view->azimuth_rad;
-    if (auto* frame = std::get_if<io::FrameCamera>(&changed.sensor.camera.model)) {
-      const math::Vec3 up = geodesy::direction_enu(azimuth, 0.5 * std::numbers::pi - zenith);
-      frame->orientation = io::LookAt{frame->position_m - up, std::nullopt};
-    } else {
-      auto& parallel = std::get<io::OrthographicCamera>(changed.sensor.camera.model);
-      parallel.view_zenith_rad = zenith;
-      parallel.view_azimuth_rad = azimuth;
-    }
+    auto& camera = changed.sensor.camera.settings;
+    camera = camera->seen_from(question.view->zenith_rad, question.view->azimuth_rad);
   }
   if (question.sensor_altitude_km)
     changed.atmosphere.modelled->sensor_altitude_km = question.sensor_altitude_km;

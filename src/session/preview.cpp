@@ -10,6 +10,7 @@
 #include "core/format.h"
 #include "core/parallel.h"
 #include "core/version.h"
+#include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
 #include "io/product_parts/product_headers.h"
 #include "io/products/quicklook.h"
@@ -146,28 +147,13 @@ class Painter {
   Clock::time_point start_;
 };
 
-void shrink(io::CameraDocument& camera, int longest_px) {
-  std::visit(
-      [&](auto& model) {
-        const double factor = static_cast<double>(std::max(model.width_px, model.height_px)) / longest_px;
-        if (factor <= 1.0) return;
-        model.width_px = std::max(1, static_cast<int>(std::lround(model.width_px / factor)));
-        model.height_px = std::max(1, static_cast<int>(std::lround(model.height_px / factor)));
-        if constexpr (requires { model.gsd_m; })
-          model.gsd_m *= factor;
-        else
-          model.pitch_m *= factor;
-      },
-      camera.model);
-}
-
 }  // namespace
 
 io::Document for_preview(io::Document document, int longest_px) {
   document.sensor.channels = shown_channels(document);
   document.sensor.psf = io::NoPsf{};
   document.sampling.method = io::SingleSampling{};
-  shrink(document.sensor.camera, longest_px);
+  document.sensor.camera.settings = document.sensor.camera.settings->shrunk(longest_px);
   return document;
 }
 

@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "document_maker.h"
+#include "io/document/cameras/frame_camera.h"
+#include "io/document/cameras/orthographic_camera.h"
 #include "io/document/document.h"
 
 namespace ifov::io {
@@ -186,10 +188,10 @@ TEST(Document, RadianceFromCsvTakesItsUnitIntoTheScale) {
 
 TEST(Document, Sensor) {
   const SensorDocument sensor = whole().sensor;
-  const auto& camera = std::get<OrthographicCamera>(sensor.camera.model);
+  const auto& camera = camera_as<OrthographicCamera>(sensor.camera)->size;
   EXPECT_EQ(camera.width_px, 30);
   EXPECT_EQ(camera.height_px, 20);
-  EXPECT_FALSE(camera.height_m);
+  EXPECT_FALSE(camera_as<OrthographicCamera>(sensor.camera)->height_m);
   ASSERT_EQ(sensor.channels.size(), 5u);
   EXPECT_EQ(sensor.channels[0].name, "red");
   EXPECT_EQ(sensor.channels[1].name, "400 nm");
@@ -203,18 +205,18 @@ TEST(Document, Sensor) {
 
 TEST(Document, FrameCamera) {
   const std::string nadir = R"({"orthographic": {"gsd": "1 m", "pixels": [30, 20]}})";
-  const auto looking = std::get<FrameCamera>(
+  const auto looking = *camera_as<FrameCamera>(
       parsed_with(nadir, R"({"frame": {"focal_length": "50 mm", "pitch": "5 um", "pixels": [4, 5],
          "position": ["0 m", "0 m", "1 km"], "look_at": ["0 m", "0 m", "0 m"], "up": [0, 1, 0]}})")
-          .sensor.camera.model);
+          .sensor.camera);
   EXPECT_EQ(looking.focal_length_m, 0.05);
   EXPECT_NEAR(looking.pitch_m, 5e-6, 1e-20);
   EXPECT_EQ(looking.position_m.z, 1000.0);
   EXPECT_EQ(std::get<LookAt>(looking.orientation).up->y, 1.0);
-  const auto turned = std::get<FrameCamera>(
+  const auto turned = *camera_as<FrameCamera>(
       parsed_with(nadir, R"({"frame": {"focal_length": "50 mm", "pitch": "5 um", "pixels": [4, 5],
          "position": ["0 m", "0 m", "1 km"], "attitude": {"yaw": "10 deg", "pitch": "-10 deg"}}})")
-          .sensor.camera.model);
+          .sensor.camera);
   EXPECT_NEAR(std::get<Attitude>(turned.orientation).pitch_rad, -10.0 * kDegree, 1e-15);
 }
 

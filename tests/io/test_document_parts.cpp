@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/format.h"
+#include "io/document/cameras/orthographic_camera.h"
 #include "io/document/document.h"
 
 namespace ifov::io {
@@ -54,7 +55,7 @@ class DocumentParts : public ::testing::Test {
     return "no error";
   }
   static double gsd_m(const Document& document) {
-    return std::get<OrthographicCamera>(document.sensor.camera.model).gsd_m;
+    return camera_as<OrthographicCamera>(document.sensor.camera)->gsd_m;
   }
 
  private:
@@ -65,7 +66,7 @@ TEST_F(DocumentParts, ObjectsArePutTogetherKeyByKey) {
   const Document document = read(R"({"include": "shared/base.json",
     "sensor": {"camera": {"orthographic": {"gsd": "2 m"}}}, "light": {"sun": null}})");
   EXPECT_EQ(gsd_m(document), 2.0);
-  EXPECT_EQ(std::get<OrthographicCamera>(document.sensor.camera.model).width_px, 4);
+  EXPECT_EQ(camera_as<OrthographicCamera>(document.sensor.camera)->size.width_px, 4);
   EXPECT_FALSE(document.light.sun);
   EXPECT_EQ(document.scene.objects.size(), 2u);
   EXPECT_EQ(document.output.folder, path("scene.out"));

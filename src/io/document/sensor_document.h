@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -8,46 +8,13 @@
 
 #include "io/document/document_values.h"
 #include "io/document/spectrum_document.h"
-#include "math/vec3.h"
 
 namespace ifov::io {
 
-/// Parallel rays, straight down or aslant; pixels are squares of the plane z = 0. Rotation 0 has north (+y) at the top of the image.
-struct OrthographicCamera {
-  double gsd_m = 0.0;
-  int width_px = 0, height_px = 0;
-  /// Ground point of the image's centre; absent: the scene's origin.
-  std::optional<std::array<double, 2>> centre_m;
-  double rotation_rad = 0.0;  ///< of the camera about the vertical, clockwise seen from above: the top of the
-                              ///< image points to this azimuth
-  std::optional<double> height_m;                        ///< z at which rays start; absent: above everything
-  double view_zenith_rad = 0.0, view_azimuth_rad = 0.0;  ///< of the direction from the ground to the sensor
-};
-
-/// Turns the camera so that its axis passes through a point.
-struct LookAt {
-  math::Point3 target_m;
-  std::optional<math::Vec3> up;  ///< scene direction that is up in the image; absent: +z, or north (+y) where
-                                 ///< the camera looks along z
-};
-
-/// Attitude of the aircraft that the camera hangs below, its axis along the body's down and the top of the
-/// image at the nose: yaw clockwise from north, pitch nose up, roll right wing down, the 3-2-1 sequence in
-/// north-east-down axes. All zero looks straight down with north at the top.
-struct Attitude {
-  double yaw_rad = 0.0, pitch_rad = 0.0, roll_rad = 0.0;
-};
-
-struct FrameCamera {
-  double focal_length_m = 0.0;
-  double pitch_m = 0.0;  ///< of the detector elements
-  int width_px = 0, height_px = 0;
-  math::Point3 position_m;
-  std::variant<LookAt, Attitude> orientation;
-};
+class CameraSettings;
 
 struct CameraDocument {
-  std::variant<OrthographicCamera, FrameCamera> model;
+  std::shared_ptr<const CameraSettings> settings;  ///< of one of camera_models(); never null once read
   SourcePosition position;
 };
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/format.h"
+#include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
 #include "render/channel_brightness.h"
 #include "sensor/camera.h"
@@ -55,25 +56,12 @@ std::string scene_line(const Parts& parts) {
   return text;
 }
 
-struct CameraText {
-  const Parts& parts;
-  std::string operator()(const io::OrthographicCamera& c) const {
-    std::string text = format("orthographic, {} x {} pixels of {:g} m", c.width_px, c.height_px, c.gsd_m);
-    if (c.view_zenith_rad > 0.0)
-      text += format(", {:.4g} deg from the vertical, seen from azimuth {:.4g} deg",
-                     c.view_zenith_rad * kDegrees, c.view_azimuth_rad * kDegrees);
-    return text;
-  }
-  std::string operator()(const io::FrameCamera& c) const {
-    const math::Vec3 to_scene =
-        on_map(parts) ? parts.map_offset_m - parts.document.scene.origin.offset_m : math::Vec3{};
-    const math::Point3 p = c.position_m + to_scene;
-    return format("frame, {} x {} pixels, {:.4g} x {:.4g} deg, at {} {:.8g}, {:.8g}, {:.6g} m", c.width_px,
-                  c.height_px, 2.0 * std::atan(0.5 * c.width_px * c.pitch_m / c.focal_length_m) * kDegrees,
-                  2.0 * std::atan(0.5 * c.height_px * c.pitch_m / c.focal_length_m) * kDegrees,
-                  on_map(parts) ? "east, north, height" : "x, y, z", p.x, p.y, p.z);
-  }
-};
+std::string camera_line(const Parts& parts) {
+  const math::Vec3 to_scene =
+      on_map(parts) ? parts.map_offset_m - parts.document.scene.origin.offset_m : math::Vec3{};
+  return parts.document.sensor.camera.settings->description(
+      to_scene, on_map(parts) ? "east, north, height" : "x, y, z");
+}
 
 std::string sees_line(const Parts& parts, const SceneLook& look) {
   if (look.distance_m.low > look.distance_m.high) return "nothing but sky";
@@ -140,7 +128,7 @@ std::string area_text(const Parts& parts, SceneLook::Range x_m, SceneLook::Range
 std::vector<std::string> place_lines(const Parts& parts, const SceneLook& look) {
   std::vector<std::string> lines;
   lines.push_back(line("extent:", scene_line(parts)));
-  lines.push_back(line("camera:", std::visit(CameraText{parts}, parts.document.sensor.camera.model)));
+  lines.push_back(line("camera:", camera_line(parts)));
   lines.push_back(line("sees:", sees_line(parts, look)));
   lines.push_back(line("in view:", in_view_line(look)));
   lines.push_back(line(parts.scene.sun && parts.scene.sun->is_moon ? "Moon:" : "Sun:", sun_line(parts)));

@@ -5,6 +5,7 @@
 
 #include "core/format.h"
 #include "core/names.h"
+#include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
 #include "sensor/camera.h"
 #include "session/loaded/acquisition_assembly.h"
@@ -16,11 +17,6 @@ namespace ifov::session {
 namespace {
 
 constexpr std::size_t kNamed = 3;
-
-struct CameraHeight {
-  std::optional<double> operator()(const io::OrthographicCamera& c) const { return c.height_m; }
-  std::optional<double> operator()(const io::FrameCamera&) const { return std::nullopt; }
-};
 
 /// The share of directions in which a place sees the back of a surface before anything else.
 double backs_about(const geometry::World& world, math::Point3 place) {
@@ -42,7 +38,7 @@ void warn_of_camera(const Parts& parts, const SceneLook& look, LogSink& log) {
   const geometry::World& world = *parts.scene.world;
   const double top_m = world.heights().high_m;
   const math::Vec3 offset_m = parts.document.scene.origin.offset_m;
-  if (const auto height_m = std::visit(CameraHeight{}, parts.document.sensor.camera.model);
+  if (const auto height_m = parts.document.sensor.camera.settings->start_height_m();
       height_m && *height_m - offset_m.z < top_m)
     log.warn(format(
         "the camera's 'height' of {:g} m lies below the top of the scene at {:g} m: what is above it is not seen. "

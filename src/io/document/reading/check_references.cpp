@@ -7,6 +7,7 @@
 
 #include "core/format.h"
 #include "core/names.h"
+#include "io/document/cameras/camera_settings.h"
 
 namespace ifov::io {
 namespace {
@@ -193,8 +194,7 @@ class ReferenceCheck {
 
   void check_psf() const {
     const SensorDocument& sensor = document_.sensor;
-    const bool frame = std::holds_alternative<FrameCamera>(sensor.camera.model);
-    if (!std::holds_alternative<AiryPsf>(sensor.psf) || frame) return;
+    if (!std::holds_alternative<AiryPsf>(sensor.psf) || sensor.camera.settings->optics()) return;
     throw document_error(
         document_, sensor.psf_position,
         "an Airy PSF needs a 'frame' camera, whose focal length and pitch give its size in pixels");

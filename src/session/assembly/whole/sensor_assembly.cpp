@@ -1,66 +1,18 @@
 #include "session/assembly/whole/sensor_assembly.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
 #include "io/raster/raster.h"
 #include "io/spectra/channel_table.h"
 #include "io/spectra/csv_spectrum.h"
-#include "sensor/frame_camera.h"
-#include "sensor/orthographic_camera.h"
 #include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/with_position.h"
 
 namespace ifov::session {
 
 namespace {
-
-struct BuildCamera {
-  const io::Document& document;
-  const scene::Scene& scene;
-
-  std::unique_ptr<sensor::Camera> operator()(const io::OrthographicCamera& source) const {
-    const math::Vec3 offset_m = document.scene.origin.offset_m;
-    sensor::OrthographicCamera::Settings settings;
-    settings.width_px = source.width_px;
-    settings.height_px = source.height_px;
-    settings.gsd_m = source.gsd_m;
-    if (source.centre_m) {
-      settings.centre_x_m = (*source.centre_m)[0] - offset_m.x;
-      settings.centre_y_m = (*source.centre_m)[1] - offset_m.y;
-    }
-    settings.rotation_rad = source.rotation_rad;
-    settings.view_zenith_rad = source.view_zenith_rad;
-    settings.view_azimuth_rad = source.view_azimuth_rad;
-    // Above everything, by enough that no surface touches the plane the rays start from.
-    settings.start_height_m =
-        source.height_m ? *source.height_m - offset_m.z : scene.world->heights().high_m + 1.0;
-    return std::make_unique<sensor::OrthographicCamera>(settings);
-  }
-
-  std::unique_ptr<sensor::Camera> operator()(const io::FrameCamera& source) const {
-    sensor::FrameCamera::Settings settings;
-    settings.width_px = source.width_px;
-    settings.height_px = source.height_px;
-    settings.focal_length_m = source.focal_length_m;
-    settings.pitch_m = source.pitch_m;
-    settings.position_m = source.position_m - document.scene.origin.offset_m;
-    if (const auto* look = std::get_if<io::LookAt>(&source.orientation)) {
-      const math::Point3 target_m = look->target_m - document.scene.origin.offset_m;
-      const math::Vec3 along = math::normalized(target_m - settings.position_m);
-      const bool vertical = std::abs(along.z) > 1.0 - 1e-9;
-      const math::Vec3 up =
-          look->up.value_or(vertical ? math::Vec3{0.0, 1.0, 0.0} : math::Vec3{0.0, 0.0, 1.0});
-      settings.axes = sensor::axes_looking_at(settings.position_m, target_m, up);
-    } else {
-      const io::Attitude& attitude = std::get<io::Attitude>(source.orientation);
-      settings.axes =
-          sensor::axes_from_yaw_pitch_roll(attitude.yaw_rad, attitude.pitch_rad, attitude.roll_rad);
-    }
-    return std::make_unique<sensor::FrameCamera>(settings);
-  }
-};
 
 struct BuildChannel {
   const io::Document& document;
@@ -104,7 +56,8 @@ struct BuildChannel {
 
 std::unique_ptr<sensor::Camera> assemble_camera(const io::Document& document, const scene::Scene& scene) {
   return with_position(document, document.sensor.camera.position, [&] {
-    return std::visit(BuildCamera{document, scene}, document.sensor.camera.model);
+    return document.sensor.camera.settings->build(
+        {document.scene.origin.offset_m, scene.world->heights().high_m});
   });
 }
 
@@ -124,9 +77,9 @@ std::unique_ptr<sensor::Psf> assemble_psf(const io::Document& document) {
     if (const auto* gaussian = std::get_if<io::GaussianPsf>(&source.psf)) {
       psf = sensor::make_gaussian_psf(gaussian->sigma_px);
     } else if (const auto* airy = std::get_if<io::AiryPsf>(&source.psf)) {
-      const io::FrameCamera& camera = std::get<io::FrameCamera>(source.camera.model);
+      const auto optics = source.camera.settings->optics().value();
       psf = sensor::make_airy_psf(
-          {airy->wavelength_um, airy->aperture_m, camera.focal_length_m, camera.pitch_m});
+          {airy->wavelength_um, airy->aperture_m, optics.focal_length_m, optics.pitch_m});
     } else if (const auto* kernel = std::get_if<io::KernelPsf>(&source.psf)) {
       io::Raster raster = io::read_raster(kernel->file.path);
       std::vector<double> values(

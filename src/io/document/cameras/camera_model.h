@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "io/document/cameras/camera_settings.h"
+#include "io/document/schema/kind.h"
+
+namespace ifov::io {
+
+/// A kind of camera, by its key in sensor.camera.
+struct CameraModel {
+  std::string_view key;   ///< "frame"
+  std::string_view what;  ///< for the reference page: "a perspective camera"
+  /// The table of its keys.
+  Kind<std::shared_ptr<const CameraSettings>> (*kind)() = nullptr;
+};
+
+/// Settings of any kind read as such.
+template <class Settings>
+Kind<std::shared_ptr<const CameraSettings>> settings_kind(const Kind<Settings>& kind) {
+  return converted<std::shared_ptr<const CameraSettings>>(
+      kind, [](Settings settings) { return std::make_shared<const Settings>(std::move(settings)); });
+}
+
+/// All kinds, in the order of the reference page.
+std::span<const CameraModel* const> camera_models();
+
+}  // namespace ifov::io

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "io/document/sensor_document.h"
+#include "math/vec3.h"
+
+namespace ifov::sensor {
+class Camera;
+}
+
+namespace ifov::io {
+
+/// Where the scene is that a camera looks at.
+struct CameraSite {
+  math::Vec3 offset_m;     ///< of coordinates in the document; to be subtracted
+  double highest_m = 0.0;  ///< z of the highest surface, scene frame
+};
+
+/// What a document says of a camera, and what is asked of it. Never changed; changes are copies.
+class CameraSettings {
+ public:
+  virtual ~CameraSettings() = default;
+
+  /// Throws InputError for settings that make no camera.
+  virtual std::unique_ptr<sensor::Camera> build(const CameraSite& site) const = 0;
+
+  /// For descriptions: "frame, 64 x 48 pixels, ..." Positions are said shifted, behind the name of their `axes`.
+  virtual std::string description(math::Vec3 shift_m, std::string_view axes) const = 0;
+
+  /// The same field of view in fewer pixels, at most so many along each side.
+  virtual std::shared_ptr<const CameraSettings> shrunk(int longest_px) const = 0;
+
+  /// The same camera with its optical axis from another direction: angles of the direction from the scene to the
+  /// sensor, azimuth clockwise from north.
+  virtual std::shared_ptr<const CameraSettings> seen_from(double zenith_rad, double azimuth_rad) const = 0;
+
+  /// z at which rays start, as the document says it; none where it does not.
+  virtual std::optional<double> start_height_m() const { return std::nullopt; }
+
+  /// What the size of a diffraction pattern in pixels follows from; none where there is no such thing.
+  struct Optics {
+    double focal_length_m = 0.0, pitch_m = 0.0;
+  };
+  virtual std::optional<Optics> optics() const { return std::nullopt; }
+};
+
+/// The settings where they are a T, else null.
+template <class T>
+const T* camera_as(const CameraDocument& camera) {
+  return dynamic_cast<const T*>(camera.settings.get());
+}
+
+}  // namespace ifov::io

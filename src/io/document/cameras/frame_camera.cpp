@@ -1,0 +1,123 @@
+#include "io/document/cameras/frame_camera.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/format.h"
+#include "geodesy/sun_position.h"
+#include "io/document/schema/record.h"
+#include "sensor/frame_camera.h"
+
+namespace ifov::io {
+namespace {
+
+Kind<Attitude> attitude_kind() {
+  Record<Attitude> record(
+      "attitude",
+      "Attitude of the aircraft that the camera hangs below, its axis along the body's down and the "
+      "top of the image at the nose: 3-2-1 sequence in north-east-down axes. All zero looks "
+      "straight down with north at the top.");
+  record
+      .with_default("yaw", &Attitude::yaw_rad, quantity(kAngle), "\"0 deg\"", "heading, clockwise from north")
+      .with_default("pitch", &Attitude::pitch_rad, quantity(kAngle, Range::between(-90.0, 90.0, "deg")),
+                    "\"0 deg\"", "nose up")
+      .with_default("roll", &Attitude::roll_rad, quantity(kAngle), "\"0 deg\"", "right wing down");
+  return record.kind();
+}
+
+struct FrameEntry {
+  FrameCamera camera;
+  std::optional<math::Vec3> up;
+};
+
+Kind<std::shared_ptr<const CameraSettings>> frame_kind() {
+  const Kind<double> length = quantity(kLength, Range::above(0.0, "m"));
+  Record<FrameEntry> record("frame camera", "A pinhole with a frame of detector elements behind it.");
+  record
+      .required(
+          "focal_length", [](FrameEntry& e, double v) { e.camera.focal_length_m = v; }, length,
+          "focal length")
+      .required(
+          "pitch", [](FrameEntry& e, double v) { e.camera.pitch_m = v; }, length,
+          "distance between detector elements")
+      .required(
+          "pixels", [](FrameEntry& e, ImageSize size) { e.camera.size = size; }, image_size_kind(),
+          "columns and rows")
+      .required(
+          "position", [](FrameEntry& e, math::Point3 p) { e.camera.position_m = p; }, point(),
+          "where the camera is")
+      .exactly_one()
+      .one(
+          "look_at",
+          [](FrameEntry& e, math::Point3 p) {
+            e.camera.orientation = LookAt{p, {}};
+          },
+          point(), "point at the image's centre")
+      .one(
+          "attitude", [](FrameEntry& e, Attitude a) { e.camera.orientation = a; }, attitude_kind(),
+          "instead: angles")
+      .optional("up", &FrameEntry::up, direction(),
+                "direction that is up in the image; +z if not given, or north where the camera looks along z")
+      .needs("up", "look_at")
+      .check([](const FrameEntry& entry, const DocumentNode& node) {
+        const auto* look_at = std::get_if<LookAt>(&entry.camera.orientation);
+        if (look_at != nullptr && look_at->target_m == entry.camera.position_m) {
+          node.given("look_at").fail(
+              format("{} is where the camera itself is", node.given("look_at").title()));
+        }
+      });
+  return settings_kind(converted<FrameCamera>(record.kind(), [](FrameEntry entry) {
+    if (auto* look_at = std::get_if<LookAt>(&entry.camera.orientation)) look_at->up = entry.up;
+    return std::move(entry.camera);
+  }));
+}
+
+}  // namespace
+
+constinit const CameraModel FrameCamera::kModel{"frame", "a perspective camera", frame_kind};
+
+std::unique_ptr<sensor::Camera> FrameCamera::build(const CameraSite& site) const {
+  sensor::FrameCamera::Settings settings;
+  settings.width_px = size.width_px;
+  settings.height_px = size.height_px;
+  settings.focal_length_m = focal_length_m;
+  settings.pitch_m = pitch_m;
+  settings.position_m = position_m - site.offset_m;
+  if (const auto* look = std::get_if<LookAt>(&orientation)) {
+    const math::Point3 target_m = look->target_m - site.offset_m;
+    const math::Vec3 along = math::normalized(target_m - settings.position_m);
+    const bool vertical = std::abs(along.z) > 1.0 - 1e-9;
+    const math::Vec3 up = look->up.value_or(vertical ? math::Vec3{0.0, 1.0, 0.0} : math::Vec3{0.0, 0.0, 1.0});
+    settings.axes = sensor::axes_looking_at(settings.position_m, target_m, up);
+  } else {
+    const Attitude& attitude = std::get<Attitude>(orientation);
+    settings.axes = sensor::axes_from_yaw_pitch_roll(attitude.yaw_rad, attitude.pitch_rad, attitude.roll_rad);
+  }
+  return std::make_unique<sensor::FrameCamera>(settings);
+}
+
+std::string FrameCamera::description(math::Vec3 shift_m, std::string_view axes) const {
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  const math::Point3 p = position_m + shift_m;
+  return format("frame, {} x {} pixels, {:.4g} x {:.4g} deg, at {} {:.8g}, {:.8g}, {:.6g} m", size.width_px,
+                size.height_px, 2.0 * std::atan(0.5 * size.width_px * pitch_m / focal_length_m) * kDegrees,
+                2.0 * std::atan(0.5 * size.height_px * pitch_m / focal_length_m) * kDegrees, axes, p.x, p.y,
+                p.z);
+}
+
+std::shared_ptr<const CameraSettings> FrameCamera::shrunk(int longest_px) const {
+  auto camera = std::make_shared<FrameCamera>(*this);
+  const double factor = size.times(longest_px);
+  camera->size = size.divided(factor);
+  camera->pitch_m *= factor;
+  return camera;
+}
+
+std::shared_ptr<const CameraSettings> FrameCamera::seen_from(double zenith_rad, double azimuth_rad) const {
+  auto camera = std::make_shared<FrameCamera>(*this);
+  const math::Vec3 up = geodesy::direction_enu(azimuth_rad, 0.5 * std::numbers::pi - zenith_rad);
+  camera->orientation = LookAt{position_m - up, std::nullopt};
+  return camera;
+}
+
+}  // namespace ifov::io

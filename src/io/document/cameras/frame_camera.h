@@ -1,0 +1,40 @@
+#pragma once
+
+#include <variant>
+
+#include "io/document/cameras/camera_model.h"
+#include "io/document/cameras/image_size.h"
+
+namespace ifov::io {
+
+/// Turns the camera so that its axis passes through a point.
+struct LookAt {
+  math::Point3 target_m;
+  std::optional<math::Vec3> up;  ///< scene direction that is up in the image; absent: +z, or north (+y) where
+                                 ///< the camera looks along z
+};
+
+/// Attitude of the aircraft that the camera hangs below, its axis along the body's down and the top of the
+/// image at the nose: yaw clockwise from north, pitch nose up, roll right wing down, the 3-2-1 sequence in
+/// north-east-down axes. All zero looks straight down with north at the top.
+struct Attitude {
+  double yaw_rad = 0.0, pitch_rad = 0.0, roll_rad = 0.0;
+};
+
+struct FrameCamera final : CameraSettings {
+  static const CameraModel kModel;
+
+  double focal_length_m = 0.0;
+  double pitch_m = 0.0;  ///< of the detector elements
+  ImageSize size;
+  math::Point3 position_m;
+  std::variant<LookAt, Attitude> orientation;
+
+  std::unique_ptr<sensor::Camera> build(const CameraSite& site) const override;
+  std::string description(math::Vec3 shift_m, std::string_view axes) const override;
+  std::shared_ptr<const CameraSettings> shrunk(int longest_px) const override;
+  std::shared_ptr<const CameraSettings> seen_from(double zenith_rad, double azimuth_rad) const override;
+  std::optional<Optics> optics() const override { return Optics{focal_length_m, pitch_m}; }
+};
+
+}  // namespace ifov::io
