@@ -360,7 +360,6 @@ TEST(ProductWriter, PlacesAreWrittenInMapCoordinates) {
   options.cubes = {&quantities::kLocation, &quantities::kViewAngles};
   RunIdentity identity = image.identity();
   identity.acquisition.origin_on_map_m = {477000.0, 5474000.0, 100.0};
-  identity.acquisition.camera.is_frame = true;
   identity.acquisition.camera.position_m = {477000.0, 5474000.0, 600.0};
   ProductWriter writer(options, identity);
   writer.begin(image.info());

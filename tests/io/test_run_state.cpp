@@ -103,11 +103,13 @@ TEST(RunPlan, KeepsWhatProductsSayOfTheAcquisition) {
   a.origin = {49.4, 8.7};
   a.origin_height_m = 110.0;
   a.origin_on_map_m = {477000.0, 5474000.0, 110.0};
-  a.camera.is_frame = true;
+  a.camera.model = "frame";
+  a.camera.focal_length_m = 0.05;
   a.camera.position_m = {1.0, 2.0, 3.0};
   a.footprint = {std::nullopt, Acquisition::Corner{{4.0, 5.0, 6.0}, Acquisition::Place{49.0, 8.0}}};
   const RunPlan back = plan_in(to_json(plan), "state.json");
   EXPECT_EQ(to_json(back), to_json(plan));
+  EXPECT_EQ(back.identity.acquisition.camera.position_m->z, 3.0);
   EXPECT_EQ(back.name, "flight_1");
   EXPECT_TRUE(back.cubes == plan.cubes);
   EXPECT_EQ(back.identity.acquisition.light->azimuth_deg, 140.0);

@@ -14,6 +14,7 @@ namespace ifov::io {
 class CameraSettings;
 
 struct CameraDocument {
+  std::string model;                               ///< its key
   std::shared_ptr<const CameraSettings> settings;  ///< of one of camera_models(); never null once read
   SourcePosition position;
 };

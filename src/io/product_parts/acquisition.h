@@ -19,11 +19,11 @@ struct Acquisition {
     bool is_moon = false;
   };
   struct Camera {
-    bool is_frame = false;                       ///< else orthographic
-    math::Point3 position_m;                     ///< of a frame camera
+    std::string model = "orthographic";          ///< its key in documents
+    std::optional<math::Point3> position_m;      ///< none where rays are parallel
     math::Vec3 right, down, forward;             ///< unit vectors: image x, image y, the line of sight
-    double focal_length_m = 0.0, pitch_m = 0.0;  ///< of a frame camera
-    /// Side of a pixel on the ground; of a frame camera at its middle; 0: not known.
+    double focal_length_m = 0.0, pitch_m = 0.0;  ///< 0 where rays are parallel
+    /// Side of a pixel on the ground; where rays diverge at the image's middle; 0: not known.
     double ground_sample_m = 0.0;
   };
   /// Where the ray through a corner of the image meets the scene.

@@ -26,26 +26,25 @@ std::optional<Acquisition::Place> place_of(const JsonView& view) {
 
 void write_members(JsonWriter& json, const Acquisition::Camera& camera) {
   json.member("down", list(camera.down));
-  if (camera.is_frame) json.member("focal_length_m", camera.focal_length_m);
+  if (camera.focal_length_m > 0.0) json.member("focal_length_m", camera.focal_length_m);
   json.member("forward", list(camera.forward));
   if (camera.ground_sample_m > 0.0) json.member("ground_sample_m", camera.ground_sample_m);
-  json.member("model", camera.is_frame ? "frame" : "orthographic");
-  if (camera.is_frame) json.member("pitch_m", camera.pitch_m);
-  if (camera.is_frame) json.member("position_m", list(camera.position_m));
+  json.member("model", camera.model);
+  if (camera.pitch_m > 0.0) json.member("pitch_m", camera.pitch_m);
+  if (camera.position_m) json.member("position_m", list(*camera.position_m));
   json.member("right", list(camera.right));
 }
 
 Acquisition::Camera camera_of(const JsonView& view) {
   Acquisition::Camera camera;
-  camera.is_frame = view["model"].text() == "frame";
+  camera.model = view["model"].text();
   camera.right = vector_of<math::Vec3>(view["right"]);
   camera.down = vector_of<math::Vec3>(view["down"]);
   camera.forward = vector_of<math::Vec3>(view["forward"]);
   camera.ground_sample_m = view["ground_sample_m"].number();
-  if (!camera.is_frame) return camera;
-  camera.position_m = vector_of<math::Point3>(view["position_m"]);
-  camera.focal_length_m = view["focal_length_m"].number();
-  camera.pitch_m = view["pitch_m"].number();
+  if (view["position_m"].is_there()) camera.position_m = vector_of<math::Point3>(view["position_m"]);
+  if (view["focal_length_m"].is_there()) camera.focal_length_m = view["focal_length_m"].number();
+  if (view["pitch_m"].is_there()) camera.pitch_m = view["pitch_m"].number();
   return camera;
 }
 

@@ -39,7 +39,7 @@ void put_view_angles(const FinishedTile& of, ValueSink& sink) {
   for (std::size_t i = 0; i < positions.size(); i += 3) {
     const math::Point3 position{positions[i], positions[i + 1], positions[i + 2]};
     const math::Vec3 to_sensor =
-        math::normalized(camera.is_frame ? camera.position_m - position : -camera.forward);
+        math::normalized(camera.position_m ? *camera.position_m - position : -camera.forward);
     const double zenith = std::atan2(std::hypot(to_sensor.x, to_sensor.y), to_sensor.z) * kDegrees,
                  azimuth = std::atan2(to_sensor.x, to_sensor.y) * kDegrees;
     const bool known = !std::isnan(position.x);

@@ -32,7 +32,7 @@ std::optional<math::Point3> place_of(const Parts& parts, double x_px, double y_p
 io::Acquisition::Camera camera_of(const Parts& parts) {
   const sensor::CameraPose pose = parts.camera->pose();
   io::Acquisition::Camera camera;
-  camera.is_frame = pose.position_m.has_value();
+  camera.model = parts.document.sensor.camera.model;
   camera.right = pose.axes.right, camera.down = pose.axes.down, camera.forward = pose.axes.forward;
   camera.focal_length_m = pose.focal_length_m, camera.pitch_m = pose.pitch_m;
   if (pose.position_m) camera.position_m = *pose.position_m + parts.map_offset_m;
