@@ -8,6 +8,9 @@
 #include "io/document/cameras/frame_camera.h"
 #include "io/document/cameras/orthographic_camera.h"
 #include "io/document/document.h"
+#include "io/document/shapes/box_primitive.h"
+#include "io/document/shapes/flat_primitives.h"
+#include "io/document/shapes/round_primitives.h"
 
 namespace ifov::io {
 namespace {
@@ -53,7 +56,7 @@ TEST(Document, Scene) {
   EXPECT_EQ(csv.column, 2);
   EXPECT_EQ(csv.scale, 0.01);
   ASSERT_EQ(scene.objects.size(), 3u);
-  const auto& ball = std::get<SphereShape>(scene.objects[1].shape);
+  const auto& ball = *primitive_as<SpherePrimitive>(scene.objects[1].shape);
   EXPECT_EQ(ball.centre_m, (math::Point3{1.0, 2.0, 3.0}));
   EXPECT_EQ(ball.radius_m, 0.5);
   EXPECT_EQ(scene.objects[1].name, "ball");
@@ -67,36 +70,40 @@ TEST(Document, Scene) {
 
 template <class Shape>
 Shape shape_from(const std::string& json) {
-  return std::get<Shape>(parsed_with("\"plane\": {}", json).scene.objects[0].shape);
+  const ShapeDocument shape = parsed_with("\"plane\": {}", json).scene.objects[0].shape;
+  if constexpr (std::is_base_of_v<PrimitiveSettings, Shape>)
+    return *primitive_as<Shape>(shape);
+  else
+    return std::get<Shape>(shape);
 }
 
 TEST(Document, Shapes) {
-  EXPECT_EQ(shape_from<PlaneShape>(R"("plane": {"height": "2 m"})").height_m, 2.0);
+  EXPECT_EQ(shape_from<PlanePrimitive>(R"("plane": {"height": "2 m"})").height_m, 2.0);
   const auto box =
-      shape_from<BoxShape>(R"("box": {"low": ["0 m", "0 m", "0 m"], "high": ["1 m", "2 m", "3 m"]})");
+      shape_from<BoxPrimitive>(R"("box": {"low": ["0 m", "0 m", "0 m"], "high": ["1 m", "2 m", "3 m"]})");
   EXPECT_EQ(box.high_m, (math::Point3{1.0, 2.0, 3.0}));
-  const auto upright = shape_from<CylinderShape>(
+  const auto upright = shape_from<CylinderPrimitive>(
       R"("cylinder": {"base": ["0 m", "0 m", "0 m"], "height": "2 m", "radius": "1 m", "capped": false})");
   EXPECT_EQ(upright.axis_m, (math::Vec3{0.0, 0.0, 2.0}));
   EXPECT_FALSE(upright.capped);
-  const auto leaning = shape_from<CylinderShape>(
+  const auto leaning = shape_from<CylinderPrimitive>(
       R"("cylinder": {"base": ["0 m", "0 m", "0 m"], "axis": ["1 m", "0 m", "1 m"], "radius": "1 m"})");
   EXPECT_EQ(leaning.axis_m, (math::Vec3{1.0, 0.0, 1.0}));
   EXPECT_TRUE(leaning.capped);
-  const auto disk = shape_from<DiskShape>(
+  const auto disk = shape_from<DiskPrimitive>(
       R"("disk": {"center": ["0 m", "0 m", "0 m"], "normal": [0, 0, 2], "radius": "1 ft"})");
   EXPECT_EQ(disk.radius_m, 0.3048);
   const auto mesh = shape_from<MeshShape>(R"("mesh": {"file": "../m.obj", "unit": "mm", "up": "y"})");
   EXPECT_EQ(mesh.file.path, "m.obj");
   EXPECT_EQ(mesh.unit_m, 1e-3);
   EXPECT_TRUE(mesh.y_is_up);
-  const auto polygon = shape_from<PolygonShape>(
+  const auto polygon = shape_from<PolygonPrimitive>(
       R"("polygon": {"vertices": [["0 m","0 m","9 m"], ["4 m","0 m","9 m"], ["1 m","1 m","9 m"], ["0 m","4 m","9 m"]]})");
   EXPECT_EQ(polygon.vertices_m.size(), 4u);
 }
 
 TEST(Document, PolygonsFarFromTheOriginMayBeFlatToo) {
-  EXPECT_NO_THROW(shape_from<PolygonShape>(
+  EXPECT_NO_THROW(shape_from<PolygonPrimitive>(
       R"("polygon": {"vertices": [["500000 m","4500000 m","9 m"], ["500004 m","4500000 m","9 m"], ["500004 m","4500004 m","9 m"]]})"));
 }
 

@@ -8,6 +8,7 @@
 #include "core/format.h"
 #include "io/document/cameras/orthographic_camera.h"
 #include "io/document/document.h"
+#include "io/document/shapes/flat_primitives.h"
 
 namespace ifov::io {
 namespace {
@@ -129,7 +130,7 @@ TEST_F(DocumentParts, OverridesReplaceWholeValues) {
                    "scene.objects[1]={\"plane\": {\"height\": \"1 m\"}, \"material\": \"wall\"}", "seed=9"});
   EXPECT_EQ(gsd_m(document), 7.0);
   EXPECT_EQ(document.seed, 9u);
-  EXPECT_TRUE(std::holds_alternative<PlaneShape>(document.scene.objects[1].shape));
+  EXPECT_TRUE(is_primitive(document.scene.objects[1].shape, PlanePrimitive::kModel));
   EXPECT_FALSE(read(kBase, {"light.sun=null"}).light.sun);
   EXPECT_EQ(gsd_m(read(kBase, {"sensor.camera.orthographic={\"gsd\": \"1 m\", \"pixels\": [2, 2]}",
                                "sensor.camera.orthographic.gsd=6 m"})),

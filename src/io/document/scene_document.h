@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -50,36 +51,12 @@ struct MaterialDocument {
   SourcePosition position;
 };
 
-/// A horizontal plane without end, facing up.
-struct PlaneShape {
-  double height_m = 0.0;
-};
-struct BoxShape {
-  math::Point3 low_m, high_m;  ///< low < high in each coordinate
-};
-struct SphereShape {
-  math::Point3 centre_m;
-  double radius_m = 0.0;
-};
-/// The upper half (+z) of a sphere, without a floor.
-struct HemisphereShape {
-  math::Point3 centre_m;
-  double radius_m = 0.0;
-};
-struct CylinderShape {
-  math::Point3 base_m;  ///< centre of the base
-  math::Vec3 axis_m;    ///< from the centre of the base to the centre of the top
-  double radius_m = 0.0;
-  bool capped = true;
-};
-struct DiskShape {
-  math::Point3 centre_m;
-  math::Vec3 normal;  ///< towards the front; any length above zero
-  double radius_m = 0.0;
-};
-/// Planar, concave allowed, not crossing itself; the front is where the vertices run counter-clockwise.
-struct PolygonShape {
-  std::vector<math::Point3> vertices_m;
+class PrimitiveSettings;
+
+/// A shape that a few measures tell: a sphere, a box.
+struct PrimitiveShape {
+  std::string model;                                  ///< its key
+  std::shared_ptr<const PrimitiveSettings> settings;  ///< of one of primitive_models(); never null once read
 };
 struct MeshShape {
   DocumentFile file;    ///< its extension names the format, see read_mesh
@@ -129,9 +106,8 @@ struct ScatterShape {
   std::uint64_t seed = 0;
 };
 
-using ShapeDocument =
-    std::variant<PlaneShape, BoxShape, SphereShape, HemisphereShape, CylinderShape, DiskShape, PolygonShape,
-                 MeshShape, CityShape, TerrainShape, InstanceShape, InstancesShape, ScatterShape>;
+using ShapeDocument = std::variant<PrimitiveShape, MeshShape, CityShape, TerrainShape, InstanceShape,
+                                   InstancesShape, ScatterShape>;
 
 /// Scene from object: first scale, then rotate (right-handed about `axis`), then translate.
 struct TransformDocument {

@@ -7,6 +7,7 @@
 #include "core/names.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
+#include "io/document/shapes/box_primitive.h"
 #include "sensor/camera.h"
 #include "session/loaded/acquisition_assembly.h"
 #include "session/loaded/parts.h"
@@ -133,7 +134,8 @@ void warn_of_sizes(const Parts& parts, const SceneLook& look, LogSink& log) {
                            std::holds_alternative<io::InstanceShape>(shape) ||
                            std::holds_alternative<io::InstancesShape>(shape);
     // Who writes a small ball or disk means a target below a pixel.
-    if (parts.placed.count(d) == 0 || (!from_file && !std::holds_alternative<io::BoxShape>(shape))) continue;
+    if (parts.placed.count(d) == 0 || (!from_file && !io::is_primitive(shape, io::BoxPrimitive::kModel)))
+      continue;
     const double size_m = 2.0 * parts.scene.world->object(parts.placed.first(d)).radius_m;
     if (from_file && size_m > std::max(kMuchLarger * across_m, kKilometre_m))
       log.warn(format(

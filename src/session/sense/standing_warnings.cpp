@@ -4,6 +4,7 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
+#include "io/document/shapes/flat_primitives.h"
 #include "session/loaded/parts.h"
 #include "session/sense/sense_warnings.h"
 
@@ -31,7 +32,8 @@ bool stands(const io::ObjectDocument& object) {
 bool is_ground(const io::Document& document, std::size_t object) {
   if (object >= document.scene.objects.size()) return false;
   const io::ShapeDocument& shape = document.scene.objects[object].shape;
-  return std::holds_alternative<io::PlaneShape>(shape) || std::holds_alternative<io::TerrainShape>(shape);
+  return io::is_primitive(shape, io::PlanePrimitive::kModel) ||
+         std::holds_alternative<io::TerrainShape>(shape);
 }
 
 struct Standing {

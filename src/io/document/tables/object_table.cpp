@@ -1,4 +1,5 @@
 #include "io/document/schema/record.h"
+#include "io/document/shapes/primitive.h"
 #include "io/document/tables/map_tables.h"
 #include "io/document/tables/shape_tables.h"
 #include "io/document/tables/tables.h"
@@ -67,13 +68,12 @@ void add_shape(Record<ObjectDocument>& record, const std::string& key, const Kin
 Kind<ObjectDocument> shape_object_kind() {
   Record<ObjectDocument> record("object", "A shape with a material.");
   record.exactly_one();
-  add_shape(record, "plane", plane_kind());
-  add_shape(record, "box", box_kind());
-  add_shape(record, "sphere", sphere_kind());
-  add_shape(record, "hemisphere", hemisphere_kind());
-  add_shape(record, "cylinder", cylinder_kind());
-  add_shape(record, "disk", disk_kind());
-  add_shape(record, "polygon", polygon_kind());
+  for (const PrimitiveModel* model : primitive_models())
+    add_shape(
+        record, std::string(model->key),
+        converted<PrimitiveShape>(model->kind(), [model](std::shared_ptr<const PrimitiveSettings> settings) {
+          return PrimitiveShape{std::string(model->key), std::move(settings)};
+        }));
   add_shape(record, "mesh", mesh_kind());
   add_shape(record, "city", city_kind());
   add_shape(record, "terrain", terrain_kind());

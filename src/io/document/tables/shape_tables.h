@@ -5,14 +5,7 @@
 
 namespace ifov::io {
 
-/// The tables of keys of the shapes.
-Kind<PlaneShape> plane_kind();
-Kind<BoxShape> box_kind();
-Kind<SphereShape> sphere_kind();
-Kind<HemisphereShape> hemisphere_kind();
-Kind<CylinderShape> cylinder_kind();
-Kind<DiskShape> disk_kind();
-Kind<PolygonShape> polygon_kind();
+/// The tables of keys of the shapes that are no primitives.
 Kind<MeshShape> mesh_kind();
 Kind<CityShape> city_kind();
 Kind<InstanceShape> instance_kind();

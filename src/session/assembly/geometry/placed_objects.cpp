@@ -9,19 +9,13 @@ namespace ifov::session {
 namespace {
 
 struct KindOfShape {
-  const char* operator()(const io::PlaneShape&) const { return "plane"; }
-  const char* operator()(const io::BoxShape&) const { return "box"; }
-  const char* operator()(const io::SphereShape&) const { return "sphere"; }
-  const char* operator()(const io::HemisphereShape&) const { return "hemisphere"; }
-  const char* operator()(const io::CylinderShape&) const { return "cylinder"; }
-  const char* operator()(const io::DiskShape&) const { return "disk"; }
-  const char* operator()(const io::PolygonShape&) const { return "polygon"; }
-  const char* operator()(const io::MeshShape&) const { return "mesh"; }
-  const char* operator()(const io::CityShape&) const { return "city"; }
-  const char* operator()(const io::TerrainShape&) const { return "terrain"; }
-  const char* operator()(const io::InstanceShape&) const { return "instance"; }
-  const char* operator()(const io::InstancesShape&) const { return "list of instances"; }
-  const char* operator()(const io::ScatterShape&) const { return "scatter"; }
+  std::string operator()(const io::PrimitiveShape& primitive) const { return primitive.model; }
+  std::string operator()(const io::MeshShape&) const { return "mesh"; }
+  std::string operator()(const io::CityShape&) const { return "city"; }
+  std::string operator()(const io::TerrainShape&) const { return "terrain"; }
+  std::string operator()(const io::InstanceShape&) const { return "instance"; }
+  std::string operator()(const io::InstancesShape&) const { return "list of instances"; }
+  std::string operator()(const io::ScatterShape&) const { return "scatter"; }
 };
 
 }  // namespace

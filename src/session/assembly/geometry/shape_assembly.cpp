@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "io/document/document.h"
+#include "io/document/shapes/primitive.h"
 #include "io/mesh/mesh_reader.h"
 #include "session/assembly/geometry/mesh_cache.h"
 #include "session/assembly/geometry/terrain_assembly.h"
@@ -12,14 +13,6 @@
 
 namespace ifov::session {
 namespace {
-
-math::Transform turn_z_to(math::Vec3 axis) {
-  const math::Vec3 to = math::normalized(axis);
-  const math::Vec3 about = math::cross({0.0, 0.0, 1.0}, to);
-  const double sine = math::length(about);
-  if (sine < 1e-12) return to.z > 0.0 ? math::Transform() : math::Transform::rotation({1.0, 0.0, 0.0}, M_PI);
-  return math::Transform::rotation(about, std::atan2(sine, to.z));
-}
 
 /// A thing that stands on y = 0 and reaches below z = 0 was most likely drawn with y up.
 void warn_of_y_up(const std::string& path, const geometry::World::Bounds& b, LogSink& log) {
@@ -43,37 +36,9 @@ BuiltShape ShapeAssembly::build(const io::ObjectDocument& object, Use use) {
   return std::visit([&](const auto& s) { return shape(s); }, object.shape);
 }
 
-BuiltShape ShapeAssembly::shape(const io::PlaneShape& s) {
-  return {builder_.add_shape(geometry::Plane{s.height_m}), {}, {""}};
-}
-
-BuiltShape ShapeAssembly::shape(const io::BoxShape& s) {
-  return {builder_.add_shape(geometry::Box{s.low_m, s.high_m}), {}, {""}};
-}
-
-BuiltShape ShapeAssembly::shape(const io::SphereShape& s) {
-  return {builder_.add_shape(geometry::Sphere{s.centre_m, s.radius_m}), {}, {""}};
-}
-
-BuiltShape ShapeAssembly::shape(const io::HemisphereShape& s) {
-  return {builder_.add_shape(geometry::Hemisphere{s.centre_m, s.radius_m}), {}, {""}};
-}
-
-BuiltShape ShapeAssembly::shape(const io::CylinderShape& s) {
-  const geometry::Cylinder upright{{}, s.radius_m, math::length(s.axis_m), s.capped};
-  return {builder_.add_shape(upright),
-          math::Transform::translation({s.base_m.x, s.base_m.y, s.base_m.z}) * turn_z_to(s.axis_m),
-          {""}};
-}
-
-BuiltShape ShapeAssembly::shape(const io::DiskShape& s) {
-  return {builder_.add_shape(geometry::Disk{{}, s.radius_m}),
-          math::Transform::translation({s.centre_m.x, s.centre_m.y, s.centre_m.z}) * turn_z_to(s.normal),
-          {""}};
-}
-
-BuiltShape ShapeAssembly::shape(const io::PolygonShape& s) {
-  return {builder_.add_shape(geometry::Polygon{s.vertices_m}), {}, {""}};
+BuiltShape ShapeAssembly::shape(const io::PrimitiveShape& s) {
+  io::PrimitiveSettings::Built built = s.settings->build();
+  return {builder_.add_shape(std::move(built.shape)), built.object_from_shape, {""}};
 }
 
 BuiltShape ShapeAssembly::shape(const io::MeshShape& s) {

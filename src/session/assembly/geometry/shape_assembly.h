@@ -36,13 +36,7 @@ class ShapeAssembly {
   BuiltShape build(const io::ObjectDocument& object, Use use);
 
  private:
-  BuiltShape shape(const io::PlaneShape& s);
-  BuiltShape shape(const io::BoxShape& s);
-  BuiltShape shape(const io::SphereShape& s);
-  BuiltShape shape(const io::HemisphereShape& s);
-  BuiltShape shape(const io::CylinderShape& s);
-  BuiltShape shape(const io::DiskShape& s);
-  BuiltShape shape(const io::PolygonShape& s);
+  BuiltShape shape(const io::PrimitiveShape& s);
   BuiltShape shape(const io::MeshShape& s);
   BuiltShape shape(const io::TerrainShape& s);
   BuiltShape shape(const io::CityShape&);

@@ -1,0 +1,58 @@
+#include "io/document/shapes/round_primitives.h"
+
+#include "core/format.h"
+#include "io/document/schema/record.h"
+#include "io/document/shapes/measures.h"
+
+namespace ifov::io {
+namespace {
+
+template <class T>
+Kind<std::shared_ptr<const PrimitiveSettings>> ball_kind(const std::string& name, const std::string& doc) {
+  Record<T> record(name, doc);
+  record.required("center", &T::centre_m, point(), "its centre")
+      .required("radius", &T::radius_m, positive_length(), "its radius");
+  return primitive_kind(record.kind());
+}
+
+Kind<std::shared_ptr<const PrimitiveSettings>> sphere_kind() {
+  return ball_kind<SpherePrimitive>("sphere", "A sphere.");
+}
+
+Kind<std::shared_ptr<const PrimitiveSettings>> hemisphere_kind() {
+  return ball_kind<HemispherePrimitive>("hemisphere", "The upper half of a sphere, without a floor.");
+}
+
+Kind<std::shared_ptr<const PrimitiveSettings>> cylinder_kind() {
+  Record<CylinderPrimitive> record("cylinder", "A circular cylinder.");
+  record.required("base", &CylinderPrimitive::base_m, point(), "centre of its base")
+      .required("radius", &CylinderPrimitive::radius_m, positive_length(), "its radius")
+      .exactly_one()
+      .one("axis", &CylinderPrimitive::axis_m, displacement(),
+           "from the centre of the base to that of the top")
+      .one(
+          "height",
+          [](CylinderPrimitive& c, double h) {
+            c.axis_m = {0.0, 0.0, h};
+          },
+          positive_length(), "of an upright cylinder")
+      .with_default("capped", &CylinderPrimitive::capped, boolean(), "true", "with a disk at each end")
+      .check([](const CylinderPrimitive& cylinder, const DocumentNode& node) {
+        if (!(math::length(cylinder.axis_m) > 0.0)) {
+          node.given("axis").fail(format("{} has no length", node.given("axis").title()));
+        }
+      });
+  return primitive_kind(record.kind());
+}
+
+}  // namespace
+
+constinit const PrimitiveModel SpherePrimitive::kModel{"sphere", sphere_kind};
+constinit const PrimitiveModel HemispherePrimitive::kModel{"hemisphere", hemisphere_kind};
+constinit const PrimitiveModel CylinderPrimitive::kModel{"cylinder", cylinder_kind};
+
+PrimitiveSettings::Built CylinderPrimitive::build() const {
+  return {geometry::Cylinder{{}, radius_m, math::length(axis_m), capped}, upright_to(base_m, axis_m)};
+}
+
+}  // namespace ifov::io
