@@ -51,8 +51,7 @@ void settle_bounds(Body& body) {
     for (const std::uint32_t i : t) include(body.mesh.vertices_m[i], body.mesh.vertices_m[i]);
 
   body.centre_m = b.low_m + (b.high_m - b.low_m) * 0.5;
-  if (body.analytic.size() == 1 && body.mesh.triangles.empty() &&
-      body.analytic[0].kind == UnitKind::hemisphere)
+  if (body.analytic.size() == 1 && body.mesh.triangles.empty() && body.analytic[0].kind->centred)
     body.centre_m = body.analytic[0].unit_from_object.inverse().origin_m();
   body.radius_m = 0.0;
   for (const UnitPrimitive& p : body.analytic)
@@ -74,6 +73,10 @@ Body analytic_body(UnitKind kind, const Transform& object_from_unit, Point3 seed
   settle_bounds(body);
   body.seed_weight = 4.0 * std::numbers::pi * body.radius_m * body.radius_m;
   return body;
+}
+
+Body make(const PlacedUnit& placed) {
+  return analytic_body(*placed.unit, placed.object_from_unit, placed.seed_in_unit, placed.solid);
 }
 
 Body make(const Plane&) { throw InputError("a plane cannot be part of a prototype"); }

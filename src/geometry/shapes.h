@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/triangle_mesh.h"
+#include "math/transform.h"
 #include "math/vec3.h"
 
 namespace ifov::geometry {
@@ -52,6 +53,17 @@ struct Polygon {
   std::vector<math::Point3> vertices_m;
 };
 
-using Shape = std::variant<Plane, Box, Sphere, Hemisphere, Cylinder, Disk, Polygon, TriangleMesh>;
+struct UnitShape;
+
+/// Any analytic shape, of a size and at a place that the map gives; `unit` lives as long as the scene.
+struct PlacedUnit {
+  const UnitShape* unit = nullptr;
+  math::Transform object_from_unit;
+  /// A point in a solid, or one such that rays towards it from most sides meet the surface.
+  math::Point3 seed_in_unit;
+  bool solid = false;
+};
+
+using Shape = std::variant<Plane, Box, Sphere, Hemisphere, Cylinder, Disk, Polygon, PlacedUnit, TriangleMesh>;
 
 }  // namespace ifov::geometry

@@ -19,16 +19,14 @@ constexpr UnitKind kKinds[] = {UnitKind::box,           UnitKind::sphere,   Unit
 /// How far a point lies off the surface of the kind, as its implicit equation says.
 double off_surface(UnitKind kind, Point3 p) {
   const double r = std::hypot(p.x, p.y);
-  switch (kind) {
-    case UnitKind::box: return std::abs(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) - 1.0);
-    case UnitKind::sphere: return std::abs(std::hypot(r, p.z) - 1.0);
-    case UnitKind::hemisphere: return std::max(std::abs(std::hypot(r, p.z) - 1.0), -p.z);
-    case UnitKind::open_cylinder: return std::max({std::abs(r - 1.0), -p.z, p.z - 1.0});
-    case UnitKind::cylinder:
-      return std::min(std::max({std::abs(r - 1.0), -p.z, p.z - 1.0}),
-                      std::max(std::min(std::abs(p.z), std::abs(p.z - 1.0)), r - 1.0));
-    case UnitKind::disk: return std::max(std::abs(p.z), r - 1.0);
-  }
+  if (kind == UnitKind::box) return std::abs(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) - 1.0);
+  if (kind == UnitKind::sphere) return std::abs(std::hypot(r, p.z) - 1.0);
+  if (kind == UnitKind::hemisphere) return std::max(std::abs(std::hypot(r, p.z) - 1.0), -p.z);
+  if (kind == UnitKind::open_cylinder) return std::max({std::abs(r - 1.0), -p.z, p.z - 1.0});
+  if (kind == UnitKind::cylinder)
+    return std::min(std::max({std::abs(r - 1.0), -p.z, p.z - 1.0}),
+                    std::max(std::min(std::abs(p.z), std::abs(p.z - 1.0)), r - 1.0));
+  if (kind == UnitKind::disk) return std::max(std::abs(p.z), r - 1.0);
   return 1.0;
 }
 

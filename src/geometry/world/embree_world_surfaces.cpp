@@ -42,28 +42,7 @@ void visit_faces(UnitKind shape, const Transform& map, SurfacePiece piece, const
     piece.solid = solid;
     visitor(piece);
   };
-  switch (shape) {
-    case UnitKind::sphere: return face(PieceKind::ball, 0, map, false);
-    case UnitKind::hemisphere: return face(PieceKind::hemisphere, 0, map, false);
-    case UnitKind::open_cylinder: return face(PieceKind::open_cylinder, 0, map, false);
-    case UnitKind::disk: return face(PieceKind::disk, 0, map, false);
-    case UnitKind::cylinder: {
-      face(PieceKind::open_cylinder, 0, map, false);
-      const Transform down = Transform::from_columns({0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, {});
-      face(PieceKind::disk, 1, map * down, true);
-      return face(PieceKind::disk, 2, map * Transform::translation({0.0, 0.0, 1.0}), true);
-    }
-    case UnitKind::box:
-      for (std::uint32_t k = 0; k < 6; ++k) {
-        const double side = k % 2 == 0 ? -1.0 : 1.0;
-        Vec3 axis[3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-        const Vec3 out = axis[k / 2] * side;
-        Vec3 x = axis[(k / 2 + 1) % 3], y = axis[(k / 2 + 2) % 3];
-        if (side < 0.0) std::swap(x, y);
-        face(PieceKind::parallelogram, k,
-             map * Transform::from_columns(2.0 * x, 2.0 * y, out, Point3{} + (out - x - y)), true);
-      }
-  }
+  if (shape->visit_pieces != nullptr) shape->visit_pieces(map, face);
 }
 
 }  // namespace

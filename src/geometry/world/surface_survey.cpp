@@ -112,22 +112,7 @@ class BodySurveyor {
       const Point3 c = object_from_unit(centre);
       add(shape.slot, n, {c - a - b, c - a + b, c + a - b, c + a + b}, 4.0 * length(cross(a, b)));
     };
-    switch (shape.kind) {
-      case UnitKind::box:
-        for (int axis = 0; axis < 3; ++axis)
-          for (const double side : {-1.0, 1.0}) {
-            const Vec3 unit[3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-            add_face(unit[axis] * side, Point3{} + unit[axis] * side, unit[(axis + 1) % 3],
-                     unit[(axis + 2) % 3]);
-          }
-        break;
-      case UnitKind::cylinder:
-        for (const double z : {0.0, 1.0})
-          add_face({0.0, 0.0, z > 0.5 ? 1.0 : -1.0}, {0.0, 0.0, z}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0});
-        break;
-      case UnitKind::disk: add_face({0.0, 0.0, 1.0}, {}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}); break;
-      default: break;
-    }
+    if (shape.kind->visit_flats != nullptr) shape.kind->visit_flats(add_face);
   }
 
   void add_triangle(std::uint32_t t) {
@@ -204,10 +189,13 @@ class Surveyor {
     for (const BodyFlat& flat : known->second.flats)
       if (wanted(piece.materials, flat.slot)) add_flat(flat, piece.scene_from_body);
     for (const UnitPrimitive& shape : body.analytic) {
-      if (!is_round(shape.kind, 0) || !wanted(piece.materials, shape.slot)) continue;
+      if (shape.kind->round_faces == 0 || !wanted(piece.materials, shape.slot)) continue;
       const Transform scene_from_unit = piece.scene_from_body * shape.unit_from_object.inverse();
-      survey_.rounds.push_back(
-          {shape.kind, scene_from_unit, piece.object, ball_about(unit_bounds(shape.kind, scene_from_unit))});
+      const SurfaceSurvey::Ball ball = ball_about(unit_bounds(shape.kind, scene_from_unit));
+      if (shape.kind->known_as_mirror)
+        survey_.rounds.push_back({shape.kind, scene_from_unit, piece.object, ball});
+      else
+        survey_.balls.push_back(ball);
     }
     SurfaceSurvey::Smooth smooth{body.mesh, piece.scene_from_body, piece.object, {}};
     GrowingBox box;

@@ -38,7 +38,7 @@ struct SurfaceSurvey {
     math::Point3 centre_m;
     double radius_m = 0.0;
   };
-  /// A round analytic shape; those with flat faces too have them among the flats.
+  /// A round analytic shape that is known as a mirror; those with flat faces too have them among the flats.
   struct Round {
     UnitKind kind = UnitKind::sphere;
     math::Transform scene_from_unit;
@@ -55,7 +55,7 @@ struct SurfaceSurvey {
   std::vector<Flat> flats;
   std::vector<Round> rounds;
   std::vector<Smooth> smooths;
-  /// About what is neither flat nor round: smooth triangles, height fields, flats too many.
+  /// About what is neither flat nor known as a mirror: other round shapes, smooth triangles, height fields, flats too many.
   std::vector<Ball> balls;
   bool all_flats = true;  ///< false: there are more than kMostFlats normals
 };
