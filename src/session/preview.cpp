@@ -12,6 +12,7 @@
 #include "core/version.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
+#include "io/document/samplers/plain_sampling.h"
 #include "io/product_parts/product_headers.h"
 #include "io/products/quicklook.h"
 #include "render/image_renderer.h"
@@ -152,7 +153,7 @@ class Painter {
 io::Document for_preview(io::Document document, int longest_px) {
   document.sensor.channels = shown_channels(document);
   document.sensor.psf = io::NoPsf{};
-  document.sampling.method = io::SingleSampling{};
+  document.sampling.method = std::make_shared<const io::SingleSampling>();
   document.sensor.camera.settings = document.sensor.camera.settings->shrunk(longest_px);
   return document;
 }

@@ -7,6 +7,7 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
+#include "io/document/samplers/plain_sampling.h"
 #include "studies/common/image_store.h"
 #include "studies/common/scene_renderer.h"
 
@@ -40,7 +41,7 @@ void add_channel_cost(const io::Document& document, const StudyOptions& options,
   narrow.output.quicklook_channels.clear();
   const SceneRenderer one(narrow, nullptr);
   io::SamplingDocument sampling;
-  sampling.method = io::GridSampling{kGrid, kGrid};
+  sampling.method = std::make_shared<const io::GridSampling>(kGrid, kGrid);
 
   const render::ImageInfo& info = all.info();
   const int across = (info.width_px + kTile_px - 1) / kTile_px,

@@ -8,6 +8,8 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
+#include "io/document/samplers/accuracy_sampling.h"
+#include "io/document/samplers/plain_sampling.h"
 #include "studies/channel_cost.h"
 #include "studies/common/scene_renderer.h"
 #include "studies/common/study_document.h"
@@ -34,10 +36,10 @@ struct Way {
   io::SamplingDocument sampling;
 };
 
-io::SamplingDocument sampling_of(
-    std::variant<io::SingleSampling, io::GridSampling, io::AdaptiveSampling, io::AccuracySampling> method) {
+template <class Settings>
+io::SamplingDocument sampling_of(Settings settings) {
   io::SamplingDocument sampling;
-  sampling.method = std::move(method);
+  sampling.method = std::make_shared<const Settings>(std::move(settings));
   return sampling;
 }
 

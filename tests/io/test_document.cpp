@@ -8,6 +8,8 @@
 #include "io/document/cameras/frame_camera.h"
 #include "io/document/cameras/orthographic_camera.h"
 #include "io/document/document.h"
+#include "io/document/samplers/accuracy_sampling.h"
+#include "io/document/samplers/plain_sampling.h"
 #include "io/document/shapes/box_primitive.h"
 #include "io/document/shapes/flat_primitives.h"
 #include "io/document/shapes/round_primitives.h"
@@ -228,7 +230,7 @@ TEST(Document, FrameCamera) {
 }
 
 TEST(Document, SamplingMethods) {
-  const auto accuracy = std::get<AccuracySampling>(whole().sampling.method);
+  const auto accuracy = *sampler_as<AccuracySampling>(whole().sampling);
   EXPECT_EQ(accuracy.error.unit, ErrorSize::Unit::kelvin);
   EXPECT_EQ(accuracy.error.value, 0.1);
   EXPECT_EQ(accuracy.channel->name, "8.5 um");
@@ -237,21 +239,19 @@ TEST(Document, SamplingMethods) {
   EXPECT_EQ(accuracy.probes, 9);
   EXPECT_FALSE(accuracy.lattice);
   const std::string method = R"({"accuracy": {"error": "0.1 K", "channel": "8.5 um"}})";
-  EXPECT_TRUE(
-      std::holds_alternative<SingleSampling>(parsed_with(method, R"({"single": {}})").sampling.method));
+  EXPECT_TRUE(sampler_as<SingleSampling>(parsed_with(method, R"({"single": {}})").sampling) != nullptr);
   const auto grid =
       parsed_with(method,
                   R"({"grid": {"elements": [10, 5]}, "tile": 16, "max_depth": 2, "mirror_reflections": 3})")
           .sampling;
-  EXPECT_EQ(std::get<GridSampling>(grid.method).columns, 10);
-  EXPECT_EQ(std::get<GridSampling>(grid.method).rows, 5);
+  EXPECT_EQ(sampler_as<GridSampling>(grid)->columns, 10);
+  EXPECT_EQ(sampler_as<GridSampling>(grid)->rows, 5);
   EXPECT_EQ(grid.tile_px, 16);
   EXPECT_EQ(grid.max_depth, 2);
   EXPECT_EQ(grid.mirror_reflections, 3);
   EXPECT_EQ(whole().sampling.mirror_reflections, 8);
-  const auto adaptive = std::get<AdaptiveSampling>(
-      parsed_with(method, R"({"adaptive": {"sub_elements": [3, 3], "allowed_difference": "2 %"}})")
-          .sampling.method);
+  const auto adaptive = *sampler_as<AdaptiveSampling>(
+      parsed_with(method, R"({"adaptive": {"sub_elements": [3, 3], "allowed_difference": "2 %"}})").sampling);
   EXPECT_EQ(adaptive.allowed_difference.unit, ErrorSize::Unit::fraction);
   EXPECT_EQ(adaptive.allowed_difference.value, 0.02);
   EXPECT_EQ(adaptive.max_samples, 100);
@@ -259,10 +259,10 @@ TEST(Document, SamplingMethods) {
 
 TEST(Document, ErrorsInFourUnits) {
   const auto error = [](const std::string& size) {
-    return std::get<AccuracySampling>(
+    return sampler_as<AccuracySampling>(
                parsed_with(R"({"error": "0.1 K", "channel": "8.5 um"})", "{\"error\": \"" + size + "\"}")
-                   .sampling.method)
-        .error;
+                   .sampling)
+        ->error;
   };
   EXPECT_EQ(error("50 mK").value, 0.05);
   EXPECT_EQ(error("1%").value, 0.01);
@@ -283,7 +283,7 @@ TEST(Document, DefaultsWhereSectionsAreMissing) {
   EXPECT_TRUE(std::holds_alternative<NoSky>(document.light.sky));
   EXPECT_FALSE(document.atmosphere.tabulated);
   EXPECT_TRUE(std::holds_alternative<NoPsf>(document.sensor.psf));
-  const auto accuracy = std::get<AccuracySampling>(document.sampling.method);
+  const auto accuracy = *sampler_as<AccuracySampling>(document.sampling);
   EXPECT_EQ(accuracy.error.value, 0.01);
   EXPECT_EQ(accuracy.error.unit, ErrorSize::Unit::fraction);
   EXPECT_EQ(document.sampling.tile_px, 64);

@@ -8,6 +8,7 @@
 #include "core/format.h"
 #include "core/names.h"
 #include "io/document/cameras/camera_settings.h"
+#include "io/document/samplers/sampler_settings.h"
 
 namespace ifov::io {
 namespace {
@@ -42,10 +43,8 @@ class ReferenceCheck {
     }
     check_nesting();
     check_channel_names();
-    if (const auto* adaptive = std::get_if<AdaptiveSampling>(&document_.sampling.method))
-      check(adaptive->channel);
-    if (const auto* accuracy = std::get_if<AccuracySampling>(&document_.sampling.method))
-      check(accuracy->channel);
+    if (const DocumentName* channel = document_.sampling.method->channel_looked_at())
+      require("channel", *channel, channels_);
     for (const DocumentName& channel : document_.output.quicklook_channels)
       require("channel", channel, channels_);
     check_direction(document_.light.sun, "Sun");
@@ -63,10 +62,6 @@ class ReferenceCheck {
         names.empty() ? "none is declared" : format("declared: {}", list_names(names, "and"));
     throw document_error(document_, reference.position,
                          format("there is no {} '{}'{} ({})", what, reference.name, hint, list));
-  }
-
-  void check(const std::optional<DocumentName>& channel) const {
-    if (channel) require("channel", *channel, channels_);
   }
 
   void check(const ObjectDocument& object) const {

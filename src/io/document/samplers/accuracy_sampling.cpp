@@ -1,0 +1,71 @@
+#include "io/document/samplers/accuracy_sampling.h"
+
+#include <cmath>
+
+#include "io/document/schema/record.h"
+#include "sampling/accuracy/accuracy_sampler.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr std::int64_t kMostSamples = 1000000000;
+
+Kind<std::shared_ptr<const SamplerSettings>> accuracy_kind() {
+  Record<AccuracySampling> record("accuracy sampling",
+                                  "Rays go where they are needed until the error is as asked.");
+  record
+      .with_default(
+          "error", &AccuracySampling::error,
+          error_size_kind({{ErrorSize::Unit::kelvin, &kTemperatureDifference},
+                           {ErrorSize::Unit::fraction, &kPercent},
+                           {ErrorSize::Unit::radiance, &kRadiance},
+                           {ErrorSize::Unit::reflectance, &kReflectance},
+                           {ErrorSize::Unit::noise, &kNoise}}),
+          "\"1 %\"",
+          "allowed half-width of each pixel's interval: brightness temperature, share of the pixel's value, "
+          "radiance, apparent reflectance, or share of the noise that channels declare; never finer than "
+          "1e-5 of the value, the precision of the products; reflectance is not judged in channels where a white "
+          "surface sends less than 1 % of what the air does")
+      .with_default("confidence", &AccuracySampling::confidence, fraction({0.5, 1.0, false, true, {}}),
+                    "0.95", "probability with which the interval holds the true value")
+      .optional("channel", &AccuracySampling::channel, name_of("a channel"), "that is judged; without it all")
+      .with_default("simultaneous", &AccuracySampling::simultaneous, boolean(), "false",
+                    "confidence for all channels of a pixel at once")
+      .optional("lattice", &AccuracySampling::lattice, integer(1, 64),
+                "cells of the detection lattice along a side of a pixel; chosen if not given")
+      .with_default("probes", &AccuracySampling::probes, integer(0, 10000), "9",
+                    "probing rays in a flagged pixel and round")
+      .with_default("seeds", &AccuracySampling::seeds, boolean(), "true",
+                    "one ray for each known object smaller than a pixel")
+      .with_default("thinnest", &AccuracySampling::thinnest_px, quantity(kPixels, Range::above(0.0, "px")),
+                    "\"0.0125 px\"", "thinnest feature that is followed")
+      .with_default("max_samples", &AccuracySampling::max_samples, long_integer(1, kMostSamples), "100000",
+                    "per pixel")
+      .with_default("floor", &AccuracySampling::floor, fraction(Range::between(0.0, 1.0)), "\"0.1 %\"",
+                    "share of a white surface's radiance W: in percent no half-width need be below floor x "
+                    "W; in K a pixel is "
+                    "taken to be no colder than one of radiance floor x W")
+      .with_default("clutter", &AccuracySampling::clutter, boolean(), "true",
+                    "stratified samples instead of edges where there are too many edges");
+  return sampler_kind(record.kind());
+}
+
+}  // namespace
+
+constinit const SamplerModel AccuracySampling::kModel{"accuracy", "as many rays as an accuracy needs",
+                                                      accuracy_kind};
+
+std::unique_ptr<sampling::PixelSampler> AccuracySampling::build() const {
+  sampling::AccuracyOptions options;
+  if (lattice) options.lattice = *lattice;
+  options.probes_per_side = static_cast<int>(std::lround(std::sqrt(probes)));
+  options.seeds = seeds;
+  options.thinnest_px = thinnest_px;
+  options.max_samples_per_pixel = static_cast<std::uint32_t>(max_samples);
+  options.clutter_switch = clutter;
+  return std::make_unique<sampling::AccuracySampler>(options);
+}
+
+std::string AccuracySampling::description() const { return "accuracy"; }
+
+}  // namespace ifov::io

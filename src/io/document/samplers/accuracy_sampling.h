@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "io/document/samplers/error_size.h"
+#include "io/document/samplers/sampler_model.h"
+
+namespace ifov::io {
+
+/// Samples until the half-width of every judged interval is within `error`.
+struct AccuracySampling final : SamplerSettings {
+  static const SamplerModel kModel;
+
+  ErrorSize error{0.01, ErrorSize::Unit::fraction};
+  std::optional<DocumentName> channel;  ///< that is judged; absent: all channels
+  double confidence = 0.95;
+  bool simultaneous = false;    ///< confidence for all channels of a pixel at once
+  std::optional<int> lattice;   ///< detection lattice cells per pixel side; absent: the sampler's choice
+  int probes = 9;               ///< probing rays a flagged pixel and round
+  bool seeds = true;            ///< one ray per known object smaller than a pixel
+  double thinnest_px = 0.0125;  ///< thinnest feature that is tracked
+  std::int64_t max_samples = 100000;  ///< per pixel
+  double floor = 0.001;  ///< of a white Lambertian surface's radiance: no limit in percent is lower, and in K
+                         ///< no pixel is taken to be colder than that radiance
+  bool clutter = true;   ///< switch to nested stratified samples where edges are too many
+  SourcePosition position;
+
+  std::unique_ptr<sampling::PixelSampler> build() const override;
+  std::string description() const override;
+  const DocumentName* channel_looked_at() const override { return channel ? &*channel : nullptr; }
+};
+
+}  // namespace ifov::io

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/document/schema/kind.h"
+
+namespace ifov::io {
+
+/// A size of error or difference, in the unit the user thinks in.
+struct ErrorSize {
+  enum class Unit {
+    kelvin,       ///< brightness temperature of a channel
+    radiance,     ///< W m-2 sr-1 um-1
+    fraction,     ///< of the pixel's own value (1 % is 0.01)
+    reflectance,  ///< apparent reflectance
+    noise,        ///< the noise that each channel of the sensor declares
+  };
+  double value = 0.0;  ///< above zero
+  Unit unit = Unit::fraction;
+};
+
+/// "0.1 K"
+std::string text_of(const ErrorSize& error);
+
+/// A size whose unit says what is meant, of these.
+struct ErrorUnit {
+  ErrorSize::Unit unit;
+  const Dimension* dimension;
+};
+Kind<ErrorSize> error_size_kind(const std::vector<ErrorUnit>& allowed);
+
+}  // namespace ifov::io

@@ -1,0 +1,88 @@
+#include "io/document/samplers/plain_sampling.h"
+
+#include "core/format.h"
+#include "io/document/schema/record.h"
+#include "sampling/adaptive_sampler.h"
+#include "sampling/grid_sampler.h"
+#include "sampling/single_sampler.h"
+
+namespace ifov::io {
+namespace {
+
+constexpr int kMostElements = 1000;
+
+Kind<std::shared_ptr<const SamplerSettings>> single_kind() {
+  return sampler_kind(
+      Record<SingleSampling>("single sampling", "One ray through the centre of each pixel.").kind());
+}
+
+Kind<std::array<int, 2>> elements_kind() { return tuple<int, 2>(integer(1, kMostElements)); }
+
+Kind<std::shared_ptr<const SamplerSettings>> grid_kind() {
+  Record<GridSampling> record("grid sampling", "Rays through the centres of equal cells of each pixel.");
+  record.required(
+      "elements",
+      [](GridSampling& grid, std::array<int, 2> n) {
+        grid.columns = n[0];
+        grid.rows = n[1];
+      },
+      elements_kind(), "cells across and down");
+  return sampler_kind(record.kind());
+}
+
+Kind<std::shared_ptr<const SamplerSettings>> adaptive_kind() {
+  Record<AdaptiveSampling> record(
+      "adaptive sampling", "Sub-elements of a pixel that differ from their neighbours get more samples.");
+  record
+      .required(
+          "sub_elements",
+          [](AdaptiveSampling& a, std::array<int, 2> n) {
+            a.sub_columns = n[0];
+            a.sub_rows = n[1];
+          },
+          elements_kind(), "sub-elements across and down")
+      .required(
+          "allowed_difference", &AdaptiveSampling::allowed_difference,
+          error_size_kind({{ErrorSize::Unit::radiance, &kRadiance}, {ErrorSize::Unit::fraction, &kPercent}}),
+          "between a new sample and the average so far")
+      .with_default("max_samples", &AdaptiveSampling::max_samples, integer(1, 1000000), "100", "per pixel")
+      .optional("channel", &AdaptiveSampling::channel, name_of("a channel"),
+                "that is compared; without it the channel that differs most");
+  return sampler_kind(record.kind());
+}
+
+}  // namespace
+
+constinit const SamplerModel SingleSampling::kModel{"single", "one ray a pixel", single_kind};
+constinit const SamplerModel GridSampling::kModel{"grid", "the same rays in every pixel", grid_kind};
+constinit const SamplerModel AdaptiveSampling::kModel{"adaptive", "more rays where samples differ",
+                                                      adaptive_kind};
+
+std::unique_ptr<sampling::PixelSampler> SingleSampling::build() const {
+  return std::make_unique<sampling::SingleSampler>();
+}
+
+std::string SingleSampling::description() const { return "single ray"; }
+
+std::unique_ptr<sampling::PixelSampler> GridSampling::build() const {
+  return std::make_unique<sampling::GridSampler>(columns, rows);
+}
+
+std::string GridSampling::description() const { return format("grid {} x {}", columns, rows); }
+
+std::unique_ptr<sampling::PixelSampler> AdaptiveSampling::build() const {
+  sampling::AdaptiveOptions options;
+  options.sub_elements_x = sub_columns;
+  options.sub_elements_y = sub_rows;
+  options.max_samples = max_samples;
+  options.allowed_difference = allowed_difference.value;
+  options.relative = allowed_difference.unit == ErrorSize::Unit::fraction;
+  return std::make_unique<sampling::AdaptiveSampler>(options);
+}
+
+std::string AdaptiveSampling::description() const {
+  return format("adaptive, {} x {} sub-elements, at most {} samples, difference {}", sub_columns, sub_rows,
+                max_samples, text_of(allowed_difference));
+}
+
+}  // namespace ifov::io

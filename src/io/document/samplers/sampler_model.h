@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "io/document/samplers/sampler_settings.h"
+#include "io/document/schema/kind.h"
+
+namespace ifov::io {
+
+/// A kind of sampler, by its key in `sampling`.
+struct SamplerModel {
+  std::string_view key;   ///< "grid"
+  std::string_view what;  ///< for the reference page: "the same rays in every pixel"
+  /// The table of its keys.
+  Kind<std::shared_ptr<const SamplerSettings>> (*kind)() = nullptr;
+};
+
+/// Settings of any kind read as such.
+template <class Settings>
+Kind<std::shared_ptr<const SamplerSettings>> sampler_kind(const Kind<Settings>& kind) {
+  return converted<std::shared_ptr<const SamplerSettings>>(
+      kind, [](Settings settings) { return std::make_shared<const Settings>(std::move(settings)); });
+}
+
+/// All kinds, in the order of the reference page.
+std::span<const SamplerModel* const> sampler_models();
+
+}  // namespace ifov::io
