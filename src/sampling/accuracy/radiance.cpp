@@ -136,15 +136,21 @@ double Radiance::widen_deviation(const Pixel& pixel, std::uint32_t label,
 }
 
 void Radiance::plan(std::size_t p, std::size_t s, double count) {
+  Stratum& stratum = pixels_[p].strata[s];
+  stratum.rounds.emplace_back(stride_);
+  ++stratum.round;
+  planned_rounds_.push_back({p, s, count});
+}
+
+void Radiance::request_round(std::size_t p, std::size_t s, double count) {
   Pixel& pixel = pixels_[p];
   Stratum& stratum = pixel.strata[s];
-  stratum.rounds.emplace_back(stride_);
   const PixelRect& domain = tracer_.lattice().domain();
   const int px = domain.x0 + pixel.source % domain.width(), py = domain.y0 + pixel.source / domain.width();
   const double area = std::max(pixel.model.area[s], 1e-9);
   int side = static_cast<int>(std::ceil(std::sqrt(count / area)));
   side = std::clamp(side + side % 2, 2, kFinestGrid);
-  const std::uint64_t key = hash(seed_, kStratumKey, px, py, table_.label(stratum.label), stratum.round++);
+  const std::uint64_t key = hash(seed_, kStratumKey, px, py, table_.label(stratum.label), stratum.round - 1);
   std::uint64_t sequences[kRoundReplicates];
   for (std::uint32_t r = 0; r < kRoundReplicates; ++r)
     sequences[r] = hash(key, kPathsKey, faults_.one_sequence ? 0 : r);
@@ -218,9 +224,19 @@ bool Radiance::belongs(Stratum& stratum, FocalPoint point, std::uint32_t label, 
 }
 
 void Radiance::trace() {
-  constexpr std::size_t kBatch = 1024;
+  constexpr std::size_t kAtOnce = 1 << 15;
   trace_nets();
   trace_clutter();
+  for (const auto& [p, s, count] : planned_rounds_) {
+    request_round(p, s, count);
+    if (requests_.size() >= kAtOnce) trace_requests();
+  }
+  planned_rounds_.clear();
+  trace_requests();
+}
+
+void Radiance::trace_requests() {
+  constexpr std::size_t kBatch = 1024;
   std::vector<std::uint32_t> labels;
   std::vector<float> values;
   for (std::size_t first = 0; first < requests_.size();) {

@@ -161,6 +161,13 @@ class Radiance {
       return pixel == other.pixel && stratum == other.stratum && block == other.block;
     }
   };
+  struct PlannedRound {
+    std::size_t pixel, stratum;
+    double count;
+  };
+  /// The requests of a round, of about so many values.
+  void request_round(std::size_t pixel, std::size_t stratum, double count);
+  void trace_requests();
   void plan_paths(Stratum& stratum, std::uint64_t key, std::size_t first);
   void plan_twins(std::size_t first);
   void add_block(std::size_t first, std::size_t last, std::span<const std::uint32_t> labels,
@@ -168,11 +175,13 @@ class Radiance {
 
   void fill(Pixel& pixel, const LeafIntegrator& integrator) const;
 
-  struct PlannedInNet {
-    std::size_t pixel, stratum, replicate;
+  struct PlannedNet {
+    std::size_t pixel, stratum;
   };
   void find_deviation(const Pixel& pixel, Stratum& stratum) const;
   double widen_deviation(const Pixel& pixel, std::uint32_t label, std::vector<float>& deviation) const;
+  template <class Request>
+  void request_net(std::size_t pixel, std::size_t stratum, const Request& request);
   void trace_nets();
   void trace_clutter();
   /// Whether a value that was planned for a stratum belongs to it. What lies on the wrong side of a border is
@@ -196,8 +205,9 @@ class Radiance {
   std::vector<PlainPixel> plain_pixels_;
   std::vector<Planned> planned_;
   std::vector<PathRequest> requests_;
-  std::vector<PlannedInNet> net_planned_;
-  std::vector<PathRequest> net_requests_;
+  // Requests are made as they are traced: those of all values planned together may not fit into memory.
+  std::vector<PlannedRound> planned_rounds_;
+  std::vector<PlannedNet> planned_nets_;
   std::vector<std::size_t> clutter_planned_;  // pixels
   // Of the values kept: where they are, the sequence of their path, rows of stride_ floats.
   std::vector<Point2> x_;

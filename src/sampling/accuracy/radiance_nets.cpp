@@ -32,48 +32,66 @@ void Radiance::plan_stratum_nets(std::size_t p, std::size_t s, std::uint32_t cou
     nets.accepted.assign(kStratumReplicates, 0);
     nets.sum.assign(kStratumReplicates * stride_, 0.0);
   }
+  nets.size = count;
+  planned_nets_.push_back({p, s});
+}
+
+/// Calls request(replicate, path request) for every value that a stratum's nets still lack.
+template <class Request>
+void Radiance::request_net(std::size_t p, std::size_t s, const Request& request) {
+  Pixel& pixel = pixels_[p];
+  Stratum& stratum = pixel.strata[s];
+  Nets& nets = stratum.nets;
   const PixelRect& domain = tracer_.lattice().domain();
   const int px = domain.x0 + pixel.source % domain.width(), py = domain.y0 + pixel.source / domain.width();
-  const double attempts = kAttemptsPerValue * (count / std::max(pixel.model.area[s], 1e-6) + 1.0);
+  const double attempts = kAttemptsPerValue * (nets.size / std::max(pixel.model.area[s], 1e-6) + 1.0);
   for (std::size_t r = 0; r < kStratumReplicates; ++r) {
     const std::uint64_t key = hash(seed_, kStratumNetKey, px, py, table_.label(stratum.label), r);
-    while (nets.paths[r] < count && nets.drawn[r] < attempts) {
+    while (nets.paths[r] < nets.size && nets.drawn[r] < attempts) {
       const Point2 u = sequence_point(key, nets.drawn[r]++, 0);
       const Point2 at{px + u.x, py + u.y};
       const std::uint32_t model = tracer_.model_label({at.x, at.y});
       if (model != stratum.label && model != EdgeTracer::kNoLabel) continue;
       // Paths count on their own: pairs of dimensions are scrambled apart, so a net of paths stays whole
       // whatever points the stratum's shape refuses.
-      net_requests_.push_back({{at.x, at.y}, key, nets.paths[r]++});
-      net_planned_.push_back({p, s, r});
+      request(r, PathRequest{{at.x, at.y}, key, nets.paths[r]++});
     }
   }
-  nets.size = count;
 }
 
 void Radiance::trace_nets() {
   constexpr std::size_t kBatch = 4096;
+  std::vector<PathRequest> requests;
+  struct Asker {
+    Stratum* stratum;
+    std::size_t replicate;
+  };
+  std::vector<Asker> askers;
   std::vector<std::uint32_t> labels;
-  std::vector<float> values(std::min(kBatch, net_requests_.size()) * stride_);
-  for (std::size_t first = 0; first < net_requests_.size(); first += kBatch) {
-    const std::size_t count = std::min(kBatch, net_requests_.size() - first);
+  std::vector<float> values;
+  const auto trace_batch = [&] {
     labels.clear();
-    ledger_.values(std::span<const PathRequest>(net_requests_).subspan(first, count), labels,
-                   std::span<float>(values).first(count * stride_));
-    for (std::size_t i = 0; i < count; ++i) {
-      const PlannedInNet& planned = net_planned_[first + i];
-      Stratum& stratum = pixels_[planned.pixel].strata[planned.stratum];
-      if (labels[i] != stratum.label &&
-          !belongs(stratum, net_requests_[first + i].point, labels[i], &values[i * stride_]))
-        continue;
-      ++stratum.nets.accepted[planned.replicate];
-      double* sum = &stratum.nets.sum[planned.replicate * stride_];
+    values.resize(requests.size() * stride_);
+    ledger_.values(requests, labels, values);
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+      Stratum& stratum = *askers[i].stratum;
       const float* value = &values[i * stride_];
+      if (labels[i] != stratum.label && !belongs(stratum, requests[i].point, labels[i], value)) continue;
+      ++stratum.nets.accepted[askers[i].replicate];
+      double* sum = &stratum.nets.sum[askers[i].replicate * stride_];
       for (std::size_t c = 0; c < stride_; ++c) sum[c] += value[c];
     }
-  }
-  net_requests_.clear();
-  net_planned_.clear();
+    requests.clear();
+    askers.clear();
+  };
+  for (const auto& [p, s] : planned_nets_)
+    request_net(p, s, [&, stratum = &pixels_[p].strata[s]](std::size_t r, const PathRequest& request) {
+      requests.push_back(request);
+      askers.push_back({stratum, r});
+      if (requests.size() == kBatch) trace_batch();
+    });
+  if (!requests.empty()) trace_batch();
+  planned_nets_.clear();
 }
 
 void Radiance::net_moments(const Nets& nets, std::span<const int> columns, StratumMoments& out) const {
