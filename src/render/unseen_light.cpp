@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "render/accuracy_tolerance.h"
+#include "render/widen_unseen.h"
+#include "transport/mirrors/sun_mirrors.h"
 #include "transport/spectral_scene.h"
-#include "transport/sun_mirrors.h"
 
 namespace ifov::render {
 
@@ -26,7 +27,8 @@ void UnseenLight::settle(const AccuracyTolerance* tolerance, sampling::TileResul
   const auto at = [&](int x, int y) {
     return static_cast<double>(tile.mean[static_cast<std::size_t>(y * width + x) * columns + column]);
   };
-  std::vector<double> mean(sunlight_.size()), limit(sunlight_.size());
+  std::vector<double> more(sunlight_.size());
+  UnseenWidening widening(*tolerance, more.size(), kNegligible);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       double around = 0.0;
@@ -35,20 +37,8 @@ void UnseenLight::settle(const AccuracyTolerance* tolerance, sampling::TileResul
         for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i) around += at(i, j), ++count;
       const double unseen = kCaution * std::max(at(x, y), around / count);
       if (!(unseen > 0.0)) continue;
-      const auto pixel = static_cast<std::size_t>(y * width + x);
-      for (std::size_t c = 0; c < mean.size(); ++c)
-        mean[c] = static_cast<double>(tile.mean[pixel * columns + c]);
-      tolerance->asked(mean, limit);
-      for (std::size_t c = 0; c < mean.size(); ++c) {
-        const double more = unseen * sunlight_[c];
-        if (!(more > kNegligible * limit[c])) continue;
-        float& half_width = tile.half_width[pixel * columns + c];
-        half_width += static_cast<float>(more);
-        const auto ratio = static_cast<float>(static_cast<double>(half_width) / limit[c]);
-        tile.worst_ratio[pixel] = std::max(tile.worst_ratio[pixel], ratio);
-        constexpr float kRounding = 1e-5f;
-        if (ratio > 1.0f + kRounding) tile.set(pixel, sampling::Reason::unseen_light);
-      }
+      for (std::size_t c = 0; c < more.size(); ++c) more[c] = unseen * sunlight_[c];
+      widening.widen(static_cast<std::size_t>(y * width + x), more, tile);
     }
 }
 

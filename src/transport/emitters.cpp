@@ -253,24 +253,51 @@ Emitters::Aim Emitters::aim(const Receiver& receiver, sampling::Point2 u) const 
   return aim;
 }
 
-bool Emitters::is(const Aim& aim, const SurfacePoint& hit) const {
-  const Name& name = names_[aim.emitter];
-  return hit.hit() && hit.instance == name.object && hit.primitive == name.primitive &&
-         hit.patch == name.patch && hit.copy_column == name.column + aim.column &&
-         hit.copy_row == name.row + aim.row;
+Emitters::Point Emitters::point(const Receiver& receiver, sampling::Point2 u) const {
+  Point point;
+  const Home home = at_home(receiver);
+  const EmitterTree::Choice choice = tree_->choose(home.receiver, u.x);
+  if (!(choice.chance > 0.0)) return point;
+  static_cast<SurfaceSample&>(point) = emitters_[choice.emitter].shape.point({choice.rest, u.y});
+  static_cast<Piece&>(point) = {choice.emitter, home.column, home.row};
+  point.at_m = point.at_m + Vec3{home.column * period_.x_m, home.row * period_.y_m, 0.0};
+  point.density *= choice.chance;
+  return point;
 }
 
-double Emitters::density(const Receiver& receiver, Vec3 direction, const SurfacePoint& hit) const {
-  if (!hit.hit() || !wanted_[hit.material]) return 0.0;
-  const Home home = at_home(receiver);
+bool Emitters::is(const Piece& piece, const SurfacePoint& hit) const {
+  const Name& name = names_[piece.emitter];
+  return hit.hit() && hit.instance == name.object && hit.primitive == name.primitive &&
+         hit.patch == name.patch && hit.copy_column == name.column + piece.column &&
+         hit.copy_row == name.row + piece.row;
+}
+
+std::optional<std::uint32_t> Emitters::emitter_of(const Home& home, const SurfacePoint& hit) const {
+  if (!hit.hit() || !wanted_[hit.material]) return {};
   const Name name{hit.instance, hit.primitive, hit.patch, hit.copy_column - home.column,
                   hit.copy_row - home.row};
   const auto found = std::lower_bound(by_name_.begin(), by_name_.end(), name,
                                       [&](std::uint32_t a, const Name& b) { return names_[a] < b; });
-  if (found == by_name_.end() || names_[*found] != name) return 0.0;
-  const double chance = tree_->chance(home.receiver, *found);
-  return chance > 0.0 ? chance * emitters_[*found].shape.density(home.receiver, direction, hit.distance_m)
+  if (found == by_name_.end() || names_[*found] != name) return {};
+  return *found;
+}
+
+double Emitters::density(const Receiver& receiver, Vec3 direction, const SurfacePoint& hit) const {
+  const Home home = at_home(receiver);
+  const std::optional<std::uint32_t> emitter = emitter_of(home, hit);
+  if (!emitter) return 0.0;
+  const double chance = tree_->chance(home.receiver, *emitter);
+  return chance > 0.0 ? chance * emitters_[*emitter].shape.density(home.receiver, direction, hit.distance_m)
                       : 0.0;
+}
+
+double Emitters::point_density(const Receiver& receiver, const SurfacePoint& hit) const {
+  const Home home = at_home(receiver);
+  const std::optional<std::uint32_t> emitter = emitter_of(home, hit);
+  if (!emitter) return 0.0;
+  const Vec3 moved{home.column * period_.x_m, home.row * period_.y_m, 0.0};
+  return tree_->chance(home.receiver, *emitter) *
+         emitters_[*emitter].shape.point_density(hit.position_m - moved);
 }
 
 }  // namespace ifov::transport

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,21 +42,34 @@ class Emitters {
   };
   std::span<const LeftOut> left_out() const { return left_out_; }
 
-  /// A direction in which an emitter may be seen; density 0: none. Emitters share out `u.x`, so that points that are well
-  /// spread over the unit square are so over all that is sought together.
-  struct Aim {
-    math::Vec3 direction;  ///< unit
-    double density = 0.0;  ///< 1/sr, of this emitter in this direction
+  /// One of them, as it lies in the receiver's cell or beside it.
+  struct Piece {
     std::uint32_t emitter = 0;
     std::int32_t column = 0, row = 0;  ///< of the receiver's cell
   };
+  /// A direction in which an emitter may be seen; density 0: none. Emitters share out `u.x`, so that points that are well
+  /// spread over the unit square are so over all that is sought together.
+  struct Aim : Piece {
+    math::Vec3 direction;  ///< unit
+    double density = 0.0;  ///< 1/sr, of this emitter in this direction
+  };
   Aim aim(const Receiver& receiver, sampling::Point2 u) const;
 
+  /// A point of an emitter, wherever it may be seen from; density 0: none.
+  struct Point : Piece, SurfaceSample {};
+  Point point(const Receiver& receiver, sampling::Point2 u) const;
+
   /// Whether what a ray met is what was aimed at.
-  bool is(const Aim& aim, const geometry::SurfacePoint& hit) const;
+  bool is(const Piece& piece, const geometry::SurfacePoint& hit) const;
 
   /// Of aim() for what a ray from the receiver met in a direction; 0 where that is not sought.
   double density(const Receiver& receiver, math::Vec3 direction, const geometry::SurfacePoint& hit) const;
+
+  /// Of point() for what a ray met; 0 where that is not sought.
+  double point_density(const Receiver& receiver, const geometry::SurfacePoint& hit) const;
+
+  /// Whether all that a covering emits is sought.
+  bool seeks_all_of(std::uint32_t covering) const { return !leaves_some_ && wanted_[covering]; }
 
   /// About what emitters send to a receiver, in a unit of its own.
   double reach(const Receiver& receiver) const;
@@ -76,6 +90,8 @@ class Emitters {
   /// Puts together by place what is not sought.
   void leave_out(const geometry::World& world);
   void finish();
+  /// The emitter that a ray met; none where that is not sought.
+  std::optional<std::uint32_t> emitter_of(const Home& home, const geometry::SurfacePoint& hit) const;
   Home at_home(const Receiver& receiver) const;
 
   geometry::World::Period period_;

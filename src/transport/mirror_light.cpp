@@ -35,7 +35,7 @@ std::unique_ptr<MirrorLight> MirrorLight::find(const SpectralScene& scene, const
                                                int reflections) {
   const SunMirrors* mirrors = scene.sun_mirrors();
   if (mirrors == nullptr || reflections <= 0) return nullptr;
-  if (images.images().empty() && mirrors->rounds().empty()) return nullptr;
+  if (images.images().empty() && mirrors->rounds().all().empty()) return nullptr;
   return std::unique_ptr<MirrorLight>(new MirrorLight(scene, images));
 }
 
@@ -69,11 +69,11 @@ void MirrorLight::ask(std::uint32_t owner, const geometry::SurfacePoint& hit, ma
     }
   }
   const math::Vec3 towards_sun = scene_.scene().sun->direction;
-  for (const RoundMirror& round : mirrors_.rounds()) {
+  for (const RoundMirror& round : mirrors_.rounds().all()) {
     const auto image = round.image(hit.position_m, towards_sun);
     if (!image) continue;
     Way way;
-    way.light = math::dot(image->direction, outward) / image->spread;
+    way.light = math::dot(image->direction, outward) / image->spread();
     if (!(way.light > kLeast)) continue;
     way.object = round.object();
     way.at = image->at;

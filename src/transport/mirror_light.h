@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "transport/mirror_ways.h"
+#include "transport/mirrors/mirror_ways.h"
 
 namespace ifov::transport {
 

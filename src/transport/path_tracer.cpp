@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "math/vec3.h"
-#include "transport/emitter_mirrors.h"
+#include "transport/mirrors/emitter_mirrors.h"
 #include "transport/sky/sky_dome.h"
 #include "transport/spectral_scene.h"
 #include "transport/wide_sun.h"

@@ -11,9 +11,9 @@
 #include "sampling/warp.h"
 #include "transport/emitters.h"
 #include "transport/images_apart.h"
-#include "transport/mirror_ways.h"
+#include "transport/mirrors/mirror_ways.h"
+#include "transport/mirrors/sun_mirrors.h"
 #include "transport/path_record.h"
-#include "transport/sun_mirrors.h"
 #include "transport/surface_lobe.h"
 #include "transport/transport_options.h"
 
@@ -52,14 +52,18 @@ class PathTracer {
  private:
   struct Sides;
   static constexpr std::uint32_t kNone = 0xffffffffu;
+  static constexpr double kGrazing = 1e-6;  // the least cosine by which an area is seen
 
   /// What next-event estimation to emitters has to know of a scattered ray.
   struct Departure {
     Receiver receiver;
-    double density = 0.0;        // of the ray's direction, 1/sr, choice of the side included
-    double seek_chance = 0.0;    // that emitters were sought on this side; 0: they were not
-    double mirror_chance = 0.0;  // that they were sought by way of a certain plane of mirrors
-    bool unfolded = false;       // the receiver stands behind the mirror that the path has come by
+    double density = 0.0;         // of the ray's direction, 1/sr, choice of the side included
+    double seek_chance = 0.0;     // that emitters were sought on this side; 0: they were not
+    double mirror_chance = 0.0;   // that they were sought by way of a certain plane of mirrors
+    bool unfolded = false;        // the receiver stands behind the mirror that the path has come by
+    bool by_rounds = false;       // they were sought by way of round mirrors
+    std::uint32_t round = kNone;  // that the path has come by, with the coefficients of its image
+    std::array<double, 3> widens{};
   };
   /// The mirrors that a path came by since the sensor or the last surface where sunlight was sought.
   struct Way {
@@ -95,10 +99,13 @@ class PathTracer {
     Emitters::Aim aim;
     double weight = 0.0;  // what the sought emission counts if it is seen
   };
-  struct MirrorSeek {  // a ray that was sent to an emitter by way of a flat mirror
-    Emitters::Aim aim;
+  struct MirrorSeek {  // a ray that was sent to an emitter by way of a mirror
+    Emitters::Piece piece;
     std::uint32_t event = 0;
-    std::uint32_t plane = 0;
+    std::uint32_t plane = kNone;  // of a flat one, and the direction from there
+    math::Vec3 onward;
+    std::uint32_t round = kNone;  // a round one, the place on it and that of the light
+    math::Point3 at, light_at;
     math::Ray ray;
     PathRecord::Mirrored light;
   };
@@ -162,10 +169,16 @@ class PathTracer {
   void seek(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
             const PathKey& key, int depth, Scatter& event);
   void trace_seeks(sampling::RayCounts& counts);
-  /// The same by way of flat mirrors.
-  void seek_by_mirrors(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, const Sides& sides,
-                       const geometry::SurfacePoint& hit, const PathKey& key, int depth, Scatter& event);
+  /// The same by way of one mirror (path_tracer_mirror_seek.cpp).
+  void seek_by_planes(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, const Sides& sides,
+                      const geometry::SurfacePoint& hit, const PathKey& key, int depth, Scatter& event);
+  void seek_by_rounds(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, const Sides& sides,
+                      const geometry::SurfacePoint& hit, const PathKey& key, int depth, Scatter& event);
   void trace_mirror_seeks(sampling::RayCounts& counts);
+  bool reflects(MirrorSeek& seek, const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface);
+  /// A path that came straight from where emitters were sought meets a mirror: what is known of what it meets next.
+  Departure by_mirror(const Departure& left, const geometry::SurfacePoint& hit,
+                      const scene::ResolvedSurface& surface) const;
   bool shows_mirror(const scene::ResolvedSurface& surface) const;
   /// What a mirror leaves of light.
   PathRecord::Mirrored::Factor mirror_factor(const scene::ResolvedSurface& surface);

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "sampling/sequence.h"
-#include "transport/emitter_mirrors.h"
+#include "transport/mirrors/emitter_mirrors.h"
 #include "transport/path_sides.h"
 #include "transport/path_tracer.h"
 #include "transport/spectral_scene.h"
@@ -65,8 +65,8 @@ void PathTracer::send_to_images(const Path& path, const scene::ResolvedSurface& 
 void PathTracer::send_to_rounds(const Path& path, const scene::ResolvedSurface& surface,
                                 const SurfaceLobe& lobe, const Sides& sides,
                                 const geometry::SurfacePoint& hit, int depth, sampling::Point2 u) {
-  const std::span<const RoundMirror> rounds = mirrors_->rounds();
-  if (rounds.empty() || options_.mirror_reflections == 0) return;
+  const RoundMirrors& rounds = mirrors_->rounds();
+  if (rounds.all().empty() || options_.mirror_reflections == 0) return;
   if (options_.maximum_scatterings >= 0 && depth + 1 >= options_.maximum_scatterings) return;
   const scene::Sun& sun = *scene_.scene().sun;
   // One point of the disc for all: its images differ.
@@ -78,33 +78,20 @@ void PathTracer::send_to_rounds(const Path& path, const scene::ResolvedSurface& 
     towards_sun = disc.sample(sun.direction, u);
     weight = disc.solid_angle_sr() / (std::numbers::pi * sine * sine);
   }
-  std::array<double, SunMirrors::kMostRounds> share{};
-  double all = 0.0;
-  for (std::size_t k = 0; k < rounds.size(); ++k) all += share[k] = rounds[k].share_of_view(hit.position_m);
-  const std::size_t rays = std::min(rounds.size(), kMostImageRays);
-  double passed = 0.0;
-  std::size_t picked = 0;
-  for (std::size_t k = 0; k < rays; ++k) {
-    double chance = 1.0;
-    if (rays == rounds.size()) {
-      picked = k;
-    } else {
-      const double place = (static_cast<double>(k) + choice(path.key, depth, kRoundChoice, k)) * all /
-                           static_cast<double>(rays);
-      while (picked + 1 < rounds.size() && place >= passed + share[picked]) passed += share[picked++];
-      chance = static_cast<double>(rays) * share[picked] / all;
-    }
-    const std::optional<RoundMirror::Image> image = rounds[picked].image(hit.position_m, towards_sun);
-    if (!image) continue;
+  const auto random = [&](std::size_t k) { return choice(path.key, depth, kRoundChoice, k); };
+  rounds.pick(hit.position_m, kMostImageRays, random, [&](const RoundMirrors::Pick& pick) {
+    const RoundMirror& round = rounds.all()[pick.round];
+    const std::optional<RoundMirror::Image> image = round.image(hit.position_m, towards_sun);
+    if (!image) return;
     const bool behind = math::dot(sides.outward, image->direction) < 0.0;
     const double cosine = (behind ? -1.0 : 1.0) * math::dot(sides.shading.as_vector(), image->direction);
     MirrorRay way;
-    way.object = rounds[picked].object();
+    way.object = round.object();
     way.at = image->at;
     way.towards_sun = towards_sun;
-    send_by_mirrors(way, light_ray(lobe, sides, hit, image->direction, cosine * weight / image->spread),
-                    1.0 / chance, surface, lobe, sides);
-  }
+    send_by_mirrors(way, light_ray(lobe, sides, hit, image->direction, cosine * weight / image->spread()),
+                    1.0 / pick.expected, surface, lobe, sides);
+  });
 }
 
 void PathTracer::send_by_mirrors(MirrorRay way, const SunRay& light, double weight,
@@ -161,7 +148,7 @@ void PathTracer::note_way(const Path& path, const SurfaceLobe& lobe, const Sides
           way.flat ? way.reflections <= images_.reflections() &&
                          images_.image_of({way.facings.data(), way.reflections}) != SunMirrors::kNone
                    : way.reflections == 1 && options_.mirror_reflections > 0 &&
-                         !event.vertex.bounce_through && mirrors_->sought_round(hit);
+                         !event.vertex.bounce_through && mirrors_->rounds().sought(hit);
       event.next_sees_sun = !sought && !options_.sought_only;
       // What bends and is met first is looked for by send_to_unseen.
       way.unseen = !sought && (way.unseen || way.flat || way.reflections > 1);
@@ -232,7 +219,7 @@ void PathTracer::trace_unseen_rays(sampling::RayCounts& counts) {
       if (is_mirror(scene_.scene(), part)) highest += part.weight * scene_.brightest(part.material);
     const math::Vec3 normal = surface.shading_normal.as_vector();
     if (highest <= 0.0 || mirrors_->facing_of(hit, normal) != SunMirrors::kNone ||
-        mirrors_->sought_round(hit))
+        mirrors_->rounds().sought(hit))
       continue;
     const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
     const float arrives = WideSun::radiance(scene_.scene(), mirrored(unseen.ray.direction, normal));

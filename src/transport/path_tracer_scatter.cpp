@@ -5,7 +5,7 @@
 
 #include "math/vec3.h"
 #include "sampling/sequence.h"
-#include "transport/emitter_mirrors.h"
+#include "transport/mirrors/emitter_mirrors.h"
 #include "transport/path_sides.h"
 #include "transport/path_tracer.h"
 #include "transport/sky/sky_dome.h"
@@ -85,8 +85,10 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
     seek(lobe, sides, hit, path.key, depth, event);
   const bool by_mirrors = emitter_mirrors_ != nullptr &&
                           (options_.maximum_scatterings < 0 || depth + 2 <= options_.maximum_scatterings);
-  if (by_mirrors && !lobe.bsdf->is_delta())
-    seek_by_mirrors(surface, lobe, sides, hit, path.key, depth, event);
+  if (by_mirrors && !lobe.bsdf->is_delta()) {
+    seek_by_planes(surface, lobe, sides, hit, path.key, depth, event);
+    seek_by_rounds(surface, lobe, sides, hit, path.key, depth, event);
+  }
   if (depth + 1 != options_.maximum_scatterings &&
       bounce(lobe, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair + 1u),
              event) &&
@@ -100,12 +102,9 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
   if (by_mirrors && vertex.bounce_weight > 0.0f) {
     if (!lobe.bsdf->is_delta()) {
       event.left.mirror_chance = lobe.highest_transmittance > 0.0 ? 0.0 : mirror_chance();
-    } else if (path.left.mirror_chance > 0.0 && !vertex.bounce_through) {
-      // The next segment is seen from behind the mirror.
-      const std::uint32_t plane = emitter_mirrors_->plane_of(hit, surface.shading_normal.as_vector());
-      if (plane != EmitterMirrors::kNone)
-        event.left = {emitter_mirrors_->behind(plane, path.left.receiver), path.left.density,
-                      path.left.mirror_chance, 0.0, true};
+      event.left.by_rounds = !emitter_mirrors_->rounds().all().empty();
+    } else if (!vertex.bounce_through) {
+      event.left = by_mirror(path.left, hit, surface);
     }
   }
   if (options_.images_apart != nullptr && depth == 0 && lobe.bsdf->is_delta() && !vertex.bounce_through)

@@ -8,10 +8,10 @@
 #include "atmosphere/imported_atmosphere.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "radiometry/planck_table.h"
-#include "transport/emitter_mirrors.h"
 #include "transport/emitters.h"
+#include "transport/mirrors/emitter_mirrors.h"
+#include "transport/mirrors/sun_mirrors.h"
 #include "transport/sky/sky_dome.h"
-#include "transport/sun_mirrors.h"
 #include "transport/view_table.h"
 
 namespace ifov::transport {

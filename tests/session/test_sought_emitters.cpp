@@ -54,9 +54,9 @@ TEST(SoughtEmitters, WaysByMirrorsThatAreNotSoughtAreSaid) {
       R"({}, {{"sphere": {{"center": ["3 m", "0 m", "1 m"], "radius": "0.5 m"}}, "material": "glass"}})",
       pane);
   constexpr const char* kText =
-      "warning: light of surfaces that outshine the scene is sought by way of one flat mirror, not of "
-      "bent ones or of several in turn: what those throw of it on other surfaces is found by chance "
-      "alone, and pixels near them may be less sure than they say\n";
+      "warning: light of surfaces that outshine the scene is sought by way of one mirror that is flat, a ball "
+      "or a round column, not of other shapes or of several in turn: what those throw of it on other surfaces "
+      "is found by chance alone, and pixels near them may be less sure than they say\n";
   for (const auto& [objects, said] : {std::pair{std::string(kSphere), false}, {pane, false}, {ball, true}}) {
     Messages messages;
     load(objects, &messages);
@@ -150,7 +150,8 @@ TEST(SoughtEmitters, AreToldOf) {
   EXPECT_NE(
       left.text.find(
           "warning: light of some surfaces that outshine the scene is found by chance alone: it is not sought "
-          "from planes and terrain, nor from more than 1048576 faces\n"),
+          "from planes and terrain, nor from more than 1048576 faces; of those beyond that number, pixels are "
+          "marked that they may light\n"),
       std::string::npos)
       << left.text;
 }

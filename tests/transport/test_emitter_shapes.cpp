@@ -226,5 +226,74 @@ TEST(EmitterTree, SeldomMissesWhatMatters) {
   EXPECT_LT(square / (sum * sum), 2.0);
 }
 
+/// By points: the area of a piece, and the solid angle in which it is seen, over that of directions.
+struct ByPoints {
+  double area = 0.0, seen = 0.0, error = 0.0, worst_density = 0.0;
+};
+ByPoints by_points(const Placed& placed, const SurfacePiece& piece, Point3 from, std::mt19937& random) {
+  std::uniform_real_distribution<> u;
+  const EmitterShape shape(piece, false);
+  constexpr int kCount = 40000;
+  ByPoints result;
+  double points = 0.0, hits = 0.0;
+  for (int k = 0; k < kCount; ++k) {
+    const transport::SurfaceSample point = shape.point({u(random), u(random)});
+    result.area += 1.0 / point.density / kCount;
+    result.worst_density =
+        std::max(result.worst_density, std::abs(shape.point_density(point.at_m) / point.density - 1.0));
+    const Vec3 to = point.at_m - from;
+    SurfacePoint hit;
+    if (meets(placed, piece, from, normalized(to), hit) && std::abs(hit.distance_m - length(to)) < 1e-5)
+      points += std::abs(dot(point.normal, to)) / std::pow(length(to), 3) / point.density / kCount;
+    const Vec3 w =
+        sampling::TangentFrame({0.0, 0.0, 1.0})
+            .to_world(
+                sampling::UniformCone(std::numbers::pi).sample({0.0, 0.0, 1.0}, {u(random), u(random)}));
+    if (meets(placed, piece, from, w, hit)) hits += 1.0;
+  }
+  result.seen = points / (4.0 * std::numbers::pi * hits / kCount);
+  result.error = 1.0 / std::sqrt(hits);
+  return result;
+}
+
+/// Of an ellipsoid to 1 % (Thomsen 2004), of an elliptic cylinder by Ramanujan's perimeter.
+double true_area_m2(const SurfacePiece& piece) {
+  const double a = length(piece.scene_from_unit.column_x()), b = length(piece.scene_from_unit.column_y()),
+               c = length(piece.scene_from_unit.column_z());
+  constexpr double p = 1.6075;
+  switch (piece.kind) {
+    case geometry::PieceKind::ball:
+      return 4.0 * std::numbers::pi *
+             std::pow((std::pow(a * b, p) + std::pow(b * c, p) + std::pow(c * a, p)) / 3.0, 1.0 / p);
+    case geometry::PieceKind::open_cylinder:
+      return std::numbers::pi * (3.0 * (a + b) - std::sqrt((3.0 * a + b) * (a + 3.0 * b))) * c;
+    default: return geometry::area_m2(piece);
+  }
+}
+
+TEST(EmitterShape, PointsCoverWhatIsSeen) {
+  std::mt19937 random(5);
+  const Transform tilted = Transform::translation({0.4, -0.3, 0.2}) *
+                           Transform::rotation(normalized(Vec3{1.0, 2.0, 0.5}), 0.8) *
+                           Transform::scaling({1.0, 0.6, 1.4});
+  const geometry::Shape shapes[] = {
+      geometry::Sphere{{0.0, 0.0, 0.0}, 1.0}, geometry::Disk{{0.0, 0.0, 0.0}, 1.0},
+      geometry::Cylinder{{0.0, 0.0, -0.5}, 0.7, 1.0}, geometry::Box{{-1.0, -0.5, -0.5}, {0.6, 0.5, 0.5}}};
+  int seen = 0;
+  for (const geometry::Shape& shape : shapes) {
+    const Placed placed = place(shape, tilted);
+    for (const SurfacePiece& piece : placed.pieces) {
+      const ByPoints result = by_points(placed, piece, {1.3, -1.6, 1.5}, random);
+      EXPECT_NEAR(result.area / true_area_m2(piece), 1.0, 0.015);
+      EXPECT_LT(result.worst_density, 1e-9);
+      if (result.error < 0.1) {
+        EXPECT_NEAR(result.seen, 1.0, 4.0 * result.error);
+        ++seen;
+      }
+    }
+  }
+  EXPECT_GE(seen, 5);
+}
+
 }  // namespace
 }  // namespace ifov

@@ -88,11 +88,80 @@ TEST(RoundMirror, ImagesObeyTheLawOfReflection) {
     EXPECT_GT(dot(normal, sun), 0.0);
     const double spread = measured_spread(*mirror, from, sun);
     if (spread > 0.0 && dot(normal, sun) > 0.05) {
-      EXPECT_NEAR(image->spread / spread, 1.0, 1e-3);
+      EXPECT_NEAR(image->spread() / spread, 1.0, 1e-3);
     }
   }
   EXPECT_GT(spheres, 5000);
   EXPECT_GT(cylinders, 500);
+}
+
+/// Of a point light: the places as Fermat has them, the beam as Coddington's equations have it (s + L + 2 s L / (R cos t)
+/// and s + L + 2 s L cos t / R across, with s, L the two ways and t the angle of incidence; a cylinder bends in one plane).
+TEST(RoundMirror, ImagesOfNearLightsObeyTheLawOfReflection) {
+  Draws draws;
+  int seen = 0, hidden = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const bool cylinder = trial % 2 == 1;
+    const double radius = draws.between(0.1, 2.0), length_m = cylinder ? draws.between(0.5, 9.0) : radius;
+    const Transform map = placed(draws, radius, length_m);
+    const auto mirror = RoundMirror::of({cylinder ? UnitKind::cylinder : UnitKind::sphere, map, 5, {}});
+    ASSERT_TRUE(mirror);
+    const Vec3 axis = normalized(map.column_z());
+    const auto beside = [&] {
+      Vec3 out = draws.direction();
+      if (cylinder) out = normalized(out - dot(out, axis) * axis);
+      const Point3 foot = cylinder ? map.origin_m() + axis * (length_m * draws.unit()) : map.origin_m();
+      return foot + out * (radius * (1.0 + std::pow(10.0, draws.between(-3.0, 3.0))));
+    };
+    const Point3 from = beside(), light = beside();
+    const auto image = mirror->image_of(from, light);
+    if (!image) {
+      ++hidden;
+      continue;
+    }
+    ++seen;
+    const Vec3 to = light - image->at, up = image->at - map.origin_m();
+    const Vec3 normal = normalized(cylinder ? up - dot(up, axis) * axis : up);
+    EXPECT_LT(length(image->onward - normalized(to)), 1e-7);
+    const double own = -dot(image->direction, normal), other = dot(normalized(to), normal);
+    EXPECT_GT(own, 0.0);
+    EXPECT_NEAR(own, other, 1e-9);
+    EXPECT_NEAR(length(map.inverse()(image->at) -
+                       map.inverse()(map.origin_m() + (cylinder ? dot(up, axis) * axis : Vec3{}))),
+                1.0, 1e-9);
+    const double s = length(to), l = image->distance_m;
+    double area = (s + l + 2.0 * s * l / (radius * own)) * (s + l + 2.0 * s * l * own / radius);
+    if (cylinder) {
+      // Euler: the curvatures of the surface in the plane of incidence and across it, and the twist between them, bend
+      // the beam by 2 cos t (k_p / cos2 t, k_s, k_t / cos t).
+      const Vec3 in_plane = normalized(image->direction + own * normal), across = cross(normal, in_plane);
+      const Vec3 round = cross(normal, axis);
+      const double p = dot(in_plane, round), q = dot(across, round);
+      const double a = 2.0 * p * p / (radius * own), b = 2.0 * q * q * own / radius, c = 2.0 * p * q / radius;
+      area = own > 1.0 - 1e-6 ? (s + l) * (s + l + 2.0 * s * l / radius)
+                              : (s + l + s * l * a) * (s + l + s * l * b) - std::pow(s * l * c, 2);
+    }
+    EXPECT_NEAR(image->area_m2(s) / area, 1.0, 1e-6) << cylinder << " " << own;
+    const auto met = mirror->met(from, image->at);
+    ASSERT_TRUE(met);
+    EXPECT_NEAR(met->area_m2(s) / area, 1.0, 1e-6);
+  }
+  EXPECT_GT(seen, 3000);
+  EXPECT_GT(hidden, 1000);
+}
+
+TEST(RoundMirror, ANearLightFarAwayIsTheSun) {
+  Draws draws;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const auto mirror = RoundMirror::of({UnitKind::sphere, placed(draws, 0.7, 0.7), 5, {}});
+    const Point3 from{draws.between(-9.0, 9.0), draws.between(-9.0, 9.0), draws.between(-9.0, 9.0)};
+    const Vec3 sun = draws.direction();
+    const auto far = mirror->image(from, sun), near = mirror->image_of(from, from + 1e9 * sun);
+    ASSERT_EQ(far.has_value(), near.has_value());
+    if (!far) continue;
+    EXPECT_LT(length(far->at - near->at), 1e-7);
+    EXPECT_NEAR(near->area_m2(1e9) / 1e18 / far->spread(), 1.0, 1e-6);
+  }
 }
 
 TEST(RoundMirror, OfABallFarAwayReflectsToAllSidesAlike) {
@@ -103,7 +172,7 @@ TEST(RoundMirror, OfABallFarAwayReflectsToAllSidesAlike) {
        {Vec3{0.0, 0.0, 1.0}, math::normalized({-0.3, 0.5, -0.5}), math::normalized({1.0, 1.0, 0.0})}) {
     const auto image = mirror->image(Point3{} + out * 1e6, sun);
     ASSERT_TRUE(image);
-    EXPECT_NEAR(image->spread / (4.0 * 1e12 / 4.0), 1.0, 1e-4);
+    EXPECT_NEAR(image->spread() / (4.0 * 1e12 / 4.0), 1.0, 1e-4);
   }
   EXPECT_FALSE(mirror->image(Point3{} + sun * -1e3, sun)) << "in its shadow";
   EXPECT_FALSE(mirror->image({0.5, 0.0, 0.0}, sun)) << "inside";

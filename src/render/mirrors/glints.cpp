@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "radiometry/spectrum_block.h"
-#include "transport/sun_mirrors.h"
+#include "transport/mirrors/sun_mirrors.h"
 
 namespace ifov::render {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "transport/mirror_ways.h"
-#include "transport/sun_mirrors.h"
+#include "transport/mirrors/mirror_ways.h"
+#include "transport/mirrors/sun_mirrors.h"
 #include "transport/view_table.h"
 
 namespace ifov::render {

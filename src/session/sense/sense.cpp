@@ -5,8 +5,8 @@
 #include "session/sense/light_warnings.h"
 #include "session/sense/place_lines.h"
 #include "session/sense/sense_warnings.h"
-#include "transport/emitter_mirrors.h"
 #include "transport/emitters.h"
+#include "transport/mirrors/emitter_mirrors.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::session {
@@ -19,14 +19,14 @@ void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log) {
         format("emitters: faces that outshine the scene and whose light is sought: {}", emitters->count()));
   if (emitters->leaves_some())
     log.warn(format(
-        "light of some surfaces that outshine the scene is found by chance alone: it is not sought from planes "
-        "and terrain, nor from more than {} faces",
+        "light of some surfaces that outshine the scene is found by chance alone: it is not sought from planes and "
+        "terrain, nor from more than {} faces; of those beyond that number, pixels are marked that they may light",
         transport::Emitters::kMost));
   if (emitters->count() > 0 && transport::EmitterMirrors::leave_some(scene.scene()))
     log.warn(
-        "light of surfaces that outshine the scene is sought by way of one flat mirror, not of bent ones or of several "
-        "in turn: what those throw of it on other surfaces is found by chance alone, and pixels near them may be less "
-        "sure than they say");
+        "light of surfaces that outshine the scene is sought by way of one mirror that is flat, a ball or a round "
+        "column, not of other shapes or of several in turn: what those throw of it on other surfaces is found by chance "
+        "alone, and pixels near them may be less sure than they say");
 }
 
 void make_sense(Parts& parts, LogSink& log) {

@@ -41,6 +41,7 @@ Corners corners_of(PieceKind kind, const math::Transform& map, Point3 from_m) {
 }  // namespace
 
 double highest_cosine(Vec3 normal, Vec3 to, double radius_m) {
+  if (Receiver{{}, normal}.any_side()) return 1.0;
   const double distance2 = math::dot(to, to);
   if (distance2 <= radius_m * radius_m) return 1.0;
   const double distance = std::sqrt(distance2);
@@ -112,7 +113,7 @@ bool EmitterShape::far(const Receiver& receiver) const {
 double EmitterShape::reach_sr(const Receiver& receiver) const {
   if (kind_ == Kind::ball || kind_ == Kind::hemisphere) return reach_of_ball(receiver);
   const double hiding = self_hiding(receiver.at_m);
-  if (!straight() || far(receiver)) return hiding * reach_by_area(receiver);
+  if (!straight() || receiver.any_side() || far(receiver)) return hiding * reach_by_area(receiver);
   return hiding *
          sampling::ProjectedPolygon(corners_of(kind_, scene_from_unit_, receiver.at_m), receiver.normal)
              .projected_solid_angle_sr();
@@ -183,7 +184,7 @@ double EmitterShape::reach_of_ball(const Receiver& receiver) const {
   // A cap that the horizon cuts goes down to nothing as its last part sets.
   const double sine =
       round_ ? std::sqrt(sine2) : std::min(1.0, radius_m_ / math::length(centre_m_ - receiver.at_m));
-  const double cosine = math::dot(towards, receiver.normal);
+  const double cosine = receiver.any_side() ? 1.0 : math::dot(towards, receiver.normal);
   if (cosine <= -sine) return 0.0;
   return pi * sine2 * (cosine >= sine ? cosine : (cosine + sine) * (cosine + sine) / (4.0 * sine));
 }
@@ -268,6 +269,53 @@ double EmitterShape::density_of_cylinder(const Receiver& receiver, Vec3 directio
       distance_m * distance_m /
       (2.0 * facing.half * std::abs(math::dot(tube_area(scene_from_unit_, azimuth), direction)));
   return std::isfinite(density) ? density : 0.0;
+}
+
+SurfaceSample EmitterShape::ball_point(Point3 unit) const {
+  // Area vectors go by the transposed inverse.
+  const math::Transform& inverse = unit_from_scene_;
+  const Vec3 p = unit - Point3{};
+  const Vec3 normal{math::dot(inverse.column_x(), p), math::dot(inverse.column_y(), p),
+                    math::dot(inverse.column_z(), p)};
+  const double stretch = math::length(normal) / std::abs(inverse.determinant());
+  return {scene_from_unit_(unit), math::normalized(normal),
+          1.0 / ((kind_ == Kind::hemisphere ? 2.0 : 4.0) * pi * stretch)};
+}
+
+SurfaceSample EmitterShape::point(Point2 u) const {
+  switch (kind_) {
+    case Kind::ball:
+    case Kind::hemisphere: {
+      const double z = kind_ == Kind::ball ? 1.0 - 2.0 * u.y : 1.0 - u.y, turn = 2.0 * pi * u.x,
+                   r = std::sqrt(std::max(0.0, 1.0 - z * z));
+      return ball_point({r * std::cos(turn), r * std::sin(turn), z});
+    }
+    case Kind::open_cylinder: {
+      const double azimuth = 2.0 * pi * u.x;
+      const Vec3 area = tube_area(scene_from_unit_, azimuth);
+      return {scene_from_unit_(Point3{std::cos(azimuth), std::sin(azimuth), u.y}), math::normalized(area),
+              1.0 / (2.0 * pi * math::length(area))};
+    }
+    default: {
+      Point2 p = u;
+      if (kind_ == Kind::disk)
+        p = sampling::uniform_disk(u);
+      else if (kind_ == Kind::triangle && u.x + u.y > 1.0)
+        p = {1.0 - u.x, 1.0 - u.y};
+      return {scene_from_unit_(Point3{p.x, p.y, 0.0}), normal_, 1.0 / area_m2_};
+    }
+  }
+}
+
+double EmitterShape::point_density(Point3 at_m) const {
+  const Point3 unit = unit_from_scene_(at_m);
+  switch (kind_) {
+    case Kind::ball:
+    case Kind::hemisphere: return ball_point(Point3{} + math::normalized(unit - Point3{})).density;
+    case Kind::open_cylinder:
+      return 1.0 / (2.0 * pi * math::length(tube_area(scene_from_unit_, std::atan2(unit.y, unit.x))));
+    default: return 1.0 / area_m2_;
+  }
 }
 
 }  // namespace ifov::transport

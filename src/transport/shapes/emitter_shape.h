@@ -8,10 +8,19 @@
 
 namespace ifov::transport {
 
-/// A point that light is sought for, and the side of its surface: unit normal.
+/// A point that light is sought for, and the side of its surface: unit normal; 0: light from all sides counts alike, as to
+/// EmitterShape::reach_sr.
 struct Receiver {
   math::Point3 at_m;
   math::Vec3 normal;
+  bool any_side() const { return normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0; }
+};
+
+/// A point of a surface, with the density that it is drawn with.
+struct SurfaceSample {
+  math::Point3 at_m;
+  math::Vec3 normal;     ///< unit, outward of solids
+  double density = 0.0;  ///< 1/m2
 };
 
 /// A direction with the density that it is drawn with; 0: none could be drawn.
@@ -38,6 +47,10 @@ class EmitterShape {
   /// Of aim(), for a direction in which the piece was met at a distance.
   double density(const Receiver& receiver, math::Vec3 direction, double distance_m) const;
 
+  /// A point anywhere on it, of balls by the area of the sphere that they are scaled from; and its density at a point.
+  SurfaceSample point(sampling::Point2 u) const;
+  double point_density(math::Point3 at_m) const;
+
   math::Point3 centre_m() const { return centre_m_; }
   double radius_m() const { return radius_m_; }  ///< of a sphere about it
   /// Area as seen along its normal (flat pieces), or the mean over all directions.
@@ -56,6 +69,7 @@ class EmitterShape {
   double reach_of_ball(const Receiver& receiver) const;
   double reach_by_area(const Receiver& receiver) const;
   AimedDirection aim_at_ball(const Receiver& receiver, sampling::Point2 u) const;
+  SurfaceSample ball_point(math::Point3 unit) const;
   double density_of_ball(const Receiver& receiver, math::Vec3 direction) const;
   AimedDirection aim_at_cylinder(const Receiver& receiver, sampling::Point2 u) const;
   double density_of_cylinder(const Receiver& receiver, math::Vec3 direction, double distance_m) const;

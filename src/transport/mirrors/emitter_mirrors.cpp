@@ -1,4 +1,4 @@
-#include "transport/emitter_mirrors.h"
+#include "transport/mirrors/emitter_mirrors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,26 +15,36 @@ constexpr double kNear_m = 1e-4, kNear = 1e-9, kSameNormal = 1e-9;
 
 }  // namespace
 
+EmitterMirrors::EmitterMirrors(const scene::Scene& scene, const geometry::SurfaceSurvey& survey)
+    : rounds_(scene, survey) {
+  for (const scene::Covering& covering : scene.coverings) bends_.push_back(covering.bends_normals());
+  for (const geometry::SurfaceSurvey::Flat& flat : survey.flats) {
+    if (planes_.size() + flat.planes_m.size() > kMost || flat.many_planes) {
+      planes_.clear();
+      all_planes_ = false;
+      return;
+    }
+    for (const double offset : flat.planes_m) planes_.push_back({flat.normal, offset});
+  }
+}
+
 std::unique_ptr<const EmitterMirrors> EmitterMirrors::find(const scene::Scene& scene) {
   const geometry::SurfaceSurvey* survey = scene.world != nullptr ? scene.world->survey() : nullptr;
-  if (survey == nullptr || survey->flats.empty() || scene.world->period()) return nullptr;
-  auto mirrors = std::make_unique<EmitterMirrors>();
-  for (const scene::Covering& covering : scene.coverings) mirrors->bends_.push_back(covering.bends_normals());
-  for (const geometry::SurfaceSurvey::Flat& flat : survey->flats) {
-    if (mirrors->planes_.size() + flat.planes_m.size() > kMost || flat.many_planes) return nullptr;
-    for (const double offset : flat.planes_m) mirrors->planes_.push_back({flat.normal, offset});
-  }
-  return mirrors->planes_.empty() ? nullptr : std::move(mirrors);
+  if (survey == nullptr || scene.world->period()) return nullptr;
+  std::unique_ptr<EmitterMirrors> mirrors(new EmitterMirrors(scene, *survey));
+  if (mirrors->planes_.empty() && mirrors->rounds_.all().empty()) return nullptr;
+  return mirrors;
 }
 
 bool EmitterMirrors::leave_some(const scene::Scene& scene) {
   const geometry::SurfaceSurvey* survey = scene.world != nullptr ? scene.world->survey() : nullptr;
   if (survey == nullptr || (survey->flats.empty() && survey->balls.empty() && survey->rounds.empty()))
     return false;
-  const std::unique_ptr<const EmitterMirrors> planes = find(scene);
-  if (planes == nullptr || planes->count() > 1 || !survey->balls.empty() || !survey->rounds.empty())
+  const std::unique_ptr<const EmitterMirrors> mirrors = find(scene);
+  if (mirrors == nullptr || !mirrors->all_planes_ || !survey->balls.empty() ||
+      !mirrors->rounds_.unsought().empty() || mirrors->count() + mirrors->rounds_.all().size() > 1)
     return true;
-  return std::find(planes->bends_.begin(), planes->bends_.end(), true) != planes->bends_.end();
+  return std::find(mirrors->bends_.begin(), mirrors->bends_.end(), true) != mirrors->bends_.end();
 }
 
 std::uint32_t EmitterMirrors::plane_of(const geometry::SurfacePoint& hit,

@@ -1,23 +1,15 @@
-#include "transport/mirror_ways.h"
+#include "transport/mirrors/mirror_ways.h"
 
 #include <algorithm>
 
 namespace ifov::transport {
-
-namespace {
-
-/// A point of a round mirror is met where it was expected within this, in parts of the way there.
-constexpr double kSamePlace = 1e-6;
-
-}  // namespace
 
 bool reflect(MirrorWay& way, const SunMirrors& mirrors, const geometry::SurfacePoint& hit,
              const scene::ResolvedSurface& surface) {
   math::Vec3 next = way.towards_sun;
   if (way.image == MirrorWay::kRound) {
     // The first reflection must be that which was meant: a ray that misses it is hidden or past an edge.
-    if (way.count > 0 || hit.instance != way.object || !mirrors.sought_round(hit) ||
-        math::length(hit.position_m - way.at) > kSamePlace * (1.0 + hit.distance_m))
+    if (way.count > 0 || hit.instance != way.object || !mirrors.rounds().sought(hit) || !is_at(hit, way.at))
       return false;
   } else {
     const math::Vec3 normal = surface.shading_normal.as_vector();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,7 +7,7 @@
 #include "geometry/world.h"
 #include "geometry/world/surface_survey.h"
 #include "scene/scene.h"
-#include "transport/shapes/round_mirror.h"
+#include "transport/mirrors/round_mirrors.h"
 
 namespace ifov::transport {
 
@@ -34,15 +33,8 @@ class SunMirrors {
   /// Which facing a point of a mirror belongs to, by the normal that it reflects about; kNone for one that bends.
   std::uint32_t facing_of(const geometry::SurfacePoint& hit, math::Vec3 normal) const;
 
-  /// Round mirrors on whose outer side the Sun is sought; none where there are more than kMostRounds.
-  static constexpr std::size_t kMostRounds = 64;
-  std::span<const RoundMirror> rounds() const { return rounds_; }
-  /// Whether a point lies on the outer side of one of them.
-  bool sought_round(const geometry::SurfacePoint& hit) const {
-    return hit.bend == geometry::Bend::round && hit.front && hit.copy_column == 0 && hit.copy_row == 0 &&
-           !bends_[hit.material] &&
-           std::binary_search(round_objects_.begin(), round_objects_.end(), hit.instance);
-  }
+  /// On whose outer side the Sun is sought.
+  const RoundMirrors& rounds() const { return rounds_; }
 
   /// Whether the Sun's glint on a point that the sensor sees directly is found by its shape (Glints).
   bool glints_by_shape(const geometry::SurfacePoint& hit) const {
@@ -52,7 +44,7 @@ class SunMirrors {
 
   /// Whether some light comes by ways that are not sought, however many reflections are.
   bool may_hide() const {
-    return !groups_.empty() || facings_.size() + rounds_.size() > 1 ||
+    return !groups_.empty() || facings_.size() + rounds_.all().size() > 1 ||
            (facings_.size() == 1 && !facings_[0].one_plane);
   }
   /// Spheres about all mirrors of which some light is not sought at its first reflection.
@@ -60,14 +52,11 @@ class SunMirrors {
   const geometry::SurfaceSurvey& survey() const { return survey_; }
 
  private:
-  void add_rounds(bool once, std::vector<geometry::SurfaceSurvey::Ball>& unsought);
-
   const geometry::SurfaceSurvey& survey_;
   std::vector<Facing> facings_;
   bool by_shape_ = true;  // copies of a periodic scene, and faces that pass for bent ones, are not searched
   std::vector<bool> bends_;  // by covering: a relief tilts its normals
-  std::vector<RoundMirror> rounds_;
-  std::vector<std::uint32_t> round_objects_;  // sorted: all their round faces are among rounds_
+  RoundMirrors rounds_;
   std::vector<geometry::SurfaceSurvey::Ball> groups_;
 };
 

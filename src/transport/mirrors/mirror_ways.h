@@ -8,7 +8,7 @@
 #include "math/ray.h"
 #include "sampling/field.h"
 #include "scene/scene.h"
-#include "transport/sun_mirrors.h"
+#include "transport/mirrors/sun_mirrors.h"
 
 namespace ifov::transport {
 
@@ -23,6 +23,12 @@ struct MirrorWay {
   std::array<std::uint16_t, SunImages::kMostReflections> facings{};  ///< of the flat ones met
   std::uint8_t count = 0;                                            ///< of mirrors met
 };
+
+/// Whether a ray met a place that it was sent to, by the accuracy of a ray tracer.
+inline bool is_at(const geometry::SurfacePoint& hit, math::Point3 place) {
+  constexpr double kSamePlace = 1e-6;  // in parts of the way there
+  return math::length(hit.position_m - place) <= kSamePlace * (1.0 + hit.distance_m);
+}
 
 /// Whether a ray that met this surface is reflected as it was meant to be; then it goes on from there.
 bool reflect(MirrorWay& way, const SunMirrors& mirrors, const geometry::SurfacePoint& hit,

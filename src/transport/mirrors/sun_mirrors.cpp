@@ -1,4 +1,4 @@
-#include "transport/sun_mirrors.h"
+#include "transport/mirrors/sun_mirrors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +59,8 @@ void group(std::span<SurfaceSurvey::Ball> balls, std::size_t groups, std::vector
 
 }  // namespace
 
-SunMirrors::SunMirrors(const scene::Scene& scene, const SurfaceSurvey& survey) : survey_(survey) {
+SunMirrors::SunMirrors(const scene::Scene& scene, const SurfaceSurvey& survey)
+    : survey_(survey), rounds_(scene, survey) {
   for (const scene::Covering& covering : scene.coverings) bends_.push_back(covering.bends_normals());
   std::vector<std::size_t> order(survey.flats.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -82,27 +83,8 @@ SunMirrors::SunMirrors(const scene::Scene& scene, const SurfaceSurvey& survey) :
     for (const Facing& facing : facings_)
       balls.push_back({facing.bounds.low_m + (facing.bounds.high_m - facing.bounds.low_m) * 0.5,
                        0.5 * length(facing.bounds.high_m - facing.bounds.low_m)});
-  add_rounds(!scene.world->period(), balls);
+  balls.insert(balls.end(), rounds_.unsought().begin(), rounds_.unsought().end());
   group(balls, kMostGroups, groups_);
-}
-
-void SunMirrors::add_rounds(bool once, std::vector<SurfaceSurvey::Ball>& unsought) {
-  // An object counts whole: a hit does not tell which of its shapes it is on.
-  std::vector<std::uint32_t> stretched;
-  for (const SurfaceSurvey::Round& round : survey_.rounds)
-    if (!RoundMirror::of(round)) stretched.push_back(round.object);
-  std::sort(stretched.begin(), stretched.end());
-  const bool any = once && survey_.rounds.size() <= kMostRounds,
-             reliefs = std::find(bends_.begin(), bends_.end(), true) != bends_.end();
-  for (const SurfaceSurvey::Round& round : survey_.rounds) {
-    const bool sought = any && !std::binary_search(stretched.begin(), stretched.end(), round.object);
-    if (sought) {
-      rounds_.push_back(*RoundMirror::of(round));
-      round_objects_.push_back(round.object);
-    }
-    if (!sought || reliefs || rounds_.back().hollow()) unsought.push_back(round.ball);
-  }
-  std::sort(round_objects_.begin(), round_objects_.end());
 }
 
 std::uint32_t SunMirrors::facing_of(const geometry::SurfacePoint& hit, Vec3 normal) const {
