@@ -118,7 +118,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   std::unique_ptr<const MirrorImages> mirror_images;
   if (transport.maximum_scatterings < 0 || transport.maximum_scatterings > 1)
     mirror_images = MirrorImages::find(job.scene, job.camera, transport, job.footprint.half_width_px(),
-                                       job.seed, control.threads);
+                                       job.seed, control.threads, control.cancel);
   if (mirror_images != nullptr && !mirror_images->apart().empty())
     transport.images_apart = &mirror_images->apart();
   std::unique_ptr<const UnseenImages> unseen_images;

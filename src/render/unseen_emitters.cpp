@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "geometry/world.h"
+#include "render/widen_unseen.h"
 #include "transport/emitter_choice.h"
 #include "transport/spectral_scene.h"
 
@@ -44,7 +45,8 @@ void UnseenEmitters::settle(const AccuracyTolerance* tolerance, sampling::TileRe
   camera_.rays(points, rays);
   scene.world->intersect(rays, hits);
   tile.rays.primary += rays.size();
-  std::vector<double> mean(channels), limit(channels), most(channels), here(channels);
+  std::vector<double> most(channels), here(channels);
+  UnseenWidening widening(*tolerance, channels, kNegligible);
   for (std::size_t pixel = 0; pixel < static_cast<std::size_t>(tile.tile.count()); ++pixel) {
     std::fill(most.begin(), most.end(), 0.0);
     for (std::size_t k = 0; k < kAcross * kAcross; ++k) {
@@ -70,17 +72,7 @@ void UnseenEmitters::settle(const AccuracyTolerance* tolerance, sampling::TileRe
       }
       for (std::size_t c = 0; c < channels; ++c) most[c] = std::max(most[c], here[c]);
     }
-    for (std::size_t c = 0; c < channels; ++c) mean[c] = static_cast<double>(tile.mean[pixel * channels + c]);
-    tolerance->asked(mean, limit);
-    for (std::size_t c = 0; c < channels; ++c) {
-      if (!(most[c] > kNegligible * limit[c])) continue;
-      float& half_width = tile.half_width[pixel * channels + c];
-      half_width += static_cast<float>(most[c]);
-      const auto ratio = static_cast<float>(static_cast<double>(half_width) / limit[c]);
-      tile.worst_ratio[pixel] = std::max(tile.worst_ratio[pixel], ratio);
-      constexpr float kRounding = 1e-5f;
-      if (ratio > 1.0f + kRounding) tile.set(pixel, sampling::Reason::unseen_light);
-    }
+    widening.widen(pixel, most, tile);
   }
 }
 

@@ -5,10 +5,12 @@
 #include <numbers>
 
 #include "geometry/world.h"
+#include "render/widen_unseen.h"
 #include "sampling/random.h"
-#include "transport/mirror_ways.h"
+#include "transport/mirrors/emitter_mirrors.h"
+#include "transport/mirrors/mirror_ways.h"
+#include "transport/mirrors/sun_mirrors.h"
 #include "transport/spectral_scene.h"
-#include "transport/sun_mirrors.h"
 
 namespace ifov::render {
 
@@ -52,6 +54,7 @@ UnseenImages::UnseenImages(const transport::SpectralScene& scene, const sensor::
       images_(images),
       shift_x_(sampling::unit_double(sampling::hash(seed, 0x756e7365656eull)) / kAcross),
       shift_y_(sampling::unit_double(sampling::hash(seed, 0x756e7365656full)) / kAcross) {
+  list_throwers();
   const auto period = scene.scene().world->period();
   for (const transport::ShiningParts::Part& part : images.parts().parts()) {
     if (!period) {
@@ -65,6 +68,20 @@ UnseenImages::UnseenImages(const transport::SpectralScene& scene, const sensor::
     for (int column = -1; column <= 1; ++column)
       for (int row = -1; row <= 1; ++row)
         targets_.push_back({part, c + home + Vec3{column * period->x_m, row * period->y_m, 0.0}});
+  }
+}
+
+void UnseenImages::list_throwers() {
+  const geometry::SurfaceSurvey& survey = *scene_.scene().world->survey();
+  const transport::EmitterMirrors* mirrors = scene_.emitter_mirrors();
+  const transport::Emitters* emitters = scene_.emitters();
+  for (const geometry::SurfaceSurvey::Round& round : survey.rounds) {
+    Thrower thrower{&round, {}};
+    const bool sought = mirrors != nullptr && mirrors->rounds().seeks_all_of(round.object);
+    thrower.all_sought.assign(scene_.scene().coverings.size(), false);
+    for (std::uint32_t c = 0; c < thrower.all_sought.size(); ++c)
+      thrower.all_sought[c] = sought && emitters->seeks_all_of(c);
+    throwers_.push_back(std::move(thrower));
   }
 }
 
@@ -137,12 +154,16 @@ bool UnseenImages::is_free(math::Point3 from, math::Point3 centre_m, double radi
 /// a = 1 + L / D, at a distance L: at least (a + 2 L / R)^2, as cos t + 1 / cos t >= 2. Of a cylinder one factor is a.
 void UnseenImages::add_thrown(const Lit& lit, double weight, double* unseen,
                               sampling::RayCounts& counts) const {
-  for (const geometry::SurfaceSurvey::Round& round : scene_.scene().world->survey()->rounds) {
+  for (const Thrower& thrower : throwers_) {
+    const geometry::SurfaceSurvey::Round& round = *thrower.round;
     const Vec3 x = round.scene_from_unit.column_x(), y = round.scene_from_unit.column_y(),
                z = round.scene_from_unit.column_z();
     const bool tube =
         round.kind == geometry::UnitKind::cylinder || round.kind == geometry::UnitKind::open_cylinder;
-    const double radius = tube ? std::max(length(x), length(y)) : std::max({length(x), length(y), length(z)});
+    // The least curved place of an ellipsoid.
+    const double longest = std::max({length(x), length(y), tube ? 0.0 : length(z)}),
+                 shortest = std::min({length(x), length(y), tube ? longest : length(z)});
+    const double radius = longest * longest / shortest;
     const double apart = length(round.ball.centre_m - lit.at), way = apart - round.ball.radius_m;
     const double cosine = (dot(round.ball.centre_m - lit.at, lit.outward) + round.ball.radius_m) /
                           std::max(apart, round.ball.radius_m);
@@ -150,6 +171,7 @@ void UnseenImages::add_thrown(const Lit& lit, double weight, double* unseen,
     const double nearest = std::max(way, 0.0);
     bool free = false, asked = false;
     for (const Target& target : targets_) {
+      if (thrower.all_sought[target.part.covering]) continue;
       const double to = std::max(length(target.centre_m - round.ball.centre_m) - round.ball.radius_m,
                                  target.part.ball.radius_m);
       const double a = 1.0 + nearest / to, other = a + 2.0 * nearest / radius;
@@ -282,28 +304,20 @@ void UnseenImages::settle(const AccuracyTolerance* tolerance, sampling::TileResu
           tile.set(static_cast<std::size_t>((j / kAcross) * width + i / kAcross),
                    sampling::Reason::unseen_light);
       }
-  std::vector<double> mean(channels), limit(channels);
+  std::vector<double> more(channels);
+  UnseenWidening widening(*tolerance, channels, kNegligible);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const auto pixel = static_cast<std::size_t>(y * width + x);
-      for (std::size_t c = 0; c < channels; ++c)
-        mean[c] = static_cast<double>(tile.mean[pixel * channels + c]);
-      tolerance->asked(mean, limit);
       for (std::size_t c = 0; c < channels; ++c) {
         double around = 0.0;
         int count = 0;
         for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j)
           for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i, ++count)
             around += unseen[static_cast<std::size_t>(j * width + i) * channels + c];
-        const double more = kCaution * std::max(unseen[pixel * channels + c], around / count);
-        if (!(more > kNegligible * limit[c])) continue;
-        float& half_width = tile.half_width[pixel * channels + c];
-        half_width += static_cast<float>(more);
-        const auto ratio = static_cast<float>(static_cast<double>(half_width) / limit[c]);
-        tile.worst_ratio[pixel] = std::max(tile.worst_ratio[pixel], ratio);
-        constexpr float kRounding = 1e-5f;
-        if (ratio > 1.0f + kRounding) tile.set(pixel, sampling::Reason::unseen_light);
+        more[c] = kCaution * std::max(unseen[pixel * channels + c], around / count);
       }
+      widening.widen(pixel, more, tile);
     }
 }
 

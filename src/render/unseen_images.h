@@ -58,6 +58,12 @@ class UnseenImages {
     transport::ShiningParts::Part part;
     math::Point3 centre_m;
   };
+  /// A round mirror, and by covering whether all light of it that the mirror throws is sought by paths.
+  struct Thrower {
+    const geometry::SurfaceSurvey::Round* round;
+    std::vector<bool> all_sought;
+  };
+  void list_throwers();
   /// Rays of the lattice of a tile, by mirrors met: [mirrors - 1][ray].
   std::vector<std::vector<Leaving>> follow(const std::vector<sampling::FocalPoint>& points,
                                            std::vector<Lit>& lit, sampling::RayCounts& counts) const;
@@ -74,6 +80,7 @@ class UnseenImages {
   const sensor::Camera& camera_;
   const MirrorImages& images_;
   std::vector<Target> targets_;
+  std::vector<Thrower> throwers_;
   double shift_x_, shift_y_;  // of the lattice, px
 };
 

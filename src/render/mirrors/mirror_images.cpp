@@ -1,12 +1,12 @@
 #include "render/mirrors/mirror_images.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <optional>
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "geometry/world.h"
 #include "sampling/random.h"
@@ -25,8 +25,10 @@ namespace {
 constexpr std::size_t kBatch = 4096;
 /// Steps across the half-angle of what is looked for.
 constexpr double kSteps = 16.0, kFewestSteps = 4.0;
-/// About how many places of a mirror are looked at for a part, beside those of a mesh.
+/// About how many places of a mirror are looked at for a part at so many steps, beside those of a mesh.
 constexpr double kUsualWork = 2e4;
+/// Where there are more images they are looked at more coarsely.
+constexpr double kManyImages = 500.0;
 constexpr std::uint64_t kImages = 0x6d6972726f72ull;
 
 }  // namespace
@@ -34,7 +36,8 @@ constexpr std::uint64_t kImages = 0x6d6972726f72ull;
 std::unique_ptr<const MirrorImages> MirrorImages::find(const transport::SpectralScene& scene,
                                                        const sensor::Camera& camera,
                                                        const transport::TransportOptions& transport,
-                                                       double margin_px, std::uint64_t seed, int threads) {
+                                                       double margin_px, std::uint64_t seed, int threads,
+                                                       const CancelToken* cancel) {
   if (scene.scene().world == nullptr || scene.scene().world->survey() == nullptr) return nullptr;
   std::unique_ptr<MirrorImages> images(new MirrorImages(scene, camera));
   if (images->parts_.parts().empty() && images->parts_.complete()) return nullptr;
@@ -49,6 +52,7 @@ std::unique_ptr<const MirrorImages> MirrorImages::find(const transport::Spectral
   const auto count = static_cast<std::int64_t>(pairs.size());
   const auto key = [seed](std::int64_t pair) { return sampling::hash(seed, kImages, pair); };
   parallel_for(count, threads, [&](std::int64_t k) {
+    if (cancel != nullptr && cancel->cancelled()) throw Cancelled();
     const auto at = static_cast<std::size_t>(k);
     found[at] = images->look(pairs[at], margin_px, key(k));
   });
@@ -60,14 +64,15 @@ std::unique_ptr<const MirrorImages> MirrorImages::find(const transport::Spectral
       continue;
     }
     images->settled_.push_back({mirror, object});
-    if (!found[k].seen.empty()) images->apart_.add(mirror, object);
+    if (!found[k].rows.empty()) images->apart_.add(mirror, object);
   }
   images->apart_.finish();
   std::sort(images->settled_.begin(), images->settled_.end());
   std::vector<std::optional<FocalLights>> lights(pairs.size());
   parallel_for(count, threads, [&](std::int64_t k) {
+    if (cancel != nullptr && cancel->cancelled()) throw Cancelled();
     const auto at = static_cast<std::size_t>(k);
-    if (!found[at].seen.empty()) lights[at].emplace(images->weigh(transport, key(k), found[at].seen));
+    if (!found[at].rows.empty()) lights[at].emplace(images->weigh(transport, key(k), found[at].rows));
   });
   for (const std::optional<FocalLights>& light : lights)
     if (light) images->lights_.append(*light);
@@ -121,10 +126,19 @@ std::vector<MirrorImages::Pair> MirrorImages::pairs() {
         settled_.push_back({mirrors_[m].name, parts[first].object});
         continue;
       }
-      const double work = kUsualWork + 3.0 * static_cast<double>(mirrors_[m].triangles);
-      pairs.push_back({m, first, last, work * static_cast<double>(last - first)});
+      pairs.push_back({m, first, last});
     }
     first = last;
+  }
+  // Many parts tell of one thing together, and many images of one scene.
+  double images = 0.0;
+  for (const Pair& pair : pairs) images += std::sqrt(static_cast<double>(pair.last - pair.first));
+  const double finest = kSteps * std::min(1.0, std::sqrt(kManyImages / images));
+  for (Pair& pair : pairs) {
+    const auto count = static_cast<double>(pair.last - pair.first);
+    pair.steps = std::max(kFewestSteps, finest / std::sqrt(count));
+    pair.work = count * (kUsualWork * std::pow(pair.steps / kSteps, 2) +
+                         3.0 * static_cast<double>(mirrors_[pair.mirror].triangles));
   }
   std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.work < b.work; });
   return pairs;
@@ -157,14 +171,11 @@ MirrorImages::Found MirrorImages::look(const Pair& pair, double margin_px, std::
   Found found;
   const Mirror& mirror = mirrors_[pair.mirror];
   const geometry::SurfaceSurvey& survey = *scene_.scene().world->survey();
-  std::vector<FocalLights::Light>& seen = found.seen;
+  std::vector<FocalLights::Light> seen;
   std::vector<GlintPoint> points;
-  // Many parts tell of one thing together.
-  const double steps =
-      std::max(kFewestSteps, kSteps / std::sqrt(static_cast<double>(pair.last - pair.first)));
   for (std::size_t p = pair.first; p < pair.last; ++p) {
     const ShiningParts::Part& part = parts_.parts()[p];
-    GlintSearch search(camera_, part.ball, margin_px, steps / std::sqrt(part.fill), key, kMostTriangles);
+    GlintSearch search(camera_, part.ball, margin_px, pair.steps / std::sqrt(part.fill), key, kMostTriangles);
     const auto keep = [&](const GlintPoint& point) {
       points.push_back(point);
       if (points.size() == kBatch) trace(mirror, static_cast<std::uint32_t>(p), points, seen);
@@ -178,10 +189,12 @@ MirrorImages::Found MirrorImages::look(const Pair& pair, double margin_px, std::
     trace(mirror, static_cast<std::uint32_t>(p), points, seen);
     if (!search.broken_off()) continue;
     found.outcome = met_by_paths(seen) ? Outcome::met : Outcome::given_up;
-    seen.clear();
     return found;
   }
-  if (met_by_paths(seen)) found.outcome = Outcome::met, seen.clear();
+  if (met_by_paths(seen))
+    found.outcome = Outcome::met;
+  else
+    found.rows = image_rows(seen, key);
   return found;
 }
 
@@ -219,7 +232,7 @@ void MirrorImages::trace(const Mirror& mirror, std::uint32_t part, std::vector<G
 }
 
 FocalLights MirrorImages::weigh(transport::TransportOptions transport, std::uint64_t key,
-                                std::vector<FocalLights::Light>& seen) const {
+                                const std::vector<ImageRow>& rows) const {
   const std::size_t channels = scene_.nodes().channel_count();
   FocalLights lights(channels);
   transport.images_apart = nullptr;
@@ -228,28 +241,31 @@ FocalLights MirrorImages::weigh(transport::TransportOptions transport, std::uint
   transport::PathTracer through(scene_, transport);
   transport::PathLight light(scene_);
   const transport::ViewAir air(scene_);
-  // Points of one replicate in one pixel share a row: their mean by area.
-  struct Row {
+  struct Sum {
     double area = 0.0;
-    std::vector<double> sum;
-    std::uint32_t number = 0;
+    std::vector<double> of;
   };
-  std::map<std::array<int, 3>, Row> rows;
-  const auto row_of = [&](const FocalLights::Light& point) -> Row& {
-    return rows[{static_cast<int>(std::floor(point.at.x_px)), static_cast<int>(std::floor(point.at.y_px)),
-                 static_cast<int>(point.replicate)}];
+  std::vector<Sum> sums(rows.size());
+  struct Point {
+    std::size_t row;
+    const FocalLights::Light* seen;
   };
+  std::vector<Point> points;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    sums[r].of.assign(channels, 0.0);
+    for (const FocalLights::Light& point : rows[r].told_by) points.push_back({r, &point});
+  }
   std::vector<sampling::FocalPoint> images;
   std::vector<math::Ray> rays;
   std::vector<transport::PathKey> keys;
   std::vector<geometry::SurfacePoint> hits;
   std::vector<float> row(std::max(channels, scene_.stride()));
   sampling::RayCounts counts;
-  for (std::size_t first = 0; first < seen.size(); first += kBatch) {
-    const std::size_t count = std::min(kBatch, seen.size() - first);
+  for (std::size_t first = 0; first < points.size(); first += kBatch) {
+    const std::size_t count = std::min(kBatch, points.size() - first);
     images.resize(count), rays.resize(count), keys.resize(count), hits.resize(count);
     for (std::size_t k = 0; k < count; ++k) {
-      images[k] = seen[first + k].at;
+      images[k] = points[first + k].seen->at;
       keys[k] = {key, static_cast<std::uint32_t>(first + k)};
     }
     camera_.rays(images, rays);
@@ -257,25 +273,23 @@ FocalLights MirrorImages::weigh(transport::TransportOptions transport, std::uint
       const double sign = tracer == &all ? 1.0 : -1.0;
       const transport::PathRecord& paths = tracer->trace(rays, keys, hits, counts);
       for (std::size_t k = 0; k < count; ++k) {
-        const FocalLights::Light& point = seen[first + k];
         float* radiance = light.radiance(paths, k);
         air.apply(paths.paths[k], radiance);
         scene_.nodes().to_channels(radiance, row.data());
-        Row& sum = row_of(point);
-        const auto area = static_cast<double>(point.per_radiance);
-        if (sum.sum.empty()) sum.sum.assign(channels, 0.0);
+        Sum& sum = sums[points[first + k].row];
+        const auto area = static_cast<double>(points[first + k].seen->per_radiance);
         if (tracer == &all) sum.area += area;
-        for (std::size_t c = 0; c < channels; ++c) sum.sum[c] += sign * area * static_cast<double>(row[c]);
+        for (std::size_t c = 0; c < channels; ++c) sum.of[c] += sign * area * static_cast<double>(row[c]);
       }
     }
   }
-  for (auto& [name, sum] : rows) {
-    for (std::size_t c = 0; c < channels; ++c) row[c] = static_cast<float>(sum.sum[c] / sum.area);
-    sum.number = lights.add_row(row);
-  }
-  for (FocalLights::Light& point : seen) {
-    point.row = row_of(point).number;
-    lights.add(point);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (std::size_t c = 0; c < channels; ++c) row[c] = static_cast<float>(sums[r].of[c] / sums[r].area);
+    const std::uint32_t number = lights.add_row(row);
+    for (FocalLights::Light point : rows[r].lights) {
+      point.row = number;
+      lights.add(point);
+    }
   }
   return lights;
 }

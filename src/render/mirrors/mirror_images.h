@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "render/mirrors/focal_lights.h"
+#include "core/run_control.h"
 #include "render/mirrors/glint_search.h"
+#include "render/mirrors/image_rows.h"
 #include "sensor/camera.h"
 #include "transport/images_apart.h"
 #include "transport/path_tracer.h"
@@ -21,12 +23,13 @@ namespace ifov::render {
 /// left to paths.
 class MirrorImages {
  public:
-  /// Null where there is nothing to look for. Keeps references. `margin_px`: a footprint's half width. The result does
+  /// Null where there is nothing to look for. Errors: Cancelled. Keeps references. `margin_px`: a footprint's half width. The result does
   /// not depend on the number of threads.
   static std::unique_ptr<const MirrorImages> find(const transport::SpectralScene& scene,
                                                   const sensor::Camera& camera,
                                                   const transport::TransportOptions& transport,
-                                                  double margin_px, std::uint64_t seed, int threads);
+                                                  double margin_px, std::uint64_t seed, int threads,
+                                                  const CancelToken* cancel = nullptr);
 
   /// For transport::TransportOptions.
   const transport::ImagesApart& apart() const { return apart_; }
@@ -64,12 +67,13 @@ class MirrorImages {
   struct Pair {
     std::size_t mirror = 0;
     std::size_t first = 0, last = 0;  // parts of one object
+    double steps = 0.0;               // across the half-angle of a part
     double work = 0.0;
   };
   enum class Outcome : std::uint8_t { apart, met, given_up };
   struct Found {
     Outcome outcome = Outcome::apart;
-    std::vector<FocalLights::Light> seen;  // of images that are added apart; without their radiance
+    std::vector<ImageRow> rows;  // of images that are added apart
   };
   void list_mirrors();
   /// Those that may matter; others are settled.
@@ -82,7 +86,7 @@ class MirrorImages {
   bool met_by_paths(const std::vector<FocalLights::Light>& seen) const;
   /// Their radiance: what paths find less what they find where they see through what is added apart.
   FocalLights weigh(transport::TransportOptions transport, std::uint64_t key,
-                    std::vector<FocalLights::Light>& seen) const;
+                    const std::vector<ImageRow>& rows) const;
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;

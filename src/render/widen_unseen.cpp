@@ -1,0 +1,23 @@
+#include "render/widen_unseen.h"
+
+#include <algorithm>
+
+namespace ifov::render {
+
+void UnseenWidening::widen(std::size_t pixel, std::span<const double> more, sampling::TileResult& tile) {
+  constexpr float kRounding = 1e-5f;
+  if (std::none_of(more.begin(), more.end(), [](double light) { return light > 0.0; })) return;
+  const std::size_t first = pixel * static_cast<std::size_t>(tile.columns);
+  for (std::size_t c = 0; c < mean_.size(); ++c) mean_[c] = static_cast<double>(tile.mean[first + c]);
+  tolerance_.asked(mean_, limit_);
+  for (std::size_t c = 0; c < mean_.size(); ++c) {
+    if (!(more[c] > negligible_ * limit_[c])) continue;
+    float& half_width = tile.half_width[first + c];
+    half_width += static_cast<float>(more[c]);
+    const auto ratio = static_cast<float>(static_cast<double>(half_width) / limit_[c]);
+    tile.worst_ratio[pixel] = std::max(tile.worst_ratio[pixel], ratio);
+    if (ratio > 1.0f + kRounding) tile.set(pixel, sampling::Reason::unseen_light);
+  }
+}
+
+}  // namespace ifov::render

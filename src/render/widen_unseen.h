@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/accuracy_tolerance.h"
+#include "sampling/tile.h"
+
+namespace ifov::render {
+
+/// Widens half-widths of finished pixels by light that may reach them and was not found. An object serves one thread.
+class UnseenWidening {
+ public:
+  /// Less than a share `negligible` of what was asked for is left alone. Keeps a reference.
+  UnseenWidening(const AccuracyTolerance& tolerance, std::size_t channels, double negligible)
+      : tolerance_(tolerance), negligible_(negligible), mean_(channels), limit_(channels) {}
+
+  /// `more`: by channel, W m-2 sr-1 um-1. A pixel that becomes wider than was asked for gets Reason::unseen_light.
+  void widen(std::size_t pixel, std::span<const double> more, sampling::TileResult& tile);
+
+ private:
+  const AccuracyTolerance& tolerance_;
+  double negligible_;
+  std::vector<double> mean_, limit_;
+};
+
+}  // namespace ifov::render
