@@ -12,9 +12,9 @@
 
 #include "core/error.h"
 #include "io/document/document.h"
-#include "render/accuracy_tolerance.h"
 #include "render/image_renderer.h"
 #include "render/tile_grid.h"
+#include "render/tolerance/accuracy_tolerance.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
 

@@ -9,16 +9,16 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "render/air_budget.h"
 #include "render/mirrors/glints.h"
 #include "render/mirrors/mirror_images.h"
-#include "render/node_budget.h"
 #include "render/object_seeds.h"
 #include "render/scene_field.h"
 #include "render/tile_grid.h"
+#include "render/tolerance/air_budget.h"
+#include "render/tolerance/node_budget.h"
 #include "render/truth_layers.h"
-#include "render/unseen_emitters.h"
-#include "render/unseen_images.h"
+#include "render/unseen/unseen_emitters.h"
+#include "render/unseen/unseen_images.h"
 #include "render/wing_light.h"
 
 namespace ifov::render {

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "core/run_control.h"
-#include "render/air_half_width.h"
 #include "render/label_detail.h"
-#include "render/node_half_width.h"
 #include "render/tile_sink.h"
 #include "render/tile_source.h"
+#include "render/tolerance/air_half_width.h"
+#include "render/tolerance/node_half_width.h"
 #include "sampling/tile.h"
 #include "transport/transport_options.h"
 

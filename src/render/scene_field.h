@@ -6,7 +6,7 @@
 #include "render/label_detail.h"
 #include "render/map_detail.h"
 #include "render/surface_label.h"
-#include "render/unseen_light.h"
+#include "render/unseen/unseen_light.h"
 #include "sampling/field.h"
 #include "sensor/camera.h"
 #include "transport/mirror_light.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/air_half_width.h"
+#include "render/tolerance/air_half_width.h"
 #include "sampling/tile.h"
 
 namespace ifov::render {

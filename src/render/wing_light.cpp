@@ -6,7 +6,7 @@
 #include <map>
 #include <numeric>
 
-#include "render/accuracy_tolerance.h"
+#include "render/tolerance/accuracy_tolerance.h"
 #include "sampling/quantiles.h"
 #include "sampling/random.h"
 #include "sampling/value_batch.h"

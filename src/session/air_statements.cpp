@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/format.h"
-#include "render/accuracy_tolerance.h"
+#include "render/tolerance/accuracy_tolerance.h"
 #include "session/loaded/parts.h"
 
 namespace ifov::session {

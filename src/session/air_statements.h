@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/run_control.h"
-#include "render/air_half_width.h"
+#include "render/tolerance/air_half_width.h"
 
 namespace ifov::session {
 

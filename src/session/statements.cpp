@@ -8,7 +8,7 @@
 #include "atmosphere/imported_atmosphere.h"
 #include "io/document/document.h"
 #include "radiometry/spectral_nodes.h"
-#include "render/accuracy_tolerance.h"
+#include "render/tolerance/accuracy_tolerance.h"
 #include "session/air_statements.h"
 #include "session/assembly/air/weather_assembly.h"
 #include "session/loaded/parts.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "radiometry/planck.h"
-#include "render/accuracy_tolerance.h"
+#include "render/tolerance/accuracy_tolerance.h"
 
 namespace ifov::render {
 namespace {

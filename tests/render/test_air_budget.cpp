@@ -6,8 +6,8 @@
 
 #include "radiometry/channel.h"
 #include "radiometry/spectral_nodes.h"
-#include "render/accuracy_tolerance.h"
-#include "render/air_budget.h"
+#include "render/tolerance/accuracy_tolerance.h"
+#include "render/tolerance/air_budget.h"
 
 namespace ifov::render {
 namespace {

@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "materials/bsdf/mirror.h"
-#include "render/accuracy_tolerance.h"
-#include "render/channel_brightness.h"
 #include "render/image_renderer.h"
+#include "render/tolerance/accuracy_tolerance.h"
+#include "render/tolerance/channel_brightness.h"
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "sampling/random.h"
 #include "sensor/orthographic_camera.h"

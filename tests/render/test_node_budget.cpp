@@ -7,8 +7,8 @@
 
 #include "radiometry/channel.h"
 #include "radiometry/spectral_nodes.h"
-#include "render/accuracy_tolerance.h"
-#include "render/node_budget.h"
+#include "render/tolerance/accuracy_tolerance.h"
+#include "render/tolerance/node_budget.h"
 #include "scene/scene.h"
 #include "transport/spectral_scene.h"
 

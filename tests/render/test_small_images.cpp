@@ -10,11 +10,11 @@
 
 #include "materials/bsdf/mirror.h"
 #include "radiometry/planck.h"
-#include "render/accuracy_tolerance.h"
-#include "render/channel_brightness.h"
 #include "render/image_renderer.h"
 #include "render/mirrors/mirror_images.h"
 #include "render/scene_field.h"
+#include "render/tolerance/accuracy_tolerance.h"
+#include "render/tolerance/channel_brightness.h"
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "sampling/random.h"
 #include "sensor/orthographic_camera.h"

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "radiometry/spectral_nodes.h"
-#include "render/accuracy_tolerance.h"
-#include "render/channel_brightness.h"
+#include "render/tolerance/accuracy_tolerance.h"
+#include "render/tolerance/channel_brightness.h"
 #include "render/wing_light.h"
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "sensor/psf.h"

@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "core/format.h"
 #include "io/document/document.h"
-#include "render/accuracy_tolerance.h"
+#include "render/tolerance/accuracy_tolerance.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
 

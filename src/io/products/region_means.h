@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/products/image_region.h"
-#include "render/air_half_width.h"
+#include "render/tolerance/air_half_width.h"
 #include "sampling/reason_words.h"
 #include "sampling/region_interval.h"
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "render/mirrors/focal_lights.h"
 #include "core/run_control.h"
+#include "render/mirrors/focal_lights.h"
 #include "render/mirrors/glint_search.h"
 #include "render/mirrors/image_rows.h"
 #include "sensor/camera.h"

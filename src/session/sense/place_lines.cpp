@@ -7,7 +7,7 @@
 #include "core/format.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
-#include "render/channel_brightness.h"
+#include "render/tolerance/channel_brightness.h"
 #include "sensor/camera.h"
 #include "session/loaded/parts.h"
 

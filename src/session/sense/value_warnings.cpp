@@ -3,8 +3,8 @@
 
 #include "core/format.h"
 #include "io/document/document.h"
-#include "render/accuracy_tolerance.h"
-#include "render/channel_brightness.h"
+#include "render/tolerance/accuracy_tolerance.h"
+#include "render/tolerance/channel_brightness.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/loaded/parts.h"
 #include "session/sense/sense_warnings.h"

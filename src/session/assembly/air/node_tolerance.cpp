@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "radiometry/planck.h"
-#include "render/accuracy_tolerance.h"
+#include "render/tolerance/accuracy_tolerance.h"
 #include "scene/scene.h"
 
 namespace ifov::session {

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "radiometry/channel.h"
-#include "render/accuracy_tolerance.h"
+#include "render/tolerance/accuracy_tolerance.h"
 #include "scene/scene.h"
 
 namespace ifov::session {

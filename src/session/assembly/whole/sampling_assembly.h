@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "radiometry/channel.h"
-#include "render/accuracy_tolerance.h"
+#include "render/tolerance/accuracy_tolerance.h"
 #include "sampling/tile.h"
 
 namespace ifov::io {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "render/node_half_width.h"
+#include "render/tolerance/node_half_width.h"
 #include "sampling/tile.h"
 
 namespace ifov::transport {

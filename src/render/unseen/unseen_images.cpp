@@ -1,11 +1,11 @@
-#include "render/unseen_images.h"
+#include "render/unseen/unseen_images.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "geometry/world.h"
-#include "render/widen_unseen.h"
+#include "render/unseen/widen_unseen.h"
 #include "sampling/random.h"
 #include "transport/mirrors/emitter_mirrors.h"
 #include "transport/mirrors/mirror_ways.h"

@@ -1,9 +1,9 @@
-#include "render/node_budget.h"
+#include "render/tolerance/node_budget.h"
 
 #include <cmath>
 #include <limits>
 
-#include "render/accuracy_tolerance.h"
+#include "render/tolerance/accuracy_tolerance.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "render/air_half_width.h"
+#include "render/tolerance/air_half_width.h"
 #include "sampling/tile.h"
 
 namespace ifov::atmosphere {

@@ -1,4 +1,4 @@
-#include "render/widen_unseen.h"
+#include "render/unseen/widen_unseen.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "render/accuracy_tolerance.h"
+#include "render/tolerance/accuracy_tolerance.h"
 #include "sampling/tile.h"
 
 namespace ifov::render {

@@ -1,11 +1,11 @@
-#include "render/air_budget.h"
+#include "render/tolerance/air_budget.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "atmosphere/sensor/sensor_atmosphere.h"
-#include "render/accuracy_tolerance.h"
+#include "render/tolerance/accuracy_tolerance.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {

@@ -1,9 +1,9 @@
-#include "render/unseen_light.h"
+#include "render/unseen/unseen_light.h"
 
 #include <algorithm>
 
-#include "render/accuracy_tolerance.h"
-#include "render/widen_unseen.h"
+#include "render/tolerance/accuracy_tolerance.h"
+#include "render/unseen/widen_unseen.h"
 #include "transport/mirrors/sun_mirrors.h"
 #include "transport/spectral_scene.h"
 

@@ -1,11 +1,11 @@
-#include "render/unseen_emitters.h"
+#include "render/unseen/unseen_emitters.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "geometry/world.h"
-#include "render/widen_unseen.h"
+#include "render/unseen/widen_unseen.h"
 #include "transport/emitter_choice.h"
 #include "transport/spectral_scene.h"
 

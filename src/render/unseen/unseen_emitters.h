@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "render/accuracy_tolerance.h"
+#include "render/tolerance/accuracy_tolerance.h"
 #include "sampling/tile.h"
 #include "sensor/camera.h"
 #include "transport/emitters.h"

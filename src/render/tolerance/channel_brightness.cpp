@@ -1,4 +1,4 @@
-#include "render/channel_brightness.h"
+#include "render/tolerance/channel_brightness.h"
 
 #include <algorithm>
 #include <cmath>

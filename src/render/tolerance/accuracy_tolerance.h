@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "render/air_half_width.h"
-#include "render/channel_brightness.h"
-#include "render/node_half_width.h"
+#include "render/tolerance/air_half_width.h"
+#include "render/tolerance/channel_brightness.h"
+#include "render/tolerance/node_half_width.h"
 #include "sampling/tolerance.h"
 
 namespace ifov::render {

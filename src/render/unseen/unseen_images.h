@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "render/accuracy_tolerance.h"
 #include "render/mirrors/mirror_images.h"
+#include "render/tolerance/accuracy_tolerance.h"
 #include "sampling/tile.h"
 #include "transport/shining_parts.h"
 

@@ -1,4 +1,4 @@
-#include "render/accuracy_tolerance.h"
+#include "render/tolerance/accuracy_tolerance.h"
 
 #include <algorithm>
 #include <cmath>
