@@ -32,7 +32,7 @@ Judged judge(const RowsScene& scene, const std::string& name, std::uint64_t seed
   const sampling::TileResult result = render_tile(session, seed);
   const std::vector<double> truth = scene.radiance();
 
-  Judged judged{file.string(), scene.description(), {}};
+  Judged judged{file.string(), format("{}, seed {}", scene.description(), seed), {}};
   for (std::size_t p = 0; p < truth.size(); ++p) {
     const double error = std::abs(static_cast<double>(result.mean[p]) - truth[p]);
     const double half_width = static_cast<double>(result.half_width[p]);
@@ -50,7 +50,7 @@ Judged judge(const RowsScene& scene, const std::string& name, std::uint64_t seed
     }
     if (!study.rows.empty())
       judged.rows +=
-          format("{},{},{},{:.8g},{:.8g},{:.4g},{:.4g},{},{}\n", name,
+          format("{},{},{},{},{:.8g},{:.8g},{:.4g},{:.4g},{},{}\n", name, seed,
                  p % static_cast<std::size_t>(scene.size_px), p / static_cast<std::size_t>(scene.size_px),
                  result.mean[p], truth[p], half_width, sigma, result.reasons[p], result.samples[p]);
   }
@@ -97,7 +97,7 @@ std::vector<RowsOutcome> run_rows_study(const RowsStudy& study) {
   std::ofstream rows;
   if (!study.rows.empty()) {
     rows.open(study.rows);
-    rows << "scene,x,y,mean,truth,half_width,sigma,reasons,samples\n";
+    rows << "scene,seed,x,y,mean,truth,half_width,sigma,reasons,samples\n";
   }
   std::vector<RowsOutcome> outcomes;
   for (const RowsScene::Form form : {RowsScene::Form::map, RowsScene::Form::boxes, RowsScene::Form::mesh}) {

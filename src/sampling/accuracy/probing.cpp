@@ -133,13 +133,16 @@ std::vector<FocalPoint> Prober::look_between(std::vector<Between> sides) {
     halves.clear();
     for (std::size_t i = 0; i < sides.size(); ++i) {
       const Between& side = sides[i];
+      const double half = 0.5 * (side.to.x_px - side.from.x_px + side.to.y_px - side.from.y_px);
       const auto pixel = static_cast<std::uint32_t>(tracer_.lattice().pixel_at(points[i]));
       const Label met = ledger_.own_label(i);
       if (met != side.first && met != side.last && tracer_.matters(pixel, side.as, labels[i])) {
         found.push_back(points[i]);
         found_labels.push_back(labels[i]);
+        // Another like it may lie where the ends of a side announce one border, and three cross it.
+        int& wanted = wanted_[pixel];
+        wanted = std::max(wanted, std::min(static_cast<int>(kSurety / half), kMostWantedBeside));
       }
-      const double half = 0.5 * (side.to.x_px - side.from.x_px + side.to.y_px - side.from.y_px);
       if (half <= options_.thinnest_px || tracer_.abandoned(pixel)) continue;
       // Another label leaves two places where something may lie between.
       if (met != side.first) halves.push_back({side.from, points[i], side.first, met, side.as});
@@ -165,6 +168,11 @@ void Prober::probe_until_clean(const std::vector<std::uint8_t>& worth) {
     if (met < narrow_px)
       wanted_[p] = std::max(wanted_[p], static_cast<int>(std::min<double>(kSurety / met, kMostWanted)));
   }
+  // What clutter holds is not followed beyond its pixel.
+  const std::vector<int> wanted = wanted_;
+  for (int p = 0; p < domain.count(); ++p)
+    if (tracer_.abandoned(static_cast<std::uint32_t>(p)))
+      want_around(p, std::clamp(wanted[p], side * side, kMostWantedBeside));
 
   std::vector<FocalPoint> points;
   std::vector<std::uint32_t> labels;
