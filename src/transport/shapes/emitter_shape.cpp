@@ -237,6 +237,29 @@ struct FacingAzimuths {
   }
 };
 
+/// Heights of a tube from 0 to 1, seen from a point at the distance of its axis in equal angles: what is near is seen wide
+/// (Kulla and Fajardo 2012, "Importance sampling techniques for path tracing in participating media", equiangular).
+struct HeightsInAngles {
+  double foot = 0.0, away = 1.0, first = 0.0, last = 1.0;
+  HeightsInAngles(const math::Transform& map, Point3 unit_from) {
+    const Vec3 axis = map.column_z();
+    const double length = math::length(axis);
+    const Vec3 to = map(unit_from) - map.origin_m();
+    foot = math::dot(to, axis) / (length * length);
+    const double radius = std::min(math::length(map.column_x()), math::length(map.column_y()));
+    away = std::max(math::length(to - foot * axis), radius) / length;
+    first = std::atan(-foot / away);
+    last = std::atan((1.0 - foot) / away);
+  }
+  double height(double u) const {
+    return std::clamp(foot + away * std::tan(first + u * (last - first)), 0.0, 1.0);
+  }
+  double density(double height) const {
+    const double above = height - foot;
+    return away / ((last - first) * (away * away + above * above));
+  }
+};
+
 /// Area vector of a tube's surface per radian and unit of height.
 Vec3 tube_area(const math::Transform& map, double azimuth) {
   return math::cross(map.column_y() * std::cos(azimuth) - map.column_x() * std::sin(azimuth), map.column_z());
@@ -245,28 +268,31 @@ Vec3 tube_area(const math::Transform& map, double azimuth) {
 }  // namespace
 
 AimedDirection EmitterShape::aim_at_cylinder(const Receiver& receiver, Point2 u) const {
-  const FacingAzimuths facing(unit_from_scene_(receiver.at_m));
-  const double azimuth = facing.middle + (2.0 * u.x - 1.0) * facing.half;
-  const Vec3 to = scene_from_unit_(Point3{std::cos(azimuth), std::sin(azimuth), u.y}) - receiver.at_m;
+  const Point3 from = unit_from_scene_(receiver.at_m);
+  const FacingAzimuths facing(from);
+  const HeightsInAngles heights(scene_from_unit_, from);
+  const double azimuth = facing.middle + (2.0 * u.x - 1.0) * facing.half, height = heights.height(u.y);
+  const Vec3 to = scene_from_unit_(Point3{std::cos(azimuth), std::sin(azimuth), height}) - receiver.at_m;
   AimedDirection aimed;
   const double distance = math::length(to);
   if (!(distance > 0.0)) return aimed;
   aimed.direction = to / distance;
   aimed.density =
-      distance * distance /
+      distance * distance * heights.density(height) /
       (2.0 * facing.half * std::abs(math::dot(tube_area(scene_from_unit_, azimuth), aimed.direction)));
   if (!std::isfinite(aimed.density)) aimed.density = 0.0;
   return aimed;
 }
 
 double EmitterShape::density_of_cylinder(const Receiver& receiver, Vec3 direction, double distance_m) const {
-  const FacingAzimuths facing(unit_from_scene_(receiver.at_m));
+  const Point3 from = unit_from_scene_(receiver.at_m);
+  const FacingAzimuths facing(from);
   const Point3 met = unit_from_scene_(receiver.at_m + direction * distance_m);
   const double azimuth = std::atan2(met.y, met.x);
   if (facing.half < pi && std::abs(std::remainder(azimuth - facing.middle, 2.0 * pi)) > facing.half)
     return 0.0;
   const double density =
-      distance_m * distance_m /
+      distance_m * distance_m * HeightsInAngles(scene_from_unit_, from).density(met.z) /
       (2.0 * facing.half * std::abs(math::dot(tube_area(scene_from_unit_, azimuth), direction)));
   return std::isfinite(density) ? density : 0.0;
 }

@@ -31,7 +31,7 @@ struct AimedDirection {
 
 /// A piece of surface as it is sampled from points about it: flat ones with straight edges uniformly in projected solid
 /// angle; balls, also unequally scaled ones, uniformly in the cone of the frame where they are spheres, and round ones
-/// above the horizon in projected solid angle; disks and tubes by area, tubes over the half that faces the point. From
+/// above the horizon in projected solid angle; disks by area; tubes over the half that faces the point, in equal angles along the axis. From
 /// within a ball nothing is drawn.
 class EmitterShape {
  public:
