@@ -93,11 +93,14 @@ bool TileWork::steer_by_more(const LeafIntegrator& integrator, const std::vector
 /// values, by which `wanted` is reckoned.
 std::uint32_t TileWork::net_size(const Radiance::Stratum& stratum, double wanted, double room) {
   constexpr double kGain = 8.0;  // about what nets save
+  constexpr double kFirst =
+      64.0;  // few values may have met something rare that says too much of the variance
   const double most =
       std::max(4.0, (room + static_cast<double>(stratum.count())) / Radiance::kStratumReplicates);
   std::uint32_t size = std::max(4u, stratum.nets.size);
-  const double target = stratum.nets.size == 0 ? wanted / kGain / Radiance::kStratumReplicates
-                                               : std::min(4.0 * size, wanted / Radiance::kStratumReplicates);
+  const double target = stratum.nets.size == 0
+                            ? std::min(kFirst, wanted / kGain / Radiance::kStratumReplicates)
+                            : std::min(4.0 * size, wanted / Radiance::kStratumReplicates);
   while (size < target && 2.0 * size <= most) size *= 2;
   return size;
 }
