@@ -67,9 +67,14 @@ std::string build_id() {
 }
 
 std::string instruction_set() {
+  // The levels' names are known to some compilers alone; these features came with them.
   __builtin_cpu_init();
-  if (__builtin_cpu_supports("x86-64-v4")) return "x86-64-v4";
-  return __builtin_cpu_supports("x86-64-v3") ? "x86-64-v3" : "x86-64";
+  const bool third = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                     __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+  const bool fourth = third && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                      __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+                      __builtin_cpu_supports("avx512vl");
+  return fourth ? "x86-64-v4" : third ? "x86-64-v3" : "x86-64";
 }
 
 }  // namespace ifov

@@ -25,7 +25,7 @@ struct LatticeValues {
     std::vector<FocalPoint> points;
     std::vector<std::uint32_t> labels;
     std::vector<float> values;  ///< [point][column]
-    const float* value(std::size_t point, std::size_t columns) const { return &values[point * columns]; }
+    const float* value(std::size_t point, std::size_t stride) const { return &values[point * stride]; }
   } look;
 
   const float* value(std::size_t vertex) const { return &values[vertex * columns]; }
