@@ -71,6 +71,13 @@ class EdgeTracer {
   /// narrower than the lattice is fine. Such a feature was met by chance.
   double narrowest_met(std::uint32_t pixel) const;
 
+  /// Label of one of the lattice's own vertices in a pixel and on its sides, from 0 to cells_per_pixel() each way.
+  std::uint32_t lattice_label(std::uint32_t pixel, int i, int j) const {
+    const Cell& first = cells_[root_cell(static_cast<int>(pixel))];
+    return root_vertices_[root_vertex(first.x, first.y) +
+                          static_cast<std::size_t>(j * (lattice_.columns() + 1) + i)];
+  }
+
   /// Side of the smallest cell that holds the point: about the width of what was traced there.
   double leaf_side_px(FocalPoint point) const { return lattice_.side_px(cells_[leaf_at(point)].level); }
 
@@ -164,6 +171,8 @@ class EdgeTracer {
   void grow();
   void classify(std::uint32_t cell, std::vector<std::uint32_t>& awaiting);
   void settle_complex(std::uint32_t cell);
+  double reach(std::int32_t x, std::int32_t y, bool vertical, bool forward, int level,
+               std::uint32_t label) const;
   bool narrow_corner(const Cell& cell) const;
   double feature_width(const Cell& cell) const;
   void end_in(std::uint32_t bracket, std::uint32_t cell);

@@ -144,43 +144,51 @@ std::uint32_t EdgeTracer::label_if_known(std::int32_t x, std::int32_t y) const {
   return fine == FlatMap::kAbsent ? kNoLabel : fine_vertices_[fine];
 }
 
-/// Whether some corner of the cell lies in a feature no wider than two cells: the next vertices of the same
-/// spacing, on both sides along a lattice line, are known and unlike it.
+/// How far along a lattice line, px, what lies at a cell's corner goes on before the label changes; infinite where the next
+/// vertex on that line is alike or not known. Beside a larger cell, which the corner is a corner of, the next vertex is that
+/// cell's.
+double EdgeTracer::reach(std::int32_t x, std::int32_t y, bool vertical, bool forward, int level,
+                         std::uint32_t label) const {
+  for (; level >= 0; --level) {
+    const std::int32_t side = Lattice::side(level), step = forward ? side : -side;
+    if (((vertical ? y : x) & (side - 1)) != 0) return INFINITY;
+    const std::uint32_t next = label_if_known(vertical ? x : x + step, vertical ? y + step : y);
+    if (next == kNoLabel) continue;
+    if (next == label) return INFINITY;
+    const std::int32_t low = forward ? 0 : side;
+    const std::uint32_t bracket =
+        known_bracket(vertical ? x : x - low, vertical ? y - low : y, vertical, level);
+    if (bracket == FlatMap::kAbsent) return 0.0;
+    const Bracket& b = brackets_[bracket];
+    return forward ? b.centre() : b.length_px - b.centre();
+  }
+  return INFINITY;
+}
+
+/// Whether some corner of the cell lies in a feature that ends within a cell's side on both sides along a lattice line.
 bool EdgeTracer::narrow_corner(const Cell& cell) const {
   const std::int32_t side = Lattice::side(cell.level);
+  const double side_px = lattice_.side_px(cell.level);
   for (int i = 0; i < 4; ++i) {
     const std::int32_t x = cell.x + kCornerX[i] * side, y = cell.y + kCornerY[i] * side;
-    const auto unlike = [&](std::int32_t nx, std::int32_t ny) {
-      const std::uint32_t label = label_if_known(nx, ny);
-      return label != kNoLabel && label != cell.corner[i];
-    };
-    if ((unlike(x - side, y) && unlike(x + side, y)) || (unlike(x, y - side) && unlike(x, y + side)))
-      return true;
+    for (const bool vertical : {false, true})
+      if (reach(x, y, vertical, false, cell.level, cell.corner[i]) <= side_px &&
+          reach(x, y, vertical, true, cell.level, cell.corner[i]) <= side_px)
+        return true;
   }
   return false;
 }
 
-/// Width of the narrowest feature that a corner of the cell lies in, by the crossings on both sides along a
-/// lattice line; infinite where none is narrower than two cells.
+/// Width of the narrowest feature that a corner of the cell lies in, along a lattice line; infinite where none ends on both
+/// sides before the next vertices.
 double EdgeTracer::feature_width(const Cell& cell) const {
   const std::int32_t side = Lattice::side(cell.level);
   double narrowest = INFINITY;
   for (int i = 0; i < 4; ++i) {
     const std::int32_t x = cell.x + kCornerX[i] * side, y = cell.y + kCornerY[i] * side;
-    for (const bool vertical : {false, true}) {
-      const auto unlike = [&](std::int32_t step) {
-        const std::uint32_t label = label_if_known(vertical ? x : x + step, vertical ? y + step : y);
-        return label != kNoLabel && label != cell.corner[i];
-      };
-      if (!unlike(-side) || !unlike(side)) continue;
-      const std::uint32_t before =
-          known_bracket(vertical ? x : x - side, vertical ? y - side : y, vertical, cell.level);
-      const std::uint32_t after = known_bracket(x, y, vertical, cell.level);
-      double width = 0.0;
-      if (before != FlatMap::kAbsent) width += brackets_[before].length_px - brackets_[before].centre();
-      if (after != FlatMap::kAbsent) width += brackets_[after].centre();
-      narrowest = std::min(narrowest, width);
-    }
+    for (const bool vertical : {false, true})
+      narrowest = std::min(narrowest, reach(x, y, vertical, false, cell.level, cell.corner[i]) +
+                                          reach(x, y, vertical, true, cell.level, cell.corner[i]));
   }
   return narrowest;
 }
