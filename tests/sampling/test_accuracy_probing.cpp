@@ -62,5 +62,31 @@ TEST(AccuracyProbing, AGapBetweenTwoThatLookAlikeIsFound) {
   }
 }
 
+// A slanted hot strip meets the lattice once on the left and once on the right of three pixels, where a chessboard makes
+// clutter of them. In the pixel between, which is traced, the lattice and most seeds' looks miss it.
+TEST(AccuracyProbing, WhatCrossesAPixelBetweenTwoOfClutterIsFound) {
+  constexpr double kHalfHeight = 0.02, kSquare = 1.0 / 48.0;
+  const auto strip = [](double x, double y) { return std::abs(y - 1.25 - 0.125 * (x - 0.5)) < kHalfHeight; };
+  const auto chess = [](double x, double y) {
+    const bool there = y > 1.55 && y < 1.95 && (x < 0.95 || x > 2.05);
+    return there && (static_cast<int>(x / kSquare) + static_cast<int>(y / kSquare)) % 2 == 0;
+  };
+  int clutter = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    ShapeField field([&](double x, double y) -> Label { return strip(x, y)   ? 2
+                                                               : chess(x, y) ? 3
+                                                                             : 1; },
+                     [](Label l, double, double, int) { return static_cast<float>(l == 1 ? kCold : kHot); });
+    Rendering render = three_by_three(seed);
+    render.options.lattice = 4;
+    render.half_width = 0.2 * kRadiancePerKelvin;
+    const TileResult result = render(field);
+    clutter += result.label_rays[3] > 1000 && result.label_rays[5] > 1000;
+    EXPECT_NEAR(result.mean[4], kCold + (kHot - kCold) * 2.0 * kHalfHeight, 0.25 * kRadiancePerKelvin)
+        << "seed " << seed;
+  }
+  EXPECT_EQ(clutter, 40);
+}
+
 }  // namespace
 }  // namespace ifov::test

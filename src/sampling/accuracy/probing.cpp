@@ -19,6 +19,10 @@ constexpr double kSurety = 4.0;
 constexpr double kNarrow = 0.25;
 /// Rounds of probes are no finer than this.
 constexpr int kFinestRound = 16;
+/// Points that are asked along a pixel's side, at most, and how far from it they lie, at most.
+constexpr int kMostAlongSide = 32;
+constexpr double kIntoPixel_px = 0.05;
+constexpr std::uint64_t kSideKey = 0x73696465;
 /// Allowed standard errors that what is too small to follow may sum up to, before the pixel is left.
 constexpr double kDismissed = 0.1;
 
@@ -154,6 +158,73 @@ std::vector<FocalPoint> Prober::look_between(std::vector<Between> sides) {
   return found;
 }
 
+/// Labels of the pixel's vertices on the lattice and of its looks and probes, and how often each was met.
+std::vector<Prober::Met> Prober::seen_in(int pixel) const {
+  const Lattice& lattice = tracer_.lattice();
+  std::vector<Met> seen(met_[pixel].begin(), met_[pixel].end());
+  const int k = lattice.cells_per_pixel();
+  for (int j = 0; j <= k; ++j)
+    for (int i = 0; i <= k; ++i) {
+      const std::uint32_t label = tracer_.lattice_label(static_cast<std::uint32_t>(pixel), i, j);
+      const auto at = std::find_if(seen.begin(), seen.end(), [&](const Met& m) { return m.label == label; });
+      if (at != seen.end())
+        ++at->count;
+      else
+        seen.push_back({label, 1});
+    }
+  return seen;
+}
+
+/// Points of a traced pixel along its side towards one of clutter, as close as what the clutter holds and the pixel has not
+/// met is wide; none where it has met it all.
+void Prober::points_along_side(int pixel, int dx, int dy, const std::vector<Met>& beyond,
+                               std::vector<FocalPoint>& points) const {
+  const PixelRect& domain = tracer_.lattice().domain();
+  const std::vector<Met> seen = seen_in(pixel);
+  std::uint32_t all = 0, least = ~std::uint32_t{0};
+  for (const Met& met : beyond) {
+    all += met.count;
+    if (std::none_of(seen.begin(), seen.end(), [&](const Met& m) { return m.label == met.label; }))
+      least = std::min(least, met.count);
+  }
+  if (least == ~std::uint32_t{0}) return;
+  const int count = std::min(static_cast<int>((all + least - 1) / least), kMostAlongSide);
+  const int x = domain.x0 + pixel % domain.width(), y = domain.y0 + pixel / domain.width();
+  const std::uint64_t key = hash(seed_, kSideKey, x, y, 3 * dy + dx);
+  for (int i = 0; i < count; ++i) {
+    const double along = (i + unit_double(key)) / count, into = kIntoPixel_px * unit_double(hash(key, i));
+    const auto at = [&](int d) { return d < 0 ? into : d > 0 ? 1.0 - into : along; };
+    points.push_back({x + at(dx), y + at(dy)});
+  }
+}
+
+/// Nothing is followed out of clutter: what it holds is sought in the traced pixels beside it, and beside those that become
+/// clutter by that.
+void Prober::look_beside_clutter(const std::vector<std::uint8_t>& worth) {
+  const PixelRect& domain = tracer_.lattice().domain();
+  std::vector<std::uint8_t> left(static_cast<std::size_t>(domain.count()), 0);
+  std::vector<FocalPoint> points;
+  std::vector<std::uint32_t> labels;
+  for (;;) {
+    points.clear();
+    for (int p = 0; p < domain.count(); ++p) {
+      if (left[p] || !tracer_.abandoned(static_cast<std::uint32_t>(p))) continue;
+      left[p] = 1;
+      const std::vector<Met> seen = seen_in(p);
+      for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        const int x = p % domain.width() + dx, y = p / domain.width() + dy, q = y * domain.width() + x;
+        if (x < 0 || y < 0 || x >= domain.width() || y >= domain.height() || !worth[q] ||
+            tracer_.abandoned(static_cast<std::uint32_t>(q)))
+          continue;
+        points_along_side(q, -dx, -dy, seen, points);
+      }
+    }
+    if (points.empty()) return;
+    tracer_.ask_at(points, labels, Purpose::probe);
+    take_in(points, labels, reconcile(points, labels));
+  }
+}
+
 void Prober::probe_until_clean(const std::vector<std::uint8_t>& worth) {
   const PixelRect& domain = tracer_.lattice().domain();
   const int width = domain.width(), side = options_.probes_per_side;
@@ -168,12 +239,7 @@ void Prober::probe_until_clean(const std::vector<std::uint8_t>& worth) {
     if (met < narrow_px)
       wanted_[p] = std::max(wanted_[p], static_cast<int>(std::min<double>(kSurety / met, kMostWanted)));
   }
-  // What clutter holds is not followed beyond its pixel.
-  const std::vector<int> wanted = wanted_;
-  for (int p = 0; p < domain.count(); ++p)
-    if (tracer_.abandoned(static_cast<std::uint32_t>(p)))
-      want_around(p, std::clamp(wanted[p], side * side, kMostWantedBeside));
-
+  look_beside_clutter(worth);
   std::vector<FocalPoint> points;
   std::vector<std::uint32_t> labels;
   for (int round = 0; round < options_.max_probe_rounds; ++round) {

@@ -58,6 +58,10 @@ class Prober {
                                       const std::vector<std::uint32_t>& labels);
   void note(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels);
   void want_around(int pixel, int rays);
+  std::vector<Met> seen_in(int pixel) const;
+  void points_along_side(int pixel, int dx, int dy, const std::vector<Met>& beyond,
+                         std::vector<FocalPoint>& points) const;
+  void look_beside_clutter(const std::vector<std::uint8_t>& worth);
   void take_in_expected(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels);
   void take_in(const std::vector<FocalPoint>& points, const std::vector<std::uint32_t>& labels,
                const std::vector<std::uint8_t>& contradicted);
