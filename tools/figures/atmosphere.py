@@ -12,7 +12,7 @@ def draw_gases():
     um, water, carbon, ozone, oxygen, every = (np.array(c) for c in columns("gases", "gas"))
     ax = axes[0]
     ax.fill_between(um, 0, every, color=PALE, lw=0, label="all gases")
-    for values, name, colour, style in ((water, "H₂O with continuum", BLUE, "-"), (carbon, "CO₂", RED, "-"), (ozone, "O₃", BLACK, "--"),
+    for values, name, colour, style in ((water, "H₂O with continuum", BLUE, "-"), (carbon, "CO₂", RED, "-."), (ozone, "O₃", BLACK, "--"),
                                         (oxygen, "O₂, pairs", ORANGE, "-")):
         shown = np.where(values < 0.995, values, np.nan)
         ax.semilogx(um, shown, color=colour, ls=style, lw=0.9, label=name)
@@ -43,7 +43,7 @@ def draw_gases():
     other.semilogx(x, exact, color=BLACK, lw=0.8, ls=":")
     other.set_ylim(0, 1.12)
     other.set_yticks([])
-    other.text(8e2, 0.2, "dotted: exp(−x^a), from 1 to 0", ha="right", fontsize=7.5, color="#333333")
+    other.text(1.3e-5, 0.05, "dotted: exp(−x^a), from 1 to 0", fontsize=7.5, color="#333333")
     save(fig, "theory", "atmosphere", __file__)
 
 
@@ -67,7 +67,7 @@ def draw_scattering():
     angle_arc(ax, tuple(foot), 26, 90, 152, "arccos μ₀", text_radius=32, colour=RED)
     view = np.array([np.sin(np.radians(40)), np.cos(np.radians(40))])
     arrow(ax, foot, foot + 66 * view, BLUE, 1.4)
-    ax.text(*(foot + 66 * view + (1, -5)), "to the\nsensor", color=BLUE, linespacing=1.15, fontsize=8)
+    ax.text(*(foot + 66 * view + (4, -1)), "to the\nsensor", color=BLUE, linespacing=1.15, fontsize=8)
     angle_arc(ax, tuple(foot), 22, 50, 90, "arccos μ", text_radius=33, colour=BLUE)
     for k in range(1, 5):
         ax.plot([foot[0] + 12 * k * np.tan(np.radians(40)) - 6, foot[0] + 12 * k * np.tan(np.radians(40)) + 6], [foot[1] + 12 * k] * 2, color=BLUE, lw=0.9)

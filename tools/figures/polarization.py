@@ -67,20 +67,19 @@ def draw_frame(ax):
 
 def draw_fresnel(ax):
     angle, p, s = (np.array(c) for c in columns("fresnel", "water"))
-    ax.plot(angle, s, color=BLACK)
-    ax.plot(angle, p, color=BLUE, ls="--")
-    ax.plot(angle, (s - p) / (s + p), color=RED, ls="-.")
+    ax.plot(angle, s, color=BLACK, label="|r_s|²")
+    ax.plot(angle, p, color=BLUE, ls="--", label="|r_p|²")
+    ax.plot(angle, (s - p) / (s + p), color=RED, ls="-.", label="polarization")
     brewster = np.degrees(np.arctan(1.333))
-    ax.axvline(brewster, color=GREY, lw=0.7, zorder=0)
-    ax.text(brewster - 2, 0.4, f"Brewster, {brewster:.1f}°", rotation=90, ha="right", va="center", fontsize=7.5, color="#555555")
+    ax.axvline(brewster, ymax=0.67, color=GREY, lw=0.7, zorder=0)
+    ax.text(brewster - 1.5, 0.5, f"Brewster, {brewster:.1f}°", rotation=90, ha="right", va="center", fontsize=7.5, color="#555555")
     ax.set_xlim(0, 90)
-    ax.set_ylim(0, 1.02)
+    ax.set_ylim(0, 1.5)
     ax.set_xticks([0, 30, 60, 90])
     ax.set_xlabel("angle of incidence, °")
     ax.set_title("(c) water, m = 1.333")
-    ax.text(72, 0.29, "|r_s|²", ha="right")
-    ax.text(77, 0.015, "|r_p|²", color=BLUE)
-    ax.text(3, 0.72, "degree of\npolarization", color=RED, fontsize=8, linespacing=1.2)
+    ax.set_yticks([0, 0.5, 1])
+    ax.legend(loc="upper left", fontsize=7.5, handlelength=2.4, borderaxespad=0, labelspacing=0.25)
 
 
 def draw():
