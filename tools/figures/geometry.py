@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from style import BLACK, BLUE, GREY, PAGE_WIDTH, PALE, RED, plt, save
+from style import BLACK, GREY, PAGE_WIDTH, PALE, RED, plt, save
 
 HEIGHTS = np.array([  # metres, at the corners [row, column]
     [1.0, 1.4, 1.2, 0.9, 1.3, 2.0, 2.6, 2.2],

@@ -3,7 +3,7 @@
 import numpy as np
 
 from data import columns, lines
-from style import BLACK, BLUE, GREY, PAGE_WIDTH, PALE, RED, plt, save
+from style import BLACK, GREY, PAGE_WIDTH, PALE, RED, plt, save
 
 
 def draw():

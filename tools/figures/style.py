@@ -16,7 +16,6 @@ PAGE_WIDTH = 7.2  # inches
 # Apart in greyscale, too, and for those who see colours differently (after Okabe and Ito): from dark to light.
 BLACK, BLUE, RED, ORANGE, SKY, GREY = "#000000", "#0b4f8a", "#c4451c", "#e69f00", "#6bb5e8", "#8c8c8c"
 PALE, PALER = "#dfe6ee", "#f2f5f8"
-LINES = ["-", "--", "-.", ":"]
 
 plt.rcParams.update({
     "svg.fonttype": "none", "svg.hashsalt": "ifov", "font.family": "DejaVu Sans", "mathtext.fontset": "dejavusans",

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from style import BLACK, BLUE, GREY, PAGE_WIDTH, PALE, RED, plt, save
+from style import BLACK, BLUE, GREY, PAGE_WIDTH, RED, plt, save
 
 LINE = np.array([-1.35, -0.55, 0.25, 1.65])
 PLANE = np.array([(-1.3, -0.9), (-0.6, 0.7), (0.3, -0.5), (0.5, 1.0), (1.1, -0.3)])
