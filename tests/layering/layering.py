@@ -93,6 +93,35 @@ def violations(source, rules):
     return found
 
 
+NO_CODE = "*no code yet:*"
+
+
+def emptiness_faults(page, source):
+    """Rooms that the page says are empty and are not, or the other way round."""
+    found = []
+    for row in table_rows(page, "level"):
+        room = re.findall(r"`([^`]+)`", row[1])[0]
+        has_code = any(file.suffix in SOURCES for file in (source / room).rglob("*")) if (source / room).is_dir() else False
+        if has_code == (NO_CODE in row[2]):
+            found.append(f"{room}: {'has code' if has_code else 'has no code'}, and the page says otherwise")
+    return found
+
+
+def folder_table_faults(page, source):
+    """Folders of rooms that the page's table of folders does not name, and names of folders that there are not."""
+    named = {re.findall(r"`([^`]+)`", row[0])[0]: re.findall(r"`([a-z_/]+)`", row[1]) for row in table_rows(page, "room")}
+    found = []
+    for room in sorted(path for path in source.iterdir() if path.is_dir()):
+        folders = {str(path.relative_to(room)) for path in room.rglob("*")
+                   if path.is_dir() and any(file.suffix in SOURCES for file in path.iterdir())}
+        names = named.pop(room.name, [])
+        is_named = lambda folder, names=names: any(folder == name or folder.endswith("/" + name) for name in names)
+        found += [f"{room.name}/{folder} is not in the table" for folder in sorted(folders) if not is_named(folder)]
+        found += [f"{room.name} has no folder '{name}'" for name in names
+                  if not any(folder == name or folder.endswith("/" + name) for folder in folders)]
+    return found + [f"{room} is no room of src" for room in named]
+
+
 SOURCES = (".h", ".hpp", ".cpp", ".cc", ".inl")
 MOST_FILES = 40
 

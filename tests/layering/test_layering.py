@@ -11,14 +11,17 @@ sys.path.insert(0, str(HERE))
 
 from layering import (  # noqa: E402
     crowded_folders,
+    emptiness_faults,
     folder_circles,
+    folder_table_faults,
     public_violations,
     read_rules,
     violations,
     without_comments_and_strings,
 )
 
-RULES = read_rules((ROOT / "docs/developer/architecture.md").read_text())
+PAGE = (ROOT / "docs/developer/architecture.md").read_text()
+RULES = read_rules(PAGE)
 
 
 class SourceTree(unittest.TestCase):
@@ -42,8 +45,29 @@ class SourceTree(unittest.TestCase):
         self.assertEqual(crowded_folders(ROOT / "src"), [])
         self.assertEqual(folder_circles(ROOT / "src"), [])
 
+    def test_the_page_says_which_rooms_are_empty_and_which_folders_there_are(self):
+        self.assertEqual(emptiness_faults(PAGE, ROOT / "src"), [])
+        self.assertEqual(folder_table_faults(PAGE, ROOT / "src"), [])
+
 
 class PlantedFolders(unittest.TestCase):
+    def test_a_page_that_is_not_true_is_found(self):
+        page = ("| level | folder | what |\n|---|---|---|\n| 1 | `math` | vectors |\n| 3 | `sensor` | cameras |\n"
+                "| 5 | `thermal` | *no code yet:* balance |\n\n| room | folders |\n|---|---|\n| `math` | `solid/a`, `b` (see `c`) |\n")
+        with tempfile.TemporaryDirectory() as name:
+            source = pathlib.Path(name)
+            for path in ("math/solid/a/x.h", "math/b/y.h", "math/b/c/z.cpp"):
+                (source / path).parent.mkdir(parents=True, exist_ok=True)
+                (source / path).write_text("")
+            self.assertEqual(emptiness_faults(page, source), ["sensor: has no code, and the page says otherwise"])
+            self.assertEqual(folder_table_faults(page, source), [])
+            for path in ("thermal/x.h", "sensor/x.h", "sensor/lens/x.h"):
+                (source / path).parent.mkdir(parents=True, exist_ok=True)
+                (source / path).write_text("")
+            (source / "math/b/c/z.cpp").unlink()
+            self.assertEqual(emptiness_faults(page, source), ["thermal: has code, and the page says otherwise"])
+            self.assertEqual(folder_table_faults(page, source), ["math has no folder 'c'", "sensor/lens is not in the table"])
+
     def test_a_circle_of_folders_is_found(self):
         with tempfile.TemporaryDirectory() as name:
             source = pathlib.Path(name)
