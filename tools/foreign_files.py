@@ -65,7 +65,7 @@ def texture(file):
 
 def scattered(file):
     scatter = {"of": "post", "density": {"file": file, "unit": "0.0001 m-2", **PLACED}, "area": AREA}
-    return [("scene.prototypes", {"post": [POST]}), ("scene.objects", [{"scatter": scatter}])]
+    return [("scene.prototypes", {"post": [POST]}), ("scene.objects", [{"random_placement": scatter}])]
 
 
 def materials(key, value):
@@ -77,7 +77,7 @@ MESHES = {
     "mesh": thing(lambda file: {"mesh": {"file": file}}),
     "mesh in cm": thing(lambda file: {"mesh": {"file": file, "unit": "cm", "up": "y"}}),
     "prototype": lambda file: [("scene.prototypes", {"post": [{"mesh": {"file": file}, "material": "ground"}]}),
-                               ("scene.objects", [{"scatter": {"of": "post", "density": "0.1 m-2", "area": AREA}}])],
+                               ("scene.objects", [{"random_placement": {"of": "post", "density": "0.1 m-2", "area": AREA}}])],
 }
 RASTERS = {
     "elevation": thing(lambda file: {"terrain": {"file": file, "nodata": "fill", **PLACED}}),

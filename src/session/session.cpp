@@ -47,6 +47,13 @@ void place_response(Parts& parts) {
     parts.psf_cut = 1.0 - psf->kept();
 }
 
+void warn_of_former_keys(const io::Document& document, LogSink& log) {
+  for (const io::FormerKey& key : document.former_keys)
+    log.warn(format("{}line {}: '{}' is called '{}' now; its former name is read in this version only",
+                    key.position.file == document.file_name ? "" : key.position.file + ", ",
+                    key.position.line, key.former, key.name));
+}
+
 /// Passes on what is said, and keeps the warnings.
 class KeptWarnings final : public LogSink {
  public:
@@ -83,6 +90,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   };
   KeptWarnings kept(outer_log, p.warnings);
   LogSink* const log = &kept;
+  warn_of_former_keys(document, *log);
   std::optional<io::SceneCache> cache;
   if (options.scene_cache)
     cache.emplace(std::filesystem::path(document.file_name).replace_extension(".ifovcache"), version(), log);

@@ -21,7 +21,7 @@ std::string asked(double error_c, std::string_view more = "") {
   return accuracy_sampling(radiance_of_error(error_c), format(", \"lattice\": 2{}", more));
 }
 
-constexpr std::string_view kNoSeeds = ", \"seeds\": false";
+constexpr std::string_view kNoSeeds = ", \"pilot_rays\": false";
 
 std::vector<TrialSeries> all_series() {
   return {{"dome, 0.1 °C", Family::dome, asked(0.1)},

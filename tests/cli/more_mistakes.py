@@ -26,7 +26,7 @@ def with_trees(entry):
 
 def scatter(**keys):
     area = {"low": ["-5 m", "-5 m"], "high": ["5 m", "5 m"]}
-    return with_trees({"scatter": {"of": "tree", "density": "0.1 m-2", "area": area, **keys}})
+    return with_trees({"random_placement": {"of": "tree", "density": "0.1 m-2", "area": area, **keys}})
 
 
 def house(**transform):
@@ -109,7 +109,7 @@ MISTAKES = [
     ("a list of x and y", with_trees({"instances": {"of": "tree", "csv": "xy.csv"}}), ERROR, "xy.csv:2: found 2 fields; expected 3, 4, 5 or 7 numbers"),
     ("a list that begins with numbers of trees", with_trees({"instances": {"of": "tree", "csv": "numbered.csv"}}), ERROR, "numbered.csv:1:4: found 'x' as column 2"),
     ("copies of no size", with_trees({"instances": {"of": "tree", "csv": "flat.csv"}}), ERROR, "flat.csv:1:9: the scale is 0"),
-    ("a density so low that nothing stands", scatter(density="0.1 ha-1"), WARNING, "scatter of .*tree.*: no copies stand there, 0.001 are expected on its 100 m2"),
+    ("a density so low that nothing stands", scatter(density="0.1 ha-1"), WARNING, "random placement of .*tree.*: no copies stand there, 0.001 are expected on its 100 m2"),
     ("a density without a unit", scatter(density=0.1), ERROR, 'expected a density above 0 m-2, such as "300 ha-1"'),
     ("trees closer than they may stand", scatter(density="1 m-2", minimum_distance="4 m"), WARNING, "at a distance of 4 m at least, .* stand, not 1e\\+04 ha-1 as asked for"),
     ("trees on what has no name", scatter(on="terrain"), ERROR, "there is no object with a shape of its own 'terrain' \\(declared: 'house'\\)"),

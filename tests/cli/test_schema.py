@@ -30,7 +30,7 @@ WHOLE = {
         "prototypes": {"hut": [{"box": {"low": ["0 m", "0 m", "0 m"], "high": ["1 m", "1 m", "1 m"]}, "material": "roof"}]},
         "objects": [
             {"plane": {"height": "0 m"}, "material": "soil"},
-            {"name": "ball", "sphere": {"center": ["0 m", "0 m", "1 m"], "radius": "50 cm"}, "material": "roof", "seed": True},
+            {"name": "ball", "sphere": {"center": ["0 m", "0 m", "1 m"], "radius": "50 cm"}, "material": "roof", "pilot_ray": True},
             {
                 "cylinder": {"base": ["3 m", "0 m", "0 m"], "height": "1 m", "radius": "1 ft", "capped": False},
                 "material": "roof",

@@ -121,7 +121,7 @@ std::vector<std::string> document_seeds() {
   return {
       io::read_input(IFOV_SOURCE_DIR "/examples/demo.json"),
       R"({"ifov": 1, "scene": {"origin": {"easting": "84616 m", "northing": "447422 m"}, "materials": {"a": {"reflectance": 0.5}},
-"objects": [{"plane": {"height": "-1 m"}, "material": "a", "seed": false},
+"objects": [{"plane": {"height": "-1 m"}, "material": "a", "pilot_ray": false},
 {"mesh": {"file": "a.ply", "up": "y", "unit": "cm"}, "material": "a", "transform": {"rotate": {"angle": "3 deg"}, "scale": [1, 2, 3]}}]},
 "light": {"sky": {"radiance": "10 W m-2 sr-1 um-1"}}, "sensor": {"camera": {"orthographic": {"gsd": "1 m", "pixels": [4, 4]}},
 "channels": [{"gaussian": {"center": "0.55 um", "fwhm": "20 nm"}}]}, "sampling": {"grid": {"elements": [2, 2]}}})"};

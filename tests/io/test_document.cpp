@@ -132,7 +132,7 @@ TEST(Document, Bindings) {
 
 TEST(Document, TransformsAndTemperatures) {
   const ObjectDocument object = parsed_with("{\"plane\": {}, \"material\": \"soil\"}",
-                                            R"({"plane": {}, "material": "soil", "seed": false,
+                                            R"({"plane": {}, "material": "soil", "pilot_ray": false,
                       "temperature": {"map": {"file": "t.tif", "unit": "degC"}},
                       "transform": {"translate": ["1 m", "0 m", "0 m"], "rotate": {"angle": "90 deg"}, "scale": 2}})")
                                     .scene.objects[0];

@@ -12,12 +12,13 @@ const std::string kInstances = R"({"instances": {"of": "tree", "at": [["1 m", "1
 const std::string kArea = R"("area": {"low": ["-10 m", "-20 m"], "high": ["30 m", "1 km"]})";
 
 Document scattered(const std::string& keys) {
-  return test::parsed_with(kInstances, R"({"scatter": {)" + keys + "}}");
+  return test::parsed_with(kInstances, R"({"random_placement": {)" + keys + "}}");
 }
 
 /// The message without the excerpt.
 std::string message(const std::string& keys, const std::string& beside = "") {
-  const std::string all = test::message_with(kInstances, R"({"scatter": {)" + keys + "}" + beside + "}");
+  const std::string all =
+      test::message_with(kInstances, R"({"random_placement": {)" + keys + "}" + beside + "}");
   return all.substr(0, all.find('\n'));
 }
 
@@ -68,27 +69,29 @@ TEST(DocumentScatter, Messages) {
   const std::string tree = R"("of": "tree", )", density = R"("density": "1 m-2", )";
   EXPECT_EQ(
       message(tree + R"("density": "3", )" + kArea),
-      "folder/a.json:25:45: 'scene.objects[2].scatter.density' is the text \"3\" without a unit, expected a "
+      "folder/a.json:25:54: 'scene.objects[2].random_placement.density' is the text \"3\" without a unit, expected a "
       "density above 0 m-2, such as \"300 ha-1\" (units: m-2, ha-1, km-2)");
-  EXPECT_EQ(message(tree + R"("density": "3 per acre", )" + kArea),
-            "folder/a.json:25:45: 'scene.objects[2].scatter.density' is the text \"3 per acre\": 'per acre' "
-            "is not a "
-            "unit of density. Units: m-2, ha-1, km-2");
+  EXPECT_EQ(
+      message(tree + R"("density": "3 per acre", )" + kArea),
+      "folder/a.json:25:54: 'scene.objects[2].random_placement.density' is the text \"3 per acre\": 'per acre' "
+      "is not a "
+      "unit of density. Units: m-2, ha-1, km-2");
   EXPECT_EQ(
       message(tree + density + R"("area": {"low": ["0 m", "0 m"], "high": ["0 m", "5 m"]})"),
-      "folder/a.json:25:94: 'scene.objects[2].scatter.area.high' is not above 'low' in both coordinates");
-  EXPECT_EQ(message(tree + density + R"("scale": [2, 1], )" + kArea),
-            "folder/a.json:25:63: 'scene.objects[2].scatter.scale' falls: the smaller factor comes first");
+      "folder/a.json:25:103: 'scene.objects[2].random_placement.area.high' is not above 'low' in both coordinates");
+  EXPECT_EQ(
+      message(tree + density + R"("scale": [2, 1], )" + kArea),
+      "folder/a.json:25:72: 'scene.objects[2].random_placement.scale' falls: the smaller factor comes first");
   EXPECT_EQ(message(R"("of": "oak", )" + density + kArea),
-            "folder/a.json:25:26: there is no prototype 'oak' (declared: 'tree')");
+            "folder/a.json:25:35: there is no prototype 'oak' (declared: 'tree')");
   EXPECT_EQ(message(R"("of": [{"prototype": "tree"}, {"prototype": "tre"}], )" + density + kArea),
-            "folder/a.json:25:64: there is no prototype 'tre'; did you mean 'tree'? (declared: 'tree')");
+            "folder/a.json:25:73: there is no prototype 'tre'; did you mean 'tree'? (declared: 'tree')");
   EXPECT_EQ(message(tree + density + R"("on": "bal", )" + kArea),
-            "folder/a.json:25:60: there is no object with a shape of its own 'bal'; did you mean 'ball'? "
+            "folder/a.json:25:69: there is no object with a shape of its own 'bal'; did you mean 'ball'? "
             "(declared: "
             "'ball')");
   EXPECT_EQ(message(tree + R"("density": {"file": "a.tif", "by": "texture coordinates"}, )" + kArea),
-            "folder/a.json:25:63: a density map lies by place");
+            "folder/a.json:25:72: a density map lies by place");
 }
 
 TEST(DocumentScatter, WrongKeysAreNamed) {
@@ -104,11 +107,38 @@ TEST(DocumentScatter, WrongKeysAreNamed) {
   expect_in("'material'", message(tree + kArea, R"(, "material": "leaf")"));
 }
 
+TEST(DocumentScatter, IsReadUnderItsFormerName) {
+  const std::string keys = R"({"of": "tree", "density": "250 ha-1", )" + kArea;
+  const Document document = test::parsed_with(kInstances, R"({"scatter": )" + keys + R"(}, "seed": false})");
+  const auto& scatter = std::get<ScatterShape>(document.scene.objects.at(2).shape);
+  EXPECT_DOUBLE_EQ(std::get<double>(scatter.density_m2), 0.025);
+  EXPECT_EQ(document.scene.objects.at(2).seed, false);
+  ASSERT_EQ(document.former_keys.size(), 2u);
+  EXPECT_EQ(document.former_keys[0].former, "scatter");
+  EXPECT_EQ(document.former_keys[0].name, "random_placement");
+  EXPECT_EQ(document.former_keys[0].position.line, 25);
+  EXPECT_EQ(document.former_keys[0].position.column, 8);
+  EXPECT_EQ(document.former_keys[1].name, "pilot_ray");
+  // The text is kept as it was written, and so are paths in messages.
+  EXPECT_NE(document.text->find(R"("scatter":)"), std::string::npos);
+  const auto error = [&](const std::string& object) {
+    const std::string all = test::message_with(kInstances, object);
+    return all.substr(0, all.find('\n'));
+  };
+  EXPECT_EQ(error(R"({"scatter": )" + keys + R"(, "scale": [2, 1]}})").substr(0, 70),
+            "folder/a.json:25:129: 'scene.objects[2].scatter.scale' falls: the smal");
+  EXPECT_EQ(error(R"({"scatter": )" + keys + R"(}, "seed": false, "pilot_ray": true})"),
+            "folder/a.json:25:121: 'seed' is the former name of 'pilot_ray', which is there too");
+  EXPECT_EQ(error(R"({"scatter": )" + keys + R"(}, "instances": {"of": "tree"}})"),
+            "folder/a.json:25:121: 'instances' cannot stand beside 'scatter' in 'scene.objects[2]'");
+  EXPECT_TRUE(test::parsed_with(kInstances, R"({"random_placement": )" + keys + "}}").former_keys.empty());
+}
+
 TEST(DocumentScatter, StandsInTheSceneOnly) {
-  const std::string text =
-      test::message_with(R"("tree": [{)", R"("wood": [{"scatter": {"of": "tree", "density": "1 m-2", )" +
-                                              kArea + R"(}}], "tree": [{)");
-  EXPECT_NE(text.find("a prototype cannot hold a scatter"), std::string::npos) << text;
+  const std::string text = test::message_with(
+      R"("tree": [{)",
+      R"("wood": [{"random_placement": {"of": "tree", "density": "1 m-2", )" + kArea + R"(}}], "tree": [{)");
+  EXPECT_NE(text.find("a prototype cannot hold a random placement"), std::string::npos) << text;
 }
 
 }  // namespace

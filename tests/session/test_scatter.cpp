@@ -80,10 +80,10 @@ const std::string kGround = R"({"name": "ground", "terrain": {"file": "slope.asc
 
 TEST_F(Scattered, StandsOnATerrain) {
   write_grid("slope.asc", 4, 4, kSlope);
-  const Session session =
-      load(kGround + R"(, {"scatter": {"of": "tree", "density": "0.05 m-2", "minimum_distance": "2 m",
+  const Session session = load(
+      kGround + R"(, {"random_placement": {"of": "tree", "density": "0.05 m-2", "minimum_distance": "2 m",
     "on": "ground", "scale": [0.8, 1.2], )" +
-           kArea + "}}");
+      kArea + "}}");
   const auto trees = copies(session);
   EXPECT_NEAR(static_cast<double>(trees.size()), 180.0, 4.0 * std::sqrt(180.0));
   double smallest = 1e9, largest = 0.0, nearest = 1e9;
@@ -103,17 +103,18 @@ TEST_F(Scattered, StandsOnATerrain) {
   EXPECT_LT(smallest, 0.43);
   EXPECT_GT(largest, 0.57);
   EXPECT_LT(largest, 0.6 + 1e-9);
-  expect_in(format("scatter of 'tree': {} copies, {:.4g} ha-1 (asked for: 500 ha-1)", trees.size(),
+  expect_in(format("random placement of 'tree': {} copies, {:.4g} ha-1 (asked for: 500 ha-1)", trees.size(),
                    static_cast<double>(trees.size()) / 0.36),
             log_.text);
-  EXPECT_EQ(log_.text.find("warning: scatter"), std::string::npos) << log_.text;
+  EXPECT_EQ(log_.text.find("warning: random placement"), std::string::npos) << log_.text;
 }
 
 TEST_F(Scattered, LeavesOutPlacesWithoutGround) {
   write_grid("slope.asc", 4, 4,
              "100 100 -9999 -9999\n100 100 -9999 -9999\n100 100 -9999 -9999\n100 100 -9999 -9999");
-  const Session session = load(
-      kGround + R"(, {"scatter": {"of": "tree", "density": "0.05 m-2", "on": "ground", )" + kArea + "}}");
+  const Session session =
+      load(kGround + R"(, {"random_placement": {"of": "tree", "density": "0.05 m-2", "on": "ground", )" +
+           kArea + "}}");
   const auto trees = copies(session);
   EXPECT_GT(trees.size(), 20u);
   for (const auto& tree : trees) EXPECT_LT(tree.centre_m.x, -9.9);
@@ -122,12 +123,12 @@ TEST_F(Scattered, LeavesOutPlacesWithoutGround) {
 
 TEST_F(Scattered, StandsOnAPlaneOrAtAHeight) {
   const Session plane =
-      load(R"({"name": "lawn", "plane": {"height": "103 m"}, "material": "soil"}, {"scatter":
+      load(R"({"name": "lawn", "plane": {"height": "103 m"}, "material": "soil"}, {"random_placement":
     {"of": "tree", "density": "0.05 m-2", "on": "lawn", )" +
            kArea + "}}");
   ASSERT_GT(copies(plane).size(), 100u);
   for (const auto& tree : copies(plane)) EXPECT_NEAR(tree.centre_m.z, 3.0, 1e-6);
-  const Session height = load(R"({"plane": {"height": "103 m"}, "material": "soil"}, {"scatter":
+  const Session height = load(R"({"plane": {"height": "103 m"}, "material": "soil"}, {"random_placement":
     {"of": "tree", "density": "0.05 m-2", "height": "102 m", )" +
                               kArea + "}}");
   ASSERT_EQ(copies(height).size(), copies(plane).size());
@@ -140,7 +141,7 @@ TEST_F(Scattered, StandsOnAPlaneOrAtAHeight) {
 TEST_F(Scattered, FollowsADensityMap) {
   // From the north: nothing, then 1 (a density of 0.1 m-2), a cell without a number, 0.25.
   write_grid("cover.asc", 2, 2, "0 1\n-9999 0.25");
-  const Session session = load(R"({"plane": {"height": "100 m"}, "material": "soil"}, {"scatter":
+  const Session session = load(R"({"plane": {"height": "100 m"}, "material": "soil"}, {"random_placement":
     {"of": "tree", "density": {"file": "cover.asc", "unit": "0.1 m-2"},
      "area": {"low": ["1000 m", "2000 m"], "high": ["1040 m", "2040 m"]}}})");
   double north_east = 0.0, south_east = 0.0;
@@ -155,7 +156,7 @@ TEST_F(Scattered, FollowsADensityMap) {
   write_grid("cover.asc", 2, 2, "0 1\n-3 0.25");
   try {
     load(
-        R"({"plane": {}, "material": "soil"}, {"scatter": {"of": "tree", "density": {"file": "cover.asc"}, )" +
+        R"({"plane": {}, "material": "soil"}, {"random_placement": {"of": "tree", "density": {"file": "cover.asc"}, )" +
         kArea + "}}");
     FAIL();
   } catch (const InputError& error) {
@@ -165,11 +166,11 @@ TEST_F(Scattered, FollowsADensityMap) {
 }
 
 TEST_F(Scattered, SaysWhereDistanceAndDensityContradict) {
-  const Session session = load(R"({"plane": {"height": "100 m"}, "material": "soil"}, {"scatter":
+  const Session session = load(R"({"plane": {"height": "100 m"}, "material": "soil"}, {"random_placement":
     {"of": "tree", "density": "900 ha-1", "minimum_distance": "4 m", )" +
                                kArea + "}}");
   expect_in(
-      "warning: scatter of 'tree': at a distance of 4 m at least, 391.8 ha-1 stand, not 900 ha-1 as asked "
+      "warning: random placement of 'tree': at a distance of 4 m at least, 391.8 ha-1 stand, not 900 ha-1 as asked "
       "for on 100 % of "
       "the area; lower 'density' or 'minimum_distance'",
       log_.text);
@@ -177,7 +178,7 @@ TEST_F(Scattered, SaysWhereDistanceAndDensityContradict) {
 }
 
 TEST_F(Scattered, MixesPrototypesByWeight) {
-  const Session session = load(R"({"plane": {"height": "100 m"}, "material": "soil"}, {"scatter":
+  const Session session = load(R"({"plane": {"height": "100 m"}, "material": "soil"}, {"random_placement":
     {"of": [{"prototype": "tree", "weight": 3}, {"prototype": "post"}], "density": "0.2 m-2", )" +
                                kArea + "}}");
   double trees = 0.0, posts = 0.0;
@@ -185,6 +186,18 @@ TEST_F(Scattered, MixesPrototypesByWeight) {
   const double all = trees + posts;
   EXPECT_NEAR(all, 720.0, 4.0 * std::sqrt(720.0));
   EXPECT_NEAR(trees / all, 0.75, 4.0 * std::sqrt(0.75 * 0.25 / all));
+}
+
+TEST_F(Scattered, FormerNameIsReadAndWarnedOf) {
+  const Session now = load(R"({"plane": {"height": "100 m"}, "material": "soil"}, {"random_placement":
+    {"of": "tree", "density": "0.05 m-2", )" +
+                           kArea + "}}");
+  EXPECT_EQ(log_.text.find("former"), std::string::npos) << log_.text;
+  const Session before = load(R"({"plane": {"height": "100 m"}, "material": "soil"}, {"scatter":
+    {"of": "tree", "density": "0.05 m-2", )" +
+                              kArea + "}}");
+  expect_in("'scatter' is called 'random_placement' now; its former name is read in this version only",
+            log_.text);
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ TEST(StudyRenders, SeedsFindSmallTargetsAndNothingElseDoes) {
   const TrialSummary seeded = run_series({"seeded", Family::small_target, accuracy_sampling(error)}, none,
                                          kFolder, few(60), progress);
   const TrialSummary unseeded =
-      run_series({"unseeded", Family::small_target, accuracy_sampling(error, ", \"seeds\": false")}, none,
+      run_series({"unseeded", Family::small_target, accuracy_sampling(error, ", \"pilot_rays\": false")}, none,
                  kFolder, few(60), progress);
   EXPECT_EQ(seeded.seen, 1.0);
   EXPECT_LT(unseeded.seen, 0.5);

@@ -39,7 +39,7 @@ TEST(ThermalScene, DocumentsAreValid) {
                         Family::textured_dome}) {
     const ThermalScene scene = random_scene(family, 1, 0, texture);
     for (const std::string& sampling : {single_sampling(), grid_sampling(3), adaptive_sampling(3, 100, "1 %"),
-                                        accuracy_sampling("0.1 K", ", \"seeds\": false")}) {
+                                        accuracy_sampling("0.1 K", ", \"pilot_rays\": false")}) {
       const io::Document document = io::parse_document(scene.document(sampling, 7).text(), "study.json");
       EXPECT_EQ(document.seed, 7u);
       EXPECT_EQ(document.scene.objects.size(), 2u);

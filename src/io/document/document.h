@@ -25,6 +25,12 @@ namespace ifov::io {
 /// Version of the document format that this program reads and writes.
 inline constexpr int kDocumentVersion = 1;
 
+/// A key that the user wrote under a name that it had in an earlier version.
+struct FormerKey {
+  SourcePosition position;
+  std::string former, name;
+};
+
 /// What the user wrote, checked and in SI units (metres, kelvins, radians; wavelength in micrometres).
 /// Files it names have not been opened.
 struct Document {
@@ -43,7 +49,8 @@ struct Document {
   std::shared_ptr<const std::string> text;
   /// Of positions: the document, what it includes, overrides.
   std::vector<std::shared_ptr<const DocumentSource>> sources;
-  std::vector<std::string> files;  ///< that it names or includes, as far as they are there
+  std::vector<FormerKey> former_keys;  ///< in the document's order
+  std::vector<std::string> files;      ///< that it names or includes, as far as they are there
 };
 
 /// Reads a document and what it includes, with values in place of its own (put_together). Throws InputError (located,

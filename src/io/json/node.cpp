@@ -63,11 +63,24 @@ const std::vector<DocumentNode>& DocumentNode::members() const {
 
 const DocumentNode* DocumentNode::find(std::string_view key) const {
   require(type_ == Type::object);
-  const auto found =
-      std::find_if(children_.begin(), children_.end(), [&](const DocumentNode& m) { return m.key_ == key; });
+  const auto found = std::find_if(children_.begin(), children_.end(),
+                                  [&](const DocumentNode& m) { return m.name() == key; });
   if (found == children_.end()) return nullptr;
   found->read_ = true;
   return &*found;
+}
+
+void DocumentNode::take_former_name(std::string_view former, std::string_view name) const {
+  require(type_ == Type::object);
+  const auto written = [&](std::string_view key) {
+    return std::find_if(children_.begin(), children_.end(),
+                        [&](const DocumentNode& m) { return m.key_ == key; });
+  };
+  const auto found = written(former);
+  if (found == children_.end()) return;
+  if (written(name) != children_.end())
+    found->fail_at_key(format("'{}' is the former name of '{}', which is there too", former, name));
+  found->present_name_ = name;
 }
 
 const DocumentNode& DocumentNode::given(std::string_view key) const {

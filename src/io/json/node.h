@@ -23,8 +23,10 @@ class DocumentNode {
   Type type() const { return type_; }
   SourcePosition position() const { return source_->position(offset_); }
   SourcePosition key_position() const { return source_->position(key_offset_); }
-  const std::string& key() const { return key_; }  ///< empty in lists and at the root
-  std::string path() const;                        ///< "scene.objects[2].sphere.radius"; empty at the root
+  const std::string& key() const { return key_; }  ///< as written; empty in lists and at the root
+  /// What find() knows it by: the key, or its present name where it was written under a former one.
+  std::string_view name() const { return present_name_.empty() ? std::string_view(key_) : present_name_; }
+  std::string path() const;  ///< "scene.objects[2].sphere.radius"; empty at the root
   const DocumentSource& source() const { return *source_; }
 
   /// Typed values; the caller has looked at type(), and another type is a bug (std::logic_error).
@@ -42,6 +44,9 @@ class DocumentNode {
   const DocumentNode* find(std::string_view key) const;
   /// The same where it is there, else this object itself: where an error about a key is shown that may not be given.
   const DocumentNode& given(std::string_view key) const;
+  /// A member that was written as `former` is found as `name` from here on; `name` has to live as long as the node is
+  /// read. Throws InputError where both are there.
+  void take_former_name(std::string_view former, std::string_view name) const;
   bool was_read() const { return read_; }
   void mark_read() const { read_ = true; }
 
@@ -73,6 +78,7 @@ class DocumentNode {
   double number_ = 0.0;
   std::int64_t integer_ = 0;
   std::string key_, text_;
+  mutable std::string_view present_name_;
   std::vector<DocumentNode> children_;
 };
 

@@ -90,7 +90,7 @@ class Generator:
         grouped = set()
         for group in (one["oneOf"] for one in node.get("allOf", ()) if "oneOf" in one):
             grouped.update(key for choice in group for key in choice.get("required", ()))
-            keys.update(self.random.choice(group).get("required", ()))
+            keys.update(self.random.choice(self.present(node, group)).get("required", ()))
         for key in node.get("properties", ()):
             if key not in grouped and self.random.random() < (0.5 if depth == 0 else 0.25):
                 keys.add(key)
@@ -98,7 +98,15 @@ class Generator:
             keys.update(node.get("dependencies", {}).get(key, ()))
         if grouped and self.random.random() < 0.3 * self.wildness:
             keys.add(self.random.choice(sorted(grouped)))
-        return [key for key in node.get("properties", ()) if key in keys]
+        return [key for key in node.get("properties", ()) if key in keys and not self.is_former(node, key)]
+
+    def present(self, node, group):
+        """The cases of a group whose keys are not earlier names of others."""
+        return [one for one in group if not any("deprecated" in node["properties"][key] for key in one.get("required", ()))]
+
+    def is_former(self, node, key):
+        """Whether a key is an earlier name of another, which now and then is used all the same."""
+        return "deprecated" in node["properties"][key] and self.random.random() > 0.1 * self.wildness
 
     def make_array(self, node, description, key, parent, depth):
         least, most = node.get("minItems", 0), node.get("maxItems", 5)

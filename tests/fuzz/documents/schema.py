@@ -22,7 +22,7 @@ LIMITS = {
 }
 
 # What a schema may say without a say in which values are good.
-REMARKS = {"description", "default", "definitions", "$schema", "title", "if", "else"}
+REMARKS = {"description", "default", "deprecated", "definitions", "$schema", "title", "if", "else"}
 
 
 class Schema:

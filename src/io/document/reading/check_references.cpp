@@ -38,7 +38,8 @@ class ReferenceCheck {
         if (std::holds_alternative<CityShape>(object.shape))
           throw document_error(document_, object.shape_position, "a prototype cannot hold a city");
         if (std::holds_alternative<ScatterShape>(object.shape))
-          throw document_error(document_, object.shape_position, "a prototype cannot hold a scatter");
+          throw document_error(document_, object.shape_position,
+                               "a prototype cannot hold a random placement");
       }
     }
     check_nesting();

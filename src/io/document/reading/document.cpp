@@ -22,6 +22,16 @@ void place_defaults(Document& document, const SourcePosition& root) {
   }
 }
 
+void gather_former_keys(const DocumentNode& node, std::vector<FormerKey>& keys) {
+  const bool object = node.type() == DocumentNode::Type::object;
+  if (!object && node.type() != DocumentNode::Type::list) return;
+  for (const DocumentNode& child : object ? node.members() : node.items()) {
+    if (object && child.name() != child.key())
+      keys.push_back({child.key_position(), child.key(), std::string(child.name())});
+    gather_former_keys(child, keys);
+  }
+}
+
 }  // namespace
 
 Document parse_document(std::string text, const std::string& file_name,
@@ -29,6 +39,7 @@ Document parse_document(std::string text, const std::string& file_name,
   const DocumentParts parts = put_together(std::move(text), file_name, overrides);
   Document document = table().read(*parts.root);
   reject_unread(*parts.root);
+  gather_former_keys(*parts.root, document.former_keys);
   place_defaults(document, parts.root->position());
   document.file_name = file_name;
   document.sources = parts.sources;

@@ -65,11 +65,19 @@ void write_schema(JsonWriter& json, const ValueDescription& value) {
 
 void write_required(JsonWriter& json, const std::vector<std::string>& keys) { json.member("required", keys); }
 
+/// The key of a field and its former names.
+std::vector<std::string> names_of(const FieldDescription& field) {
+  std::vector<std::string> names{field.key};
+  names.insert(names.end(), field.former.begin(), field.former.end());
+  return names;
+}
+
 /// Exactly one of the keys of a group, or at most one.
 void write_group(JsonWriter& json, const ValueDescription& record, int group, bool required) {
   const auto write_cases = [&] {
     for (const FieldDescription& field : record.fields)
-      if (field.group == group) json.object([&] { write_required(json, {field.key}); });
+      if (field.group == group)
+        for (const std::string& name : names_of(field)) json.object([&] { write_required(json, {name}); });
   };
   json.list("oneOf", [&] {
     write_cases();
@@ -90,22 +98,47 @@ void write_field(JsonWriter& json, const FieldDescription& field) {
     write_schema(json, *field.value);
 }
 
+void write_former_field(JsonWriter& json, const FieldDescription& field) {
+  json.member("description", format("former name of '{}'", field.key));
+  json.member("deprecated", true);
+  json.list("allOf", [&] { json.object([&] { write_schema(json, *field.value); }); });
+}
+
+/// A key and its former names are not given together, and one of them where the key is required.
+void write_names(JsonWriter& json, const FieldDescription& field) {
+  const auto write_cases = [&] {
+    for (const std::string& name : names_of(field)) json.object([&] { write_required(json, {name}); });
+  };
+  json.list("oneOf", [&] {
+    write_cases();
+    if (!field.required) json.object([&] { json.object("not", [&] { json.list("anyOf", write_cases); }); });
+  });
+}
+
 void write_definition(JsonWriter& json, const ValueDescription& record) {
   json.member("type", "object");
   json.member("description", record.doc);
   json.object("properties", [&] {
-    for (const FieldDescription& field : record.fields)
+    for (const FieldDescription& field : record.fields) {
       json.object(field.key, [&] { write_field(json, field); });
+      for (const std::string& former : field.former)
+        json.object(former, [&] { write_former_field(json, field); });
+    }
   });
   json.member("additionalProperties", false);
   std::vector<std::string> required;
   for (const FieldDescription& field : record.fields)
-    if (field.required) required.push_back(field.key);
+    if (field.required && field.former.empty()) required.push_back(field.key);
   if (!required.empty()) write_required(json, required);
-  if (!record.group_required.empty())
+  const auto is_renamed = [](const FieldDescription& field) {
+    return !field.former.empty() && field.group < 0;
+  };
+  if (!record.group_required.empty() || std::any_of(record.fields.begin(), record.fields.end(), is_renamed))
     json.list("allOf", [&] {
       for (std::size_t i = 0; i < record.group_required.size(); ++i)
         json.object([&] { write_group(json, record, static_cast<int>(i), record.group_required[i]); });
+      for (const FieldDescription& field : record.fields)
+        if (is_renamed(field)) json.object([&] { write_names(json, field); });
     });
   if (!record.needs.empty())
     json.object("dependencies", [&] {

@@ -23,6 +23,7 @@ sensor that looks at it and how accurate the result is to be. `ifov check FILE` 
 - Files are looked for relative to the document.
 - Unknown keys, keys given twice and values out of range are errors, which name file, line and column.
 - Keys marked *one of* exclude each other: exactly one of them is given.
+- Keys that were *formerly* called otherwise are read under that name in this version, with a warning.
 
 )";
 
@@ -78,13 +79,20 @@ std::string presence(const ValueDescription& record, const FieldDescription& fie
   return field.default_json.empty() ? "" : format("`{}`", field.default_json);
 }
 
+/// " Formerly `a`.", or nothing.
+std::string former_names(const FieldDescription& field) {
+  std::string text;
+  for (const std::string& name : field.former) text += format("{}`{}`", text.empty() ? "" : ", ", name);
+  return text.empty() ? "" : format(" (formerly {})", text);
+}
+
 std::string table_of(const ValueDescription& record) {
   std::string text = format("## {}\n\n{}\n\n", record.name, record.doc);
   if (record.fields.empty()) return text + "An empty object: `{}`.\n\n";
   text += "| key | value | default | meaning |\n|---|---|---|---|\n";
   for (const FieldDescription& field : record.fields) {
-    text += format("| `{}` | {} | {} | {} |\n", field.key, value_text(*field.value), presence(record, field),
-                   field.doc);
+    text += format("| `{}` | {} | {} | {}{} |\n", field.key, value_text(*field.value),
+                   presence(record, field), field.doc, former_names(field));
   }
   return text + "\n";
 }

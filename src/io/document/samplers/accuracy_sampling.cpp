@@ -35,8 +35,9 @@ Kind<std::shared_ptr<const SamplerSettings>> accuracy_kind() {
                 "cells of the detection lattice along a side of a pixel; chosen if not given")
       .with_default("probes", &AccuracySampling::probes, integer(0, 10000), "9",
                     "probing rays in a flagged pixel and round")
-      .with_default("seeds", &AccuracySampling::seeds, boolean(), "true",
+      .with_default("pilot_rays", &AccuracySampling::seeds, boolean(), "true",
                     "one ray for each known object smaller than a pixel")
+      .formerly("seeds")
       .with_default("thinnest", &AccuracySampling::thinnest_px, quantity(kPixels, Range::above(0.0, "px")),
                     "\"0.0125 px\"", "thinnest feature that is followed")
       .with_default("max_samples", &AccuracySampling::max_samples, long_integer(1, kMostSamples), "100000",

@@ -21,7 +21,7 @@ std::vector<std::string> keys_of(const ValueDescription& record, int group) {
 
 void reject_unknown(const DocumentNode& node, const std::vector<std::string>& known) {
   for (const DocumentNode& member : node.members()) {
-    if (std::find(known.begin(), known.end(), member.key()) != known.end()) continue;
+    if (std::find(known.begin(), known.end(), member.name()) != known.end()) continue;
     const std::string hint = did_you_mean(member.key(), known);
     member.fail_at_key(format("unknown key '{}' in {}{} Known keys: {}", member.key(), node.title(),
                               hint.empty() ? "." : hint, list_names(known, "and")));
@@ -30,13 +30,18 @@ void reject_unknown(const DocumentNode& node, const std::vector<std::string>& kn
 
 bool has_key(const DocumentNode& node, const std::string& key) {
   const auto& members = node.members();
-  return std::any_of(members.begin(), members.end(), [&](const DocumentNode& m) { return m.key() == key; });
+  return std::any_of(members.begin(), members.end(), [&](const DocumentNode& m) { return m.name() == key; });
+}
+
+void take_former_names(const DocumentNode& node, const ValueDescription& record) {
+  for (const FieldDescription& field : record.fields)
+    for (const std::string& former : field.former) node.take_former_name(former, field.key);
 }
 
 void check_group(const DocumentNode& node, const std::vector<std::string>& keys, bool required) {
   const DocumentNode* first = nullptr;
   for (const DocumentNode& member : node.members()) {
-    if (std::find(keys.begin(), keys.end(), member.key()) == keys.end()) continue;
+    if (std::find(keys.begin(), keys.end(), member.name()) == keys.end()) continue;
     if (first != nullptr) {
       member.fail_at_key(format("'{}' cannot stand beside '{}': {} takes only one of {}", member.key(),
                                 first->key(), node.title(), list_names(keys)));
@@ -53,6 +58,7 @@ void check_group(const DocumentNode& node, const std::vector<std::string>& keys,
 
 void check_members(const DocumentNode& node, const ValueDescription& record) {
   if (node.type() != Type::object) node.fail_expected(record.expected);
+  take_former_names(node, record);
   std::vector<std::string> known;
   for (const FieldDescription& field : record.fields) known.push_back(field.key);
   reject_unknown(node, known);
@@ -74,13 +80,14 @@ void check_members(const DocumentNode& node, const ValueDescription& record) {
 int find_case(const DocumentNode& node, const ValueDescription& cases,
               const std::vector<std::vector<std::string>>& tags, int fallback) {
   if (node.type() != Type::object) node.fail_expected(cases.expected);
+  for (const ValueDescriptionPtr& record : cases.alternatives) take_former_names(node, *record);
   int found = -1;
   std::string found_key;
   std::vector<std::string> all_tags, all_keys;
   for (const std::vector<std::string>& keys : tags) all_tags.insert(all_tags.end(), keys.begin(), keys.end());
   for (const DocumentNode& member : node.members()) {
     for (std::size_t i = 0; i < tags.size(); ++i) {
-      if (std::find(tags[i].begin(), tags[i].end(), member.key()) == tags[i].end()) continue;
+      if (std::find(tags[i].begin(), tags[i].end(), member.name()) == tags[i].end()) continue;
       if (found >= 0 && found != static_cast<int>(i)) {
         member.fail_at_key(
             format("'{}' cannot stand beside '{}' in {}", member.key(), found_key, node.title()));

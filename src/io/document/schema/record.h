@@ -12,7 +12,7 @@
 namespace ifov::io {
 
 /// Fails unless the node is an object with known keys, all required ones, and of each group of keys that
-/// exclude each other exactly (or at most) one.
+/// exclude each other exactly (or at most) one. Keys under former names are found under their own from here on.
 void check_members(const DocumentNode& node, const ValueDescription& record);
 
 /// Index of the one case whose tags the node has; `fallback` where it has none (-1: an error that lists the
@@ -62,6 +62,12 @@ class Record {
   Record& one(std::string key, Target target, const Kind<V>& kind, std::string doc) {
     const int group = static_cast<int>(description_.group_required.size()) - 1;
     return add({std::move(key), std::move(doc), kind.description, false, {}, group}, target, kind);
+  }
+
+  /// The key above was called `name` and is still read under it (docs/developer/versions.md says how long).
+  Record& formerly(std::string name) {
+    description_.fields.back().former.push_back(std::move(name));
+    return *this;
   }
 
   /// `key` is given only beside `other`.

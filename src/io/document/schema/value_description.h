@@ -20,6 +20,8 @@ struct FieldDescription {
   bool required = false;
   std::string default_json;  ///< empty: none
   int group = -1;            ///< index of the group of keys that exclude each other; -1: none
+  /// Names that the key had: read for one version, with a hint.
+  std::vector<std::string> former = {};
 };
 
 /// What a value of a document may be: the one table that reading, JSON Schema and reference page share.

@@ -41,8 +41,9 @@ Kind<TransformDocument> transform_kind() {
 void add_keys_of_all(Record<ObjectDocument>& record) {
   record.optional("name", &ObjectDocument::name, label(), "for messages and reports")
       .optional("temperature", &ObjectDocument::temperature, temperature_kind(), "instead of the material's")
-      .optional("seed", &ObjectDocument::seed, boolean(),
-                "send a ray at it where it is smaller than a pixel; decided by its shape if not given");
+      .optional("pilot_ray", &ObjectDocument::seed, boolean(),
+                "send a ray at it where it is smaller than a pixel; decided by its shape if not given")
+      .formerly("seed");
 }
 
 void add_common_keys(Record<ObjectDocument>& record) {
@@ -92,9 +93,10 @@ Kind<ObjectDocument> instance_object_kind() {
 }
 
 Kind<ObjectDocument> scatter_object_kind() {
-  Record<ObjectDocument> record("scattered copies", "Copies of prototypes at random places of the scene.");
+  Record<ObjectDocument> record("random copies", "Copies of prototypes at random places of the scene.");
   record.exactly_one();
-  add_shape(record, "scatter", scatter_kind());
+  add_shape(record, "random_placement", scatter_kind());
+  record.formerly("scatter");
   add_keys_of_all(record);
   return record.kind();
 }
@@ -105,7 +107,7 @@ Kind<std::vector<ObjectDocument>> objects_kind() {
   const Kind<ObjectDocument> shape = shape_object_kind();
   const int without_tag = 2;
   const auto any = tagged<ObjectDocument>({{{"instance", "instances"}, instance_object_kind()},
-                                           {{"scatter"}, scatter_object_kind()},
+                                           {{"random_placement"}, scatter_object_kind()},
                                            {{}, shape}},
                                           without_tag);
   return list(any, 1, kMostObjects);

@@ -76,7 +76,7 @@ Kind<std::array<double, 2>> scale_kind() {
 }  // namespace
 
 Kind<ScatterShape> scatter_kind() {
-  Record<ScatterShape> record("scatter",
+  Record<ScatterShape> record("random placement",
                               "Copies of prototypes at random, with a density and a minimum distance.");
   const Kind<std::variant<double, DensityMap>> density = density_kind();
   record.required("of", &ScatterShape::of, kin_kind(), "what is copied")

@@ -158,22 +158,23 @@ std::vector<std::vector<io::Instance>> scatter_copies(const io::Document& docume
     const std::string names = names_of(source);
     const double most_m2 = sampling::largest_scatter_density(source.minimum_distance_m);
     const Asked asked = asked_of(density, area, most_m2);
-    log->info(format("scatter of {}: {} copies, {:.4g} ha-1 (asked for: {:.4g} ha-1)", names, placed,
+    log->info(format("random placement of {}: {} copies, {:.4g} ha-1 (asked for: {:.4g} ha-1)", names, placed,
                      static_cast<double>(placed) / area.square_metres() * kPer_ha, asked.mean_m2 * kPer_ha));
     if (density.peak_m2 > most_m2)
       log->warn(format(
-          "scatter of {}: at a distance of {} m at least, {:.4g} ha-1 stand, not {:.4g} ha-1 as asked for on "
+          "random placement of {}: at a distance of {} m at least, {:.4g} ha-1 stand, not {:.4g} ha-1 as asked for on "
           "{:.3g} % of the area; lower 'density' or 'minimum_distance'",
           names, source.minimum_distance_m, most_m2 * kPer_ha, density.peak_m2 * kPer_ha,
           100.0 * asked.share_above));
     if (places.empty())
       log->warn(format(
-          "scatter of {}: no copies stand there, {:.3g} are expected on its {:.4g} m2: is 'density' or 'area' of another "
+          "random placement of {}: no copies stand there, {:.3g} are expected on its {:.4g} m2: is 'density' or 'area' of another "
           "unit?",
           names, asked.mean_m2 * area.square_metres(), area.square_metres()));
     if (placed < places.size())
-      log->warn(format("scatter of {}: {} of {} places have nothing of '{}' under them and stay empty", names,
-                       places.size() - placed, places.size(), source.on->name));
+      log->warn(
+          format("random placement of {}: {} of {} places have nothing of '{}' under them and stay empty",
+                 names, places.size() - placed, places.size(), source.on->name));
     return copies;
   });
 }
