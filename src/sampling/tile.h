@@ -11,18 +11,11 @@
 #include "core/run_control.h"
 #include "sampling/field.h"
 #include "sampling/pixel_footprint.h"
+#include "sampling/pixel_rect.h"
 #include "sampling/reasons.h"
 #include "sampling/tolerance.h"
 
 namespace ifov::sampling {
-
-/// Pixels [x0, x1) x [y0, y1).
-struct PixelRect {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  int width() const { return x1 - x0; }
-  int height() const { return y1 - y0; }
-  int count() const { return width() * height(); }
-};
 
 struct TileResult;
 

@@ -3,43 +3,52 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sampling/accuracy/edges/border_model.h"
+#include "sampling/accuracy/edges/edge_cells.h"
+#include "sampling/accuracy/edges/edge_tracer.h"
+
 namespace ifov::sampling {
 
 LeafIntegrator::LeafIntegrator(const EdgeTracer& tracer, const PixelFootprint& footprint, PixelRect tile)
-    : tracer_(tracer), footprint_(footprint), tile_(tile), unit_box_(footprint.whole_pixel()) {
+    : tree_(tracer.tree()),
+      edge_cells_(tracer.edge_cells()),
+      model_(tracer.model()),
+      lattice_(tracer.lattice()),
+      footprint_(footprint),
+      tile_(tile),
+      unit_box_(footprint.whole_pixel()) {
   // Added up as for any other pixel, so that it makes no difference which way a pixel went.
-  const double side = tracer.lattice().side_px(0);
-  for (int i = 0; i < tracer.lattice().cells_per_pixel() * tracer.lattice().cells_per_pixel(); ++i)
+  const double side = lattice_.side_px(0);
+  for (int i = 0; i < lattice_.cells_per_pixel() * lattice_.cells_per_pixel(); ++i)
     plain_weight_ += side * side;
 }
 
 bool LeafIntegrator::plain(int source, int& output, std::uint32_t& label, double& weight) const {
-  if (!unit_box_ || tracer_.crossed(static_cast<std::uint32_t>(source))) return false;
-  const PixelRect& domain = tracer_.lattice().domain();
+  if (!unit_box_ || edge_cells_.crossed(static_cast<std::uint32_t>(source))) return false;
+  const PixelRect& domain = lattice_.domain();
   const int x = domain.x0 + source % domain.width(), y = domain.y0 + source / domain.width();
   if (x < tile_.x0 || x >= tile_.x1 || y < tile_.y0 || y >= tile_.y1) return false;
   output = (y - tile_.y0) * tile_.width() + x - tile_.x0;
-  label = tracer_.cells()[tracer_.root_cell(source)].corner[0];
+  label = tree_[lattice_.first_cell(source)].corner[0];
   weight = plain_weight_;
   return true;
 }
 
 /// The leaves of a pixel in the order of their making, in leaves_.
 void LeafIntegrator::leaves_of(int source) const {
-  const std::vector<Cell>& cells = tracer_.cells();
-  const int k = tracer_.lattice().cells_per_pixel(), columns = tracer_.lattice().columns();
-  const std::uint32_t first = tracer_.root_cell(source);
+  const int k = lattice_.cells_per_pixel(), columns = lattice_.columns();
+  const std::uint32_t first = lattice_.first_cell(source);
   leaves_.clear();
   std::size_t split = 0;
   for (int j = 0; j < k; ++j)
     for (int i = 0; i < k; ++i) {
       leaves_.push_back(first + static_cast<std::uint32_t>(j * columns + i));
-      split += cells[leaves_.back()].kind == CellKind::split;
+      split += tree_[leaves_.back()].kind == CellKind::split;
     }
   if (split == 0) return;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < leaves_.size(); ++i) {
-    const Cell& cell = cells[leaves_[i]];
+    const Cell& cell = tree_[leaves_[i]];
     if (cell.kind == CellKind::split)
       for (std::uint32_t child = 0; child < 4; ++child) leaves_.push_back(cell.children + child);
     else
@@ -54,7 +63,7 @@ Point2 LeafIntegrator::centre(int output) const {
 }
 
 void LeafIntegrator::outputs_of(int source, SmallVector<int, 1>& outputs) const {
-  const PixelRect& domain = tracer_.lattice().domain();
+  const PixelRect& domain = lattice_.domain();
   const int x = domain.x0 + source % domain.width(), y = domain.y0 + source / domain.width();
   const int reach = std::max(0, static_cast<int>(std::ceil(footprint_.half_width_px() - 0.5 - 1e-12)));
   outputs.clear();
@@ -64,7 +73,7 @@ void LeafIntegrator::outputs_of(int source, SmallVector<int, 1>& outputs) const 
 }
 
 double LeafIntegrator::whole_weight(int source, int output) const {
-  const PixelRect& domain = tracer_.lattice().domain();
+  const PixelRect& domain = lattice_.domain();
   const Point2 c = centre(output);
   const double x = domain.x0 + source % domain.width() - c.x, y = domain.y0 + source / domain.width() - c.y;
   return footprint_.integral(x, y, x + 1.0, y + 1.0);
@@ -95,10 +104,9 @@ double LeafIntegrator::over_polygon(const Polygon& polygon, Point2 c) const {
 
 /// Integral of an output's footprint over a cell.
 double LeafIntegrator::cell_weight(const Cell& cell, const PixelModel& model, std::size_t output) const {
-  const Lattice& lattice = tracer_.lattice();
-  const double side = lattice.side_px(cell.level);
+  const double side = lattice_.side_px(cell.level);
   if (unit_box_) return side * side;
-  const double x0 = lattice.x_px(cell.x), y0 = lattice.y_px(cell.y);
+  const double x0 = lattice_.x_px(cell.x), y0 = lattice_.y_px(cell.y);
   const Point2 c = centre(model.outputs[output]);
   return footprint_.integral(x0 - c.x, y0 - c.y, x0 + side - c.x, y0 + side - c.y);
 }
@@ -108,7 +116,7 @@ void LeafIntegrator::pixel(int source, PixelModel& model) const {
   model.forget_parts();
   leaves_of(source);
   for (const std::uint32_t leaf : leaves_) {
-    const Cell& cell = tracer_.cells()[leaf];
+    const Cell& cell = tree_[leaf];
     if (cell.kind == CellKind::uniform)
       add_uniform(cell, model);
     else if (cell.kind == CellKind::complex)
@@ -122,7 +130,7 @@ void LeafIntegrator::pixel(int source, PixelModel& model) const {
 
 void LeafIntegrator::add_uniform(const Cell& cell, PixelModel& model) const {
   const std::size_t region = model.add_region(cell.corner[0]), outputs = model.outputs.size();
-  const double side = tracer_.lattice().side_px(cell.level);
+  const double side = lattice_.side_px(cell.level);
   model.area[region] += side * side;
   for (std::size_t o = 0; o < outputs; ++o) model.weight[region * outputs + o] += cell_weight(cell, model, o);
 }
@@ -145,21 +153,21 @@ void LeafIntegrator::add_complex(const Cell& cell, PixelModel& model) const {
     model.loose_weight[entry * outputs + o] += w;
     for (const std::size_t r : region) model.weight[r * outputs + o] += 0.25 * w;
   }
-  const double side = tracer_.lattice().side_px(cell.level);
+  const double side = lattice_.side_px(cell.level);
   for (const std::size_t r : region) model.area[r] += 0.25 * (side * side);
 }
 
 void LeafIntegrator::add_junction(const Cell& cell, PixelModel& model) const {
-  const Junction& junction = tracer_.junction_of(cell);
+  const Junction& junction = model_.junction_of(cell);
   std::size_t region[3], border[3];
   Polygon polygon[3];
   double area[3], variance[3];
   for (int s = 0; s < 3; ++s) {
     region[s] = model.add_region(junction.sector[s]);
     border[s] = model.add_border(junction.sector[(s + 2) % 3], junction.sector[s]);
-    polygon[s] = tracer_.sector_region(cell, s);
+    polygon[s] = model_.sector_region(cell, s);
     area[s] = std::abs(polygon[s].signed_area());
-    variance[s] = tracer_.border_variance(cell, s);
+    variance[s] = model_.border_variance(cell, s);
     model.area[region[s]] += area[s];
   }
   const std::size_t outputs = model.outputs.size();
@@ -178,16 +186,16 @@ void LeafIntegrator::add_junction(const Cell& cell, PixelModel& model) const {
 }
 
 void LeafIntegrator::add_curve(const Cell& cell, PixelModel& model) const {
-  const Curve& curve = tracer_.curve_of(cell);
+  const Curve& curve = model_.curve_of(cell);
   const std::size_t in = model.add_region(curve.inner), out = model.add_region(curve.outer);
   const std::size_t border = model.add_border(curve.inner, curve.outer), outputs = model.outputs.size();
-  const CurveShape shape = tracer_.shape_of(cell);
-  const Polygon polygon = tracer_.inner_region(cell, shape);
-  const double side = tracer_.lattice().side_px(cell.level), whole = side * side;
-  const double beyond = tracer_.area_beyond(cell, shape);
+  const CurveShape shape = model_.shape_of(cell);
+  const Polygon polygon = model_.inner_region(cell, shape);
+  const double side = lattice_.side_px(cell.level), whole = side * side;
+  const double beyond = model_.area_beyond(cell, shape);
   // An arc beside a side of its cell may bulge beyond it: less than nothing, or more than the whole cell, is then its share.
   const double area = polygon.signed_area() + beyond;
-  const double variance = tracer_.area_variance(cell, shape);
+  const double variance = model_.area_variance(cell, shape);
   const Point2 middle = 0.5 * (polygon.vertex[0] + polygon.vertex[curve.side[1] - curve.side[0] + 1]);
   model.area[in] += area;
   model.area[out] += whole - area;

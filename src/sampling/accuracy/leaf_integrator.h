@@ -3,12 +3,20 @@
 #include <cstdint>
 #include <vector>
 
-#include "sampling/accuracy/edges/edge_tracer.h"
 #include "sampling/accuracy/pixel_model.h"
 #include "sampling/pixel_footprint.h"
-#include "sampling/tile.h"
+#include "sampling/pixel_rect.h"
+#include "sampling/random.h"
 
 namespace ifov::sampling {
+
+class BorderModel;
+class CellTree;
+class EdgeCells;
+class EdgeTracer;
+class Lattice;
+struct Cell;
+struct Polygon;
 
 /// Integrates the leaves of the traced model against the footprint. No rays.
 class LeafIntegrator {
@@ -41,7 +49,10 @@ class LeafIntegrator {
   void add_curve(const Cell& cell, PixelModel& model) const;
   double over_polygon(const Polygon& polygon, Point2 centre) const;
 
-  const EdgeTracer& tracer_;
+  const CellTree& tree_;
+  const EdgeCells& edge_cells_;
+  const BorderModel& model_;
+  const Lattice& lattice_;
   const PixelFootprint& footprint_;
   PixelRect tile_;
   bool unit_box_;

@@ -4,6 +4,15 @@
 #include <cmath>
 #include <numeric>
 
+#include "sampling/accuracy/basis/lattice.h"
+#include "sampling/accuracy/basis/options.h"
+#include "sampling/accuracy/basis/ray_ledger.h"
+#include "sampling/accuracy/edges/contradictions.h"
+#include "sampling/accuracy/edges/edge_tracer.h"
+#include "sampling/accuracy/edges/traced_pixels.h"
+#include "sampling/hash.h"
+#include "sampling/random.h"
+
 namespace ifov::sampling {
 
 namespace {
@@ -24,6 +33,17 @@ constexpr double kDismissed = 0.1;
 
 }  // namespace
 
+Prober::Prober(EdgeTracer& tracer, RayLedger& ledger, const AccuracyOptions& options, std::uint64_t seed)
+    : tracer_(tracer), ledger_(ledger), options_(options), seed_(seed) {
+  const auto pixels = static_cast<std::size_t>(tracer.lattice().domain().count());
+  grids_.resize(pixels);
+  dismissed_.assign(pixels, 0.0);
+  asked_.assign(pixels, 0);
+  met_.resize(pixels);
+  wanted_.assign(pixels, 0);
+  unsettled_.assign(pixels, 0);
+}
+
 /// The model is refined until it agrees with what was seen at all of the points. Tells which ones contradicted it.
 std::vector<std::uint8_t> Prober::reconcile(const std::vector<FocalPoint>& points,
                                             const std::vector<std::uint32_t>& labels) {
@@ -31,7 +51,7 @@ std::vector<std::uint8_t> Prober::reconcile(const std::vector<FocalPoint>& point
   std::vector<std::uint32_t> in_question(points.size());
   std::iota(in_question.begin(), in_question.end(), 0u);
   for (int level = 0; level <= 2 * kMaxLevel; ++level) {
-    tracer_.forget_changes();
+    tracer_.pixels().forget_changes();
     bool any = false;
     for (std::uint32_t i : in_question)
       if (tracer_.contradict(points[i], labels[i])) contradicted[i] = any = true;
@@ -40,7 +60,7 @@ std::vector<std::uint8_t> Prober::reconcile(const std::vector<FocalPoint>& point
     // Where the model is the same it still agrees.
     in_question.clear();
     for (std::uint32_t i = 0; i < points.size(); ++i)
-      if (tracer_.changed(static_cast<std::uint32_t>(tracer_.lattice().pixel_at(points[i]))))
+      if (tracer_.pixels().changed(static_cast<std::uint32_t>(tracer_.lattice().pixel_at(points[i]))))
         in_question.push_back(i);
   }
   return contradicted;
@@ -76,7 +96,7 @@ void Prober::take_in(const std::vector<FocalPoint>& points, const std::vector<st
   for (std::size_t i = 0; i < points.size(); ++i) {
     const int pixel = tracer_.lattice().pixel_at(points[i]);
     ++asked_[pixel];
-    dismissed_[pixel] += tracer_.dismissed(points[i], labels[i]);
+    dismissed_[pixel] += tracer_.contradictions().dismissed(points[i], labels[i]);
     if (contradicted[i])
       want_around(
           pixel, std::clamp(static_cast<int>(kSurety / tracer_.leaf_side_px(points[i])), least, kMostWanted));
@@ -114,11 +134,10 @@ void Prober::follow_seeds(std::span<const FocalPoint> seeds, std::span<const std
 /// What shows up where it was sought is no sign of anything unknown beside it.
 void Prober::take_in_expected(const std::vector<FocalPoint>& points,
                               const std::vector<std::uint32_t>& labels) {
-  const std::vector<std::uint8_t> suspects = tracer_.suspects(), followed = tracer_.followed();
+  TracedPixels::Signs signs = tracer_.pixels().signs();
   note(points, labels);
   reconcile(points, labels);
-  tracer_.suspects() = suspects;
-  tracer_.followed() = followed;
+  tracer_.pixels().set_signs(std::move(signs));
 }
 
 std::vector<FocalPoint> Prober::look_between(std::vector<Between> sides) {
@@ -136,14 +155,15 @@ std::vector<FocalPoint> Prober::look_between(std::vector<Between> sides) {
       const double half = 0.5 * (side.to.x_px - side.from.x_px + side.to.y_px - side.from.y_px);
       const auto pixel = static_cast<std::uint32_t>(tracer_.lattice().pixel_at(points[i]));
       const Label met = ledger_.own_label(i);
-      if (met != side.first && met != side.last && tracer_.matters(pixel, side.as, labels[i])) {
+      if (met != side.first && met != side.last &&
+          tracer_.contradictions().matters(pixel, side.as, labels[i])) {
         found.push_back(points[i]);
         found_labels.push_back(labels[i]);
         // Another like it may lie where the ends of a side announce one border, and three cross it.
         int& wanted = wanted_[pixel];
         wanted = std::max(wanted, std::min(static_cast<int>(kSurety / half), kMostWantedBeside));
       }
-      if (half <= options_.thinnest_px || tracer_.abandoned(pixel)) continue;
+      if (half <= options_.thinnest_px || tracer_.pixels().abandoned(pixel)) continue;
       // Another label leaves two places where something may lie between.
       if (met != side.first) halves.push_back({side.from, points[i], side.first, met, side.as});
       if (met != side.last) halves.push_back({points[i], side.to, met, side.last, side.as});
@@ -160,7 +180,7 @@ void Prober::probe_until_clean(const std::vector<std::uint8_t>& worth) {
   if (side <= 0) return;
   const double narrow_px = kNarrow * tracer_.lattice().side_px(0);
   for (int p = 0; p < domain.count(); ++p) {
-    if (tracer_.suspect(static_cast<std::uint32_t>(p))) want_around(p, side * side);
+    if (tracer_.pixels().suspect(static_cast<std::uint32_t>(p))) want_around(p, side * side);
     const double followed = tracer_.narrowest_followed(static_cast<std::uint32_t>(p));
     if (followed < narrow_px)
       wanted_[p] = std::max(wanted_[p], std::min(static_cast<int>(kSurety / followed), kMostWantedBeside));
@@ -171,7 +191,7 @@ void Prober::probe_until_clean(const std::vector<std::uint8_t>& worth) {
   // What clutter holds is not followed beyond its pixel.
   const std::vector<int> wanted = wanted_;
   for (int p = 0; p < domain.count(); ++p)
-    if (tracer_.abandoned(static_cast<std::uint32_t>(p)))
+    if (tracer_.pixels().abandoned(static_cast<std::uint32_t>(p)))
       want_around(p, std::clamp(wanted[p], side * side, kMostWantedBeside));
 
   std::vector<FocalPoint> points;
@@ -179,7 +199,8 @@ void Prober::probe_until_clean(const std::vector<std::uint8_t>& worth) {
   for (int round = 0; round < options_.max_probe_rounds; ++round) {
     points.clear();
     for (int pixel = 0; pixel < domain.count(); ++pixel) {
-      if (wanted_[pixel] <= 0 || !worth[pixel] || tracer_.abandoned(static_cast<std::uint32_t>(pixel)))
+      if (wanted_[pixel] <= 0 || !worth[pixel] ||
+          tracer_.pixels().abandoned(static_cast<std::uint32_t>(pixel)))
         continue;
       // Many rays come in rounds that grow: what the first of them find saves the others.
       const double share = round == 0 ? 0.25 : 1.0;
@@ -199,10 +220,10 @@ void Prober::probe_until_clean(const std::vector<std::uint8_t>& worth) {
     take_in(points, labels, reconcile(points, labels));
   }
   for (int pixel = 0; pixel < domain.count(); ++pixel) {
-    if (!worth[pixel] || tracer_.abandoned(static_cast<std::uint32_t>(pixel))) continue;
-    unsettled_[pixel] =
-        wanted_[pixel] > 0 || dismissed_[pixel] > kDismissed * std::max(1, asked_[pixel]) *
-                                                      std::sqrt(tracer_.allowed_variance()[pixel]);
+    if (!worth[pixel] || tracer_.pixels().abandoned(static_cast<std::uint32_t>(pixel))) continue;
+    unsettled_[pixel] = wanted_[pixel] > 0 || dismissed_[pixel] > kDismissed * std::max(1, asked_[pixel]) *
+                                                                      tracer_.pixels().allowed_deviation(
+                                                                          static_cast<std::uint32_t>(pixel));
   }
 }
 

@@ -5,25 +5,20 @@
 #include <vector>
 
 #include "sampling/accuracy/basis/small_vector.h"
-#include "sampling/accuracy/edges/edge_tracer.h"
+#include "sampling/field.h"
 
 namespace ifov::sampling {
+
+class EdgeTracer;
+class RayLedger;
+struct AccuracyOptions;
 
 /// Looks where the lattice did not: at jittered points of every pixel, because a lattice may be in step with what it
 /// looks at; at the centres of known small objects; and again at jittered points of every pixel that holds, or lies
 /// beside one that holds, finer structure than the lattice announced, until enough of them find nothing new.
 class Prober {
  public:
-  Prober(EdgeTracer& tracer, RayLedger& ledger, const AccuracyOptions& options, std::uint64_t seed)
-      : tracer_(tracer), ledger_(ledger), options_(options), seed_(seed) {
-    const auto pixels = static_cast<std::size_t>(tracer.lattice().domain().count());
-    grids_.resize(pixels);
-    dismissed_.assign(pixels, 0.0);
-    asked_.assign(pixels, 0);
-    met_.resize(pixels);
-    wanted_.assign(pixels, 0);
-    unsettled_.assign(pixels, 0);
-  }
+  Prober(EdgeTracer& tracer, RayLedger& ledger, const AccuracyOptions& options, std::uint64_t seed);
 
   /// One jittered round in every pixel of `worth`, whether or not anything is suspect: `known` points have been asked
   /// already, the others are here.

@@ -1,8 +1,11 @@
-// Cluttered pixels: rounds of jittered grids over the whole of them.
+#include "sampling/accuracy/radiance_clutter.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "sampling/accuracy/radiance.h"
+#include "sampling/accuracy/basis/lattice.h"
+#include "sampling/accuracy/basis/ray_ledger.h"
+#include "sampling/hash.h"
 
 namespace ifov::sampling {
 
@@ -19,26 +22,22 @@ double round_weight(double count) { return count * std::sqrt(count); }
 
 }  // namespace
 
-double Radiance::Pixel::clutter_count() const {
-  double count = 0.0;
-  for (const ClutterRound& round : rounds) count += static_cast<double>(round.count());
-  return count;
-}
+RadianceClutter::RadianceClutter(std::vector<SourcePixel>& pixels, const Lattice& lattice, RayLedger& ledger,
+                                 bool keep, std::uint64_t seed)
+    : pixels_(pixels),
+      lattice_(lattice),
+      ledger_(ledger),
+      keep_(keep),
+      seed_(seed),
+      stride_(static_cast<std::size_t>(ledger.field().stride())) {}
 
-void Radiance::turn_to_clutter(std::size_t p) {
-  Pixel& pixel = pixels_[p];
-  pixel.cluttered = true;
-  pixel.strata.assign(1, {});
-  find_deviation(pixel, pixel.strata.front());
-}
-
-void Radiance::plan_clutter(std::size_t p, double count) {
+void RadianceClutter::plan(std::size_t p, double count) {
   const int half = static_cast<int>(std::ceil(0.5 * std::sqrt(count) - 1e-9));
-  pixels_[p].rounds.emplace_back(std::clamp(2 * half, kCoarsest, kFinest), stride_, keep_values_);
-  clutter_planned_.push_back(p);
+  pixels_[p].rounds.emplace_back(std::clamp(2 * half, kCoarsest, kFinest), stride_, keep_);
+  planned_.push_back(p);
 }
 
-void Radiance::trace_clutter() {
+void RadianceClutter::trace() {
   constexpr std::size_t kBatch = 1024, kBlock = ClutterRound::kBlock;
   std::vector<PathRequest> requests;
   std::vector<ClutterRound*> rounds;  // of each block of the batch
@@ -54,9 +53,9 @@ void Radiance::trace_clutter() {
     requests.clear();
     rounds.clear();
   };
-  const PixelRect& domain = tracer_.lattice().domain();
-  for (const std::size_t p : clutter_planned_) {
-    Pixel& pixel = pixels_[p];
+  const PixelRect& domain = lattice_.domain();
+  for (const std::size_t p : planned_) {
+    SourcePixel& pixel = pixels_[p];
     ClutterRound& round = pixel.rounds.back();
     const int px = domain.x0 + pixel.source % domain.width(), py = domain.y0 + pixel.source / domain.width();
     const std::uint64_t key = hash(seed_, kClutterKey, px, py, pixel.rounds.size());
@@ -71,11 +70,11 @@ void Radiance::trace_clutter() {
     }
   }
   if (!requests.empty()) trace_batch();
-  clutter_planned_.clear();
+  planned_.clear();
 }
 
-void Radiance::clutter(const Pixel& pixel, const PixelFootprint* footprint, Point2 centre,
-                       std::span<const int> columns, std::vector<ClutterRound::Moment>& moments) const {
+void RadianceClutter::moments(const SourcePixel& pixel, const PixelFootprint* footprint, Point2 centre,
+                              std::span<const int> columns, std::vector<ClutterRound::Moment>& moments) {
   moments.assign(columns.size(), {});
   double total = 0.0;
   for (const ClutterRound& round : pixel.rounds) total += round_weight(static_cast<double>(round.count()));

@@ -1,9 +1,13 @@
-// What a run leaves of its values for a later one at a tighter tolerance, and how that takes them up.
+#include "sampling/accuracy/radiance_memory.h"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "core/error.h"
+#include "sampling/accuracy/basis/label_table.h"
 #include "sampling/accuracy/basis/tile_memory.h"
-#include "sampling/accuracy/radiance.h"
+#include "sampling/accuracy/strata.h"
 
 namespace ifov::sampling {
 
@@ -34,7 +38,7 @@ void pass_rounds(Archive& archive, Rounds& rounds, std::size_t columns, std::siz
 
 }  // namespace
 
-void Radiance::remember(const Pixel& pixel, double predicted, TileMemory& memory) const {
+void RadianceMemory::remember(const SourcePixel& pixel, double predicted, TileMemory& memory) const {
   const std::size_t columns = memory.columns();
   std::vector<std::byte> bytes;
   MemoryWriter write(bytes);
@@ -64,16 +68,15 @@ void Radiance::remember(const Pixel& pixel, double predicted, TileMemory& memory
     if (stratum.twins > 0.0) write.array(stratum.twin_squares.data(), columns);
     write(static_cast<std::uint64_t>(stratum.samples.size()));
     for (const std::uint32_t k : stratum.samples) {
-      write(x_[k]);
-      write(replicates_[k]);
-      write.array(&values_[k * stride_], columns);
+      write(kept_->x[k]);
+      write(kept_->replicates[k]);
+      write.array(&kept_->values[k * stride_], columns);
     }
   }
   if (any) memory.keep_pixel(pixel.source, bytes);
 }
 
-bool Radiance::recall(std::size_t p, const TileMemory& memory) {
-  Pixel& pixel = pixels_[p];
+bool RadianceMemory::recall(SourcePixel& pixel, const TileMemory& memory) const {
   const std::span<const std::byte> bytes = memory.pixel(pixel.source);
   if (bytes.empty()) return true;
   MemoryReader read(bytes);
@@ -87,7 +90,7 @@ bool Radiance::recall(std::size_t p, const TileMemory& memory) {
     while (!read.empty()) {
       std::int32_t side = 0;
       read(side);
-      ClutterRound::pass(pixel.rounds.emplace_back(side, stride_, keep_values_), read, columns);
+      ClutterRound::pass(pixel.rounds.emplace_back(side, stride_, kept_ != nullptr), read, columns);
     }
     return true;
   }
@@ -109,13 +112,14 @@ bool Radiance::recall(std::size_t p, const TileMemory& memory) {
     }
     std::uint64_t samples = 0;
     read(samples);
-    const std::size_t first = x_.size();
+    const std::size_t first = kept_ != nullptr ? kept_->x.size() : 0;
     for (std::uint64_t k = 0; k < samples; ++k) {
-      known.samples.push_back(static_cast<std::uint32_t>(x_.size()));
-      read(x_.emplace_back());
-      read(replicates_.emplace_back());
-      values_.resize(values_.size() + stride_, 0.0f);
-      read.array(&values_[values_.size() - stride_], columns);
+      if (kept_ == nullptr) throw EnvironmentError("the memory of a kept tile is damaged");
+      known.samples.push_back(static_cast<std::uint32_t>(kept_->x.size()));
+      read(kept_->x.emplace_back());
+      read(kept_->replicates.emplace_back());
+      kept_->values.resize(kept_->values.size() + stride_, 0.0f);
+      read.array(&kept_->values[kept_->values.size() - stride_], columns);
     }
     const auto region = std::find_if(pixel.strata.begin(), pixel.strata.end(), [&](const Stratum& stratum) {
       return table_.label(stratum.label) == label;
@@ -124,9 +128,11 @@ bool Radiance::recall(std::size_t p, const TileMemory& memory) {
         std::abs(pixel.model.area[static_cast<std::size_t>(region - pixel.strata.begin())] - area) >
             kSameArea * area) {
       all = false;
-      x_.resize(first);
-      replicates_.resize(first);
-      values_.resize(first * stride_);
+      if (kept_ != nullptr) {
+        kept_->x.resize(first);
+        kept_->replicates.resize(first);
+        kept_->values.resize(first * stride_);
+      }
       continue;
     }
     known.label = region->label;
@@ -136,7 +142,7 @@ bool Radiance::recall(std::size_t p, const TileMemory& memory) {
   return all;
 }
 
-Radiance::ClutterBefore Radiance::clutter_before(const TileMemory& memory, int source) {
+RadianceMemory::ClutterBefore RadianceMemory::clutter_before(const TileMemory& memory, int source) {
   std::uint8_t cluttered = 0;
   ClutterBefore before;
   MemoryReader read(memory.pixel(source));

@@ -1,8 +1,13 @@
-// Replicated nets of paths, in strata whose paths make the variance.
-#include <algorithm>
-#include <numeric>
+#include "sampling/accuracy/radiance_nets.h"
 
-#include "sampling/accuracy/radiance.h"
+#include <algorithm>
+
+#include "sampling/accuracy/basis/label_table.h"
+#include "sampling/accuracy/basis/ray_ledger.h"
+#include "sampling/accuracy/edges/border_model.h"
+#include "sampling/accuracy/stratum_moments.h"
+#include "sampling/accuracy/stray_values.h"
+#include "sampling/hash.h"
 #include "sampling/sequence.h"
 
 namespace ifov::sampling {
@@ -16,10 +21,21 @@ constexpr std::uint64_t kStratumNetKey = 0x736e657473;
 
 }  // namespace
 
-void Radiance::plan_stratum_nets(std::size_t p, std::size_t s, std::uint32_t count) {
-  Pixel& pixel = pixels_[p];
+RadianceNets::RadianceNets(std::vector<SourcePixel>& pixels, const BorderModel& model,
+                           const StrayValues& strays, const LabelTable& table, RayLedger& ledger,
+                           std::uint64_t seed)
+    : pixels_(pixels),
+      model_(model),
+      strays_(strays),
+      table_(table),
+      ledger_(ledger),
+      seed_(seed),
+      stride_(static_cast<std::size_t>(ledger.field().stride())) {}
+
+void RadianceNets::plan(std::size_t p, std::size_t s, std::uint32_t count) {
+  SourcePixel& pixel = pixels_[p];
   Stratum& stratum = pixel.strata[s];
-  Nets& nets = stratum.nets;
+  StratumNets& nets = stratum.nets;
   if (nets.size == 0) {
     // The first values chose the size of the nets; an estimate that left them in would favour their luck.
     stratum.samples.clear();
@@ -27,31 +43,31 @@ void Radiance::plan_stratum_nets(std::size_t p, std::size_t s, std::uint32_t cou
     stratum.strays = 0.0;
     stratum.stray_sum.clear();
     stratum.stray_squares.clear();
-    nets.drawn.assign(kStratumReplicates, 0);
-    nets.paths.assign(kStratumReplicates, 0);
-    nets.accepted.assign(kStratumReplicates, 0);
-    nets.sum.assign(kStratumReplicates * stride_, 0.0);
+    nets.drawn.assign(kReplicates, 0);
+    nets.paths.assign(kReplicates, 0);
+    nets.accepted.assign(kReplicates, 0);
+    nets.sum.assign(kReplicates * stride_, 0.0);
   }
   nets.size = count;
-  planned_nets_.push_back({p, s});
+  planned_.push_back({p, s});
 }
 
 /// Calls request(replicate, path request) for every value that a stratum's nets still lack.
 template <class Request>
-void Radiance::request_net(std::size_t p, std::size_t s, const Request& request) {
-  Pixel& pixel = pixels_[p];
+void RadianceNets::request_net(std::size_t p, std::size_t s, const Request& request) {
+  SourcePixel& pixel = pixels_[p];
   Stratum& stratum = pixel.strata[s];
-  Nets& nets = stratum.nets;
-  const PixelRect& domain = tracer_.lattice().domain();
+  StratumNets& nets = stratum.nets;
+  const PixelRect& domain = model_.tree().lattice().domain();
   const int px = domain.x0 + pixel.source % domain.width(), py = domain.y0 + pixel.source / domain.width();
   const double attempts = kAttemptsPerValue * (nets.size / std::max(pixel.model.area[s], 1e-6) + 1.0);
-  for (std::size_t r = 0; r < kStratumReplicates; ++r) {
+  for (std::size_t r = 0; r < kReplicates; ++r) {
     const std::uint64_t key = hash(seed_, kStratumNetKey, px, py, table_.label(stratum.label), r);
     while (nets.paths[r] < nets.size && nets.drawn[r] < attempts) {
       const Point2 u = sequence_point(key, nets.drawn[r]++, 0);
       const Point2 at{px + u.x, py + u.y};
-      const std::uint32_t model = tracer_.model_label({at.x, at.y});
-      if (model != stratum.label && model != EdgeTracer::kNoLabel) continue;
+      const std::uint32_t model = model_.label_at({at.x, at.y});
+      if (model != stratum.label && model != kNoLabel) continue;
       // Paths count on their own: pairs of dimensions are scrambled apart, so a net of paths stays whole
       // whatever points the stratum's shape refuses.
       request(r, PathRequest{{at.x, at.y}, key, nets.paths[r]++});
@@ -59,7 +75,7 @@ void Radiance::request_net(std::size_t p, std::size_t s, const Request& request)
   }
 }
 
-void Radiance::trace_nets() {
+void RadianceNets::trace() {
   constexpr std::size_t kBatch = 4096;
   std::vector<PathRequest> requests;
   struct Asker {
@@ -76,7 +92,8 @@ void Radiance::trace_nets() {
     for (std::size_t i = 0; i < requests.size(); ++i) {
       Stratum& stratum = *askers[i].stratum;
       const float* value = &values[i * stride_];
-      if (labels[i] != stratum.label && !belongs(stratum, requests[i].point, labels[i], value)) continue;
+      if (labels[i] != stratum.label && !strays_.belongs(stratum, requests[i].point, labels[i], value))
+        continue;
       ++stratum.nets.accepted[askers[i].replicate];
       double* sum = &stratum.nets.sum[askers[i].replicate * stride_];
       for (std::size_t c = 0; c < stride_; ++c) sum[c] += value[c];
@@ -84,28 +101,28 @@ void Radiance::trace_nets() {
     requests.clear();
     askers.clear();
   };
-  for (const auto& [p, s] : planned_nets_)
+  for (const auto& [p, s] : planned_)
     request_net(p, s, [&, stratum = &pixels_[p].strata[s]](std::size_t r, const PathRequest& request) {
       requests.push_back(request);
       askers.push_back({stratum, r});
       if (requests.size() == kBatch) trace_batch();
     });
   if (!requests.empty()) trace_batch();
-  planned_nets_.clear();
+  planned_.clear();
 }
 
-void Radiance::net_moments(const Nets& nets, std::span<const int> columns, StratumMoments& out) const {
-  const std::size_t n = columns.size();
+void RadianceNets::moments(const StratumNets& nets, std::span<const int> columns, StratumMoments& out) {
+  const std::size_t n = columns.size(), stride = nets.sum.size() / kReplicates;
   std::vector<double> squares(n, 0.0);
   double replicates = 0.0, count = 0.0;
-  for (std::size_t r = 0; r < kStratumReplicates; ++r) {
+  for (std::size_t r = 0; r < kReplicates; ++r) {
     if (nets.accepted[r] == 0) continue;
     replicates += 1.0;
     count += nets.accepted[r];
     for (std::size_t c = 0; c < n; ++c) {
-      const double d = nets.sum[r * stride_ + columns[c]] / nets.accepted[r] - out.mean[c];
+      const double d = nets.sum[r * stride + columns[c]] / nets.accepted[r] - out.mean[c];
       out.mean[c] += d / replicates;
-      squares[c] += d * (nets.sum[r * stride_ + columns[c]] / nets.accepted[r] - out.mean[c]);
+      squares[c] += d * (nets.sum[r * stride + columns[c]] / nets.accepted[r] - out.mean[c]);
     }
   }
   out.sampled = replicates > 0.0;
@@ -114,13 +131,6 @@ void Radiance::net_moments(const Nets& nets, std::span<const int> columns, Strat
   // As the variance of one of `count` independent values, which is what allocation compares.
   for (std::size_t c = 0; c < n; ++c)
     out.variance[c] = squares[c] / (std::max(1.0, replicates - 1.0) * std::max(1.0, replicates)) * count;
-}
-
-std::size_t Radiance::Stratum::count() const {
-  if (nets.size > 0) return std::accumulate(nets.accepted.begin(), nets.accepted.end(), std::size_t{0});
-  double count = 0.0;
-  for (const BlockSums& grid : rounds) count += grid.count();
-  return static_cast<std::size_t>(count);
 }
 
 }  // namespace ifov::sampling

@@ -34,16 +34,18 @@ class LabelSpread {
   /// Variance of a value about the label's mean over the tile.
   double total(std::uint32_t label, int column) const { return row(total_, label)[column]; }
 
+ protected:
+  // [label], and [label][column] with a last row for all labels together.
+  std::size_t columns_, labels_;
+  std::vector<std::uint8_t> constant_;
+  std::vector<double> blocks_;
+  std::vector<double> local_, total_, rare_;
+
  private:
   void add_look(const Lattice& lattice, const LatticeValues& at, std::vector<double>& local_freedom);
   const double* row(const std::vector<double>& table, std::uint32_t label) const {
     return &table[static_cast<std::size_t>(label < labels_ ? label : labels_) * columns_];
   }
-
-  std::size_t columns_, labels_;
-  std::vector<std::uint8_t> constant_;
-  std::vector<double> blocks_;
-  std::vector<double> local_, total_, rare_;  // [label][column], the last row for all labels together
 };
 
 }  // namespace ifov::sampling

@@ -4,7 +4,18 @@
 #include <cmath>
 #include <numeric>
 
-#include "sampling/accuracy/source_domain.h"
+#include "sampling/accuracy/basis/dither.h"
+#include "sampling/accuracy/basis/options.h"
+#include "sampling/accuracy/edges/traced_pixels.h"
+#include "sampling/accuracy/lattice_survey.h"
+#include "sampling/accuracy/leaf_integrator.h"
+#include "sampling/accuracy/like_neighbours.h"
+#include "sampling/accuracy/parts.h"
+#include "sampling/accuracy/radiance.h"
+#include "sampling/accuracy/round_planner.h"
+#include "sampling/accuracy/spread.h"
+#include "sampling/pixel_footprint.h"
+#include "sampling/tile.h"
 
 namespace ifov::sampling {
 
@@ -26,71 +37,67 @@ int halo_of(const PixelFootprint& footprint) {
   return weight < kNegligibleRim * footprint.integral(-0.5, -0.5, 0.5, 0.5) ? 0 : 1;
 }
 
-std::optional<TileMemory> memory_of(const TileProblem& problem, int columns) {
-  if (problem.before != nullptr) return TileMemory(static_cast<std::size_t>(columns), problem.before->memory);
-  if (problem.keep_memory) return TileMemory(static_cast<std::size_t>(columns));
-  return std::nullopt;
-}
-
 }  // namespace
 
 TileWork::TileWork(const TileProblem& problem, Field& field, const AccuracyOptions& options,
-                   const AccuracyFaults& faults, TileResult& result)
+                   const AccuracyParts& parts, TileResult& result)
     : problem_(problem),
       options_(options),
+      parts_(parts),
       result_(result),
       columns_(field.columns()),
-      stopping_(problem.tolerance->confidence()),
       lattice_(source_domain(problem, halo_of(*problem.footprint)), options.lattice),
+      grid_(lattice_, *problem.footprint, problem.tile),
       table_(columns_),
-      memory_(memory_of(problem, columns_)),
-      ledger_(field, problem, lattice_, table_, faults, memory_ ? &*memory_ : nullptr),
+      recall_(problem, columns_),
+      ledger_(field, problem.cancel, lattice_, table_, recall_.memory()),
       contrast_(table_, problem.drivers, lattice_.domain().count()),
-      tracer_(lattice_, ledger_, table_, contrast_, options, faults, problem.seed),
+      dither_(parts.dither()),
+      tracer_(lattice_, ledger_, table_, contrast_, options, *dither_, problem.seed),
       prober_(tracer_, ledger_, options, problem.seed),
-      all_columns_(static_cast<std::size_t>(columns_)),
-      outputs_(static_cast<std::size_t>(problem.tile.count())),
-      sums_(outputs_.size(), !problem.footprint->whole_pixel()),
-      predicted_(static_cast<std::size_t>(lattice_.domain().count()), 0.0f),
-      looks_(predicted_.size()),
-      faults_(faults) {
-  std::iota(all_columns_.begin(), all_columns_.end(), 0);
-  result_.reset(problem.tile, columns_);
-  if (memory_)
-    for (std::size_t o = 0; o < memory_->looks_before().size() && o < outputs_.size(); ++o) {
-      outputs_[o].look = memory_->looks_before()[o];
-      outputs_[o].last_look += outputs_[o].look;
-    }
+      intervals_(*problem.tolerance, table_, problem.tile.count(), !problem.footprint->whole_pixel()),
+      errors_(problem, grid_, lattice_, lattice_values_, intervals_.stopping().normal(), contrast_),
+      clutter_(lattice_, lattice_values_, contrast_, recall_, problem.drivers),
+      look_(grid_, lattice_, options.looks_per_side, problem.seed),
+      report_(prober_, ledger_, table_, options.max_samples_per_pixel, result) {
+  result.reset(problem.tile, columns_);
+  recall_.recall_looks(intervals_.states());
 }
 
-int TileWork::nearest_output(int source) const {
-  const PixelRect &d = lattice_.domain(), &t = problem_.tile;
-  const int x = std::clamp(d.x0 + source % d.width(), t.x0, t.x1 - 1) - t.x0;
-  const int y = std::clamp(d.y0 + source / d.width(), t.y0, t.y1 - 1) - t.y0;
-  return y * t.width() + x;
+TileWork::~TileWork() = default;
+
+void TileWork::trace_lattice() {
+  ask_vertices(lattice_, ledger_, problem_.seed, lattice_values_);
+  merge_twins(ledger_, table_, lattice_values_);
+  not_looked_at_ = look_.look_at_constants(ledger_, table_, lattice_values_);
+  take_means(lattice_, table_, lattice_values_);
+  spread_ = parts_.spread(lattice_, table_, lattice_values_);
+  contrast_.spread().resize(table_.size() * problem_.drivers.size());
+  for (std::size_t l = 0; l < table_.size(); ++l)
+    for (std::size_t d = 0; d < problem_.drivers.size(); ++d)
+      contrast_.spread()[l * problem_.drivers.size() + d] =
+          spread_->local(static_cast<std::uint32_t>(l), problem_.drivers[d]);
+  errors_.take_from_lattice();
+  for (int p = 0; p < lattice_.domain().count(); ++p)
+    tracer_.pixels().allow_variance(static_cast<std::uint32_t>(p), errors_.border_variance(p, *spread_));
+  tracer_.plant(lattice_values_.labels);
 }
 
-int TileWork::source_of(int output) const {
-  const PixelRect &d = lattice_.domain(), &t = problem_.tile;
-  return (t.y0 + output / t.width() - d.y0) * d.width() + t.x0 + output % t.width() - d.x0;
-}
-
-/// Weight of a source pixel in the output where it weighs most, relative to that of the output's own pixel.
-double TileWork::relative_weight(int source) const {
-  const PixelRect &d = lattice_.domain(), &t = problem_.tile;
-  const int x = d.x0 + source % d.width(), y = d.y0 + source / d.width();
-  const int dx = x - std::clamp(x, t.x0, t.x1 - 1), dy = y - std::clamp(y, t.y0, t.y1 - 1);
-  if (dx == 0 && dy == 0) return 1.0;
-  return problem_.footprint->integral(dx - 0.5, dy - 0.5, dx + 0.5, dy + 0.5) /
-         problem_.footprint->integral(-0.5, -0.5, 0.5, 0.5);
+void TileWork::switch_clutter() {
+  const PixelRect& d = lattice_.domain();
+  if (options_.seeds) ledger_.field().known_detail({d.x0, d.y0, d.x1, d.y1}, known_);
+  if (!options_.clutter_switch) return;
+  for (std::size_t p = 0; p < known_.full.size(); ++p)
+    if (known_.full[p]) tracer_.pixels().abandon(static_cast<std::uint32_t>(p));
+  clutter_.choose(errors_, *spread_, tracer_.pixels());
 }
 
 void TileWork::trace_borders() {
   tracer_.settle();
   std::vector<std::uint8_t> worth(static_cast<std::size_t>(lattice_.domain().count()));
   for (std::size_t p = 0; p < worth.size(); ++p)
-    worth[p] = relative_weight(static_cast<int>(p)) > kLeastProbed;
-  look_between(worth);
+    worth[p] = grid_.relative_weight(static_cast<int>(p)) > kLeastProbed;
+  LikeNeighbours(tracer_, prober_, lattice_values_, table_, problem_.seed).look_between(worth);
   look_around();
   if (options_.seeds) {
     prober_.follow_seeds(problem_.seeds, problem_.seed_objects);
@@ -105,72 +112,103 @@ void TileWork::trace_borders() {
 void TileWork::look_around() {
   std::vector<FocalPoint> points;
   for (const int p : not_looked_at_) {
-    if (tracer_.abandoned(static_cast<std::uint32_t>(p))) continue;
-    const std::vector<FocalPoint> more = random_points(p);
+    if (tracer_.pixels().abandoned(static_cast<std::uint32_t>(p))) continue;
+    const std::vector<FocalPoint> more = look_.points(p);
     points.insert(points.end(), more.begin(), more.end());
   }
   prober_.look_around(lattice_values_.look.points, lattice_values_.look.labels, points);
 }
 
-/// The lattice may have been in step with what it looked at: limits follow the means that borders tell.
-void TileWork::take_limits_from_sums() {
-  const std::size_t n = problem_.drivers.size();
-  std::vector<double> mean(static_cast<std::size_t>(columns_), 0.0), limit(mean.size());
-  const double unit = stopping_.normal() * foresight();
-  for (int p = 0; p < lattice_.domain().count(); ++p) {
-    const OutputSums::Row sum = sums_[nearest_output(p)];
-    for (std::size_t d = 0; d < n; ++d) mean[problem_.drivers[d]] = sum.mean[d];
-    problem_.tolerance->limits(mean, limit);
-    for (std::size_t d = 0; d < n; ++d) contrast_.allowed(p)[d] = limit[problem_.drivers[d]] / unit;
-  }
+/// Where looks went on finding what the model did not have, there is more than they have found.
+void TileWork::leave_unsettled() {
+  if (!options_.clutter_switch) return;
+  for (int p = 0; p < lattice_.domain().count(); ++p)
+    if (prober_.unsettled(p)) tracer_.pixels().abandon(static_cast<std::uint32_t>(p));
 }
 
-/// The first run of a tile that is kept traces borders, and tells clutter, for an error this much smaller: rays that look
-/// beside a border are of no use where it is known better, nor are values of clutter in a pixel that is traced.
-double TileWork::foresight() const {
-  constexpr double kForesight = 2.0;
-  return problem_.keep_memory && problem_.before == nullptr ? kForesight : 1.0;
+void TileWork::begin_radiance(int first, int last, const LeafIntegrator& integrator) {
+  radiance_ = std::make_unique<Radiance>(tracer_, prober_, ledger_, table_, *spread_, lattice_values_,
+                                         problem_.seed, !integrator.unit_box());
+  radiance_->pixels().add(first, last, integrator);
 }
 
 /// Contrasts that steered the tracer are those of the tile; a pixel may differ. Borders are made more precise
 /// where the pixel's own strata say so.
 void TileWork::tighten_borders() {
-  const std::size_t n = problem_.drivers.size();
-  std::vector<int> every_output(outputs_.size());
+  std::vector<int> every_output(intervals_.states().size());
   std::iota(every_output.begin(), every_output.end(), 0);
   for (int pass = 0; pass < 4; ++pass) {
     const LeafIntegrator integrator(tracer_, *problem_.footprint, problem_.tile);
-    if (radiance_ == nullptr || !radiance_->refresh(integrator)) {
-      radiance_ = std::make_unique<Radiance>(tracer_, prober_, ledger_, table_, *spread_, lattice_values_,
-                                             faults_, problem_.seed, !integrator.unit_box());
-      radiance_->add_pixels(0, lattice_.domain().count(), integrator);
-    }
-    tracer_.forget_changes();
-    gather(integrator, problem_.drivers, every_output);
-    take_limits_from_sums();
-    bool any = false;
-    std::vector<double> factor(tracer_.allowed_variance().size(), 1.0);
-    for (const Radiance::Pixel& pixel : radiance_->pixels())
-      for (int output : pixel.model.outputs) {
-        const auto allowed = contrast_.allowed(source_of(output));
-        double worst = 0.0;
-        for (std::size_t d = 0; d < n; ++d)
-          worst = std::max(worst, sums_[output].geometry[d] / (allowed[d] * allowed[d]));
-        const double share = geometry_share(source_of(output));
-        if (worst > kTight * share)
-          factor[pixel.source] = std::max(factor[pixel.source], 1.1 * worst / share);
-      }
-    for (std::size_t p = 0; p < factor.size(); ++p)
-      if (factor[p] > 1.0 && !tracer_.abandoned(static_cast<std::uint32_t>(p)) &&
-          ledger_.spent(static_cast<int>(p)) < options_.max_samples_per_pixel) {
-        tracer_.allowed_variance()[p] /= std::min(factor[p], 16.0);
-        any = true;
-      }
-    if (!any) return;
+    if (radiance_ == nullptr || !radiance_->pixels().refresh(integrator))
+      begin_radiance(0, lattice_.domain().count(), integrator);
+    tracer_.pixels().forget_changes();
+    intervals_.gather(*radiance_, integrator, problem_.drivers, every_output);
+    errors_.take_from_sums(intervals_);
+    if (!tighten_pixels()) return;
     tracer_.settle();
   }
   const LeafIntegrator integrator(tracer_, *problem_.footprint, problem_.tile);
-  if (!radiance_->refresh(integrator)) radiance_.reset();
+  if (!radiance_->pixels().refresh(integrator)) radiance_.reset();
+}
+
+/// False where no pixel needs it.
+bool TileWork::tighten_pixels() {
+  const std::size_t n = problem_.drivers.size();
+  TracedPixels& traced = tracer_.pixels();
+  std::vector<double> factor(traced.size(), 1.0);
+  for (const SourcePixel& pixel : radiance_->pixels().others())
+    for (int output : pixel.model.outputs) {
+      const auto allowed = contrast_.allowed(grid_.source_of(output));
+      double worst = 0.0;
+      for (std::size_t d = 0; d < n; ++d)
+        worst = std::max(worst, intervals_.sum(output).geometry[d] / (allowed[d] * allowed[d]));
+      const double share = errors_.geometry_share(grid_.source_of(output), *spread_);
+      if (worst > kTight * share) factor[pixel.source] = std::max(factor[pixel.source], 1.1 * worst / share);
+    }
+  bool any = false;
+  for (std::uint32_t p = 0; p < factor.size(); ++p)
+    if (factor[p] > 1.0 && !traced.abandoned(p) &&
+        ledger_.spent(static_cast<int>(p)) < options_.max_samples_per_pixel) {
+      traced.allow_variance(p, traced.allowed_variance(p) / std::min(factor[p], 16.0));
+      any = true;
+    }
+  return any;
+}
+
+void TileWork::estimate() {
+  const LeafIntegrator integrator(tracer_, *problem_.footprint, problem_.tile);
+  // Pixels of a box footprint are independent of each other: they are finished in groups, so that few values
+  // are in memory at a time. A wider footprint ties them together.
+  const int sources = lattice_.domain().count();
+  const int group = integrator.unit_box() ? std::max<int>(64, 81920 / ledger_.field().stride()) : sources;
+  RoundPlanner planner(options_, ledger_, clutter_, intervals_);
+  for (int first = 0; first < sources; first += group) {
+    const bool ready = group >= sources && radiance_ != nullptr;  // by tighten_borders, of all pixels
+    if (!ready) begin_radiance(first, std::min(sources, first + group), integrator);
+    const std::vector<int> outputs = outputs_reached();
+    for (std::size_t p = 0; p < radiance_->pixels().others().size(); ++p)
+      recall_.recall_values(*radiance_, p, intervals_.states());
+    planner.run(*radiance_, integrator, outputs, problem_.drivers, columns_);
+    report_.add_group(*radiance_, integrator, outputs, intervals_);
+    recall_.remember_values(*radiance_, clutter_.predicted());
+  }
+}
+
+/// The outputs in which source pixels of the group weigh.
+std::vector<int> TileWork::outputs_reached() const {
+  std::vector<std::uint8_t> touched(static_cast<std::size_t>(problem_.tile.count()), 0);
+  for (const PlainPixel& pixel : radiance_->pixels().plain()) touched[pixel.output] = 1;
+  for (const SourcePixel& pixel : radiance_->pixels().others())
+    for (int o : pixel.model.outputs) touched[o] = 1;
+  std::vector<int> outputs;
+  for (std::size_t o = 0; o < touched.size(); ++o)
+    if (touched[o]) outputs.push_back(static_cast<int>(o));
+  return outputs;
+}
+
+void TileWork::report() {
+  report_.finish(lattice_, look_);
+  recall_.finish(intervals_.states(), result_);
 }
 
 }  // namespace ifov::sampling

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "sampling/field.h"
-#include "sampling/hash.h"
 #include "sampling/random.h"
 
 namespace ifov::sampling {
@@ -38,14 +37,15 @@ struct Bracket {
   double excess() const { return 0.5 * (low + high) - centre(); }
   bool on_grid() const { return grid_high - grid_low > 1; }
 
-  /// Lays the grid: 2^n - 1 whole steps, about `target_px` wide; dithered by `key`, or 2^n plain ones.
-  void lay_grid(double target_px, std::uint64_t key, bool dither) {
+  /// Lays the grid: 2^n - 1 whole steps, about `target_px` wide, the first of which begins `grid_phase` - 1 steps from
+  /// the edge's start (the dither, in [0, 1)).
+  void lay_grid(double target_px, double grid_phase) {
     int bits = 0;
     const double mantissa = std::frexp(length_px / target_px + 1.0, &bits);
     if (mantissa < std::numbers::sqrt2 / 2.0) --bits;  // the nearest power of two
     grid_count = 1 << std::clamp(bits, 1, 20);
-    phase = dither ? static_cast<double>(mix(key) >> 11) * 0x1p-53 : 1.0;
-    step = length_px / (dither ? grid_count - 1 : grid_count);
+    phase = grid_phase;
+    step = length_px / (grid_count - 1);
     grid_low = 0;
     grid_high = grid_count;
     low = grid_position(0);

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "sampling/accuracy/basis/label_table.h"
-#include "sampling/tile.h"
 
 namespace ifov::sampling {
 

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+
+namespace ifov::sampling {
+
+class Dither;
+class LabelSpread;
+class LabelTable;
+class Lattice;
+struct LatticeValues;
+
+/// The parts of the accuracy sampler on which its intervals rest, made anew for each tile.
+class AccuracyParts {
+ public:
+  virtual ~AccuracyParts() = default;
+
+  /// Where the grids of brackets begin.
+  virtual std::unique_ptr<Dither> dither() const;
+  /// How values of a label differ; `table` knows the means over the lattice and nothing else yet.
+  virtual std::unique_ptr<LabelSpread> spread(const Lattice& lattice, const LabelTable& table,
+                                              const LatticeValues& values) const;
+};
+
+}  // namespace ifov::sampling
