@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sampling/accuracy/accuracy_sampler.h"
-#include "sampling/accuracy/edges/polygon.h"
+#include "sampling/accuracy/borders/polygon.h"
 #include "sampling/random.h"
 #include "shape_field.h"
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "sampling/accuracy/clutter_round.h"
+#include "sampling/accuracy/radiance/clutter_round.h"
 #include "sampling/hash.h"
 
 namespace ifov::sampling {

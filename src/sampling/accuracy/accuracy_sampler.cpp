@@ -30,9 +30,7 @@ void AccuracySampler::sample(const TileProblem& problem, Field& field, TileResul
     return;
   }
   TileWork work(problem, field, options_, parts(), result);
-  work.trace_lattice();
-  work.switch_clutter();
-  work.trace_borders();
+  work.trace();
   work.estimate();
   work.report();
 }

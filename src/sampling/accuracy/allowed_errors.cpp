@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "sampling/accuracy/basis/lattice.h"
-#include "sampling/accuracy/edges/cell_tree.h"
-#include "sampling/accuracy/edges/contrast.h"
-#include "sampling/accuracy/lattice_values.h"
+#include "sampling/accuracy/basis/no_label.h"
+#include "sampling/accuracy/borders/contrast.h"
 #include "sampling/accuracy/output_intervals.h"
+#include "sampling/accuracy/radiance/lattice_values.h"
+#include "sampling/accuracy/radiance/spread.h"
 #include "sampling/accuracy/source_grid.h"
-#include "sampling/accuracy/spread.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/tile.h"
 #include "sampling/tolerance.h"
@@ -142,6 +142,14 @@ double AllowedErrors::geometry_share(int source, const LabelSpread& spread) cons
           return kGeometryShareWithPaths;
     }
   return 1.0;
+}
+
+double AllowedErrors::border_part(int source, const double* geometry) const {
+  const auto allowed = contrast_.allowed(source);
+  double worst = 0.0;
+  for (std::size_t d = 0; d < allowed.size(); ++d)
+    worst = std::max(worst, geometry[d] / (allowed[d] * allowed[d]));
+  return worst;
 }
 
 double AllowedErrors::border_variance(int source, const LabelSpread& spread) const {

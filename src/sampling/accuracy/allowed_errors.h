@@ -28,6 +28,9 @@ class AllowedErrors {
   /// Share of a source pixel's allowed variance that borders may take: all of it where every label looks the same
   /// everywhere.
   double geometry_share(int source, const LabelSpread& spread) const;
+  /// What borders have in the variance of an output pixel at its worst driver, over the square of its allowed standard
+  /// error; `geometry`: their variance by driver.
+  double border_part(int source, const double* geometry) const;
   /// Variance that borders may leave in a source pixel, in squares of its allowed standard error: more where it counts
   /// only in part in each output.
   double border_variance(int source, const LabelSpread& spread) const;

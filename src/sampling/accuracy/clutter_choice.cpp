@@ -5,12 +5,14 @@
 
 #include "sampling/accuracy/allowed_errors.h"
 #include "sampling/accuracy/basis/lattice.h"
+#include "sampling/accuracy/borders/contrast.h"
+#include "sampling/accuracy/borders/traced_pixels.h"
 #include "sampling/accuracy/clutter.h"
-#include "sampling/accuracy/edges/contrast.h"
-#include "sampling/accuracy/edges/traced_pixels.h"
-#include "sampling/accuracy/lattice_values.h"
 #include "sampling/accuracy/output_state.h"
-#include "sampling/accuracy/radiance.h"
+#include "sampling/accuracy/radiance/lattice_values.h"
+#include "sampling/accuracy/radiance/radiance.h"
+#include "sampling/accuracy/radiance/radiance_clutter.h"
+#include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/accuracy/tile_recall.h"
 
 namespace ifov::sampling {

@@ -7,7 +7,7 @@
 #include "sampling/accuracy/basis/label_table.h"
 #include "sampling/accuracy/basis/lattice.h"
 #include "sampling/accuracy/basis/ray_ledger.h"
-#include "sampling/accuracy/lattice_values.h"
+#include "sampling/accuracy/radiance/lattice_values.h"
 #include "sampling/hash.h"
 
 namespace ifov::sampling {

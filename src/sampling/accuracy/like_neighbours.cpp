@@ -6,10 +6,10 @@
 
 #include "sampling/accuracy/basis/label_table.h"
 #include "sampling/accuracy/basis/lattice.h"
+#include "sampling/accuracy/borders/traced_pixels.h"
 #include "sampling/accuracy/edges/contradictions.h"
 #include "sampling/accuracy/edges/edge_tracer.h"
-#include "sampling/accuracy/edges/traced_pixels.h"
-#include "sampling/accuracy/lattice_values.h"
+#include "sampling/accuracy/radiance/lattice_values.h"
 #include "sampling/hash.h"
 
 namespace ifov::sampling {

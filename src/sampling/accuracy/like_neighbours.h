@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sampling/accuracy/probing.h"
+#include "sampling/accuracy/edges/probing.h"
 
 namespace ifov::sampling {
 

@@ -4,8 +4,13 @@
 #include <cmath>
 
 #include "sampling/accuracy/basis/label_table.h"
-#include "sampling/accuracy/leaf_integrator.h"
-#include "sampling/accuracy/radiance.h"
+#include "sampling/accuracy/radiance/footprint_weights.h"
+#include "sampling/accuracy/radiance/leaf_integrator.h"
+#include "sampling/accuracy/radiance/radiance.h"
+#include "sampling/accuracy/radiance/radiance_clutter.h"
+#include "sampling/accuracy/radiance/source_pixels.h"
+#include "sampling/accuracy/radiance/stratum_moments.h"
+#include "sampling/accuracy/radiance/unseen_values.h"
 #include "sampling/tolerance.h"
 
 namespace ifov::sampling {

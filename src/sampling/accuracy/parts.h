@@ -5,9 +5,12 @@
 namespace ifov::sampling {
 
 class Dither;
+class Field;
 class LabelSpread;
 class LabelTable;
 class Lattice;
+class NearbySpread;
+class Prober;
 struct LatticeValues;
 
 /// The parts of the accuracy sampler on which its intervals rest, made anew for each tile.
@@ -20,6 +23,10 @@ class AccuracyParts {
   /// How values of a label differ; `table` knows the means over the lattice and nothing else yet.
   virtual std::unique_ptr<LabelSpread> spread(const Lattice& lattice, const LabelTable& table,
                                               const LatticeValues& values) const;
+  /// How values near a pixel differ.
+  virtual std::unique_ptr<NearbySpread> nearby(const Lattice& lattice, const LatticeValues& values,
+                                               const Prober& prober, const Field& field,
+                                               const LabelTable& table, const LabelSpread& spread) const;
 };
 
 }  // namespace ifov::sampling

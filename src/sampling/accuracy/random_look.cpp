@@ -6,7 +6,7 @@
 #include "sampling/accuracy/basis/label_table.h"
 #include "sampling/accuracy/basis/lattice.h"
 #include "sampling/accuracy/basis/ray_ledger.h"
-#include "sampling/accuracy/lattice_values.h"
+#include "sampling/accuracy/radiance/lattice_values.h"
 #include "sampling/accuracy/source_grid.h"
 #include "sampling/hash.h"
 #include "sampling/random.h"

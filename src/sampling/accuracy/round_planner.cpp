@@ -7,9 +7,15 @@
 #include "sampling/accuracy/basis/options.h"
 #include "sampling/accuracy/basis/ray_ledger.h"
 #include "sampling/accuracy/clutter_choice.h"
-#include "sampling/accuracy/leaf_integrator.h"
 #include "sampling/accuracy/output_intervals.h"
-#include "sampling/accuracy/radiance.h"
+#include "sampling/accuracy/radiance/leaf_integrator.h"
+#include "sampling/accuracy/radiance/radiance.h"
+#include "sampling/accuracy/radiance/radiance_clutter.h"
+#include "sampling/accuracy/radiance/radiance_nets.h"
+#include "sampling/accuracy/radiance/radiance_rounds.h"
+#include "sampling/accuracy/radiance/source_pixels.h"
+#include "sampling/accuracy/radiance/stratum_moments.h"
+#include "sampling/accuracy/radiance/unseen_values.h"
 #include "sampling/tolerance.h"
 
 namespace ifov::sampling {

@@ -4,8 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "sampling/accuracy/strata.h"
-
 namespace ifov::sampling {
 
 class ClutterChoice;
@@ -15,6 +13,8 @@ class Radiance;
 class RayLedger;
 struct AccuracyOptions;
 struct OutputState;
+struct SourcePixel;
+struct Stratum;
 
 /// Radiance in rounds: looks at the intervals of a group of source pixels, and plans more values where they are too wide.
 class RoundPlanner {

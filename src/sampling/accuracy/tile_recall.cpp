@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "sampling/accuracy/basis/tile_memory.h"
 #include "sampling/accuracy/output_state.h"
-#include "sampling/accuracy/radiance.h"
+#include "sampling/accuracy/radiance/radiance.h"
+#include "sampling/accuracy/radiance/radiance_memory.h"
+#include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/tile.h"
 
 namespace ifov::sampling {
@@ -14,10 +17,11 @@ namespace {
 /// Predictions below this are no better known: a first round has its least size.
 constexpr double kLeastPrediction = 64.0;
 
-std::optional<TileMemory> memory_of(const TileProblem& problem, int columns) {
-  if (problem.before != nullptr) return TileMemory(static_cast<std::size_t>(columns), problem.before->memory);
-  if (problem.keep_memory) return TileMemory(static_cast<std::size_t>(columns));
-  return std::nullopt;
+std::unique_ptr<TileMemory> memory_of(const TileProblem& problem, int columns) {
+  if (problem.before != nullptr)
+    return std::make_unique<TileMemory>(static_cast<std::size_t>(columns), problem.before->memory);
+  if (problem.keep_memory) return std::make_unique<TileMemory>(static_cast<std::size_t>(columns));
+  return nullptr;
 }
 
 /// Counts of the result so far are of this run alone.
@@ -37,6 +41,8 @@ void add_counts(const TileResult& before, TileResult& result) {
 TileRecall::TileRecall(const TileProblem& problem, int columns)
     : problem_(problem), memory_(memory_of(problem, columns)) {}
 
+TileRecall::~TileRecall() = default;
+
 void TileRecall::recall_looks(std::vector<OutputState>& outputs) const {
   if (!memory_) return;
   const std::vector<std::uint8_t>& looks = memory_->looks_before();
@@ -52,6 +58,10 @@ void TileRecall::recall_values(Radiance& radiance, std::size_t p, std::vector<Ou
   SourcePixel& pixel = radiance.pixels().others()[p];
   if (radiance.memory().recall(pixel, *memory_)) return;
   for (int o : pixel.model.outputs) outputs[o].look = 0;
+}
+
+void TileRecall::recall_values(Radiance& radiance, std::vector<OutputState>& outputs) const {
+  for (std::size_t p = 0; p < radiance.pixels().others().size(); ++p) recall_values(radiance, p, outputs);
 }
 
 double TileRecall::clutter_to_come(int source, double predicted) const {

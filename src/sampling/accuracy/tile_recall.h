@@ -1,14 +1,13 @@
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
-
-#include "sampling/accuracy/basis/tile_memory.h"
 
 namespace ifov::sampling {
 
 class Radiance;
+class TileMemory;
 struct OutputState;
 struct TileProblem;
 struct TileResult;
@@ -17,14 +16,17 @@ struct TileResult;
 class TileRecall {
  public:
   TileRecall(const TileProblem& problem, int columns);
+  ~TileRecall();
 
   /// Of the run before, where there is one; for the next, where it is to be kept; else null.
-  TileMemory* memory() { return memory_ ? &*memory_ : nullptr; }
+  TileMemory* memory() { return memory_.get(); }
 
   /// Outputs go on with the looks at which the run before ended.
   void recall_looks(std::vector<OutputState>& outputs) const;
   /// Takes up what is known of pixel number `pixel` of the group.
   void recall_values(Radiance& radiance, std::size_t pixel, std::vector<OutputState>& outputs) const;
+  /// Of all pixels of the group.
+  void recall_values(Radiance& radiance, std::vector<OutputState>& outputs) const;
   /// Values that clutter still takes by the lattice's prediction, where an earlier run has begun, and has shown
   /// what such predictions are worth in the pixel.
   double clutter_to_come(int source, double predicted) const;
@@ -36,7 +38,7 @@ class TileRecall {
 
  private:
   const TileProblem& problem_;
-  std::optional<TileMemory> memory_;
+  std::unique_ptr<TileMemory> memory_;
 };
 
 }  // namespace ifov::sampling

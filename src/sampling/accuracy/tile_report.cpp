@@ -7,9 +7,10 @@
 #include "sampling/accuracy/basis/label_table.h"
 #include "sampling/accuracy/basis/lattice.h"
 #include "sampling/accuracy/basis/ray_ledger.h"
+#include "sampling/accuracy/edges/probing.h"
 #include "sampling/accuracy/output_intervals.h"
-#include "sampling/accuracy/probing.h"
-#include "sampling/accuracy/radiance.h"
+#include "sampling/accuracy/radiance/radiance.h"
+#include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/accuracy/random_look.h"
 #include "sampling/tile.h"
 

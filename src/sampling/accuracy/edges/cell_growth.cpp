@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "sampling/accuracy/edges/border_model.h"
-#include "sampling/accuracy/edges/bracket_store.h"
-#include "sampling/accuracy/edges/cell_tree.h"
+#include "sampling/accuracy/borders/border_model.h"
+#include "sampling/accuracy/borders/bracket_store.h"
+#include "sampling/accuracy/borders/cell_tree.h"
+#include "sampling/accuracy/borders/contrast.h"
+#include "sampling/accuracy/borders/edge_cells.h"
+#include "sampling/accuracy/borders/traced_pixels.h"
 #include "sampling/accuracy/edges/complex_cells.h"
-#include "sampling/accuracy/edges/contrast.h"
-#include "sampling/accuracy/edges/edge_cells.h"
 #include "sampling/accuracy/edges/narrow_features.h"
 #include "sampling/accuracy/edges/open_borders.h"
-#include "sampling/accuracy/edges/traced_pixels.h"
 
 namespace ifov::sampling {
 

@@ -1,9 +1,9 @@
 #include "sampling/accuracy/edges/complex_cells.h"
 
-#include "sampling/accuracy/edges/cell_tree.h"
-#include "sampling/accuracy/edges/contrast.h"
+#include "sampling/accuracy/borders/cell_tree.h"
+#include "sampling/accuracy/borders/contrast.h"
+#include "sampling/accuracy/borders/traced_pixels.h"
 #include "sampling/accuracy/edges/narrow_features.h"
-#include "sampling/accuracy/edges/traced_pixels.h"
 
 namespace ifov::sampling {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sampling/accuracy/edges/border_model.h"
-#include "sampling/accuracy/edges/contrast.h"
-#include "sampling/accuracy/edges/traced_pixels.h"
+#include "sampling/accuracy/borders/border_model.h"
+#include "sampling/accuracy/borders/contrast.h"
+#include "sampling/accuracy/borders/traced_pixels.h"
 
 namespace ifov::sampling {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "sampling/accuracy/edges/bracket_store.h"
-#include "sampling/accuracy/edges/cell_tree.h"
+#include "sampling/accuracy/borders/bracket_store.h"
+#include "sampling/accuracy/borders/cell_tree.h"
+#include "sampling/accuracy/borders/traced_pixels.h"
 #include "sampling/accuracy/edges/complex_cells.h"
-#include "sampling/accuracy/edges/traced_pixels.h"
 
 namespace ifov::sampling {
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "sampling/accuracy/edges/chord.h"
-#include "sampling/accuracy/edges/curve.h"
+#include "sampling/accuracy/borders/chord.h"
+#include "sampling/accuracy/borders/curve.h"
 #include "sampling/field.h"
 
 namespace ifov::sampling {

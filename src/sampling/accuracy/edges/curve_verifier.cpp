@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sampling/accuracy/edges/border_model.h"
-#include "sampling/accuracy/edges/contrast.h"
+#include "sampling/accuracy/borders/border_model.h"
+#include "sampling/accuracy/borders/contrast.h"
+#include "sampling/accuracy/borders/point_queries.h"
+#include "sampling/accuracy/borders/traced_pixels.h"
 #include "sampling/accuracy/edges/curve_predictor.h"
 #include "sampling/accuracy/edges/narrow_features.h"
-#include "sampling/accuracy/edges/point_queries.h"
-#include "sampling/accuracy/edges/traced_pixels.h"
 
 namespace ifov::sampling {
 

@@ -3,21 +3,21 @@
 #include <cmath>
 
 #include "sampling/accuracy/basis/options.h"
-#include "sampling/accuracy/edges/border_model.h"
+#include "sampling/accuracy/borders/border_model.h"
+#include "sampling/accuracy/borders/edge_cells.h"
+#include "sampling/accuracy/borders/point_queries.h"
+#include "sampling/accuracy/borders/traced_pixels.h"
 #include "sampling/accuracy/edges/cell_growth.h"
 #include "sampling/accuracy/edges/complex_cells.h"
 #include "sampling/accuracy/edges/contradictions.h"
 #include "sampling/accuracy/edges/crossing_precision.h"
 #include "sampling/accuracy/edges/curve_predictor.h"
 #include "sampling/accuracy/edges/curve_verifier.h"
-#include "sampling/accuracy/edges/edge_cells.h"
 #include "sampling/accuracy/edges/junction_predictor.h"
 #include "sampling/accuracy/edges/junction_verifier.h"
 #include "sampling/accuracy/edges/narrow_features.h"
 #include "sampling/accuracy/edges/open_borders.h"
-#include "sampling/accuracy/edges/point_queries.h"
 #include "sampling/accuracy/edges/sharpener.h"
-#include "sampling/accuracy/edges/traced_pixels.h"
 
 namespace ifov::sampling {
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sampling/accuracy/edges/border_model.h"
+#include "sampling/accuracy/borders/border_model.h"
+#include "sampling/accuracy/edges/junction_check.h"
 
 namespace ifov::sampling {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sampling/accuracy/edges/border_model.h"
+#include "sampling/accuracy/borders/border_model.h"
+#include "sampling/accuracy/borders/point_queries.h"
+#include "sampling/accuracy/borders/traced_pixels.h"
 #include "sampling/accuracy/edges/complex_cells.h"
 #include "sampling/accuracy/edges/junction_predictor.h"
-#include "sampling/accuracy/edges/point_queries.h"
-#include "sampling/accuracy/edges/traced_pixels.h"
 
 namespace ifov::sampling {
 

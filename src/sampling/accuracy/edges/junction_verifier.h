@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sampling/accuracy/edges/junction.h"
+#include "sampling/accuracy/edges/junction_check.h"
 
 namespace ifov::sampling {
 

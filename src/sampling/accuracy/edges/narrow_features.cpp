@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sampling/accuracy/edges/bracket_store.h"
-#include "sampling/accuracy/edges/cell_tree.h"
+#include "sampling/accuracy/borders/bracket_store.h"
+#include "sampling/accuracy/borders/cell_tree.h"
 
 namespace ifov::sampling {
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sampling/accuracy/edges/border_model.h"
-#include "sampling/accuracy/edges/contrast.h"
+#include "sampling/accuracy/borders/border_model.h"
+#include "sampling/accuracy/borders/contrast.h"
+#include "sampling/accuracy/borders/edge_cells.h"
+#include "sampling/accuracy/borders/traced_pixels.h"
 #include "sampling/accuracy/edges/crossing_precision.h"
-#include "sampling/accuracy/edges/edge_cells.h"
 #include "sampling/accuracy/edges/junction_predictor.h"
 #include "sampling/accuracy/edges/open_borders.h"
-#include "sampling/accuracy/edges/traced_pixels.h"
 
 namespace ifov::sampling {
 
