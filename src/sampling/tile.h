@@ -8,15 +8,18 @@
 #include <string_view>
 #include <vector>
 
-#include "core/run_control.h"
 #include "sampling/field.h"
-#include "sampling/pixel_footprint.h"
 #include "sampling/pixel_rect.h"
 #include "sampling/reasons.h"
-#include "sampling/tolerance.h"
+
+namespace ifov {
+class CancelToken;
+}
 
 namespace ifov::sampling {
 
+class PixelFootprint;
+class Tolerance;
 struct TileResult;
 
 /// All that a sampler may know about the tile it works on. Results depend on this alone.

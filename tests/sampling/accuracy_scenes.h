@@ -9,7 +9,9 @@
 
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "sampling/accuracy/borders/polygon.h"
+#include "sampling/pixel_footprint.h"
 #include "sampling/random.h"
+#include "sampling/tolerance.h"
 #include "shape_field.h"
 
 namespace ifov::test {

@@ -57,13 +57,13 @@ class OtherSpread : public sampling::AccuracyParts {
   }
 };
 
-/// Labels that the lattice has met once, or not at all, claim to be exact.
-struct CertainSpread final : sampling::LabelSpread {
-  CertainSpread(const sampling::Lattice& lattice, const sampling::LabelTable& table,
-                const sampling::LatticeValues& values)
+/// Labels that the lattice has met fewer than four times, or not at all, claim to be exact.
+struct CertainOfFew final : sampling::LabelSpread {
+  CertainOfFew(const sampling::Lattice& lattice, const sampling::LabelTable& table,
+               const sampling::LatticeValues& values)
       : LabelSpread(lattice, table, values) {
     for (std::uint32_t label = 0; label < labels_; ++label)
-      if (table.count(label) < 2) constant_[label] = 1;
+      if (table.count(label) < 4) constant_[label] = 1;
     for (std::vector<double>* variances : {&local_, &total_, &rare_})
       std::fill_n(&(*variances)[labels_ * columns_], columns_, 0.0);
   }
@@ -73,7 +73,7 @@ struct NoneNearby final : sampling::NearbySpread {
   using NearbySpread::NearbySpread;
   std::vector<float> deviation(const sampling::SourcePixel&, std::uint32_t) const override { return {}; }
 };
-using CertainSingles = OtherSpread<CertainSpread, NoneNearby>;
+using CertainFew = OtherSpread<CertainOfFew, NoneNearby>;
 
 /// What all labels tell of a label of few values is taken for its own.
 struct ToldByOthers final : sampling::LabelSpread {

@@ -11,9 +11,9 @@
 #include "sampling/accuracy/basis/lattice.h"
 #include "sampling/accuracy/basis/ray_ledger.h"
 #include "sampling/accuracy/basis/small_vector.h"
-#include "sampling/accuracy/clutter.h"
 #include "sampling/accuracy/borders/bracket.h"
 #include "sampling/accuracy/borders/chord.h"
+#include "sampling/accuracy/clutter.h"
 #include "sampling/accuracy/radiance/pixel_model.h"
 #include "sampling/accuracy/radiance/spread.h"
 

@@ -13,6 +13,7 @@
 #include "sampling/accuracy/radiance/source_pixels.h"
 #include "sampling/accuracy/random_look.h"
 #include "sampling/tile.h"
+#include "sampling/tolerance.h"
 
 namespace ifov::sampling {
 
