@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
-#include <vector>
+#include <span>
 
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "sampling/accuracy/basis/dither.h"
-#include "sampling/accuracy/basis/label_table.h"
-#include "sampling/accuracy/basis/no_label.h"
+#include "sampling/accuracy/basis/lattice.h"
 #include "sampling/accuracy/parts.h"
 #include "sampling/accuracy/radiance/lattice_values.h"
-#include "sampling/accuracy/radiance/nearby_spread.h"
-#include "sampling/accuracy/radiance/spread.h"
+#include "sampling/accuracy/radiance/strata.h"
+#include "sampling/accuracy/radiance/stratum_moments.h"
+#include "sampling/accuracy/radiance/unseen_values.h"
 
 // Accuracy samplers one part of which is planted with a fault: the benchmark has to notice it.
 
@@ -39,40 +39,58 @@ class Undithered final : public sampling::AccuracyParts {
   };
 };
 
-/// What is known of how values differ is another class's word.
-template <class Spread, class Nearby>
-class OtherSpread : public sampling::AccuracyParts {
- public:
-  std::unique_ptr<sampling::LabelSpread> spread(const sampling::Lattice& lattice,
-                                                const sampling::LabelTable& table,
-                                                const sampling::LatticeValues& values) const final {
-    return std::make_unique<Spread>(lattice, table, values);
-  }
-  std::unique_ptr<sampling::NearbySpread> nearby(const sampling::Lattice& lattice,
-                                                 const sampling::LatticeValues& values,
-                                                 const sampling::Prober& prober, const sampling::Field& field,
-                                                 const sampling::LabelTable& table,
-                                                 const sampling::LabelSpread& spread) const final {
-    return std::make_unique<Nearby>(lattice, values, prober, field, table, spread);
-  }
-};
+/// The estimates of strata, but that one value, of the lattice or a path's, claims to be exact.
+struct EstimatesOfSingles final : sampling::StratumEstimates {
+  EstimatesOfSingles(const sampling::Lattice& lattice, const sampling::LatticeValues& values,
+                     const sampling::LabelTable& table, const sampling::LabelSpread& spread)
+      : StratumEstimates(lattice, values, table, spread), lattice_(lattice), values_(values) {}
 
-/// Labels that the lattice has met fewer than four times, or not at all, claim to be exact.
-struct CertainOfFew final : sampling::LabelSpread {
-  CertainOfFew(const sampling::Lattice& lattice, const sampling::LabelTable& table,
-               const sampling::LatticeValues& values)
-      : LabelSpread(lattice, table, values) {
-    for (std::uint32_t label = 0; label < labels_; ++label)
-      if (table.count(label) < 4) constant_[label] = 1;
-    for (std::vector<double>* variances : {&local_, &total_, &rare_})
-      std::fill_n(&(*variances)[labels_ * columns_], columns_, 0.0);
+  void moments(const sampling::SourcePixel& pixel, std::size_t s, std::span<const int> columns,
+               sampling::StratumMoments& out) const override {
+    StratumEstimates::moments(pixel, s, columns, out);
+    const sampling::Stratum& stratum = pixel.strata[s];
+    if (stratum.nets.size > 0) return;
+    double blocks = 0.0;
+    for (const sampling::BlockSums& round : stratum.rounds) blocks += round.blocks();
+    if (out.sampled ? blocks == 0.0 : vertices(pixel, stratum.label) < 2)
+      std::fill(out.variance.begin(), out.variance.end(), 0.0);
+  }
+
+ private:
+  int vertices(const sampling::SourcePixel& pixel, std::uint32_t label) const {
+    const int k = lattice_.cells_per_pixel();
+    int count = 0;
+    for (int j = 0; j <= k; ++j)
+      for (int i = 0; i <= k; ++i)
+        count += values_.labels[lattice_.first_vertex(pixel.source) +
+                                static_cast<std::size_t>(j * (lattice_.columns() + 1) + i)] == label;
+    return count;
+  }
+
+  const sampling::Lattice& lattice_;
+  const sampling::LatticeValues& values_;
+};
+struct NothingUnseenBySingles final : sampling::UnseenValues {
+  using UnseenValues::UnseenValues;
+  double variance(const sampling::SourcePixel& pixel, std::size_t s, int column) const override {
+    if (!pixel.cluttered && pixel.strata[s].count() < 2) return 0.0;
+    return UnseenValues::variance(pixel, s, column);
   }
 };
-/// Nothing but its own values tells how those of a label differ.
-struct NoneNearby final : sampling::NearbySpread {
-  using NearbySpread::NearbySpread;
-  std::vector<float> deviation(const sampling::SourcePixel&, std::uint32_t) const override { return {}; }
+class CertainSingles final : public sampling::AccuracyParts {
+ public:
+  std::unique_ptr<sampling::StratumEstimates> estimates(const sampling::Lattice& lattice,
+                                                        const sampling::LatticeValues& values,
+                                                        const sampling::LabelTable& table,
+                                                        const sampling::LabelSpread& spread) const override {
+    return std::make_unique<EstimatesOfSingles>(lattice, values, table, spread);
+  }
+  std::unique_ptr<sampling::UnseenValues> unseen(const sampling::LabelSpread& spread,
+                                                 const sampling::Prober& prober,
+                                                 const sampling::LabelTable& table,
+                                                 const sampling::Field& field) const override {
+    return std::make_unique<NothingUnseenBySingles>(spread, prober, table, field);
+  }
 };
-using CertainFew = OtherSpread<CertainOfFew, NoneNearby>;
 
 }  // namespace ifov::benchmarks

@@ -72,7 +72,8 @@ FigureRow caught(const std::string& name, const HonestyOutcome& faulty, const Ho
 /// Each on a scene where the mechanism that is switched off has to do the work, at that scene's own tolerance.
 std::vector<std::pair<std::string, HonestyCase>> planted_faults(int seeds, std::uint64_t first_seed) {
   HonestyCase no_sun_state{"fences", false, false, kReal, seeds, first_seed, {}};
-  HonestyCase certain{"patchwork", false, true, make_sampler<SamplerOf<CertainFew>>, seeds, first_seed, {}};
+  HonestyCase certain{"patchwork", false,      true, make_sampler<SamplerOf<CertainSingles>>,
+                      seeds,       first_seed, {}};
   HonestyCase undithered{"aligned_edge", false,      true, make_sampler<SamplerOf<Undithered>>,
                          10 * seeds,     first_seed, {}};
   return {{"fault_no_sun_state", no_sun_state},

@@ -125,8 +125,8 @@ TEST(AccuracyPaths, ReplicatesOfOneSequenceMustNotTellTheirError) {
   EXPECT_LT(skies(60, true).coverage(), 0.9);
 }
 
-// Labels of a few values that claim to be exact.
-TEST(AccuracyPaths, StrataOfFewSamplesMustNotClaimToBeExact) {
+// A label of a single value that claims to be exact: paths of two very different radiances within one label.
+TEST(AccuracyPaths, StrataOfOneSampleMustNotClaimToBeExact) {
   const auto coverage = [](bool fault) {
     int covered = 0;
     const int trials = 200;
@@ -143,7 +143,7 @@ TEST(AccuracyPaths, StrataOfFewSamplesMustNotClaimToBeExact) {
       Rendering render = three_by_three(seed);
       render.half_width = 0.5;
       render.options.clutter_switch = false;
-      if (fault) render.sampler = make_sampler<SamplerOf<CertainFew>>;
+      if (fault) render.sampler = make_sampler<SamplerOf<CertainSingles>>;
       const sampling::TileResult r = render(field);
       covered += std::abs(r.mean[4] - 10.0) <= r.half_width[4];
     }

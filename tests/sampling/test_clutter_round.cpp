@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "sampling/accuracy/radiance/clutter_round.h"
+#include "sampling/field.h"
 #include "sampling/hash.h"
+#include "sampling/pixel_footprint.h"
 
 namespace ifov::sampling {
 namespace {

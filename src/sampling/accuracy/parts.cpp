@@ -3,6 +3,8 @@
 #include "sampling/accuracy/basis/dither.h"
 #include "sampling/accuracy/radiance/nearby_spread.h"
 #include "sampling/accuracy/radiance/spread.h"
+#include "sampling/accuracy/radiance/stratum_moments.h"
+#include "sampling/accuracy/radiance/unseen_values.h"
 
 namespace ifov::sampling {
 
@@ -18,6 +20,18 @@ std::unique_ptr<NearbySpread> AccuracyParts::nearby(const Lattice& lattice, cons
                                                     const LabelTable& table,
                                                     const LabelSpread& spread) const {
   return std::make_unique<NearbySpread>(lattice, values, prober, field, table, spread);
+}
+
+std::unique_ptr<StratumEstimates> AccuracyParts::estimates(const Lattice& lattice,
+                                                           const LatticeValues& values,
+                                                           const LabelTable& table,
+                                                           const LabelSpread& spread) const {
+  return std::make_unique<StratumEstimates>(lattice, values, table, spread);
+}
+
+std::unique_ptr<UnseenValues> AccuracyParts::unseen(const LabelSpread& spread, const Prober& prober,
+                                                    const LabelTable& table, const Field& field) const {
+  return std::make_unique<UnseenValues>(spread, prober, table, field);
 }
 
 }  // namespace ifov::sampling

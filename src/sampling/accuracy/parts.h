@@ -11,6 +11,8 @@ class LabelTable;
 class Lattice;
 class NearbySpread;
 class Prober;
+class StratumEstimates;
+class UnseenValues;
 struct LatticeValues;
 
 /// The parts of the accuracy sampler on which its intervals rest, made anew for each tile.
@@ -27,6 +29,13 @@ class AccuracyParts {
   virtual std::unique_ptr<NearbySpread> nearby(const Lattice& lattice, const LatticeValues& values,
                                                const Prober& prober, const Field& field,
                                                const LabelTable& table, const LabelSpread& spread) const;
+  /// Means and variances of strata.
+  virtual std::unique_ptr<StratumEstimates> estimates(const Lattice& lattice, const LatticeValues& values,
+                                                      const LabelTable& table,
+                                                      const LabelSpread& spread) const;
+  /// What values have not met.
+  virtual std::unique_ptr<UnseenValues> unseen(const LabelSpread& spread, const Prober& prober,
+                                               const LabelTable& table, const Field& field) const;
 };
 
 }  // namespace ifov::sampling

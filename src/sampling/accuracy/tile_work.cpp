@@ -15,6 +15,8 @@
 #include "sampling/accuracy/radiance/leaf_integrator.h"
 #include "sampling/accuracy/radiance/nearby_spread.h"
 #include "sampling/accuracy/radiance/radiance.h"
+#include "sampling/accuracy/radiance/stratum_moments.h"
+#include "sampling/accuracy/radiance/unseen_values.h"
 #include "sampling/accuracy/round_planner.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/tile.h"
@@ -44,15 +46,21 @@ void TileWork::trace() {
   tracing_.trace_lattice();
   tracing_.switch_clutter();
   tracing_.trace_borders();
-  nearby_ = parts_.nearby(tracing_.lattice(), tracing_.lattice_values(), tracing_.prober(),
-                          tracing_.ledger().field(), tracing_.table(), tracing_.spread());
+  const Lattice& lattice = tracing_.lattice();
+  const LatticeValues& values = tracing_.lattice_values();
+  const LabelTable& table = tracing_.table();
+  const LabelSpread& spread = tracing_.spread();
+  const Field& field = tracing_.ledger().field();
+  nearby_ = parts_.nearby(lattice, values, tracing_.prober(), field, table, spread);
+  estimates_ = parts_.estimates(lattice, values, table, spread);
+  unseen_ = parts_.unseen(spread, tracing_.prober(), table, field);
   tighten_borders();
 }
 
 void TileWork::begin_radiance(int first, int last, const LeafIntegrator& integrator) {
-  radiance_ = std::make_unique<Radiance>(tracing_.tracer(), tracing_.prober(), tracing_.ledger(),
-                                         tracing_.table(), tracing_.spread(), *nearby_,
-                                         tracing_.lattice_values(), problem_.seed, !integrator.unit_box());
+  radiance_ = std::make_unique<Radiance>(tracing_.tracer(), tracing_.ledger(), tracing_.table(),
+                                         Radiance::Judges{tracing_.spread(), *nearby_, *estimates_, *unseen_},
+                                         problem_.seed, !integrator.unit_box());
   radiance_->add_pixels(first, last, integrator);
 }
 

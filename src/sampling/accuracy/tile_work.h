@@ -10,6 +10,8 @@
 namespace ifov::sampling {
 
 class NearbySpread;
+class StratumEstimates;
+class UnseenValues;
 
 /// The stages of the accuracy sampler on one tile, in the order of their calls.
 class TileWork {
@@ -37,6 +39,8 @@ class TileWork {
   OutputIntervals intervals_;
   TileReport report_;
   std::unique_ptr<NearbySpread> nearby_;
+  std::unique_ptr<StratumEstimates> estimates_;
+  std::unique_ptr<UnseenValues> unseen_;
   std::unique_ptr<Radiance> radiance_;  // of the group of source pixels at hand
 };
 

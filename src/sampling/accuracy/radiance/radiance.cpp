@@ -8,24 +8,19 @@
 #include "sampling/accuracy/radiance/radiance_nets.h"
 #include "sampling/accuracy/radiance/radiance_rounds.h"
 #include "sampling/accuracy/radiance/source_pixels.h"
-#include "sampling/accuracy/radiance/stratum_moments.h"
 #include "sampling/accuracy/radiance/stray_values.h"
-#include "sampling/accuracy/radiance/unseen_values.h"
 
 namespace ifov::sampling {
 
 /// Each knows those above it that it needs, and none below.
 struct Radiance::Parts {
-  Parts(const EdgeTracer& tracer, const Prober& prober, RayLedger& ledger, const LabelTable& table,
-        const LabelSpread& spread, const NearbySpread& nearby, const LatticeValues& values,
+  Parts(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable& table, const Judges& judges,
         std::uint64_t seed, bool keep)
       : strays(tracer.model(), tracer.contradictions(), table, ledger.field()),
-        pixels(tracer.pixels(), spread, nearby),
+        pixels(tracer.pixels(), judges.spread, judges.nearby),
         rounds(pixels.others(), tracer.model(), strays, table, ledger, keep ? &kept : nullptr, seed),
         nets(pixels.others(), tracer.model(), strays, table, ledger, seed),
         clutter(pixels.others(), tracer.lattice(), ledger, keep, seed),
-        estimates(tracer.lattice(), values, table, spread),
-        unseen(spread, prober, table, ledger.field()),
         memory(table, keep ? &kept : nullptr, static_cast<std::size_t>(ledger.field().stride())) {}
 
   StrayValues strays;
@@ -34,16 +29,12 @@ struct Radiance::Parts {
   RadianceRounds rounds;
   RadianceNets nets;
   RadianceClutter clutter;
-  StratumEstimates estimates;
-  UnseenValues unseen;
   RadianceMemory memory;
 };
 
-Radiance::Radiance(const EdgeTracer& tracer, const Prober& prober, RayLedger& ledger, const LabelTable& table,
-                   const LabelSpread& spread, const NearbySpread& nearby, const LatticeValues& lattice_values,
+Radiance::Radiance(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable& table, const Judges& judges,
                    std::uint64_t seed, bool keep_values)
-    : parts_(std::make_unique<Parts>(tracer, prober, ledger, table, spread, nearby, lattice_values, seed,
-                                     keep_values)) {}
+    : judges_(judges), parts_(std::make_unique<Parts>(tracer, ledger, table, judges, seed, keep_values)) {}
 
 Radiance::~Radiance() = default;
 
@@ -69,8 +60,6 @@ const SourcePixels& Radiance::pixels() const { return parts_->pixels; }
 RadianceRounds& Radiance::rounds() { return parts_->rounds; }
 RadianceNets& Radiance::nets() { return parts_->nets; }
 RadianceClutter& Radiance::clutter() { return parts_->clutter; }
-const StratumEstimates& Radiance::estimates() const { return parts_->estimates; }
-const UnseenValues& Radiance::unseen() const { return parts_->unseen; }
 const RadianceMemory& Radiance::memory() const { return parts_->memory; }
 
 void Radiance::trace() {

@@ -15,7 +15,6 @@ class LabelTable;
 class LeafIntegrator;
 class NearbySpread;
 class PixelFootprint;
-class Prober;
 class RadianceClutter;
 class RadianceMemory;
 class RadianceNets;
@@ -24,7 +23,6 @@ class RayLedger;
 class SourcePixels;
 class StratumEstimates;
 class UnseenValues;
-struct LatticeValues;
 struct Stratum;
 struct StratumMoments;
 struct WeighedMoments;
@@ -34,9 +32,15 @@ struct WeighedMoments;
 /// docs/theory/accuracy_sampler.md, section 6.
 class Radiance {
  public:
+  /// Judges of values, each for the whole tile.
+  struct Judges {
+    const LabelSpread& spread;
+    const NearbySpread& nearby;
+    const StratumEstimates& estimates;
+    const UnseenValues& unseen;
+  };
   /// `keep_values`: for a footprint that weighs the values of a pixel unlike.
-  Radiance(const EdgeTracer& tracer, const Prober& prober, RayLedger& ledger, const LabelTable& table,
-           const LabelSpread& spread, const NearbySpread& nearby, const LatticeValues& lattice_values,
+  Radiance(const EdgeTracer& tracer, RayLedger& ledger, const LabelTable& table, const Judges& judges,
            std::uint64_t seed, bool keep_values);
   ~Radiance();
 
@@ -55,8 +59,8 @@ class Radiance {
   /// Traces what was planned in all three.
   void trace();
 
-  const StratumEstimates& estimates() const;
-  const UnseenValues& unseen() const;
+  const StratumEstimates& estimates() const { return judges_.estimates; }
+  const UnseenValues& unseen() const { return judges_.unseen; }
   /// Moments of a stratum as the footprint weighs its values (weigh_by_footprint).
   void weigh(const Stratum& stratum, const PixelFootprint& footprint, Point2 centre,
              std::span<const int> columns, const StratumMoments& moments, WeighedMoments& out) const;
@@ -64,6 +68,7 @@ class Radiance {
 
  private:
   struct Parts;
+  Judges judges_;
   std::unique_ptr<Parts> parts_;
 };
 

@@ -29,9 +29,11 @@ class StratumEstimates {
                    const LabelSpread& spread)
       : lattice_(lattice), values_(values), table_(table), spread_(spread) {}
 
+  virtual ~StratumEstimates() = default;
+
   /// Over the given columns.
-  void moments(const SourcePixel& pixel, std::size_t stratum, std::span<const int> columns,
-               StratumMoments& out) const;
+  virtual void moments(const SourcePixel& pixel, std::size_t stratum, std::span<const int> columns,
+                       StratumMoments& out) const;
 
   /// Whether most of the variance of a stratum's values comes from their paths rather than from where they are, in
   /// some of these columns; false before twins have told.

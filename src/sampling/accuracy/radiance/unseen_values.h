@@ -16,8 +16,10 @@ class UnseenValues {
   UnseenValues(const LabelSpread& spread, const Prober& prober, const LabelTable& table, const Field& field)
       : spread_(spread), prober_(prober), table_(table), field_(field) {}
 
+  virtual ~UnseenValues() = default;
+
   /// Variance of the mean of a stratum's values by what they have not met; of a cluttered pixel's where it is one.
-  double variance(const SourcePixel& pixel, std::size_t stratum, int column) const;
+  virtual double variance(const SourcePixel& pixel, std::size_t stratum, int column) const;
 
  private:
   bool knows_more_than_values(const SourcePixel& pixel) const;
