@@ -12,6 +12,7 @@
 #include <fstream>
 
 #include "core/format.h"
+#include "honesty/faulty_samplers.h"
 #include "honesty/figure_row.h"
 #include "honesty/named_scenes.h"
 #include "honesty/reference_check.h"
@@ -22,6 +23,8 @@
 namespace {
 
 using namespace ifov::benchmarks;
+
+constexpr auto kReal = make_sampler<ifov::sampling::AccuracySampler>;
 
 std::string name_of(const HonestyCase& which) { return which.scene + (which.psf ? "_psf" : ""); }
 
@@ -68,13 +71,13 @@ FigureRow caught(const std::string& name, const HonestyOutcome& faulty, const Ho
 
 /// Each on a scene where the mechanism that is switched off has to do the work, at that scene's own tolerance.
 std::vector<std::pair<std::string, HonestyCase>> planted_faults(int seeds, std::uint64_t first_seed) {
-  HonestyCase no_sun_state{"fences", false, false, {}, seeds, first_seed, {}};
-  HonestyCase certain_singles{"patchwork", false, true, {}, seeds, first_seed, {}};
-  certain_singles.faults.zero_variance_single_samples = true;
-  HonestyCase undithered{"aligned_edge", false, true, {}, 10 * seeds, first_seed, {}};
-  undithered.faults.undithered_brackets = true;
+  HonestyCase no_sun_state{"fences", false, false, kReal, seeds, first_seed, {}};
+  HonestyCase certain{"patchwork", false,      true, make_sampler<SamplerOf<CertainSingles>>,
+                      seeds,       first_seed, {}};
+  HonestyCase undithered{"aligned_edge", false,      true, make_sampler<SamplerOf<Undithered>>,
+                         10 * seeds,     first_seed, {}};
   return {{"fault_no_sun_state", no_sun_state},
-          {"fault_certain_single_samples", certain_singles},
+          {"fault_certain_single_samples", certain},
           {"fault_undithered_brackets", undithered}};
 }
 
@@ -153,7 +156,7 @@ int main(int argc, char** argv) {
     for (const char* scene :
          {"penumbra", "leaf_crown", "wall_foot", "gable_roof", "texture", "mirror", "street_canyon"})
       for (const bool psf : {false, true}) {
-        HonestyCase which{scene, psf, true, {}, seeds, first_seed, {}};
+        HonestyCase which{scene, psf, true, kReal, seeds, first_seed, {}};
         if (!only.empty() && only != scene && only != name_of(which)) continue;
         if (!rows_folder.empty()) which.rows = std::filesystem::path(rows_folder) / (name_of(which) + ".csv");
         const HonestyOutcome outcome = run_case(which, work);
@@ -165,7 +168,7 @@ int main(int argc, char** argv) {
         if (!only.empty() && only != "faults" && only != name) continue;
         HonestyCase without = which;
         without.sun_state = true;
-        without.faults = {};
+        without.sampler = kReal;
         if (!rows_folder.empty()) without.rows = std::filesystem::path(rows_folder) / (name + "_without.csv");
         std::printf("    %s, then the same without it\n", name.c_str());
         const HonestyOutcome faulty = run_case(which, work), sound = run_case(without, work);

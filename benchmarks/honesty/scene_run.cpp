@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <memory>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -13,7 +14,6 @@
 #include "io/document/document.h"
 #include "render/image_renderer.h"
 #include "render/scene_field.h"
-#include "sampling/accuracy/accuracy_sampler.h"
 #include "scene/forest.h"
 #include "sensor/camera.h"
 #include "session/loaded/parts.h"
@@ -42,14 +42,14 @@ session::Session load(const HonestyCase& which, const std::filesystem::path& wor
 class Trial {
  public:
   Trial(const HonestyCase& which, const std::filesystem::path& work)
-      : session_(load(which, work)), which_(which), sampler_(options_of(session_), which.faults) {}
+      : session_(load(which, work)), which_(which), sampler_(which.sampler(options_of(session_))) {}
 
   const session::Session::Parts& parts() const { return session_.parts(); }
 
   sampling::TileResult render(std::uint64_t seed) const {
     const session::Session::Parts& p = parts();
     const render::RenderJob plan = p.job();
-    render::RenderJob job{plan.scene, plan.camera, plan.footprint, sampler_};
+    render::RenderJob job{plan.scene, plan.camera, plan.footprint, *sampler_};
     job.tolerance = plan.tolerance;
     job.transport = plan.transport;
     job.label_detail = which_.sun_state ? plan.label_detail : render::LabelDetail::material;
@@ -79,7 +79,7 @@ class Trial {
   }
   session::Session session_;
   HonestyCase which_;
-  sampling::AccuracySampler sampler_;
+  std::unique_ptr<sampling::PixelSampler> sampler_;
 };
 
 std::vector<PixelIndex> mixed_pixels(const Trial& trial) {

@@ -2,20 +2,28 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "honesty/interval_statistics.h"
-#include "sampling/accuracy/basis/options.h"
+#include "sampling/accuracy/accuracy_sampler.h"
 
 namespace ifov::benchmarks {
 
+template <class Sampler>
+std::unique_ptr<sampling::PixelSampler> make_sampler(const sampling::AccuracyOptions& options) {
+  return std::make_unique<Sampler>(options);
+}
+
 /// One run of a scene of benchmarks/honesty/scenes.
 struct HonestyCase {
-  std::string scene;                ///< file name without .json
-  bool psf = false;                 ///< a Gaussian PSF of 0.6 pixels
-  bool sun_state = true;            ///< false: a planted fault, labels without the Sun's state
-  sampling::AccuracyFaults faults;  ///< planted
+  std::string scene;      ///< file name without .json
+  bool psf = false;       ///< a Gaussian PSF of 0.6 pixels
+  bool sun_state = true;  ///< false: a planted fault, labels without the Sun's state
+  /// Makes the sampler that is judged: the real one, or one with a planted fault (faulty_samplers.h).
+  std::unique_ptr<sampling::PixelSampler> (*sampler)(const sampling::AccuracyOptions&) =
+      make_sampler<sampling::AccuracySampler>;
   int seeds = 24;
   std::uint64_t first_seed = 5000;
   std::filesystem::path rows;  ///< file that takes every judged pixel, seed and channel as CSV; empty: none

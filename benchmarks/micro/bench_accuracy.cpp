@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "sampling/accuracy/accuracy_sampler.h"
+#include "sampling/pixel_footprint.h"
+#include "sampling/tolerance.h"
 
 // What the accuracy sampler itself costs per ray: a tile over a field whose answers cost next to nothing,
 // less the time that the field takes for as many answers.

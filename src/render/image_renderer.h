@@ -10,6 +10,7 @@
 #include "render/tile_source.h"
 #include "render/tolerance/air_half_width.h"
 #include "render/tolerance/node_half_width.h"
+#include "sampling/pixel_footprint.h"
 #include "sampling/tile.h"
 #include "transport/transport_options.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sampling/accuracy/edges/polygon.h"
+#include "sampling/accuracy/borders/polygon.h"
 
 namespace ifov::render {
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sampling/tolerance.h"
+
 namespace ifov::sampling {
 
 double confidence_of(const TileProblem& problem) {

@@ -8,22 +8,18 @@
 #include <string_view>
 #include <vector>
 
-#include "core/run_control.h"
 #include "sampling/field.h"
-#include "sampling/pixel_footprint.h"
+#include "sampling/pixel_rect.h"
 #include "sampling/reasons.h"
-#include "sampling/tolerance.h"
+
+namespace ifov {
+class CancelToken;
+}
 
 namespace ifov::sampling {
 
-/// Pixels [x0, x1) x [y0, y1).
-struct PixelRect {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  int width() const { return x1 - x0; }
-  int height() const { return y1 - y0; }
-  int count() const { return width() * height(); }
-};
-
+class PixelFootprint;
+class Tolerance;
 struct TileResult;
 
 /// All that a sampler may know about the tile it works on. Results depend on this alone.

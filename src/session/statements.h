@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/run_control.h"
 #include "io/run_state/run_plan.h"
 #include "render/tile_sink.h"
 #include "sampling/reason_words.h"

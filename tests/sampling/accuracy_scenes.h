@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "sampling/accuracy/accuracy_sampler.h"
-#include "sampling/accuracy/edges/polygon.h"
+#include "sampling/accuracy/borders/polygon.h"
+#include "sampling/pixel_footprint.h"
 #include "sampling/random.h"
+#include "sampling/tolerance.h"
 #include "shape_field.h"
 
 namespace ifov::test {
@@ -79,6 +81,11 @@ class FixedTolerance final : public sampling::Tolerance {
   double half_width_;
 };
 
+template <class Sampler>
+std::unique_ptr<sampling::PixelSampler> make_sampler(const sampling::AccuracyOptions& options) {
+  return std::make_unique<Sampler>(options);
+}
+
 /// One tile of an image of one-column pixels through the accuracy sampler.
 struct Rendering {
   sampling::PixelRect tile, image;
@@ -87,7 +94,9 @@ struct Rendering {
   sampling::PixelFootprint footprint = sampling::PixelFootprint::box(1.0);
   std::vector<sampling::FocalPoint> seeds;
   sampling::AccuracyOptions options;
-  sampling::AccuracyFaults faults;
+  /// Makes the sampler: the real one, or one with a fault.
+  std::unique_ptr<sampling::PixelSampler> (*sampler)(const sampling::AccuracyOptions&) =
+      make_sampler<sampling::AccuracySampler>;
 
   sampling::TileResult operator()(sampling::Field& field) const {
     const FixedTolerance tolerance(half_width);
@@ -101,7 +110,7 @@ struct Rendering {
     problem.drivers = drivers;
     problem.seeds = seeds;
     sampling::TileResult result;
-    sampling::AccuracySampler(options, faults).sample(problem, field, result);
+    sampler(options)->sample(problem, field, result);
     return result;
   }
 };
@@ -195,7 +204,7 @@ class Percent final : public sampling::Tolerance {
 
 /// A tile of `side` pixels from (0, 0), at that accuracy, plain pixels; the picture goes on around it.
 inline sampling::TileResult sampled_at_a_percent(sampling::Field& field, int side, std::uint64_t seed,
-                                                 const sampling::AccuracyFaults& faults) {
+                                                 const sampling::PixelSampler& sampler) {
   const Percent tolerance;
   const sampling::PixelFootprint box = sampling::PixelFootprint::box(1.0);
   const int drivers[] = {0};
@@ -207,7 +216,7 @@ inline sampling::TileResult sampled_at_a_percent(sampling::Field& field, int sid
   problem.tolerance = &tolerance;
   problem.drivers = drivers;
   sampling::TileResult result;
-  sampling::AccuracySampler({}, faults).sample(problem, field, result);
+  sampler.sample(problem, field, result);
   return result;
 }
 

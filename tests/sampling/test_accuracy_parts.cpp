@@ -6,15 +6,16 @@
 #include "accuracy_scenes.h"
 #include "core/error.h"
 #include "core/run_control.h"
+#include "sampling/accuracy/basis/dither.h"
 #include "sampling/accuracy/basis/flat_map.h"
 #include "sampling/accuracy/basis/lattice.h"
 #include "sampling/accuracy/basis/ray_ledger.h"
 #include "sampling/accuracy/basis/small_vector.h"
+#include "sampling/accuracy/borders/bracket.h"
+#include "sampling/accuracy/borders/chord.h"
 #include "sampling/accuracy/clutter.h"
-#include "sampling/accuracy/edges/bracket.h"
-#include "sampling/accuracy/edges/chord.h"
-#include "sampling/accuracy/pixel_model.h"
-#include "sampling/accuracy/spread.h"
+#include "sampling/accuracy/radiance/pixel_model.h"
+#include "sampling/accuracy/radiance/spread.h"
 
 namespace ifov::sampling {
 namespace {
@@ -24,7 +25,7 @@ Bracket bisected(double crossing_px, double length_px, double target_px, std::ui
   b.first = 0;
   b.last = 1;
   b.length_px = length_px;
-  b.lay_grid(target_px, key, dither);
+  b.lay_grid(target_px, dither ? Dither().phase(key) : 0.5);
   while (b.on_grid()) b.take(b.next() < crossing_px ? 0 : 1);
   return b;
 }
@@ -92,7 +93,7 @@ TEST(Bracket, NoticesAThirdLabel) {
   b.first = 0;
   b.last = 1;
   b.length_px = 1.0;
-  b.lay_grid(0.1, 5, true);
+  b.lay_grid(0.1, Dither().phase(5));
   b.take(2);
   EXPECT_TRUE(b.third_label);
 }
@@ -161,7 +162,7 @@ TEST(RayLedger, EveryQuestionEndsWhenCancelled) {
   problem.cancel = &cancel;
   const Lattice lattice({0, 0, 2, 2}, 3);
   LabelTable table(1);
-  RayLedger ledger(field, problem, lattice, table, {}, nullptr);
+  RayLedger ledger(field, &cancel, lattice, table, nullptr);
   const FocalPoint point{0.5, 0.5};
   const PathRequest request{point, 1, 0};
   std::vector<std::uint32_t> out;

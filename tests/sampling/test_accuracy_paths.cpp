@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "accuracy_scenes.h"
+#include "faulty_samplers.h"
 #include "sampling/sequence.h"
 
 // Radiance that varies within labels: noise of paths, texture, gradients, and labels that do not tell all.
@@ -38,7 +39,7 @@ class NoisyField final : public sampling::Field {
   double sigma_;
 };
 
-Trials noisy_discs(int trials, double limit_k, sampling::AccuracyFaults faults = {}) {
+Trials noisy_discs(int trials, double limit_k) {
   Trials t;
   for (int i = 0; i < trials; ++i) {
     Draw draw(100 + static_cast<std::uint64_t>(i));
@@ -46,7 +47,6 @@ Trials noisy_discs(int trials, double limit_k, sampling::AccuracyFaults faults =
     NoisyField field(scene.field(), 0.3);
     Rendering render = three_by_three(100 + static_cast<std::uint64_t>(i));
     render.half_width = limit_k * kRadiancePerKelvin;
-    render.faults = faults;
     t.add(render(field), scene.truth(), field);
   }
   return t;
@@ -63,6 +63,8 @@ TEST(AccuracyPaths, IntervalsHoldUnderPathNoise) {
 /// One surface under a sky: a value depends smoothly on where its path goes, and on nothing else.
 class SkyField final : public sampling::Field {
  public:
+  /// `one_sequence`: a fault, all paths of a pixel are of one sequence, whichever is asked for.
+  explicit SkyField(bool one_sequence) : one_sequence_(one_sequence) {}
   int columns() const override { return 1; }
   void labels(std::span<const sampling::FocalPoint>, std::span<sampling::Label> labels) override {
     std::fill(labels.begin(), labels.end(), sampling::Label{1});
@@ -71,7 +73,11 @@ class SkyField final : public sampling::Field {
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
               std::span<float> values) override {
     for (std::size_t k = 0; k < requests.size(); ++k) {
-      const sampling::Point2 u = sampling::sequence_point(requests[k].sequence, requests[k].index, 2);
+      const auto [x_px, y_px] = requests[k].point;
+      const std::uint64_t sequence = one_sequence_ ? sampling::hash(static_cast<int>(std::floor(x_px)),
+                                                                    static_cast<int>(std::floor(y_px)))
+                                                   : requests[k].sequence;
+      const sampling::Point2 u = sampling::sequence_point(sequence, requests[k].index, 2);
       labels[k] = 1;
       values[k * static_cast<std::size_t>(stride())] =
           static_cast<float>(kSky + std::cos(2.0 * std::numbers::pi * u.x) * u.y);
@@ -84,11 +90,12 @@ class SkyField final : public sampling::Field {
   static constexpr double kSky = 10.0;
 
  private:
+  bool one_sequence_;
   sampling::RayCounts counts_;
 };
 
 /// The centre pixel of 9 x 9 under a PSF of 0.6 px.
-Trials skies(int trials, sampling::AccuracyFaults faults = {}) {
+Trials skies(int trials, bool one_sequence = false) {
   Trials t;
   for (int i = 0; i < trials; ++i) {
     Rendering render = three_by_three(static_cast<std::uint64_t>(300 + i));
@@ -96,8 +103,7 @@ Trials skies(int trials, sampling::AccuracyFaults faults = {}) {
     render.image = {0, 0, 9, 9};
     render.footprint = gaussian(0.6, 2.0);
     render.half_width = 0.02;
-    render.faults = faults;
-    SkyField field;
+    SkyField field(one_sequence);
     t.add(render(field), SkyField::kSky, field);
   }
   return t;
@@ -116,9 +122,7 @@ TEST(AccuracyPaths, SequencesOfPathsSaveSamplesUnderAPsf) {
 }
 
 TEST(AccuracyPaths, ReplicatesOfOneSequenceMustNotTellTheirError) {
-  sampling::AccuracyFaults fault;
-  fault.one_sequence = true;
-  EXPECT_LT(skies(60, fault).coverage(), 0.9);
+  EXPECT_LT(skies(60, true).coverage(), 0.9);
 }
 
 // A label of a single value that claims to be exact: paths of two very different radiances within one label.
@@ -139,7 +143,7 @@ TEST(AccuracyPaths, StrataOfOneSampleMustNotClaimToBeExact) {
       Rendering render = three_by_three(seed);
       render.half_width = 0.5;
       render.options.clutter_switch = false;
-      render.faults.zero_variance_single_samples = fault;
+      if (fault) render.sampler = make_sampler<SamplerOf<CertainSingles>>;
       const sampling::TileResult r = render(field);
       covered += std::abs(r.mean[4] - 10.0) <= r.half_width[4];
     }
@@ -178,11 +182,10 @@ TEST(AccuracyPaths, LabelsWithoutTheSunStateAreNotedByTheirVariance) {
   // Bit 8 of the label: the Sun is blocked. The border runs through the pixel.
   const auto render_with = [](sampling::Label mask, std::uint64_t seed) {
     ShapeField field(
-        [](double x, double y) { return sampling::Label{1} | (x + 0.3 * y < 2.0 ? 256u : 0u); },
+        [mask](double x, double y) { return (sampling::Label{1} | (x + 0.3 * y < 2.0 ? 256u : 0u)) & mask; },
         [](sampling::Label, double x, double y, int) { return x + 0.3 * y < 2.0 ? 2.0f : 10.0f; });
     Rendering render = three_by_three(seed);
     render.half_width = 0.4;
-    render.faults.label_mask = mask;
     const sampling::TileResult r = render(field);
     return std::pair{std::abs(r.mean[4] - (2.0 + 8.0 * 0.45)) <= r.half_width[4] + 1e-6,
                      field.counts().primary};

@@ -49,10 +49,10 @@ struct Judged {
   double pixels = 0.0, converged = 0.0, off = 0.0, far_off = 0.0, bias = 0.0;
 };
 
-void judge(const Rows& rows, std::uint64_t seed, const AccuracyFaults& faults, Judged& sum) {
+void judge(const Rows& rows, std::uint64_t seed, const PixelSampler& sampler, Judged& sum) {
   constexpr int kSide = 10;
   ShapeField field = rows.field();
-  const TileResult result = sampled_at_a_percent(field, kSide, seed, faults);
+  const TileResult result = sampled_at_a_percent(field, kSide, seed, sampler);
   for (std::size_t p = 0; p < result.mean.size(); ++p) {
     sum.pixels += 1.0;
     if (!result.converged(p)) continue;
@@ -68,18 +68,18 @@ void judge(const Rows& rows, std::uint64_t seed, const AccuracyFaults& faults, J
 }
 
 // Ten-metre rows, nine tenths crop, under pixels of 30 m; vineyards at their own pitch; wider and narrower ones.
-Judged judge_aligned(const AccuracyFaults& faults) {
+Judged judge_aligned(const PixelSampler& sampler) {
   Judged sum;
   std::uint64_t seed = 0;
   for (const double pitch : {1.0 / 3.0, 0.5, 1.0, 4.0 / 3.0, 2.0})
     for (const double duty : {0.1, 0.3, 0.9})
       for (const double angle : {0.0, 0.001})
-        for (const bool apart : {false, true}) judge({pitch, duty, angle, 0.9, apart}, ++seed, faults, sum);
+        for (const bool apart : {false, true}) judge({pitch, duty, angle, 0.9, apart}, ++seed, sampler, sum);
   return sum;
 }
 
 TEST(AccuracyRows, InStepWithTheLatticeAreRight) {
-  const Judged sum = judge_aligned({});
+  const Judged sum = judge_aligned(AccuracySampler());
   EXPECT_GT(sum.converged, 0.95 * sum.pixels);
   EXPECT_LT(sum.off, 0.07 * sum.converged);
   EXPECT_LT(sum.far_off, 0.002 * sum.converged);
@@ -87,9 +87,9 @@ TEST(AccuracyRows, InStepWithTheLatticeAreRight) {
 }
 
 TEST(AccuracyRows, WithoutRandomLooksAreCaught) {
-  AccuracyFaults faults;
-  faults.no_random_look = true;
-  const Judged sum = judge_aligned(faults);
+  AccuracyOptions without;
+  without.looks_per_side = 0;
+  const Judged sum = judge_aligned(AccuracySampler(without));
   EXPECT_GT(sum.far_off, 0.05 * sum.converged);
 }
 
@@ -97,7 +97,7 @@ TEST(AccuracyRows, WithoutRandomLooksAreCaught) {
 TEST(AccuracyRows, CrossingsAtLikePlacesDoNotErrAlike) {
   Judged sum;
   for (std::uint64_t seed = 1; seed <= 6; ++seed)
-    judge({0.2, 0.613, 0.0, 0.862 + 0.01 * static_cast<double>(seed), true}, seed, {}, sum);
+    judge({0.2, 0.613, 0.0, 0.862 + 0.01 * static_cast<double>(seed), true}, seed, AccuracySampler(), sum);
   EXPECT_GT(sum.converged, 0.95 * sum.pixels);
   EXPECT_LT(sum.off, 0.07 * sum.converged);
   EXPECT_LT(std::abs(sum.bias), 1.5e-3 * sum.converged);

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "accuracy_scenes.h"
+#include "faulty_samplers.h"
 
 // The shapes of study 2 on 3 x 3 pixels: errors of the centre pixel, counts over all nine. Fixed seeds;
 // limits are the product's own with room for fewer trials.
@@ -200,7 +201,7 @@ TEST(AccuracyShapes, UnditheredBracketsFailOnAnAlignedScene) {
       const DiscScene scene{1.5, 1.5, r};
       ShapeField field = scene.field();
       Rendering render = three_by_three(static_cast<std::uint64_t>(r * 1e6));
-      render.faults.undithered_brackets = undithered;
+      if (undithered) render.sampler = make_sampler<SamplerOf<Undithered>>;
       const sampling::TileResult result = render(field);
       covered += std::abs(result.mean[4] - scene.truth()) <= result.half_width[4] + 1e-6;
       ++count;

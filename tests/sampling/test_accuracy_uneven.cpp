@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "accuracy_scenes.h"
+#include "faulty_samplers.h"
 #include "sampling/random.h"
 
 namespace ifov::test {
@@ -20,7 +21,7 @@ struct Penumbra {
   double across(double x, double y) const { return (y - slope * x - begin_px) / width_px; }
   class Field final : public sampling::Field {
    public:
-    explicit Field(const Penumbra& scene) : scene_(scene) {}
+    Field(const Penumbra& scene, bool knows_uneven) : scene_(scene), knows_uneven_(knows_uneven) {}
     int columns() const override { return 1; }
     void labels(std::span<const FocalPoint> points, std::span<Label> labels) override {
       for (std::size_t k = 0; k < points.size(); ++k) labels[k] = label(points[k]);
@@ -37,7 +38,7 @@ struct Penumbra {
       }
     }
     std::uint32_t material_of(Label) const override { return 0; }
-    bool uneven(Label label) const override { return label == 2; }
+    bool uneven(Label label) const override { return knows_uneven_ && label == 2; }
     RayCounts counts() const override { return {}; }
 
    private:
@@ -46,6 +47,7 @@ struct Penumbra {
       return at < 0.0 ? 1 : at < 1.0 ? 2 : 3;
     }
     const Penumbra& scene_;
+    bool knows_uneven_;
   };
   /// Mean over pixel (i, j), to a part in 1e5.
   double mean(int i, int j) const {
@@ -62,14 +64,14 @@ struct Judged {
   int pixels = 0, converged = 0, off = 0, far_off = 0;
 };
 
-Judged judge(const AccuracyFaults& faults) {
+Judged judge(const PixelSampler& sampler, bool knows_uneven) {
   constexpr int kSide = 8;
   Judged sum;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     const Penumbra scene{3.0 + unit_double(hash(seed, 1)), 0.05 + 0.4 * unit_double(hash(seed, 2)),
                          seed % 3 == 0 ? 0.0 : 0.05 * unit_double(hash(seed, 3))};
-    Penumbra::Field field(scene);
-    const TileResult result = sampled_at_a_percent(field, kSide, seed, faults);
+    Penumbra::Field field(scene, knows_uneven);
+    const TileResult result = sampled_at_a_percent(field, kSide, seed, sampler);
     for (int p = 0; p < kSide * kSide; ++p) {
       const auto at = static_cast<std::size_t>(p);
       const double truth = scene.mean(p % kSide, p / kSide);
@@ -87,7 +89,7 @@ Judged judge(const AccuracyFaults& faults) {
 }
 
 TEST(AccuracyUneven, NarrowPenumbraeBesideLevelGroundAreRight) {
-  const Judged sum = judge({});
+  const Judged sum = judge(AccuracySampler(), true);
   EXPECT_GT(sum.pixels, 400);
   EXPECT_GT(sum.converged, 0.95 * sum.pixels);
   EXPECT_LT(sum.off, 0.07 * sum.converged);
@@ -95,9 +97,7 @@ TEST(AccuracyUneven, NarrowPenumbraeBesideLevelGroundAreRight) {
 }
 
 TEST(AccuracyUneven, PlantedFaultOtherLabelsTellHowTheyVary) {
-  AccuracyFaults faults;
-  faults.other_labels_spread = true;
-  const Judged sum = judge(faults);
+  const Judged sum = judge(SamplerOf<OtherLabelsTell>(), false);
   EXPECT_GT(sum.off, 0.12 * sum.converged);
   EXPECT_GT(sum.far_off, 0.03 * sum.converged);
 }

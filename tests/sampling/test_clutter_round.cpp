@@ -4,8 +4,10 @@
 #include <functional>
 #include <vector>
 
-#include "sampling/accuracy/clutter_round.h"
+#include "sampling/accuracy/radiance/clutter_round.h"
+#include "sampling/field.h"
 #include "sampling/hash.h"
+#include "sampling/pixel_footprint.h"
 
 namespace ifov::sampling {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "accuracy_scenes.h"
-#include "sampling/accuracy/edges/junction.h"
+#include "sampling/accuracy/borders/junction.h"
 
 namespace ifov::test {
 namespace {

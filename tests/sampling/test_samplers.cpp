@@ -8,9 +8,12 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/run_control.h"
 #include "sampling/adaptive_sampler.h"
 #include "sampling/grid_sampler.h"
+#include "sampling/pixel_footprint.h"
 #include "sampling/single_sampler.h"
+#include "sampling/tolerance.h"
 #include "shape_field.h"
 
 namespace ifov::sampling {

@@ -3,12 +3,12 @@
 #include <stdexcept>
 
 #include "sampling/accuracy/footprint_draws.h"
+#include "sampling/accuracy/parts.h"
 #include "sampling/accuracy/tile_work.h"
 
 namespace ifov::sampling {
 
-AccuracySampler::AccuracySampler(AccuracyOptions options, AccuracyFaults faults)
-    : options_(options), faults_(faults) {
+AccuracySampler::AccuracySampler(AccuracyOptions options) : options_(options) {
   if (options.lattice < 1 || options.lattice > 32)
     throw std::invalid_argument("lattice must be 1 to 32 cells per pixel");
   if (options.probes_per_side < 0 || options.probes_per_side > 16)
@@ -17,17 +17,20 @@ AccuracySampler::AccuracySampler(AccuracyOptions options, AccuracyFaults faults)
     throw std::invalid_argument("bracket and thinnest width must be positive");
 }
 
+const AccuracyParts& AccuracySampler::parts() const {
+  static const AccuracyParts kParts;
+  return kParts;
+}
+
 void AccuracySampler::sample(const TileProblem& problem, Field& field, TileResult& result) const {
   if (problem.tolerance == nullptr || problem.footprint == nullptr || problem.drivers.empty())
     throw std::invalid_argument("the accuracy sampler needs a tolerance, a footprint and driver columns");
   if (!options_.footprint_by_model) {
-    draw_from_footprint(problem, field, options_, faults_, result);
+    draw_from_footprint(problem, field, options_.max_samples_per_pixel, result);
     return;
   }
-  TileWork work(problem, field, options_, faults_, result);
-  work.trace_lattice();
-  work.switch_clutter();
-  work.trace_borders();
+  TileWork work(problem, field, options_, parts(), result);
+  work.trace();
   work.estimate();
   work.report();
 }

@@ -5,6 +5,8 @@
 
 namespace ifov::sampling {
 
+class AccuracyParts;
+
 /// Finds the rays that each pixel needs for the accuracy that the user states, and says how accurate it is.
 ///
 /// Borders between labels are traced over a lattice shared by all pixels of the tile; the radiance inside
@@ -12,10 +14,10 @@ namespace ifov::sampling {
 /// so that no ray is drawn from it. Two statements come out: an interval for what was resolved, and how large
 /// a compact feature could have been missed (missable_fraction). docs/theory/accuracy_sampler.md derives
 /// both.
-class AccuracySampler final : public PixelSampler {
+class AccuracySampler : public PixelSampler {
  public:
   /// Errors: std::invalid_argument where an option is out of its range (lattice 1..32, probes 0..16).
-  explicit AccuracySampler(AccuracyOptions options = {}, AccuracyFaults faults = {});
+  explicit AccuracySampler(AccuracyOptions options = {});
 
   /// Errors: std::invalid_argument without a tolerance, a footprint or drivers; Cancelled.
   void sample(const TileProblem& problem, Field& field, TileResult& result) const override;
@@ -28,9 +30,12 @@ class AccuracySampler final : public PixelSampler {
 
   const AccuracyOptions& options() const { return options_; }
 
+ protected:
+  /// Of which the method is made.
+  virtual const AccuracyParts& parts() const;
+
  private:
   AccuracyOptions options_;
-  AccuracyFaults faults_;
 };
 
 }  // namespace ifov::sampling

@@ -3,10 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sampling/accuracy/basis/label_table.h"
+#include "sampling/accuracy/basis/lattice.h"
 #include "sampling/accuracy/basis/ray_ledger.h"
-#include "sampling/accuracy/source_domain.h"
+#include "sampling/accuracy/source_grid.h"
 #include "sampling/accuracy/stopping.h"
+#include "sampling/hash.h"
+#include "sampling/pixel_footprint.h"
 #include "sampling/sequence.h"
+#include "sampling/tile.h"
+#include "sampling/tolerance.h"
 
 namespace ifov::sampling {
 
@@ -35,14 +41,14 @@ FocalPoint warp(const PixelFootprint& h, Point2 u) {
 
 }  // namespace
 
-void draw_from_footprint(const TileProblem& problem, Field& field, const AccuracyOptions& options,
-                         const AccuracyFaults& faults, TileResult& result) {
+void draw_from_footprint(const TileProblem& problem, Field& field, std::uint32_t most_samples,
+                         TileResult& result) {
   const std::size_t columns = static_cast<std::size_t>(field.columns());
   const std::size_t stride = static_cast<std::size_t>(field.stride());
   result.reset(problem.tile, field.columns());
   const Lattice lattice(source_domain(problem, 0), 1);
   LabelTable table(field.columns());
-  RayLedger ledger(field, problem, lattice, table, faults, nullptr);
+  RayLedger ledger(field, problem.cancel, lattice, table, nullptr);
   const Stopping stopping(problem.tolerance->confidence());
   const std::size_t pixels = static_cast<std::size_t>(problem.tile.count());
 
@@ -100,7 +106,7 @@ void draw_from_footprint(const TileProblem& problem, Field& field, const Accurac
       result.reasons[p] = worst <= 1.0 ? 0 : bit(Reason::samples);
       result.missable_fraction[p] = static_cast<float>(0.95 / (kReplicates * net));
       result.radiance_evaluations[p] = result.samples[p] = kReplicates * net;
-      if (worst > 1.0 && 2u * kReplicates * net <= options.max_samples_per_pixel) wide.push_back(p);
+      if (worst > 1.0 && 2u * kReplicates * net <= most_samples) wide.push_back(p);
     }
     open.swap(wide);
     done = net;

@@ -1,7 +1,14 @@
-// A tile that an earlier run has left at a looser tolerance: what it takes up from there, and leaves in turn.
-#include <algorithm>
+#include "sampling/accuracy/tile_recall.h"
 
-#include "sampling/accuracy/tile_work.h"
+#include <algorithm>
+#include <utility>
+
+#include "sampling/accuracy/basis/tile_memory.h"
+#include "sampling/accuracy/output_state.h"
+#include "sampling/accuracy/radiance/radiance.h"
+#include "sampling/accuracy/radiance/radiance_memory.h"
+#include "sampling/accuracy/radiance/source_pixels.h"
+#include "sampling/tile.h"
 
 namespace ifov::sampling {
 
@@ -10,47 +17,74 @@ namespace {
 /// Predictions below this are no better known: a first round has its least size.
 constexpr double kLeastPrediction = 64.0;
 
+std::unique_ptr<TileMemory> memory_of(const TileProblem& problem, int columns) {
+  if (problem.before != nullptr)
+    return std::make_unique<TileMemory>(static_cast<std::size_t>(columns), problem.before->memory);
+  if (problem.keep_memory) return std::make_unique<TileMemory>(static_cast<std::size_t>(columns));
+  return nullptr;
+}
+
+/// Counts of the result so far are of this run alone.
+void add_counts(const TileResult& before, TileResult& result) {
+  for (std::size_t p = 0; p < result.samples.size(); ++p) {
+    result.samples[p] += before.samples[p];
+    result.label_rays[p] += before.label_rays[p];
+    result.radiance_evaluations[p] += before.radiance_evaluations[p];
+  }
+  result.halo_samples += before.halo_samples;
+  result.seed_samples += before.seed_samples;
+  result.probe_samples += before.probe_samples;
+}
+
 }  // namespace
 
+TileRecall::TileRecall(const TileProblem& problem, int columns)
+    : problem_(problem), memory_(memory_of(problem, columns)) {}
+
+TileRecall::~TileRecall() = default;
+
+void TileRecall::recall_looks(std::vector<OutputState>& outputs) const {
+  if (!memory_) return;
+  const std::vector<std::uint8_t>& looks = memory_->looks_before();
+  for (std::size_t o = 0; o < looks.size() && o < outputs.size(); ++o) {
+    outputs[o].look = looks[o];
+    outputs[o].last_look += outputs[o].look;
+  }
+}
+
 /// Looks belong to the values they were at: where some of these are not taken up, the looks begin anew.
-void TileWork::recall_values(std::size_t pixel) {
-  if (problem_.before == nullptr || radiance_->recall(pixel, *memory_)) return;
-  for (int o : radiance_->pixels()[pixel].model.outputs) outputs_[o].look = 0;
+void TileRecall::recall_values(Radiance& radiance, std::size_t p, std::vector<OutputState>& outputs) const {
+  if (problem_.before == nullptr) return;
+  SourcePixel& pixel = radiance.pixels().others()[p];
+  if (radiance.memory().recall(pixel, *memory_)) return;
+  for (int o : pixel.model.outputs) outputs[o].look = 0;
 }
 
-void TileWork::remember_values() {
-  for (const Radiance::Pixel& pixel : radiance_->pixels())
-    radiance_->remember(pixel, predicted_[pixel.source], *memory_);
+void TileRecall::recall_values(Radiance& radiance, std::vector<OutputState>& outputs) const {
+  for (std::size_t p = 0; p < radiance.pixels().others().size(); ++p) recall_values(radiance, p, outputs);
 }
 
-/// Values that clutter still takes by the lattice's prediction, where an earlier run has begun, and has shown
-/// what such predictions are worth in the pixel.
-double TileWork::clutter_to_come(int source, double predicted) const {
+double TileRecall::clutter_to_come(int source, double predicted) const {
   if (problem_.before == nullptr) return predicted;
-  const Radiance::ClutterBefore before = Radiance::clutter_before(*memory_, source);
+  const RadianceMemory::ClutterBefore before = RadianceMemory::clutter_before(*memory_, source);
   const double worse = std::max(1.0, before.values / std::max(before.predicted, kLeastPrediction));
   return worse * predicted - before.values;
 }
 
-/// Counts of the result so far are of this run alone.
-void TileWork::add_counts_before() {
-  const TileResult& before = *problem_.before;
-  for (std::size_t p = 0; p < result_.samples.size(); ++p) {
-    result_.samples[p] += before.samples[p];
-    result_.label_rays[p] += before.label_rays[p];
-    result_.radiance_evaluations[p] += before.radiance_evaluations[p];
-  }
-  result_.halo_samples += before.halo_samples;
-  result_.seed_samples += before.seed_samples;
-  result_.probe_samples += before.probe_samples;
+void TileRecall::remember_values(const Radiance& radiance, std::span<const float> predicted) {
+  if (!problem_.keep_memory) return;
+  for (const SourcePixel& pixel : radiance.pixels().others())
+    radiance.memory().remember(pixel, predicted[pixel.source], *memory_);
 }
 
-void TileWork::keep_memory() {
+void TileRecall::finish(const std::vector<OutputState>& outputs, TileResult& result) {
+  if (problem_.before != nullptr) add_counts(*problem_.before, result);
+  if (!problem_.keep_memory) return;
   std::vector<std::uint8_t> looks;
-  for (const Output& output : outputs_)
+  for (const OutputState& output : outputs)
     looks.push_back(static_cast<std::uint8_t>(std::min(output.look, 255)));
   memory_->keep_looks(std::move(looks));
-  result_.memory = memory_->to_bytes();
+  result.memory = memory_->to_bytes();
 }
 
 }  // namespace ifov::sampling

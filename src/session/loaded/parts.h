@@ -11,6 +11,7 @@
 #include "render/tile_sink.h"
 #include "render/tolerance/air_half_width.h"
 #include "render/tolerance/node_half_width.h"
+#include "sampling/pixel_footprint.h"
 #include "scene/scene.h"
 #include "session/assembly/geometry/placed_objects.h"
 #include "session/assembly/shared/map_scale.h"

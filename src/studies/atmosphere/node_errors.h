@@ -21,7 +21,7 @@ struct NodeErrors {
 
 struct NodeQuestion {
   int threads = 0;
-  std::size_t most_nodes = 8;  ///< of a channel; 1 is a fault on purpose
+  std::size_t most_nodes = 8;  ///< of a channel
   double tolerance = 5e-3;
   /// Every material of the built-in library, all of which emit, instead of three greys and a lawn.
   bool whole_library = false;

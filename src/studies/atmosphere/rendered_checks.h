@@ -13,7 +13,7 @@ struct EnclosureChannel {
   double planck = 0.0;                      ///< the black body's radiance in the channel
 };
 
-/// A closed room at one temperature in air of that temperature, from within. `air_k` other than 300: a fault.
+/// A closed room at 300 K full of air at `air_k`, from within: a black body where that is 300 K as well.
 std::vector<EnclosureChannel> render_enclosure(const StudyOptions& options, double air_k = 300.0);
 
 struct PlainChannel {

@@ -17,8 +17,8 @@ struct RfmipColumn {
   double water_in_beam_g_cm2 = 0.0;                   ///< water vapour that sunlight crosses, in flat layers
 };
 
-/// `folder` holds rfmip_inputs.nc, rld.nc and rsd.nc; sites count from 0 to 99. `water_share` other than 1: a
-/// fault on purpose.
+/// `folder` holds rfmip_inputs.nc, rld.nc and rsd.nc; sites count from 0 to 99. `water_share`: of the
+/// water vapour that the columns hold.
 std::vector<RfmipColumn> rfmip_fluxes(const std::filesystem::path& folder, std::span<const std::size_t> sites,
                                       int threads, double water_share = 1.0);
 

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "sampling/field.h"
-#include "sampling/tile.h"
+#include "sampling/pixel_rect.h"
 
 namespace ifov::sampling {
 
@@ -50,6 +51,24 @@ class Lattice {
   int pixel_of_cell(std::int32_t x, std::int32_t y) const {
     return clamp_index(whole_px(y), domain_.height()) * domain_.width() +
            clamp_index(whole_px(x), domain_.width());
+  }
+
+  /// Whether a position is one of the lattice's own vertices, and its row-major number if it is.
+  static bool on_lattice(std::int32_t x, std::int32_t y) { return ((x | y) & (side(0) - 1)) == 0; }
+  std::size_t vertex_number(std::int32_t x, std::int32_t y) const {
+    return static_cast<std::size_t>((y >> kMaxLevel) * (columns() + 1) + (x >> kMaxLevel));
+  }
+  /// The first of a pixel's cells among those of the lattice, row by row; rows are columns() apart.
+  std::uint32_t first_cell(int pixel) const {
+    const int width = domain_.width();
+    return static_cast<std::uint32_t>((pixel / width * columns() + pixel % width) * cells_);
+  }
+
+  /// The number of the vertex in a pixel's corner; rows of vertices are columns() + 1 apart.
+  std::size_t first_vertex(int pixel) const {
+    const int width = domain_.width(), row = columns() + 1;
+    return static_cast<std::size_t>(pixel / width * cells_) * static_cast<std::size_t>(row) +
+           static_cast<std::size_t>(pixel % width * cells_);
   }
 
   /// Keys within the domain, for tables.

@@ -5,7 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "sampling/accuracy/edges/chord.h"
+#include "sampling/accuracy/borders/chord.h"
+#include "sampling/accuracy/borders/curve.h"
 #include "sampling/field.h"
 
 namespace ifov::sampling {
@@ -16,10 +17,6 @@ constexpr double kRefusedShare = 0.12;
 constexpr double kLooseCurve = 0.05;
 /// A corner is looked for between these multiples of the predicted distance from the chord.
 constexpr double kCornerNear = 0.4, kCornerFar = 1.5;
-
-struct CurveEnds {
-  Point2 a, b;
-};
 
 /// One tentative curve on its way through verification. Its middle is looked for on a line through the
 /// chord's middle; beyond the curve on that line the label is `far`, before it `near`.

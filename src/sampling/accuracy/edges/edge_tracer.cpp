@@ -1,5 +1,24 @@
 #include "sampling/accuracy/edges/edge_tracer.h"
 
+#include <cmath>
+
+#include "sampling/accuracy/basis/options.h"
+#include "sampling/accuracy/borders/border_model.h"
+#include "sampling/accuracy/borders/edge_cells.h"
+#include "sampling/accuracy/borders/point_queries.h"
+#include "sampling/accuracy/borders/traced_pixels.h"
+#include "sampling/accuracy/edges/cell_growth.h"
+#include "sampling/accuracy/edges/complex_cells.h"
+#include "sampling/accuracy/edges/contradictions.h"
+#include "sampling/accuracy/edges/crossing_precision.h"
+#include "sampling/accuracy/edges/curve_predictor.h"
+#include "sampling/accuracy/edges/curve_verifier.h"
+#include "sampling/accuracy/edges/junction_predictor.h"
+#include "sampling/accuracy/edges/junction_verifier.h"
+#include "sampling/accuracy/edges/narrow_features.h"
+#include "sampling/accuracy/edges/open_borders.h"
+#include "sampling/accuracy/edges/sharpener.h"
+
 namespace ifov::sampling {
 
 namespace {
@@ -9,81 +28,116 @@ constexpr int kMaxPasses = 24;
 
 }  // namespace
 
-EdgeTracer::EdgeTracer(const Lattice& lattice, RayLedger& ledger, LabelTable& table, Contrast& contrast,
-                       const AccuracyOptions& options, const AccuracyFaults& faults, std::uint64_t seed)
+/// Each knows those above it that it needs, and none below.
+struct EdgeTracer::Parts {
+  Parts(const Lattice& lattice, RayLedger& ledger, LabelTable& table, const Contrast& contrast,
+        const AccuracyOptions& options, const Dither& dither, std::uint64_t seed)
+      : pixels(lattice.domain().count(), options.tracing_budget),
+        queries(ledger, table, seed),
+        tree(lattice, queries, pixels),
+        edge_cells(pixels.size()),
+        brackets(tree, contrast, pixels, queries, dither, options.initial_bracket_px, seed),
+        model(tree, brackets),
+        features(tree, brackets),
+        contradictions(model, contrast, pixels),
+        complex(tree, features, contrast, pixels, options.thinnest_px),
+        growth(tree, brackets, model, edge_cells, complex, features, contrast, pixels),
+        curve_predictor(model, features, contrast, pixels),
+        curve_verifier(tree, model, curve_predictor, features, contrast, pixels, queries),
+        junction_predictor(model),
+        junction_verifier(tree, model, junction_predictor, complex, pixels, queries),
+        crossing_precision(tree, brackets, complex, pixels),
+        sharpener(tree, model, edge_cells, crossing_precision, junction_predictor, contrast, pixels) {}
+
+  TracedPixels pixels;
+  PointQueries queries;
+  CellTree tree;
+  EdgeCells edge_cells;
+  BracketStore brackets;
+  BorderModel model;
+  NarrowFeatures features;
+  Contradictions contradictions;
+  ComplexCells complex;
+  CellGrowth growth;
+  CurvePredictor curve_predictor;
+  CurveVerifier curve_verifier;
+  JunctionPredictor junction_predictor;
+  JunctionVerifier junction_verifier;
+  CrossingPrecision crossing_precision;
+  Sharpener sharpener;
+  OpenBorders open;
+};
+
+EdgeTracer::EdgeTracer(const Lattice& lattice, RayLedger& ledger, LabelTable& table, const Contrast& contrast,
+                       const AccuracyOptions& options, const Dither& dither, std::uint64_t seed)
     : lattice_(lattice),
       ledger_(ledger),
-      table_(table),
-      contrast_(contrast),
-      options_(options),
-      faults_(faults),
-      seed_(seed),
-      allowed_variance_(static_cast<std::size_t>(lattice.domain().count()), 1.0),
-      budget_(allowed_variance_.size(), options.tracing_budget),
-      abandoned_(allowed_variance_.size(), 0),
-      suspect_(allowed_variance_.size(), 0),
-      followed_(allowed_variance_.size(), 0),
-      stirred_(allowed_variance_.size(), 1),
-      changed_(allowed_variance_.size(), 1),
-      due_(allowed_variance_.size(), 0),
-      sharpened_for_(allowed_variance_.size(), 0.0),
-      edge_lists_(allowed_variance_.size()) {}
+      clutter_switch_(options.clutter_switch),
+      parts_(std::make_unique<Parts>(lattice, ledger, table, contrast, options, dither, seed)) {}
+
+EdgeTracer::~EdgeTracer() = default;
+
+void EdgeTracer::plant(std::span<const std::uint32_t> vertex_labels) {
+  parts_->tree.plant(vertex_labels);
+  // Most of these cells get one curve, and share its two crossings with their neighbours.
+  const std::size_t fresh = parts_->tree.fresh_cells().size(), crossed = fresh + fresh / 8;
+  parts_->model.reserve(crossed);
+  parts_->brackets.plant(crossed);
+  parts_->edge_cells.reserve(crossed);
+}
 
 void EdgeTracer::settle() {
+  CellTree& tree = parts_->tree;
+  OpenBorders& open = parts_->open;
   for (int pass = 0;; ++pass) {
-    grow();
+    while (!tree.fresh_cells().empty()) {
+      // What the lattice did not announce may turn out while tracing.
+      if (clutter_switch_) parts_->pixels.abandon_beyond_budget(ledger_.label_rays());
+      if (tree.look_at_vertices()) parts_->growth.grow(open);
+    }
     // What there is then is verified to its end: that splits cells, but opens none that was verified.
-    if (pass < kMaxPasses) sharpen();
-    if (!new_cells_.empty()) continue;
-    if (tentative_.empty() && open_junctions_.empty()) return;
-    verify_junctions();
-    verify();
+    if (pass < kMaxPasses) parts_->sharpener.sharpen(open);
+    if (!tree.fresh_cells().empty()) continue;
+    if (open.curves.empty() && open.junctions.empty()) return;
+    parts_->junction_verifier.verify(open.junctions);
+    parts_->curve_verifier.verify(open.curves);
   }
 }
 
-/// What the lattice did not announce may turn out while tracing: a pixel that has cost this much is clutter.
-void EdgeTracer::give_up_clutter() {
-  if (!options_.clutter_switch) return;
-  const std::span<const std::uint32_t> rays = ledger_.label_rays();
-  bool any = false;
-  for (std::size_t p = 0; p < rays.size(); ++p) any |= rays[p] > budget_[p];  // many at a time
-  if (!any) return;
-  for (std::size_t p = 0; p < rays.size(); ++p)
-    if (rays[p] > budget_[p]) {
-      abandon(static_cast<std::uint32_t>(p));
-      budget_[p] = ~std::uint32_t{0};  // once is enough
-    }
+bool EdgeTracer::contradict(FocalPoint point, std::uint32_t label) {
+  const std::uint32_t leaf = parts_->tree.leaf_at(point);
+  const Cell& cell = parts_->tree[leaf];
+  if (cell.level == kMaxLevel || parts_->pixels.abandoned(cell.pixel) ||
+      !parts_->contradictions.disagrees(point, label, 0.0))
+    return false;
+  parts_->pixels.note_suspect(cell.pixel);
+  parts_->tree.split(leaf);
+  return true;
 }
 
-void EdgeTracer::ask(std::vector<std::uint32_t>& labels, Purpose purpose) {
-  first_seen_point_.resize(table_.size());
-  ledger_.labels(points_, labels, purpose);
-  if (table_.size() > valued_) {
-    for (std::size_t i = 0; i < labels.size() && first_seen_point_.size() < table_.size(); ++i)
-      if (labels[i] == first_seen_point_.size()) first_seen_point_.push_back(points_[i]);
-    value_new_labels();
-  }
-  points_.clear();
+void EdgeTracer::ask_at(const std::vector<FocalPoint>& points, std::vector<std::uint32_t>& labels,
+                        Purpose purpose) {
+  parts_->queries.ask(points, labels, purpose);
 }
 
-/// One value of each label that has none yet, where it was seen first. The values may bring labels of their
-/// own, whose turn comes with the next question.
-void EdgeTracer::value_new_labels() {
-  std::vector<PathRequest> requests;
-  std::vector<std::uint32_t> wanted;
-  for (auto l = static_cast<std::uint32_t>(valued_); l < table_.size(); ++l)
-    if (table_.count(l) == 0 && table_.merged(l) == l) {
-      requests.push_back({first_seen_point_[l], hash(seed_, table_.label(l), 0x6e6577), 0});
-      wanted.push_back(l);
-    }
-  valued_ = table_.size();
-  if (requests.empty()) return;
-  std::vector<std::uint32_t> labels;
-  const std::size_t stride = static_cast<std::size_t>(ledger_.field().stride());
-  std::vector<float> values(requests.size() * stride);
-  ledger_.first_values(requests, labels, values);
-  for (std::size_t i = 0; i < wanted.size(); ++i) table_.add(wanted[i], &values[i * stride]);
-  first_seen_point_.resize(table_.size(), requests.back().point);
+double EdgeTracer::narrowest_followed(std::uint32_t pixel) const {
+  const int level = parts_->pixels.followed(pixel);
+  return level > 0 ? lattice_.side_px(level) : INFINITY;
 }
+
+double EdgeTracer::narrowest_met(std::uint32_t pixel) const {
+  return parts_->edge_cells.crossed(pixel) ? parts_->features.narrowest_met(pixel) : INFINITY;
+}
+
+double EdgeTracer::leaf_side_px(FocalPoint point) const {
+  return lattice_.side_px(parts_->tree[parts_->tree.leaf_at(point)].level);
+}
+
+TracedPixels& EdgeTracer::pixels() { return parts_->pixels; }
+const TracedPixels& EdgeTracer::pixels() const { return parts_->pixels; }
+const CellTree& EdgeTracer::tree() const { return parts_->tree; }
+const EdgeCells& EdgeTracer::edge_cells() const { return parts_->edge_cells; }
+const BorderModel& EdgeTracer::model() const { return parts_->model; }
+const Contradictions& EdgeTracer::contradictions() const { return parts_->contradictions; }
 
 }  // namespace ifov::sampling

@@ -1,0 +1,160 @@
+#include "sampling/accuracy/allowed_errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sampling/accuracy/basis/lattice.h"
+#include "sampling/accuracy/basis/no_label.h"
+#include "sampling/accuracy/borders/contrast.h"
+#include "sampling/accuracy/output_intervals.h"
+#include "sampling/accuracy/radiance/lattice_values.h"
+#include "sampling/accuracy/radiance/spread.h"
+#include "sampling/accuracy/source_grid.h"
+#include "sampling/pixel_footprint.h"
+#include "sampling/tile.h"
+#include "sampling/tolerance.h"
+
+namespace ifov::sampling {
+
+namespace {
+
+/// Share of the allowed variance that borders may take where paths vary as well.
+constexpr double kGeometryShareWithPaths = 0.15;
+/// Source pixels that weigh less than this in every output are traced as if they weighed so much.
+constexpr double kLeastImportance = 0.02;
+
+/// The first run of a tile that is kept traces borders, and tells clutter, for an error this much smaller: rays that look
+/// beside a border are of no use where it is known better, nor are values of clutter in a pixel that is traced.
+constexpr double kForesight = 2.0;
+
+/// Integral of the square of the footprint: the variance of a pixel made of many equally uncertain source
+/// pixels.
+double footprint_energy(const PixelFootprint& footprint) {
+  const double h = footprint.half_width_px();
+  if (footprint.uniform()) return 0.25 / (h * h);
+  constexpr int kSteps = 64;
+  double sum = 0.0;
+  for (int j = 0; j < kSteps; ++j)
+    for (int i = 0; i < kSteps; ++i) {
+      const double d =
+          footprint.density((2.0 * (i + 0.5) / kSteps - 1.0) * h, (2.0 * (j + 0.5) / kSteps - 1.0) * h);
+      sum += d * d;
+    }
+  return sum * 4.0 * h * h / (kSteps * kSteps);
+}
+
+}  // namespace
+
+AllowedErrors::AllowedErrors(const TileProblem& problem, const SourceGrid& grid, const Lattice& lattice,
+                             const LatticeValues& values, double normal, Contrast& contrast)
+    : problem_(problem),
+      grid_(grid),
+      lattice_(lattice),
+      values_(values),
+      contrast_(contrast),
+      unit_(normal * (problem.keep_memory && problem.before == nullptr ? kForesight : 1.0)),
+      energy_(footprint_energy(*problem.footprint)) {}
+
+void AllowedErrors::take_from_lattice() {
+  const PixelRect& d = lattice_.domain();
+  const std::size_t columns = values_.columns, drivers = problem_.drivers.size();
+  const std::vector<double> source_mean = source_means();
+  const int reach = reach_of(*problem_.footprint);
+  std::vector<double> pixel_weight;
+  for (int dy = -reach; dy <= reach; ++dy)
+    for (int dx = -reach; dx <= reach; ++dx)
+      pixel_weight.push_back(problem_.footprint->integral(dx - 0.5, dy - 0.5, dx + 0.5, dy + 0.5));
+  std::vector<double> mean(columns), known_mean, limit(columns),
+      allowed(static_cast<std::size_t>(problem_.tile.count()) * drivers);
+  for (int o = 0; o < problem_.tile.count(); ++o) {
+    std::fill(mean.begin(), mean.end(), 0.0);
+    const int source = grid_.source_of(o);
+    const double* w = pixel_weight.data();
+    for (int dy = -reach; dy <= reach; ++dy)
+      for (int dx = -reach; dx <= reach; ++dx, ++w) {
+        const double* from = &source_mean[static_cast<std::size_t>(source + dy * d.width() + dx) * columns];
+        for (std::size_t c = 0; c < columns; ++c) mean[c] += *w * from[c];
+      }
+    if (mean != known_mean) {
+      problem_.tolerance->limits(mean, limit);
+      known_mean = mean;
+    }
+    for (std::size_t n = 0; n < drivers; ++n) allowed[o * drivers + n] = limit[problem_.drivers[n]] / unit_;
+  }
+  for (int p = 0; p < d.count(); ++p)
+    std::copy_n(&allowed[grid_.nearest_output(p) * drivers], drivers, contrast_.allowed(p).begin());
+}
+
+/// Of the lattice's values, [source pixel][column].
+std::vector<double> AllowedErrors::source_means() const {
+  const PixelRect& d = lattice_.domain();
+  const std::size_t columns = values_.columns, row = static_cast<std::size_t>(lattice_.columns()) + 1;
+  const int k = lattice_.cells_per_pixel();
+  std::vector<double> vertex_weight;
+  for (int j = 0; j <= k; ++j)
+    for (int i = 0; i <= k; ++i)
+      vertex_weight.push_back((i == 0 || i == k ? 0.5 : 1.0) * (j == 0 || j == k ? 0.5 : 1.0) / (k * k));
+  std::vector<double> source_mean(static_cast<std::size_t>(d.count()) * columns, 0.0);
+  int flat = -1;  // the last pixel of one value
+  for (int p = 0; p < d.count(); ++p) {
+    double* mean = &source_mean[p * columns];
+    if (values_.flat(p)) {
+      if (flat >= 0 && values_.only[flat] == values_.only[p]) {
+        std::copy_n(&source_mean[flat * columns], columns, mean);
+        continue;
+      }
+      flat = p;
+    }
+    const double* w = vertex_weight.data();
+    for (int j = 0; j <= k; ++j) {
+      const float* value = values_.value(lattice_.first_vertex(p) + j * row);
+      for (int i = 0; i <= k; ++i, ++w, value += columns)
+        for (std::size_t c = 0; c < columns; ++c) mean[c] += *w * value[c];
+    }
+  }
+  return source_mean;
+}
+
+void AllowedErrors::take_from_sums(OutputIntervals& intervals) {
+  const std::size_t n = problem_.drivers.size();
+  std::vector<double> mean(values_.columns, 0.0), limit(mean.size());
+  for (int p = 0; p < lattice_.domain().count(); ++p) {
+    const OutputSums::Row sum = intervals.sum(grid_.nearest_output(p));
+    for (std::size_t d = 0; d < n; ++d) mean[problem_.drivers[d]] = sum.mean[d];
+    problem_.tolerance->limits(mean, limit);
+    for (std::size_t d = 0; d < n; ++d) contrast_.allowed(p)[d] = limit[problem_.drivers[d]] / unit_;
+  }
+}
+
+double AllowedErrors::geometry_share(int source, const LabelSpread& spread) const {
+  if (values_.only[source] != LatticeValues::kMixed && spread.constant(values_.only[source])) return 1.0;
+  const int k = lattice_.cells_per_pixel(), row = lattice_.columns() + 1;
+  const std::uint32_t* labels = &values_.labels[lattice_.first_vertex(source)];
+  const auto allowed = contrast_.allowed(source);
+  std::uint32_t known = kNoLabel;
+  for (int j = 0; j <= k; ++j, labels += row)
+    for (int i = 0; i <= k; ++i) {
+      if (labels[i] == known) continue;
+      known = labels[i];
+      if (spread.constant(known)) continue;
+      for (std::size_t d = 0; d < problem_.drivers.size(); ++d)
+        if (spread.total(known, problem_.drivers[d]) > 0.01 * allowed[d] * allowed[d])
+          return kGeometryShareWithPaths;
+    }
+  return 1.0;
+}
+
+double AllowedErrors::border_part(int source, const double* geometry) const {
+  const auto allowed = contrast_.allowed(source);
+  double worst = 0.0;
+  for (std::size_t d = 0; d < allowed.size(); ++d)
+    worst = std::max(worst, geometry[d] / (allowed[d] * allowed[d]));
+  return worst;
+}
+
+double AllowedErrors::border_variance(int source, const LabelSpread& spread) const {
+  const double importance = std::max(grid_.relative_weight(source), kLeastImportance);
+  return geometry_share(source, spread) / (energy_ * importance * importance);
+}
+
+}  // namespace ifov::sampling

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "sampling/accuracy/basis/ray_ledger.h"
+
+namespace ifov::sampling {
+
+/// Asks for the labels of points, a batch at a time, and for one value of each label that is new, so that its contrast to
+/// others is known.
+class PointQueries {
+ public:
+  PointQueries(RayLedger& ledger, LabelTable& table, std::uint64_t seed)
+      : ledger_(ledger), table_(table), seed_(seed) {}
+
+  /// The next batch, to be filled; empty after each question.
+  std::vector<FocalPoint>& points() { return points_; }
+  /// Labels of the batch, in order, until the next question.
+  const std::vector<std::uint32_t>& ask() {
+    ask(points_, labels_, Purpose::trace);
+    points_.clear();
+    return labels_;
+  }
+
+  /// Labels of other points.
+  void ask(const std::vector<FocalPoint>& points, std::vector<std::uint32_t>& labels, Purpose purpose);
+
+ private:
+  void value_new_labels();
+
+  RayLedger& ledger_;
+  LabelTable& table_;
+  std::uint64_t seed_;
+  std::vector<FocalPoint> points_;
+  std::vector<std::uint32_t> labels_;
+  std::vector<FocalPoint> first_seen_point_;  // by label
+  std::size_t valued_ = 0;                    // labels below this number have a value
+};
+
+}  // namespace ifov::sampling

@@ -1,0 +1,113 @@
+#include "sampling/accuracy/clutter_choice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sampling/accuracy/allowed_errors.h"
+#include "sampling/accuracy/basis/lattice.h"
+#include "sampling/accuracy/borders/contrast.h"
+#include "sampling/accuracy/borders/traced_pixels.h"
+#include "sampling/accuracy/clutter.h"
+#include "sampling/accuracy/output_state.h"
+#include "sampling/accuracy/radiance/lattice_values.h"
+#include "sampling/accuracy/radiance/radiance.h"
+#include "sampling/accuracy/radiance/radiance_clutter.h"
+#include "sampling/accuracy/radiance/source_pixels.h"
+#include "sampling/accuracy/tile_recall.h"
+
+namespace ifov::sampling {
+
+namespace {
+
+/// A pixel's model is given up when what contradicts it may make this share of the allowed variance.
+constexpr double kDoubt = 0.05;
+/// The first round in clutter takes this share of what the lattice predicts, within these bounds.
+constexpr double kFirstShare = 0.6, kFewestClutter = 36.0, kMostFirstClutter = 400.0;
+/// First look in clutter: its values are as many as the prediction says, and its interval is as good as later ones.
+constexpr int kClutterLook = 2;
+
+}  // namespace
+
+ClutterChoice::ClutterChoice(const Lattice& lattice, const LatticeValues& values, const Contrast& contrast,
+                             const TileRecall& recall, std::span<const int> drivers)
+    : lattice_(lattice),
+      values_(values),
+      contrast_(contrast),
+      recall_(recall),
+      drivers_(drivers),
+      predicted_(static_cast<std::size_t>(lattice.domain().count()), 0.0f) {}
+
+void ClutterChoice::choose(const AllowedErrors& errors, const LabelSpread& spread, TracedPixels& pixels) {
+  const int k = lattice_.cells_per_pixel(), row = lattice_.columns() + 1;
+  for (int p = 0; p < lattice_.domain().count(); ++p) {
+    if (values_.only[p] != LatticeValues::kMixed) continue;
+    const std::uint32_t* labels = &values_.labels[lattice_.first_vertex(p)];
+    double crossings = 0.0, squares = 0.0;
+    const auto look = [&](std::uint32_t a, std::uint32_t b) {
+      if (a == b) return;
+      const double contrast = contrast_(static_cast<std::uint32_t>(p), a, b);
+      crossings += 1.0;
+      squares += contrast * contrast;
+    };
+    for (int j = 0; j <= k; ++j, labels += row)
+      for (int i = 0; i <= k; ++i) {
+        if (i < k) look(labels[i], labels[i + 1]);
+        if (j < k) look(labels[i], labels[i + row]);
+      }
+    // In allowed standard errors of this pixel, which counts only in part in each output.
+    const double whole =
+        pixels.allowed_variance(static_cast<std::uint32_t>(p)) / errors.geometry_share(p, spread);
+    const double contrast = std::sqrt(squares / (crossings * whole)),
+                 border_px = crossings / crossings_per_length(k);
+    const double strata = stratified_cost(contrast, border_px);
+    if (kTracingCostPerCrossing * crossings > std::max(recall_.clutter_to_come(p, strata), kFewestStratified))
+      pixels.abandon(static_cast<std::uint32_t>(p));
+    predicted_[p] = static_cast<float>(strata);
+    const double patience = kPatience * stratified_cost(contrast, std::max(border_px, kLeastBorder_px));
+    pixels.limit_budget(static_cast<std::uint32_t>(p), std::max(patience, kFewestTraced));
+  }
+}
+
+double ClutterChoice::first_round(const SourcePixel& pixel) const {
+  return std::clamp(kFirstShare * predicted_[pixel.source], kFewestClutter, kMostFirstClutter);
+}
+
+/// Whether values have met what the traced model does not know, to an extent that matters. The rest of it, which
+/// no value has met, is then likely to matter as well.
+bool ClutterChoice::doubtful(const SourcePixel& pixel) const {
+  if (pixel.cluttered) return false;
+  const PixelModel& model = pixel.model;
+  const auto allowed = contrast_.allowed(pixel.source);
+  for (std::size_t s = 0; s < pixel.strata.size(); ++s) {
+    const Stratum& stratum = pixel.strata[s];
+    if (stratum.strays == 0.0) continue;
+    double weight = 0.0;
+    for (std::size_t o = 0; o < model.outputs.size(); ++o) weight = std::max(weight, model.weight_of(s, o));
+    const double share = weight / std::max(static_cast<double>(stratum.count()), stratum.strays);
+    for (std::size_t d = 0; d < drivers_.size(); ++d) {
+      const int c = drivers_[d];
+      const double square = stratum.stray_sum[c] * stratum.stray_sum[c] + stratum.stray_squares[c];
+      if (share * share * square > kDoubt * allowed[d] * allowed[d]) return true;
+    }
+  }
+  return false;
+}
+
+bool ClutterChoice::begin_rounds(bool doubt, Radiance& radiance, std::vector<OutputState>& outputs) const {
+  bool any = false;
+  for (std::size_t p = 0; p < radiance.pixels().others().size(); ++p) {
+    const SourcePixel& pixel = radiance.pixels().others()[p];
+    if (doubt && doubtful(pixel)) {
+      radiance.pixels().turn_to_clutter(p);
+      recall_.recall_values(radiance, p, outputs);
+    }
+    if (pixel.cluttered && pixel.rounds.empty() && !pixel.model.outputs.empty()) {
+      radiance.clutter().plan(p, first_round(pixel));
+      for (int o : pixel.model.outputs) outputs[o].look = std::max(outputs[o].look, kClutterLook);
+      any = true;
+    }
+  }
+  return any;
+}
+
+}  // namespace ifov::sampling

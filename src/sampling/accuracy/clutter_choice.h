@@ -1,0 +1,49 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace ifov::sampling {
+
+class AllowedErrors;
+class Contrast;
+class LabelSpread;
+class Lattice;
+class Radiance;
+class TileRecall;
+class TracedPixels;
+struct LatticeValues;
+struct OutputState;
+struct SourcePixel;
+
+/// Leaves pixels to stratified samples over the whole of them: before tracing where that is cheaper, as the lattice has it;
+/// after it where values contradict what was traced.
+class ClutterChoice {
+ public:
+  /// `drivers`: the columns that steer.
+  ClutterChoice(const Lattice& lattice, const LatticeValues& values, const Contrast& contrast,
+                const TileRecall& recall, std::span<const int> drivers);
+
+  /// Abandons pixels that are cheaper so, and limits what tracing may spend on the others.
+  void choose(const AllowedErrors& errors, const LabelSpread& spread, TracedPixels& pixels);
+
+  /// Values that each source pixel would take as clutter; 0 where that was not asked or all its vertices have one label.
+  std::span<const float> predicted() const { return predicted_; }
+
+  /// Turns to clutter what values contradict, if `doubt`, and plans the first round of all clutter that has none; false
+  /// where there is no such round.
+  bool begin_rounds(bool doubt, Radiance& radiance, std::vector<OutputState>& outputs) const;
+
+ private:
+  bool doubtful(const SourcePixel& pixel) const;
+  double first_round(const SourcePixel& pixel) const;
+
+  const Lattice& lattice_;
+  const LatticeValues& values_;
+  const Contrast& contrast_;
+  const TileRecall& recall_;
+  std::span<const int> drivers_;
+  std::vector<float> predicted_;
+};
+
+}  // namespace ifov::sampling

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sampling/accuracy/edges/probing.h"
+
+namespace ifov::sampling {
+
+class EdgeTracer;
+class LabelTable;
+struct LatticeValues;
+
+/// Where two labels meet that look alike no border is traced, but a gap may lie between them.
+class LikeNeighbours {
+ public:
+  LikeNeighbours(const EdgeTracer& tracer, Prober& prober, const LatticeValues& values,
+                 const LabelTable& table, std::uint64_t seed)
+      : tracer_(tracer), prober_(prober), values_(values), table_(table), seed_(seed) {}
+
+  /// One side of the lattice is looked into for each two such labels that meet in a pixel of `worth`, chosen by chance;
+  /// where that finds something, all sides there and around.
+  void look_between(const std::vector<std::uint8_t>& worth);
+
+ private:
+  /// A side of the lattice in a pixel, between two labels that look alike; in the order of `key` by chance.
+  struct Meeting {
+    int pixel;
+    std::uint32_t low, high;
+    std::uint64_t key;
+    Prober::Between side;
+  };
+  std::vector<Meeting> meetings(const std::vector<std::uint8_t>& worth) const;
+
+  const EdgeTracer& tracer_;
+  Prober& prober_;
+  const LatticeValues& values_;
+  const LabelTable& table_;
+  std::uint64_t seed_;
+};
+
+}  // namespace ifov::sampling

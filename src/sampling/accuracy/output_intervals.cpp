@@ -1,0 +1,121 @@
+#include "sampling/accuracy/output_intervals.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sampling/accuracy/basis/label_table.h"
+#include "sampling/accuracy/radiance/footprint_weights.h"
+#include "sampling/accuracy/radiance/leaf_integrator.h"
+#include "sampling/accuracy/radiance/radiance.h"
+#include "sampling/accuracy/radiance/radiance_clutter.h"
+#include "sampling/accuracy/radiance/source_pixels.h"
+#include "sampling/accuracy/radiance/stratum_moments.h"
+#include "sampling/accuracy/radiance/unseen_values.h"
+#include "sampling/tolerance.h"
+
+namespace ifov::sampling {
+
+OutputIntervals::OutputIntervals(const Tolerance& tolerance, const LabelTable& table, int outputs,
+                                 bool replicates)
+    : tolerance_(tolerance),
+      table_(table),
+      stopping_(tolerance.confidence()),
+      states_(static_cast<std::size_t>(outputs)),
+      sums_(states_.size(), replicates) {}
+
+void OutputIntervals::gather(const Radiance& radiance, const LeafIntegrator& integrator,
+                             std::span<const int> columns, std::span<const int> outputs) {
+  const std::size_t n = columns.size();
+  sums_.clear(outputs, n);
+  std::vector<StratumMoments> moments;
+  std::vector<ClutterRound::Moment> clutter;
+  WeighedMoments weighed;
+  for (const PlainPixel& pixel : radiance.pixels().plain()) {
+    const OutputSums::Row sum = sums_[pixel.output];
+    for (std::size_t c = 0; c < n; ++c) sum.mean[c] += pixel.weight * table_.mean(pixel.label)[columns[c]];
+  }
+  for (const SourcePixel& pixel : radiance.pixels().others()) {
+    const PixelModel& model = pixel.model;
+    if (model.outputs.empty()) continue;
+    if (pixel.cluttered) {
+      for (int output : model.outputs) {
+        const OutputSums::Row sum = sums_[output];
+        RadianceClutter::moments(pixel, integrator.unit_box() ? nullptr : &integrator.footprint(),
+                                 integrator.centre(output), columns, clutter);
+        const double w = integrator.whole_weight(pixel.source, output), count = pixel.clutter_count();
+        for (std::size_t c = 0; c < n; ++c) {
+          sum.mean[c] += w * clutter[c].mean;
+          const double missed = radiance.unseen().variance(pixel, 0, columns[c]);
+          sum.add_path(c, w * w * clutter[c].variance, clutter[c].freedom);
+          sum.add_path(c, w * w * missed, INFINITY);
+          sum.deviation[c] += w * std::sqrt((clutter[c].variance + missed) * count);
+        }
+      }
+      continue;
+    }
+    const std::size_t regions = model.labels.size();
+    moments.resize(std::max(moments.size(), regions));
+    for (std::size_t r = 0; r < regions; ++r) radiance.estimates().moments(pixel, r, columns, moments[r]);
+    for (std::size_t o = 0; o < model.outputs.size(); ++o) {
+      const OutputSums::Row sum = sums_[model.outputs[o]];
+      for (std::size_t r = 0; r < regions; ++r) {
+        const double w = model.weight_of(r, o);
+        if (w == 0.0) continue;
+        weighed.mean = moments[r].mean;
+        weighed.share = moments[r].share;
+        weighed.freedom = 0.0;
+        if (moments[r].sampled && !integrator.unit_box())
+          radiance.weigh(pixel.strata[r], integrator.footprint(), integrator.centre(model.outputs[o]),
+                         columns, moments[r], weighed);
+        for (std::size_t c = 0; c < n; ++c) {
+          sum.mean[c] += w * weighed.mean[c];
+          const double apart = w * w * moments[r].variance[c] * weighed.share;
+          if (weighed.freedom > 0.0) {
+            sum.path[c].add(apart, moments[r].freedom);
+            sum.replicated[c].add(w * w * weighed.variance[c], weighed.freedom);
+          } else {
+            sum.add_path(c, apart, moments[r].freedom);
+          }
+          const double count = static_cast<double>(pixel.strata[r].count());
+          const double missed = radiance.unseen().variance(pixel, r, columns[c]);
+          sum.add_path(c, w * w * missed, INFINITY);
+          sum.deviation[c] += w * std::sqrt(moments[r].variance[c] + missed * std::max(1.0, count));
+        }
+      }
+      for (std::size_t b = 0; b < model.borders.size(); ++b) {
+        const std::size_t in = model.region_of(model.borders[b].inner),
+                          out = model.region_of(model.borders[b].outer);
+        const double variance = model.border_variance_of(b, o);
+        for (std::size_t c = 0; c < n; ++c) {
+          const double step = moments[in].mean[c] - moments[out].mean[c];
+          sum.geometry[c] += variance * (step * step + moments[in].variance[c] + moments[out].variance[c]);
+        }
+      }
+      for (std::size_t l = 0; l < model.loose.size(); ++l) {
+        const double w = model.loose_weight_of(l, o);
+        for (std::size_t c = 0; c < n; ++c) {
+          double low = INFINITY, high = -INFINITY, within = 0.0;
+          for (std::uint32_t corner : model.loose[l].corner) {
+            const StratumMoments& m = moments[model.region_of(corner)];
+            low = std::min(low, m.mean[c]);
+            high = std::max(high, m.mean[c]);
+            within = std::max(within, m.variance[c]);
+          }
+          sum.geometry[c] += w * w * ((high - low) * (high - low) / 12.0 + within);
+        }
+      }
+    }
+  }
+  for (int o : outputs)
+    for (std::size_t c = 0; c < n; ++c) sums_[o].settle_path(c);
+}
+
+double OutputIntervals::half_width(int output, std::size_t column) {
+  const OutputSums::Row sum = sums_[output];
+  const double path = sum.path[column].variance();
+  const double t =
+      path > 0.0 ? stopping_.student(states_[output].look, sum.path[column].degrees_of_freedom()) : 0.0;
+  return std::sqrt(stopping_.normal() * stopping_.normal() * sum.geometry[column] + t * t * path);
+}
+
+}  // namespace ifov::sampling

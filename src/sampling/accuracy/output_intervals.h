@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "sampling/accuracy/output_state.h"
+#include "sampling/accuracy/output_sums.h"
+
+namespace ifov::sampling {
+
+class LabelTable;
+class LeafIntegrator;
+class Radiance;
+class Tolerance;
+
+/// The intervals of a tile's output pixels, as the values so far have them.
+class OutputIntervals {
+ public:
+  /// `replicates`: whether paths have replicates that tell their variance.
+  OutputIntervals(const Tolerance& tolerance, const LabelTable& table, int outputs, bool replicates);
+
+  const Tolerance& tolerance() const { return tolerance_; }
+  const Stopping& stopping() const { return stopping_; }
+  std::vector<OutputState>& states() { return states_; }
+
+  /// Moments of every stratum of a group, per column, weighed into these outputs, which its source pixels reach.
+  void gather(const Radiance& radiance, const LeafIntegrator& integrator, std::span<const int> columns,
+              std::span<const int> outputs);
+  /// What was gathered last.
+  OutputSums::Row sum(int output) { return sums_[output]; }
+  std::span<const double> means(int output) const { return sums_.means(output); }
+  /// Of the interval at the output's look; `column` in the order of those gathered.
+  double half_width(int output, std::size_t column);
+
+ private:
+  const Tolerance& tolerance_;
+  const LabelTable& table_;
+  Stopping stopping_;
+  std::vector<OutputState> states_;
+  OutputSums sums_;
+};
+
+}  // namespace ifov::sampling

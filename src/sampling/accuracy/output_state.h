@@ -1,0 +1,16 @@
+#pragma once
+
+#include "sampling/accuracy/basis/small_vector.h"
+#include "sampling/accuracy/stopping.h"
+
+namespace ifov::sampling {
+
+/// How far an output pixel of a tile has come.
+struct OutputState {
+  int look = 0;  ///< those of an earlier run included
+  int last_look = Stopping::kLooks;
+  bool satisfied = false;
+  SmallVector<double, 2> path_budget;  ///< per steering column: variance that paths may leave
+};
+
+}  // namespace ifov::sampling

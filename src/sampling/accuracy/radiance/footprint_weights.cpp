@@ -1,0 +1,87 @@
+#include "sampling/accuracy/radiance/footprint_weights.h"
+
+#include <algorithm>
+
+#include "sampling/accuracy/radiance/radiance_rounds.h"
+#include "sampling/accuracy/radiance/strata.h"
+#include "sampling/accuracy/radiance/stratum_moments.h"
+#include "sampling/pixel_footprint.h"
+
+namespace ifov::sampling {
+
+void weigh_by_footprint(const Stratum& stratum, const KeptValues& kept, const PixelFootprint& footprint,
+                        Point2 centre, std::span<const int> columns, const StratumMoments& moments,
+                        WeighedMoments& out) {
+  const std::size_t n = columns.size();
+  out.share = 1.0;
+  out.freedom = 0.0;
+  out.variance.assign(n, 0.0);
+  struct Replicate {
+    double weight = 0.0, squares = 0.0;
+    std::size_t count = 0;
+  };
+  std::vector<double> weights;
+  std::vector<Replicate> replicates(stratum.rounds.size() * RadianceRounds::kReplicates);
+  double total = 0.0, squares = 0.0;
+  for (std::size_t round = 0; round < stratum.rounds.size(); ++round) {
+    const double count = stratum.rounds[round].count();
+    for (const std::size_t end = weights.size() + static_cast<std::size_t>(count); weights.size() < end;) {
+      const std::size_t k = stratum.samples[weights.size()];
+      const double w = footprint.density(kept.x[k].x - centre.x, kept.x[k].y - centre.y) * count;
+      Replicate& replicate = replicates[round * RadianceRounds::kReplicates + kept.replicates[k]];
+      replicate.weight += w;
+      replicate.squares += w * w;
+      ++replicate.count;
+      weights.push_back(w);
+      total += w;
+      squares += w * w;
+    }
+  }
+  if (total == 0.0) return;
+  out.share = squares / (total * total);
+
+  const std::size_t stride = kept.values.size() / kept.x.size();
+  std::vector<double> sums(replicates.size() * n, 0.0);
+  std::size_t i = 0;
+  for (std::size_t round = 0; round < stratum.rounds.size(); ++round)
+    for (const std::size_t end = i + static_cast<std::size_t>(stratum.rounds[round].count()); i < end; ++i) {
+      const std::size_t k = stratum.samples[i];
+      const float* value = &kept.values[k * stride];
+      double* sum = &sums[(round * RadianceRounds::kReplicates + kept.replicates[k]) * n];
+      for (std::size_t c = 0; c < n; ++c) sum[c] += weights[i] * value[columns[c]];
+    }
+  for (std::size_t c = 0; c < n; ++c) {
+    double sum = 0.0;
+    for (std::size_t r = 0; r < replicates.size(); ++r) sum += sums[r * n + c];
+    out.mean[c] = sum / total;
+  }
+
+  constexpr double kFreedom = RadianceRounds::kReplicates - 1.0;
+  for (std::size_t round = 0; round < stratum.rounds.size(); ++round) {
+    const std::span<const Replicate> own(&replicates[round * RadianceRounds::kReplicates],
+                                         RadianceRounds::kReplicates);
+    double weight = 0.0, own_squares = 0.0;
+    for (const Replicate& replicate : own) weight += replicate.weight, own_squares += replicate.squares;
+    // Sequences of a few values stratify nothing, and a round without all of them cannot tell.
+    constexpr std::size_t kFewest = 4;
+    if (std::any_of(own.begin(), own.end(),
+                    [](const Replicate& r) { return r.count < kFewest || r.weight == 0.0; })) {
+      for (std::size_t c = 0; c < n; ++c)
+        out.variance[c] += moments.variance[c] * own_squares / (total * total);
+      continue;
+    }
+    out.freedom = kFreedom;
+    for (std::size_t c = 0; c < n; ++c) {
+      const double* sum = &sums[round * RadianceRounds::kReplicates * n + c];
+      double all = 0.0, apart = 0.0;
+      for (std::uint32_t r = 0; r < RadianceRounds::kReplicates; ++r) all += sum[r * n];
+      for (std::uint32_t r = 0; r < RadianceRounds::kReplicates; ++r) {
+        const double difference = (sum[r * n] - all / weight * own[r].weight) / total;
+        apart += difference * difference;
+      }
+      out.variance[c] += RadianceRounds::kReplicates / kFreedom * apart;
+    }
+  }
+}
+
+}  // namespace ifov::sampling

@@ -1,0 +1,219 @@
+#include "sampling/accuracy/radiance/leaf_integrator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sampling/accuracy/borders/border_model.h"
+#include "sampling/accuracy/borders/edge_cells.h"
+#include "sampling/accuracy/edges/edge_tracer.h"
+
+namespace ifov::sampling {
+
+LeafIntegrator::LeafIntegrator(const EdgeTracer& tracer, const PixelFootprint& footprint, PixelRect tile)
+    : tree_(tracer.tree()),
+      edge_cells_(tracer.edge_cells()),
+      model_(tracer.model()),
+      lattice_(tracer.lattice()),
+      footprint_(footprint),
+      tile_(tile),
+      unit_box_(footprint.whole_pixel()) {
+  // Added up as for any other pixel, so that it makes no difference which way a pixel went.
+  const double side = lattice_.side_px(0);
+  for (int i = 0; i < lattice_.cells_per_pixel() * lattice_.cells_per_pixel(); ++i)
+    plain_weight_ += side * side;
+}
+
+bool LeafIntegrator::plain(int source, int& output, std::uint32_t& label, double& weight) const {
+  if (!unit_box_ || edge_cells_.crossed(static_cast<std::uint32_t>(source))) return false;
+  const PixelRect& domain = lattice_.domain();
+  const int x = domain.x0 + source % domain.width(), y = domain.y0 + source / domain.width();
+  if (x < tile_.x0 || x >= tile_.x1 || y < tile_.y0 || y >= tile_.y1) return false;
+  output = (y - tile_.y0) * tile_.width() + x - tile_.x0;
+  label = tree_[lattice_.first_cell(source)].corner[0];
+  weight = plain_weight_;
+  return true;
+}
+
+/// The leaves of a pixel in the order of their making, in leaves_.
+void LeafIntegrator::leaves_of(int source) const {
+  const int k = lattice_.cells_per_pixel(), columns = lattice_.columns();
+  const std::uint32_t first = lattice_.first_cell(source);
+  leaves_.clear();
+  std::size_t split = 0;
+  for (int j = 0; j < k; ++j)
+    for (int i = 0; i < k; ++i) {
+      leaves_.push_back(first + static_cast<std::uint32_t>(j * columns + i));
+      split += tree_[leaves_.back()].kind == CellKind::split;
+    }
+  if (split == 0) return;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < leaves_.size(); ++i) {
+    const Cell& cell = tree_[leaves_[i]];
+    if (cell.kind == CellKind::split)
+      for (std::uint32_t child = 0; child < 4; ++child) leaves_.push_back(cell.children + child);
+    else
+      leaves_[kept++] = leaves_[i];
+  }
+  leaves_.resize(kept);
+  std::sort(leaves_.begin(), leaves_.end());
+}
+
+Point2 LeafIntegrator::centre(int output) const {
+  return {tile_.x0 + output % tile_.width() + 0.5, tile_.y0 + output / tile_.width() + 0.5};
+}
+
+void LeafIntegrator::outputs_of(int source, SmallVector<int, 1>& outputs) const {
+  const PixelRect& domain = lattice_.domain();
+  const int x = domain.x0 + source % domain.width(), y = domain.y0 + source / domain.width();
+  const int reach = std::max(0, static_cast<int>(std::ceil(footprint_.half_width_px() - 0.5 - 1e-12)));
+  outputs.clear();
+  for (int j = std::max(tile_.y0, y - reach); j <= std::min(tile_.y1 - 1, y + reach); ++j)
+    for (int i = std::max(tile_.x0, x - reach); i <= std::min(tile_.x1 - 1, x + reach); ++i)
+      outputs.push_back((j - tile_.y0) * tile_.width() + i - tile_.x0);
+}
+
+double LeafIntegrator::whole_weight(int source, int output) const {
+  const PixelRect& domain = lattice_.domain();
+  const Point2 c = centre(output);
+  const double x = domain.x0 + source % domain.width() - c.x, y = domain.y0 + source / domain.width() - c.y;
+  return footprint_.integral(x, y, x + 1.0, y + 1.0);
+}
+
+double LeafIntegrator::over_polygon(const Polygon& polygon, Point2 c) const {
+  if (footprint_.uniform()) {
+    const double h = footprint_.half_width_px();
+    const Polygon inside = polygon.clipped(-1.0, 0.0, -(c.x - h))
+                               .clipped(1.0, 0.0, c.x + h)
+                               .clipped(0.0, -1.0, -(c.y - h))
+                               .clipped(0.0, 1.0, c.y + h);
+    return inside.signed_area() * 0.25 / (h * h);
+  }
+  // A fan of triangles, each by the rule of its three edge midpoints, exact to the second degree.
+  double sum = 0.0;
+  const Point2 o = polygon.vertex[0];
+  for (int i = 1; i + 1 < polygon.count; ++i) {
+    const Point2 p = polygon.vertex[i], q = polygon.vertex[i + 1];
+    const double twice_area = cross(p - o, q - o);
+    double h = 0.0;
+    for (const Point2 m : {0.5 * (o + p), 0.5 * (p + q), 0.5 * (q + o)})
+      h += footprint_.density(m.x - c.x, m.y - c.y);
+    sum += twice_area * h;
+  }
+  return sum / 6.0;
+}
+
+/// Integral of an output's footprint over a cell.
+double LeafIntegrator::cell_weight(const Cell& cell, const PixelModel& model, std::size_t output) const {
+  const double side = lattice_.side_px(cell.level);
+  if (unit_box_) return side * side;
+  const double x0 = lattice_.x_px(cell.x), y0 = lattice_.y_px(cell.y);
+  const Point2 c = centre(model.outputs[output]);
+  return footprint_.integral(x0 - c.x, y0 - c.y, x0 + side - c.x, y0 + side - c.y);
+}
+
+void LeafIntegrator::pixel(int source, PixelModel& model) const {
+  outputs_of(source, model.outputs);
+  model.forget_parts();
+  leaves_of(source);
+  for (const std::uint32_t leaf : leaves_) {
+    const Cell& cell = tree_[leaf];
+    if (cell.kind == CellKind::uniform)
+      add_uniform(cell, model);
+    else if (cell.kind == CellKind::complex)
+      add_complex(cell, model);
+    else if (cell.kind == CellKind::junction)
+      add_junction(cell, model);
+    else
+      add_curve(cell, model);
+  }
+}
+
+void LeafIntegrator::add_uniform(const Cell& cell, PixelModel& model) const {
+  const std::size_t region = model.add_region(cell.corner[0]), outputs = model.outputs.size();
+  const double side = lattice_.side_px(cell.level);
+  model.area[region] += side * side;
+  for (std::size_t o = 0; o < outputs; ++o) model.weight[region * outputs + o] += cell_weight(cell, model, o);
+}
+
+void LeafIntegrator::add_complex(const Cell& cell, PixelModel& model) const {
+  const auto [low, high] = std::minmax_element(cell.corner, cell.corner + 4);
+  std::size_t entry = 0;
+  if (has_two_labels(cell)) {
+    entry = model.add_loose_pair(*low, *high);
+  } else {
+    PixelModel::Loose alone{{}, false};
+    std::copy_n(cell.corner, 4, alone.corner);
+    entry = model.add_loose(alone);
+  }
+  std::size_t region[4];
+  for (int i = 0; i < 4; ++i) region[i] = model.add_region(cell.corner[i]);
+  const std::size_t outputs = model.outputs.size();
+  for (std::size_t o = 0; o < outputs; ++o) {
+    const double w = cell_weight(cell, model, o);
+    model.loose_weight[entry * outputs + o] += w;
+    for (const std::size_t r : region) model.weight[r * outputs + o] += 0.25 * w;
+  }
+  const double side = lattice_.side_px(cell.level);
+  for (const std::size_t r : region) model.area[r] += 0.25 * (side * side);
+}
+
+void LeafIntegrator::add_junction(const Cell& cell, PixelModel& model) const {
+  const Junction& junction = model_.junction_of(cell);
+  std::size_t region[3], border[3];
+  Polygon polygon[3];
+  double area[3], variance[3];
+  for (int s = 0; s < 3; ++s) {
+    region[s] = model.add_region(junction.sector[s]);
+    border[s] = model.add_border(junction.sector[(s + 2) % 3], junction.sector[s]);
+    polygon[s] = model_.sector_region(cell, s);
+    area[s] = std::abs(polygon[s].signed_area());
+    variance[s] = model_.border_variance(cell, s);
+    model.area[region[s]] += area[s];
+  }
+  const std::size_t outputs = model.outputs.size();
+  for (std::size_t o = 0; o < outputs; ++o) {
+    const Point2 c = centre(model.outputs[o]);
+    const double density = unit_box_ ? 1.0 : footprint_.density(junction.at.x - c.x, junction.at.y - c.y);
+    double inside[3], sum = 0.0;
+    for (int s = 0; s < 3; ++s)
+      sum += inside[s] = unit_box_ ? area[s] : std::abs(over_polygon(polygon[s], c));
+    const double scale = sum > 0.0 ? cell_weight(cell, model, o) / sum : 0.0;
+    for (int s = 0; s < 3; ++s) {
+      model.weight[region[s] * outputs + o] += scale * inside[s];
+      model.border_variance[border[s] * outputs + o] += variance[s] * density * density;
+    }
+  }
+}
+
+void LeafIntegrator::add_curve(const Cell& cell, PixelModel& model) const {
+  const Curve& curve = model_.curve_of(cell);
+  const std::size_t in = model.add_region(curve.inner), out = model.add_region(curve.outer);
+  const std::size_t border = model.add_border(curve.inner, curve.outer), outputs = model.outputs.size();
+  const CurveShape shape = model_.shape_of(cell);
+  const Polygon polygon = model_.inner_region(cell, shape);
+  const double side = lattice_.side_px(cell.level), whole = side * side;
+  const double beyond = model_.area_beyond(cell, shape);
+  // An arc beside a side of its cell may bulge beyond it: less than nothing, or more than the whole cell, is then its share.
+  const double area = polygon.signed_area() + beyond;
+  const double variance = model_.area_variance(cell, shape);
+  const Point2 middle = 0.5 * (polygon.vertex[0] + polygon.vertex[curve.side[1] - curve.side[0] + 1]);
+  model.area[in] += area;
+  model.area[out] += whole - area;
+  for (std::size_t o = 0; o < outputs; ++o) {
+    const double weight = cell_weight(cell, model, o);
+    double inner = area, density = 1.0;
+    if (!unit_box_) {
+      const Point2 c = centre(model.outputs[o]);
+      density = footprint_.density(middle.x - c.x, middle.y - c.y);
+      inner = over_polygon(polygon, c) + beyond * density;
+    }
+    model.weight[in * outputs + o] += inner;
+    model.weight[out * outputs + o] += weight - inner;
+    model.border_variance[border * outputs + o] += variance * density * density;
+    if (curve.loose_area > 0.0)
+      model.loose_weight[model.add_loose_pair(curve.inner, curve.outer) * outputs + o] +=
+          std::sqrt(12.0) * curve.loose_area * density;
+  }
+}
+
+}  // namespace ifov::sampling

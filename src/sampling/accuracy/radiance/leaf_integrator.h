@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sampling/accuracy/radiance/pixel_model.h"
+#include "sampling/pixel_footprint.h"
+#include "sampling/pixel_rect.h"
+#include "sampling/random.h"
+
+namespace ifov::sampling {
+
+class BorderModel;
+class CellTree;
+class EdgeCells;
+class EdgeTracer;
+class Lattice;
+struct Cell;
+struct Polygon;
+
+/// Integrates the leaves of the traced model against the footprint. No rays.
+class LeafIntegrator {
+ public:
+  LeafIntegrator(const EdgeTracer& tracer, const PixelFootprint& footprint, PixelRect tile);
+
+  /// The model of the source pixel with this index in the tracer's domain.
+  void pixel(int source, PixelModel& model) const;
+
+  /// Whether the pixel weighs in one output alone and no border crosses it: `label` then has the weight
+  /// `weight`.
+  bool plain(int source, int& output, std::uint32_t& label, double& weight) const;
+
+  /// Integral of an output pixel's footprint over the whole source pixel.
+  double whole_weight(int source, int output) const;
+
+  /// Image position of the footprint's centre for an output pixel.
+  Point2 centre(int output) const;
+
+  bool unit_box() const { return unit_box_; }
+  const PixelFootprint& footprint() const { return footprint_; }
+
+ private:
+  void outputs_of(int source, SmallVector<int, 1>& outputs) const;
+  void leaves_of(int source) const;
+  double cell_weight(const Cell& cell, const PixelModel& model, std::size_t output) const;
+  void add_uniform(const Cell& cell, PixelModel& model) const;
+  void add_complex(const Cell& cell, PixelModel& model) const;
+  void add_junction(const Cell& cell, PixelModel& model) const;
+  void add_curve(const Cell& cell, PixelModel& model) const;
+  double over_polygon(const Polygon& polygon, Point2 centre) const;
+
+  const CellTree& tree_;
+  const EdgeCells& edge_cells_;
+  const BorderModel& model_;
+  const Lattice& lattice_;
+  const PixelFootprint& footprint_;
+  PixelRect tile_;
+  bool unit_box_;
+  double plain_weight_ = 0.0;
+  mutable std::vector<std::uint32_t> leaves_;  // of the pixel at hand
+};
+
+}  // namespace ifov::sampling

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sampling/accuracy/radiance/clutter_round.h"
+
+namespace ifov::sampling {
+
+class Lattice;
+class RayLedger;
+struct SourcePixel;
+
+/// Cluttered pixels: rounds of jittered grids over the whole of them.
+class RadianceClutter {
+ public:
+  /// `keep`: every value is kept, for a footprint that weighs those of a pixel unlike.
+  RadianceClutter(std::vector<SourcePixel>& pixels, const Lattice& lattice, RayLedger& ledger, bool keep,
+                  std::uint64_t seed);
+
+  /// Plans one more round of about `count` values.
+  void plan(std::size_t pixel, double count);
+  /// Traces what was planned.
+  void trace();
+
+  /// Means over the rounds of a cluttered pixel, per column, with their variances. The footprint weighs values about
+  /// `centre`; null: all alike.
+  static void moments(const SourcePixel& pixel, const PixelFootprint* footprint, Point2 centre,
+                      std::span<const int> columns, std::vector<ClutterRound::Moment>& moments);
+
+ private:
+  std::vector<SourcePixel>& pixels_;
+  const Lattice& lattice_;
+  RayLedger& ledger_;
+  bool keep_;
+  std::uint64_t seed_;
+  std::size_t stride_;
+  std::vector<std::size_t> planned_;  // pixels
+};
+
+}  // namespace ifov::sampling

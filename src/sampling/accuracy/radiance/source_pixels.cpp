@@ -1,0 +1,58 @@
+#include "sampling/accuracy/radiance/source_pixels.h"
+
+#include "sampling/accuracy/borders/traced_pixels.h"
+#include "sampling/accuracy/radiance/leaf_integrator.h"
+#include "sampling/accuracy/radiance/nearby_spread.h"
+#include "sampling/accuracy/radiance/spread.h"
+
+namespace ifov::sampling {
+
+void SourcePixels::add(int first, int last, const LeafIntegrator& integrator) {
+  std::vector<int> others;
+  for (int source = first; source < last; ++source) {
+    PlainPixel plain{source, 0, 0, 0.0};
+    if (!traced_.abandoned(static_cast<std::uint32_t>(source)) &&
+        integrator.plain(source, plain.output, plain.label, plain.weight) && spread_.constant(plain.label))
+      plain_.push_back(plain);
+    else
+      others.push_back(source);
+  }
+  others_.reserve(others_.size() + others.size());
+  for (const int source : others) {
+    others_.emplace_back().source = source;
+    fill(others_.back(), integrator);
+  }
+}
+
+bool SourcePixels::refresh(const LeafIntegrator& integrator) {
+  for (const PlainPixel& pixel : plain_)
+    if (traced_.changed(static_cast<std::uint32_t>(pixel.source))) return false;
+  for (SourcePixel& pixel : others_)
+    if (traced_.changed(static_cast<std::uint32_t>(pixel.source))) fill(pixel, integrator);
+  return true;
+}
+
+void SourcePixels::fill(SourcePixel& pixel, const LeafIntegrator& integrator) const {
+  pixel.cluttered = traced_.abandoned(static_cast<std::uint32_t>(pixel.source));
+  integrator.pixel(pixel.source, pixel.model);
+  pixel.strata.clear();
+  if (pixel.cluttered) {
+    pixel.strata.resize(1);
+    pixel.strata.front().deviation = nearby_.deviation(pixel, kNoLabel);
+  } else {
+    pixel.strata.resize(pixel.model.labels.size());
+    for (std::size_t s = 0; s < pixel.strata.size(); ++s) {
+      pixel.strata[s].label = pixel.model.labels[s];
+      pixel.strata[s].deviation = nearby_.deviation(pixel, pixel.strata[s].label);
+    }
+  }
+}
+
+void SourcePixels::turn_to_clutter(std::size_t p) {
+  SourcePixel& pixel = others_[p];
+  pixel.cluttered = true;
+  pixel.strata.assign(1, {});
+  pixel.strata.front().deviation = nearby_.deviation(pixel, kNoLabel);
+}
+
+}  // namespace ifov::sampling

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "sampling/accuracy/radiance/strata.h"
+
+namespace ifov::sampling {
+
+class LabelSpread;
+class LeafIntegrator;
+class NearbySpread;
+class TracedPixels;
+
+/// A group of source pixels, with what the traced model says of each.
+class SourcePixels {
+ public:
+  SourcePixels(const TracedPixels& traced, const LabelSpread& spread, const NearbySpread& nearby)
+      : traced_(traced), spread_(spread), nearby_(nearby) {}
+
+  /// Source pixels [first, last).
+  void add(int first, int last, const LeafIntegrator& integrator);
+  /// Before any value is planned: follows what tracing has changed. False where pixels must be added anew.
+  bool refresh(const LeafIntegrator& integrator);
+  /// Leaves the pixel's traced model for rounds over the whole of it.
+  void turn_to_clutter(std::size_t pixel);
+
+  const std::vector<PlainPixel>& plain() const { return plain_; }
+  std::vector<SourcePixel>& others() { return others_; }
+  const std::vector<SourcePixel>& others() const { return others_; }
+
+ private:
+  void fill(SourcePixel& pixel, const LeafIntegrator& integrator) const;
+
+  const TracedPixels& traced_;
+  const LabelSpread& spread_;
+  const NearbySpread& nearby_;
+  std::vector<PlainPixel> plain_;
+  std::vector<SourcePixel> others_;
+};
+
+}  // namespace ifov::sampling

@@ -1,0 +1,151 @@
+#include "sampling/accuracy/radiance/stratum_moments.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sampling/accuracy/basis/label_table.h"
+#include "sampling/accuracy/basis/lattice.h"
+#include "sampling/accuracy/radiance/lattice_values.h"
+#include "sampling/accuracy/radiance/radiance_nets.h"
+#include "sampling/accuracy/radiance/spread.h"
+#include "sampling/accuracy/radiance/strata.h"
+
+namespace ifov::sampling {
+
+namespace {
+
+/// Weight, in degrees of freedom, of the variance borrowed from the tile beside `own` degrees of a stratum's own: what
+/// single values differ by on the scale of the lattice, which is far more than they do within a fine grid's cells.
+double borrowed(double own) { return 8.0 / (1.0 + own * own / 64.0); }
+
+/// So many blocks of the lattice tell how values of a label differ. Where they are fewer, other labels tell the rest, which
+/// may be of another kind (a narrow penumbra beside level ground): then all that its own values differ by counts.
+constexpr double kTelling = 8.0;
+
+/// A label that no vertex of a pixel has may look otherwise there than at all vertices that have it: these may stand at like
+/// places of a pattern. The variance that they show counts so many times.
+constexpr double kElsewhere = 9.0;
+
+}  // namespace
+
+bool StratumEstimates::paths_differ(const Stratum& stratum, std::span<const int> columns,
+                                    const StratumMoments& moments) {
+  constexpr double kMost = 0.5;
+  if (stratum.twins == 0.0) return false;
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (stratum.twin_squares[columns[c]] / stratum.twins > kMost * moments.variance[c] &&
+        moments.variance[c] > 0.0)
+      return true;
+  return false;
+}
+
+double StratumEstimates::with_trend(const Stratum& stratum, std::span<const int> drivers, double count) {
+  const BlockSums* const round = &stratum.rounds.back() - 1;  // the last two
+  if (round[0].blocks() == 0.0 || round[1].blocks() == 0.0) return count;
+  const double growth = round[1].blocks() / round[0].blocks();
+  double slowest = 1.0;
+  for (int column : drivers) {
+    const double variance[2] = {round[0].squares(column) / round[0].blocks(),
+                                round[1].squares(column) / round[1].blocks()};
+    if (variance[1] == 0.0) continue;
+    const double fall =
+        growth > 1.5 && variance[0] > 0.0 ? std::log(variance[0] / variance[1]) / std::log(growth) : 0.0;
+    slowest = std::min(slowest, std::clamp(fall, 0.0, 1.0));
+  }
+  const double have = static_cast<double>(stratum.count());
+  return count <= have ? count : have * std::pow(count / have, 1.0 / (1.0 + slowest));
+}
+
+void StratumEstimates::moments(const SourcePixel& pixel, std::size_t s, std::span<const int> columns,
+                               StratumMoments& out) const {
+  const Stratum& stratum = pixel.strata[s];
+  const std::size_t n = columns.size();
+  out.mean.assign(n, 0.0);
+  out.variance.assign(n, 0.0);
+  out.share = 1.0;
+  if (stratum.nets.size > 0) {
+    RadianceNets::moments(stratum.nets, columns, out);
+    if (out.sampled) return;
+  }
+  out.sampled = stratum.count() > 0;
+
+  if (out.sampled)
+    of_values(stratum, columns, out);
+  else
+    of_lattice(pixel, stratum.label, columns, out);
+}
+
+void StratumEstimates::of_values(const Stratum& stratum, std::span<const int> columns,
+                                 StratumMoments& out) const {
+  const std::uint32_t label = stratum.label;
+  const std::size_t n = columns.size();
+  // Rounds of more values stand on finer grids, where texture makes less variance: they weigh by the squares of
+  // their numbers of values, which is right for texture and costs little where paths make the variance.
+  double squares = 0.0, cubes = 0.0, blocks = 0.0;
+  for (const BlockSums& round : stratum.rounds) {
+    squares += round.count() * round.count();
+    cubes += round.count() * round.count() * round.count();
+  }
+  out.share = cubes / (squares * squares);
+  std::vector<double> weighted(n, 0.0);
+  const double told = std::min(1.0, spread_.blocks(label) / kTelling);
+  for (const BlockSums& round : stratum.rounds) {
+    const double count = round.count();
+    if (count == 0.0) continue;
+    blocks += round.blocks();
+    const double lent = borrowed(round.blocks());
+    for (std::size_t c = 0; c < n; ++c) {
+      const int column = columns[c];
+      out.mean[c] += count * count / squares * round.mean(column);
+      const double local = spread_.local(label, column);
+      const double whole = count > 1.0 ? round.spread(column) * count / (count - 1.0) : 0.0;
+      const double lent_variance = told * local + (1.0 - told) * std::max(local, whole);
+      const double one = (round.squares(column) + lent * lent_variance) / (round.blocks() + lent);
+      const double part = count * count * count / cubes * one;
+      out.variance[c] += part;
+      weighted[c] += part * part / (round.freedom(column) + lent);
+    }
+  }
+  out.freedom = blocks + borrowed(blocks);
+  for (std::size_t c = 0; c < n; ++c)
+    if (weighted[c] > 0.0)
+      out.freedom = std::min(out.freedom, out.variance[c] * out.variance[c] / weighted[c]);
+}
+
+void StratumEstimates::of_lattice(const SourcePixel& pixel, std::uint32_t label, std::span<const int> columns,
+                                  StratumMoments& out) const {
+  const std::size_t n = columns.size();
+  if (spread_.constant(label)) {
+    for (std::size_t c = 0; c < n; ++c) out.mean[c] = table_.mean(label)[columns[c]];
+    out.freedom = 2.0;
+    return;
+  }
+
+  const int k = lattice_.cells_per_pixel(), row = lattice_.columns() + 1;
+  const int x = pixel.source % lattice_.domain().width() * k,
+            y = pixel.source / lattice_.domain().width() * k;
+  double weight = 0.0, count = 0.0;
+  std::vector<double> squares(n, 0.0);
+  for (int j = 0; j <= k; ++j)
+    for (int i = 0; i <= k; ++i) {
+      const std::size_t v = static_cast<std::size_t>(y + j) * row + x + i;
+      if (values_.labels[v] != label) continue;
+      const double w = (i == 0 || i == k ? 0.5 : 1.0) * (j == 0 || j == k ? 0.5 : 1.0);
+      weight += w;
+      count += 1.0;
+      for (std::size_t c = 0; c < n; ++c) {
+        const double value = values_.value(v)[columns[c]], old = out.mean[c];
+        out.mean[c] += w / weight * (value - old);
+        squares[c] += w * (value - old) * (value - out.mean[c]);
+      }
+    }
+  for (std::size_t c = 0; c < n; ++c) {
+    if (count == 0.0) out.mean[c] = table_.mean(label)[columns[c]];
+    const double own = count > 1.0 ? squares[c] / weight * count / (count - 1.0)
+                                   : (count == 0.0 ? kElsewhere : 1.0) * spread_.total(label, columns[c]);
+    out.variance[c] = std::max(own, spread_.local(label, columns[c]));
+  }
+  out.freedom = std::max(2.0, count - 1.0);
+}
+
+}  // namespace ifov::sampling

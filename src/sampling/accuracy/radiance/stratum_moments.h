@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ifov::sampling {
+
+class LabelSpread;
+class LabelTable;
+class Lattice;
+struct LatticeValues;
+struct SourcePixel;
+struct Stratum;
+
+/// Mean of one stratum (a label within a source pixel) and the variance of one of its values.
+struct StratumMoments {
+  std::vector<double> mean, variance;  ///< per asked column; `variance` is that of one value
+  double freedom = 0.0;                ///< degrees of freedom behind `variance`
+  double share = 1.0;    ///< variance of `mean` in units of `variance`: 1 / n where values weigh alike
+  bool sampled = false;  ///< false: lattice values only, which count as one random value
+};
+
+/// Means and variances of strata from their values, and where those are few, from the lattice and the tile.
+class StratumEstimates {
+ public:
+  StratumEstimates(const Lattice& lattice, const LatticeValues& values, const LabelTable& table,
+                   const LabelSpread& spread)
+      : lattice_(lattice), values_(values), table_(table), spread_(spread) {}
+
+  virtual ~StratumEstimates() = default;
+
+  /// Over the given columns.
+  virtual void moments(const SourcePixel& pixel, std::size_t stratum, std::span<const int> columns,
+                       StratumMoments& out) const;
+
+  /// Whether most of the variance of a stratum's values comes from their paths rather than from where they are, in
+  /// some of these columns; false before twins have told.
+  static bool paths_differ(const Stratum& stratum, std::span<const int> columns,
+                           const StratumMoments& moments);
+
+  /// The number of values that reaches what `count` values would reach at the variance of the last round, if
+  /// the variance within blocks goes on falling with their size as it did from the round before.
+  static double with_trend(const Stratum& stratum, std::span<const int> drivers, double count);
+
+ private:
+  void of_values(const Stratum& stratum, std::span<const int> columns, StratumMoments& out) const;
+  void of_lattice(const SourcePixel& pixel, std::uint32_t label, std::span<const int> columns,
+                  StratumMoments& out) const;
+
+  const Lattice& lattice_;
+  const LatticeValues& values_;
+  const LabelTable& table_;
+  const LabelSpread& spread_;
+};
+
+}  // namespace ifov::sampling

@@ -1,0 +1,62 @@
+#include "sampling/accuracy/radiance/unseen_values.h"
+
+#include <algorithm>
+
+#include "sampling/accuracy/basis/label_table.h"
+#include "sampling/accuracy/edges/probing.h"
+#include "sampling/accuracy/radiance/spread.h"
+#include "sampling/accuracy/radiance/strata.h"
+
+namespace ifov::sampling {
+
+namespace {
+
+/// What n values have not met is rarer than x / n but for a share exp(-x) of cases. As a standard error, in units of
+/// 1 / n, with room for what lies farther off than one deviation.
+constexpr double kUnseen = 2.5;
+/// The same where rays have met something in the pixel on a material that no value has met yet: that it is there is known.
+constexpr double kKnownUnseen = 6.0;
+/// Values far from the rest are taken to be one more than were met: else those strata would stop soonest that
+/// happened to meet few of them, and would be wrong all the same way.
+constexpr double kRareValues = 1.0, kManyValues = 8.0;
+
+}  // namespace
+
+/// Whether looks, probes or seeds have met a material in a cluttered pixel that none of its values has met.
+bool UnseenValues::knows_more_than_values(const SourcePixel& pixel) const {
+  for (const Prober::Met& met : prober_.met(pixel.source)) {
+    const std::uint32_t material = field_.material_of(table_.label(met.label));
+    const bool has_value =
+        std::any_of(pixel.rounds.begin(), pixel.rounds.end(), [&](const ClutterRound& round) {
+          return std::any_of(round.materials().begin(), round.materials().end(),
+                             [&](const auto& entry) { return entry.first == material; });
+        });
+    if (!has_value) return true;
+  }
+  return false;
+}
+
+double UnseenValues::variance(const SourcePixel& pixel, std::size_t s, int column) const {
+  const Stratum& stratum = pixel.strata[s];
+  if (stratum.deviation.empty()) return 0.0;
+  double seen = 0.0, count = pixel.cluttered ? pixel.clutter_count() : static_cast<double>(stratum.count());
+  if (pixel.cluttered && !pixel.rounds.empty()) seen = pixel.rounds.back().spread(column);
+  if (!pixel.cluttered && !stratum.rounds.empty()) seen = stratum.rounds.back().spread(column);
+  double nearby =
+      static_cast<double>(stratum.deviation[column]) * static_cast<double>(stratum.deviation[column]);
+  // Strata of few values have borrowed from the tile in moments(); what many agree on may still not be all.
+  const bool many = !pixel.cluttered && count >= kManyValues && spread_.blocks(stratum.label) >= kManyValues;
+  if (many) nearby = std::max(nearby, spread_.local(stratum.label, column));
+  const double hidden = std::max(0.0, nearby - seen);
+  count = std::max(1.0, count);
+  const double rare = many ? kRareValues * spread_.rare(stratum.label, column) : 0.0;
+  double squared = std::min(kUnseen * kUnseen, 1.0 + count);
+  if (pixel.cluttered) {
+    const double missed =
+        hidden > 0.0 && !pixel.rounds.empty() && knows_more_than_values(pixel) ? kKnownUnseen : kUnseen;
+    squared = missed * missed;
+  }
+  return std::max(squared * hidden, rare) / (count * count);
+}
+
+}  // namespace ifov::sampling

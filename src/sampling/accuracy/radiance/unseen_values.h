@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+
+namespace ifov::sampling {
+
+class Field;
+class LabelSpread;
+class LabelTable;
+class Prober;
+struct SourcePixel;
+
+/// What values have not met: the variance of their mean by values that differ from all of them, as those nearby show.
+class UnseenValues {
+ public:
+  UnseenValues(const LabelSpread& spread, const Prober& prober, const LabelTable& table, const Field& field)
+      : spread_(spread), prober_(prober), table_(table), field_(field) {}
+
+  virtual ~UnseenValues() = default;
+
+  /// Variance of the mean of a stratum's values by what they have not met; of a cluttered pixel's where it is one.
+  virtual double variance(const SourcePixel& pixel, std::size_t stratum, int column) const;
+
+ private:
+  bool knows_more_than_values(const SourcePixel& pixel) const;
+
+  const LabelSpread& spread_;
+  const Prober& prober_;
+  const LabelTable& table_;
+  const Field& field_;
+};
+
+}  // namespace ifov::sampling

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ifov::sampling {
+
+class ClutterChoice;
+class LeafIntegrator;
+class OutputIntervals;
+class Radiance;
+class RayLedger;
+struct AccuracyOptions;
+struct OutputState;
+struct SourcePixel;
+struct Stratum;
+
+/// Radiance in rounds: looks at the intervals of a group of source pixels, and plans more values where they are too wide.
+class RoundPlanner {
+ public:
+  RoundPlanner(const AccuracyOptions& options, const RayLedger& ledger, const ClutterChoice& clutter,
+               OutputIntervals& intervals);
+
+  /// Rounds of values until the intervals of all `columns` of these outputs are as narrow as asked, or no value is left to
+  /// be spent. `drivers` steer at first. Leaves the sums of all columns gathered.
+  void run(Radiance& radiance, const LeafIntegrator& integrator, const std::vector<int>& outputs,
+           std::span<const int> drivers, int columns);
+
+ private:
+  bool plan_round(Radiance& radiance, const LeafIntegrator& integrator, const std::vector<int>& outputs);
+  bool steer_by_more(const Radiance& radiance, const LeafIntegrator& integrator,
+                     const std::vector<int>& outputs);
+  static std::uint32_t net_size(const Stratum& stratum, double wanted, double room);
+  static double next_clutter(const SourcePixel& pixel, double wanted);
+
+  const AccuracyOptions& options_;
+  const RayLedger& ledger_;
+  const ClutterChoice& clutter_;
+  OutputIntervals& intervals_;
+  std::vector<OutputState>& outputs_;
+  std::vector<int> all_columns_;
+  std::vector<int> steering_;  // columns whose intervals decide how many values are drawn
+};
+
+}  // namespace ifov::sampling

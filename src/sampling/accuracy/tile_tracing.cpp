@@ -1,0 +1,171 @@
+#include "sampling/accuracy/tile_tracing.h"
+
+#include <cmath>
+
+#include "sampling/accuracy/allowed_errors.h"
+#include "sampling/accuracy/basis/dither.h"
+#include "sampling/accuracy/basis/label_table.h"
+#include "sampling/accuracy/basis/lattice.h"
+#include "sampling/accuracy/basis/options.h"
+#include "sampling/accuracy/basis/ray_ledger.h"
+#include "sampling/accuracy/borders/contrast.h"
+#include "sampling/accuracy/borders/traced_pixels.h"
+#include "sampling/accuracy/clutter_choice.h"
+#include "sampling/accuracy/edges/edge_tracer.h"
+#include "sampling/accuracy/edges/probing.h"
+#include "sampling/accuracy/lattice_survey.h"
+#include "sampling/accuracy/like_neighbours.h"
+#include "sampling/accuracy/parts.h"
+#include "sampling/accuracy/radiance/lattice_values.h"
+#include "sampling/accuracy/radiance/spread.h"
+#include "sampling/accuracy/random_look.h"
+#include "sampling/accuracy/source_grid.h"
+#include "sampling/accuracy/stopping.h"
+#include "sampling/accuracy/tile_recall.h"
+#include "sampling/pixel_footprint.h"
+#include "sampling/tile.h"
+#include "sampling/tolerance.h"
+
+namespace ifov::sampling {
+
+namespace {
+
+/// Source pixels that weigh less than this are not probed.
+constexpr double kLeastProbed = 0.4;
+/// A footprint's outermost pixels, where they weigh less than this, need no others around them to be traced
+/// well enough.
+constexpr double kNegligibleRim = 1e-3;
+
+/// Pixels around those that the footprints reach.
+int halo_of(const PixelFootprint& footprint) {
+  const double rim = std::ceil(footprint.half_width_px() - 0.5 - 1e-12);
+  const double weight = footprint.integral(rim - 0.5, -0.5, rim + 0.5, 0.5);
+  return weight < kNegligibleRim * footprint.integral(-0.5, -0.5, 0.5, 0.5) ? 0 : 1;
+}
+
+}  // namespace
+
+/// Each knows those above it that it needs, and none below.
+struct TileTracing::Parts {
+  Parts(const TileProblem& problem, Field& field, const AccuracyOptions& options, const AccuracyParts& parts,
+        TileRecall& recall)
+      : lattice(source_domain(problem, halo_of(*problem.footprint)), options.lattice),
+        grid(lattice, *problem.footprint, problem.tile),
+        table(field.columns()),
+        ledger(field, problem.cancel, lattice, table, recall.memory()),
+        contrast(table, problem.drivers, lattice.domain().count()),
+        dither(parts.dither()),
+        tracer(lattice, ledger, table, contrast, options, *dither, problem.seed),
+        prober(tracer, ledger, options, problem.seed),
+        look(grid, lattice, options.looks_per_side, problem.seed),
+        errors(problem, grid, lattice, values, Stopping(problem.tolerance->confidence()).normal(), contrast),
+        clutter(lattice, values, contrast, recall, problem.drivers) {}
+
+  Lattice lattice;
+  SourceGrid grid;
+  LabelTable table;
+  RayLedger ledger;
+  Contrast contrast;
+  std::unique_ptr<Dither> dither;
+  EdgeTracer tracer;
+  Prober prober;
+  LatticeValues values;
+  RandomLook look;
+  AllowedErrors errors;
+  ClutterChoice clutter;
+  std::unique_ptr<LabelSpread> spread;
+  KnownDetail known;
+  std::vector<int> not_looked_at;  // source pixels whose random points are asked when borders are traced
+};
+
+TileTracing::TileTracing(const TileProblem& problem, Field& field, const AccuracyOptions& options,
+                         const AccuracyParts& parts, TileRecall& recall)
+    : problem_(problem),
+      options_(options),
+      parts_of_method_(parts),
+      parts_(std::make_unique<Parts>(problem, field, options, parts, recall)) {}
+
+TileTracing::~TileTracing() = default;
+
+const Lattice& TileTracing::lattice() const { return parts_->lattice; }
+const SourceGrid& TileTracing::grid() const { return parts_->grid; }
+const LabelTable& TileTracing::table() const { return parts_->table; }
+RayLedger& TileTracing::ledger() { return parts_->ledger; }
+EdgeTracer& TileTracing::tracer() { return parts_->tracer; }
+const Prober& TileTracing::prober() const { return parts_->prober; }
+const RandomLook& TileTracing::look() const { return parts_->look; }
+AllowedErrors& TileTracing::errors() { return parts_->errors; }
+const ClutterChoice& TileTracing::clutter() const { return parts_->clutter; }
+const LatticeValues& TileTracing::lattice_values() const { return parts_->values; }
+const LabelSpread& TileTracing::spread() const { return *parts_->spread; }
+
+void TileTracing::trace_lattice() {
+  const Lattice& lattice = parts_->lattice;
+  RayLedger& ledger = parts_->ledger;
+  LabelTable& table = parts_->table;
+  LatticeValues& values = parts_->values;
+  ask_vertices(lattice, ledger, problem_.seed, values);
+  merge_twins(ledger, table, values);
+  parts_->not_looked_at = parts_->look.look_at_constants(ledger, table, values);
+  take_means(lattice, table, values);
+  parts_->spread = parts_of_method_.spread(lattice, table, values);
+  const LabelSpread& spread = *parts_->spread;
+  const std::size_t drivers = problem_.drivers.size();
+  parts_->contrast.spread().resize(table.size() * drivers);
+  for (std::size_t l = 0; l < table.size(); ++l)
+    for (std::size_t d = 0; d < drivers; ++d)
+      parts_->contrast.spread()[l * drivers + d] =
+          spread.local(static_cast<std::uint32_t>(l), problem_.drivers[d]);
+  parts_->errors.take_from_lattice();
+  for (int p = 0; p < lattice.domain().count(); ++p)
+    parts_->tracer.pixels().allow_variance(static_cast<std::uint32_t>(p),
+                                           parts_->errors.border_variance(p, spread));
+  parts_->tracer.plant(values.labels);
+}
+
+void TileTracing::switch_clutter() {
+  const PixelRect& d = parts_->lattice.domain();
+  KnownDetail& known = parts_->known;
+  if (options_.seeds) parts_->ledger.field().known_detail({d.x0, d.y0, d.x1, d.y1}, known);
+  if (!options_.clutter_switch) return;
+  TracedPixels& pixels = parts_->tracer.pixels();
+  for (std::size_t p = 0; p < known.full.size(); ++p)
+    if (known.full[p]) pixels.abandon(static_cast<std::uint32_t>(p));
+  parts_->clutter.choose(parts_->errors, *parts_->spread, pixels);
+}
+
+void TileTracing::trace_borders() {
+  Prober& prober = parts_->prober;
+  parts_->tracer.settle();
+  std::vector<std::uint8_t> worth(static_cast<std::size_t>(parts_->lattice.domain().count()));
+  for (std::size_t p = 0; p < worth.size(); ++p)
+    worth[p] = parts_->grid.relative_weight(static_cast<int>(p)) > kLeastProbed;
+  LikeNeighbours(parts_->tracer, prober, parts_->values, parts_->table, problem_.seed).look_between(worth);
+  look_around();
+  if (options_.seeds) {
+    prober.follow_seeds(problem_.seeds, problem_.seed_objects);
+    prober.follow_seeds(parts_->known.points, {});
+  }
+  prober.probe_until_clean(worth);
+  leave_unsettled();
+}
+
+/// In clutter the values will look.
+void TileTracing::look_around() {
+  std::vector<FocalPoint> points;
+  for (const int p : parts_->not_looked_at) {
+    if (parts_->tracer.pixels().abandoned(static_cast<std::uint32_t>(p))) continue;
+    const std::vector<FocalPoint> more = parts_->look.points(p);
+    points.insert(points.end(), more.begin(), more.end());
+  }
+  parts_->prober.look_around(parts_->values.look.points, parts_->values.look.labels, points);
+}
+
+/// Where looks went on finding what the model did not have, there is more than they have found.
+void TileTracing::leave_unsettled() {
+  if (!options_.clutter_switch) return;
+  for (int p = 0; p < parts_->lattice.domain().count(); ++p)
+    if (parts_->prober.unsettled(p)) parts_->tracer.pixels().abandon(static_cast<std::uint32_t>(p));
+}
+
+}  // namespace ifov::sampling

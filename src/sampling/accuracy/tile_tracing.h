@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace ifov::sampling {
+
+class AccuracyParts;
+class AllowedErrors;
+class ClutterChoice;
+class EdgeTracer;
+class Field;
+class LabelSpread;
+class LabelTable;
+class Lattice;
+class Prober;
+class RandomLook;
+class RayLedger;
+class SourceGrid;
+class TileRecall;
+struct AccuracyOptions;
+struct LatticeValues;
+struct TileProblem;
+
+/// The first half of the work on a tile: labels and values at the lattice's vertices, the limits that follow from them,
+/// and the borders between labels.
+class TileTracing {
+ public:
+  TileTracing(const TileProblem& problem, Field& field, const AccuracyOptions& options,
+              const AccuracyParts& parts, TileRecall& recall);
+  ~TileTracing();
+
+  void trace_lattice();   ///< labels and values at the vertices; limits from the first means
+  void switch_clutter();  ///< leaves pixels to stratified samples where that is cheaper
+  void trace_borders();   ///< edges, seeds, probes
+
+  const Lattice& lattice() const;
+  const SourceGrid& grid() const;
+  const LabelTable& table() const;
+  RayLedger& ledger();
+  EdgeTracer& tracer();
+  const Prober& prober() const;
+  const RandomLook& look() const;
+  AllowedErrors& errors();
+  const ClutterChoice& clutter() const;
+  /// Once the lattice is traced.
+  const LatticeValues& lattice_values() const;
+  const LabelSpread& spread() const;
+
+ private:
+  struct Parts;
+
+  void look_around();
+  void leave_unsettled();
+
+  const TileProblem& problem_;
+  const AccuracyOptions& options_;
+  const AccuracyParts& parts_of_method_;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace ifov::sampling
