@@ -13,7 +13,7 @@ struct Geodetic {
 /// InputError for latitudes beyond the poles, and for heights near the Earth's centre.
 EcefPoint ecef_from_geodetic(const Geodetic& place);
 
-/// Longitude in (-pi, pi]; Fukushima 2006 as ERFA has it: within 1 um up to 800 km, 1 mm at 36,000 km. InputError where
+/// Longitude in (-pi, pi]; Fukushima 2006 as ERFA has it: within 5 um up to 800 km, 1 mm at 36,000 km. InputError where
 /// coordinates are not finite.
 Geodetic geodetic_from_ecef(EcefPoint point);
 

@@ -60,7 +60,7 @@ TEST(SceneField, AsksTheSceneAtTheTimeOfThePoint) {
         EXPECT_EQ(time, time_s);
         all += count;
       }
-    EXPECT_GT(all, 20u);
+    EXPECT_GT(all, 10u) << "more than the two rays from the sensor";
     counts = {};
   };
   std::vector<sampling::Label> labels(2);
