@@ -34,8 +34,10 @@ void raise(const Fault& fault, const std::string& rank) {
     case Fault::Kind::stopped: throw Cancelled();
     case Fault::Kind::input: throw InputError(text);
     case Fault::Kind::environment: throw EnvironmentError(text);
-    default: throw std::runtime_error(text);
+    case Fault::Kind::none:
+    case Fault::Kind::bug: break;
   }
+  throw std::runtime_error(text);
 }
 
 void put(Payload& payload, const Fault& fault) {

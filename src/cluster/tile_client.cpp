@@ -117,9 +117,14 @@ void TileClient::take(Message message) {
       break;
     }
     case Tag::no_more: no_more_ = true; break;
-    default:  // stop, or the end of the run
-      no_more_ = stopped_ = true;
-      token_.cancel();
+    case Tag::stop:
+    case Tag::end:
+    // Not of this conversation, or to the first rank: something is wrong, and the run had better end.
+    case Tag::load:
+    case Tag::loaded:
+    case Tag::begin:
+    case Tag::ask:
+    case Tag::farewell: no_more_ = stopped_ = true; token_.cancel();
   }
 }
 

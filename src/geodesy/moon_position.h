@@ -1,16 +1,18 @@
 #pragma once
 
+#include "geodesy/geodetic.h"
 #include "geodesy/utc_time.h"
-#include "math/vec3.h"
 
 namespace ifov::geodesy {
+
+inline constexpr double kMeanMoonDistance_m = 384.4e6;
 
 /// The Moon's centre as seen from a place: topocentric, without refraction.
 struct MoonPosition {
   double azimuth_rad = 0.0;    ///< clockwise from north, [0, 2 pi)
   double elevation_rad = 0.0;  ///< above the plane normal to the ellipsoid, geometric
   double distance_m = 0.0;
-  math::Vec3 direction_enu;           ///< unit, from the place towards the Moon, east-north-up
+  EnuVector direction_enu;            ///< unit, from the place towards the Moon
   double phase_angle_rad = 0.0;       ///< at the Moon, between the Sun and the place: 0 is full
   double illuminated_fraction = 0.0;  ///< of the disc
   double sun_distance_au = 1.0;       ///< of the Moon from the Sun
@@ -18,8 +20,7 @@ struct MoonPosition {
 
 /// Arguments and errors as of sun_position(). ERFA's moon98 (Meeus 1998 after ELP 2000-82): rms 3 and at most
 /// 19 arc seconds in direction, 32 km in distance, 1950 to 2100.
-MoonPosition moon_position(UtcTime time, double latitude_rad, double longitude_rad, double height_m = 0.0,
-                           double ut1_minus_utc_s = 0.0);
+MoonPosition moon_position(UtcTime time, const Geodetic& place, double ut1_minus_utc_s = 0.0);
 
 /// Irradiance of the Moon across its beam outside the atmosphere, as a fraction of the Sun's at 1 au:
 ///   10^(-0.4 (V - V_sun)) (384,400 km / distance)^2 / (Sun - Moon distance in au)^2,

@@ -9,49 +9,45 @@
 #include "core/error.h"
 
 namespace ifov::geodesy {
+/// Of the Earth's rotation, precession and nutation (IAU 2006/2000A), without polar motion.
+FrameTransform<Ecef, Gcrs> Observer::ecef_from_gcrs(const Times& times) {
+  double m[3][3];
+  eraC2t06a(times.tt1, times.tt2, times.ut11, times.ut12, 0.0, 0.0, m);
+  return {{{m[0][0], m[1][0], m[2][0]}}, {{m[0][1], m[1][1], m[2][1]}}, {{m[0][2], m[1][2], m[2][2]}}};
+}
 
-Observer::Observer(UtcTime time, double latitude_rad, double longitude_rad, double height_m,
-                   double ut1_minus_utc_s, const char* body) {
-  if (!(std::abs(latitude_rad) <= 0.5 * std::numbers::pi))
-    throw InputError(
-        format("a latitude of {:g} degrees is beyond the poles", latitude_rad * 180.0 / std::numbers::pi));
-  double tai1, tai2, ut11, ut12;
+Observer::Times Observer::times(UtcTime time, double ut1_minus_utc_s, const char* body) {
+  double tai1, tai2;
+  Times times;
   // 1 is a warning: leap seconds for that year are not known.
   if (eraUtctai(time.jd1, time.jd2, &tai1, &tai2) < 0 ||
-      eraUtcut1(time.jd1, time.jd2, ut1_minus_utc_s, &ut11, &ut12) < 0)
+      eraUtcut1(time.jd1, time.jd2, ut1_minus_utc_s, &times.ut11, &times.ut12) < 0)
     throw InputError(format("the {} cannot be placed at {}", body, format_utc(time)));
-  eraTaitt(tai1, tai2, &tt1_, &tt2_);
-  eraC2t06a(tt1_, tt2_, ut11, ut12, 0.0, 0.0, itrs_from_gcrs_);
-  double place_m[3];
-  if (eraGd2gc(ERFA_WGS84, longitude_rad, latitude_rad, height_m, place_m) != 0)
-    throw InputError(format("a height of {:g} m is no place on Earth", height_m));
-  place_au_ = {place_m[0] / ERFA_DAU, place_m[1] / ERFA_DAU, place_m[2] / ERFA_DAU};
-
-  const double sin_lat = std::sin(latitude_rad), cos_lat = std::cos(latitude_rad);
-  const double sin_lon = std::sin(longitude_rad), cos_lon = std::cos(longitude_rad);
-  east_ = {-sin_lon, cos_lon, 0.0};
-  north_ = {-sin_lat * cos_lon, -sin_lat * sin_lon, cos_lat};
-  up_ = {cos_lat * cos_lon, cos_lat * sin_lon, sin_lat};
+  eraTaitt(tai1, tai2, &times.tt1, &times.tt2);
+  return times;
 }
 
-math::Vec3 Observer::enu_au(math::Vec3 body_gcrs_au) const {
-  const auto row = [&](int i) {
-    return itrs_from_gcrs_[i][0] * body_gcrs_au.x + itrs_from_gcrs_[i][1] * body_gcrs_au.y +
-           itrs_from_gcrs_[i][2] * body_gcrs_au.z;
-  };
-  const math::Vec3 to_body{row(0) - place_au_.x, row(1) - place_au_.y, row(2) - place_au_.z};
-  return {math::dot(to_body, east_), math::dot(to_body, north_), math::dot(to_body, up_)};
+Observer::Observer(UtcTime time, const Geodetic& place, double ut1_minus_utc_s, const char* body)
+    : times_(times(time, ut1_minus_utc_s, body)),
+      ecef_from_gcrs_(ecef_from_gcrs(times_)),
+      ecef_from_enu_(ecef_from_enu(place)) {
+  const math::Point3 at_m = ecef_from_enu_.origin().p;
+  place_au_ = {{at_m.x / ERFA_DAU, at_m.y / ERFA_DAU, at_m.z / ERFA_DAU}};
 }
 
-Horizontal horizontal(math::Vec3 enu) {
+EnuVector Observer::to_body_au(GcrsVector body_au) const {
+  return ecef_from_enu_.inverse()(ecef_from_gcrs_(body_au) - place_au_);
+}
+
+Horizontal horizontal(EnuVector vector) {
   Horizontal result;
-  result.azimuth_rad = std::atan2(enu.x, enu.y);
+  result.azimuth_rad = std::atan2(vector.v.x, vector.v.y);
   if (result.azimuth_rad < 0.0) result.azimuth_rad += 2.0 * std::numbers::pi;
-  result.elevation_rad = std::atan2(enu.z, std::hypot(enu.x, enu.y));
+  result.elevation_rad = std::atan2(vector.v.z, std::hypot(vector.v.x, vector.v.y));
   return result;
 }
 
-math::Vec3 apparent_sun_au(double tt1, double tt2) {
+GcrsVector apparent_sun_au(double tt1, double tt2) {
   // TDB differs from TT by less than 2 ms, in which the Earth moves 60 m.
   double heliocentric[2][3], barycentric[2][3];
   eraEpv00(tt1, tt2, heliocentric, barycentric);
@@ -68,15 +64,15 @@ math::Vec3 apparent_sun_au(double tt1, double tt2) {
   const double inverse_gamma = std::sqrt(1.0 - eraPdp(velocity, velocity));
   double seen[3];
   eraAb(direction, velocity, distance, inverse_gamma, seen);
-  return {distance * seen[0], distance * seen[1], distance * seen[2]};
+  return {{distance * seen[0], distance * seen[1], distance * seen[2]}};
 }
 
-math::Vec3 apparent_moon_au(double tt1, double tt2) {
+GcrsVector apparent_moon_au(double tt1, double tt2) {
   double moon[2][3];
   eraMoon98(tt1, tt2, moon);
   const double light_days = eraPm(moon[0]) * ERFA_AULT / ERFA_DAYSEC;
-  return {moon[0][0] - light_days * moon[1][0], moon[0][1] - light_days * moon[1][1],
-          moon[0][2] - light_days * moon[1][2]};
+  return {{moon[0][0] - light_days * moon[1][0], moon[0][1] - light_days * moon[1][1],
+           moon[0][2] - light_days * moon[1][2]}};
 }
 
 }  // namespace ifov::geodesy

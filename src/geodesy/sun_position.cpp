@@ -7,13 +7,12 @@
 
 namespace ifov::geodesy {
 
-SunPosition sun_position(UtcTime time, double latitude_rad, double longitude_rad, double height_m,
-                         double ut1_minus_utc_s) {
-  const Observer observer(time, latitude_rad, longitude_rad, height_m, ut1_minus_utc_s, "Sun");
-  const math::Vec3 to_sun = observer.enu_au(apparent_sun_au(observer.tt1(), observer.tt2()));
+SunPosition sun_position(UtcTime time, const Geodetic& place, double ut1_minus_utc_s) {
+  const Observer observer(time, place, ut1_minus_utc_s, "Sun");
+  const EnuVector to_sun = observer.to_body_au(apparent_sun_au(observer.tt1(), observer.tt2()));
   SunPosition sun;
-  sun.distance_au = math::length(to_sun);
-  sun.direction_enu = math::normalized(to_sun);
+  sun.distance_au = length(to_sun);
+  sun.direction_enu = normalized(to_sun);
   const Horizontal angles = horizontal(sun.direction_enu);
   sun.azimuth_rad = angles.azimuth_rad;
   sun.elevation_rad = angles.elevation_rad;
@@ -31,9 +30,16 @@ double refraction_rad(double elevation_rad, double pressure_hpa, double temperat
   return bend_deg * kDegree;
 }
 
-math::Vec3 direction_enu(double azimuth_rad, double elevation_rad) {
+double compass_deg(double azimuth_rad) {
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  const double degrees = std::fmod(azimuth_rad * kDegrees, 360.0);
+  if (degrees >= 0.0) return degrees;
+  return degrees + 360.0 < 360.0 ? degrees + 360.0 : 0.0;
+}
+
+EnuVector direction_enu(double azimuth_rad, double elevation_rad) {
   const double level = std::cos(elevation_rad);
-  return {level * std::sin(azimuth_rad), level * std::cos(azimuth_rad), std::sin(elevation_rad)};
+  return {{level * std::sin(azimuth_rad), level * std::cos(azimuth_rad), std::sin(elevation_rad)}};
 }
 
 }  // namespace ifov::geodesy

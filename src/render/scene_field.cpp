@@ -138,11 +138,11 @@ void SceneField::label_hits(std::span<const geometry::SurfacePoint> hits, LabelD
                       : above < disc_points_.size() ? SunState::penumbra
                                                     : SunState::lit;
           if (mirror_light_ != nullptr)
-            mirror_light_->ask(static_cast<std::uint32_t>(k), hit, (hit.front ? normal : -normal));
+            mirror_light_->ask(static_cast<std::uint32_t>(k), rays_[k], hit, (hit.front ? normal : -normal));
           if (label.sun == SunState::lit) {
             owner_.push_back(static_cast<std::uint32_t>(k));
             for (const math::Vec3& direction : disc_points_)
-              sun_rays_.push_back({hit.position_m + hit.offset_m * outward, direction});
+              sun_rays_.push_back(rays_[k].onward(hit.position_m + hit.offset_m * outward, direction));
           }
         }
       }

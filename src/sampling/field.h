@@ -8,10 +8,12 @@
 namespace ifov::sampling {
 
 /// A point of the focal plane in the image frame: pixel (i, j) covers [i, i+1) x [j, j+1), x to the right,
-/// y downwards, in pixels.
+/// y downwards, in pixels. `time_s` is when light falls on it, after the middle of the exposure of its line: what the
+/// camera takes for 0 where all of a line is exposed at once and nothing moves.
 struct FocalPoint {
   double x_px = 0.0;
   double y_px = 0.0;
+  double time_s = 0.0;
 };
 
 /// What the ray through a point meets: equal labels mean the same instance, smooth patch, material or map class,

@@ -1,8 +1,13 @@
 #include "scene/scene.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ifov::scene {
+
+double Sun::zenith_rad() const { return std::atan2(std::hypot(direction.x, direction.y), direction.z); }
+double Sun::elevation_rad() const { return std::atan2(direction.z, std::hypot(direction.x, direction.y)); }
+double Sun::azimuth_rad() const { return std::atan2(direction.x, direction.y); }
 
 bool Covering::mixes_materials() const {
   return std::any_of(patterns.begin(), patterns.end(), [](const auto& p) { return p->mixes_materials(); });

@@ -22,6 +22,11 @@ struct Sun {
   radiometry::Spectrum irradiance;
   radiometry::Spectrum transmittance = radiometry::Spectrum::constant(1.0);  ///< from there to the surface
   bool is_moon = false;
+
+  double zenith_rad() const;                        ///< of `direction`, 0 to pi
+  double elevation_rad() const;                     ///< above the horizon, -pi/2 to pi/2
+  double azimuth_rad() const;                       ///< clockwise from north, -pi to pi
+  bool is_up() const { return direction.z > 0.0; }  ///< above the horizon
 };
 
 /// The sky: the same radiance from everywhere above the horizon.

@@ -1,7 +1,5 @@
 #include "sensor/camera_axes.h"
 
-#include <cmath>
-
 #include "core/error.h"
 
 namespace ifov::sensor {
@@ -20,18 +18,9 @@ CameraAxes axes_looking_at(math::Point3 position_m, math::Point3 target_m, math:
   return axes;
 }
 
-CameraAxes axes_from_yaw_pitch_roll(double yaw_rad, double pitch_rad, double roll_rad) {
-  const double cy = std::cos(yaw_rad), sy = std::sin(yaw_rad);
-  const double cp = std::cos(pitch_rad), sp = std::sin(pitch_rad);
-  const double cr = std::cos(roll_rad), sr = std::sin(roll_rad);
-  // Columns of ned_from_body = Rz(yaw) Ry(pitch) Rx(roll); ENU swaps north and east and turns down into up.
-  const auto enu_from_ned = [](double north, double east, double down) {
-    return math::Vec3{east, north, -down};
-  };
-  const math::Vec3 nose = enu_from_ned(cy * cp, sy * cp, -sp);
-  const math::Vec3 right_wing = enu_from_ned(cy * sp * sr - sy * cr, sy * sp * sr + cy * cr, cp * sr);
-  const math::Vec3 belly = enu_from_ned(cy * sp * cr + sy * sr, sy * sp * cr - cy * sr, cp * cr);
-  return {right_wing, -nose, belly};
+CameraAxes axes_from_attitude(const geodesy::Attitude& attitude) {
+  const auto enu_from_body = geodesy::enu_from_body(attitude);
+  return {enu_from_body.y().v, -enu_from_body.x().v, enu_from_body.z().v};
 }
 
 }  // namespace ifov::sensor

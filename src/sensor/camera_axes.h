@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geodesy/attitude.h"
 #include "math/vec3.h"
 
 namespace ifov::sensor {
@@ -16,9 +17,8 @@ struct CameraAxes {
 /// ifov::InputError where target and position coincide or up is parallel to the line between them.
 CameraAxes axes_looking_at(math::Point3 position_m, math::Point3 target_m, math::Vec3 up);
 
-/// A camera fixed below an aircraft: its axis is the body's down, the top of the image its nose. The body's
-/// attitude is the 3-2-1 sequence of aeronautics: yaw (heading) clockwise from north, pitch nose up, roll
-/// right wing down. All zero: nadir view, north at the top.
-CameraAxes axes_from_yaw_pitch_roll(double yaw_rad, double pitch_rad, double roll_rad);
+/// A camera fixed below an aircraft: its axis is the body's down, the top of the image its nose. Without yaw, pitch and
+/// roll: nadir view, north at the top.
+CameraAxes axes_from_attitude(const geodesy::Attitude& attitude);
 
 }  // namespace ifov::sensor

@@ -27,8 +27,10 @@ FrameCamera::FrameCamera(const Settings& settings) : settings_(settings) {
 
 void FrameCamera::rays(std::span<const sampling::FocalPoint> points, std::span<math::Ray> rays) const {
   for (std::size_t i = 0; i < points.size(); ++i)
-    rays[i] = {settings_.position_m,
-               math::normalized(first_ + right_step_ * points[i].x_px + down_step_ * points[i].y_px)};
+    rays[i] = {
+        .origin_m = settings_.position_m,
+        .direction = math::normalized(first_ + right_step_ * points[i].x_px + down_step_ * points[i].y_px),
+        .time_s = points[i].time_s};
 }
 
 bool FrameCamera::project(math::Point3 position_m, sampling::FocalPoint& point) const {

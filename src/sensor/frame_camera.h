@@ -28,8 +28,8 @@ class FrameCamera final : public Camera {
   /// Depth along the optical axis times pitch over focal length: the pixel's side on a plane parallel to the
   /// image.
   double gsd_m(math::Point3 position_m) const override;
-  CameraPose pose() const override {
-    return {settings_.axes, settings_.position_m, settings_.focal_length_m, settings_.pitch_m};
+  CameraPose pose(double) const override {
+    return {settings_.axes, settings_.position_m, settings_.focal_length_m, settings_.pitch_m, 0.0};
   }
   std::optional<GroundGrid> ground_grid() const override { return std::nullopt; }
 

@@ -24,9 +24,9 @@ OrthographicCamera::OrthographicCamera(const Settings& settings) : settings_(set
   const double tilt = std::sin(settings.view_zenith_rad);
   towards_sensor_ = {tilt * std::sin(settings.view_azimuth_rad), tilt * std::cos(settings.view_azimuth_rad),
                      std::cos(settings.view_zenith_rad)};
-  const double c = std::cos(settings.rotation_rad), s = std::sin(settings.rotation_rad);
-  right_m_ = settings.gsd_m * math::Vec3{c, -s, 0.0};
-  down_m_ = settings.gsd_m * math::Vec3{-s, -c, 0.0};
+  const math::Transform turned = GroundGrid{{}, settings.gsd_m, settings.rotation_rad}.scene_from_image();
+  right_m_ = turned.column_x();
+  down_m_ = turned.column_y();
   corner_ = math::Point3{settings.centre_x_m, settings.centre_y_m, 0.0} -
             right_m_ * (0.5 * settings.width_px) - down_m_ * (0.5 * settings.height_px);
 }
@@ -34,7 +34,9 @@ OrthographicCamera::OrthographicCamera(const Settings& settings) : settings_(set
 void OrthographicCamera::rays(std::span<const sampling::FocalPoint> points, std::span<math::Ray> rays) const {
   const math::Point3 start = corner_ + towards_sensor_ * (settings_.start_height_m / towards_sensor_.z);
   for (std::size_t i = 0; i < points.size(); ++i)
-    rays[i] = {start + right_m_ * points[i].x_px + down_m_ * points[i].y_px, math::Vec3{} - towards_sensor_};
+    rays[i] = {.origin_m = start + right_m_ * points[i].x_px + down_m_ * points[i].y_px,
+               .direction = math::Vec3{} - towards_sensor_,
+               .time_s = points[i].time_s};
 }
 
 bool OrthographicCamera::project(math::Point3 position_m, sampling::FocalPoint& point) const {
@@ -44,7 +46,7 @@ bool OrthographicCamera::project(math::Point3 position_m, sampling::FocalPoint& 
   return position_m.z <= settings_.start_height_m;
 }
 
-CameraPose OrthographicCamera::pose() const {
+CameraPose OrthographicCamera::pose(double) const {
   const double c = std::cos(settings_.rotation_rad), s = std::sin(settings_.rotation_rad);
   CameraPose pose;
   pose.axes = {{c, -s, 0.0}, {-s, -c, 0.0}, -towards_sensor_};

@@ -26,7 +26,7 @@ class OrthographicCamera final : public Camera {
   void rays(std::span<const sampling::FocalPoint> points, std::span<math::Ray> rays) const override;
   bool project(math::Point3 position_m, sampling::FocalPoint& point) const override;
   double gsd_m(math::Point3) const override { return settings_.gsd_m; }
-  CameraPose pose() const override;
+  CameraPose pose(double line_px) const override;
   std::optional<GroundGrid> ground_grid() const override {
     return GroundGrid{corner_, settings_.gsd_m, settings_.rotation_rad};
   }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/names.h"
+#include "geodesy/sun_position.h"
 #include "geometry/world/world_builder.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
@@ -89,11 +90,9 @@ std::vector<std::string> describe(const atmosphere::AtmosphereColumn& column,
                column.aerosol().thickness_550(profile.ground_km(), atmosphere::kTopOfAtmosphereKm)));
   std::string where = "No Sun.";
   if (geometry.sun_zenith_rad) {
-    const math::Vec3 sun = scene.sun->direction;
-    const double azimuth = std::atan2(sun.x, sun.y) / kDegree;
     where =
         format("{} {:.1f} deg from the zenith at azimuth {:.1f} deg.", scene.sun->is_moon ? "Moon" : "Sun",
-               *geometry.sun_zenith_rad / kDegree, azimuth < 0.0 ? azimuth + 360.0 : azimuth);
+               *geometry.sun_zenith_rad / kDegree, geodesy::compass_deg(scene.sun->azimuth_rad()));
   } else if (scene.sun) {
     where = scene.sun->is_moon ? "The Moon is below the horizon." : "The Sun is below the horizon.";
   }
@@ -162,9 +161,8 @@ io::AirReport survey_atmosphere(const io::Document& original, const AtmosphereQu
     report.geometry =
         sensor_geometry(document, *stage.camera, stage.scene.sun, column.levels().altitude_km.front());
     if (stage.scene.sun) {
-      const math::Vec3 sun = stage.scene.sun->direction;
       if (stage.scene.sun->is_moon) report.body = "Moon";
-      report.sun_azimuth_rad = std::atan2(sun.x, sun.y);
+      report.sun_azimuth_rad = stage.scene.sun->azimuth_rad();
     }
     report.description = describe(column, report.geometry, stage.scene);
     const radiometry::Spectrum sunlight =

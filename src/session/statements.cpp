@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "atmosphere/imported_atmosphere.h"
 #include "io/document/document.h"
 #include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
@@ -19,8 +18,7 @@ std::string describe(const Parts& parts) {
   std::string text =
       format("scene: {} objects, {} triangles, {} materials\n", parts.scene.world->object_count(),
              parts.scene.world->triangle_count(), parts.document.scene.materials.size());
-  const bool sky = parts.scene.sky.radiance || parts.scene.sky.temperature_k || parts.atmosphere ||
-                   (parts.imported && parts.imported->has_sky());
+  const bool sky = parts.has_sky();
   const char* const body = !parts.scene.sun ? "no sun" : parts.scene.sun->is_moon ? "moon" : "sun";
   text += format("light: {}, {}\n", body, sky ? "sky" : "no sky");
   if (parts.atmosphere)

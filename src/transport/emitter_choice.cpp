@@ -95,7 +95,7 @@ void EmitterChoice::find_contrasts(double contrast, bool shown) {
     for (std::size_t c = 0; c < unit_.size(); ++c) unit_[c] = std::max(unit_[c], s.hottest[c]);
   // A white surface that faces the Sun, under the sky.
   std::vector<double> lit = channels(scene_.sky_radiance());
-  if (scene_.scene().sun && scene_.scene().sun->direction.z > 0.0) {
+  if (scene_.scene().sun && scene_.scene().sun->is_up()) {
     const std::vector<double> sun = channels(scene_.sun_irradiance());
     for (std::size_t c = 0; c < lit.size(); ++c) lit[c] += sun[c] / std::numbers::pi;
   }

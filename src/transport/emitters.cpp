@@ -52,7 +52,8 @@ std::vector<Look> looks_at(PieceKind kind) {
         looks.push_back({{x, y, 0.25 + 0.5 * (k % 2)}, {-x, -y, 0.0}});
       }
       return looks;
-    default:
+    case PieceKind::ball:
+    case PieceKind::hemisphere:
       for (int k = 0; k < 12; ++k) {
         const double z = kind == PieceKind::hemisphere ? 0.1 + 0.4 * (k / 6) : -0.6 + 0.6 * (k / 4);
         const double r = std::sqrt(1.0 - z * z), x = r * std::cos(2.4 * k), y = r * std::sin(2.4 * k);
@@ -60,6 +61,7 @@ std::vector<Look> looks_at(PieceKind kind) {
       }
       return looks;
   }
+  return looks;
 }
 
 bool is_of(const SurfacePiece& piece, const SurfacePoint& hit) {

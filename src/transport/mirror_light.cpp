@@ -50,11 +50,12 @@ MirrorLight::MirrorLight(const SpectralScene& scene, const SunImages& images)
   }
 }
 
-void MirrorLight::ask(std::uint32_t owner, const geometry::SurfacePoint& hit, math::Vec3 outward) {
+void MirrorLight::ask(std::uint32_t owner, const math::Ray& seen, const geometry::SurfacePoint& hit,
+                      math::Vec3 outward) {
   const std::size_t before = ways_.size();
   const auto send = [&](Way way, math::Vec3 direction) {
     way.asked = static_cast<std::uint32_t>(asked_.size());
-    way.ray = {hit.position_m + hit.offset_m * outward, direction};
+    way.ray = seen.onward(hit.position_m + hit.offset_m * outward, direction);
     ways_.push_back(way);
   };
   const double slope = std::tan(scene_.scene().sun->half_angle_rad);

@@ -28,8 +28,8 @@ class MirrorLight {
   MirrorLight(const MirrorLight&) = delete;
   MirrorLight& operator=(const MirrorLight&) = delete;
 
-  /// A surface point where `outward` is the side that light must come to.
-  void ask(std::uint32_t owner, const geometry::SurfacePoint& hit, math::Vec3 outward);
+  /// A surface point that `seen` met, where `outward` is the side that light must come to.
+  void ask(std::uint32_t owner, const math::Ray& seen, const geometry::SurfacePoint& hit, math::Vec3 outward);
   /// The state of each point that was asked for and that mirrors throw some light on: add(owner, state, uneven), the
   /// same 64 bits for points of the same state; `uneven` where light of one state differs from place to place.
   template <class Add>

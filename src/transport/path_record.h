@@ -39,6 +39,7 @@ struct PathRecord {
   struct Path {
     std::uint32_t first = PathVertex::kNone, last = PathVertex::kNone;  ///< of its vertices
     math::Vec3 towards_sensor;
+    double sensor_height_m = 0.0;   ///< where the first segment starts
     double seen_height_m = 0.0;     ///< of what the first segment met
     bool met = false;               ///< the first segment met something
     bool escaped = false;           ///< its last segment met nothing

@@ -20,6 +20,7 @@ inline math::Vec3 mirrored(math::Vec3 direction, math::Vec3 normal) {
 /// The surface as seen along a path: normals on the viewer's side.
 struct PathTracer::Sides {
   math::Vec3 outgoing;  // towards the viewer
+  double time_s;        // of the path
   math::Vec3 outward;   // geometric normal
   math::Normal3 shading;
   bool bent = false;  // the two differ
@@ -43,8 +44,14 @@ struct PathTracer::Sides {
     return math::normalized(along - math::dot(along, n) * n);
   }
 
-  Sides(math::Vec3 towards_viewer, const geometry::SurfacePoint& hit, math::Normal3 shading_normal)
-      : outgoing(towards_viewer),
+  /// A ray that leaves the surface.
+  math::Ray leaving(math::Point3 from_m, math::Vec3 direction) const {
+    return {.origin_m = from_m, .direction = direction, .time_s = time_s};
+  }
+
+  Sides(const math::Ray& arriving, const geometry::SurfacePoint& hit, math::Normal3 shading_normal)
+      : outgoing(-arriving.direction),
+        time_s(arriving.time_s),
         outward((hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector()),
         shading(hit.front ? shading_normal : -shading_normal) {
     const math::Vec3 s = shading.as_vector();

@@ -40,6 +40,7 @@ const PathRecord& PathTracer::trace(std::span<const math::Ray> rays, std::span<c
       for (std::size_t k = 0; k < rays.size(); ++k) {
         PathRecord::Path& path = record_.paths[k];
         path.towards_sensor = -rays[k].direction;
+        path.sensor_height_m = rays[k].origin_m.z;
         path.met = hits_[k].hit();
         path.seen_height_m = path.met ? hits_[k].position_m.z : 0.0;
       }
@@ -103,7 +104,7 @@ bool PathTracer::passes(const Path& path, const geometry::SurfacePoint& hit) con
 void PathTracer::pass(const Path& path, const geometry::SurfacePoint& hit) {
   const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
   passing_.push_back(path);
-  passing_.back().ray = {hit.position_m - hit.offset_m * outward, path.ray.direction};
+  passing_.back().ray = path.ray.onward(hit.position_m - hit.offset_m * outward, path.ray.direction);
 }
 
 void PathTracer::escape(const Path& path) {

@@ -61,7 +61,7 @@ void PathTracer::seek_by_planes(const scene::ResolvedSurface& surface, const Sur
     seek.light.weight = static_cast<float>(scattered(lobe, sides, direction, false) / density);
     if (!(seek.light.weight > 0.0f)) continue;
     seek.event = static_cast<std::uint32_t>(scatters_.size() - 1);
-    seek.ray = {receiver.at_m, direction};
+    seek.ray = sides.leaving(receiver.at_m, direction);
     seek.light.surface =
         surface_factor(surface, event.vertex,
                        lobe.directional ? scattering(lobe, sides, direction, false) : LobeEvent{}, false);
@@ -107,8 +107,8 @@ void PathTracer::seek_by_rounds(const scene::ResolvedSurface& surface, const Sur
         seek.at = image->at;
         seek.light_at = point.at_m;
         seek.event = static_cast<std::uint32_t>(scatters_.size() - 1);
-        seek.ray = {hit.position_m + (through ? -hit.offset_m : hit.offset_m) * sides.outward,
-                    image->direction};
+        seek.ray = sides.leaving(hit.position_m + (through ? -hit.offset_m : hit.offset_m) * sides.outward,
+                                 image->direction);
         seek.light.surface = surface_factor(
             surface, event.vertex,
             lobe.directional ? scattering(lobe, sides, image->direction, through) : LobeEvent{}, through);
@@ -123,13 +123,13 @@ bool PathTracer::reflects(MirrorSeek& seek, const geometry::SurfacePoint& hit,
   const math::Point3 from = hit.position_m + hit.offset_m * outward;
   if (seek.round == kNone) {
     if (emitter_mirrors_->plane_of(hit, surface.shading_normal.as_vector()) != seek.plane) return false;
-    seek.ray = {from, seek.onward};
+    seek.ray = seek.ray.onward(from, seek.onward);
     return true;
   }
   const RoundMirrors& rounds = emitter_mirrors_->rounds();
   if (hit.instance != rounds.all()[seek.round].object() || !rounds.sought(hit) || !is_at(hit, seek.at))
     return false;
-  seek.ray = {from, math::normalized(seek.light_at - from)};
+  seek.ray = seek.ray.onward(from, math::normalized(seek.light_at - from));
   return true;
 }
 

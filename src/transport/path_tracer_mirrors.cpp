@@ -195,9 +195,8 @@ void PathTracer::send_to_unseen(const Path& path, const SurfaceLobe& lobe, const
                           static_cast<double>(rays);
     if (!(weight > kNegligible)) continue;
     const math::Vec3 outward = through ? -sides.outward : sides.outward;
-    unseen_rays_.push_back({static_cast<std::uint32_t>(scatters_.size() - 1),
-                            static_cast<float>(weight),
-                            {hit.position_m + hit.offset_m * outward, direction}});
+    unseen_rays_.push_back({static_cast<std::uint32_t>(scatters_.size() - 1), static_cast<float>(weight),
+                            sides.leaving(hit.position_m + hit.offset_m * outward, direction)});
   }
 }
 
@@ -224,7 +223,8 @@ void PathTracer::trace_unseen_rays(sampling::RayCounts& counts) {
     const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
     const float arrives = WideSun::radiance(scene_.scene(), mirrored(unseen.ray.direction, normal));
     if (arrives <= 0.0f) continue;
-    rays_.push_back({hit.position_m + hit.offset_m * outward, scene_.scene().sun->direction});
+    rays_.push_back(
+        unseen.ray.onward(hit.position_m + hit.offset_m * outward, scene_.scene().sun->direction));
     unseen.weight *= static_cast<float>(highest) * arrives;
     unseen_rays_[kept++] = unseen;
   }

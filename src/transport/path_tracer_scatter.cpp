@@ -69,7 +69,7 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
   if (depth == options_.maximum_scatterings || lobe.highest_reflectance + lobe.highest_transmittance <= 0.0)
     return;
 
-  const Sides sides(-path.ray.direction, hit, surface.shading_normal);
+  const Sides sides(path.ray, hit, surface.shading_normal);
   const std::uint32_t pair = 1u + 2u * static_cast<std::uint32_t>(depth);
   if (scene_.scene().sun && !lobe.bsdf->is_delta()) {
     const sampling::Point2 u = sampling::sequence_point(path.key.sequence, path.key.index, pair);
@@ -158,9 +158,8 @@ PathTracer::SunRay PathTracer::light_ray(const SurfaceLobe& lobe, const Sides& s
     const double below = event.incoming_cosine();
     if (own > 0.0 && below > 0.0) weight += weight_sr * lobe.bsdf->shape(event) * below / own;
   }
-  return {{hit.position_m + (through ? -hit.offset_m : hit.offset_m) * sides.outward, direction},
-          weight,
-          through};
+  return {sides.leaving(hit.position_m + (through ? -hit.offset_m : hit.offset_m) * sides.outward, direction),
+          weight, through};
 }
 
 LobeEvent PathTracer::arriving(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction,
@@ -205,7 +204,7 @@ bool PathTracer::bounce(const SurfaceLobe& lobe, const Sides& sides, const geome
   if (!(sample.weight > 0.0) || !(math::dot(sample.incoming, outward) > 0.0)) return false;
   event.vertex.bounce_weight = static_cast<float>(sample.weight / chance);
   event.vertex.bounce_through = through;
-  event.next = {hit.position_m + hit.offset_m * outward, sample.incoming};
+  event.next = sides.leaving(hit.position_m + hit.offset_m * outward, sample.incoming);
   event.next_sees_sun = lobe.bsdf->is_delta();
   if (emitters_ != nullptr) leave(lobe, sides, through, chance, event);
   return true;

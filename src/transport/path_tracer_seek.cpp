@@ -81,7 +81,7 @@ void PathTracer::seek(const SurfaceLobe& lobe, const Sides& sides, const geometr
   event.vertex.sought_through = through;
   event.seek = static_cast<std::uint32_t>(seeks_.size());
   seeks_.push_back(seek);
-  seek_rays_.push_back({receiver.at_m, seek.aim.direction});
+  seek_rays_.push_back(sides.leaving(receiver.at_m, seek.aim.direction));
 }
 
 void PathTracer::leave(const SurfaceLobe& lobe, const Sides& sides, bool through, double chance,

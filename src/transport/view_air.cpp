@@ -8,7 +8,7 @@ namespace ifov::transport {
 
 namespace {
 
-/// Light of a surface after the air before it, from 1 to 4 rows of the table.
+/// Light of a surface after the air before it, from 2 to 5 rows of the table.
 void see_through(float* __restrict light, const ViewTable::Place& at, std::size_t n) {
   const auto *t = at.transmittance.data(), *l = at.radiance.data();
   const float* w = at.weight.data();
@@ -22,10 +22,17 @@ void see_through(float* __restrict light, const ViewTable::Place& at, std::size_
         light[i] = light[i] * (t[0][i] * w[0] + t[1][i] * w[1] + t[2][i] * w[2]) +
                    (l[0][i] * w[0] + l[1][i] * w[1] + l[2][i] * w[2]);
       return;
-    default:
+    case 4:
       for (std::size_t i = 0; i < n; ++i)
         light[i] = light[i] * ((t[0][i] * w[0] + t[1][i] * w[1]) + (t[2][i] * w[2] + t[3][i] * w[3])) +
                    ((l[0][i] * w[0] + l[1][i] * w[1]) + (l[2][i] * w[2] + l[3][i] * w[3]));
+      return;
+    case 5:
+      for (std::size_t i = 0; i < n; ++i)
+        light[i] = light[i] * ((t[0][i] * w[0] + t[1][i] * w[1]) + (t[2][i] * w[2] + t[3][i] * w[3]) +
+                               t[4][i] * w[4]) +
+                   ((l[0][i] * w[0] + l[1][i] * w[1]) + (l[2][i] * w[2] + l[3][i] * w[3]) + l[4][i] * w[4]);
+      return;
   }
 }
 
@@ -35,7 +42,7 @@ void ViewAir::apply(const PathRecord::Path& path, float* radiance) const {
   const std::size_t n = scene_.stride();
   if (const ViewTable* table = scene_.view_table()) {
     if (!path.met && path.towards_sensor.z <= 0.0) return;  // the sky itself
-    see_through(radiance, table->at(path.towards_sensor, path.seen_height_m), n);
+    see_through(radiance, table->at(path.towards_sensor, path.seen_height_m, path.sensor_height_m), n);
   } else if (scene_.has_view_path()) {
     rows::scale(radiance, scene_.view_transmittance(), n);
     rows::add_scaled(radiance, scene_.view_radiance(), 1.0f, n);

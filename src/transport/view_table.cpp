@@ -19,38 +19,43 @@ double counterclockwise(double azimuth_rad) {
 
 }  // namespace
 
+template <class Visit>
+void ViewTable::each_row(const atmosphere::SensorAtmosphere& atmosphere, Visit visit) const {
+  const atmosphere::SightGrid& grid = atmosphere.sights();
+  std::size_t row = 0;
+  for (const double sensor_km : grid.sensor().wanted())
+    for (const double height_km : axes_[1])
+      for (const double along : axes_[2])
+        for (const double across : axes_[3]) visit(row++, grid.weights(sensor_km, height_km, along, across));
+}
+
 ViewTable::ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towards_sun,
                      const std::vector<double>& ground_radiance) {
   const double level = std::hypot(towards_sun.x, towards_sun.y);
   if (level > 0.0) sun_x_ = towards_sun.x / level, sun_y_ = towards_sun.y / level;
   const atmosphere::SightGrid& grid = atmosphere.sights();
-  axes_ = {grid.height().wanted(), grid.along().wanted(), grid.across().wanted()};
+  axes_ = {grid.sensor().wanted(), grid.height().wanted(), grid.along().wanted(), grid.across().wanted()};
+  for (double& sensor_km : axes_[0]) sensor_km -= grid.ground_km();
   const std::size_t nodes = atmosphere.node_count();
-  transmittance_.resize(axes_[0].size() * axes_[1].size() * axes_[2].size(), nodes);
+  transmittance_.resize(axes_[0].size() * axes_[1].size() * axes_[2].size() * axes_[3].size(), nodes);
   radiance_.resize(transmittance_.rows(), nodes);
   std::vector<double> through(nodes), added(nodes);
-  std::size_t row = 0;
-  for (const double height : axes_[0])
-    for (const double along : axes_[1])
-      for (const double across : axes_[2]) {
-        const std::vector<double> weight = grid.weights(height, along, across);
-        std::fill(through.begin(), through.end(), 0.0);
-        std::fill(added.begin(), added.end(), 0.0);
-        for (std::size_t line = 0; line < weight.size(); ++line) {
-          if (weight[line] == 0.0) continue;
-          const atmosphere::SensorAtmosphere::Sight sight = atmosphere.sight(line);
-          for (std::size_t n = 0; n < nodes; ++n) {
-            through[n] += weight[line] * sight.transmittance[n];
-            added[n] +=
-                weight[line] * (sight.radiance[n] + ground_radiance[n] * sight.diffuse_transmittance[n]);
-          }
-        }
-        for (std::size_t n = 0; n < nodes; ++n) {
-          transmittance_.row(row)[n] = static_cast<float>(std::max(0.0, through[n]));
-          radiance_.row(row)[n] = static_cast<float>(std::max(0.0, added[n]));
-        }
-        ++row;
+  each_row(atmosphere, [&](std::size_t row, const std::vector<double>& weight) {
+    std::fill(through.begin(), through.end(), 0.0);
+    std::fill(added.begin(), added.end(), 0.0);
+    for (std::size_t line = 0; line < weight.size(); ++line) {
+      if (weight[line] == 0.0) continue;
+      const atmosphere::SensorAtmosphere::Sight sight = atmosphere.sight(line);
+      for (std::size_t n = 0; n < nodes; ++n) {
+        through[n] += weight[line] * sight.transmittance[n];
+        added[n] += weight[line] * (sight.radiance[n] + ground_radiance[n] * sight.diffuse_transmittance[n]);
       }
+    }
+    for (std::size_t n = 0; n < nodes; ++n) {
+      transmittance_.row(row)[n] = static_cast<float>(std::max(0.0, through[n]));
+      radiance_.row(row)[n] = static_cast<float>(std::max(0.0, added[n]));
+    }
+  });
   if (atmosphere.polarized()) polarize(atmosphere, ground_radiance);
 }
 
@@ -68,36 +73,31 @@ void ViewTable::polarize(const atmosphere::SensorAtmosphere& atmosphere,
     turn.push_back(turned(own, radiometry::carried({}, own.direction)));
   }
   std::vector<radiometry::StokesVector> light(nodes);
-  std::size_t row = 0;
-  for (const double height : axes_[0])
-    for (const double along : axes_[1])
-      for (const double across : axes_[2]) {
-        const std::vector<double> weight = grid.weights(height, along, across);
-        std::fill(light.begin(), light.end(), radiometry::StokesVector{});
-        for (std::size_t line = 0; line < weight.size(); ++line) {
-          if (weight[line] == 0.0) continue;
-          const atmosphere::SensorAtmosphere::SightPolarization sight = atmosphere.sight_polarization(line);
-          const radiometry::MuellerMatrix part = weight[line] * turn[line];
-          for (std::size_t n = 0; n < nodes; ++n)
-            light[n] +=
-                part * radiometry::StokesVector{0.0, sight.q[n] + ground_radiance[n] * sight.diffuse_q[n],
-                                                sight.u[n], 0.0};
-        }
-        for (std::size_t n = 0; n < nodes; ++n) {
-          // Polynomials between lines may go beyond what can be.
-          const double whole = static_cast<double>(radiance_.row(row)[n]);
-          const double polarized = std::hypot(light[n].q, light[n].u);
-          const double share = polarized > whole ? whole / polarized : 1.0;
-          q_.row(row)[n] = static_cast<float>(share * light[n].q);
-          u_.row(row)[n] = static_cast<float>(share * light[n].u);
-        }
-        ++row;
-      }
+  each_row(atmosphere, [&](std::size_t row, const std::vector<double>& weight) {
+    std::fill(light.begin(), light.end(), radiometry::StokesVector{});
+    for (std::size_t line = 0; line < weight.size(); ++line) {
+      if (weight[line] == 0.0) continue;
+      const atmosphere::SensorAtmosphere::SightPolarization sight = atmosphere.sight_polarization(line);
+      const radiometry::MuellerMatrix part = weight[line] * turn[line];
+      for (std::size_t n = 0; n < nodes; ++n)
+        light[n] += part * radiometry::StokesVector{0.0, sight.q[n] + ground_radiance[n] * sight.diffuse_q[n],
+                                                    sight.u[n], 0.0};
+    }
+    for (std::size_t n = 0; n < nodes; ++n) {
+      // Polynomials between lines may go beyond what can be.
+      const double whole = static_cast<double>(radiance_.row(row)[n]);
+      const double polarized = std::hypot(light[n].q, light[n].u);
+      const double share = polarized > whole ? whole / polarized : 1.0;
+      q_.row(row)[n] = static_cast<float>(share * light[n].q);
+      u_.row(row)[n] = static_cast<float>(share * light[n].u);
+    }
+  });
 }
 
 radiometry::PolarizationFrame ViewTable::stokes(math::Vec3 towards_sensor, double height_m,
+                                                double sensor_height_m,
                                                 std::span<radiometry::StokesVector> nodes) const {
-  const Place place = at(towards_sensor, height_m);
+  const Place place = at(towards_sensor, height_m, sensor_height_m);
   const radiometry::PolarizationFrame upright{{0.0, 0.0, 1.0}, {sun_x_, sun_y_, 0.0}},
       frame = radiometry::meridional_frame(towards_sensor);
   const radiometry::MuellerMatrix turn = turned(radiometry::carried(upright, towards_sensor), frame);
@@ -116,16 +116,17 @@ radiometry::PolarizationFrame ViewTable::stokes(math::Vec3 towards_sensor, doubl
   return frame;
 }
 
-ViewTable::Place ViewTable::at(math::Vec3 towards_sensor, double height_m) const {
+ViewTable::Place ViewTable::at(math::Vec3 towards_sensor, double height_m, double sensor_height_m) const {
   const double rise = std::max(towards_sensor.z, kLeastRise);
-  const std::array<double, 3> wanted{1e-3 * height_m,
+  const std::array<double, 4> wanted{1e-3 * sensor_height_m, 1e-3 * height_m,
                                      (towards_sensor.x * sun_x_ + towards_sensor.y * sun_y_) / rise,
                                      std::abs(towards_sensor.x * sun_y_ - towards_sensor.y * sun_x_) / rise};
-  const std::array<std::size_t, 3> stride{axes_[1].size() * axes_[2].size(), axes_[2].size(), 1};
+  const std::array<std::size_t, 4> stride{axes_[1].size() * axes_[2].size() * axes_[3].size(),
+                                          axes_[2].size() * axes_[3].size(), axes_[3].size(), 1};
   // Along which axes the cell's far end is met first.
-  std::array<std::pair<double, std::size_t>, 3> ahead;
+  std::array<std::pair<double, std::size_t>, 4> ahead;
   std::size_t active = 0, corner = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
     const std::vector<double>& places = axes_[axis];
     if (places.size() == 1) continue;
     const auto above = std::upper_bound(places.begin() + 1, places.end() - 1, wanted[axis]);
@@ -134,13 +135,18 @@ ViewTable::Place ViewTable::at(math::Vec3 towards_sensor, double height_m) const
     ahead[active++] = {std::clamp((wanted[axis] - places[low]) / (places[low + 1] - places[low]), 0.0, 1.0),
                        stride[axis]};
   }
-  // Three at most: the farthest ahead first.
+  // Four at most: the farthest ahead first.
   const auto order = [&](std::size_t a, std::size_t b) {
     if (b < active && ahead[a].first < ahead[b].first) std::swap(ahead[a], ahead[b]);
   };
   order(0, 1);
   order(1, 2);
   order(0, 1);
+  if (active > 3) {
+    order(2, 3);
+    order(1, 2);
+    order(0, 1);
+  }
   Place place;
   double left = 1.0;
   for (std::size_t k = 0; k <= active; ++k) {

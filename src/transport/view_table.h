@@ -15,9 +15,9 @@ class SensorAtmosphere;
 
 namespace ifov::transport {
 
-/// What the air between surfaces and the sensor does, by line of sight and height of the surface, in spectral
-/// nodes: linear in the simplices of a fine grid of slopes and heights (Kuhn's division of each cell), which
-/// takes 2 to 4 rows.
+/// What the air between surfaces and the sensor does, by height of the sensor, line of sight and height of the
+/// surface, in spectral nodes: linear in the simplices of a fine grid of heights and slopes (Kuhn's division of each
+/// cell), which takes 2 to 4 rows, and 5 where the sensor has more than one height.
 class ViewTable {
  public:
   /// `ground_radiance`: of the ground around the scene, by node, whose light the air scatters into the path.
@@ -26,24 +26,29 @@ class ViewTable {
 
   struct Place {
     std::size_t count = 0;
-    std::array<const float*, 4> transmittance{}, radiance{};
-    std::array<float, 4> weight{};
+    std::array<const float*, 5> transmittance{}, radiance{};
+    std::array<float, 5> weight{};
   };
-  /// `towards_sensor` is a unit vector that points up. Beyond the table its rim holds.
-  Place at(math::Vec3 towards_sensor, double height_m) const;
+  /// `towards_sensor` is a unit vector that points up; heights of surface and sensor are z of the scene, and the
+  /// sensor's does not matter where it has one alone. Beyond the table its rim holds.
+  Place at(math::Vec3 towards_sensor, double height_m, double sensor_height_m) const;
 
   /// Whether the atmosphere's tables are: stokes() is then there.
   bool polarized() const { return q_.rows() > 0; }
   /// What the path adds, with its polarization, by node; returns the frame that it is about, the meridional one
   /// of light that goes to the sensor. Lines of sight are interpolated in frames carried to them from the
   /// vertical, which change smoothly across it.
-  radiometry::PolarizationFrame stokes(math::Vec3 towards_sensor, double height_m,
+  radiometry::PolarizationFrame stokes(math::Vec3 towards_sensor, double height_m, double sensor_height_m,
                                        std::span<radiometry::StokesVector> nodes) const;
 
  private:
   void polarize(const atmosphere::SensorAtmosphere& atmosphere, const std::vector<double>& ground_radiance);
-  double sun_x_ = 0.0, sun_y_ = 1.0;         // horizontal direction of the Sun, unit
-  std::array<std::vector<double>, 3> axes_;  // height in km, along, across
+  /// At the places of the axes, in the order of rows: weights of the lines of sight that are known there.
+  template <class Visit>
+  void each_row(const atmosphere::SensorAtmosphere& atmosphere, Visit visit) const;
+  double sun_x_ = 0.0, sun_y_ = 1.0;  // horizontal direction of the Sun, unit
+  std::array<std::vector<double>, 4>
+      axes_;  // heights of sensor and surface in km above ground, along, across
   radiometry::SpectrumBlock transmittance_, radiance_;
   /// As radiance_, about frames carried from the vertical, where x is towards the Sun; of lines on the
   /// counterclockwise side. Empty where not asked for.

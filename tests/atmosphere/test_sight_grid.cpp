@@ -57,11 +57,12 @@ class Sights : public testing::Test {
   AtmosphereColumn column_{AtmosphereDescription{}};
   SensorGeometry geometry_;
   std::vector<radiometry::Channel> channels_;
+  SensorAltitudes altitudes_{6.0, 6.0};
   SightRange range_{-0.55, 0.5, 0.0, 0.45, 0.0};
 };
 
 TEST_F(Sights, BetweenTheSolvedDirections) {
-  const SensorAtmosphere air = build(SightGrid(range_, column_.levels()), geometry_);
+  const SensorAtmosphere air = build(SightGrid(range_, column_.levels(), altitudes_), geometry_);
   for (const SightLine line : {SightLine{0.0, 0.0, 0.0},
                                {14.0 * kDegree, 70.0 * kDegree, 0.0},
                                {26.0 * kDegree, 5.0 * kDegree, 0.0},
@@ -91,7 +92,7 @@ TEST_F(Sights, BetweenTheSolvedDirections) {
 TEST_F(Sights, AboveTheGround) {
   channels_ = {radiometry::Channel::monochromatic("", 0.45), radiometry::Channel::monochromatic("", 0.86)};
   range_.highest_km = 1.6;
-  const SensorAtmosphere air = build(SightGrid(range_, column_.levels()), geometry_);
+  const SensorAtmosphere air = build(SightGrid(range_, column_.levels(), altitudes_), geometry_);
   const ColumnSolver solver([] {
     ScatteringOptions options;
     options.nodes_per_hemisphere = 6;
@@ -139,8 +140,8 @@ TEST_F(Sights, OfOneDirectionAreTheGeometrysOwn) {
   geometry_.view_azimuth_rad = 50.0 * kDegree;
   const double along = std::tan(12.0 * kDegree) * std::cos(50.0 * kDegree),
                across = std::tan(12.0 * kDegree) * std::sin(50.0 * kDegree);
-  const SensorAtmosphere air =
-      build(SightGrid(SightRange{along, along, across, across, 0.0}, column_.levels()), geometry_);
+  const SensorAtmosphere air = build(
+      SightGrid(SightRange{along, along, across, across, 0.0}, column_.levels(), altitudes_), geometry_);
   EXPECT_TRUE(air.sights().trivial());
   for (std::size_t n = 0; n < air.node_count(); ++n)
     EXPECT_EQ(air.sight(0).transmittance[n], air.view_transmittance()[n]);

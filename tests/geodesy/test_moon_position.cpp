@@ -19,7 +19,7 @@ constexpr double kPolarRadius_m = 6356752.314;
 // declination.
 TEST(MoonPosition, MeeusExample) {
   const MoonPosition moon =
-      moon_position(parse_utc("1992-04-11T23:59:00.816Z"), 90.0 * kDegree, 0.0, -kPolarRadius_m);
+      moon_position(parse_utc("1992-04-11T23:59:00.816Z"), {90.0 * kDegree, 0.0, -kPolarRadius_m});
   EXPECT_NEAR(moon.elevation_rad / kDegree, 13.768368, 10.0 / 3600.0);
   EXPECT_NEAR(moon.distance_m / 1e3, 368409.7, 1.0);
   EXPECT_NEAR(moon.phase_angle_rad / kDegree, 69.0756, 0.003);
@@ -27,7 +27,7 @@ TEST(MoonPosition, MeeusExample) {
   // Right ascension by way of the Sun, which is placed by a theory of its own: 20.6579 degrees (Meeus'
   // apparent Sun of example 48.a).
   const SunPosition sun =
-      sun_position(parse_utc("1992-04-11T23:59:00.816Z"), 90.0 * kDegree, 0.0, -kPolarRadius_m);
+      sun_position(parse_utc("1992-04-11T23:59:00.816Z"), {90.0 * kDegree, 0.0, -kPolarRadius_m});
   const double difference = std::remainder((sun.azimuth_rad - moon.azimuth_rad) / kDegree, 360.0);
   EXPECT_NEAR(difference, 134.688470 - 20.6579, 0.005);
 }
@@ -37,10 +37,10 @@ TEST(MoonPosition, ParallaxIsTopocentric) {
   const UtcTime time = parse_utc("1992-04-11T23:59:00.816Z");
   double lowest = 90.0, drop = 0.0;
   for (double longitude = -180.0; longitude < 180.0; longitude += 0.5) {
-    const MoonPosition here = moon_position(time, 0.0, longitude * kDegree);
+    const MoonPosition here = moon_position(time, {0.0, longitude * kDegree});
     if (std::abs(here.elevation_rad / kDegree) < lowest) {
       lowest = std::abs(here.elevation_rad / kDegree);
-      const MoonPosition centre = moon_position(time, 0.0, longitude * kDegree, -6378137.0);
+      const MoonPosition centre = moon_position(time, {0.0, longitude * kDegree, -6378137.0});
       drop = (centre.elevation_rad - here.elevation_rad) / kDegree;
     }
   }
@@ -59,9 +59,9 @@ TEST(MoonPosition, CoversTheSunInEclipses) {
                {"2024-04-08T18:17:20Z", 25.29, -104.14}};
   for (const auto& c : cases) {
     const UtcTime time = parse_utc(c.time);
-    const MoonPosition moon = moon_position(time, c.latitude * kDegree, c.longitude * kDegree);
-    const SunPosition sun = sun_position(time, c.latitude * kDegree, c.longitude * kDegree);
-    EXPECT_LT(std::acos(math::dot(moon.direction_enu, sun.direction_enu)) / kDegree, 0.02) << c.time;
+    const MoonPosition moon = moon_position(time, {c.latitude * kDegree, c.longitude * kDegree});
+    const SunPosition sun = sun_position(time, {c.latitude * kDegree, c.longitude * kDegree});
+    EXPECT_LT(std::acos(dot(moon.direction_enu, sun.direction_enu)) / kDegree, 0.02) << c.time;
     EXPECT_NEAR(moon.illuminated_fraction, 0.0, 1e-4);
     const double moon_radius = std::asin(1737.4e3 / moon.distance_m) / kDegree;
     EXPECT_GT(moon_radius, 0.2666 / sun.distance_au) << c.time;
@@ -84,7 +84,7 @@ TEST(MoonPosition, LightByPhase) {
 }
 
 TEST(MoonPosition, RefusesImpossiblePlaces) {
-  EXPECT_THROW(moon_position(parse_utc("2021-03-05T15:07:09Z"), 91.0 * kDegree, 0.0), InputError);
+  EXPECT_THROW(moon_position(parse_utc("2021-03-05T15:07:09Z"), {91.0 * kDegree, 0.0}), InputError);
 }
 
 }  // namespace

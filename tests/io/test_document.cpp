@@ -226,7 +226,7 @@ TEST(Document, FrameCamera) {
       parsed_with(nadir, R"({"frame": {"focal_length": "50 mm", "pitch": "5 um", "pixels": [4, 5],
          "position": ["0 m", "0 m", "1 km"], "attitude": {"yaw": "10 deg", "pitch": "-10 deg"}}})")
           .sensor.camera);
-  EXPECT_NEAR(std::get<Attitude>(turned.orientation).pitch_rad, -10.0 * kDegree, 1e-15);
+  EXPECT_NEAR(std::get<geodesy::Attitude>(turned.orientation).pitch_rad, -10.0 * kDegree, 1e-15);
 }
 
 TEST(Document, SamplingMethods) {

@@ -20,6 +20,7 @@
 #include "io/quantities/quality_quantities.h"
 #include "io/synthetic_image.h"
 #include "truth/location.h"
+#include "truth/view_angles.h"
 
 namespace ifov::io {
 namespace {
@@ -360,17 +361,20 @@ TEST(ProductWriter, PlacesAreWrittenInMapCoordinates) {
   options.cubes = {&quantities::kLocation, &quantities::kViewAngles};
   RunIdentity identity = image.identity();
   identity.acquisition.origin_on_map_m = {477000.0, 5474000.0, 100.0};
-  identity.acquisition.camera.position_m = {477000.0, 5474000.0, 600.0};
   ProductWriter writer(options, identity);
   writer.begin(image.info());
   for (const auto& rect : image.tiles(4)) {
     sampling::TileResult tile = image.tile(rect);
     std::vector<double> positions;
+    std::vector<float> angles;
     for (int y = rect.y0; y < rect.y1; ++y)
-      for (int x = rect.x0; x < rect.x1; ++x)
+      for (int x = rect.x0; x < rect.x1; ++x) {
         positions.insert(positions.end(),
                          {x == 0 ? std::nan("") : x + 0.001953125, x == 0 ? std::nan("") : 500.0 * y, 0.0});
+        angles.insert(angles.end(), {x == 0 ? std::nanf("") : 45.0f + 0.25f * y, 180.25f - x});
+      }
     tile.layers.push_back(test::layer_of(truth::kLocation.name, 3, positions));
+    tile.layers.push_back(test::layer_of(truth::kViewAngles.name, 2, angles));
     writer.write(tile);
   }
   writer.finish(image.outcome());
@@ -384,9 +388,9 @@ TEST(ProductWriter, PlacesAreWrittenInMapCoordinates) {
   std::vector<float> line(7);
   angles.read(1, 0, line);
   EXPECT_TRUE(std::isnan(line[0]));
-  EXPECT_NEAR(line[2], 45.0, 1e-3);
+  EXPECT_EQ(line[2], 45.25f);
   angles.read(1, 1, line);
-  EXPECT_NEAR(line[2], 180.2, 0.1);  // the camera stands to the south
+  EXPECT_EQ(line[2], 178.25f);
 }
 
 TEST(ProductWriter, StoppingLeavesPartFilesWithTheFinishedTiles) {

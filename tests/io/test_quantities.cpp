@@ -13,6 +13,7 @@
 #include "io/quantities/share_quantities.h"
 #include "io/synthetic_image.h"
 #include "truth/location.h"
+#include "truth/view_angles.h"
 
 namespace ifov::io {
 namespace {
@@ -103,8 +104,8 @@ TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
   EXPECT_TRUE(possible_quantities({}, image).has(quantities::kRadiance));
 }
 
-TEST(QuantitySet, WhatTwoOfThemNeedIsNotedOnce) {
-  EXPECT_EQ(collectors_of(QuantitySet::all()), std::vector{&truth::kLocation});
+TEST(QuantitySet, WhatTheyNeedIsNoted) {
+  EXPECT_EQ(collectors_of(QuantitySet::all()), (std::vector{&truth::kLocation, &truth::kViewAngles}));
   EXPECT_TRUE(collectors_of({&quantities::kRadiance}).empty());
 }
 

@@ -199,8 +199,8 @@ double part_at_night(const atmosphere::WeatherSeries& series, double shift_s) {
   for (std::size_t i = 0; i < knots.size(); i += 7) {
     all += knots[i].value;
     const geodesy::UtcTime time{2440587.5, (begin_s + knots[i].time_s + shift_s) / 86400.0};
-    if (geodesy::sun_position(time, *series.site().latitude_rad, *series.site().longitude_rad).elevation_rad <
-        -3.0 * kDegree)
+    if (geodesy::sun_position(time, {*series.site().latitude_rad, *series.site().longitude_rad})
+            .elevation_rad < -3.0 * kDegree)
       night += knots[i].value;
   }
   return night / all;

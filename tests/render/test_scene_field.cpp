@@ -7,6 +7,7 @@
 #include "sensor/orthographic_camera.h"
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
+#include "transport/timed_world.h"
 
 namespace ifov {
 namespace {
@@ -33,6 +34,46 @@ TEST(SceneField, LabelsTellGroundThatAMirrorLights) {
   EXPECT_NE(labels[1], labels[3]);
   EXPECT_NE(labels[2], labels[1]);
   EXPECT_NE(labels[2], labels[3]);
+}
+
+// A point's time goes with all rays that are sent for it: labels' rays to the Sun and by way of mirrors, and paths.
+TEST(SceneField, AsksTheSceneAtTheTimeOfThePoint) {
+  test::SmallScene scene;
+  test::TimedWorld::Counts counts;
+  scene.place(geometry::Plane{}, scene.material(0.3));
+  scene.place(geometry::Polygon{{{0.0, -90.0, 0.0}, {0.0, 90.0, 0.0}, {0.0, 90.0, 10.0}, {0.0, -90.0, 10.0}}},
+              scene.material(0.8, 0.0, materials::Mirror::shared()));
+  scene.sun({1.0, 0.0, 2.0}, 1000.0, 0.00465);
+  sensor::OrthographicCamera::Settings settings;
+  settings.width_px = settings.height_px = 20;
+  settings.start_height_m = 100.0;
+  const sensor::OrthographicCamera camera(settings);
+  const transport::SpectralScene& built = scene.build([&](std::unique_ptr<geometry::World> world) {
+    return std::make_unique<test::TimedWorld>(std::move(world), counts);
+  });
+  render::SceneField field(built, camera, {}, render::LabelDetail::sun_state);
+  counts = {};
+  const auto expect_time = [&](double time_s) {
+    std::size_t all = 0;
+    for (const auto* by_time : {&counts.intersected, &counts.occluded})
+      for (const auto& [time, count] : *by_time) {
+        EXPECT_EQ(time, time_s);
+        all += count;
+      }
+    EXPECT_GT(all, 10u) << "more than the two rays from the sensor";
+    counts = {};
+  };
+  std::vector<sampling::Label> labels(2);
+  const std::vector<sampling::FocalPoint> points{{11.0, 4.0, 2.5}, {16.0, 4.0, 2.5}};
+  field.labels(points, labels);
+  expect_time(2.5);
+  const std::vector<sampling::PathRequest> requests{{{11.0, 4.0, -1.0}, 7, 0}, {{16.0, 4.0, -1.0}, 7, 1}};
+  std::vector<float> values(2 * static_cast<std::size_t>(field.stride()));
+  field.values(requests, labels, values);
+  expect_time(-1.0);
+  // A point without one is seen at the document's instant.
+  field.labels(std::vector<sampling::FocalPoint>{{11.0, 4.0}, {16.0, 4.0}}, labels);
+  expect_time(0.0);
 }
 
 }  // namespace

@@ -8,9 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "atmosphere/sensor/sensor_atmosphere.h"
 #include "core/format.h"
 #include "io/document/document.h"
 #include "render/mirrors/glints.h"
+#include "sensor/sinking_scanner.h"
+#include "session/assembly/air/atmosphere_assembly.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
 #include "transport/spectral_scene.h"
@@ -115,7 +118,7 @@ TEST_F(WideView, GlintsAreSeenThroughTheAirBeforeThem) {
   for (std::size_t at = 0; at < tile.mean.size(); at += 2) total += static_cast<double>(tile.mean[at]);
 
   const math::Vec3 to_sensor = math::Point3{0.0, 0.0, 4000.0} - math::Point3{30.0, 10.0, 900.0};
-  const auto place = scene.view_table()->at(math::normalized(to_sensor), 915.0);
+  const auto place = scene.view_table()->at(math::normalized(to_sensor), 915.0, 4000.0);
   std::vector<float> nodes(scene.node_count()), scratch(scene.stride()), channels(scene.stride());
   const float* sun = scene.sun_irradiance(915.0, scratch.data());
   for (std::size_t n = 0; n < nodes.size(); ++n)
@@ -125,6 +128,26 @@ TEST_F(WideView, GlintsAreSeenThroughTheAirBeforeThem) {
   const double pixel_sr = 0.01;  // 1 mm at 10 mm
   const double intensity = kReflectance * static_cast<double>(channels[0]) * kRadius_m * kRadius_m / 4.0;
   EXPECT_NEAR(total, intensity / (pixel_sr * math::dot(to_sensor, to_sensor)), 0.03 * total);
+}
+
+TEST_F(WideView, ASensorThatSinksHasTheAirOfAllItsHeights) {
+  constexpr double kGround_km = 0.25;
+  const io::Document still = document(kWide);
+  const Session session = Session::load(still, nullptr);
+  const atmosphere::SensorAltitudes one = sensor_altitudes(still, *session.parts().camera, kGround_km);
+  EXPECT_EQ(one.low_km, one.high_km);
+  EXPECT_EQ(one.low_km, kGround_km + 4.0);
+  const test::SinkingScanner scanner;
+  const atmosphere::SensorAltitudes all = sensor_altitudes(still, scanner, kGround_km);
+  EXPECT_NEAR(all.low_km, kGround_km + 0.96, 1e-12);
+  EXPECT_NEAR(all.high_km, kGround_km + 1.0, 1e-12);
+  EXPECT_NEAR(sensor_geometry(still, scanner, std::nullopt, kGround_km).sensor_altitude_km, kGround_km + 0.98,
+              1e-12);
+  // What the document says goes before.
+  io::Document said = still;
+  said.atmosphere.modelled->sensor_altitude_km = 9.0;
+  EXPECT_EQ(sensor_altitudes(said, scanner, kGround_km).low_km, 9.0);
+  EXPECT_EQ(sensor_altitudes(said, scanner, kGround_km).high_km, 9.0);
 }
 
 // Paths draw the sky by direction; its irradiance was integrated by the solver of the air.

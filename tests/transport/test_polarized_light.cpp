@@ -39,7 +39,8 @@ class PolarizedLight : public testing::Test {
     inputs.solar_irradiance = radiometry::solar_irradiance_1au();
     inputs.geometry.sun_zenith_rad = kSunZenith;
     inputs.geometry.sensor_altitude_km = kSensor_km;
-    inputs.sights = atmosphere::SightGrid({-0.6, 0.5, 0.0, 0.55, 0.0}, column().levels());
+    inputs.sights =
+        atmosphere::SightGrid({-0.6, 0.5, 0.0, 0.55, 0.0}, column().levels(), {kSensor_km, kSensor_km});
     inputs.polarized = polarized;
     return inputs;
   }
@@ -161,7 +162,7 @@ TEST_F(PolarizedLight, OfThePathBetweenItsLinesOfSight) {
   for (const double zenith : {0.0, 1e-9, 0.5, 3.0, 12.0, 25.0})
     for (const double azimuth : {10.0, 75.0, 130.0, 175.0, -60.0, -120.0}) {
       const Vec3 k = direction(zenith * kDegree, azimuth * kDegree + kSunAzimuth);
-      const PolarizationFrame frame = table.stokes(k, 0.0, light);
+      const PolarizationFrame frame = table.stokes(k, 0.0, 1e3 * kSensor_km, light);
       const Propagation up{std::cos(zenith * kDegree), azimuth * kDegree - kPi};
       const StokesVector exact = sun * solved().sunlit().path(up, kSensor_km).radiance(),
                          expected = about(exact, up, frame);
@@ -194,8 +195,8 @@ TEST_F(PolarizedLight, BrightGroundAddsToBoth) {
   EXPECT_NEAR((b[0].u - a[0].u) / (b[0].i - a[0].i), 0.0, 1e-4);
   EXPECT_NEAR(dot(frame.y(), {0.0, 0.0, 1.0}), 0.0, 1e-12);
   const Vec3 k = direction(25.0 * kDegree, 2.0);
-  dark_path.stokes(k, 0.0, a);
-  lit_path.stokes(k, 0.0, b);
+  dark_path.stokes(k, 0.0, 1e3 * kSensor_km, a);
+  lit_path.stokes(k, 0.0, 1e3 * kSensor_km, b);
   const StokesVector path = solved().diffuse_transmittance(std::cos(25.0 * kDegree), kSensor_km);
   EXPECT_NEAR((b[0].q - a[0].q) / (b[0].i - a[0].i) * path.i / path.q, 1.0, 0.05);
   EXPECT_NEAR((b[0].u - a[0].u) / (b[0].i - a[0].i), 0.0, 1e-3);
@@ -234,7 +235,7 @@ TEST_F(PolarizedLight, OfASceneSeenFromAfar) {
   for (const double side : {1.0, -1.0}) {
     const Propagation up{std::cos(25.0 * kDegree), side * 60.0 * kDegree - kPi};
     const PolarizationFrame frame = spectral.polarized_path()->stokes(
-        direction(25.0 * kDegree, side * 60.0 * kDegree + kSunAzimuth), 0.0, light);
+        direction(25.0 * kDegree, side * 60.0 * kDegree + kSunAzimuth), 0.0, 1e3 * kSensor_km, light);
     const StokesVector expected = about(solved().sunlit().path(up, kSensor_km).radiance(), up, frame);
     EXPECT_LT(error({light[0].i, light[0].q, light[0].u, 0.0},
                     radiometry::solar_irradiance_1au().at(kUm) * expected)

@@ -41,11 +41,9 @@ ChannelEmission::ChannelEmission(const AtmosphereColumn& column, const ChannelPo
     for (std::size_t h = 0; h < sky_at_height.size(); ++h)
       sky_at_height[h][p] = irradiance(ground_km + geometry.heights_km[h]);
     for (std::size_t s = 0; s < sight_path.size(); ++s) {
-      const double mu = std::cos(geometry.sights[s].zenith_rad);
-      sight_path[s][p] = thermal
-                             .path(geometry.sensor_altitude_km, mu,
-                                   sight_length_km(geometry, ground_km, geometry.sights[s].height_km, mu))
-                             .radiance;
+      const SightLine& line = geometry.sights[s];
+      sight_path[s][p] =
+          thermal.path(line.sensor_km, std::cos(line.zenith_rad), sight_length_km(line, ground_km)).radiance;
     }
   }
 }

@@ -103,11 +103,10 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
   for (std::size_t p = 0; p < count; ++p) {
     const ChannelPoints::Point& point = points_.points[p];
     const ScatteringColumn column(column_.levels(), point.layers(), geometry_.any_sun_zenith_rad(), options_);
-    const auto once = [&](const Propagation& up, double length_km) {
+    const auto once = [&](const Propagation& up, double sensor_km, double length_km) {
       if (!sunlit_) return StokesVector{};
-      return points_.irradiance[p] * single_scattering(column, options_.aerosol_polarization, up,
-                                                       geometry_.sensor_altitude_km, length_km)
-                                         .single;
+      return points_.irradiance[p] *
+             single_scattering(column, options_.aerosol_polarization, up, sensor_km, length_km).single;
     };
     const std::vector<Part> parts = parts_at(p);
     for (const Part& part : parts) result.share[part.solution][p] = part.plain;
@@ -121,7 +120,7 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
       for (const Part& part : parts) sum += part.scaled * of(*part.node);
       return std::exp(sum);
     };
-    const StokesVector own = once(towards_sensor(), kEndless_km);
+    const StokesVector own = once(towards_sensor(), geometry_.sensor_altitude_km, kEndless_km);
     result.once[p] = own.i;
     result.path[p] = own.i * path_ratio([](const Node& n) { return n.path; });
     result.sky_irradiance[p] =
@@ -132,9 +131,8 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
     if (polarized_) polarize(0, p, parts, own, result.path[p], result.diffuse_transmittance[p], result);
     for (std::size_t s = 0; s < sights; ++s) {
       const SightLine& line = geometry_.sights[s];
-      const double mu = std::cos(line.zenith_rad);
-      const StokesVector along = once({mu, line.azimuth_rad - std::numbers::pi},
-                                      sight_length_km(geometry_, ground_km, line.height_km, mu));
+      const StokesVector along = once({std::cos(line.zenith_rad), line.azimuth_rad - std::numbers::pi},
+                                      line.sensor_km, sight_length_km(line, ground_km));
       result.sight_path[s][p] = along.i * path_ratio([s](const Node& n) { return n.sight_path[s]; });
       result.sight_diffuse[s][p] =
           points_.sight_view[s][p] * ratio([s](const Node& n) { return n.sight_diffuse[s]; });

@@ -35,7 +35,7 @@ std::vector<double> ChannelScattering::question(const ColumnSolver& solver, cons
     all.insert(all.end(), list->begin(), list->end());
   }
   for (const SightLine& line : geometry_.sights)
-    all.insert(all.end(), {line.zenith_rad, line.azimuth_rad, line.height_km});
+    all.insert(all.end(), {line.zenith_rad, line.azimuth_rad, line.height_km, line.sensor_km});
   if (polarized_) all.push_back(1.0);
   return all;
 }

@@ -22,15 +22,15 @@ std::vector<double> sun_slants(const std::vector<double>& altitude_km, double ze
 }
 
 /// The same for a straight line of sight in flat layers, from a height above the ground up to the sensor.
-std::vector<double> view_slants(const std::vector<double>& altitude_km, double sensor_km,
-                                const SightLine& line) {
+std::vector<double> view_slants(const std::vector<double>& altitude_km, const SightLine& line) {
   const double surface_km = altitude_km.front() + line.height_km;
   std::vector<double> slants;
   for (std::size_t i = 0; i + 1 < altitude_km.size(); ++i) {
     const auto crossed = [&](double top_km) {
       return std::clamp((top_km - altitude_km[i]) / (altitude_km[i + 1] - altitude_km[i]), 0.0, 1.0);
     };
-    slants.push_back(std::max(0.0, crossed(sensor_km) - crossed(surface_km)) / std::cos(line.zenith_rad));
+    slants.push_back(std::max(0.0, crossed(line.sensor_km) - crossed(surface_km)) /
+                     std::cos(line.zenith_rad));
   }
   return slants;
 }
@@ -47,21 +47,18 @@ std::vector<double> above(const std::vector<double>& altitude_km, std::vector<do
 
 }  // namespace
 
-double sight_length_km(const SensorGeometry& geometry, double ground_km, double height_km, double mu) {
-  if (!(height_km > 0.0)) return std::numeric_limits<double>::infinity();
-  return std::max(0.0, geometry.sensor_altitude_km - ground_km - height_km) / mu;
+double sight_length_km(const SightLine& line, double ground_km) {
+  if (!(line.height_km > 0.0)) return std::numeric_limits<double>::infinity();
+  return std::max(0.0, line.sensor_km - ground_km - line.height_km) / std::cos(line.zenith_rad);
 }
 
 ChannelPoints::ChannelPoints(const AtmosphereColumn& column, const std::vector<ChannelBin>& bins,
                              const BinOptics& optics, const SensorGeometry& geometry) {
   const std::vector<double>& altitude_km = column.levels().altitude_km;
-  const auto up_along = [&](const SightLine& line) {
-    return view_slants(altitude_km, geometry.sensor_altitude_km, line);
-  };
-  const std::vector<double> up = up_along({geometry.view_zenith_rad, geometry.view_azimuth_rad, 0.0});
+  const std::vector<double> up = view_slants(altitude_km, geometry.own_sight());
   const std::vector<double> down = sun_slants(altitude_km, geometry.sun_zenith_rad.value_or(0.0));
   std::vector<std::vector<double>> sights, suns;
-  for (const SightLine& line : geometry.sights) sights.push_back(up_along(line));
+  for (const SightLine& line : geometry.sights) sights.push_back(view_slants(altitude_km, line));
   for (const double height : geometry.heights_km) suns.push_back(above(altitude_km, down, height));
   sight_view.resize(sights.size());
   sun_at_height.resize(suns.size());

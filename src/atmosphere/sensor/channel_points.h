@@ -19,12 +19,15 @@ struct SensorGeometry {
   double view_azimuth_rad = 0.0;
   /// Above mean sea level; at or above the top of the air it is the same everywhere.
   double sensor_altitude_km = 100.0;
-  /// Further lines of sight that are wanted, and further heights of surfaces above the ground.
+  /// Further lines of sight that are wanted, each with its own sensor's altitude, and further heights of surfaces above
+  /// the ground.
   std::vector<SightLine> sights = {};
   std::vector<double> heights_km = {};
 
   /// The Sun for a solution of which only what comes from the ground is wanted.
   double any_sun_zenith_rad() const { return sun_zenith_rad.value_or(0.7); }
+  /// The sensor's own line of sight, from the ground.
+  SightLine own_sight() const { return {view_zenith_rad, view_azimuth_rad, 0.0, sensor_altitude_km}; }
   /// The same without these.
   SensorGeometry alone() const {
     SensorGeometry geometry = *this;
@@ -34,9 +37,8 @@ struct SensorGeometry {
   }
 };
 
-/// Length of the straight path from a surface at this height above the ground up to the sensor, which looks
-/// at it under this cosine; endless for the ground itself.
-double sight_length_km(const SensorGeometry& geometry, double ground_km, double height_km, double mu);
+/// Length of the straight path from the surface of a line of sight up to the sensor; endless from the ground itself.
+double sight_length_km(const SightLine& line, double ground_km);
 
 /// A channel as its points: bins of the band model, term by term, with what is exact at each of them.
 struct ChannelPoints {

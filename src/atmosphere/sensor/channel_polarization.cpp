@@ -9,21 +9,21 @@
 namespace ifov::atmosphere {
 
 std::vector<SightLine> ChannelScattering::lines() const {
-  std::vector<SightLine> all{{geometry_.view_zenith_rad, geometry_.view_azimuth_rad, 0.0}};
+  std::vector<SightLine> all{geometry_.own_sight()};
   all.insert(all.end(), geometry_.sights.begin(), geometry_.sights.end());
   return all;
 }
 
 void ChannelScattering::solve_polarization(const ColumnSolution& solved, double scale, double groundlit_scale,
                                            Node& node) const {
-  const double ground_km = column_.levels().altitude_km.front(), sensor_km = geometry_.sensor_altitude_km;
+  const double ground_km = column_.levels().altitude_km.front();
   std::map<double, SlantSource> rings;  // by cosine, as in solve_sights
   for (const SightLine& line : lines()) {
-    const double mu = std::cos(line.zenith_rad),
-                 length = sight_length_km(geometry_, ground_km, line.height_km, mu);
+    const double mu = std::cos(line.zenith_rad), length = sight_length_km(line, ground_km);
     const SlantSource& ring = rings.try_emplace(mu, solved.sunlit(), mu).first->second;
-    const StokesVector often = ring.path(line.azimuth_rad - std::numbers::pi, sensor_km, length).multiple,
-                       diffuse = solved.diffuse_transmittance(mu, sensor_km, length);
+    const StokesVector often =
+                           ring.path(line.azimuth_rad - std::numbers::pi, line.sensor_km, length).multiple,
+                       diffuse = solved.diffuse_transmittance(mu, line.sensor_km, length);
     LinePolarization& found = node.lines.emplace_back();
     if (often.i > 0.0) found.q = often.q / often.i, found.u = often.u / often.i;
     if (diffuse.i > 0.0) found.diffuse_q = diffuse.q / diffuse.i;

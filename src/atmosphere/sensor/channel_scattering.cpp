@@ -112,19 +112,18 @@ Propagation ChannelScattering::towards_sensor() const {
 
 /// Ratios as at the ground and along the sensor's own line of sight.
 void ChannelScattering::solve_sights(const ColumnSolution& solved, Node& node) const {
-  const double ground_km = column_.levels().altitude_km.front(), sensor_km = geometry_.sensor_altitude_km;
+  const double ground_km = column_.levels().altitude_km.front();
   for (const double height : geometry_.heights_km)
     node.sky_at_height.push_back(log_ratio(solved.sunlit().fluxes().at(ground_km + height).diffuse_down,
                                            solved.sun_transmittance(ground_km + height)));
   std::map<double, SlantSource> rings;  // by cosine: lines of one slope end at several heights
   for (const SightLine& line : geometry_.sights) {
-    const double mu = std::cos(line.zenith_rad),
-                 length = sight_length_km(geometry_, ground_km, line.height_km, mu);
+    const double mu = std::cos(line.zenith_rad), length = sight_length_km(line, ground_km);
     const SlantSource& ring = rings.try_emplace(mu, solved.sunlit(), mu).first->second;
-    const PathLight path = ring.path(line.azimuth_rad - std::numbers::pi, sensor_km, length);
+    const PathLight path = ring.path(line.azimuth_rad - std::numbers::pi, line.sensor_km, length);
     node.sight_path.push_back(path.single.i > 0.0 ? log_ratio(path.radiance().i, path.single.i) : 0.0);
     node.sight_diffuse.push_back(
-        log_ratio(solved.diffuse_transmittance(mu, sensor_km, length).i, path.transmittance));
+        log_ratio(solved.diffuse_transmittance(mu, line.sensor_km, length).i, path.transmittance));
   }
 }
 

@@ -29,8 +29,7 @@ double white_above(double wavelength_um, double irradiance) {
 SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs& inputs)
     : geometry_(inputs.geometry),
       directions_(inputs.sky.value_or(SkyDirections::standard(inputs.geometry.sun_zenith_rad))),
-      sights_(inputs.sights.value_or(
-          SightGrid(SightLine{geometry_.view_zenith_rad, geometry_.view_azimuth_rad, 0.0}))) {
+      sights_(inputs.sights.value_or(SightGrid(geometry_.own_sight()))) {
   if (inputs.polarized && !inputs.scattering.polarized)
     throw std::invalid_argument("polarized tables of the air need the polarized solver");
   if (!sights_.trivial()) {

@@ -15,6 +15,8 @@ constexpr double kWantedStep = 0.03;
 constexpr std::size_t kMostWanted = 97;
 /// Lower surfaces are taken for ground.
 constexpr double kOneHeight_km = 0.02;
+/// Altitudes of the sensor that differ by less are one.
+constexpr double kOneAltitude_km = 1e-3;
 
 /// Points for a range whose half is this, in asinh(slope), which is how fast the path's length grows.
 std::size_t points_for(double half) {
@@ -55,6 +57,24 @@ SightAxis SightAxis::heights(const Levels& levels, double highest_km) {
   return axis;
 }
 
+SightAxis SightAxis::sensors(const Levels& levels, const SensorAltitudes& altitudes) {
+  const double top_km = levels.altitude_km.back(), low_km = altitudes.low_km,
+               high_km = std::min(altitudes.high_km, std::max(low_km, top_km));
+  SightAxis axis(low_km);
+  if (!(high_km - low_km > kOneAltitude_km)) return axis;
+  const auto add = [&](double altitude_km) {
+    if (altitude_km > low_km && altitude_km < high_km) axis.known_.push_back(altitude_km);
+  };
+  // Light bends within a layer as its transmittance does: half a layer is straight enough.
+  for (std::size_t l = 0; l < levels.altitude_km.size(); ++l) {
+    if (l > 0) add(0.5 * (levels.altitude_km[l - 1] + levels.altitude_km[l]));
+    add(levels.altitude_km[l]);
+  }
+  axis.known_.push_back(high_km);
+  axis.wanted_ = axis.known_;
+  return axis;
+}
+
 std::vector<double> SightAxis::weights(double place) const {
   const std::size_t count = known_.size();
   std::vector<double> result(count, 0.0);
@@ -81,26 +101,33 @@ double slope_across(const SightLine& line) {
 }
 
 SightGrid::SightGrid(const SightLine& line)
-    : only_(line), along_(slope_along(line)), across_(slope_across(line)), height_(line.height_km) {}
+    : only_(line),
+      sensor_(line.sensor_km),
+      along_(slope_along(line)),
+      across_(slope_across(line)),
+      height_(line.height_km) {}
 
-SightGrid::SightGrid(const SightRange& range, const Levels& levels)
-    : along_(SightAxis::slopes(range.along_low, range.along_high)),
+SightGrid::SightGrid(const SightRange& range, const Levels& levels, const SensorAltitudes& sensors)
+    : ground_km_(levels.altitude_km.front()),
+      sensor_(SightAxis::sensors(levels, sensors)),
+      along_(SightAxis::slopes(range.along_low, range.along_high)),
       across_(SightAxis::slopes(range.across_low, range.across_high)),
       height_(SightAxis::heights(levels, range.highest_km)) {
   highest_km_ = std::max(0.0, range.highest_km);
-  only_ = line(along_.known().front(), across_.known().front(), 0.0);
+  only_ = line(along_.known().front(), across_.known().front(), 0.0, sensor_.known().front());
 }
 
-SightLine SightGrid::line(double along, double across, double height_km) const {
-  return {std::atan(std::hypot(along, across)), std::atan2(across, along), height_km};
+SightLine SightGrid::line(double along, double across, double height_km, double sensor_km) {
+  return {std::atan(std::hypot(along, across)), std::atan2(across, along), height_km, sensor_km};
 }
 
 std::vector<SightLine> SightGrid::lines() const {
   if (single()) return {only_};
   std::vector<SightLine> all;
-  for (const double height : height_.known())
-    for (const double along : along_.known())
-      for (const double across : across_.known()) all.push_back(line(along, across, height));
+  for (const double sensor : sensor_.known())
+    for (const double height : height_.known())
+      for (const double along : along_.known())
+        for (const double across : across_.known()) all.push_back(line(along, across, height, sensor));
   return all;
 }
 
@@ -117,21 +144,24 @@ std::vector<SightLine> SightGrid::checks() const {
   const auto at = [](const SightAxis& axis, double share) {
     return axis.known().front() + share * (axis.known().back() - axis.known().front());
   };
-  for (const auto& [a, c, h] : kPlaces) all.push_back(line(at(along_, a), at(across_, c), h * highest_km_));
+  for (const auto& [a, c, h] : kPlaces)
+    all.push_back(line(at(along_, a), at(across_, c), h * highest_km_, at(sensor_, 1.0 - h)));
   return all;
 }
 
 std::vector<double> SightGrid::weights(const SightLine& line) const {
-  return weights(line.height_km, slope_along(line), slope_across(line));
+  return weights(line.sensor_km, line.height_km, slope_along(line), slope_across(line));
 }
 
-std::vector<double> SightGrid::weights(double height_km, double along, double across) const {
-  const std::vector<double> by_height = height_.weights(height_km), by_along = along_.weights(along),
-                            by_across = across_.weights(across);
+std::vector<double> SightGrid::weights(double sensor_km, double height_km, double along,
+                                       double across) const {
+  const std::vector<double> by_sensor = sensor_.weights(sensor_km), by_height = height_.weights(height_km),
+                            by_along = along_.weights(along), by_across = across_.weights(across);
   std::vector<double> all;
-  for (const double h : by_height)
-    for (const double a : by_along)
-      for (const double c : by_across) all.push_back(h * a * c);
+  for (const double s : by_sensor)
+    for (const double h : by_height)
+      for (const double a : by_along)
+        for (const double c : by_across) all.push_back(s * h * a * c);
   return all;
 }
 

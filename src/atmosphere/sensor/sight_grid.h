@@ -5,14 +5,16 @@
 #include <vector>
 
 #include "atmosphere/layer_optics.h"
+#include "atmosphere/profile/profile.h"
 
 namespace ifov::atmosphere {
 
 /// A line of sight from a surface to the sensor.
 struct SightLine {
-  double zenith_rad = 0.0;   ///< of the direction from the surface towards the sensor
-  double azimuth_rad = 0.0;  ///< of that direction from the Sun's
-  double height_km = 0.0;    ///< of the surface above the column's ground
+  double zenith_rad = 0.0;                ///< of the direction from the surface towards the sensor
+  double azimuth_rad = 0.0;               ///< of that direction from the Sun's
+  double height_km = 0.0;                 ///< of the surface above the column's ground
+  double sensor_km = kTopOfAtmosphereKm;  ///< altitude of the sensor above mean sea level
 };
 
 /// Lines of sight of an image, as the box that holds them: slopes tan(zenith) cos(azimuth) along the Sun's
@@ -21,6 +23,11 @@ struct SightRange {
   double along_low = 0.0, along_high = 0.0;
   double across_low = 0.0, across_high = 0.0;
   double highest_km = 0.0;  ///< of the surfaces, above the column's ground
+};
+
+/// Altitudes of a sensor above mean sea level while it takes an image; one where it stands still or flies level.
+struct SensorAltitudes {
+  double low_km = kTopOfAtmosphereKm, high_km = kTopOfAtmosphereKm;
 };
 
 /// An axis that a smooth quantity is known at few places of, and taken from at many: between the few it is
@@ -33,6 +40,8 @@ class SightAxis {
   static SightAxis slopes(double low, double high);
   /// The column's own levels, straight between.
   static SightAxis heights(const Levels& levels, double highest_km);
+  /// Of sensors: both ends, levels and middles of layers between; straight between; beyond the air all are alike.
+  static SightAxis sensors(const Levels& levels, const SensorAltitudes& altitudes);
 
   const std::vector<double>& known() const { return known_; }
   /// Rising, evenly spaced for slopes; its first and last place are the range's ends.
@@ -45,35 +54,37 @@ class SightAxis {
   bool straight_ = true;
 };
 
-/// The lines of sight that an image's table is made of.
+/// The lines of sight that an image's table is made of, from all altitudes that its sensor has.
 class SightGrid {
  public:
   /// A single line of sight.
   explicit SightGrid(const SightLine& line);
-  SightGrid(const SightRange& range, const Levels& levels);
+  SightGrid(const SightRange& range, const Levels& levels, const SensorAltitudes& sensors);
 
+  const SightAxis& sensor() const { return sensor_; }  ///< altitudes above mean sea level, km
+  double ground_km() const { return ground_km_; }      ///< above mean sea level; 0 of a single line
   const SightAxis& along() const { return along_; }
   const SightAxis& across() const { return across_; }
   const SightAxis& height() const { return height_; }
   bool single() const { return known_lines() == 1; }
   std::size_t known_lines() const {
-    return along_.known().size() * across_.known().size() * height_.known().size();
+    return sensor_.known().size() * along_.known().size() * across_.known().size() * height_.known().size();
   }
-  /// At the known places, [height][along][across].
+  /// At the known places, [sensor][height][along][across].
   std::vector<SightLine> lines() const;
   /// Some between them, for checks; none of a single line.
   std::vector<SightLine> checks() const;
   /// Weights of lines() at a line of sight.
   std::vector<double> weights(const SightLine& line) const;
-  std::vector<double> weights(double height_km, double along, double across) const;
+  std::vector<double> weights(double sensor_km, double height_km, double along, double across) const;
   /// Whether anything but a single line's own light is asked for.
   bool trivial() const { return single() && !(highest_km_ > 0.0); }
 
  private:
-  SightLine line(double along, double across, double height_km) const;
+  static SightLine line(double along, double across, double height_km, double sensor_km);
   SightLine only_;
-  double highest_km_ = 0.0;
-  SightAxis along_, across_, height_;
+  double ground_km_ = 0.0, highest_km_ = 0.0;
+  SightAxis sensor_, along_, across_, height_;
 };
 
 /// Slopes of a direction.

@@ -31,8 +31,10 @@ std::size_t value_bytes_of(BilCube::Values values) {
     case BilCube::Values::byte: return 1;
     case BilCube::Values::bits: return 2;
     case BilCube::Values::wide: return 8;
-    default: return 4;
+    case BilCube::Values::real:
+    case BilCube::Values::integer: return 4;
   }
+  return 0;
 }
 
 constexpr std::size_t kHugePage = std::size_t{2} << 20;

@@ -20,8 +20,12 @@ BilCube::Values values_of(EnviType type) {
     case EnviType::uint16: return BilCube::Values::bits;
     case EnviType::byte: return BilCube::Values::byte;
     case EnviType::float64: return BilCube::Values::wide;
-    default: return BilCube::Values::real;
+    case EnviType::float32: return BilCube::Values::real;
+    // No quantity has these (test_quantities).
+    case EnviType::int16:
+    case EnviType::int32: break;
   }
+  throw std::logic_error("no cube is written of signed integers");
 }
 
 std::filesystem::path with_ending(std::filesystem::path path, const std::string& ending) {

@@ -1,13 +1,12 @@
 #include "io/quantities/location_quantities.h"
 
-#include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "io/product_parts/acquisition.h"
 #include "render/tile_sink.h"
 #include "truth/location.h"
+#include "truth/view_angles.h"
 
 namespace ifov::io::quantities {
 namespace {
@@ -30,23 +29,10 @@ std::vector<double> map_positions(const FinishedTile& of) {
 void put_locations(const FinishedTile& of, ValueSink& sink) { sink.put(map_positions(of)); }
 
 void put_view_angles(const FinishedTile& of, ValueSink& sink) {
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
-  constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-  const std::vector<double> positions = map_positions(of);
-  const Acquisition::Camera& camera = of.acquisition.camera;
-  std::vector<float> angles;
-  angles.reserve(2 * of.tile.samples.size());
-  for (std::size_t i = 0; i < positions.size(); i += 3) {
-    const math::Point3 position{positions[i], positions[i + 1], positions[i + 2]};
-    const math::Vec3 to_sensor =
-        math::normalized(camera.position_m ? *camera.position_m - position : -camera.forward);
-    const double zenith = std::atan2(std::hypot(to_sensor.x, to_sensor.y), to_sensor.z) * kDegrees,
-                 azimuth = std::atan2(to_sensor.x, to_sensor.y) * kDegrees;
-    const bool known = !std::isnan(position.x);
-    angles.push_back(known ? static_cast<float>(zenith) : kUnknown);
-    angles.push_back(known ? static_cast<float>(azimuth < 0.0 ? azimuth + 360.0 : azimuth) : kUnknown);
-  }
-  sink.put(angles);
+  const sampling::TileLayer* const layer = of.tile.layer(truth::kViewAngles.name);
+  if (layer == nullptr)
+    return sink.put(std::vector<float>(2 * of.tile.samples.size(), std::numeric_limits<float>::quiet_NaN()));
+  sink.put(layer->values<float>());
 }
 
 constexpr std::string_view kPositionBands[] = {"easting", "northing", "height"},
@@ -74,7 +60,7 @@ constinit const Quantity kViewAngles{.name = "view_angles",
                                      .type = EnviType::float32,
                                      .bands = Quantity::Bands::named,
                                      .band_names = kAngleBands,
-                                     .collector = &truth::kLocation,
+                                     .collector = &truth::kViewAngles,
                                      .values = put_view_angles};
 
 }  // namespace ifov::io::quantities

@@ -82,8 +82,8 @@ void Glints::trace(std::vector<GlintPoint>& points) {
       continue;
     const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
     if (!(math::dot(from, outward) > 0.0) || !(from.z > 0.0)) continue;
-    legs.push_back({k, row_of(hit, surface, -seen)});
-    to_sun.push_back({hit.position_m + hit.offset_m * outward, from});
+    legs.push_back({k, row_of(hit, surface, rays[k])});
+    to_sun.push_back(rays[k].onward(hit.position_m + hit.offset_m * outward, from));
   }
   std::vector<std::uint8_t> blocked(to_sun.size());
   if (!to_sun.empty()) scene.world->occluded(to_sun, blocked);
@@ -97,13 +97,13 @@ void Glints::trace(std::vector<GlintPoint>& points) {
 }
 
 std::uint32_t Glints::row_of(const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface,
-                             math::Vec3 towards_sensor) {
+                             const math::Ray& seen) {
   // One surface of one material has one row: its glint is small.
   if (surface.count == 1 && surface.constituents[0].material == last_material_) return last_row_;
   last_material_ = surface.count == 1 ? surface.constituents[0].material : ~0u;
   radiometry::SpectrumBlock work(1, scene_.node_count());
   const float* sun = scene_.sun_irradiance(hit.position_m.z, work.row(0));
-  last_row_ = lights_.add_row(mirrored_.channels(surface, hit.position_m.z, towards_sensor, sun));
+  last_row_ = lights_.add_row(mirrored_.channels(surface, hit.position_m.z, seen, sun));
   return last_row_;
 }
 

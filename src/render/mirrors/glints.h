@@ -41,7 +41,7 @@ class Glints {
  private:
   void trace(std::vector<GlintPoint>& points);
   std::uint32_t row_of(const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface,
-                       math::Vec3 towards_sensor);
+                       const math::Ray& seen);
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;

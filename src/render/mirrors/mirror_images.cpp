@@ -219,7 +219,7 @@ void MirrorImages::trace(const Mirror& mirror, std::uint32_t part, std::vector<G
     const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
     if (!(dot(from, outward) > 0.0)) continue;
     legs.push_back(k);
-    onward.push_back({hit.position_m + hit.offset_m * outward, from});
+    onward.push_back(rays[k].onward(hit.position_m + hit.offset_m * outward, from));
   }
   std::vector<geometry::SurfacePoint> met(onward.size());
   scene.world->intersect(onward, met);

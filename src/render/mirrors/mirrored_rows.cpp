@@ -16,7 +16,7 @@ MirroredRows::MirroredRows(const transport::SpectralScene& scene)
       channels_(std::max(scene.nodes().channel_count(), scene.stride())) {}
 
 std::span<const float> MirroredRows::channels(const scene::ResolvedSurface& surface, double height_m,
-                                              math::Vec3 towards_sensor, const float* light) {
+                                              const math::Ray& seen, const float* light) {
   std::fill(share_.begin(), share_.end(), 0.0);
   for (const scene::Constituent& part : surface)
     if (transport::is_mirror(scene_.scene(), part))
@@ -24,7 +24,7 @@ std::span<const float> MirroredRows::channels(const scene::ResolvedSurface& surf
         share_[n] += part.weight * scene_.materials().reflectance(part.material)[n];
   const transport::ViewTable* table = scene_.view_table();
   std::optional<transport::ViewTable::Place> place;
-  if (table != nullptr) place = table->at(towards_sensor, height_m);
+  if (table != nullptr) place = table->at(-seen.direction, height_m, seen.origin_m.z);
   float* reflected = work_.row(0);
   for (std::size_t n = 0; n < share_.size(); ++n) {
     double through = scene_.has_view_path() ? scene_.view_transmittance()[n] : 1.0;

@@ -13,9 +13,9 @@ class MirroredRows {
   explicit MirroredRows(const transport::SpectralScene& scene);
 
   /// `light`: radiance in nodes that meets a surface at a height; its mirror parts reflect it, and the air takes its
-  /// share. By channel, until the next call.
+  /// share on the way back along `seen`, a ray from the sensor. By channel, until the next call.
   std::span<const float> channels(const scene::ResolvedSurface& surface, double height_m,
-                                  math::Vec3 towards_sensor, const float* light);
+                                  const math::Ray& seen, const float* light);
 
  private:
   const transport::SpectralScene& scene_;

@@ -111,8 +111,9 @@ std::vector<std::vector<UnseenImages::Leaving>> UnseenImages::follow(
         (transport::is_mirror(scene, part) ? share : scattered) +=
             part.weight * scene_.brightest(part.material);
       if (level == 0 && scattered > 0.0)
-        lit.push_back({hit.position_m, (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector(),
-                       who[k], scattered});
+        lit.push_back({hit.position_m, rays[k].time_s,
+                       (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector(), who[k],
+                       scattered});
       if (!(share > 0.0)) continue;
       const Vec3 normal = surface.shading_normal.as_vector(), seen = rays[k].direction;
       Leaving& next = leaving[who[k]];
@@ -122,12 +123,13 @@ std::vector<std::vector<UnseenImages::Leaving>> UnseenImages::follow(
       const Leaving* before = level > 0 ? &levels[level - 1][who[k]] : nullptr;
       next.any = true;
       next.at = hit.position_m + hit.offset_m * next.outward;
+      next.time_s = rays[k].time_s;
       // Faces of one object count as one where they bend, each as its own else.
       const std::uint64_t face = hit.bend == geometry::Bend::none ? hit.primitive + 1u : 0u;
       next.way = sampling::hash(before != nullptr ? before->way : level, hit.instance, hit.patch, face);
       if (before == nullptr) next.only = images_.apart().mirror_of(hit, normal);
       next.brightness = (before != nullptr ? before->brightness : 1.0) * share;
-      rays[kept] = {next.at, next.direction};
+      rays[kept] = rays[k].onward(next.at, next.direction);
       who[kept++] = who[k];
     }
     rays.resize(kept);
@@ -137,13 +139,12 @@ std::vector<std::vector<UnseenImages::Leaving>> UnseenImages::follow(
   return levels;
 }
 
-bool UnseenImages::is_free(math::Point3 from, math::Point3 centre_m, double radius_m,
+bool UnseenImages::is_free(math::Point3 from, double time_s, math::Point3 centre_m, double radius_m,
                            sampling::RayCounts& counts) const {
   const Vec3 to = centre_m - from;
   const double distance = length(to), before = distance - radius_m;
   if (!(before > 0.0)) return true;
-  math::Ray ray{from, to / distance};
-  ray.t_max_m = before * (1.0 - 1e-6);
+  const math::Ray ray{from, to / distance, 0.0, before * (1.0 - 1e-6), time_s};
   std::uint8_t blocked = 0;
   scene_.scene().world->occluded({&ray, 1}, {&blocked, 1});
   ++counts.shadow;
@@ -180,8 +181,8 @@ void UnseenImages::add_thrown(const Lit& lit, double weight, double* unseen,
       const double share = weight * lit.brightness * std::min(1.0, cosine) * arrives_sr / std::numbers::pi;
       if (!(share * target.part.contrast > kTooLittle)) continue;
       if (!asked)
-        free = is_free(lit.at + 1e-6 * (1.0 + apart) * lit.outward, round.ball.centre_m, round.ball.radius_m,
-                       counts);
+        free = is_free(lit.at + 1e-6 * (1.0 + apart) * lit.outward, lit.time_s, round.ball.centre_m,
+                       round.ball.radius_m, counts);
       asked = true;
       if (!free) break;
       const std::span<const double> highest = images_.parts().highest(target.part.covering);
@@ -214,7 +215,7 @@ void UnseenImages::look(const Leaving* const (&corner)[3], double area_px2, doub
       if (area_px2 * std::numbers::pi * filled > kMet_px2 * 0.43 * spread * spread) return;
       const double share = std::min(1.0, filled / std::pow(std::min(kAnywhere, kBeyond * spread + wide), 2));
       if (!(share > 0.0) ||
-          (!period && !is_free(from.at, target.centre_m, target.part.ball.radius_m, counts)))
+          (!period && !is_free(from.at, from.time_s, target.centre_m, target.part.ball.radius_m, counts)))
         return;
       const std::span<const double> highest = images_.parts().highest(target.part.covering);
       for (std::size_t c = 0; c < highest.size(); ++c)

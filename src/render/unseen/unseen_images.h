@@ -40,6 +40,7 @@ class UnseenImages {
   struct Leaving {
     bool any = false;
     math::Point3 at;
+    double time_s = 0.0;
     math::Vec3 direction, outward;
     std::uint64_t way = 0;  ///< equal for rays that met the same mirrors in turn
     transport::ImagesApart::Mirror only = transport::ImagesApart::kNone;  ///< the mirror, if it is one alone
@@ -50,6 +51,7 @@ class UnseenImages {
   /// A surface that scatters, met first.
   struct Lit {
     math::Point3 at;
+    double time_s = 0.0;
     math::Vec3 outward;
     std::size_t ray = 0;
     double brightness = 0.0;  ///< what it makes of light, at most
@@ -74,7 +76,8 @@ class UnseenImages {
   void look(const Leaving* const (&corner)[3], double area_px2, double* unseen,
             sampling::RayCounts& counts) const;
   /// Whether nothing stands between a point and a ball.
-  bool is_free(math::Point3 from, math::Point3 centre_m, double radius_m, sampling::RayCounts& counts) const;
+  bool is_free(math::Point3 from, double time_s, math::Point3 centre_m, double radius_m,
+               sampling::RayCounts& counts) const;
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geodesy/sun_position.h"
 #include "io/document/document.h"
 #include "io/raster/map_reference.h"
 #include "sensor/camera.h"
@@ -14,23 +15,18 @@ namespace {
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 io::Acquisition::Light light_of(const scene::Sun& sun) {
-  const double azimuth = std::atan2(sun.direction.x, sun.direction.y) * kDegrees;
-  return {std::atan2(std::hypot(sun.direction.x, sun.direction.y), sun.direction.z) * kDegrees,
-          azimuth < 0.0 ? azimuth + 360.0 : azimuth, sun.is_moon};
+  return {sun.zenith_rad() * kDegrees, geodesy::compass_deg(sun.azimuth_rad()), sun.is_moon};
 }
 
-/// What the ray through a point of the image meets.
-std::optional<math::Point3> place_of(const Parts& parts, double x_px, double y_px) {
-  const sampling::FocalPoint point{x_px, y_px};
-  math::Ray ray;
+/// What a ray of the camera meets.
+std::optional<math::Point3> place_of(const Parts& parts, const math::Ray& ray) {
   geometry::SurfacePoint hit;
-  parts.camera->rays({&point, 1}, {&ray, 1});
   parts.scene.world->intersect({&ray, 1}, {&hit, 1});
   return hit.hit() ? std::optional(hit.position_m) : std::nullopt;
 }
 
 io::Acquisition::Camera camera_of(const Parts& parts) {
-  const sensor::CameraPose pose = parts.camera->pose();
+  const sensor::CameraPose pose = parts.camera->pose(parts.camera->middle_line_px());
   io::Acquisition::Camera camera;
   camera.model = parts.document.sensor.camera.model;
   camera.right = pose.axes.right, camera.down = pose.axes.down, camera.forward = pose.axes.forward;
@@ -38,8 +34,7 @@ io::Acquisition::Camera camera_of(const Parts& parts) {
   if (pose.position_m) camera.position_m = *pose.position_m + parts.map_offset_m;
   if (const auto grid = parts.camera->ground_grid())
     camera.ground_sample_m = grid->gsd_m;
-  else if (const auto middle =
-               place_of(parts, 0.5 * parts.camera->width_px(), 0.5 * parts.camera->height_px()))
+  else if (const auto middle = place_of(parts, parts.camera->middle_ray()))
     camera.ground_sample_m = parts.camera->gsd_m(*middle);
   return camera;
 }
@@ -87,7 +82,7 @@ io::Acquisition assemble_acquisition(const Parts& parts) {
   const double corners[][2] = {{0.0, 0.0}, {width, 0.0}, {width, height}, {0.0, height}};
   for (const auto& [x, y] : corners) {
     result.footprint.emplace_back();
-    if (const auto place = place_of(parts, x, y)) {
+    if (const auto place = place_of(parts, parts.camera->ray({x, y}))) {
       const math::Point3 on_map = *place + parts.map_offset_m;
       result.footprint.back() = {on_map, degrees(on_map)};
     }

@@ -16,6 +16,10 @@ Parts::Parts(const io::Document& of)
 
 Parts::~Parts() = default;
 
+bool Parts::has_sky() const {
+  return scene.sky.radiance || scene.sky.temperature_k || atmosphere || (imported && imported->has_sky());
+}
+
 render::RenderJob Parts::job() const { return job(plan, tolerance.get()); }
 
 render::RenderJob Parts::job(const SamplingPlan& sampling, const render::AccuracyTolerance* limits) const {

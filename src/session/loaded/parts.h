@@ -72,6 +72,8 @@ struct Parts {
   std::vector<std::string> places;    ///< where things are and what some rays see, lines for people
   std::vector<std::string> warnings;  ///< all that were given while the document was loaded
 
+  /// Whether light comes from above the horizon beside the Sun's: of the scene's own sky, or of its air.
+  bool has_sky() const;
   /// The job that renders the document's image.
   render::RenderJob job() const;
   /// The same image sampled in another way; keeps references to both.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "atmosphere/imported_atmosphere.h"
 #include "core/format.h"
 #include "io/document/document.h"
 #include "sampling/halton.h"
@@ -54,8 +53,7 @@ void warn_of_sun(const Parts& parts, LogSink& log) {
   const auto& sun = parts.scene.sun;
   constexpr double kOnHorizon = 1e-6;  // what rounding makes of a zenith angle of 90 degrees
   if (!sun || sun->direction.z > kOnHorizon) return;
-  const double below_deg =
-      std::abs(std::asin(std::clamp(-sun->direction.z, 0.0, 1.0))) * 180.0 / std::numbers::pi;
+  const double below_deg = std::max(0.0, -sun->elevation_rad()) * 180.0 / std::numbers::pi;
   log.warn(
       format("the {} stands {:.1f} deg below the horizon: it lights nothing, and twilight is not modelled",
              sun->is_moon ? "Moon" : "Sun", below_deg));
@@ -64,9 +62,7 @@ void warn_of_sun(const Parts& parts, LogSink& log) {
 void warn_of_sky(const Parts& parts, LogSink& log) {
   const io::Document& document = parts.document;
   const bool declared = document.light.sky_position.line > 0;
-  const bool has_sky = parts.scene.sky.radiance || parts.scene.sky.temperature_k || parts.atmosphere ||
-                       (parts.imported && parts.imported->has_sky());
-  if (declared || has_sky || !anything_reflects(parts)) return;
+  if (declared || parts.has_sky() || !anything_reflects(parts)) return;
   const bool reflective = parts.scene.sun && any_channel(parts, [](double um) { return um <= kThermal_um; });
   const bool thermal =
       parts.scene.temperatures() && any_channel(parts, [](double um) { return um > kEmission_um; });

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/format.h"
+#include "geodesy/sun_position.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
 #include "render/tolerance/channel_brightness.h"
@@ -67,7 +68,7 @@ std::string sees_line(const Parts& parts, const SceneLook& look) {
   if (look.distance_m.low > look.distance_m.high) return "nothing but sky";
   std::string text = area_text(parts, look.x_m, look.y_m);
   text += format("; a pixel covers {}", range_text(look.gsd_m.low, look.gsd_m.high, "m"));
-  if (parts.camera->pose().position_m)
+  if (parts.camera->pose(parts.camera->middle_line_px()).position_m)
     text += format(", {} away", range_text(look.distance_m.low, look.distance_m.high, "m"));
   if (look.sky_share > 0.0) text += format("; {:.2g} % sees no surface", 100.0 * look.sky_share);
   return text;
@@ -92,10 +93,8 @@ std::string in_view_line(const SceneLook& look) {
 std::string sun_line(const Parts& parts) {
   const auto& sun = parts.scene.sun;
   if (!sun) return "none";
-  const double azimuth = std::atan2(sun->direction.x, sun->direction.y) * kDegrees;
-  return format("{:.4g} deg above the horizon, azimuth {:.4g} deg",
-                std::asin(std::clamp(sun->direction.z, -1.0, 1.0)) * kDegrees,
-                azimuth < 0.0 ? azimuth + 360.0 : azimuth);
+  return format("{:.4g} deg above the horizon, azimuth {:.4g} deg", sun->elevation_rad() * kDegrees,
+                geodesy::compass_deg(sun->azimuth_rad()));
 }
 
 /// One text for each of the first channels and the last.

@@ -5,6 +5,7 @@
 
 #include "core/format.h"
 #include "core/names.h"
+#include "geodesy/geodetic.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
 #include "io/document/shapes/box_primitive.h"
@@ -45,7 +46,7 @@ void warn_of_camera(const Parts& parts, const SceneLook& look, LogSink& log) {
         "the camera's 'height' of {:g} m lies below the top of the scene at {:g} m: what is above it is not seen. "
         "Leave 'height' out, and rays start above everything",
         *height_m, top_m + offset_m.z));
-  const std::optional<math::Point3> place = parts.camera->pose().position_m;
+  const std::optional<math::Point3> place = parts.camera->pose(parts.camera->middle_line_px()).position_m;
   if (place && world.object_count() > 0) {
     constexpr double kInside = 0.9;
     const math::Ray up{*place, {0.0, 0.0, 1.0}};
@@ -199,17 +200,15 @@ void warn_of_degrees(const Parts& parts, LogSink& log) {
 
 /// Two places for one origin: the Sun follows the first, the map the second.
 void warn_of_two_origins(const Parts& parts, LogSink& log) {
-  constexpr double kRadius_m = 6371008.8, kNoticed_m = 5000.0, kDegree = std::numbers::pi / 180.0;
+  constexpr double kNoticed_m = 5000.0, kDegree = std::numbers::pi / 180.0;
   const io::OriginDocument& origin = parts.document.scene.origin;
   if (!origin.geographic || !origin.has_map_offset) return;
   const auto on_map = geographic_place(parts.info.map_projection, math::Point3{} + parts.map_offset_m);
   if (!on_map) return;
   const double latitude = origin.geographic->latitude_rad, longitude = origin.geographic->longitude_rad;
-  const double other = on_map->latitude_deg * kDegree, between = on_map->longitude_deg * kDegree - longitude;
-  const double half_chord =
-      std::hypot(std::sin(0.5 * (other - latitude)),
-                 std::sqrt(std::cos(latitude) * std::cos(other)) * std::sin(0.5 * between));
-  const double apart_m = 2.0 * kRadius_m * std::asin(std::min(1.0, half_chord));
+  const double apart_m =
+      length(geodesy::ecef_from_geodetic({latitude, longitude}) -
+             geodesy::ecef_from_geodetic({on_map->latitude_deg * kDegree, on_map->longitude_deg * kDegree}));
   if (apart_m < kNoticed_m) return;
   log.warn(format(
       "the origin's latitude {:.4g} and longitude {:.4g} deg lie {:.0f} km from its easting and northing, which are at "

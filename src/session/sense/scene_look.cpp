@@ -28,12 +28,7 @@ void include(SceneLook::Range& range, double value) {
 }
 
 std::vector<sampling::FocalPoint> grid_of(const sensor::Camera& camera, int across) {
-  const int columns = std::min(across, camera.width_px()), rows = std::min(across, camera.height_px());
-  std::vector<sampling::FocalPoint> points;
-  for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < columns; ++i)
-      points.push_back({(i + 0.5) / columns * camera.width_px(), (j + 0.5) / rows * camera.height_px()});
-  return points;
+  return sensor::grid_over(camera, std::min(across, camera.width_px()), std::min(across, camera.height_px()));
 }
 
 void see(const Parts& parts, std::span<const sampling::FocalPoint> points, SceneLook& look) {

@@ -34,14 +34,14 @@ AtmosphereSection sun_section(const AtmosphereOptions&) {
       "differ by is SPA's: it keeps the larger terms of the series of VSOP87 alone.";
   Sweep spa, jpl, between;
   for (const SunReference& reference : kSunReferences) {
-    const math::Vec3 ours =
-        geodesy::sun_position(geodesy::parse_utc(reference.time), reference.latitude_deg * kDegree,
-                              reference.longitude_deg * kDegree, reference.height_m)
-            .direction_enu;
+    const math::Vec3 ours = geodesy::sun_position(geodesy::parse_utc(reference.time),
+                                                  {reference.latitude_deg * kDegree,
+                                                   reference.longitude_deg * kDegree, reference.height_m})
+                                .direction_enu.v;
     const math::Vec3 by_spa =
-        geodesy::direction_enu(reference.azimuth_deg * kDegree, reference.elevation_deg * kDegree);
+        geodesy::direction_enu(reference.azimuth_deg * kDegree, reference.elevation_deg * kDegree).v;
     const math::Vec3 by_jpl =
-        geodesy::direction_enu(reference.jpl_azimuth_deg * kDegree, reference.jpl_elevation_deg * kDegree);
+        geodesy::direction_enu(reference.jpl_azimuth_deg * kDegree, reference.jpl_elevation_deg * kDegree).v;
     spa.angles_deg.push_back(angle_deg(ours, by_spa));
     jpl.angles_deg.push_back(angle_deg(ours, by_jpl));
     between.angles_deg.push_back(angle_deg(by_spa, by_jpl));

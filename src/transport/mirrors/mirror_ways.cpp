@@ -21,7 +21,7 @@ bool reflect(MirrorWay& way, const SunMirrors& mirrors, const geometry::SurfaceP
   const math::Vec3 outward = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
   if (!(math::dot(next, outward) > 0.0)) return false;
   ++way.count;
-  way.ray = {hit.position_m + hit.offset_m * outward, next};
+  way.ray = way.ray.onward(hit.position_m + hit.offset_m * outward, next);
   return true;
 }
 

@@ -77,9 +77,14 @@ EmitterShape::EmitterShape(const geometry::SurfacePiece& piece, bool closed)
       centre_m_ = map(Point3{0.0, 0.0, 0.5});
       radius_m_ = 0.5 * c + std::hypot(a, b);
       break;
-    default:
+    case Kind::disk:
       centre_m_ = map.origin_m();
-      radius_m_ = kind_ == Kind::disk ? std::hypot(a, b) : std::sqrt(a * a + b * b + c * c);
+      radius_m_ = std::hypot(a, b);
+      break;
+    case Kind::ball:
+    case Kind::hemisphere:
+      centre_m_ = map.origin_m();
+      radius_m_ = std::sqrt(a * a + b * b + c * c);
       break;
   }
   flat_ = straight() || kind_ == Kind::disk;
@@ -322,15 +327,15 @@ SurfaceSample EmitterShape::point(Point2 u) const {
       return {scene_from_unit_(Point3{std::cos(azimuth), std::sin(azimuth), u.y}), math::normalized(area),
               1.0 / (2.0 * pi * math::length(area))};
     }
-    default: {
-      Point2 p = u;
-      if (kind_ == Kind::disk)
-        p = sampling::uniform_disk(u);
-      else if (kind_ == Kind::triangle && u.x + u.y > 1.0)
-        p = {1.0 - u.x, 1.0 - u.y};
-      return {scene_from_unit_(Point3{p.x, p.y, 0.0}), normal_, 1.0 / area_m2_};
-    }
+    case Kind::disk: return flat_point(sampling::uniform_disk(u));
+    case Kind::triangle: return flat_point(u.x + u.y > 1.0 ? Point2{1.0 - u.x, 1.0 - u.y} : u);
+    case Kind::parallelogram: return flat_point(u);
   }
+  return {};
+}
+
+SurfaceSample EmitterShape::flat_point(Point2 unit) const {
+  return {scene_from_unit_(Point3{unit.x, unit.y, 0.0}), normal_, 1.0 / area_m2_};
 }
 
 double EmitterShape::point_density(Point3 at_m) const {
@@ -340,8 +345,11 @@ double EmitterShape::point_density(Point3 at_m) const {
     case Kind::hemisphere: return ball_point(Point3{} + math::normalized(unit - Point3{})).density;
     case Kind::open_cylinder:
       return 1.0 / (2.0 * pi * math::length(tube_area(scene_from_unit_, std::atan2(unit.y, unit.x))));
-    default: return 1.0 / area_m2_;
+    case Kind::disk:
+    case Kind::triangle:
+    case Kind::parallelogram: return 1.0 / area_m2_;
   }
+  return 0.0;
 }
 
 }  // namespace ifov::transport

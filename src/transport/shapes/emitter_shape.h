@@ -70,6 +70,7 @@ class EmitterShape {
   double reach_by_area(const Receiver& receiver) const;
   AimedDirection aim_at_ball(const Receiver& receiver, sampling::Point2 u) const;
   SurfaceSample ball_point(math::Point3 unit) const;
+  SurfaceSample flat_point(sampling::Point2 unit) const;
   double density_of_ball(const Receiver& receiver, math::Vec3 direction) const;
   AimedDirection aim_at_cylinder(const Receiver& receiver, sampling::Point2 u) const;
   double density_of_cylinder(const Receiver& receiver, math::Vec3 direction, double distance_m) const;

@@ -11,19 +11,36 @@
 namespace ifov::io {
 namespace {
 
-Kind<Attitude> attitude_kind() {
-  Record<Attitude> record(
+Kind<geodesy::Attitude> attitude_kind() {
+  Record<geodesy::Attitude> record(
       "attitude",
       "Attitude of the aircraft that the camera hangs below, its axis along the body's down and the "
       "top of the image at the nose: 3-2-1 sequence in north-east-down axes. All zero looks "
       "straight down with north at the top.");
   record
-      .with_default("yaw", &Attitude::yaw_rad, quantity(kAngle), "\"0 deg\"", "heading, clockwise from north")
-      .with_default("pitch", &Attitude::pitch_rad, quantity(kAngle, Range::between(-90.0, 90.0, "deg")),
-                    "\"0 deg\"", "nose up")
-      .with_default("roll", &Attitude::roll_rad, quantity(kAngle), "\"0 deg\"", "right wing down");
+      .with_default("yaw", &geodesy::Attitude::yaw_rad, quantity(kAngle), "\"0 deg\"",
+                    "heading, clockwise from north")
+      .with_default("pitch", &geodesy::Attitude::pitch_rad,
+                    quantity(kAngle, Range::between(-90.0, 90.0, "deg")), "\"0 deg\"", "nose up")
+      .with_default("roll", &geodesy::Attitude::roll_rad, quantity(kAngle), "\"0 deg\"", "right wing down");
   return record.kind();
 }
+
+struct Axes {
+  math::Point3 position_m;  // in the scene
+  math::Vec3 offset_m;
+
+  sensor::CameraAxes operator()(const LookAt& look) const {
+    const math::Point3 target_m = look.target_m - offset_m;
+    const math::Vec3 along = math::normalized(target_m - position_m);
+    const bool vertical = std::abs(along.z) > 1.0 - 1e-9;
+    const math::Vec3 up = look.up.value_or(vertical ? math::Vec3{0.0, 1.0, 0.0} : math::Vec3{0.0, 0.0, 1.0});
+    return sensor::axes_looking_at(position_m, target_m, up);
+  }
+  sensor::CameraAxes operator()(const geodesy::Attitude& attitude) const {
+    return sensor::axes_from_attitude(attitude);
+  }
+};
 
 struct FrameEntry {
   FrameCamera camera;
@@ -54,7 +71,7 @@ Kind<std::shared_ptr<const CameraSettings>> frame_kind() {
           },
           point(), "point at the image's centre")
       .one(
-          "attitude", [](FrameEntry& e, Attitude a) { e.camera.orientation = a; }, attitude_kind(),
+          "attitude", [](FrameEntry& e, geodesy::Attitude a) { e.camera.orientation = a; }, attitude_kind(),
           "instead: angles")
       .optional("up", &FrameEntry::up, direction(),
                 "direction that is up in the image; +z if not given, or north where the camera looks along z")
@@ -83,16 +100,7 @@ std::unique_ptr<sensor::Camera> FrameCamera::build(const CameraSite& site) const
   settings.focal_length_m = focal_length_m;
   settings.pitch_m = pitch_m;
   settings.position_m = position_m - site.offset_m;
-  if (const auto* look = std::get_if<LookAt>(&orientation)) {
-    const math::Point3 target_m = look->target_m - site.offset_m;
-    const math::Vec3 along = math::normalized(target_m - settings.position_m);
-    const bool vertical = std::abs(along.z) > 1.0 - 1e-9;
-    const math::Vec3 up = look->up.value_or(vertical ? math::Vec3{0.0, 1.0, 0.0} : math::Vec3{0.0, 0.0, 1.0});
-    settings.axes = sensor::axes_looking_at(settings.position_m, target_m, up);
-  } else {
-    const Attitude& attitude = std::get<Attitude>(orientation);
-    settings.axes = sensor::axes_from_yaw_pitch_roll(attitude.yaw_rad, attitude.pitch_rad, attitude.roll_rad);
-  }
+  settings.axes = std::visit(Axes{settings.position_m, site.offset_m}, orientation);
   return std::make_unique<sensor::FrameCamera>(settings);
 }
 
@@ -115,7 +123,7 @@ std::shared_ptr<const CameraSettings> FrameCamera::shrunk(int longest_px) const 
 
 std::shared_ptr<const CameraSettings> FrameCamera::seen_from(double zenith_rad, double azimuth_rad) const {
   auto camera = std::make_shared<FrameCamera>(*this);
-  const math::Vec3 up = geodesy::direction_enu(azimuth_rad, 0.5 * std::numbers::pi - zenith_rad);
+  const math::Vec3 up = geodesy::direction_enu(azimuth_rad, 0.5 * std::numbers::pi - zenith_rad).v;
   camera->orientation = LookAt{position_m - up, std::nullopt};
   return camera;
 }

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "geodesy/attitude.h"
 #include "io/document/cameras/camera_model.h"
 #include "io/document/cameras/image_size.h"
 
@@ -14,13 +15,6 @@ struct LookAt {
                                  ///< the camera looks along z
 };
 
-/// Attitude of the aircraft that the camera hangs below, its axis along the body's down and the top of the
-/// image at the nose: yaw clockwise from north, pitch nose up, roll right wing down, the 3-2-1 sequence in
-/// north-east-down axes. All zero looks straight down with north at the top.
-struct Attitude {
-  double yaw_rad = 0.0, pitch_rad = 0.0, roll_rad = 0.0;
-};
-
 struct FrameCamera final : CameraSettings {
   static const CameraModel kModel;
 
@@ -28,7 +22,8 @@ struct FrameCamera final : CameraSettings {
   double pitch_m = 0.0;  ///< of the detector elements
   ImageSize size;
   math::Point3 position_m;
-  std::variant<LookAt, Attitude> orientation;
+  /// An attitude is that of the aircraft that the camera hangs below (sensor::axes_from_attitude).
+  std::variant<LookAt, geodesy::Attitude> orientation;
 
   std::unique_ptr<sensor::Camera> build(const CameraSite& site) const override;
   std::string description(math::Vec3 shift_m, std::string_view axes) const override;

@@ -7,6 +7,7 @@
 
 #include "core/format.h"
 #include "core/names.h"
+#include "core/overloaded.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/samplers/sampler_settings.h"
 
@@ -69,20 +70,25 @@ class ReferenceCheck {
     if (const DocumentName* of = copied_by(object)) require("prototype", *of, prototypes_);
     if (const auto* scatter = std::get_if<ScatterShape>(&object.shape)) check(*scatter);
     if (!object.material) return;
-    if (const auto* name = std::get_if<DocumentName>(&object.material->value)) {
-      require("material", *name, materials_);
-    } else if (const auto* map = std::get_if<MaterialMap>(&object.material->value)) {
-      for (const auto& [number, material] : map->classes) require("material", material, materials_);
-    } else if (const auto* mixture = std::get_if<MixtureDocument>(&object.material->value)) {
-      for (const DocumentName& material : mixture->materials) require("material", material, materials_);
-    } else if (const auto* slots = std::get_if<MaterialSlots>(&object.material->value)) {
-      for (const auto& [slot, material] : slots->slots) require("material", material, materials_);
-      if (!std::holds_alternative<MeshShape>(object.shape) &&
-          !std::holds_alternative<CityShape>(object.shape)) {
-        throw document_error(document_, object.material->position,
-                             "only a mesh and a city have 'slots', the names of materials in their files");
-      }
-    }
+    const auto known = [&](const DocumentName& material) { require("material", material, materials_); };
+    std::visit(
+        Overloaded{[&](const DocumentName& name) { known(name); },
+                   [&](const MaterialMap& map) {
+                     for (const auto& [number, material] : map.classes) known(material);
+                   },
+                   [&](const MixtureDocument& mixture) {
+                     for (const DocumentName& material : mixture.materials) known(material);
+                   },
+                   [&](const MaterialSlots& slots) {
+                     for (const auto& [slot, material] : slots.slots) known(material);
+                     if (!std::holds_alternative<MeshShape>(object.shape) &&
+                         !std::holds_alternative<CityShape>(object.shape)) {
+                       throw document_error(
+                           document_, object.material->position,
+                           "only a mesh and a city have 'slots', the names of materials in their files");
+                     }
+                   }},
+        object.material->value);
   }
 
   void check(const ScatterShape& scatter) const {

@@ -1,4 +1,5 @@
 #include "core/format.h"
+#include "core/overloaded.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
 
@@ -120,14 +121,17 @@ std::string wavelength_text(double um) {
 }
 
 std::string name_from(const Response& response) {
-  if (const auto* c = std::get_if<GaussianChannel>(&response)) return wavelength_text(c->centre_um);
-  if (const auto* c = std::get_if<MonochromaticChannel>(&response)) return wavelength_text(c->at_um);
-  if (const auto* c = std::get_if<TopHatChannel>(&response)) {
-    return format("{} to {}", wavelength_text(c->from_um), wavelength_text(c->to_um));
-  }
-  const TabulatedChannel& tabulated = std::get<TabulatedChannel>(response);
-  const std::string& path = tabulated.file.path;
-  return tabulated.band.empty() ? path.substr(path.find_last_of('/') + 1) : tabulated.band;
+  return std::visit(Overloaded{[](const GaussianChannel& c) { return wavelength_text(c.centre_um); },
+                               [](const MonochromaticChannel& c) { return wavelength_text(c.at_um); },
+                               [](const TopHatChannel& c) {
+                                 return format("{} to {}", wavelength_text(c.from_um),
+                                               wavelength_text(c.to_um));
+                               },
+                               [](const TabulatedChannel& c) {
+                                 const std::string& path = c.file.path;
+                                 return c.band.empty() ? path.substr(path.find_last_of('/') + 1) : c.band;
+                               }},
+                    response);
 }
 
 }  // namespace

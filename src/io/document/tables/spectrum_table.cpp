@@ -45,13 +45,27 @@ Kind<SpectrumDocument> finished_file(Record<Entry<Source>>& record, SpectrumOf q
 
 /// The dimension of a spectrum's values; null for fractions, which have no unit.
 const Dimension* dimension_of(SpectrumOf quantity) {
-  if (quantity == SpectrumOf::radiance) return &kRadiance;
-  return quantity == SpectrumOf::irradiance ? &kIrradiance : nullptr;
+  switch (quantity) {
+    case SpectrumOf::radiance: return &kRadiance;
+    case SpectrumOf::irradiance: return &kIrradiance;
+    case SpectrumOf::reflectance:
+    case SpectrumOf::emissivity:
+    case SpectrumOf::transmittance:
+    case SpectrumOf::fraction: break;
+  }
+  return nullptr;
 }
 
 std::string name_for(std::string_view form, SpectrumOf quantity) {
-  if (quantity == SpectrumOf::radiance) return format("{} of radiance", form);
-  return quantity == SpectrumOf::irradiance ? format("{} of irradiance", form) : std::string(form);
+  switch (quantity) {
+    case SpectrumOf::radiance: return format("{} of radiance", form);
+    case SpectrumOf::irradiance: return format("{} of irradiance", form);
+    case SpectrumOf::reflectance:
+    case SpectrumOf::emissivity:
+    case SpectrumOf::transmittance:
+    case SpectrumOf::fraction: break;
+  }
+  return std::string(form);
 }
 
 Kind<double> value_kind(SpectrumOf quantity_of) {

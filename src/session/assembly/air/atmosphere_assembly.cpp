@@ -19,7 +19,13 @@ namespace {
 /// carry, so that sensors of few channels can afford more of them and be nearer to what is asked for.
 constexpr double kNodeTolerance = 5e-3, kFinest = 5e-4;
 constexpr std::size_t kMostColumns = 256, kUsualNodes = 8, kMostNodes = 32;
-constexpr double kAboveAllAir_km = 100.0;
+
+double sensor_altitude_km(const io::Document& document, const sensor::Camera& camera, double line_px,
+                          double ground_km) {
+  if (const std::optional<double>& given = document.atmosphere.modelled->sensor_altitude_km) return *given;
+  const std::optional<double> altitude_m = camera.pose(line_px).altitude_m();
+  return altitude_m ? ground_km + 1e-3 * *altitude_m : atmosphere::kTopOfAtmosphereKm;
+}
 
 void warn(const AirSubject& subject, const atmosphere::AtmosphereColumn& column,
           const atmosphere::SensorAtmosphere& air, LogSink& log) {
@@ -55,11 +61,9 @@ atmosphere::AtmosphereColumn assemble_column(const io::Document& document) {
 atmosphere::SensorGeometry sensor_geometry(const io::Document& document, const sensor::Camera& camera,
                                            const std::optional<scene::Sun>& sun, double ground_km) {
   atmosphere::SensorGeometry geometry;
-  const sampling::FocalPoint centre{0.5 * camera.width_px(), 0.5 * camera.height_px()};
-  math::Ray ray;
-  camera.rays({&centre, 1}, {&ray, 1});
-  const math::Vec3 up = -ray.direction;
-  geometry.view_zenith_rad = std::acos(std::clamp(up.z, -1.0, 1.0));
+  const math::Ray middle = camera.middle_ray();
+  const math::Vec3 up = -middle.direction;
+  geometry.view_zenith_rad = sensor::nadir_angle_rad(middle);
   if (!(geometry.view_zenith_rad <= kLowestView_rad))
     throw io::document_error(
         document, document.sensor.camera.position,
@@ -67,19 +71,27 @@ atmosphere::SensorGeometry sensor_geometry(const io::Document& document, const s
             "under a modelled atmosphere the camera must look down, at most {:.0f} degrees from the nadir; the middle "
             "of its image looks {:.1f} degrees away",
             kLowestView_rad * 180.0 / std::numbers::pi, geometry.view_zenith_rad * 180.0 / std::numbers::pi));
-  if (sun && sun->direction.z > 0.0) {
-    const math::Vec3 towards = sun->direction;
-    geometry.sun_zenith_rad = std::acos(std::clamp(towards.z, -1.0, 1.0));
-    geometry.view_azimuth_rad = std::atan2(up.x, up.y) - std::atan2(towards.x, towards.y);
+  if (sun && sun->is_up()) {
+    geometry.sun_zenith_rad = sun->zenith_rad();
+    geometry.view_azimuth_rad = std::atan2(up.x, up.y) - sun->azimuth_rad();
   }
-  const std::optional<math::Point3> position_m = camera.pose().position_m;
-  geometry.sensor_altitude_km = position_m ? ground_km + 1e-3 * position_m->z : kAboveAllAir_km;
-  if (document.atmosphere.modelled->sensor_altitude_km)
-    geometry.sensor_altitude_km = *document.atmosphere.modelled->sensor_altitude_km;
+  geometry.sensor_altitude_km = sensor_altitude_km(document, camera, camera.middle_line_px(), ground_km);
   if (!(geometry.sensor_altitude_km > ground_km))
     throw InputError(format("the sensor stands at {:g} km, not above the ground at {:g} km",
                             geometry.sensor_altitude_km, ground_km));
   return geometry;
+}
+
+atmosphere::SensorAltitudes sensor_altitudes(const io::Document& document, const sensor::Camera& camera,
+                                             double ground_km) {
+  const auto at = [&](double line_px) { return sensor_altitude_km(document, camera, line_px, ground_km); };
+  const double middle_km = at(camera.middle_line_px());
+  atmosphere::SensorAltitudes altitudes{middle_km, middle_km};
+  for (int line = 0; line <= camera.height_px(); ++line) {
+    altitudes.low_km = std::min(altitudes.low_km, at(line));
+    altitudes.high_km = std::max(altitudes.high_km, at(line));
+  }
+  return altitudes;
 }
 
 atmosphere::SightRange sight_range(const sensor::Camera& camera, const std::optional<scene::Sun>& sun,
@@ -153,7 +165,7 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
         sensor_geometry(document, subject.camera, subject.scene.sun, column.levels().altitude_km.front());
     inputs.sights.emplace(
         sight_range(subject.camera, subject.scene.sun, subject.scene.world->heights().high_m),
-        column.levels());
+        column.levels(), sensor_altitudes(document, subject.camera, column.levels().altitude_km.front()));
     inputs.with_errors = true;
     inputs.ground = subject.scene.materials[subject.scene.surroundings.material].reflectance;
     inputs.threads = work.threads;

@@ -16,6 +16,7 @@ namespace ifov::atmosphere {
 class AtmosphereColumn;
 class KeptSolutions;
 class SensorAtmosphere;
+struct SensorAltitudes;
 struct SensorGeometry;
 struct SightRange;
 }  // namespace ifov::atmosphere
@@ -40,6 +41,10 @@ atmosphere::AtmosphereColumn assemble_column(const io::Document& document);
 /// Sun and sensor over ground at this altitude. Throws InputError, at the place in the document.
 atmosphere::SensorGeometry sensor_geometry(const io::Document& document, const sensor::Camera& camera,
                                            const std::optional<scene::Sun>& sun, double ground_km);
+
+/// The altitudes that the sensor has while the lines of an image are exposed, over ground at this altitude.
+atmosphere::SensorAltitudes sensor_altitudes(const io::Document& document, const sensor::Camera& camera,
+                                             double ground_km);
 
 /// The lines of sight of an image, over surfaces up to this height.
 atmosphere::SightRange sight_range(const sensor::Camera& camera, const std::optional<scene::Sun>& sun,

@@ -116,7 +116,7 @@ atmosphere::ImportedRuns read_runs(const io::Document& document, std::optional<d
 }
 
 std::optional<atmosphere::SunAbove> sun_above(const scene::Scene& scene) {
-  if (!scene.sun || !(scene.sun->direction.z > 0.0)) return std::nullopt;
+  if (!scene.sun || !scene.sun->is_up()) return std::nullopt;
   return atmosphere::SunAbove{scene.sun->direction.z, scene.sun->irradiance};
 }
 
@@ -148,14 +148,13 @@ void warn(const AirSubject& subject, const atmosphere::ImportedRuns& runs,
                light.source, list_names(names, "and", 5)));
   const std::optional<double>& zenith_rad = runs.runs.front().geometry.zenith_rad;
   if (!zenith_rad) return;
-  const sampling::FocalPoint centre{0.5 * subject.camera.width_px(), 0.5 * subject.camera.height_px()};
-  math::Ray ray;
-  subject.camera.rays({&centre, 1}, {&ray, 1});
-  const double camera_rad = std::acos(std::clamp(ray.direction.z, -1.0, 1.0));
-  if (std::abs(camera_rad - *zenith_rad) > kSameView_rad)
+  // A run's zenith angle is that of the line of sight from the sensor.
+  const double camera_rad = sensor::nadir_angle_rad(subject.camera.middle_ray()),
+               run_rad = std::numbers::pi - *zenith_rad;
+  if (std::abs(camera_rad - run_rad) > kSameView_rad)
     log.warn(format("the camera looks {:.1f} deg from the nadir and the line of sight of {} {:.1f} deg",
-                    180.0 - camera_rad * 180.0 / std::numbers::pi, runs.runs.front().source(),
-                    180.0 - *zenith_rad * 180.0 / std::numbers::pi));
+                    camera_rad * 180.0 / std::numbers::pi, runs.runs.front().source(),
+                    run_rad * 180.0 / std::numbers::pi));
 }
 
 }  // namespace
@@ -168,8 +167,8 @@ std::unique_ptr<atmosphere::ImportedAtmosphere> assemble_imported(
     demands.most_nodes = kMostNodes;
     demands.tolerance = kNodeTolerance;
     const std::optional<atmosphere::SunAbove> sun = sun_above(subject.scene);
-    const atmosphere::ImportedRuns runs = read_runs(
-        document, sun ? std::optional(std::acos(std::clamp(sun->cos_zenith, -1.0, 1.0))) : std::nullopt);
+    const atmosphere::ImportedRuns runs =
+        read_runs(document, sun ? std::optional(subject.scene.sun->zenith_rad()) : std::nullopt);
     const atmosphere::ImportedLight light = atmosphere::imported_light(runs, sun);
     check_light(document, light);
     auto air = std::make_unique<atmosphere::ImportedAtmosphere>(

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core/overloaded.h"
 #include "io/document/document.h"
 #include "sampling/scatter.h"
 #include "session/assembly/shared/raster_assembly.h"
@@ -131,9 +132,12 @@ std::vector<std::vector<io::Instance>> scatter_copies(const io::Document& docume
                                                       const geometry::World* ground, LogSink* log) {
   const sampling::ScatterArea area{source.low_m[0], source.low_m[1], source.high_m[0], source.high_m[1]};
   return with_position(document, source.density_position, [&] {
-    const auto* map = std::get_if<io::DensityMap>(&source.density_m2);
     const Density density =
-        map != nullptr ? density_from(*map, area, frame) : Density{std::get<double>(source.density_m2), {}};
+        std::visit(Overloaded{[](double even_m2) {
+                                return Density{even_m2, {}};
+                              },
+                              [&](const io::DensityMap& map) { return density_from(map, area, frame); }},
+                   source.density_m2);
     const std::vector<sampling::ScatteredPlace> places =
         sampling::scatter({area, source.minimum_distance_m, density.peak_m2, density.at_m2, source.seed});
     std::vector<std::optional<double>> heights(places.size(), source.height_m);

@@ -16,8 +16,11 @@ namespace ifov::session {
 namespace {
 
 radiometry::OutsideRange outside_range(io::OutsideRange outside) {
-  return outside == io::OutsideRange::extend ? radiometry::OutsideRange::extend
-                                             : radiometry::OutsideRange::error;
+  switch (outside) {
+    case io::OutsideRange::error: return radiometry::OutsideRange::error;
+    case io::OutsideRange::extend: return radiometry::OutsideRange::extend;
+  }
+  return radiometry::OutsideRange::error;
 }
 
 /// The two halves of a spectrum, given in either order.
@@ -139,9 +142,15 @@ struct Assemble {
 
   radiometry::Spectrum operator()(const io::LibrarySource& source) const {
     const io::LibraryCurve& curve = io::material_library().find(source.material).curves.at(source.curve);
-    if (spectrum.quantity == io::SpectrumOf::emissivity) return curve.emissivity();
-    return spectrum.quantity == io::SpectrumOf::transmittance ? curve.transmittance.value()
-                                                              : curve.reflectance;
+    switch (spectrum.quantity) {
+      case io::SpectrumOf::emissivity: return curve.emissivity();
+      case io::SpectrumOf::transmittance: return curve.transmittance.value();
+      case io::SpectrumOf::reflectance:
+      case io::SpectrumOf::fraction: return curve.reflectance;
+      case io::SpectrumOf::radiance:
+      case io::SpectrumOf::irradiance: break;
+    }
+    throw InputError(format("'{}' of the library is a material: it has no radiance", source.material));
   }
 
   radiometry::Spectrum operator()(const io::JoinedSpectrum& source) const {

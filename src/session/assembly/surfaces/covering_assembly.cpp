@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "core/overloaded.h"
 #include "io/document/document.h"
 #include "io/raster/fill_unknown.h"
 #include "materials/bsdf/hemisphere.h"
@@ -22,11 +23,13 @@ void CoveringAssembly::assemble_scattering(const io::MaterialDocument& source,
                                            materials::Material& material) const {
   materials::BsdfInputs inputs{material.reflectance, {}};
   for (const auto& [key, value] : source.scattering.values) {
-    if (const double* number = std::get_if<double>(&value))
-      inputs.values.emplace_back(key, *number);
-    else
-      inputs.values.emplace_back(key, assemble_spectrum(document_, std::get<io::SpectrumDocument>(value),
-                                                        format("{} of {}", key, source.name)));
+    std::visit(Overloaded{[&](double number) { inputs.values.emplace_back(key, number); },
+                          [&](const io::SpectrumDocument& spectrum) {
+                            inputs.values.emplace_back(
+                                key,
+                                assemble_spectrum(document_, spectrum, format("{} of {}", key, source.name)));
+                          }},
+               value);
   }
   material.bsdf = materials::bsdf_model(source.scattering.model).make(inputs);
   materials::check(material);
@@ -69,30 +72,35 @@ std::uint32_t CoveringAssembly::covering(const io::MaterialBinding& binding, con
                                          const std::optional<io::TemperatureDocument>& temperature) {
   scene::Covering covering;
   std::vector<Surface> surfaces;
-  if (const auto* name = std::get_if<io::DocumentName>(&binding.value)) {
-    surfaces.push_back(surface_of(*name, temperature));
-  } else if (const auto* slots = std::get_if<io::MaterialSlots>(&binding.value)) {
-    const auto found = std::find_if(slots->slots.begin(), slots->slots.end(),
-                                    [&](const auto& slot) { return slot.first == slot_name; });
-    if (found == slots->slots.end()) {
-      std::string names;
-      for (const auto& slot : slots->slots) names += (names.empty() ? "'" : ", '") + slot.first + "'";
-      throw io::document_error(document_, binding.position,
-                               format("no material for slot '{}' of the mesh; the slots given are {}",
-                                      slot_name, names.empty() ? "none" : names));
-    }
-    surfaces.push_back(surface_of(found->second, temperature));
-  } else if (const auto* map = std::get_if<io::MaterialMap>(&binding.value)) {
-    with_position(document_, binding.position, [&] { covering.classes = class_map(*map); });
-    for (const auto& entry : map->classes) surfaces.push_back(surface_of(entry.second, temperature));
-  } else {
-    const io::MixtureDocument& source = std::get<io::MixtureDocument>(binding.value);
-    for (const io::DocumentName& material : source.materials)
-      surfaces.push_back(surface_of(material, temperature));
-    with_position(document_, binding.position,
-                  [&] { covering.patterns.push_back(mixture(source, surfaces)); });
-    covering.states.push_back(surfaces[0].state);
-  }
+  std::visit(
+      Overloaded{[&](const io::DocumentName& name) { surfaces.push_back(surface_of(name, temperature)); },
+                 [&](const io::MaterialSlots& slots) {
+                   const auto found = std::find_if(slots.slots.begin(), slots.slots.end(),
+                                                   [&](const auto& slot) { return slot.first == slot_name; });
+                   if (found == slots.slots.end()) {
+                     std::string names;
+                     for (const auto& slot : slots.slots)
+                       names += (names.empty() ? "'" : ", '") + slot.first + "'";
+                     throw io::document_error(
+                         document_, binding.position,
+                         format("no material for slot '{}' of the mesh; the slots given are {}", slot_name,
+                                names.empty() ? "none" : names));
+                   }
+                   surfaces.push_back(surface_of(found->second, temperature));
+                 },
+                 [&](const io::MaterialMap& map) {
+                   with_position(document_, binding.position, [&] { covering.classes = class_map(map); });
+                   for (const auto& entry : map.classes)
+                     surfaces.push_back(surface_of(entry.second, temperature));
+                 },
+                 [&](const io::MixtureDocument& source) {
+                   for (const io::DocumentName& material : source.materials)
+                     surfaces.push_back(surface_of(material, temperature));
+                   with_position(document_, binding.position,
+                                 [&] { covering.patterns.push_back(mixture(source, surfaces)); });
+                   covering.states.push_back(surfaces[0].state);
+                 }},
+      binding.value);
   if (covering.states.empty())
     for (const Surface& surface : surfaces) {
       covering.states.push_back(surface.state);
@@ -213,12 +221,12 @@ CoveringAssembly::Surface CoveringAssembly::surface_of(
   const std::optional<io::TemperatureDocument>& source =
       temperature ? temperature : document_.scene.materials[surface.material].temperature;
   if (source) {
-    if (const double* fixed_k = std::get_if<double>(&source->value))
-      surface.fixed_k = *fixed_k;
-    else
-      with_position(document_, source->position, [&] {
-        surface.temperature = temperature_map(std::get<io::TemperatureMap>(source->value));
-      });
+    std::visit(Overloaded{[&](double fixed_k) { surface.fixed_k = fixed_k; },
+                          [&](const io::TemperatureMap& map) {
+                            with_position(document_, source->position,
+                                          [&] { surface.temperature = temperature_map(map); });
+                          }},
+               source->value);
   }
   surface.state = state({surface.material, surface.fixed_k});
   return surface;

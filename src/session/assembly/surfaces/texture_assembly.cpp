@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/overloaded.h"
 #include "io/document/document.h"
 #include "sampling/hash.h"
 #include "session/assembly/shared/with_position.h"
@@ -77,23 +78,25 @@ std::shared_ptr<const materials::TextureMap> TextureAssembly::texture(
 }
 
 std::shared_ptr<const materials::ReliefMap> TextureAssembly::read_relief(const io::ReliefDocument& source) {
-  if (const auto* heights = std::get_if<io::HeightRelief>(&source.value)) {
-    const io::Raster& raster = read(heights->raster);
-    const std::span<const float> numbers = band_of(raster, 1, heights->raster.file.path);
+  const auto from_heights = [&](const io::HeightRelief& heights) {
+    const io::Raster& raster = read(heights.raster);
+    const std::span<const float> numbers = band_of(raster, 1, heights.raster.file.path);
     std::vector<float> height_m;
     for (const float number : numbers)
-      height_m.push_back(static_cast<float>(heights->unit_m * static_cast<double>(number)));
+      height_m.push_back(static_cast<float>(heights.unit_m * static_cast<double>(number)));
     return std::make_shared<materials::ReliefMap>(
-        materials::ReliefMap::from_heights(grid(heights->raster, raster), height_m));
-  }
-  const io::NormalRelief& normals = std::get<io::NormalRelief>(source.value);
-  const io::Raster& raster = read(normals.raster);
-  std::vector<float> numbers;
-  for (int band = 1; band <= 3; ++band)
-    for (const float number : band_of(raster, band, normals.raster.file.path))
-      numbers.push_back(static_cast<float>(normals.factor * static_cast<double>(number) + normals.offset));
-  return std::make_shared<materials::ReliefMap>(
-      materials::ReliefMap::from_normals(grid(normals.raster, raster), numbers));
+        materials::ReliefMap::from_heights(grid(heights.raster, raster), height_m));
+  };
+  const auto from_normals = [&](const io::NormalRelief& normals) {
+    const io::Raster& raster = read(normals.raster);
+    std::vector<float> numbers;
+    for (int band = 1; band <= 3; ++band)
+      for (const float number : band_of(raster, band, normals.raster.file.path))
+        numbers.push_back(static_cast<float>(normals.factor * static_cast<double>(number) + normals.offset));
+    return std::make_shared<materials::ReliefMap>(
+        materials::ReliefMap::from_normals(grid(normals.raster, raster), numbers));
+  };
+  return std::visit(Overloaded{from_heights, from_normals}, source.value);
 }
 
 std::shared_ptr<const materials::ReliefMap> TextureAssembly::relief(std::size_t material) {

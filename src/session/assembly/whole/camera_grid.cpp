@@ -5,11 +5,7 @@ namespace ifov::session {
 std::vector<geometry::SurfacePoint> hits_of_camera(const geometry::World& world, const sensor::Camera& camera,
                                                    int across, std::vector<math::Ray>* rays,
                                                    double margin_px) {
-  std::vector<sampling::FocalPoint> points;
-  for (int j = 0; j < across; ++j)
-    for (int i = 0; i < across; ++i)
-      points.push_back({(i + 0.5) / across * (camera.width_px() + 2.0 * margin_px) - margin_px,
-                        (j + 0.5) / across * (camera.height_px() + 2.0 * margin_px) - margin_px});
+  const std::vector<sampling::FocalPoint> points = sensor::grid_over(camera, across, across, margin_px);
   std::vector<math::Ray> sent(points.size());
   camera.rays(points, sent);
   std::vector<geometry::SurfacePoint> hits(points.size());

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/overloaded.h"
 #include "geodesy/moon_position.h"
 #include "geodesy/sun_position.h"
 #include "io/document/document.h"
@@ -40,8 +41,14 @@ std::optional<radiometry::Spectrum> sunlight_at_ground(const io::Document& docum
   return std::nullopt;
 }
 
+/// On the equator at Greenwich where the document names no place.
+geodesy::Geodetic place_of(const io::OriginDocument& origin) {
+  const auto place = origin.geographic.value_or(io::OriginDocument::Geographic());
+  return {place.latitude_rad, place.longitude_rad, origin.height_m};
+}
+
 math::Vec3 towards(const io::CelestialDirection& direction) {
-  return geodesy::direction_enu(direction.azimuth_rad, 0.5 * std::numbers::pi - direction.zenith_rad);
+  return geodesy::direction_enu(direction.azimuth_rad, 0.5 * std::numbers::pi - direction.zenith_rad).v;
 }
 
 void dim_by_table(const io::Document& document, scene::Sun& sun) {
@@ -56,13 +63,12 @@ scene::Sun assemble_sun(const io::Document& document, const io::SunDocument& sou
   double distance_au = 1.0;
   if (source.direction) sun.direction = towards(*source.direction);
   if (document.time && document.scene.origin.geographic) {
-    const io::OriginDocument& origin = document.scene.origin;
-    const geodesy::SunPosition position = geodesy::sun_position(
-        *document.time, origin.geographic->latitude_rad, origin.geographic->longitude_rad, origin.height_m);
-    if (!source.direction) sun.direction = position.direction_enu;
+    const geodesy::SunPosition position =
+        geodesy::sun_position(*document.time, place_of(document.scene.origin));
+    if (!source.direction) sun.direction = position.direction_enu.v;
     distance_au = position.distance_au;
   } else if (document.time) {
-    distance_au = geodesy::sun_position(*document.time, 0.0, 0.0).distance_au;
+    distance_au = geodesy::sun_position(*document.time, {}).distance_au;
   }
   if (source.distance_au) distance_au = *source.distance_au;
   if (const std::optional<radiometry::Spectrum> at_ground = sunlight_at_ground(document)) {
@@ -78,19 +84,14 @@ scene::Sun assemble_sun(const io::Document& document, const io::SunDocument& sou
 }
 
 scene::Sun assemble_moon(const io::Document& document, const io::MoonDocument& source) {
-  constexpr double kMeanDistance_m = 384.4e6, kRadius_m = 1737.4e3;
+  constexpr double kRadius_m = 1737.4e3;
   geodesy::MoonPosition position;
-  position.distance_m = kMeanDistance_m;
-  if (document.time) {
-    const io::OriginDocument& origin = document.scene.origin;
-    const auto place = origin.geographic.value_or(io::OriginDocument::Geographic());
-    position =
-        geodesy::moon_position(*document.time, place.latitude_rad, place.longitude_rad, origin.height_m);
-  }
+  position.distance_m = geodesy::kMeanMoonDistance_m;
+  if (document.time) position = geodesy::moon_position(*document.time, place_of(document.scene.origin));
   if (source.phase_angle_rad) position.phase_angle_rad = *source.phase_angle_rad;
   scene::Sun moon;
   moon.is_moon = true;
-  moon.direction = source.direction ? towards(*source.direction) : position.direction_enu;
+  moon.direction = source.direction ? towards(*source.direction) : position.direction_enu.v;
   moon.half_angle_rad = std::asin(kRadius_m / position.distance_m);
   moon.irradiance = radiometry::solar_irradiance_1au().scaled(geodesy::moonlight_ratio(position));
   dim_by_table(document, moon);
@@ -123,15 +124,18 @@ void assemble_light(const io::Document& document, scene::Scene& scene) {
   if (light.sun)
     scene.sun =
         with_position(document, light.sun->position, [&] { return assemble_sun(document, *light.sun); });
-  const bool is_day = scene.sun && scene.sun->direction.z > 0.0;
+  const bool is_day = scene.sun && scene.sun->is_up();
   if (light.moon && !is_day)
     scene.sun =
         with_position(document, light.moon->position, [&] { return assemble_moon(document, *light.moon); });
 
-  if (const auto* sky = std::get_if<io::SkyTemperature>(&light.sky))
-    scene.sky.temperature_k = sky->temperature_k;
-  if (const auto* sky = std::get_if<io::SkyRadiance>(&light.sky))
-    scene.sky.radiance = assemble_spectrum(document, sky->radiance, "radiance of the sky");
+  std::visit(Overloaded{[](const io::NoSky&) {},
+                        [&](const io::SkyTemperature& sky) { scene.sky.temperature_k = sky.temperature_k; },
+                        [&](const io::SkyRadiance& sky) {
+                          scene.sky.radiance =
+                              assemble_spectrum(document, sky.radiance, "radiance of the sky");
+                        }},
+             light.sky);
 
   materials::Material around;
   around.name = "surroundings";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/overloaded.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
 #include "io/raster/raster.h"
@@ -73,22 +74,26 @@ std::vector<radiometry::Channel> assemble_channels(const io::Document& document)
 std::unique_ptr<sensor::Psf> assemble_psf(const io::Document& document) {
   const io::SensorDocument& source = document.sensor;
   return with_position(document, source.psf_position, [&] {
-    std::unique_ptr<sensor::Psf> psf;
-    if (const auto* gaussian = std::get_if<io::GaussianPsf>(&source.psf)) {
-      psf = sensor::make_gaussian_psf(gaussian->sigma_px);
-    } else if (const auto* airy = std::get_if<io::AiryPsf>(&source.psf)) {
-      const auto optics = source.camera.settings->optics().value();
-      psf = sensor::make_airy_psf(
-          {airy->wavelength_um, airy->aperture_m, optics.focal_length_m, optics.pitch_m});
-    } else if (const auto* kernel = std::get_if<io::KernelPsf>(&source.psf)) {
-      io::Raster raster = io::read_raster(kernel->file.path);
-      std::vector<double> values(
-          raster.values.begin(),
-          raster.values.begin() + static_cast<std::ptrdiff_t>(raster.width) * raster.height);
-      psf =
-          sensor::make_kernel_psf(raster.width, raster.height, std::move(values), kernel->samples_per_pixel);
-    }
-    return psf;
+    using Made = std::unique_ptr<sensor::Psf>;
+    return std::visit(
+        Overloaded{[](const io::NoPsf&) -> Made { return nullptr; },
+                   [](const io::GaussianPsf& gaussian) -> Made {
+                     return sensor::make_gaussian_psf(gaussian.sigma_px);
+                   },
+                   [&](const io::AiryPsf& airy) -> Made {
+                     const auto optics = source.camera.settings->optics().value();
+                     return sensor::make_airy_psf(
+                         {airy.wavelength_um, airy.aperture_m, optics.focal_length_m, optics.pitch_m});
+                   },
+                   [](const io::KernelPsf& kernel) -> Made {
+                     const io::Raster raster = io::read_raster(kernel.file.path);
+                     std::vector<double> values(
+                         raster.values.begin(),
+                         raster.values.begin() + static_cast<std::ptrdiff_t>(raster.width) * raster.height);
+                     return sensor::make_kernel_psf(raster.width, raster.height, std::move(values),
+                                                    kernel.samples_per_pixel);
+                   }},
+        source.psf);
   });
 }
 
