@@ -25,13 +25,13 @@ struct MeshAsset {
 /// Numbers on a grid, as a raster file holds them. Numbers of all types are kept as float: whole ones up to 2^24 exactly.
 struct RasterAsset {
   int width = 0, height = 0, bands = 1;
-  std::vector<float> values;  ///< [band][row][column], rows from the top
+  std::vector<float> values = {};  ///< [band][row][column], rows from the top
   /// Map coordinates of corners of cells: x = t[0] + column t[1] + row t[2], y = t[3] + column t[4] + row t[5]; none: the
   /// document says where it lies.
-  std::optional<std::array<double, 6>> geotransform;
-  std::string crs;                 ///< "EPSG:32633", a WKT or a PROJ string; empty: the scene's
-  std::optional<double> nodata;    ///< what stands for no value
-  std::vector<std::string> units;  ///< of each band, "m"; empty: nothing is said
+  std::optional<std::array<double, 6>> geotransform = {};
+  std::string crs;                    ///< "EPSG:32633", a WKT or a PROJ string; empty: the scene's
+  std::optional<double> nodata = {};  ///< what stands for no value
+  std::vector<std::string> units;     ///< of each band, "m"; empty: nothing is said
 };
 
 /// Two columns of a table: values at wavelengths that ascend or descend.

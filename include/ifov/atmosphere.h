@@ -16,12 +16,12 @@ struct AtmosphereQuestion {
   struct Direction {
     double zenith_rad = 0.0, azimuth_rad = 0.0;  ///< from the ground towards it; azimuth clockwise from north
   };
-  std::optional<Direction> sun, view;
+  std::optional<Direction> sun = {}, view = {};
   bool night = false;  ///< no Sun
-  std::optional<double> sensor_altitude_km;
-  bool spectrum = false;    ///< at the band model's resolution over the range of the sensor
-  bool sky = false;         ///< the whole sky in one channel
-  std::string sky_channel;  ///< empty: the one next to 0.45 um by day, to 10 um without a Sun
+  std::optional<double> sensor_altitude_km = {};
+  bool spectrum = false;         ///< at the band model's resolution over the range of the sensor
+  bool sky = false;              ///< the whole sky in one channel
+  std::string sky_channel = {};  ///< empty: the one next to 0.45 um by day, to 10 um without a Sun
   int threads = 0;
   const CancelToken* cancel = nullptr;
   ProgressSink* progress = nullptr;

@@ -531,7 +531,7 @@ TEST(FacadeErrors, HaveTheProgramsExitCodes) {
 TEST_F(Facade, OpensNoFilesButThoseBelowAFolder) {
   const std::string text = replaced(kScene, "{\"plane\": {}, \"material\": \"ground\"}",
                                     R"({"mesh": {"file": "roof.obj"}, "material": "ground"})");
-  for (const fs::path place : {folder_ / "a", folder_ / "b"}) {
+  for (const fs::path& place : {folder_ / "a", folder_ / "b"}) {
     fs::create_directories(place);
     std::ofstream(place / "scene.json") << text;
     std::ofstream(place / "roof.obj") << "v -9 -9 0\nv 9 -9 0\nv 0 9 0\nf 1 2 3\n";
