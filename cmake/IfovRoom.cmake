@@ -23,9 +23,29 @@ function(ifov_room name)
   endforeach()
 endfunction()
 
-# x86-64-v3 is the baseline, and no floating-point contraction: the same document gives the same bytes.
+# No floating-point contraction: the same document gives the same bytes on all machines with one IFOV_MARCH.
+set(IFOV_MARCH x86-64-v3 CACHE STRING "Instruction set (-march): x86-64-v2, x86-64-v3, x86-64-v4, native, ...")
 function(ifov_compile_options target)
-  target_compile_options(${target} PRIVATE -march=x86-64-v3 -ffp-contract=off -fno-math-errno -Wall -Wextra
+  target_compile_options(${target} PRIVATE -march=${IFOV_MARCH} -ffp-contract=off -fno-math-errno -Wall -Wextra
                          -Wshadow -Wconversion -Wno-sign-conversion -Werror)
   ifov_harden(${target})
+endfunction()
+
+# What a processor needs for IFOV_MARCH, as words of __builtin_cpu_supports; src/cli/processor.cpp asks for each.
+function(ifov_processor_needs result)
+  execute_process(COMMAND ${CMAKE_CXX_COMPILER} -march=${IFOV_MARCH} -dM -E -x c++ /dev/null
+                  OUTPUT_VARIABLE macros ERROR_VARIABLE error RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "IFOV_MARCH: the compiler does not know '${IFOV_MARCH}'; expected x86-64-v3 or another -march\n${error}")
+  endif()
+  set(needs "")
+  foreach(feature SSE3 SSSE3 SSE4_1 SSE4_2 POPCNT AVX AVX2 BMI BMI2 FMA AVX512F AVX512BW AVX512CD AVX512DQ AVX512VL AVX512VBMI
+                  AVX512VNNI AVX512BITALG VAES VPCLMULQDQ)
+    if(macros MATCHES "#define __${feature}__ 1")
+      string(TOLOWER ${feature} word)
+      string(REPLACE "sse4_" "sse4." word ${word})
+      string(APPEND needs "IFOV_NEEDS(${word}) ")
+    endif()
+  endforeach()
+  set(${result} "${needs}" PARENT_SCOPE)
 endfunction()

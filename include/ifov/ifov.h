@@ -8,15 +8,18 @@
 ///
 /// docs/guide/library.md shows a whole program. Units are SI, wavelengths in micrometres, spectral radiance in
 /// W m-2 sr-1 um-1.
-///
-/// Not there yet: meshes, rasters and spectra from memory (a document names files), shares of the tiles, previews and
-/// forecasts, and several ranks under MPI.
 
+#include "ifov/assets.h"
+#include "ifov/atmosphere.h"
 #include "ifov/check.h"
 #include "ifov/document.h"
 #include "ifov/error.h"
+#include "ifov/materials.h"
 #include "ifov/outcome.h"
+#include "ifov/products.h"
+#include "ifov/radiometry.h"
 #include "ifov/run_control.h"
+#include "ifov/runs.h"
 #include "ifov/simulation.h"
 #include "ifov/tile.h"
 #include "ifov/version.h"

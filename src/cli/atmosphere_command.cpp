@@ -10,8 +10,8 @@
 #include "cli/terminal/say.h"
 #include "core/error.h"
 #include "core/format.h"
-#include "io/products/part_file.h"
-#include "session/atmosphere_survey.h"
+#include "ifov/atmosphere.h"
+#include "ifov/products.h"
 
 namespace ifov::cli {
 namespace {
@@ -28,8 +28,8 @@ struct AtmosphereArguments {
 };
 
 /// "30,135": zenith angle and azimuth in degrees.
-session::AtmosphereQuestion::Direction direction(const std::string& option, const std::string& text,
-                                                 double lowest_deg) {
+AtmosphereQuestion::Direction direction(const std::string& option, const std::string& text,
+                                        double lowest_deg) {
   const std::size_t comma = text.find(',');
   const auto number = [&](std::string_view part) -> std::optional<double> {
     double value = 0.0;
@@ -49,15 +49,9 @@ session::AtmosphereQuestion::Direction direction(const std::string& option, cons
   return {*zenith * kDegree, *azimuth * kDegree};
 }
 
-void write_file(const std::string& path, const std::string& content) {
-  io::PartFile file(path);
-  io::write_part(file, content);
-  file.publish();
-}
-
 ExitCode look(const AtmosphereArguments& arguments) {
   Console console(arguments.quiet, "");
-  session::AtmosphereQuestion question;
+  AtmosphereQuestion question;
   if (arguments.sun == "none")
     question.night = true;
   else if (!arguments.sun.empty())
@@ -72,27 +66,27 @@ ExitCode look(const AtmosphereArguments& arguments) {
   console.phase("atmosphere");
   question.progress = &console;
   question.log = &console;
-  const io::AirReport report = session::survey_atmosphere(arguments.input.read(arguments.document), question);
+  const AtmosphereReport report = survey_atmosphere(arguments.input.read(arguments.document), question);
   console.finish();
-  if (!arguments.quiet) say(io::air_table(report));
+  if (!arguments.quiet) say(report.table());
   if (arguments.wants_plot) {
     const std::string path =
         arguments.plot.empty()
             ? std::filesystem::path(arguments.document).replace_extension(".atmosphere.png").string()
             : arguments.plot;
-    write_file(path, io::air_figure(report));
+    write_file(path, report.figure());
     if (!arguments.quiet) complain(format("{}  (figure, PNG)", path));
   }
   if (!arguments.csv.empty()) {
-    write_file(arguments.csv, io::air_csv(report));
+    write_file(arguments.csv, report.csv());
     if (!arguments.quiet)
       complain(format("{}  (spectrum, {} steps of {:g} cm-1)", arguments.csv, report.spectrum.size(),
                       report.step_cm1));
   }
   if (!arguments.sky.empty()) {
-    write_file(arguments.sky, io::sky_csv(report));
+    write_file(arguments.sky, report.sky_csv());
     if (!arguments.quiet)
-      complain(format("{}  (sky of '{}' at {:.4g} um)", arguments.sky, report.sky_channel,
+      complain(format("{}  (sky of '{}' at {:.4g} um)", arguments.sky, report.sky->channel,
                       report.sky->wavelength_um));
   }
   return ExitCode::ok;

@@ -21,7 +21,7 @@ struct CheckArguments {
 std::string description_of(const CheckArguments& arguments, const std::string& file, Console& console,
                            std::size_t& warnings) {
   const Simulation simulation =
-      Simulation::load(Document::read(file, arguments.input.set),
+      Simulation::load(arguments.input.read(file),
                        {.scene_cache = !arguments.no_cache, .progress = &console, .log = &console});
   std::string text = simulation.description();
   warnings += simulation.warnings().size();

@@ -13,10 +13,4 @@ void DocumentArguments::add_to(CLI::App& parser) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-std::vector<io::DocumentOverride> DocumentArguments::overrides() const {
-  std::vector<io::DocumentOverride> all;
-  for (const std::string& written : set) all.push_back(io::read_override(written));
-  return all;
-}
-
 }  // namespace ifov::cli

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/document/document.h"
+#include "ifov/document.h"
 
 namespace ifov::cli {
 
@@ -13,9 +13,7 @@ struct DocumentArguments {
   std::vector<std::string> set;  ///< KEY=VALUE
 
   void add_to(CLI::App& parser);
-  /// Throws InputError.
-  std::vector<io::DocumentOverride> overrides() const;
-  io::Document read(const std::string& file) const { return io::read_document(file, overrides()); }
+  Document read(const std::string& file) const { return Document::read(file, set); }
 };
 
 }  // namespace ifov::cli

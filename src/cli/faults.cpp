@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "cli/exit_code.h"
-#include "io/files/mapped_file.h"
+#include "ifov/products.h"
 
 namespace ifov::cli {
 namespace {
@@ -18,7 +18,7 @@ void put(const char* text) {
 
 /// Calls nothing that is not safe in a signal handler.
 void on_bus_error(int signal, siginfo_t* info, void*) {
-  const char* const name = io::mapped_file_at(info->si_addr);
+  const char* const name = mapped_input_at(info->si_addr);
   if (name == nullptr) {
     ::signal(signal, SIG_DFL);  // not a file of ours: the instruction is run again and ends the program
     return;

@@ -51,7 +51,7 @@ int command_line_outcome(const CLI::App& app, const CLI::ParseError& error, int 
 
 int run(int argc, char** argv) {
   CLI::App app("Synthetic remote-sensing images with a stated accuracy.", "ifov");
-  const std::string mpi = cluster::mpi_library();
+  const std::string mpi = mpi_library();
   app.set_version_flag("--version",
                        format("ifov {}\n{}", version(), mpi.empty() ? "built without MPI" : mpi));
   app.footer(kFooter);

@@ -5,7 +5,6 @@
 #include "core/error.h"
 #include "core/format.h"
 #include "core/names.h"
-#include "io/document/schema/quantity.h"
 #include "landscape/landscapes.h"
 
 namespace ifov::cli {
@@ -26,19 +25,10 @@ const landscape::LandscapeEntry& entry_named(const std::string& name) {
                           hint.empty() ? "." : hint, list_names(names, "and")));
 }
 
-double metres_of(const std::string& text) {
-  const auto quantity = io::split_quantity(text);
-  const io::Unit* unit = quantity ? io::kLength.find(quantity->unit) : nullptr;
-  if (unit == nullptr)
-    throw InputError(format("ifov: --size is '{}', expected a length such as 200m (units: {})", text,
-                            io::kLength.unit_list()));
-  return quantity->number * unit->factor;
-}
-
 ExitCode make(const MakeArguments& arguments) {
   const landscape::LandscapeEntry& entry = entry_named(arguments.kind);
   const landscape::MadeScene made =
-      entry.make({arguments.folder, metres_of(arguments.size), arguments.seed, arguments.replace});
+      entry.make({arguments.folder, landscape::size_m_of(arguments.size), arguments.seed, arguments.replace});
   if (arguments.quiet) return ExitCode::ok;
   std::string text;
   for (const std::string& line : made.contents) text += line + "\n";

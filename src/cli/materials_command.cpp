@@ -1,14 +1,11 @@
 #include <CLI/CLI.hpp>
-#include <numeric>
 
 #include "cli/command.h"
 #include "cli/terminal/say.h"
 #include "core/error.h"
 #include "core/names.h"
-#include "io/library/material_library.h"
-#include "io/library/material_plot.h"
-#include "io/library/material_text.h"
-#include "io/products/part_file.h"
+#include "ifov/materials.h"
+#include "ifov/products.h"
 
 namespace ifov::cli {
 namespace {
@@ -18,52 +15,29 @@ struct Options {
   bool csv = false;
 };
 
-std::vector<std::size_t> wanted_curves(const io::LibraryMaterial& material, const std::string& curve) {
-  if (curve.empty()) {
-    std::vector<std::size_t> all(material.curves.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    return all;
-  }
-  if (curve.size() < 4 && curve.find_first_not_of("0123456789") == std::string::npos)
-    return {material.curve_numbered(std::stoi(curve))};
-  return {material.curve_named(curve)};
-}
-
-void write_file(const std::string& path, const std::string& content) {
-  io::PartFile file(path);
-  io::write_part(file, content);
-  file.publish();
-}
-
 ExitCode run_materials(const Options& options) {
-  const io::MaterialLibrary& library = io::material_library();
   const bool one = !options.curve.empty() || !options.plot.empty() || options.csv;
-  std::vector<const io::LibraryMaterial*> found;
-  if (library.has(options.words))
-    found = {&library.find(options.words)};
-  else
-    found = library.search(options.words);
-  if (found.empty()) library.find(options.words);  // says what comes near
+  const std::vector<Material> found = search_materials(options.words);
   if (found.size() > 1) {
     if (one) {
       std::vector<std::string> names;
-      for (const io::LibraryMaterial* material : found) names.push_back(material->name);
+      for (const Material& material : found) names.push_back(material.name);
       throw InputError(format("--plot, --csv and --curve want one material; '{}' finds {}: {}", options.words,
                               found.size(), list_names(names, "and", 12)));
     }
-    say(io::list_materials(found));
+    say(materials_list(found));
     return ExitCode::ok;
   }
-  const io::LibraryMaterial& material = *found.front();
-  const std::vector<std::size_t> curves = wanted_curves(material, options.curve);
+  const Material& material = found.front();
+  const std::vector<std::size_t> curves = curves_of(material, options.curve);
   if (!options.plot.empty()) {
-    write_file(options.plot, io::plot_material(material, curves));
+    write_file(options.plot, material_figure(material, curves));
     complain(format("{}  (figure of '{}', PNG)", options.plot, material.name));
   }
   if (options.csv)
-    say(io::material_csv(material, curves));
+    say(material_csv(material, curves));
   else if (options.plot.empty())
-    say(io::describe_material(material, curves));
+    say(material_text(material, curves));
   return ExitCode::ok;
 }
 

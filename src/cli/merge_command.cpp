@@ -3,7 +3,7 @@
 #include "cli/run_commands.h"
 #include "cli/run_summary.h"
 #include "cli/terminal/console.h"
-#include "session/runs/merge.h"
+#include "ifov/runs.h"
 
 namespace ifov::cli {
 namespace {
@@ -16,15 +16,13 @@ struct MergeArguments {
 
 ExitCode merge(const MergeArguments& arguments) {
   Console console(arguments.quiet, "");
-  session::MergeOptions options;
+  MergeOptions options;
   options.output_folder = arguments.output;
   options.partial = arguments.partial;
   options.log = &console;
-  session::RunResult result =
-      session::merge_runs({arguments.folders.begin(), arguments.folders.end()}, options);
-  if (!arguments.quiet) print_summary(result);
-  result.tiles_left = 0;  // gaps were asked for
-  return outcome_of(result, 0);
+  const Outcome outcome = ifov::merge({arguments.folders.begin(), arguments.folders.end()}, options);
+  if (!arguments.quiet) print_summary(outcome);
+  return static_cast<ExitCode>(outcome.verdict);
 }
 
 }  // namespace

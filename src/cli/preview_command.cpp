@@ -16,9 +16,8 @@
 #include "cli/terminal/terminal_picture.h"
 #include "core/error.h"
 #include "core/format.h"
-#include "io/document/document.h"
-#include "io/products/part_file.h"
-#include "session/preview.h"
+#include "ifov/products.h"
+#include "ifov/simulation.h"
 
 namespace ifov::cli {
 namespace {
@@ -38,36 +37,33 @@ ExitCode preview(const PreviewArguments& arguments) {
   Patience patience(cancel, "ifov: stopped on request; no picture was written");
   Console console(arguments.quiet, "");
   try {
-    const io::Document document =
-        session::for_preview(arguments.input.read(arguments.document), arguments.pixels);
-    const session::Session session = session::Session::load(document, &console,
-                                                            {.scene_cache = !arguments.no_cache,
-                                                             .threads = arguments.threads,
-                                                             .cancel = &cancel,
-                                                             .progress = &console});
+    const Document document = arguments.input.read(arguments.document).for_preview(arguments.pixels);
+    const Simulation simulation = Simulation::load(document, {.scene_cache = !arguments.no_cache,
+                                                              .threads = arguments.threads,
+                                                              .cancel = &cancel,
+                                                              .progress = &console,
+                                                              .log = &console});
     patience.over();
-    if (arguments.strict) require_no_warnings(session.warnings().size());
+    if (arguments.strict) require_no_warnings(simulation.warnings().size());
     console.phase("first look");
-    const session::Preview picture = session::make_preview(
-        session, {.seconds = arguments.seconds, .threads = arguments.threads, .cancel = &cancel});
+    const Preview picture =
+        simulation.preview({.seconds = arguments.seconds, .threads = arguments.threads, .cancel = &cancel});
     console.finish();
     const std::string path =
         arguments.output.empty()
             ? std::filesystem::path(arguments.document).replace_extension(".preview.png").string()
             : arguments.output;
-    io::PartFile file(path);
-    io::write_part(file, picture.png);
-    file.publish();
+    write_file(path, picture.png);
     if (!arguments.quiet) {
       if (const TerminalColours colours = terminal_colours(); colours != TerminalColours::none)
         std::fputs(terminal_picture(picture.width_px, picture.height_px, picture.pixels, columns_of_output(),
                                     colours)
                        .c_str(),
                    stdout);
-      say(session.description());
+      say(simulation.description());
       say(format("{}\n{}  (picture, PNG)\n", picture.statement, path));
     }
-    return session.warnings().empty() ? ExitCode::ok : ExitCode::warned;
+    return simulation.warnings().empty() ? ExitCode::ok : ExitCode::warned;
   } catch (const Cancelled&) {
     console.finish();
     std::fprintf(stderr, "ifov: stopped on request; no picture was written\n");

@@ -7,16 +7,16 @@
 namespace ifov::cli {
 namespace {
 
-std::unique_ptr<cluster::Communicator>& communicator() {
-  static std::unique_ptr<cluster::Communicator> joined;
-  return joined;
+std::unique_ptr<Ranks>& joined() {
+  static std::unique_ptr<Ranks> ranks;
+  return ranks;
 }
 
 }  // namespace
 
-cluster::Communicator* join_ranks() {
-  if (!communicator()) communicator() = cluster::Communicator::join();
-  return communicator().get();
+Ranks* join_ranks() {
+  if (!joined()) joined() = Ranks::join();
+  return joined().get();
 }
 
 StopNotice::StopNotice(const CancelToken& token, std::string message)
@@ -37,6 +37,6 @@ void StopNotice::watch(const CancelToken& token, const std::string& message) {
   if (token.cancelled()) complain(message);
 }
 
-void leave_ranks() { communicator().reset(); }
+void leave_ranks() { joined().reset(); }
 
 }  // namespace ifov::cli

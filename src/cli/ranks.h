@@ -5,13 +5,13 @@
 #include <string>
 #include <thread>
 
-#include "cluster/communicator.h"
+#include "ifov/runs.h"
 
 namespace ifov::cli {
 
 /// The ranks that this program was started as by mpirun and its like; null where it is alone. They stay joined until
 /// leave_ranks().
-cluster::Communicator* join_ranks();
+Ranks* join_ranks();
 
 /// Says that the run is being stopped as soon as the token is cancelled: a launcher that ends a run kills its ranks a
 /// second later.

@@ -16,11 +16,8 @@
 #include "cli/terminal/say.h"
 #include "core/error.h"
 #include "core/format.h"
-#include "io/document/document.h"
-#include "session/runs/coordinator.h"
-#include "session/runs/forecast.h"
-#include "session/runs/run.h"
-#include "session/runs/worker.h"
+#include "ifov/runs.h"
+#include "ifov/simulation.h"
 
 namespace ifov::cli {
 namespace {
@@ -36,7 +33,7 @@ struct RenderArguments {
   bool keep = false, refine = false, anyway = false, strict = false, quick = false;
 };
 
-void print_forecast(const session::Forecast& forecast, double loading_s) {
+void print_forecast(const Forecast& forecast, double loading_s) {
   const auto size = [](std::uint64_t bytes) {
     return format("{}B", short_count(static_cast<double>(bytes)));
   };
@@ -61,19 +58,13 @@ void print_forecast(const session::Forecast& forecast, double loading_s) {
 }
 
 /// "17/64".
-render::TileShare read_share(const std::string& text) {
-  render::TileShare share;
+TileShare read_share(const std::string& text) {
+  TileShare share;
   char rest = 0;
   if (std::sscanf(text.c_str(), "%9d/%9d%c", &share.number, &share.count, &rest) != 2 || share.number < 1 ||
       share.count < share.number)
     throw InputError(format("--tiles '{}': expected which share of how many, such as 1/64 to 64/64", text));
   return share;
-}
-
-void refuse_what_ranks_cannot(const RenderArguments& arguments) {
-  if (arguments.no_state)
-    throw InputError(
-        "--no-state: several ranks put their tiles together in the run's folder; leave it out, or start one");
 }
 
 std::optional<std::chrono::steady_clock::time_point> deadline_of(
@@ -94,27 +85,26 @@ ExitCode render(const RenderArguments& arguments) {
                     .strict = arguments.strict});
   const auto begin = std::chrono::steady_clock::now();
   CancelToken& cancel = cancel_on_interrupt();
-  cluster::Communicator* const communicator = join_ranks();
-  if (communicator != nullptr && !communicator->leads()) {
-    session::run_worker(*communicator, {.document = arguments.document,
-                                        .overrides = arguments.input.overrides(),
-                                        .threads = arguments.threads,
-                                        .scene_cache = !arguments.no_cache,
-                                        .cancel = &cancel});
+  Ranks* const ranks = join_ranks();
+  if (ranks != nullptr && !ranks->leads()) {
+    ranks->work(arguments.document, {.set = arguments.input.set,
+                                     .threads = arguments.threads,
+                                     .scene_cache = !arguments.no_cache,
+                                     .cancel = &cancel});
     return ExitCode::ok;
   }
-  std::optional<session::Coordinator> coordinator;
   std::optional<StopNotice> notice;
-  if (communicator != nullptr) {
-    refuse_what_ranks_cannot(arguments);
-    coordinator.emplace(*communicator);
+  if (ranks != nullptr) {
+    if (arguments.no_state)
+      throw InputError(
+          "--no-state: several ranks put their tiles together in the run's folder; leave it out, or start one");
     notice.emplace(
         cancel,
         "ifov: stopped (Ctrl-C, or a rank ended: mpirun says which); unfinished products carry the ending "
         ".part, and --resume goes on with what is finished");
   }
   std::optional<Patience> patience;  // mpirun ends ranks by itself
-  if (communicator == nullptr)
+  if (ranks == nullptr)
     patience.emplace(cancel,
                      format("ifov: stopped on request; unfinished products carry the ending .part{}",
                             arguments.no_state ? "" : ", and --resume goes on with what is finished"));
@@ -123,20 +113,19 @@ ExitCode render(const RenderArguments& arguments) {
     patience->limit(*deadline, "ifov: the time limit came before the scene was loaded; nothing is rendered");
   Console console(arguments.quiet, arguments.log);
   try {
-    const io::Document document = arguments.input.read(arguments.document);
-    const session::LoadOptions load{.scene_cache = !arguments.no_cache,
-                                    .threads = arguments.threads,
-                                    .cancel = &cancel,
-                                    .progress = &console};
-    const session::Session session = coordinator ? coordinator->load(document, &console, load)
-                                                 : session::Session::load(document, &console, load);
-    if (arguments.strict) require_no_warnings(session.warnings().size());
-    session::RunRequest request;
-    session::RunOptions& options = request.options;
-    request.coordinator = coordinator ? &*coordinator : nullptr;
+    const Document document = arguments.input.read(arguments.document);
+    const Simulation simulation = Simulation::load(document, {.scene_cache = !arguments.no_cache,
+                                                              .threads = arguments.threads,
+                                                              .cancel = &cancel,
+                                                              .progress = &console,
+                                                              .log = &console,
+                                                              .ranks = ranks});
+    if (arguments.strict) require_no_warnings(simulation.warnings().size());
+    RenderOptions options;
+    options.folder = arguments.output;
     options.threads = arguments.threads;
-    options.output_folder = arguments.output;
-    request.deadline = deadline;
+    options.deadline = deadline;
+    options.ranks = ranks;
     if (patience) patience->over();
     if (patience && deadline && !arguments.dry_run)
       patience->limit(
@@ -144,34 +133,34 @@ ExitCode render(const RenderArguments& arguments) {
           format("ifov: the time limit came before the products were whole; unfinished ones carry the ending "
                  ".part{}",
                  arguments.no_state ? "" : ", and --resume goes on with what is finished"));
-    if (!arguments.tiles.empty()) request.share = read_share(arguments.tiles);
+    if (!arguments.tiles.empty()) options.share = read_share(arguments.tiles);
     options.cancel = &cancel;
     options.progress = &console;
     options.log = &console;
-    request.keep_tiles = !arguments.no_state;
-    request.keep_finished = arguments.keep;
-    request.refine = arguments.refine;
-    request.anyway = arguments.anyway;
-    request.start = arguments.resume    ? RunStart::resume
+    options.keep_tiles = !arguments.no_state;
+    options.keep = arguments.keep;
+    options.refine = arguments.refine;
+    options.anyway = arguments.anyway;
+    options.start = arguments.resume    ? RunStart::resume
                     : arguments.restart ? RunStart::restart
                                         : RunStart::fresh;
     if (cancel.cancelled()) throw Cancelled();
     if (arguments.dry_run) {
       const std::chrono::duration<double> loading = std::chrono::steady_clock::now() - begin;
-      const session::Forecast forecast = session::forecast_run(session, request);
+      const Forecast forecast = simulation.forecast(options);
       console.finish();
       print_forecast(forecast, loading.count());
       return forecast.shortages.empty() ? ExitCode::ok : ExitCode::environment;
     }
-    const session::RunResult result = session::render_run(session, request);
+    const Outcome outcome = simulation.render(options);
     console.finish();
-    if (!arguments.quiet) print_summary(result);
-    return outcome_of(result, session.warnings().size());
+    if (!arguments.quiet) print_summary(outcome);
+    return static_cast<ExitCode>(outcome.verdict);
   } catch (const Cancelled& stop) {
     console.finish();
     console.info(format("ended: {}", stop.what()));
     notice.reset();
-    if (!coordinator || !cancel.cancelled())
+    if (ranks == nullptr || !cancel.cancelled())
       complain(format("ifov: {}; unfinished products carry the ending .part{}", stop.what(),
                       arguments.no_state ? "" : ", and --resume goes on with what is finished"));
     return ExitCode::stopped;

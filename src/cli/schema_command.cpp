@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "cli/command.h"
-#include "io/document/document.h"
+#include "ifov/document.h"
 
 namespace ifov::cli {
 
@@ -16,7 +16,7 @@ Command add_schema_command(CLI::App& app) {
       "  ifov schema > ifov.schema.json\n"
       "  { \"$schema\": \"./ifov.schema.json\", \"ifov\": 1, ... }");
   return {parser, [markdown] {
-            std::fputs((*markdown ? io::schema_markdown() : io::schema_json()).c_str(), stdout);
+            std::fputs((*markdown ? document_reference() : document_schema()).c_str(), stdout);
             return ExitCode::ok;
           }};
 }

@@ -5,6 +5,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "core/call_scope.h"
+
 #ifdef __SANITIZE_THREAD__
 #include <atomic>
 #endif
@@ -37,22 +39,35 @@ class LoopOrder {
 #endif
 };
 
+/// The library lets no more threads work than cores unless it is told, once and for all, and of several such limits the
+/// smallest holds for the whole process. So it is told the most that anybody asks for; how many work for a loop is the loop's
+/// own arena's to say.
+void allow_many_threads() {
+  constexpr std::size_t kMostThreads = 4096;
+  static const auto* const kept =
+      new tbb::global_control(tbb::global_control::max_allowed_parallelism, kMostThreads);
+  static_cast<void>(kept);  // threads may still be at work when the program ends
+}
+
 }  // namespace
 
 int usual_threads() { return tbb::info::default_concurrency(); }
 
 void parallel_for(std::int64_t count, int threads, const std::function<void(std::int64_t)>& body) {
-  // More threads than cores are allowed (and tested); the library would print a warning without this.
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(threads > 0 ? threads : usual_threads()));
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  allow_many_threads();
+  tbb::task_arena arena(threads > 0 ? threads : usual_threads());
+  const Call& call = current_call();
   LoopOrder order;
   arena.execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<std::int64_t>(0, count, 1),
         [&](const auto& range) {
           [[maybe_unused]] const LoopOrder::Piece piece(order);
-          for (std::int64_t i = range.begin(); i < range.end(); ++i) body(i);
+          const CallScope scope(call);
+          for (std::int64_t i = range.begin(); i < range.end(); ++i) {
+            stop_if_cancelled();
+            body(i);
+          }
         },
         tbb::simple_partitioner());
   });

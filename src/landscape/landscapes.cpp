@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "core/error.h"
+#include "io/document/schema/quantity.h"
+
 namespace ifov::landscape {
 namespace {
 
@@ -26,6 +29,15 @@ const LandscapeEntry* find_landscape(std::string_view name) {
   const auto found = std::find_if(kLandscapes.begin(), kLandscapes.end(),
                                   [&](const LandscapeEntry& entry) { return entry.name == name; });
   return found == kLandscapes.end() ? nullptr : &*found;
+}
+
+double size_m_of(const std::string& text) {
+  const auto quantity = io::split_quantity(text);
+  const io::Unit* unit = quantity ? io::kLength.find(quantity->unit) : nullptr;
+  if (unit == nullptr)
+    throw InputError(format("ifov: --size is '{}', expected a length such as 200m (units: {})", text,
+                            io::kLength.unit_list()));
+  return quantity->number * unit->factor;
 }
 
 }  // namespace ifov::landscape

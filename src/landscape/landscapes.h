@@ -38,6 +38,9 @@ std::span<const LandscapeEntry> all_landscapes();
 /// null where there is none of that name.
 const LandscapeEntry* find_landscape(std::string_view name);
 
+/// A length as documents and --size give it: "200m". InputError on anything else.
+double size_m_of(const std::string& text);
+
 /// Each writes an ordinary scene into a folder: documents, meshes, instance lists, maps. The same options give the
 /// same bytes. Throws InputError where the size is not between kSmallest_m and kLargest_m or the folder exists,
 /// EnvironmentError where something cannot be written; then no folder is left.

@@ -162,16 +162,21 @@ void SpectralNodes::to_channels(const float* nodes, float* channels) const {
   }
   std::size_t first = 0;
   for (const Slice& slice : slices_) {
-    // Written out, because the compiler makes eight single loads of a gather, which take twice as long.
-    __m256 sum = _mm256_setzero_ps();
     const float* weight = slice_weight_.data() + slice.first_entry;
     const std::int32_t* node = slice_node_.data() + slice.first_entry;
+    float lanes[kLanes] = {};
+#ifdef __AVX2__
+    // Written out, because the compiler makes eight single loads of a gather, which take twice as long.
+    __m256 sum = _mm256_setzero_ps();
     for (std::size_t level = 0; level < slice.depth; ++level, weight += kLanes, node += kLanes) {
       const __m256i index = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(node));
       sum = _mm256_add_ps(sum, _mm256_mul_ps(_mm256_loadu_ps(weight), _mm256_i32gather_ps(nodes, index, 4)));
     }
-    float lanes[kLanes];
     _mm256_storeu_ps(lanes, sum);
+#else
+    for (std::size_t level = 0; level < slice.depth; ++level, weight += kLanes, node += kLanes)
+      for (std::size_t lane = 0; lane < kLanes; ++lane) lanes[lane] += weight[lane] * nodes[node[lane]];
+#endif
     std::copy(lanes, lanes + std::min(kLanes, channel_count() - first), channels + first);
     first += kLanes;
   }

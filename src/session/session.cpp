@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "core/call_scope.h"
 #include "core/version.h"
 #include "io/document/document.h"
 #include "io/scene_cache/scene_cache.h"
@@ -109,6 +110,9 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   std::optional<AtmosphereCache> solutions;
   if (cache && document.atmosphere.modelled) solutions.emplace(*cache);
   const auto save = [&] {
+    const Call undisturbed{
+        current_call().inputs};  // what is worked out is kept also when the call is cancelled
+    const CallScope scope(undisturbed);
     if (solutions) solutions->save();
     if (cache) cache->save();
   };

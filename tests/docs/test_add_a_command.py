@@ -17,11 +17,11 @@ class AddACommand(PageTest):
                                "channels": [{"name": "red", "monochromatic": {"at": "0.65 um"}}]}}
         (self.folder / "scene.json").write_text(json.dumps(document))
         result = self.run_it("count", "scene.json")
-        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "2 brick\n1 soil\n", ""))
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "4 pixels, 1 channels\n", ""))
 
         names = [line.split()[0] for line in self.run_it("--help").stdout.partition("Subcommands:")[2].splitlines() if line.strip()]
         self.assertEqual(names[:3], ["count", "render", "check"])
-        self.assertIn("Count the objects of each material", self.run_it("--help").stdout)
+        self.assertIn("Count the pixels and channels of an image", self.run_it("--help").stdout)
         self.assertIn("ifov count scene.json", self.run_it("count", "--help").stdout)
 
         misspelt = self.run_it("cuont", "scene.json")

@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <thread>
 
 #include "ifov/ifov.h"
@@ -286,6 +287,55 @@ TEST_F(Facade, HandsOverTheTilesOfTheProducts) {
   EXPECT_FALSE(bytes_of(cube.radiance) == before.at("image_radiance.img"));
 }
 
+/// One scene, loaded once, as two that are loaded apart.
+TEST_F(Facade, RendersASceneWithAnotherSampling) {
+  const ifov::Simulation simulation = ifov::Simulation::load(scene());
+  const ifov::Document tighter = ifov::Document::parse(
+      kScene, "scene.json", folder_, {"sampling.accuracy.error=2 %", "sampling.tile=32", "seed=9"});
+  Cube own, other, apart;
+  simulation.render_tiles(own);
+  const ifov::Outcome outcome = simulation.render_tiles(other, {.sampling = &tighter});
+  ifov::Simulation::load(tighter).render_tiles(apart);
+  EXPECT_EQ(other.tiles, 2);
+  EXPECT_EQ(other.radiance, apart.radiance);
+  EXPECT_EQ(other.half_width, apart.half_width);
+  EXPECT_NE(other.radiance, own.radiance);
+  EXPECT_NE(outcome.accuracy_statement.find("Asked for 2 %"), std::string::npos)
+      << outcome.accuracy_statement;
+  const ifov::Document single = ifov::Document::parse(
+      replaced(kScene, "\"accuracy\": {\"error\": \"4 %\"}", "\"single\": {}"), "scene.json", folder_);
+  EXPECT_THROW(ifov::Simulation::load(single).render_tiles(other, {.sampling = &tighter}), ifov::InputError);
+}
+
+TEST_F(Facade, CastsRays) {
+  const ifov::Simulation simulation = ifov::Simulation::load(scene());
+  const std::vector<std::array<double, 3>> from{{-2, 1, 10}, {8, 8, 5}, {0, 0, 1}},
+      to{{0, 0, -3}, {0, 0, -1}, {0, 0, 1}};
+  const std::vector<ifov::RayHit> hits = simulation.cast(from, to);
+  ASSERT_EQ(hits.size(), 3u);
+  EXPECT_TRUE(hits[0].hit);
+  EXPECT_NEAR(hits[0].distance_m, 10.0 - 2.4, 1e-9);
+  EXPECT_NEAR(hits[0].position_m[2], 2.4, 1e-9);
+  EXPECT_NEAR(hits[0].normal[2], 1.0, 1e-6);
+  EXPECT_EQ(hits[0].object, 1);
+  EXPECT_EQ(hits[0].material, "ball");
+  EXPECT_EQ(hits[1].object, 0);
+  EXPECT_EQ(hits[1].material, "ground");
+  EXPECT_FALSE(hits[2].hit);
+  // More than one batch, on several threads, each as alone.
+  const std::vector<std::array<double, 3>> many(5000, from[0]), down(5000, to[0]);
+  for (const ifov::RayHit& hit : simulation.cast(many, down, 3))
+    EXPECT_EQ(hit.distance_m, hits[0].distance_m);
+  EXPECT_THROW(simulation.cast(from, {}), ifov::InputError);
+  EXPECT_THROW(simulation.cast(std::span(from).first(1), std::vector<std::array<double, 3>>{{0, 0, 0}}),
+               ifov::InputError);
+}
+
+TEST(FacadeRadiometry, PlanckAndItsInverse) {
+  EXPECT_NEAR(ifov::planck_radiance(10.0, 300.0), 9.924, 1e-3);
+  EXPECT_NEAR(ifov::brightness_temperature(10.0, ifov::planck_radiance(10.0, 300.0)), 300.0, 1e-9);
+}
+
 TEST_F(Facade, ASinkThatThrowsEndsTheRun) {
   class Broken final : public ifov::TileSink {
     void write(const ifov::Tile&) override { throw std::runtime_error("no more room here"); }
@@ -421,6 +471,28 @@ TEST_F(Facade, TwoAtOnceAreAsTwoApart) {
   EXPECT_FALSE(render(other_seed, "other_seed").at("image_radiance.img") == alone.at("image_radiance.img"));
 }
 
+/// One of three threads, one of one; one is cancelled, the other not.
+TEST_F(Facade, TwoAtOnceHaveSettingsOfTheirOwn) {
+  const ifov::Simulation simulation = ifov::Simulation::load(scene());
+  Cube alone, beside;
+  simulation.render_tiles(alone, {.threads = 1});
+  const ifov::Simulation long_one =
+      ifov::Simulation::load(ifov::Document::parse(endless(), "scene.json", folder_));
+  class Nothing final : public ifov::TileSink {
+    void write(const ifov::Tile&) override {}
+  } nothing;
+  ifov::CancelToken cancel;
+  std::thread other([&] {
+    EXPECT_THROW(long_one.render_tiles(nothing, {.threads = 1, .cancel = &cancel}), ifov::Cancelled);
+  });
+  const ifov::Outcome outcome = simulation.render_tiles(beside, {.threads = 3});
+  cancel.cancel();
+  other.join();
+  EXPECT_EQ(outcome.tiles_left, 0u);
+  EXPECT_EQ(beside.radiance, alone.radiance);
+  EXPECT_EQ(beside.samples, alone.samples);
+}
+
 TEST_F(Facade, OneSimulationServesTwoThreads) {
   const ifov::Simulation simulation = ifov::Simulation::load(scene());
   Cube cubes[3];
@@ -455,22 +527,70 @@ TEST(FacadeErrors, HaveTheProgramsExitCodes) {
   EXPECT_EQ(ifov::exit_code_of(std::logic_error("x")), 3);
 }
 
-/// In a process of its own, since it cannot be taken back.
+/// Two threads with folders of their own, and a third with none.
 TEST_F(Facade, OpensNoFilesButThoseBelowAFolder) {
-  fs::create_directories(folder_ / "in");
-  std::ofstream(folder_ / "in" / "scene.json") << kScene;
-  std::ofstream(folder_ / "scene.json") << kScene;
-  const auto confined = [&] {
-    ifov::confine_inputs(folder_ / "in");
-    ifov::Document::read(folder_ / "in" / "scene.json");
+  const std::string text = replaced(kScene, "{\"plane\": {}, \"material\": \"ground\"}",
+                                    R"({"mesh": {"file": "roof.obj"}, "material": "ground"})");
+  for (const fs::path& place : {folder_ / "a", folder_ / "b"}) {
+    fs::create_directories(place);
+    std::ofstream(place / "scene.json") << text;
+    std::ofstream(place / "roof.obj") << "v -9 -9 0\nv 9 -9 0\nv 0 9 0\nf 1 2 3\n";
+  }
+  const auto reads = [&](const char* which) {
     try {
-      ifov::Document::read(folder_ / "scene.json");
-    } catch (const ifov::EnvironmentError&) {
-      std::_Exit(7);
+      ifov::Document::read(folder_ / which / "scene.json");
+      return true;
+    } catch (const ifov::EnvironmentError& error) {
+      EXPECT_NE(std::string(error.what()).find("--inputs-below"), std::string::npos) << error.what();
+      return false;
     }
-    std::_Exit(0);
   };
-  EXPECT_EXIT(confined(), testing::ExitedWithCode(7), "");
+  std::thread other([&] {
+    const ifov::InputsBelow inputs(folder_ / "b");
+    for (int k = 0; k < 50; ++k) EXPECT_TRUE(reads("b") && !reads("a"));
+  });
+  std::thread third([&] {
+    for (int k = 0; k < 50; ++k) EXPECT_TRUE(reads("a") && reads("b"));
+  });
+  std::optional<ifov::Document> bound;
+  {
+    const ifov::InputsBelow inputs(folder_ / "a");
+    for (int k = 0; k < 50; ++k) EXPECT_TRUE(reads("a") && !reads("b"));
+    bound = ifov::Document::read(folder_ / "a" / "scene.json");
+    EXPECT_THROW(ifov::InputsBelow(folder_ / "none"), ifov::InputError);
+  }
+  EXPECT_TRUE(reads("a") && reads("b"));
+  other.join();
+  third.join();
+  // What was read under it stays bound, in any thread.
+  ifov::Simulation::load(*bound);
+  fs::remove(folder_ / "a" / "roof.obj");
+  fs::create_symlink(folder_ / "b" / "roof.obj", folder_ / "a" / "roof.obj");
+  std::thread([&] {
+    const ifov::Message message = ifov::check(*bound).back();
+    EXPECT_EQ(message.severity, ifov::Severity::error);
+    EXPECT_NE(message.text.find("--inputs-below"), std::string::npos) << message.text;
+  }).join();
+  ifov::Simulation::load(ifov::Document::read(folder_ / "a" / "scene.json"));
+}
+
+/// A large mesh that is being read, in a call of its own.
+TEST_F(Facade, LoadingIsStoppedFromAnotherThread) {
+  {
+    std::ofstream mesh(folder_ / "roof.obj");
+    for (int k = 0; k < 400000; ++k)
+      mesh << "v " << k << " 0 0\nv " << k << " 1 0\nv " << k << " 0 1\nf -1 -2 -3\n";
+  }
+  const std::string text = replaced(kScene, "{\"plane\": {}, \"material\": \"ground\"}",
+                                    R"({"mesh": {"file": "roof.obj"}, "material": "ground"})");
+  const ifov::Document document = ifov::Document::parse(text, "scene.json", folder_);
+  ifov::CancelToken cancel;
+  std::thread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    cancel.cancel();
+  });
+  EXPECT_THROW(ifov::Simulation::load(document, {.cancel = &cancel}), ifov::Cancelled);
+  other.join();
 }
 
 }  // namespace

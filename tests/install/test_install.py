@@ -114,7 +114,10 @@ class Install(unittest.TestCase):
         names = [line.split(" ", 2)[2] for line in done("nm", "-DC", "--defined-only", self.library).splitlines()]
         plain = {re.sub(r"^(?:vtable|typeinfo|typeinfo name) for ", "", name) for name in names}
         of_facade = re.compile(r"ifov::(?:Document|Simulation|InputError|EnvironmentError|Cancelled|LogSink|ProgressSink|TileSink"
-                               r"|check|version|document_schema|confine_inputs|exit_code_of|reason_name)\b")
+                               r"|Assets|AtmosphereReport|InputsBelow|Ranks|check|version|document_schema|document_reference|exit_code_of"
+                               r"|reason_name|survey_atmosphere|run_status|merge|mpi_library|run_info|cube_info|products_in"
+                               r"|region_means|record_of|write_file|mapped_input_at|search_materials|curves_of|materials_list"
+                               r"|material_text|material_csv|material_figure|planck_radiance|brightness_temperature)\b")
         self.assertEqual(sorted(name for name in plain if not of_facade.match(name)), [])
         self.assertIn("ifov::version[abi:cxx11]()", plain)
         self.assertRegex(done("readelf", "-dW", self.library), r"SONAME\).*\[libifov\.so\.\d+\.\d+\]")

@@ -2,11 +2,16 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <thread>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "io/files/input_file.h"
+#include "io/files/inputs.h"
 #include "io/files/mapped_file.h"
 #include "io/files/own_files.h"
 
@@ -21,10 +26,7 @@ class Files : public testing::Test {
     std::string name = (fs::temp_directory_path() / "ifov_files_XXXXXX").string();
     folder_ = fs::canonical(mkdtemp(name.data()));
   }
-  ~Files() override {
-    release_inputs();
-    fs::remove_all(folder_);
-  }
+  ~Files() override { fs::remove_all(folder_); }
   fs::path put(const char* name, const char* content) const {
     fs::create_directories((folder_ / name).parent_path());
     std::ofstream(folder_ / name) << content;
@@ -67,7 +69,10 @@ TEST_F(Files, ConfinedInputsLieBelowTheFolderAfterAllLinks) {
   fs::create_symlink("deep/b.txt", folder_ / "in/link");
   fs::create_symlink(folder_ / "inside/c.txt", folder_ / "in/out");
   fs::create_symlink(folder_ / "in", folder_ / "shortcut");
-  confine_inputs(folder_ / "shortcut");
+  auto inputs = std::make_shared<Inputs>();
+  inputs->below = folder_of_inputs(folder_ / "shortcut");
+  const Call call{inputs};
+  std::optional<CallScope> confined(call);
   EXPECT_EQ(read_input(folder_ / "in/a.txt"), "a");
   EXPECT_EQ(read_input(folder_ / "shortcut/link"), "b");
   EXPECT_EQ(read_input(folder_ / "in/../in/deep/b.txt"), "b");
@@ -79,8 +84,23 @@ TEST_F(Files, ConfinedInputsLieBelowTheFolderAfterAllLinks) {
                      path.string(), (folder_ / "in").string()));
   }
   EXPECT_THROW(MappedFile(folder_ / "in/out"), EnvironmentError);
-  release_inputs();
+  // Threads that work for the call are bound as well, others are not.
+  std::atomic<int> refused{0};
+  parallel_for(4, 2, [&](std::int64_t) { refused += why_not(folder_ / "in/out").empty() ? 0 : 1; });
+  EXPECT_EQ(refused, 4);
+  std::thread([&] { EXPECT_EQ(read_input(folder_ / "in/out"), "c"); }).join();
+  confined.reset();
   EXPECT_EQ(read_input(folder_ / "in/out"), "c");
+}
+
+TEST_F(Files, AReadThatIsCancelledEnds) {
+  const fs::path file = put("a", "text");
+  CancelToken cancel;
+  const Call call{nullptr, &cancel};
+  const CallScope scope(call);
+  EXPECT_EQ(read_input(file), "text");
+  cancel.cancel();
+  EXPECT_THROW(read_input(file), Cancelled);
 }
 
 TEST_F(Files, ANewFileTakesThePlaceOfALink) {

@@ -11,6 +11,7 @@ sys.path.insert(0, str(HERE))
 
 from layering import (  # noqa: E402
     crowded_folders,
+    declared_rooms,
     emptiness_faults,
     folder_circles,
     folder_table_faults,
@@ -35,6 +36,9 @@ class SourceTree(unittest.TestCase):
     def test_source_keeps_the_rules(self):
         found = violations(ROOT / "src", RULES)
         self.assertEqual(found, [], "\n" + "\n".join(found))
+
+    def test_the_command_line_is_a_program_like_any_other(self):
+        self.assertEqual(sorted(declared_rooms(ROOT / "src/cli")), ["core", "landscape", "studies"])
 
     def test_public_headers_show_nothing_of_the_inside(self):
         self.assertEqual(public_violations(ROOT / "include"), [])

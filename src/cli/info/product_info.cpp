@@ -1,14 +1,14 @@
 #include "cli/info/product_info.h"
 
 #include <algorithm>
+#include <map>
+#include <string_view>
 #include <vector>
 
-#include "cli/info/run_record_file.h"
 #include "cli/terminal/progress_line.h"
 #include "core/error.h"
 #include "core/format.h"
-#include "io/products/envi_reader.h"
-#include "sampling/reason_words.h"
+#include "ifov/products.h"
 
 namespace ifov::cli {
 namespace {
@@ -18,6 +18,8 @@ constexpr std::size_t kMostChannelsShown = 12;
 void add_line(std::string& text, std::string_view name, const std::string& value) {
   if (!value.empty() && value != "?") text += format("{:<10} {}\n", name, value);
 }
+
+std::string known(const std::string& text) { return text.empty() ? "?" : text; }
 
 std::string wavelength(double um) {
   return um < 3.0 ? format("{:.6g} nm", 1e3 * um) : format("{:.6g} um", um);
@@ -32,95 +34,72 @@ std::string shown_channels(const std::vector<std::string>& lines) {
   return text + format("{:<10} {}\n", "", lines.back());
 }
 
-std::string channel_line(const Record& channel, const std::string& unit) {
+std::string channel_line(const RunInfo::Channel& channel, const std::string& unit) {
   std::string line =
-      format("{}: {}, width {}", channel["name"].text(), wavelength(channel["centre_um"].number()),
-             wavelength(channel["fwhm_um"].number()));
-  if (channel["mean"].is_number()) {
-    line += format("; {:.5g} to {:.5g}, mean {:.5g} {}", channel["minimum"].number(),
-                   channel["maximum"].number(), channel["mean"].number(), unit);
-  }
-  if (channel["mean_half_width"].is_number())
-    line += format(" +- {:.3g}", channel["mean_half_width"].number());
+      format("{}: {}, width {}", channel.name, wavelength(channel.centre_um), wavelength(channel.fwhm_um));
+  if (channel.mean)
+    line += format("; {:.5g} to {:.5g}, mean {:.5g} {}", channel.minimum.value_or(0.0),
+                   channel.maximum.value_or(0.0), *channel.mean, unit);
+  if (channel.mean_half_width) line += format(" +- {:.3g}", *channel.mean_half_width);
   return line;
 }
 
-std::string reason_counts(const Record& by_reason) {
-  sampling::ReasonCounts counts{};
-  for (std::size_t r = 0; r < counts.size(); ++r)
-    counts[r] = static_cast<std::uint64_t>(by_reason[std::string(sampling::kReasonNames[r])].number());
-  return sampling::describe_reasons(counts);
-}
-
-std::string accuracy_lines(const Record& accuracy) {
+std::string accuracy_lines(const RunInfo& run) {
   std::string text;
-  add_line(text, "asked", accuracy["asked"].text());
-  add_line(text, "reached", accuracy["reached"].text());
-  if (accuracy["pixels"].is_number() && accuracy["worst_ratio"].number() > 0.0) {
-    add_line(
-        text, "converged",
-        format("{:.0f} of {:.0f} pixels, worst error {:.3g} x limit", accuracy["pixels_converged"].number(),
-               accuracy["pixels"].number(), accuracy["worst_ratio"].number()));
-  }
-  add_line(text, "reasons", reason_counts(accuracy["pixels_by_reason"]));
-  add_line(text, "detection", accuracy["detection"].text());
+  add_line(text, "asked", run.accuracy_asked);
+  add_line(text, "reached", run.accuracy_reached);
+  if (run.pixels && run.worst_error_ratio > 0.0)
+    add_line(text, "converged",
+             format("{} of {} pixels, worst error {:.3g} x limit", run.pixels_converged, *run.pixels,
+                    run.worst_error_ratio));
+  add_line(text, "reasons", run.reasons);
+  add_line(text, "detection", run.detection);
   return text;
 }
 
 std::string describe_record(const std::filesystem::path& path) {
-  const RunRecordFile record(path);
-  const Record run = record.root();
-  const Record image = run["image"], cost = run["cost"];
+  const RunInfo run = run_info(path);
   std::string text = format("{}\n", path.string());
   add_line(text, "made by",
-           format("ifov {}, seed {:.0f}, sampling: {}", run["program"]["version"].text(),
-                  run["seed"].number(), run["sampler"].text()));
-  add_line(text, "document", run["document"]["path"].text());
-  add_line(
-      text, "image",
-      format("{:.0f} x {:.0f} pixels, {} channels, {}", image["width_px"].number(),
-             image["height_px"].number(), run["channels"].items().size(), image["radiance_unit"].text()));
+           format("ifov {}, seed {}, sampling: {}", known(run.version), run.seed, known(run.sampler)));
+  add_line(text, "document", run.document);
+  add_line(text, "image",
+           format("{} x {} pixels, {} channels, {}", run.width_px, run.height_px, run.channels.size(),
+                  known(run.radiance_unit)));
   std::vector<std::string> channels;
-  for (const Record& channel : run["channels"].items()) {
-    channels.push_back(channel_line(channel, image["radiance_unit"].text()));
-  }
-  text += shown_channels(channels) + accuracy_lines(run["accuracy"]);
-  add_line(
-      text, "cost",
-      format("{} rays, {} samples, {}", short_count(cost["rays"]["total"].number()),
-             short_count(cost["samples"]["total"].number()), format("{:.2f} s", cost["elapsed_s"].number())));
-  for (const Record& note : run["notes"].items()) add_line(text, "note", note.text());
-  for (const Record& made : run["files"].items()) {
-    add_line(
-        text, "file",
-        format("{}  ({}, {:.0f} bytes)", made["name"].text(), made["what"].text(), made["bytes"].number()));
-  }
+  for (const RunInfo::Channel& channel : run.channels)
+    channels.push_back(channel_line(channel, known(run.radiance_unit)));
+  text += shown_channels(channels) + accuracy_lines(run);
+  add_line(text, "cost",
+           format("{} rays, {} samples, {}", short_count(run.rays), short_count(run.samples),
+                  format("{:.2f} s", run.elapsed_s)));
+  for (const std::string& note : run.notes) add_line(text, "note", note);
+  for (const RunInfo::File& made : run.files)
+    add_line(text, "file", format("{}  ({}, {} bytes)", made.name, made.what, made.bytes));
   return text;
 }
 
 std::string describe_envi(const std::filesystem::path& path) {
-  const io::EnviReader reader(path);
-  const io::EnviHeader& header = reader.header();
-  std::string text = format("{}\n", reader.data_path().string());
-  std::string about = header.description;
+  const CubeInfo cube = cube_info(path);
+  std::string text = format("{}\n", cube.path.string());
+  std::string about = cube.description;
   std::replace(about.begin(), about.end(), '\n', ';');
   add_line(text, "what", about);
-  const char* const layouts[] = {"band sequential", "band interleaved by line", "band interleaved by pixel"};
-  add_line(
-      text, "image",
-      format("{} x {} pixels, {} bands, {} bytes a value, {}", header.samples, header.lines, header.bands,
-             io::bytes_per_value(header.data_type), layouts[static_cast<int>(header.interleave)]));
-  add_line(text, "unit", header.data_units);
+  const std::map<std::string_view, const char*> layouts{
+      {"bsq", "band sequential"}, {"bil", "band interleaved by line"}, {"bip", "band interleaved by pixel"}};
+  add_line(text, "image",
+           format("{} x {} pixels, {} bands, {} bytes a value, {}", cube.width_px, cube.height_px, cube.bands,
+                  cube.bytes_per_value, layouts.at(cube.interleave)));
+  add_line(text, "unit", cube.unit);
   std::string map;
-  for (const std::string& item : header.map_info) map += format("{}{}", map.empty() ? "" : ", ", item);
+  for (const std::string& item : cube.map_info) map += format("{}{}", map.empty() ? "" : ", ", item);
   add_line(text, "map", map);
   std::vector<std::string> bands;
-  for (int b = 0; b < header.bands; ++b) {
+  for (int b = 0; b < cube.bands; ++b) {
     const auto i = static_cast<std::size_t>(b);
-    std::string line = i < header.band_names.size() ? header.band_names[i] : format("band {}", b + 1);
-    if (i < header.wavelength.size())
-      line += format(": {:.6g} {}", header.wavelength[i], header.wavelength_units);
-    if (i < header.fwhm.size()) line += format(", width {:.6g}", header.fwhm[i]);
+    std::string line = i < cube.band_names.size() ? cube.band_names[i] : format("band {}", b + 1);
+    if (i < cube.wavelength.size()) line += format(": {:.6g} {}", cube.wavelength[i], cube.wavelength_unit);
+    if (i < cube.fwhm.size()) line += format(", width {:.6g}", cube.fwhm[i]);
     bands.push_back(std::move(line));
   }
   return text + shown_channels(bands);
@@ -131,22 +110,10 @@ bool ends_with(const std::filesystem::path& path, std::string_view ending) {
 }
 
 std::string describe_folder(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> records, cubes;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (ends_with(entry.path(), "run.json")) records.push_back(entry.path());
-    if (ends_with(entry.path(), ".img")) cubes.push_back(entry.path());
-  }
-  std::sort(records.begin(), records.end());
-  std::sort(cubes.begin(), cubes.end());
   std::string text;
-  for (const auto& record : records)
-    text += format("{}{}", text.empty() ? "" : "\n", describe_record(record));
-  if (!records.empty()) return text;
-  for (const auto& cube : cubes) text += format("{}{}", text.empty() ? "" : "\n", describe_envi(cube));
-  if (cubes.empty()) {
-    throw InputError(format("'{}' holds no product: neither a run record (run.json) nor an ENVI file (.img)",
-                            folder.string()));
-  }
+  for (const std::filesystem::path& product : products_in(folder))
+    text += format("{}{}", text.empty() ? "" : "\n",
+                   ends_with(product, ".json") ? describe_record(product) : describe_envi(product));
   return text;
 }
 

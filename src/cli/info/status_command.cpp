@@ -2,7 +2,7 @@
 
 #include "cli/run_commands.h"
 #include "cli/terminal/say.h"
-#include "session/runs/run_status.h"
+#include "ifov/runs.h"
 
 namespace ifov::cli {
 
@@ -16,7 +16,7 @@ Command add_status_command(CLI::App& app) {
       "Example:\n"
       "  ifov status scene.out");
   return {parser, [folder] {
-            say(session::describe_run(*folder));
+            say(run_status(*folder).text);
             return ExitCode::ok;
           }};
 }

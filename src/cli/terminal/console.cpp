@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 
 #include "cli/terminal/progress_line.h"
@@ -12,7 +13,6 @@
 #include "core/error.h"
 #include "core/format.h"
 #include "core/printable.h"
-#include "io/files/file_reasons.h"
 
 namespace ifov::cli {
 namespace {
@@ -51,8 +51,7 @@ Console::Console(bool quiet, const std::string& log_file)
   if (log_file.empty()) return;
   refuse_linked_log(log_file);
   log_.open(log_file, std::ios::trunc);
-  if (!log_)
-    throw EnvironmentError(format("cannot write the log '{}': {}", log_file, io::file_reason(errno)));
+  if (!log_) throw EnvironmentError(format("cannot write the log '{}': {}", log_file, std::strerror(errno)));
 }
 
 Console::~Console() {

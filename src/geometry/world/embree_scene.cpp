@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstring>
 
+#include "core/call_scope.h"
 #include "core/error.h"
 #include "geometry/world/instance_set.h"
 
@@ -212,7 +213,12 @@ void commit(RTCDevice device, RTCScene scene) {
 #ifdef __SANITIZE_THREAD__
   commits.fetch_add(1, std::memory_order_acq_rel);
 #endif
+  const CancelToken* const cancel = current_call().cancel;
+  const auto go_on = [](void* token, double) { return !static_cast<const CancelToken*>(token)->cancelled(); };
+  if (cancel != nullptr) rtcSetSceneProgressMonitorFunction(scene, go_on, const_cast<CancelToken*>(cancel));
   rtcCommitScene(scene);
+  rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
+  stop_if_cancelled();
 #ifdef __SANITIZE_THREAD__
   calls_back.load(std::memory_order_acquire);
 #endif

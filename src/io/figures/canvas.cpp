@@ -1,3 +1,4 @@
+// Left out of a build without Cairo (IFOV_CAIRO=OFF); canvas_without_cairo.cpp takes its place.
 #include "io/figures/canvas.h"
 
 #include <cairo-pdf.h>

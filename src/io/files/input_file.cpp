@@ -9,17 +9,12 @@
 
 #include "core/error.h"
 #include "io/files/file_reasons.h"
+#include "io/files/inputs.h"
 
 namespace ifov::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Without links; empty: inputs may lie anywhere.
-fs::path& allowed_folder() {
-  static fs::path folder;
-  return folder;
-}
 
 EnvironmentError cannot_read(const fs::path& path, const std::string& why) {
   return EnvironmentError(format("cannot read '{}': {}", path.string(), why));
@@ -31,7 +26,7 @@ bool is_below(const fs::path& path, const fs::path& folder) {
 
 EnvironmentError lies_elsewhere(const fs::path& path) {
   return cannot_read(path, format("it does not lie below '{}', and --inputs-below allows no other files",
-                                  allowed_folder().string()));
+                                  current_inputs().below.string()));
 }
 
 /// Where an open file lies, whatever its name was; no race between the look and the reading can change that.
@@ -43,35 +38,26 @@ fs::path place_of(const Descriptor& file) {
 int open_for_reading(const fs::path& path) {
   // A pipe does not make us wait for its writer.
   constexpr int kFlags = O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;
-  if (allowed_folder().empty()) return open(path.c_str(), kFlags);
+  if (current_inputs().below.empty()) return open(path.c_str(), kFlags);
   // Looked at before it is opened: to open a device may do something.
   const Descriptor place(open(path.c_str(), O_PATH | O_CLOEXEC));
   if (!place) {
     const int error = errno;
     std::error_code unknown;
-    if (!is_below(fs::weakly_canonical(path, unknown), allowed_folder())) throw lies_elsewhere(path);
+    if (!is_below(fs::weakly_canonical(path, unknown), current_inputs().below)) throw lies_elsewhere(path);
     errno = error;
     return -1;
   }
-  if (!is_below(place_of(place), allowed_folder())) throw lies_elsewhere(path);
+  if (!is_below(place_of(place), current_inputs().below)) throw lies_elsewhere(path);
   return open(format("/proc/self/fd/{}", place.number()).c_str(), kFlags);
 }
 
 }  // namespace
 
-void confine_inputs(const fs::path& folder) {
-  std::error_code error;
-  const fs::path real = fs::canonical(folder, error);
-  if (error)
-    throw InputError(format("ifov: --inputs-below '{}': {}", folder.string(), file_reason(error.value())));
-  if (!fs::is_directory(real, error))
-    throw InputError(format("ifov: --inputs-below '{}': found a file; expected a folder", folder.string()));
-  allowed_folder() = real;
-}
-
-void release_inputs() { allowed_folder().clear(); }
-
-InputFile::InputFile(const fs::path& path) : path_(path), descriptor_(open_for_reading(path)) {
+InputFile::InputFile(const fs::path& path) : path_(path) {
+  if (is_asset_name(path.native()))
+    refuse_asset(path, asset_named(path).what, "a file: of this kind nothing is taken from memory");
+  descriptor_ = Descriptor(open_for_reading(path));
   if (!descriptor_) throw cannot_read(path_, file_reason(errno));
   struct stat info {};
   if (fstat(descriptor_.number(), &info) != 0) throw cannot_read(path_, file_reason(errno));
@@ -83,8 +69,10 @@ InputFile::InputFile(const fs::path& path) : path_(path), descriptor_(open_for_r
 std::size_t InputFile::read_at(std::uint64_t offset, std::span<char> bytes) const {
   std::size_t done = 0;
   while (done < bytes.size()) {
-    const ssize_t got = pread(descriptor_.number(), bytes.data() + done, bytes.size() - done,
-                              static_cast<off_t>(offset + done));
+    stop_if_cancelled();
+    constexpr std::size_t kPiece_bytes = std::size_t{16} << 20;
+    const ssize_t got = pread(descriptor_.number(), bytes.data() + done,
+                              std::min(bytes.size() - done, kPiece_bytes), static_cast<off_t>(offset + done));
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) throw cannot_read(path_, file_reason(errno));
     if (got == 0) break;

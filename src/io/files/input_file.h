@@ -9,23 +9,17 @@
 
 namespace ifov::io {
 
-/// From now on this process opens no input file that lies elsewhere than below this folder, whatever links lead to it.
-/// Throws InputError where the folder is not there. For the command line alone: before anything is read.
-void confine_inputs(const std::filesystem::path& folder);
-
-/// Lifts that again, for tests.
-void release_inputs();
-
-/// A plain file that a document or a user names, open for reading. All that ifov reads of others goes through here.
+/// A plain file that a document or a user names, open for reading. All that ifov reads of others goes through here, where
+/// the folder of current_inputs() is held.
 class InputFile {
  public:
-  /// Throws EnvironmentError that says why the file cannot be read; folders, pipes and devices are refused.
+  /// Throws EnvironmentError that says why the file cannot be read; folders, pipes, devices and assets are refused.
   explicit InputFile(const std::filesystem::path& path);
 
   std::uint64_t size() const { return size_; }  ///< when it was opened
   int descriptor() const { return descriptor_.number(); }
 
-  /// How many bytes lie there; fewer than asked for at the end of the file.
+  /// How many bytes lie there; fewer than asked for at the end of the file. Throws Cancelled.
   std::size_t read_at(std::uint64_t offset, std::span<char> bytes) const;
   /// From the beginning to the end.
   std::string text() const;

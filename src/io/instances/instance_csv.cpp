@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "io/files/inputs.h"
 #include "io/files/mapped_file.h"
 #include "io/tables/text_table.h"
 
@@ -95,6 +96,7 @@ class RowReader {
 }  // namespace
 
 std::vector<Instance> read_instance_csv(const std::filesystem::path& path) {
+  if (is_asset_name(path.native())) return asset_as<std::vector<Instance>>(path, "a list of copies");
   const MappedFile file(path);
   const std::span<const std::byte> bytes = file.bytes();
   return RowReader(path.string(), {reinterpret_cast<const char*>(bytes.data()), bytes.size()}).read();

@@ -97,16 +97,17 @@ MaterialLibrary::MaterialLibrary(std::span<const std::pair<std::string, std::str
 }
 
 bool MaterialLibrary::has(std::string_view name) const {
-  return std::any_of(
-      materials_.begin(), materials_.end(),
-      [wanted = lower_case(name)](const LibraryMaterial& material) { return material.name == wanted; });
+  return std::any_of(materials_.begin(), materials_.end(),
+                     [wanted = lower_case(name)](const LibraryMaterial& material) {
+                       return lower_case(material.name) == wanted;
+                     });
 }
 
 const LibraryMaterial& MaterialLibrary::find(std::string_view name) const {
   const std::string wanted = lower_case(name);
   std::vector<std::string> names;
   for (const LibraryMaterial& material : materials_) {
-    if (material.name == wanted) return material;
+    if (lower_case(material.name) == wanted) return material;
     names.push_back(material.name);
   }
   for (const LibraryMaterial& material : materials_)

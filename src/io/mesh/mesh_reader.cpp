@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/names.h"
+#include "io/files/inputs.h"
 #include "io/mesh/mesh_format.h"
 
 namespace ifov::io {
@@ -27,6 +28,7 @@ std::vector<std::string> further_mesh_files(const std::filesystem::path& path) {
 }
 
 geometry::TriangleMesh read_mesh(const std::filesystem::path& path, LogSink* log) {
+  if (is_asset_name(path.native())) return asset_as<geometry::TriangleMesh>(path, "a mesh");
   const MeshFormat* known = mesh_format_of(path);
   const std::string name = path.string();
   if (known == nullptr)

@@ -19,7 +19,7 @@ bool format_has_y_up(const std::filesystem::path& path);
 /// Files beside a mesh that its reader opens as well; none where it refuses the mesh.
 std::vector<std::string> further_mesh_files(const std::filesystem::path& path);
 
-/// Reads a mesh with the reader that its extension (of either case) names; what the file holds and is not
+/// Reads a mesh, of an asset's name the one in memory, with the reader that its extension (of either case) names; what the file holds and is not
 /// used is told to `log` (may be null). Throws InputError for an extension that is not known, a mesh without
 /// triangles and whatever the reader finds; EnvironmentError if the file cannot be read.
 geometry::TriangleMesh read_mesh(const std::filesystem::path& path, LogSink* log = nullptr);

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/call_scope.h"
 #include "core/error.h"
 #include "io/files/input_file.h"
 
@@ -26,6 +27,7 @@ ObjLines::ObjLines(const std::filesystem::path& path) : name_(path.string()), te
 }
 
 bool ObjLines::next() {
+  stop_if_cancelled();
   in_statement_ = 0;
   joined_.clear();
   while (at_ < text_.size()) {

@@ -45,6 +45,9 @@ std::uint64_t ProductFormats::bytes(const render::ImageInfo& image, const Quanti
   return bytes;
 }
 
-ProductFormats usual_product_formats() { return {&kEnvi, &formats::kPng, &formats::kHtml}; }
+ProductFormats usual_product_formats() {
+  if (!why_no_figures().empty()) return {&kEnvi, &formats::kHtml};
+  return {&kEnvi, &formats::kPng, &formats::kHtml};
+}
 
 }  // namespace ifov::io

@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t kBlock = 8;
 
+#ifdef __AVX__
 /// 8 pixels x 8 bands; strides in values.
 void turn_block(const float* from, std::size_t from_stride, float* to, std::size_t to_stride) {
   __m256 row[8], pair[8];
@@ -28,6 +29,14 @@ void turn_block(const float* from, std::size_t from_stride, float* to, std::size
     _mm256_storeu_ps(to + (k + 4) * to_stride, _mm256_permute2f128_ps(row[k], row[k + 4], 0x31));
   }
 }
+
+#else
+void turn_block(const float* from, std::size_t from_stride, float* to, std::size_t to_stride) {
+  for (std::size_t band = 0; band < kBlock; ++band)
+    for (std::size_t x = 0; x < kBlock; ++x)
+      std::memcpy(to + band * to_stride + x, from + x * from_stride + band, sizeof(float));
+}
+#endif
 
 void turn_one_by_one(const std::byte* from, std::size_t bands, std::byte* to, std::size_t to_stride,
                      std::size_t first_pixel, std::size_t last_pixel, std::size_t first_band,

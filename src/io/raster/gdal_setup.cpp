@@ -22,13 +22,13 @@ constexpr std::string_view kPrefix = "/vsiifov/";
 constexpr GIntBig kCache_bytes = GIntBig{64} << 20;
 
 using Register = void (*)();
+#define IFOV_DRIVER(name) GDALRegister_##name,
 constexpr Register kDrivers[] = {
     // read and written
     GDALRegister_GTiff, GDALRegister_COG, GDALRegister_PNG, GDALRegister_MEM,
     // read
-    GDALRegister_ENVI, GDALRegister_JPEG, GDALRegister_BMP, GDALRegister_AAIGrid, GDALRegister_HFA,
-    GDALRegister_PNM, GDALRegister_EHdr, GDALRegister_SRTMHGT, GDALRegister_DTED, GDALRegister_USGSDEM,
-    GDALRegister_GSAG, GDALRegister_GSBG, GDALRegister_GS7BG, GDALRegister_SAGA, GDALRegister_netCDF};
+    IFOV_RASTER_DRIVERS GDALRegister_netCDF};
+#undef IFOV_DRIVER
 
 struct OpenFile {
   InputFile file;
@@ -75,6 +75,8 @@ std::size_t read(void* file, void* bytes, std::size_t size, std::size_t count) {
     open.at += got;
     return got / size;
   } catch (const EnvironmentError&) {
+    return 0;
+  } catch (const Cancelled&) {  // the file is damaged, then; who reads it asks why
     return 0;
   }
 }

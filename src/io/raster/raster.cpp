@@ -10,17 +10,18 @@
 
 #include "core/error.h"
 #include "io/files/input_file.h"
+#include "io/files/inputs.h"
 #include "io/raster/gdal_setup.h"
 #include "io/raster/quiet_gdal.h"
 
 namespace ifov::io {
 namespace {
 
-// Kinds whose readers open the named file and its companions only, and refuse what is damaged. OpenJPEG does
-// not: it ends the program by an assertion.
-constexpr const char* kDrivers[] = {"GTiff", "ENVI", "PNG",   "JPEG",    "BMP",  "AAIGrid",
-                                    "HFA",   "PNM",  "EHdr",  "SRTMHGT", "DTED", "USGSDEM",
-                                    "GSAG",  "GSBG", "GS7BG", "SAGA",    nullptr};
+// Kinds whose readers open the named file and its companions only, and refuse what is damaged; IFOV_GDAL_DRIVERS of
+// the build chooses among them. OpenJPEG does not: it ends the program by an assertion.
+#define IFOV_DRIVER(name) #name,
+constexpr const char* kDrivers[] = {IFOV_RASTER_DRIVERS nullptr};
+#undef IFOV_DRIVER
 
 struct CloseDataset {
   void operator()(void* dataset) const { GDALClose(dataset); }
@@ -28,6 +29,7 @@ struct CloseDataset {
 using Dataset = std::unique_ptr<void, CloseDataset>;
 
 [[noreturn]] void fail(const std::string& name, const std::string& message) {
+  stop_if_cancelled();  // GDAL cannot be told, and takes the file for damaged
   throw InputError(format("{}: {}", name, message), {name, 0, 0});
 }
 
@@ -146,6 +148,25 @@ class RasterFile {
   RasterFrame frame_;
 };
 
+const Raster& raster_asset(const std::filesystem::path& path) {
+  return asset_as<Raster>(path.string(), "a raster");
+}
+
+[[noreturn]] void refuse_band(const std::string& name, int band, int bands) {
+  throw InputError(format("{} has no band {}; it has {}", name, band, bands));
+}
+
+Raster band_of_asset(const std::filesystem::path& path, int band) {
+  const Raster& all = raster_asset(path);
+  if (band < 1 || band > all.bands) refuse_band(path.string(), band, all.bands);
+  const auto first = all.values.begin() + static_cast<std::ptrdiff_t>(all.cells()) * (band - 1);
+  Raster one{static_cast<const RasterFrame&>(all), {}, all.nodata, {}};
+  one.bands = 1;
+  one.values.assign(first, first + static_cast<std::ptrdiff_t>(all.cells()));
+  one.units = {all.units.empty() ? std::string() : all.units[static_cast<std::size_t>(band - 1)]};
+  return one;
+}
+
 }  // namespace
 
 std::string raster_driver_list() {
@@ -156,20 +177,22 @@ std::string raster_driver_list() {
 }
 
 Raster read_raster(const std::filesystem::path& path, std::size_t max_values) {
+  if (is_asset_name(path.native())) return raster_asset(path);
   prepare_gdal();
   const RasterFile file(path);
   return file.read(1, file.frame().bands, max_values);
 }
 
 Raster read_band(const std::filesystem::path& path, int band, std::size_t max_values) {
+  if (is_asset_name(path.native())) return band_of_asset(path, band);
   prepare_gdal();
   const RasterFile file(path);
-  if (band < 1 || band > file.frame().bands)
-    throw InputError(format("{} has no band {}; it has {}", path.string(), band, file.frame().bands));
+  if (band < 1 || band > file.frame().bands) refuse_band(path.string(), band, file.frame().bands);
   return file.read(band, 1, max_values);
 }
 
 RasterFrame read_raster_frame(const std::filesystem::path& path) {
+  if (is_asset_name(path.native())) return raster_asset(path);
   prepare_gdal();
   return RasterFile(path).frame();
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/parallel.h"
+#include "io/files/inputs.h"
 #include "io/mesh/mesh_format.h"
 
 namespace ifov::io {
@@ -23,7 +24,14 @@ std::vector<FileStamp> stamp_scene_files(const std::vector<std::string>& named,
                                          const std::filesystem::path& folder,
                                          std::span<const FileStamp> known) {
   std::vector<std::filesystem::path> files;
+  std::vector<FileStamp> assets;
   for (const std::string& file : named) {
+    if (is_asset_name(file)) {
+      const Assets* const all = current_inputs().assets.get();
+      const Assets::Asset* const asset = all != nullptr ? all->find(file) : nullptr;
+      if (asset != nullptr) assets.push_back({file, asset->bytes, 0, asset->hash});
+      continue;
+    }
     files.emplace_back(file);
     std::error_code ignored;
     for (const auto& companion : companions_of(file))
@@ -35,6 +43,7 @@ std::vector<FileStamp> stamp_scene_files(const std::vector<std::string>& named,
   parallel_for(static_cast<std::int64_t>(files.size()), 0, [&](std::int64_t k) {
     stamps[static_cast<std::size_t>(k)] = stamp_of(files[static_cast<std::size_t>(k)], folder, known);
   });
+  stamps.insert(stamps.end(), assets.begin(), assets.end());
   std::sort(stamps.begin(), stamps.end(),
             [](const FileStamp& a, const FileStamp& b) { return a.path < b.path; });
   return stamps;

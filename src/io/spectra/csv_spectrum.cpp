@@ -1,6 +1,7 @@
 #include "io/spectra/csv_spectrum.h"
 
 #include "core/error.h"
+#include "io/files/inputs.h"
 #include "io/spectra/spectrum_rows.h"
 #include "io/tables/text_table.h"
 
@@ -22,6 +23,19 @@ std::size_t column_named(const TextFile& file, int heading_line, const std::vect
   file.fail(heading_line, 0, format("no column is called '{}'; there are {}", name, listed(heading)));
 }
 
+/// Columns in memory, as rows of a text would be taken.
+radiometry::Spectrum spectrum_asset(const std::filesystem::path& path, const CsvSpectrumOptions& options) {
+  const auto& columns = asset_as<SpectrumColumns>(path, "a spectrum");
+  if (options.wavelength_column != 1 || options.value_column != 2 || !options.value_name.empty())
+    throw InputError(format("'{}' is a spectrum in memory: its values are column 2", path.string()));
+  const TextFile rows_of(path.string(), "");
+  SpectrumRows rows;
+  for (std::size_t k = 0; k < columns.wavelength.size(); ++k)
+    rows.add(rows_of, static_cast<int>(k) + 1, {}, columns.wavelength[k], options.scale * columns.value[k],
+             options.unit);
+  return rows.spectrum(rows_of, options.outside, path.string());
+}
+
 }  // namespace
 
 WavelengthUnit parse_wavelength_unit(const std::string& name) {
@@ -40,6 +54,7 @@ bool has_decimal_comma(std::string_view text) {
 }
 
 radiometry::Spectrum read_csv_spectrum(const std::filesystem::path& path, const CsvSpectrumOptions& options) {
+  if (is_asset_name(path.native())) return spectrum_asset(path, options);
   return parse_csv_spectrum(TextFile(path), options);
 }
 

@@ -1,7 +1,7 @@
 #include "ifov/document.h"
 
-#include "io/files/input_file.h"
-#include "session/facade/document_inside.h"
+#include "session/facade/access.h"
+#include "session/preview.h"
 
 namespace ifov {
 namespace {
@@ -12,16 +12,33 @@ std::vector<io::DocumentOverride> overrides_of(const std::vector<std::string>& s
   return overrides;
 }
 
+/// Of the calls of this thread, for all that will be read for a document.
+std::shared_ptr<const io::Inputs> own_inputs() {
+  return std::make_shared<const io::Inputs>(io::current_inputs());
+}
+
 }  // namespace
 
 Document Document::read(const std::filesystem::path& file, const std::vector<std::string>& set) {
-  return Document(std::make_shared<const Inside>(io::read_document(file.string(), overrides_of(set))));
+  return FacadeAccess::document({io::read_document(file.string(), overrides_of(set)), own_inputs()});
 }
 
 Document Document::parse(const std::string& text, const std::string& name,
                          const std::filesystem::path& folder, const std::vector<std::string>& set) {
-  return Document(
-      std::make_shared<const Inside>(io::parse_document(text, (folder / name).string(), overrides_of(set))));
+  return FacadeAccess::document(
+      {io::parse_document(text, (folder / name).string(), overrides_of(set)), own_inputs()});
+}
+
+Document Document::with_assets(const Assets& assets) const {
+  io::Inputs inputs = *inside_->inputs;
+  inputs.assets = std::make_shared<const io::Assets>(FacadeAccess::inside(assets));
+  return FacadeAccess::document({inside_->document, std::make_shared<const io::Inputs>(std::move(inputs))});
+}
+
+Document Document::for_preview(int longest_px) const {
+  const Call call{inside_->inputs};  // a table of channels may be a file
+  const CallScope scope(call);
+  return FacadeAccess::document({session::for_preview(inside_->document, longest_px), inside_->inputs});
 }
 
 std::string Document::name() const { return inside_->document.file_name; }
@@ -30,6 +47,20 @@ std::filesystem::path Document::output_folder() const { return inside_->document
 
 std::string document_schema() { return io::schema_json(); }
 
-void confine_inputs(const std::filesystem::path& folder) { io::confine_inputs(folder); }
+std::string document_reference() { return io::schema_markdown(); }
+
+struct InputsBelow::Inside {
+  Call call;
+  std::optional<CallScope> scope;
+};
+
+InputsBelow::InputsBelow(const std::filesystem::path& folder) : inside_(std::make_unique<Inside>()) {
+  auto inputs = std::make_shared<io::Inputs>(io::current_inputs());
+  inputs->below = io::folder_of_inputs(folder);
+  inside_->call = {std::move(inputs), current_call().cancel};
+  inside_->scope.emplace(inside_->call);
+}
+
+InputsBelow::~InputsBelow() = default;
 
 }  // namespace ifov

@@ -1,11 +1,17 @@
 #include "session/facade/tiles_in_memory.h"
 
+#include <memory>
 #include <mutex>
+#include <optional>
+#include <utility>
 
 #include "core/error.h"
+#include "io/document/document.h"
 #include "render/image_renderer.h"
 #include "render/tile_grid.h"
+#include "render/tolerance/accuracy_tolerance.h"
 #include "sampling/reason_words.h"
+#include "session/assembly/whole/sampling_assembly.h"
 #include "session/loaded/parts.h"
 #include "session/runs/plan_assembly.h"
 #include "session/runs/time_limit.h"
@@ -58,6 +64,39 @@ class LastProgress final : public ProgressSink {
   Progress last_;
 };
 
+/// What a document says of sampling, for the scene of another one.
+class OtherSampling {
+ public:
+  OtherSampling(const Parts& parts, const io::Document& document)
+      : document_(document), plan_(assemble_sampling(document, parts.channels)) {
+    if (plan_.knows_errors && !parts.plan.knows_errors)
+      throw InputError(
+          "sampling: the scene was loaded for single rays, which know no error; load it with another sampling");
+    tolerance_ = parts.tolerance_of(plan_);
+  }
+  void tell(io::RunPlan& plan) const {
+    plan.identity.seed = document_.seed;
+    plan.identity.sampler = plan_.method;
+    plan.identity.accuracy_asked = plan_.accuracy_asked;
+    plan.judged = tolerance_ != nullptr;
+    plan.knows_errors = plan_.knows_errors;
+    plan.tile_px = document_.sampling.tile_px;
+  }
+  render::RenderJob job(const Parts& parts) const {
+    render::RenderJob job = parts.job(plan_, tolerance_.get());
+    if (document_.sampling.max_depth) job.transport.maximum_scatterings = *document_.sampling.max_depth;
+    job.transport.mirror_reflections = document_.sampling.mirror_reflections;
+    job.seed = document_.seed;
+    job.tile_px = document_.sampling.tile_px;
+    return job;
+  }
+
+ private:
+  const io::Document& document_;
+  SamplingPlan plan_;
+  std::unique_ptr<render::AccuracyTolerance> tolerance_;
+};
+
 }  // namespace
 
 ImageDescription describe_image(const render::ImageInfo& image) {
@@ -67,15 +106,19 @@ ImageDescription describe_image(const render::ImageInfo& image) {
   return description;
 }
 
-RunResult render_tiles(const Session& session, const TileOptions& options, TileSink& sink) {
+RunResult render_tiles(const Session& session, const TileOptions& options, const io::Document* sampling,
+                       TileSink& sink) {
   const Session::Parts& parts = session.parts();
-  const io::RunPlan plan = assemble_plan(parts, false);
+  io::RunPlan plan = assemble_plan(parts, false);
+  const std::optional<OtherSampling> other =
+      sampling != nullptr ? std::optional<OtherSampling>(std::in_place, parts, *sampling) : std::nullopt;
+  if (other) other->tell(plan);
   HandingOver program(sink);
   OneValue one_value(program);
   const TimeLimit limit(options.deadline, options.cancel);
   LastProgress progress(options.progress,
                         static_cast<std::int64_t>(plan.image.width_px) * plan.image.height_px);
-  render::RenderJob job = parts.job();
+  render::RenderJob job = other ? other->job(parts) : parts.job();
   job.keep_variances = false;
   render::RenderControl control;
   control.threads = options.threads;

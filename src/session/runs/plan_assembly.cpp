@@ -4,6 +4,7 @@
 
 #include "core/version.h"
 #include "io/document/document.h"
+#include "io/files/inputs.h"
 #include "io/run_state/scene_files.h"
 #include "render/image_renderer.h"
 #include "render/tolerance/accuracy_tolerance.h"
@@ -55,6 +56,10 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
   for (const std::string& warning : parts.warnings) plan.notes.push_back("warning: " + warning);
   for (const std::string& line : parts.places) plan.notes.push_back(line);
   for (const std::string& note : notes(parts)) plan.notes.push_back(note);
+  for (const io::FileStamp& stamp : plan.files)
+    if (io::is_asset_name(stamp.path))
+      plan.notes.push_back(format("'{}' came from a program's memory: {} bytes, XXH3 {:016x}{:016x}",
+                                  stamp.path, stamp.bytes, stamp.hash[1], stamp.hash[0]));
   plan.formats = document.output.formats;
   plan.name = document.output.name;
   const bool map_tells = parts.camera->ground_grid().has_value();

@@ -27,7 +27,7 @@ std::string accuracy(const io::RunPlan& plan, const io::TilesDone& tiles) {
       reasons.empty() ? "" : format(" (not: {})", reasons), tiles.worst_ratio);
 }
 
-std::string describe_unfinished(const std::filesystem::path& folder) {
+RunStatus unfinished(const std::filesystem::path& folder) {
   const io::RunPlan plan = io::read_plan(io::plan_file(folder));
   const io::TilesDone tiles = io::survey_tiles(folder, plan);
   std::size_t wanted = 0;
@@ -53,21 +53,39 @@ std::string describe_unfinished(const std::filesystem::path& folder) {
                                                    duration(tiles.elapsed_s * (1.0 - done) / done))
                                           : format("{} tiles", wanted));
   const std::string holder = io::lock_holder(io::state_folder(folder) / "lock");
-  return text + line("at work", holder.empty() ? "nobody; --resume goes on" : holder);
+  text += line("at work", holder.empty() ? "nobody; --resume goes on" : holder);
+  return {.document = plan.identity.document_path,
+          .version = plan.identity.version,
+          .seed = plan.identity.seed,
+          .share_number = plan.share.number,
+          .share_count = plan.share.count,
+          .tiles_done = tiles.count(),
+          .tiles_wanted = wanted,
+          .pixels_done = tiles.pixels,
+          .pixels_wanted = pixels,
+          .pixels_converged = tiles.converged,
+          .rays = static_cast<std::uint64_t>(tiles.rays),
+          .elapsed_s = tiles.elapsed_s,
+          .worst_error_ratio = tiles.worst_ratio,
+          .at_work = holder,
+          .text = text};
 }
 
 }  // namespace
 
-std::string describe_run(const std::filesystem::path& folder) {
+RunStatus status_of(const std::filesystem::path& folder) {
   std::error_code ignored;
-  if (std::filesystem::exists(io::plan_file(folder), ignored)) return describe_unfinished(folder);
-  if (io::holds_complete_run(folder))
-    return format("{}: complete{}; 'ifov info {}' describes it\n", folder.string(),
-                  std::filesystem::exists(io::kept_folder(folder), ignored) ? ", kept for --refine" : "",
-                  folder.string());
-  throw InputError(
-      format("'{}' holds no run: neither an unfinished one (run.part) nor a complete one (NAME_run.json)",
-             folder.string()));
+  if (std::filesystem::exists(io::plan_file(folder), ignored)) return unfinished(folder);
+  if (!io::holds_complete_run(folder))
+    throw InputError(
+        format("'{}' holds no run: neither an unfinished one (run.part) nor a complete one (NAME_run.json)",
+               folder.string()));
+  RunStatus status;
+  status.complete = true;
+  status.kept = std::filesystem::exists(io::kept_folder(folder), ignored);
+  status.text = format("{}: complete{}; 'ifov info {}' describes it\n", folder.string(),
+                       status.kept ? ", kept for --refine" : "", folder.string());
+  return status;
 }
 
 }  // namespace ifov::session

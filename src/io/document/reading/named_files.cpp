@@ -5,6 +5,7 @@
 
 #include "io/document/reading/record_walk.h"
 #include "io/document/schema/kind.h"
+#include "io/files/inputs.h"
 #include "io/json/json_writer.h"
 
 namespace ifov::io {
@@ -18,7 +19,7 @@ void visit(const DocumentNode& node, const ValueDescription& description, FileNa
   static const std::string file_kind = file().description->short_name;
   for (const ValueDescriptionPtr& one : description.alternatives) visit(node, *one, names);
   if (description.form == Form::text && node.type() == Type::text && description.short_name == file_kind)
-    names[&node] = node.source().resolve(node.text());
+    names[&node] = is_asset_name(node.text()) ? node.text() : node.source().resolve(node.text());
   if (description.form == Form::list && node.type() == Type::list)
     for (const DocumentNode& item : node.items()) visit(item, *description.items, names);
   if (node.type() != Type::object) return;
@@ -55,7 +56,8 @@ std::vector<std::string> existing_files(const FileNames& names) {
   for (const auto& [node, name] : names) all.push_back(name);
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
-  std::copy_if(all.begin(), all.end(), std::back_inserter(found), is_file);
+  std::copy_if(all.begin(), all.end(), std::back_inserter(found),
+               [](const std::string& name) { return is_asset_name(name) || is_file(name); });
   return found;
 }
 

@@ -12,7 +12,7 @@ namespace ifov::io {
 /// Where several kinds of value are possible a text that only might be a file's name is among them.
 std::map<const DocumentNode*, std::string> file_names(const DocumentNode& root);
 
-/// Those that are files, each once, in the order of the names.
+/// Those that are files or assets, each once, in the order of the names.
 std::vector<std::string> existing_files(const std::map<const DocumentNode*, std::string>& names);
 
 /// A document as one JSON text, `file_name` beside it: names of existing files are relative to its folder, or absolute

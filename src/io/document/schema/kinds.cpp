@@ -4,6 +4,7 @@
 #include "core/format.h"
 #include "core/names.h"
 #include "io/document/schema/kind.h"
+#include "io/files/inputs.h"
 
 namespace ifov::io {
 namespace {
@@ -254,7 +255,7 @@ Kind<DocumentFile> file() {
             const bool usable =
                 !path.empty() && path.size() <= kLongestPath && path.find('\0') == std::string::npos;
             if (!usable) node.fail_expected(description->expected);
-            return DocumentFile{node.source().resolve(path), node.position()};
+            return DocumentFile{is_asset_name(path) ? path : node.source().resolve(path), node.position()};
           }};
 }
 

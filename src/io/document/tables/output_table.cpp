@@ -5,6 +5,7 @@
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
 #include "io/products/product_format.h"
+#include "io/products/quicklook.h"
 #include "io/quantities/quantity.h"
 
 namespace ifov::io {
@@ -38,12 +39,19 @@ Kind<ProductFormats> formats_kind() {
   for (const ProductFormat* format : all_product_formats())
     if (!format->name.empty()) words.emplace_back(format->name, format);
   const std::size_t most = words.size();
-  return converted<ProductFormats>(list(choice<const ProductFormat*>(words), 1, most),
-                                   [](const std::vector<const ProductFormat*>& chosen) {
-                                     ProductFormats formats;
-                                     for (const ProductFormat* format : chosen) formats.add(*format);
-                                     return formats;
-                                   });
+  const auto kind = converted<ProductFormats>(list(choice<const ProductFormat*>(words), 1, most),
+                                              [](const std::vector<const ProductFormat*>& chosen) {
+                                                ProductFormats formats;
+                                                for (const ProductFormat* format : chosen)
+                                                  formats.add(*format);
+                                                return formats;
+                                              });
+  return {kind.description, [read = kind.read](const DocumentNode& node) {
+            ProductFormats chosen = read(node);
+            if (const std::string why = why_no_figures(); !why.empty() && chosen.has(formats::kPng))
+              node.fail(format("'png': {}", why));
+            return chosen;
+          }};
 }
 
 /// Only what is a good file name everywhere.

@@ -1,10 +1,12 @@
 #include "session/assembly/geometry/mesh_cache.h"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
 #include "core/format.h"
 #include "geometry/body_record.h"
+#include "io/files/inputs.h"
 #include "io/instances/instance_csv.h"
 #include "io/scene_cache/scene_cache.h"
 
@@ -13,6 +15,11 @@ namespace {
 
 constexpr std::size_t kLeast_bytes = 1 << 18;
 static_assert(sizeof(io::Instance) == 10 * sizeof(double));
+
+bool any_asset(const std::vector<std::string>& files) {
+  return std::any_of(files.begin(), files.end(),
+                     [](const std::string& file) { return io::is_asset_name(file); });
+}
 
 /// A list as it lies in the cache.
 class CachedInstances final : public geometry::Placings {
@@ -33,7 +40,7 @@ class CachedInstances final : public geometry::Placings {
 
 geometry::Body cached_mesh(io::SceneCache* cache, const MeshSource& source,
                            const std::function<geometry::TriangleMesh()>& read, std::string* words) {
-  if (cache == nullptr) return geometry::body_of(read());
+  if (cache == nullptr || any_asset(source.files)) return geometry::body_of(read());
   std::string name = format("mesh{}", source.more);
   for (const std::string& file : source.files) name += format(" {}", cache->name_of(file));
   const std::string name_of_words = format("words of {}", name);
@@ -69,7 +76,7 @@ geometry::Body cached_mesh(io::SceneCache* cache, const MeshSource& source,
 std::shared_ptr<const geometry::Placings> cached_instances(
     io::SceneCache* cache, const std::vector<std::string>& files,
     const std::function<std::vector<io::Instance>()>& make, const std::string& more) {
-  if (cache == nullptr) return std::make_shared<io::InstanceList>(make());
+  if (cache == nullptr || any_asset(files)) return std::make_shared<io::InstanceList>(make());
   std::string name = format("instances{}", more);
   for (const std::string& file : files) name += format(" {}", cache->name_of(file));
   if (const auto bytes = cache->find(name)) {

@@ -12,8 +12,8 @@
 
 namespace ifov::session {
 
-// What a scene cache keeps, and how: without a cache (null) everything is read. Records below a quarter of a
-// mebibyte are quicker to make than to keep.
+// What a scene cache keeps, and how: without a cache (null) everything is read, and so is what comes from a program's
+// memory (assets). Records below a quarter of a mebibyte are quicker to make than to keep.
 
 /// What a mesh is made of: `files`, the first of which it is named after, by `more`, which tells it apart
 /// from others of the same files.

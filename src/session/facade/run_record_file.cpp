@@ -1,10 +1,10 @@
-#include "cli/info/run_record_file.h"
+#include "session/facade/run_record_file.h"
 
 #include "core/error.h"
 #include "io/files/input_file.h"
 #include "io/json/json_adapter.h"
 
-namespace ifov::cli {
+namespace ifov::session {
 namespace {
 
 io::DocumentTree parsed(const std::filesystem::path& path) {
@@ -23,4 +23,4 @@ RunRecordFile::RunRecordFile(const std::filesystem::path& path) : tree_(parsed(p
       {path.string(), 0, 0});
 }
 
-}  // namespace ifov::cli
+}  // namespace ifov::session

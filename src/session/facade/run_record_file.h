@@ -4,7 +4,7 @@
 
 #include "io/json/json_view.h"
 
-namespace ifov::cli {
+namespace ifov::session {
 
 using Record = io::JsonView;
 
@@ -19,4 +19,4 @@ class RunRecordFile {
   io::DocumentTree tree_;
 };
 
-}  // namespace ifov::cli
+}  // namespace ifov::session

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ifov/document.h"
+#include "ifov/run_control.h"
+
+namespace ifov {
+
+/// What is asked about a document's atmosphere, and what is to be otherwise than the document says.
+struct AtmosphereQuestion {
+  struct Direction {
+    double zenith_rad = 0.0, azimuth_rad = 0.0;  ///< from the ground towards it; azimuth clockwise from north
+  };
+  std::optional<Direction> sun = {}, view = {};
+  bool night = false;  ///< no Sun
+  std::optional<double> sensor_altitude_km = {};
+  bool spectrum = false;         ///< at the band model's resolution over the range of the sensor
+  bool sky = false;              ///< the whole sky in one channel
+  std::string sky_channel = {};  ///< empty: the one next to 0.45 um by day, to 10 um without a Sun
+  int threads = 0;
+  const CancelToken* cancel = nullptr;
+  ProgressSink* progress = nullptr;
+  LogSink* log = nullptr;
+};
+
+/// What the air does to the light of one channel: means over the response. Radiances in W m-2 sr-1 um-1, irradiances in
+/// W m-2 um-1 on a level surface, both over black ground. Without a Sun, what is sunlight is 0.
+struct AirLight {
+  double wavelength_um = 0.0;
+  double solar_irradiance = 0.0;       ///< above the air, across the beam
+  double sun_transmittance = 0.0;      ///< of direct sunlight, down to the ground
+  double view_transmittance = 0.0;     ///< direct, from the ground to the sensor
+  double diffuse_transmittance = 0.0;  ///< from bright ground all around to the sensor, scattered on the way
+  double solar_path = 0.0, thermal_path = 0.0;  ///< radiance that the path to the sensor adds
+  double direct_irradiance = 0.0;
+  double solar_sky = 0.0, thermal_sky = 0.0;  ///< irradiance of the sky
+  double spherical_albedo = 0.0;  ///< of the air for light from below, 0 where it was not computed
+};
+
+/// The sky over black ground, without the Sun's disc.
+struct SkyLight {
+  /// Where the sky's light is unpolarized, on the circle through the Sun and the zenith.
+  struct NeutralPoint {
+    std::string name;           ///< Babinet, Brewster, Arago
+    double zenith_rad = 0.0;    ///< less than 0 on the side away from the Sun
+    double distance_rad = 0.0;  ///< from the Sun; of Arago's from the point opposite
+  };
+  std::string channel;
+  double wavelength_um = 0.0;
+  bool thermal = false;            ///< emission outweighs sunlight
+  std::vector<double> zenith_rad;  ///< 0 to pi / 2
+  /// Counterclockwise from the Sun's, 0 to pi; the other half mirrors it, with -U.
+  std::vector<double> azimuth_rad;
+  std::vector<std::array<double, 3>> stokes;  ///< [zenith][azimuth]: I, Q, U in W m-2 sr-1 um-1
+  std::vector<NeutralPoint> neutral_points;   ///< by day
+};
+
+/// What there is to tell of a document's atmosphere.
+class IFOV_API AtmosphereReport {
+ public:
+  struct Channel {
+    std::string name;
+    double first_um = 0.0, last_um = 0.0;  ///< where the response is above half of its maximum
+    AirLight light;
+  };
+  std::vector<std::string> description;  ///< air, aerosol and geometry, a line each
+  std::optional<double> sun_zenith_rad;  ///< none: no Sun above the horizon
+  std::optional<double> sun_azimuth_rad;
+  double view_zenith_rad = 0.0, sensor_altitude_km = 0.0;
+  std::vector<Channel> channels;
+  std::vector<AirLight> spectrum;  ///< from short to long wavelengths; empty if not asked for
+  double step_cm1 = 0.0;           ///< of the spectrum
+  std::optional<SkyLight> sky;     ///< none if not asked for
+
+  /// The table of channels, for a terminal: at most 110 columns.
+  std::string table() const;
+  /// The spectrum as a table of paths (docs/formats/atmosphere_import.md). The report has a spectrum.
+  std::string csv() const;
+  /// The sky by direction, with its polarization. The report has a sky.
+  std::string sky_csv() const;
+  /// Spectra and sky as PNG; the report has both. Throws EnvironmentError where it cannot be drawn.
+  std::string figure() const;
+
+ private:
+  struct Inside;
+  std::shared_ptr<const Inside> inside_;
+  friend struct FacadeAccess;
+};
+
+/// Answers without reading the scene's meshes and maps. Throws InputError where the document has no modelled
+/// atmosphere, or names no such channel, and what Simulation::load does for atmosphere, light and sensor; Cancelled.
+IFOV_API AtmosphereReport survey_atmosphere(const Document& document,
+                                            const AtmosphereQuestion& question = {});
+
+}  // namespace ifov

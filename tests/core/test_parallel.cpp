@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "core/call_scope.h"
+#include "core/error.h"
+#include "core/parallel.h"
+
+namespace ifov {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Waits until so many are there, or a time is over; what there were.
+int wait_for(const std::atomic<int>& count, int wanted) {
+  const auto end = Clock::now() + std::chrono::seconds(20);
+  while (count < wanted && Clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return count;
+}
+
+TEST(Parallel, CallsEachIndexOnce) {
+  std::vector<std::atomic<int>> calls(1000);
+  parallel_for(1000, 3, [&](std::int64_t k) { ++calls[static_cast<std::size_t>(k)]; });
+  for (const auto& count : calls) EXPECT_EQ(count, 1);
+}
+
+TEST(Parallel, MoreThreadsThanCoresWorkWhereTheyAreAskedFor) {
+  std::atomic<int> inside{0};
+  const int wanted = usual_threads() + 2;
+  parallel_for(wanted, wanted, [&](std::int64_t) {
+    ++inside;
+    EXPECT_EQ(wait_for(inside, wanted), wanted);
+  });
+}
+
+/// A loop of one thread is at work all the time that one of three threads meets; and stays on its thread.
+TEST(Parallel, OneLoopDoesNotLimitAnother) {
+  std::atomic<bool> over{false};
+  std::atomic<int> began{0}, met{0};
+  std::thread other([&] {
+    const std::thread::id own = std::this_thread::get_id();
+    parallel_for(2, 1, [&](std::int64_t) {
+      EXPECT_EQ(std::this_thread::get_id(), own);
+      ++began;
+      while (!over) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    });
+  });
+  wait_for(began, 1);
+  parallel_for(3, 3, [&](std::int64_t) {
+    ++met;
+    EXPECT_EQ(wait_for(met, 3), 3);
+  });
+  over = true;
+  other.join();
+}
+
+TEST(Parallel, TakesTheCallAlong) {
+  CancelToken cancel;
+  const Call call{std::make_shared<const Call::Data>(), &cancel};
+  const CallScope scope(call);
+  std::atomic<int> inside{0};
+  parallel_for(2, 2, [&](std::int64_t) {
+    ++inside;
+    wait_for(inside, 2);
+    EXPECT_EQ(&current_call(), &call);
+  });
+  std::thread([] { EXPECT_EQ(current_call().inputs, nullptr); }).join();
+}
+
+TEST(Parallel, ACancelledCallEndsItsLoops) {
+  CancelToken cancel;
+  std::atomic<int> calls{0};
+  const auto loop = [&] {
+    parallel_for(100000, 2, [&](std::int64_t k) {
+      ++calls;
+      if (k == 3) cancel.cancel();
+    });
+  };
+  loop();
+  EXPECT_EQ(calls, 100000);  // of no call
+  calls = 0;
+  {
+    const Call call{nullptr, &cancel};
+    const CallScope scope(call);
+    EXPECT_THROW(loop(), Cancelled);
+    EXPECT_THROW(stop_if_cancelled(), Cancelled);
+    const Call undisturbed{};
+    const CallScope within(undisturbed);
+    stop_if_cancelled();
+  }
+  EXPECT_LT(calls, 100000);
+  stop_if_cancelled();
+}
+
+}  // namespace
+}  // namespace ifov
