@@ -5,8 +5,8 @@
 #include "cli/terminal/say.h"
 #include "core/error.h"
 #include "core/names.h"
+#include "io/figures/material_plot.h"
 #include "io/library/material_library.h"
-#include "io/library/material_plot.h"
 #include "io/library/material_text.h"
 #include "io/products/part_file.h"
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "io/products/geotiff.h"
 #include "io/products/netcdf.h"
@@ -43,6 +44,16 @@ std::uint64_t ProductFormats::bytes(const render::ImageInfo& image, const Quanti
   for (const ProductFormat* format : list())
     if (format->bytes != nullptr) bytes += format->bytes(image, cubes);
   return bytes;
+}
+
+ProductFormats product_formats(std::span<const std::string> words) {
+  ProductFormats formats;
+  for (const std::string& word : words) {
+    const ProductFormat* format = find_product_format(word);
+    if (format == nullptr) throw std::logic_error("no kind of product is called '" + word + "'");
+    formats.add(*format);
+  }
+  return formats;
 }
 
 ProductFormats usual_product_formats() { return {&kEnvi, &formats::kPng, &formats::kHtml}; }

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "io/product_parts/acquisition.h"
+#include "io/quantities/acquisition.h"
 #include "render/tile_sink.h"
 #include "truth/location.h"
 

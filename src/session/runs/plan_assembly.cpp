@@ -55,7 +55,7 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
   for (const std::string& warning : parts.warnings) plan.notes.push_back("warning: " + warning);
   for (const std::string& line : parts.places) plan.notes.push_back(line);
   for (const std::string& note : notes(parts)) plan.notes.push_back(note);
-  plan.formats = document.output.formats;
+  plan.formats = io::product_formats(document.output.formats);
   plan.name = document.output.name;
   const bool map_tells = parts.camera->ground_grid().has_value();
   plan.cubes = document.output.products.value_or(io::usual_quantities(map_tells));

@@ -22,7 +22,11 @@ struct SamplerModel {
 template <class Settings>
 Kind<std::shared_ptr<const SamplerSettings>> sampler_kind(const Kind<Settings>& kind) {
   return converted<std::shared_ptr<const SamplerSettings>>(
-      kind, [](Settings settings) { return std::make_shared<const Settings>(std::move(settings)); });
+      kind, [](Settings settings) { return std::make_shared<const Settings>(std::move(settings)); },
+      [](const std::shared_ptr<const SamplerSettings>& settings) {
+        const auto* own = dynamic_cast<const Settings*>(settings.get());
+        return own != nullptr ? std::optional(*own) : std::nullopt;
+      });
 }
 
 /// All kinds, in the order of the reference page.

@@ -36,7 +36,11 @@ struct PrimitiveModel {
 template <class Settings>
 Kind<std::shared_ptr<const PrimitiveSettings>> primitive_kind(const Kind<Settings>& kind) {
   return converted<std::shared_ptr<const PrimitiveSettings>>(
-      kind, [](Settings settings) { return std::make_shared<const Settings>(std::move(settings)); });
+      kind, [](Settings settings) { return std::make_shared<const Settings>(std::move(settings)); },
+      [](const std::shared_ptr<const PrimitiveSettings>& settings) {
+        const auto* own = dynamic_cast<const Settings*>(settings.get());
+        return own != nullptr ? std::optional(*own) : std::nullopt;
+      });
 }
 
 /// All kinds, in the order of the reference page.

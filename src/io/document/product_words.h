@@ -1,0 +1,12 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace ifov::io {
+
+/// What documents call the kinds of products (output.formats), in the order of messages and of the reference. Each is the
+/// name of a ProductFormat, which says how it is written.
+std::span<const std::string_view> product_words();
+
+}  // namespace ifov::io
