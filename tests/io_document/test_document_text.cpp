@@ -85,9 +85,8 @@ TEST(DocumentText, SaysWhatCannotBeWritten) {
             "the document cannot be written as 'a.json': 'scene.objects' is missing or cannot be told");
   Document document = parse_document(kDocument, "a.json");
   document.sensor.fill_factor = std::nan("");
-  EXPECT_EQ(
-      message(document),
-      "the document cannot be written as 'a.json': 'sensor.fill_factor' is missing or cannot be told");
+  EXPECT_EQ(message(document),
+            "the document cannot be written as 'a.json': 'sensor.fill_factor' is missing or cannot be told");
   document = parse_document(kDocument, "a.json");
   document.sensor.camera.settings = nullptr;
   EXPECT_NE(message(document).find("'sensor.camera"), std::string::npos) << message(document);
