@@ -48,7 +48,7 @@ MadeScene make_desert(const MakeOptions& options) {
   check_size(options.size_m);
   const Chance chance(sampling::hash(options.seed, std::uint64_t{0x446573657274}));
   SceneFolder folder(options.folder, options.replace);
-  SceneText text(folder);
+  SceneMaker scene(folder);
 
   Terrain terrain;
   terrain.half_m = 0.5 * options.size_m + kRim_m;
@@ -69,8 +69,7 @@ MadeScene make_desert(const MakeOptions& options) {
                : kPale;
   };
   terrain.covers = {"sand", "sand, pale", "gravel", "soil"};
-  text.heading("Dunes and plain");
-  add_terrain(terrain, folder, text);
+  add_terrain(terrain, folder, scene);
   const auto ground = [&](Vec2 at) { return terrain.on_mesh_m(at); };
 
   std::vector<Stock> shrubs, rocks;
@@ -78,12 +77,11 @@ MadeScene make_desert(const MakeOptions& options) {
     shrubs.push_back(add_plant(
         format("shrub_{}", k),
         grow_shrub(0.45 + 0.15 * k, 0.5 + 0.25 * k, 1800 + 900 * k, 0.022, chance.of(Purpose::shrubs, k)),
-        true, "leaf, desert shrub", "bark", folder, text));
+        true, "leaf, desert shrub", "bark", folder, scene));
     const std::string rock = format("rock_{}", k);
-    text.prototype(rock,
-                   {format(R"({{{}, "material": {}}})",
-                           mesh_text(folder.add_large_mesh(rock, rock_mesh(chance.of(Purpose::rocks, k)))),
-                           text.material("rock"))});
+    scene.prototype(rock,
+                    {mesh_object("", folder.add_large_mesh(rock, rock_mesh(chance.of(Purpose::rocks, k))),
+                                 scene.only("rock"))});
     rocks.push_back({rock, 0.6, true, {}});
   }
   const Vec2 camp{12.0, track_y(chance, 12.0) + 14.0};
@@ -101,16 +99,14 @@ MadeScene make_desert(const MakeOptions& options) {
     stocks[static_cast<std::size_t>(draw.pick(3, 6))].copies.push_back(
         {at, draw.between(0.0, 6.28, 4), scale});
   }
-  text.heading("The track's vehicles and the camp");
   const auto add_car = [&](CarKind kind, const char* name, Vec2 at, Vec2 heading, const char* paint) {
-    text.object(format(R"({{"name": "{}", {}, {}, "material": {}}})", name,
-                       mesh_text(folder.add_mesh(name, car_mesh(kind))),
-                       transform_text({at, left_of(heading)}, ground(at) + 0.05),
-                       text.slots({{"body", paint},
-                                   {"glass", "window glass"},
-                                   {"tyre", "tyre"},
-                                   {"trim", "aluminium"},
-                                   {"lamp", "trim, white"}})));
+    scene.object(standing(mesh_object(name, folder.add_mesh(name, car_mesh(kind)),
+                                      scene.slots({{"body", paint},
+                                                   {"glass", "window glass"},
+                                                   {"tyre", "tyre"},
+                                                   {"trim", "aluminium"},
+                                                   {"lamp", "trim, white"}})),
+                          {at, left_of(heading)}, ground(at) + 0.05));
   };
   const Vec2 on_track{-15.0, track_y(chance, -15.0)};
   add_car(CarKind::van, "car_van", on_track, unit(Vec2{2.0, track_y(chance, -14.0) - track_y(chance, -16.0)}),
@@ -120,22 +116,21 @@ MadeScene make_desert(const MakeOptions& options) {
   int number = 0;
   for (const Vec2 off : {Vec2{-4.0, 4.0}, Vec2{4.0, 5.5}, Vec2{6.0, -3.0}}) {
     const Stand stand{camp + off, unit(Vec2{0.3 * number - 0.2, 1.0})};
-    text.object(
-        format(R"({{"name": "cabin", {}, {}, "material": {}}})", mesh_text(container),
-               transform_text(stand, ground(stand.origin) - 0.06),
-               text.slots({{"container", number == 0 ? "wall paint, white" : "container paint, green"}})));
+    scene.object(standing(mesh_object("cabin", container,
+                                      scene.slots({{"container", number == 0 ? "wall paint, white"
+                                                                             : "container paint, green"}})),
+                          stand, ground(stand.origin) - 0.06));
     ++number;
   }
-  text.heading("Shrubs and rocks: instance lists of prototypes");
   std::size_t count = 0;
   for (const auto* stocks : {&shrubs, &rocks}) {
-    place_plants(*stocks, ground, folder, text);
+    place_plants(*stocks, ground, folder, scene);
     for (const Stock& stock : *stocks) count += stock.copies.size();
   }
   return finish_scene(options,
                       {format("A desert of {:g} m, seed {}.", options.size_m, options.seed), 215.0, 0.3,
                        "sand, beach", 48, "tropical", "rural"},
-                      text, folder, {format("{} shrubs and rocks", count)});
+                      scene, folder, {format("{} shrubs and rocks", count)});
 }
 
 }  // namespace ifov::landscape

@@ -84,7 +84,7 @@ class Woodland {
 
 /// Trunks that fell, on the ground.
 void add_logs(const Terrain& terrain, const Woodland& woods, const Chance& chance, SceneFolder& folder,
-              SceneText& text) {
+              SceneMaker& scene) {
   MeshBuilder mesh;
   mesh.slot("wood");
   const int count = static_cast<int>(terrain.half_m * terrain.half_m / 90.0);
@@ -104,8 +104,8 @@ void add_logs(const Terrain& terrain, const Woodland& woods, const Chance& chanc
               std::array{radius, 0.7 * radius}, 10, true);
   }
   if (!mesh.empty())
-    text.object(format(R"({{"name": "fallen trunks", {}, "material": {}}})",
-                       mesh_text(folder.add_mesh("logs", mesh.take())), text.slots({{"wood", "bark"}})));
+    scene.object(
+        mesh_object("fallen trunks", folder.add_mesh("logs", mesh.take()), scene.slots({{"wood", "bark"}})));
 }
 
 }  // namespace
@@ -114,7 +114,7 @@ MadeScene make_forest(const MakeOptions& options) {
   check_size(options.size_m);
   const Chance chance(sampling::hash(options.seed, std::uint64_t{0x466f72657374}));
   SceneFolder folder(options.folder, options.replace);
-  SceneText text(folder);
+  SceneMaker scene(folder);
 
   Terrain terrain;
   terrain.half_m = 0.5 * options.size_m + kRim_m;
@@ -131,23 +131,21 @@ MadeScene make_forest(const MakeOptions& options) {
     return fractal_noise(chance.of(Purpose::cover), at.x, at.y, 30.0, 2) > 0.5 ? kNeedles : kLeaves;
   };
   terrain.covers = {"litter, needles", "litter, leaves", "soil, dark", "meadow", "gravel"};
-  text.heading("The forest floor");
-  add_terrain(terrain, folder, text);
+  add_terrain(terrain, folder, scene);
 
   std::vector<int> leaves;
-  std::vector<Stock> trees = add_trees(3, chance.of(Purpose::trees), folder, text, &leaves);
+  std::vector<Stock> trees = add_trees(3, chance.of(Purpose::trees), folder, scene, &leaves);
   Woodland woods(chance, terrain.half_m);
   woods.plant(trees);
   std::vector<Stock> shrubs, rocks;
   for (int k = 1; k <= 2; ++k) {
     shrubs.push_back(add_plant(format("shrub_{}", k),
                                grow_shrub(0.6, 0.7 + 0.3 * k, 2800, 0.06, chance.of(Purpose::shrubs, k)),
-                               true, "leaf, hedge", "bark", folder, text));
+                               true, "leaf, hedge", "bark", folder, scene));
     const std::string rock = format("rock_{}", k);
-    text.prototype(rock,
-                   {format(R"({{{}, "material": {}}})",
-                           mesh_text(folder.add_large_mesh(rock, rock_mesh(chance.of(Purpose::rocks, k)))),
-                           text.material("rock"))});
+    scene.prototype(rock,
+                    {mesh_object("", folder.add_large_mesh(rock, rock_mesh(chance.of(Purpose::rocks, k))),
+                                 scene.only("rock"))});
     rocks.push_back({rock, 0.6, true, {}});
   }
   const int darts = static_cast<int>(terrain.half_m * terrain.half_m / 12.0);
@@ -160,24 +158,22 @@ MadeScene make_forest(const MakeOptions& options) {
     stocks[static_cast<std::size_t>(draw.pick(2, 3))].copies.push_back(
         {at, draw.between(0.0, 6.28, 4), draw.between(0.5, 1.3, 5)});
   }
-  add_logs(terrain, woods, chance, folder, text);
+  add_logs(terrain, woods, chance, folder, scene);
 
   const Vec2 park{6.0, track_y(chance, 6.0)};
   const Vec2 heading = unit(Vec2{2.0, track_y(chance, 7.0) - track_y(chance, 5.0)});
-  text.object(format(R"({{"name": "van", {}, {}, "material": {}}})",
-                     mesh_text(folder.add_mesh("car_van", car_mesh(CarKind::van))),
-                     transform_text({park, left_of(heading)}, terrain.on_mesh_m(park) + 0.03),
-                     text.slots({{"body", "car paint, green"},
-                                 {"glass", "window glass"},
-                                 {"tyre", "tyre"},
-                                 {"trim", "aluminium"},
-                                 {"lamp", "trim, white"}})));
-  text.heading("Plants, leaf by leaf: instance lists of prototypes");
+  scene.object(standing(mesh_object("van", folder.add_mesh("car_van", car_mesh(CarKind::van)),
+                                    scene.slots({{"body", "car paint, green"},
+                                                 {"glass", "window glass"},
+                                                 {"tyre", "tyre"},
+                                                 {"trim", "aluminium"},
+                                                 {"lamp", "trim, white"}})),
+                        {park, left_of(heading)}, terrain.on_mesh_m(park) + 0.03));
   for (const auto* stocks : {&trees, &shrubs, &rocks})
     place_plants(
-        *stocks, [&](Vec2 at) { return terrain.on_mesh_m(at); }, folder, text);
+        *stocks, [&](Vec2 at) { return terrain.on_mesh_m(at); }, folder, scene);
   return finish_scene(
-      options, {format("A forest of {:g} m, seed {}.", options.size_m, options.seed), 205.0, 0.5}, text,
+      options, {format("A forest of {:g} m, seed {}.", options.size_m, options.seed), 205.0, 0.5}, scene,
       folder,
       {format("{} trees of {} individuals and {} species, {} to {} leaves each", woods.size(), trees.size(),
               tree_species().size(), *std::min_element(leaves.begin(), leaves.end()),

@@ -47,7 +47,7 @@ geometry::TriangleMesh water_mesh(double half_m, const Chance& chance) {
   return mesh;
 }
 
-void add_quay(double half, SceneFolder& folder, SceneText& text) {
+void add_quay(double half, SceneFolder& folder, SceneMaker& scene) {
   MeshBuilder mesh;
   const auto strip = [&](const char* slot, double south, double north) {
     mesh.slot(slot);
@@ -77,43 +77,42 @@ void add_quay(double half, SceneFolder& folder, SceneText& text) {
   mesh.slot("fender");
   for (double x = -half + 3.0; x < half; x += 9.0)
     mesh.tube({x, kEdge_y + 0.42, 0.4}, {x, kEdge_y + 0.42, 2.2}, 0.4, 12);
-  text.object(format(R"({{"name": "quay", {}, "material": {}}})",
-                     mesh_text(folder.add_mesh("quay", mesh.take())),
-                     text.slots({{"coping", "concrete, slab"},
-                                 {"apron", "concrete, pavement"},
-                                 {"yard", "asphalt, driveway"},
-                                 {"road", "asphalt, street"},
-                                 {"wall", "concrete, kerb"},
-                                 {"rail", "steel, galvanised"},
-                                 {"line", "road paint, white"},
-                                 {"bollard", "crane paint, yellow"},
-                                 {"fender", "tyre"}})));
+  scene.object(mesh_object("quay", folder.add_mesh("quay", mesh.take()),
+                           scene.slots({{"coping", "concrete, slab"},
+                                        {"apron", "concrete, pavement"},
+                                        {"yard", "asphalt, driveway"},
+                                        {"road", "asphalt, street"},
+                                        {"wall", "concrete, kerb"},
+                                        {"rail", "steel, galvanised"},
+                                        {"line", "road paint, white"},
+                                        {"bollard", "crane paint, yellow"},
+                                        {"fender", "tyre"}})));
 }
 
 void add_ship(const char* name, double length_m, double beam_m, Vec2 at, const char* hull,
-              SceneFolder& folder, SceneText& text) {
-  text.object(format(R"({{"name": "{}", {}, "transform": {{"translate": {}}}, "material": {}}})", name,
-                     mesh_text(folder.add_mesh(name, ship_mesh(length_m, beam_m))),
-                     point_text(at.x, at.y, 0.0),
-                     text.slots({{"hull", hull},
-                                 {"bottom", "hull paint, red"},
-                                 {"deck", "deck paint, green"},
-                                 {"house", "wall paint, white"},
-                                 {"window", "window glass"},
-                                 {"trim", "steel, galvanised"}})));
+              SceneFolder& folder, SceneMaker& scene) {
+  scene.object(moved(mesh_object(name, folder.add_mesh(name, ship_mesh(length_m, beam_m)),
+                                 scene.slots({{"hull", hull},
+                                              {"bottom", "hull paint, red"},
+                                              {"deck", "deck paint, green"},
+                                              {"house", "wall paint, white"},
+                                              {"window", "window glass"},
+                                              {"trim", "steel, galvanised"}})),
+                     {at.x, at.y, 0.0}));
 }
 
 struct Yard {
   std::string container;
-  SceneText& text;
+  SceneMaker& scene;
   std::size_t count = 0;
 
   void stack(Vec2 at, double floor_m, int high, const Chance& draw) {
     for (int level = 0; level < high; ++level, ++count)
-      text.object(format(
-          R"({{"name": "container", {}, "transform": {{"translate": {}}}, "material": {}}})",
-          mesh_text(container), point_text(at.x, at.y, floor_m + 2.6 * level),
-          text.slots({{"container", kPaints[static_cast<std::size_t>(draw.pick(kPaints.size(), level))]}})));
+      scene.object(moved(
+          mesh_object("container", container,
+                      scene.slots({{"container",
+                                    kPaints[static_cast<std::size_t>(draw.pick(kPaints.size(), level))]}})),
+          {at.x, at.y, floor_m + 2.6 * level}));
   }
 };
 
@@ -123,26 +122,23 @@ MadeScene make_harbour(const MakeOptions& options) {
   check_size(options.size_m);
   const Chance chance(sampling::hash(options.seed, std::uint64_t{0x486172626f7572}));
   SceneFolder folder(options.folder, options.replace);
-  SceneText text(folder);
+  SceneMaker scene(folder);
   const double half = 0.5 * options.size_m + kRim_m;
 
-  text.heading("Water and quay");
-  text.object(format(R"({{"name": "water", {}, "material": {}}})",
-                     mesh_text(folder.add_large_mesh("water", water_mesh(half, chance.of(Purpose::waves)))),
-                     text.material("water, harbour")));
-  add_quay(half, folder, text);
+  scene.object(mesh_object("water",
+                           folder.add_large_mesh("water", water_mesh(half, chance.of(Purpose::waves))),
+                           scene.only("water, harbour")));
+  add_quay(half, folder, scene);
 
-  text.heading("Ships");
   const Chance draw = chance.of(Purpose::ships);
   const double ship = std::min(1.15 * half, 118.0), beam = ship / 6.2;
   const Vec2 berth{draw.between(-0.12, 0.12, 0) * half, kEdge_y + 0.9 + 0.5 * beam};
-  add_ship("cargo_ship", ship, beam, berth, "hull paint, black", folder, text);
+  add_ship("cargo_ship", ship, beam, berth, "hull paint, black", folder, scene);
   add_ship("tug", 24.0, 7.5,
            {draw.between(-0.6, 0.4, 1) * half, std::min(0.7 * half, berth.y + 0.5 * beam + 22.0)},
-           "container paint, blue", folder, text);
+           "container paint, blue", folder, scene);
 
-  Yard yard{folder.add_mesh("container", container_mesh()), text};
-  text.heading("Containers on board and in the yard");
+  Yard yard{folder.add_mesh("container", container_mesh()), scene};
   const double hold = berth.x - 0.5 * ship + 0.05 * ship + std::min(0.13 * ship, 14.0) + 4.0;
   for (double x = hold + 3.3; x + 3.3 < berth.x + 0.34 * ship; x += 7.5)
     for (double y = -0.36 * beam + 1.3; y + 1.2 < 0.36 * beam; y += 2.55) {
@@ -163,47 +159,47 @@ MadeScene make_harbour(const MakeOptions& options) {
       yard.stack({x, y}, kQuay_m, own.pick(5, 40), own);
     }
 
-  text.heading("Cranes");
   const std::string crane = folder.add_mesh("crane", crane_mesh());
   int cranes = 0;
   for (double x = -0.45 * half; x < 0.6 * half; x += std::max(45.0, 0.55 * half), ++cranes)
-    text.object(
-        format(R"({{"name": "crane", {}, "transform": {{"translate": {}}}, "material": {}}})",
-               mesh_text(crane), point_text(x, kRail_y - 15.0, kQuay_m),
-               text.slots({{"steel", cranes % 2 == 0 ? "container paint, blue" : "crane paint, yellow"},
-                           {"cable", "steel, galvanised"},
-                           {"window", "window glass"}})));
+    scene.object(moved(
+        mesh_object("crane", crane,
+                    scene.slots({{"steel", cranes % 2 == 0 ? "container paint, blue" : "crane paint, yellow"},
+                                 {"cable", "steel, galvanised"},
+                                 {"window", "window glass"}})),
+        {x, kRail_y - 15.0, kQuay_m}));
 
-  text.heading("Sheds and vehicles");
   const double road = -0.62 * half;
   const double shed_width = std::min(26.0, 0.28 * half), shed_length = std::min(60.0, 0.7 * half);
   const std::string shed = folder.add_mesh("shed", shed_mesh(shed_length, shed_width));
   int sheds = 0;
   for (double x = -half + 0.5 * shed_length + 4.0; x + 0.5 * shed_length < half - 2.0;
        x += shed_length + 12.0, ++sheds)
-    text.object(format(R"({{"name": "shed", {}, "transform": {{"translate": {}}}, "material": {}}})",
-                       mesh_text(shed), point_text(x, road - 9.0 - 4.0 - 0.5 * shed_width, kQuay_m),
-                       text.slots({{"wall", sheds % 2 == 0 ? "brick, red" : "cinder block"},
-                                   {"roof", sheds % 2 == 0 ? "roof, bitumen" : "steel, galvanised"},
-                                   {"door", "door, green"},
-                                   {"trim", "steel, galvanised"}})));
+    scene.object(
+        moved(mesh_object("shed", shed,
+                          scene.slots({{"wall", sheds % 2 == 0 ? "brick, red" : "cinder block"},
+                                       {"roof", sheds % 2 == 0 ? "roof, bitumen" : "steel, galvanised"},
+                                       {"door", "door, green"},
+                                       {"trim", "steel, galvanised"}})),
+              {x, road - 9.0 - 4.0 - 0.5 * shed_width, kQuay_m}));
   const std::string lorry = folder.add_mesh("lorry", lorry_mesh());
   for (double x = -half + 12.0; x < half - 8.0; x += 24.0) {
     const Chance own = chance.of(Purpose::traffic, static_cast<int>(x));
     if (own.happens(0.35, 0)) continue;
     const bool east = own.happens(0.5, 1);
     const Vec2 at{x + own.between(-4.0, 4.0, 2), road - (east ? 6.7 : 2.3)};
-    text.object(
-        format(R"({{"name": "lorry", {}, {}, "material": {}}})", mesh_text(lorry),
-               transform_text({at, left_of(Vec2{east ? 1.0 : -1.0, 0.0})}, kQuay_m),
-               text.slots({{"cab", own.happens(0.5, 3) ? "car paint, white" : "car paint, red"},
-                           {"glass", "window glass"},
-                           {"tyre", "tyre"},
-                           {"bed", "steel, galvanised"},
-                           {"container", kPaints[static_cast<std::size_t>(own.pick(kPaints.size(), 4))]}})));
+    scene.object(standing(
+        mesh_object(
+            "lorry", lorry,
+            scene.slots({{"cab", own.happens(0.5, 3) ? "car paint, white" : "car paint, red"},
+                         {"glass", "window glass"},
+                         {"tyre", "tyre"},
+                         {"bed", "steel, galvanised"},
+                         {"container", kPaints[static_cast<std::size_t>(own.pick(kPaints.size(), 4))]}})),
+        {at, left_of(Vec2{east ? 1.0 : -1.0, 0.0})}, kQuay_m));
   }
   return finish_scene(
-      options, {format("A harbour of {:g} m, seed {}.", options.size_m, options.seed), 30.0, 0.4}, text,
+      options, {format("A harbour of {:g} m, seed {}.", options.size_m, options.seed), 30.0, 0.4}, scene,
       folder, {format("2 ships, {} cranes, {} containers, {} sheds", cranes, yard.count, sheds)});
 }
 

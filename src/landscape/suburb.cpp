@@ -31,7 +31,7 @@ const char* one_of(const std::array<const char*, N>& choices, const Chance& draw
   return choices[static_cast<std::size_t>(draw.pick(static_cast<int>(N), index))];
 }
 
-void add_houses(const PlotPlan& plots, const Chance& chance, SceneFolder& folder, SceneText& text) {
+void add_houses(const PlotPlan& plots, const Chance& chance, SceneFolder& folder, SceneMaker& scene) {
   std::vector<std::string> files(plots.designs.size());
   for (const Plot& plot : plots.plots) {
     const auto design = static_cast<std::size_t>(plot.design);
@@ -41,47 +41,48 @@ void add_houses(const PlotPlan& plots, const Chance& chance, SceneFolder& folder
           format("house_{:02}_{}", plot.design + 1, plan.roof == RoofKind::gabled ? "gabled" : "hipped"),
           house_mesh(plan));
     const Chance draw = chance.of(plot.number);
-    text.object(
-        format(R"({{"name": "house {}", {}, {}, "material": {}}})", plot.number, mesh_text(files[design]),
-               transform_text(plot.house, kLand_m),
-               text.slots({{"roof", one_of(kRoofs, draw, 0)},
-                           {"wall", one_of(kWalls, draw, 1)},
-                           {"trim", "trim, white"},
-                           {"window", "window glass"},
-                           {"door", one_of(kDoors, draw, 2)},
-                           {"garage door", draw.happens(0.6, 3) ? "trim, white" : "timber, weathered"},
-                           {"brick", "brick, weathered"},
-                           {"concrete", "concrete, slab"}})));
+    scene.object(standing(
+        mesh_object(format("house {}", plot.number), files[design],
+                    scene.slots({{"roof", one_of(kRoofs, draw, 0)},
+                                 {"wall", one_of(kWalls, draw, 1)},
+                                 {"trim", "trim, white"},
+                                 {"window", "window glass"},
+                                 {"door", one_of(kDoors, draw, 2)},
+                                 {"garage door", draw.happens(0.6, 3) ? "trim, white" : "timber, weathered"},
+                                 {"brick", "brick, weathered"},
+                                 {"concrete", "concrete, slab"}})),
+        plot.house, kLand_m));
   }
 }
 
-void add_cars(const std::vector<ParkedCar>& cars, SceneFolder& folder, SceneText& text) {
+void add_cars(const std::vector<ParkedCar>& cars, SceneFolder& folder, SceneMaker& scene) {
   constexpr std::array<const char*, kCarKinds> kNames{"car_sedan", "car_estate", "car_van"};
   std::array<std::string, kCarKinds> files;
   for (const ParkedCar& car : cars) {
     const auto kind = static_cast<std::size_t>(car.kind);
     if (files[kind].empty()) files[kind] = folder.add_mesh(kNames[kind], car_mesh(car.kind));
-    text.object(format(R"({{"name": "car", {}, {}, "material": {}}})", mesh_text(files[kind]),
-                       transform_text(car.stand, car.ground_m),
-                       text.slots({{"body", car.paint},
-                                   {"glass", "window glass"},
-                                   {"tyre", "tyre"},
-                                   {"trim", "aluminium"},
-                                   {"lamp", "trim, white"}})));
+    scene.object(standing(mesh_object("car", files[kind],
+                                      scene.slots({{"body", car.paint},
+                                                   {"glass", "window glass"},
+                                                   {"tyre", "tyre"},
+                                                   {"trim", "aluminium"},
+                                                   {"lamp", "trim, white"}})),
+                          car.stand, car.ground_m));
   }
 }
 
-void add_power_line(const PowerLine& line, SceneFolder& folder, SceneText& text) {
+void add_power_line(const PowerLine& line, SceneFolder& folder, SceneMaker& scene) {
   if (line.poles.empty()) return;
   const std::string pole = folder.add_mesh("pole", pole_mesh());
   for (const Stand& stand : line.poles)
-    text.object(format(
-        R"({{"name": "pole", {}, {}, "material": {}}})", mesh_text(pole), transform_text(stand, kLand_m),
-        text.slots({{"pole", "pole wood"}, {"steel", "steel, galvanised"}, {"insulator", "insulator"}})));
+    scene.object(standing(
+        mesh_object(
+            "pole", pole,
+            scene.slots({{"pole", "pole wood"}, {"steel", "steel, galvanised"}, {"insulator", "insulator"}})),
+        stand, kLand_m));
   if (line.poles.size() > 1)
-    text.object(format(R"({{"name": "wires", {}, "material": {}}})",
-                       mesh_text(folder.add_mesh("wires", wire_mesh(line, kLand_m))),
-                       text.slots({{"wire", "aluminium"}})));
+    scene.object(mesh_object("wires", folder.add_mesh("wires", wire_mesh(line, kLand_m)),
+                             scene.slots({{"wire", "aluminium"}})));
 }
 
 }  // namespace
@@ -90,54 +91,47 @@ MadeScene make_suburb(const MakeOptions& options) {
   check_size(options.size_m);
   const Chance chance(sampling::hash(options.seed, std::uint64_t{0x5375627572626961}));
   SceneFolder folder(options.folder, options.replace);
-  SceneText text(folder);
+  SceneMaker scene(folder);
 
   const StreetPlan streets = plan_streets(0.5 * options.size_m + kRim_m, chance.of(Purpose::streets));
   const PlotPlan plots = plan_plots(streets, chance.of(Purpose::plots));
   const PowerLine line = plan_power_line(streets.mains[plots.court_street], plots.plots, streets.half_m);
   const std::vector<ParkedCar> cars = plan_cars(streets, plots, chance.of(Purpose::cars));
 
-  text.heading("The ground");
-  lay_ground(streets, plots, chance.of(Purpose::ground), folder, text);
-  text.heading("The tennis court, its lines by the rules of the ITF");
-  text.object(format(R"({{"name": "tennis court", {}, {}, "material": {}}})",
-                     mesh_text(folder.add_mesh("court", court_mesh())),
-                     transform_text(plots.court_stand, kLand_m),
-                     text.slots({{"surround", "court, green"},
-                                 {"court", "court, red"},
-                                 {"line", "court line"},
-                                 {"steel", "steel, galvanised"},
-                                 {"net", "net"},
-                                 {"concrete", "concrete, slab"}})));
-  text.heading("Houses: meshes by design, materials by house");
-  add_houses(plots, chance.of(Purpose::colours), folder, text);
-  text.heading("Cars");
-  add_cars(cars, folder, text);
-  text.heading("The power line");
-  add_power_line(line, folder, text);
+  lay_ground(streets, plots, chance.of(Purpose::ground), folder, scene);
+  scene.object(standing(mesh_object("tennis court", folder.add_mesh("court", court_mesh()),
+                                    scene.slots({{"surround", "court, green"},
+                                                 {"court", "court, red"},
+                                                 {"line", "court line"},
+                                                 {"steel", "steel, galvanised"},
+                                                 {"net", "net"},
+                                                 {"concrete", "concrete, slab"}})),
+                        plots.court_stand, kLand_m));
+  add_houses(plots, chance.of(Purpose::colours), folder, scene);
+  add_cars(cars, folder, scene);
+  add_power_line(line, folder, scene);
 
-  text.heading("Plants, leaf by leaf: instance lists of prototypes");
   std::vector<int> leaves;
-  std::vector<Stock> trees = add_trees(3, chance.of(Purpose::trees), folder, text, &leaves);
+  std::vector<Stock> trees = add_trees(3, chance.of(Purpose::trees), folder, scene, &leaves);
   plant_trees(trees, {streets, plots, line}, chance.of(Purpose::planting));
   std::vector<Stock> hedges, shrubs;
   for (int k = 1; k <= 2; ++k) {
     hedges.push_back(add_plant(format("hedge_{}", k), grow_hedge(chance.of(Purpose::hedges, k)), true,
-                               "leaf, hedge", "bark", folder, text));
+                               "leaf, hedge", "bark", folder, scene));
     shrubs.push_back(add_plant(format("shrub_{}", k),
                                grow_shrub(0.5, 0.75 + 0.2 * k, 2600, 0.05, chance.of(Purpose::shrubs, k)),
-                               true, "leaf, shrub", "bark", folder, text));
+                               true, "leaf, shrub", "bark", folder, scene));
   }
   plant_hedges(hedges, trees, {streets, plots, line}, chance.of(Purpose::hedges));
   plant_shrubs(shrubs, {streets, plots, line}, chance.of(Purpose::shrubs));
   for (const auto* stocks : {&trees, &hedges, &shrubs})
     place_plants(
-        *stocks, [](Vec2) { return kLand_m; }, folder, text);
+        *stocks, [](Vec2) { return kLand_m; }, folder, scene);
 
   std::size_t tree_count = 0;
   for (const Stock& stock : trees) tree_count += stock.copies.size();
   return finish_scene(
-      options, {format("A suburb of {:g} m, seed {}.", options.size_m, options.seed)}, text, folder,
+      options, {format("A suburb of {:g} m, seed {}.", options.size_m, options.seed)}, scene, folder,
       {format("{} houses, {} cars", plots.plots.size(), cars.size()),
        format("{} trees of {} individuals and {} species, {} to {} leaves each", tree_count, trees.size(),
               tree_species().size(), *std::min_element(leaves.begin(), leaves.end()),

@@ -1,85 +1,128 @@
 #include "landscape/views.h"
 
 #include <cmath>
+#include <memory>
+#include <numbers>
 
 #include "core/error.h"
 #include "core/format.h"
+#include "io/document/cameras/frame_camera.h"
+#include "io/document/cameras/orthographic_camera.h"
+#include "io/document/samplers/accuracy_sampling.h"
+#include "io/document/samplers/plain_sampling.h"
 #include "landscape/output/library_spectrum.h"
 
 namespace ifov::landscape {
 namespace {
 
-constexpr std::string_view kColourChannels =
-    R"([
-      {"name": "blue", "gaussian": {"center": "0.48 um", "fwhm": "0.06 um"}},
-      {"name": "green", "gaussian": {"center": "0.56 um", "fwhm": "0.06 um"}},
-      {"name": "red", "gaussian": {"center": "0.65 um", "fwhm": "0.06 um"}},
-      {"name": "near infrared", "gaussian": {"center": "0.85 um", "fwhm": "0.06 um"}}
-    ])";
-constexpr std::string_view kColourPicture = R"({"quicklook": {"channels": ["red", "green", "blue"]}})";
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kZero_k = 273.15;  // of 0 degC
 
-std::string nadir(double gsd_m, int pixels) {
-  return format(R"({{"orthographic": {{"gsd": {}, "pixels": [{}, {}]}}}})", metres(gsd_m), pixels, pixels);
+template <class Camera>
+io::CameraDocument camera_of(Camera camera) {
+  return {std::string(Camera::kModel.key), std::make_shared<const Camera>(std::move(camera)), {}};
 }
 
-std::string sensor(const std::string& camera, std::string_view channels) {
-  return format("{{\n    \"camera\": {},\n    \"channels\": {}\n  }}", camera, channels);
+io::CameraDocument nadir(double gsd_m, int pixels) {
+  io::OrthographicCamera camera;
+  camera.gsd_m = to_millimetre(gsd_m);
+  camera.size = {pixels, pixels};
+  return camera_of(camera);
+}
+
+void add_channel(io::Document& document, std::string name, decltype(io::ChannelDocument::response) response) {
+  io::ChannelDocument channel;
+  channel.name = std::move(name);
+  channel.response = std::move(response);
+  document.sensor.channels.push_back(std::move(channel));
+}
+
+/// In four bands, with a grid of so many rays along each side of a pixel.
+io::Document colour_picture(io::CameraDocument camera, int rays) {
+  io::Document document;
+  document.sensor.camera = std::move(camera);
+  add_channel(document, "blue", io::GaussianChannel{0.48, 0.06});
+  add_channel(document, "green", io::GaussianChannel{0.56, 0.06});
+  add_channel(document, "red", io::GaussianChannel{0.65, 0.06});
+  add_channel(document, "near infrared", io::GaussianChannel{0.85, 0.06});
+  document.sampling.method = std::make_shared<const io::GridSampling>(rays, rays);
+  for (const char* channel : {"red", "green", "blue"})
+    document.output.quicklook_channels.push_back({channel, {}});
+  return document;
+}
+
+/// From above at 1 m, sampled until each pixel is within an error.
+io::Document accurate_picture(double size_m, io::ErrorSize error) {
+  io::Document document;
+  document.sensor.camera = nadir(1.0, static_cast<int>(std::lround(size_m)));
+  io::AccuracySampling sampling;
+  sampling.error = error;
+  document.sampling.method = std::make_shared<const io::AccuracySampling>(sampling);
+  return document;
 }
 
 View quick_look(double size_m) {
   constexpr int kPixels = 400;
   return {"quicklook.json", "A quick look from above in four bands: seconds to a minute.",
-          sensor(nadir(size_m / kPixels, kPixels), kColourChannels), R"({"grid": {"elements": [2, 2]}})",
-          std::string(kColourPicture)};
+          colour_picture(nadir(size_m / kPixels, kPixels), 2)};
 }
 
 View oblique(double size_m, const ViewChoice& choice) {
   const double azimuth = choice.eye_azimuth_deg * M_PI / 180.0, away = 0.75 * std::min(size_m, 250.0);
-  const std::string camera =
-      format(R"({{"frame": {{"focal_length": "35 mm", "pitch": "45 um", "pixels": [640, 420],
-      "position": {}, "look_at": {}}}}})",
-             point_text(away * std::sin(azimuth), away * std::cos(azimuth),
-                        choice.eye_height_share * std::min(size_m, 250.0)),
-             point_text(0.0, 0.0, 0.0));
-  return {"oblique.json", "A view at an angle, in four bands.", sensor(camera, kColourChannels),
-          R"({"grid": {"elements": [3, 3]}})", std::string(kColourPicture)};
+  io::FrameCamera camera;
+  camera.focal_length_m = 35.0 * 1e-3;
+  camera.pitch_m = 45.0 * 1e-6;
+  camera.size = {640, 420};
+  camera.position_m = to_millimetre(math::Point3{away * std::sin(azimuth), away * std::cos(azimuth),
+                                                 choice.eye_height_share * std::min(size_m, 250.0)});
+  camera.orientation = io::LookAt{{}, {}};
+  return {"oblique.json", "A view at an angle, in four bands.", colour_picture(camera_of(camera), 3)};
 }
 
 View imaging_spectrometer(double size_m) {
-  const int pixels = static_cast<int>(std::lround(size_m));
+  io::Document document = accurate_picture(size_m, {0.05, io::ErrorSize::Unit::fraction});
+  constexpr int kChannels = 210;
+  constexpr double kFirst_um = 0.4, kLast_um = 2.5;
+  for (int k = 0; k < kChannels; ++k) {
+    const double centre_um = kFirst_um + static_cast<double>(k) / (kChannels - 1) * (kLast_um - kFirst_um);
+    add_channel(document, format("S {:.6g} nm", 1e3 * centre_um), io::GaussianChannel{centre_um, 0.01});
+  }
   return {
       "render_vswir.json",
       "An imaging spectrometer: 210 Gaussian channels of 10 nm from 400 to 2500 nm, 1 m on the ground, no noise.\n"
       "Each pixel to 5 % of its value in all channels.",
-      sensor(
-          nadir(1.0, pixels),
-          R"([{"name": "S", "series": {"gaussian": {"from": "400 nm", "to": "2500 nm", "count": 210, "fwhm": "10 nm"}}}])"),
-      R"({"accuracy": {"error": "5 %"}})", ""};
+      std::move(document)};
 }
 
 View thermal_imager(double size_m) {
-  const int pixels = static_cast<int>(std::lround(size_m));
+  io::Document document = accurate_picture(size_m, {1.0, io::ErrorSize::Unit::kelvin});
+  add_channel(document, "T1", io::TopHatChannel{8.2, 9.2});
+  add_channel(document, "T2", io::TopHatChannel{10.3, 11.3});
+  add_channel(document, "T3", io::TopHatChannel{11.5, 12.5});
   return {"render_thermal.json", "A thermal imager: three bands, 1 m on the ground, each pixel to 1 K.",
-          sensor(nadir(1.0, pixels), R"([
-      {"name": "T1", "top_hat": {"from": "8.2 um", "to": "9.2 um"}},
-      {"name": "T2", "top_hat": {"from": "10.3 um", "to": "11.3 um"}},
-      {"name": "T3", "top_hat": {"from": "11.5 um", "to": "12.5 um"}}
-    ])"),
-          R"({"accuracy": {"error": "1 K"}})", ""};
+          std::move(document)};
 }
 
 }  // namespace
 
-SceneLight clear_day(const ViewChoice& choice, SceneFolder& folder) {
-  const std::string light = R"({
-    "sun": {"disc": {"zenith": "35 deg", "azimuth": "140 deg"}},
-    "surroundings": {"reflectance": )" +
-                            library_spectrum(choice.surroundings, 1, folder) +
-                            format(R"(, "temperature": "{} degC"}}
-  }})",
-                                   choice.surroundings_c);
-  return {light, format(R"({{"profile": "{}", "aerosol": {{"type": "{}", "visibility": "23 km"}}}})",
-                        choice.air, choice.haze)};
+io::LightDocument clear_day(const ViewChoice& choice, SceneFolder& folder) {
+  io::LightDocument light;
+  light.sun.emplace();
+  light.sun->direction = io::CelestialDirection{35.0 * kDegree, 140.0 * kDegree};
+  light.sun->diameter_rad = 0.53 * kDegree;
+  light.surroundings.emplace();
+  light.surroundings->spectrum = library_spectrum(choice.surroundings, 1, folder);
+  light.surroundings->temperature_k = choice.surroundings_c + kZero_k;
+  return light;
+}
+
+io::AtmosphereDocument clear_air(const ViewChoice& choice) {
+  io::AtmosphereDocument atmosphere;
+  atmosphere.modelled.emplace();
+  atmosphere.modelled->description.air.model = choice.air;
+  atmosphere.modelled->description.aerosol.type = choice.haze;
+  atmosphere.modelled->description.aerosol.visibility_km = 23.0;
+  return atmosphere;
 }
 
 void check_size(double size_m) {
@@ -88,12 +131,12 @@ void check_size(double size_m) {
                             kLargest_m, size_m));
 }
 
-MadeScene finish_scene(const MakeOptions& options, const ViewChoice& choice, const SceneText& text,
+MadeScene finish_scene(const MakeOptions& options, const ViewChoice& choice, const SceneMaker& scene,
                        SceneFolder& folder, std::vector<std::string> contents) {
   MadeScene made;
   made.contents = std::move(contents);
-  made.contents.push_back(format("{} materials", text.material_count()));
-  folder.add_text(kSceneFile, text.document(choice.title, clear_day(choice, folder)));
+  made.contents.push_back(format("{} materials", scene.material_count()));
+  folder.add_text(kSceneFile, scene.document(choice.title, clear_day(choice, folder), clear_air(choice)));
   for (const View& view : {quick_look(options.size_m), oblique(options.size_m, choice),
                            imaging_spectrometer(options.size_m), thermal_imager(options.size_m)}) {
     folder.add_text(view.file, view_text(view, choice.title));

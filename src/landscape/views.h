@@ -5,7 +5,7 @@
 
 #include "landscape/landscapes.h"
 #include "landscape/output/scene_folder.h"
-#include "landscape/output/scene_text.h"
+#include "landscape/output/scene_maker.h"
 
 namespace ifov::landscape {
 
@@ -23,11 +23,12 @@ struct ViewChoice {
 
 /// The light of all generated scenes: the Sun's disc 35 degrees from the zenith in the south-east, through a model
 /// atmosphere with a visibility of 23 km.
-SceneLight clear_day(const ViewChoice& choice, SceneFolder& folder);
+io::LightDocument clear_day(const ViewChoice& choice, SceneFolder& folder);
+io::AtmosphereDocument clear_air(const ViewChoice& choice);
 
 /// Writes the documents, which differ in what looks at the scene alone, and publishes the folder:
 /// `quicklook.json`, `oblique.json`, `render_vswir.json`, `render_thermal.json`.
-MadeScene finish_scene(const MakeOptions& options, const ViewChoice& choice, const SceneText& text,
+MadeScene finish_scene(const MakeOptions& options, const ViewChoice& choice, const SceneMaker& scene,
                        SceneFolder& folder, std::vector<std::string> contents);
 
 /// Throws InputError unless the size is between kSmallest_m and kLargest_m.

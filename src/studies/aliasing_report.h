@@ -15,7 +15,8 @@ namespace ifov::studies {
 
 /// The charts rendered one way; errors in units of the contrast between black and white.
 struct ChartResult {
-  std::string name, sampling;
+  std::string name;
+  io::SamplingDocument sampling;
   std::unique_ptr<ImageStore> image;  ///< of the first chart
   std::vector<double> error;          ///< of every pixel, chart by chart
   double rms = 0.0, error_99 = 0.0, worst = 0.0;

@@ -17,12 +17,13 @@ constexpr double kAngles_deg[] = {7.0, 24.3, 41.6};
 constexpr int kRepeats = 3;  // of each timing; the fastest counts
 constexpr int kEnoughTrials = 100;
 
-std::string reflectance_error(double share_of_contrast) {
-  return format("{:.6g} reflectance", share_of_contrast * (ChartScene::kWhite - ChartScene::kBlack));
+io::ErrorSize reflectance_error(double share_of_contrast) {
+  const double error = share_of_contrast * (ChartScene::kWhite - ChartScene::kBlack);
+  return {std::stod(format("{:.6g}", error)), io::ErrorSize::Unit::reflectance};
 }
 
 /// Renders every chart one way and measures errors in units of the contrast.
-ChartResult measure(const std::string& name, const std::string& sampling,
+ChartResult measure(const std::string& name, const io::SamplingDocument& sampling,
                     const std::vector<ChartScene>& charts, int repeats, const StudyOptions& options,
                     StudyProgress& progress) {
   ChartResult result;
@@ -36,7 +37,7 @@ ChartResult measure(const std::string& name, const std::string& sampling,
     double fastest = 0.0;
     for (int k = 0; k < repeats; ++k) {
       const RenderTimes times =
-          render_document(chart.document(sampling, options.seed).text(), options.output_folder,
+          render_document(study_text(chart.document(sampling, options.seed)), options.output_folder,
                           {1, options.cancel, nullptr, {}}, *image);
       fastest = k == 0 ? times.render_s : std::min(fastest, times.render_s);
       progress.add(ChartScene::kWidth_px * ChartScene::kWidth_px, image->cost().rays.total());
@@ -111,18 +112,22 @@ StudyOutcome run_aliasing_study(const StudyOptions& options) {
     if (quick) break;
   }
   struct Way {
-    std::string name, sampling;
+    std::string name;
+    io::SamplingDocument sampling;
   };
   std::vector<Way> ways = {{"one ray", single_sampling()},
                            {"grid 10 x 10", grid_sampling(10)},
-                           {"adaptive, 9 sub-elements, at most 100", adaptive_sampling(3, 100, "1 %")},
+                           {"adaptive, 9 sub-elements, at most 100",
+                            adaptive_sampling(3, 100, {0.01, io::ErrorSize::Unit::fraction})},
                            {"grid 5 x 5", grid_sampling(5)},
                            {"grid 20 x 20", grid_sampling(20)}};
   const std::size_t first_accuracy = ways.size();
   for (int lattice : {1, 2, 3})
     for (double share : {0.04, 0.02, 0.01})
       ways.push_back({format("accuracy {:g} % of contrast, lattice {}", 100 * share, lattice),
-                      accuracy_sampling(reflectance_error(share), format(", \"lattice\": {}", lattice))});
+                      accuracy_sampling(reflectance_error(share), [&](io::AccuracySampling& accuracy) {
+                        accuracy.lattice = lattice;
+                      })});
 
   const int repeats = quick ? 1 : kRepeats;
   StudyProgress progress(static_cast<std::int64_t>(ways.size() * charts.size()) * repeats *
@@ -152,7 +157,8 @@ StudyOutcome run_aliasing_study(const StudyOptions& options) {
   ReportFigures drawn;
   keep("report.html", aliasing_report(results, drawn));
   for (const auto& file : drawn.write(options.output_folder)) outcome.files.push_back(file);
-  keep("chart.json", charts.front().document(results.results[results.chosen].sampling, options.seed).text());
+  keep("chart.json",
+       study_text(charts.front().document(results.results[results.chosen].sampling, options.seed)));
   return outcome;
 }
 

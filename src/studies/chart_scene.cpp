@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/format.h"
+#include "io/document/shapes/flat_primitives.h"
 #include "sampling/random.h"
 
 namespace ifov::studies {
@@ -25,27 +25,22 @@ ChartScene::ChartScene(double angle_rad, std::uint64_t seed) {
   black_ = covered_fraction(bars_, kWidth_px, kWidth_px);
 }
 
-StudyDocument ChartScene::document(std::string sampling, std::uint64_t seed) const {
-  StudyDocument document;
-  std::string polygons;
+io::Document ChartScene::document(io::SamplingDocument sampling, std::uint64_t seed) const {
+  // Light that comes by way of a second surface is left out, so that the answer is known exactly.
+  sampling.max_depth = 1;
+  io::Document document =
+      nadir_document(nadir_camera(kWidth_px, kWidth_px, 0.0, 0.0), "green", 0.55, std::move(sampling), seed);
+  document.scene.materials = {grey("white", kWhite), grey("black", kBlack)};
+  document.scene.objects.push_back(object_of(io::PlanePrimitive(), "white"));
   for (const Outline& bar : bars_) {
-    std::string vertices;
+    io::PolygonPrimitive polygon;
     // The image's y axis points south: backwards, the corners run counter-clockwise from above. A tenth of a
     // millimetre over the paper is too little for shadows or light between them.
     for (std::size_t k = bar.size(); k-- > 0;)
-      vertices += format("{}{}", point_text(bar[k].x_px, -bar[k].y_px, 1e-4), k == 0 ? "" : ", ");
-    polygons += format(",\n      {{\"polygon\": {{\"vertices\": [{}]}}, \"material\": \"black\"}}", vertices);
+      polygon.vertices_m.push_back({bar[k].x_px, -bar[k].y_px, 1e-4});
+    document.scene.objects.push_back(object_of(std::move(polygon), "black"));
   }
-  document.materials =
-      format("{{\"white\": {{\"reflectance\": {}}}, \"black\": {{\"reflectance\": {}}}}}", kWhite, kBlack);
-  document.objects = format("[{{\"plane\": {{}}, \"material\": \"white\"}}{}]", polygons);
-  document.light = "{\"sun\": {\"point\": {\"zenith\": \"0 deg\", \"azimuth\": \"0 deg\"}}}";
-  document.camera = nadir_camera(kWidth_px, kWidth_px, 0.0, 0.0);
-  document.channels = "[{\"name\": \"green\", \"monochromatic\": {\"at\": \"0.55 um\"}}]";
-  document.sampling = std::move(sampling);
-  // Light that comes by way of a second surface is left out, so that the answer is known exactly.
-  document.sampling.insert(1, "\"max_depth\": 1, ");
-  document.seed = seed;
+  document.light.sun.emplace().direction.emplace();
   return document;
 }
 

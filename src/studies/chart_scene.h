@@ -18,7 +18,7 @@ class ChartScene {
   /// `angle_rad` of the chart against the pixels; its centre is shifted by up to half a pixel from (seed).
   ChartScene(double angle_rad, std::uint64_t seed);
 
-  StudyDocument document(std::string sampling, std::uint64_t seed) const;
+  io::Document document(io::SamplingDocument sampling, std::uint64_t seed) const;
   /// Exact share of black in every pixel.
   const std::vector<double>& black_fraction() const { return black_; }
 

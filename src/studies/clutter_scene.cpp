@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/format.h"
+#include "io/document/shapes/flat_primitives.h"
 #include "radiometry/planck.h"
 #include "sampling/random.h"
 #include "studies/thermal_scene.h"
@@ -70,29 +71,23 @@ double ClutterScene::radiance(int material) const {
   return radiometry::planck_w_m2_sr_um(kThermalWavelength_um, temperature_k(material));
 }
 
-StudyDocument ClutterScene::document(std::string sampling, std::string psf, std::uint64_t seed) const {
-  StudyDocument document;
-  std::string materials, polygons;
+io::Document ClutterScene::document(io::SamplingDocument sampling, double psf_sigma_px,
+                                    std::uint64_t seed) const {
+  io::Document document = nadir_document(nadir_camera(width_, width_, 0.0, 0.0), "thermal",
+                                         kThermalWavelength_um, std::move(sampling), seed);
+  if (psf_sigma_px > 0.0) document.sensor.psf = io::GaussianPsf{psf_sigma_px};
   for (int m = 0; m < kMaterials; ++m)
-    materials += format("{}\"m{}\": {{\"emissivity\": 1, \"temperature\": \"{} K\"}}", m == 0 ? "" : ", ", m,
-                        temperature_k(m));
+    document.scene.materials.push_back(black(format("m{}", m), {temperature_k(m), {}}));
+  io::PlanePrimitive ground;
+  ground.height_m = -0.01;
+  document.scene.objects.push_back(object_of(ground, "m0"));
   for (const Cell& cell : cells_) {
-    std::string vertices;
+    io::PolygonPrimitive polygon;
     // The image's y axis points south: backwards, the corners run counter-clockwise from above.
     for (std::size_t k = cell.outline.size(); k-- > 0;)
-      vertices +=
-          format("{}{}", point_text(cell.outline[k].x_px, -cell.outline[k].y_px, 0.0), k == 0 ? "" : ", ");
-    polygons += format(",\n      {{\"polygon\": {{\"vertices\": [{}]}}, \"material\": \"m{}\"}}", vertices,
-                       cell.material);
+      polygon.vertices_m.push_back({cell.outline[k].x_px, -cell.outline[k].y_px, 0.0});
+    document.scene.objects.push_back(object_of(std::move(polygon), format("m{}", cell.material)));
   }
-  document.materials = format("{{{}}}", materials);
-  document.objects = format("[{{\"plane\": {{\"height\": \"-1 cm\"}}, \"material\": \"m0\"}}{}]", polygons);
-  document.camera = nadir_camera(width_, width_, 0.0, 0.0);
-  document.channels =
-      format("[{{\"name\": \"thermal\", \"monochromatic\": {{\"at\": \"{} um\"}}}}]", kThermalWavelength_um);
-  document.psf = std::move(psf);
-  document.sampling = std::move(sampling);
-  document.seed = seed;
   return document;
 }
 

@@ -15,7 +15,7 @@ class ClutterScene {
   ClutterScene(int width_px, double cells_per_px, std::uint64_t seed);
 
   int width() const { return width_; }
-  StudyDocument document(std::string sampling, std::string psf, std::uint64_t seed) const;
+  io::Document document(io::SamplingDocument sampling, double psf_sigma_px, std::uint64_t seed) const;
 
   /// Radiance of each pixel, row by row, by exact areas.
   std::vector<double> pixel_truth() const;

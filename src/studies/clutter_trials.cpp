@@ -15,9 +15,13 @@ namespace {
 
 constexpr int kWidth_px = 64, kRim_px = 3, kFine = 32;
 constexpr double kSigma_px = 0.6, kCellsPerPx = 330.0 / (17.0 * 17.0), kDenseCellsPerPx = 12.0;
-constexpr const char* kPsf = "{\"gaussian\": {\"sigma\": \"0.6 px\"}}";
+
+void trace_edges(io::AccuracySampling& accuracy) { accuracy.clutter = false; }
 /// No probes: in clutter, edges are met everywhere.
-constexpr const char* kUnprobed = ", \"probes\": 0";
+void trace_edges_unprobed(io::AccuracySampling& accuracy) {
+  trace_edges(accuracy);
+  accuracy.probes = 0;
+}
 
 ClutterResult judge(const std::string& what, const ImageStore& image, const std::vector<double>& truth,
                     double render_s) {
@@ -39,32 +43,37 @@ ClutterResult judge(const std::string& what, const ImageStore& image, const std:
 /// One clutter scene with its truth, rendered in many ways.
 class Bench {
  public:
-  Bench(const ClutterScene& scene, std::string psf, std::vector<double> truth,
+  Bench(const ClutterScene& scene, double psf_sigma_px, std::vector<double> truth,
         const std::filesystem::path& folder, const StudyOptions& options)
-      : scene_(scene), psf_(std::move(psf)), truth_(std::move(truth)), folder_(folder), options_(options) {}
+      : scene_(scene),
+        psf_sigma_px_(psf_sigma_px),
+        truth_(std::move(truth)),
+        folder_(folder),
+        options_(options) {}
 
-  ClutterResult run(const std::string& what, const std::string& sampling,
+  ClutterResult run(const std::string& what, const io::SamplingDocument& sampling,
                     const sampling::PixelSampler* sampler = nullptr) const {
     ImageStore image;
     const double seconds = render(sampling, {options_.threads, options_.cancel, sampler, {}}, image);
     return judge(what, image, truth_, seconds);
   }
-  double render(const std::string& sampling, const RenderChoices& choices, ImageStore& image) const {
-    return render_document(scene_.document(sampling, psf_, options_.seed).text(), folder_, choices, image)
+  double render(const io::SamplingDocument& sampling, const RenderChoices& choices, ImageStore& image) const {
+    return render_document(study_text(scene_.document(sampling, psf_sigma_px_, options_.seed)), folder_,
+                           choices, image)
         .render_s;
   }
   const std::vector<double>& truth() const { return truth_; }
 
  private:
   const ClutterScene& scene_;
-  std::string psf_;
+  double psf_sigma_px_;
   std::vector<double> truth_;
   const std::filesystem::path& folder_;
   const StudyOptions& options_;
 };
 
-std::string with_tile(std::string sampling, int tile_px) {
-  sampling.insert(1, format("\"tile\": {}, ", tile_px));
+io::SamplingDocument with_tile(io::SamplingDocument sampling, int tile_px) {
+  sampling.tile_px = tile_px;
   return sampling;
 }
 
@@ -74,7 +83,7 @@ bool same(const ImageStore& a, const ImageStore& b) {
 
 void check_tiles(const Bench& bench, const CancelToken* cancel, ClutterStudy& study) {
   constexpr int kTile_px = 16, kTiles = (kWidth_px / kTile_px) * (kWidth_px / kTile_px);
-  const std::string sampling = accuracy_sampling(radiance_of_error(0.5));
+  const io::SamplingDocument sampling = accuracy_sampling(radiance_of_error(0.5));
   ImageStore first, large;
   bench.render(with_tile(sampling, kTile_px), {1, cancel, nullptr, {}}, first);
   bench.render(with_tile(sampling, kWidth_px), {1, cancel, nullptr, {}}, large);
@@ -120,16 +129,15 @@ double rays_at_rms(std::vector<ClutterResult> results, double rms_c) {
 ClutterStudy run_clutter(const std::filesystem::path& folder, const StudyOptions& options) {
   ClutterStudy study;
   const ClutterScene scene(kWidth_px, kCellsPerPx, options.seed);
-  const Bench blurred(scene, kPsf, scene.blurred_truth(kSigma_px, kFine), folder, options);
+  const Bench blurred(scene, kSigma_px, scene.blurred_truth(kSigma_px, kFine), folder, options);
   sampling::AccuracyOptions drawn;
   drawn.probes_per_side = 0;
   drawn.footprint_by_model = false;
   const sampling::AccuracySampler drawn_sampler(drawn);
   for (double error : {4.0, 2.0, 1.0, 0.5, 0.25, 0.12}) {
-    const std::string asked = radiance_of_error(error);
+    const io::ErrorSize asked = radiance_of_error(error);
     study.psf_model.push_back(
-        blurred.run(format("accuracy {} °C", error),
-                    accuracy_sampling(asked, std::string(kUnprobed) + ", \"clutter\": false")));
+        blurred.run(format("accuracy {} °C", error), accuracy_sampling(asked, trace_edges_unprobed)));
     study.psf_drawn.push_back(blurred.run(format("accuracy {} °C, rays drawn from the PSF", error),
                                           accuracy_sampling(asked), &drawn_sampler));
   }
@@ -137,14 +145,14 @@ ClutterStudy run_clutter(const std::filesystem::path& folder, const StudyOptions
     study.psf_grid.push_back(blurred.run(format("grid {0} x {0}", n), grid_sampling(n)));
 
   const ClutterScene dense(kWidth_px / 2, kDenseCellsPerPx, options.seed);
-  const Bench mosaic(dense, "", dense.pixel_truth(), folder, options);
+  const Bench mosaic(dense, 0.0, dense.pixel_truth(), folder, options);
   for (double error : {4.0, 2.0, 1.0}) {
-    const std::string asked = radiance_of_error(error);
+    const io::ErrorSize asked = radiance_of_error(error);
     study.dense_switched.push_back(mosaic.run(format("accuracy {} °C", error), accuracy_sampling(asked)));
-    study.dense_traced.push_back(mosaic.run(format("accuracy {} °C, edges traced", error),
-                                            accuracy_sampling(asked, ", \"clutter\": false")));
+    study.dense_traced.push_back(
+        mosaic.run(format("accuracy {} °C, edges traced", error), accuracy_sampling(asked, trace_edges)));
   }
-  const Bench sharp(scene, "", scene.pixel_truth(), folder, options);
+  const Bench sharp(scene, 0.0, scene.pixel_truth(), folder, options);
   check_tiles(sharp, options.cancel, study);
   return study;
 }

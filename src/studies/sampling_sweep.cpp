@@ -11,7 +11,7 @@ namespace ifov::studies {
 namespace {
 
 std::vector<SweepPoint> sweep(const std::vector<double>& settings,
-                              const std::function<std::string(double)>& sampling_of,
+                              const std::function<io::SamplingDocument(double)>& sampling_of,
                               const std::filesystem::path& folder, const StudyOptions& options,
                               StudyProgress& progress) {
   std::vector<SweepPoint> points(settings.size());
@@ -34,7 +34,9 @@ std::vector<double> even_numbers(int largest) {
 
 }  // namespace
 
-std::string paper_adaptive(int n) { return adaptive_sampling(n / 2, n * n, radiance_of_error(0.01)); }
+io::SamplingDocument paper_adaptive(int n) {
+  return adaptive_sampling(n / 2, n * n, radiance_of_error(0.01));
+}
 
 std::vector<SweepPoint> grid_sweep(int largest, const std::filesystem::path& folder,
                                    const StudyOptions& options, StudyProgress& progress) {

@@ -31,6 +31,6 @@ std::vector<SweepPoint> accuracy_sweep(const std::vector<double>& errors_c,
 double samples_that_stay_within(const std::vector<SweepPoint>& sweep, double tolerance_c);
 
 /// The paper's adaptive sampling at N: a difference of any kind between black surfaces counts.
-std::string paper_adaptive(int n);
+io::SamplingDocument paper_adaptive(int n);
 
 }  // namespace ifov::studies

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/format.h"
+#include "io/json/json_writer.h"
 #include "io/report/report_data.h"
 #include "studies/common/html_page.h"
 #include "studies/scatter_script.h"
@@ -53,16 +54,18 @@ std::string codes_of(const std::vector<float>& scores, const std::vector<Scale>&
   return out;
 }
 
-std::string list_of(const std::vector<std::string>& names) {
+/// For the script; no text in it ends the element that holds it.
+std::string meta_of(const std::vector<ScatterImage>& images, const std::vector<std::string>& materials) {
+  io::JsonWriter json(io::JsonWriter::Look::compact);
+  std::vector<std::string> names;
+  for (const ScatterImage& image : images) names.push_back(image.name);
+  json.object([&] {
+    json.member("axes", kScatterAxes);
+    json.member("images", names);
+    json.member("materials", materials);
+  });
   std::string out;
-  for (const std::string& name : names) {
-    out += out.empty() ? "\"" : ", \"";
-    for (const char c : name) {
-      if (c == '"' || c == '\\') out += '\\';
-      out += c == '<' ? std::string("\\u003c") : std::string(1, c);
-    }
-    out += '"';
-  }
+  for (const char c : json.written()) out += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return out;
 }
 
@@ -77,8 +80,6 @@ std::string axis_choice(int axis) {
 
 std::string scatter_panels(const std::vector<ScatterImage>& images,
                            const std::vector<std::string>& materials) {
-  std::vector<std::string> names;
-  for (const ScatterImage& image : images) names.push_back(image.name);
   std::string out =
       "<style>.scatter { display: grid; grid-template-columns: repeat(4, 1fr); gap: .6em; }\n"
       ".scatter figure { margin: 0; } .scatter canvas { width: 100%; border: 1px solid #ccc; touch-action: none; cursor: "
@@ -96,10 +97,8 @@ std::string scatter_panels(const std::vector<ScatterImage>& images,
   for (int panel = 0; panel < 4; ++panel)
     out += "<figure><canvas></canvas><figcaption></figcaption></figure>";
   out += "</div>\n<p id=\"scatter-legend\" hidden></p>\n";
-  out += format(
-      "<script type=\"application/json\" id=\"scatter-meta\">{{\"axes\": {}, \"images\": [{}], \"materials\": "
-      "[{}]}}</script>\n",
-      kScatterAxes, list_of(names), list_of(materials));
+  out += format("<script type=\"application/json\" id=\"scatter-meta\">{}</script>\n",
+                meta_of(images, materials));
   const std::vector<Scale> principal = scales_of(images, &ScatterImage::principal);
   const std::vector<Scale> noise_fraction = scales_of(images, &ScatterImage::noise_fraction);
   for (std::size_t k = 0; k < images.size(); ++k) {

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "core/format.h"
+#include "io/document/shapes/box_primitive.h"
+#include "io/document/shapes/flat_primitives.h"
+#include "io/document/shapes/round_primitives.h"
 #include "radiometry/planck.h"
 #include "sampling/random.h"
 
@@ -26,17 +30,20 @@ double mix_slope() {
 
 constexpr double kWest_m = -1.5, kNorth_m = 1.5;
 
-std::string black(std::string_view name, std::string_view temperature) {
-  return format("\"{}\": {{\"emissivity\": 1, \"temperature\": {}}}", name, temperature);
-}
-
-ThermalScene scene_of(std::string hot_object, double hot_fraction) {
+ThermalScene scene_of(io::ObjectDocument hot_object, double hot_fraction) {
   ThermalScene scene;
-  scene.materials = format("{{{}, {}}}", black("ground", "\"20 degC\""), black("target", "\"40 degC\""));
-  scene.objects = format("[{{\"plane\": {{}}, \"material\": \"ground\"}},\n      {}]", hot_object);
+  scene.scene.materials = {black("ground", {kCold_k, {}}), black("target", {kHot_k, {}})};
+  scene.scene.objects = {object_of(io::PlanePrimitive(), "ground"), std::move(hot_object)};
   scene.hot_fraction = hot_fraction;
   scene.truth = cold_radiance() + hot_fraction * (hot_radiance() - cold_radiance());
   return scene;
+}
+
+io::ObjectDocument hemisphere(math::Point3 centre_m, double radius_m) {
+  io::HemispherePrimitive dome;
+  dome.centre_m = centre_m;
+  dome.radius_m = radius_m;
+  return object_of(dome, "target");
 }
 
 template <class Shape>
@@ -48,59 +55,52 @@ double centre_area(const Shape& shape) {
 
 double error_c(double radiance_error) { return radiance_error / mix_slope(); }
 
-std::string radiance_of_error(double error) { return format("{:.9g} W m-2 sr-1 um-1", error * mix_slope()); }
+io::ErrorSize radiance_of_error(double error) {
+  return {std::stod(format("{:.9g}", error * mix_slope())), io::ErrorSize::Unit::radiance};
+}
 
-StudyDocument ThermalScene::document(std::string sampling, std::uint64_t seed) const {
-  StudyDocument document;
-  document.materials = materials;
-  document.objects = objects;
-  document.camera = nadir_camera(3, 3, west_m, north_m);
-  document.channels =
-      format("[{{\"name\": \"thermal\", \"monochromatic\": {{\"at\": \"{} um\"}}}}]", kThermalWavelength_um);
-  document.sampling = std::move(sampling);
-  document.seed = seed;
+io::Document ThermalScene::document(io::SamplingDocument sampling, std::uint64_t seed) const {
+  io::Document document = nadir_document(nadir_camera(3, 3, west_m, north_m), "thermal",
+                                         kThermalWavelength_um, std::move(sampling), seed);
+  document.scene = scene;
   return document;
 }
 
 ThermalScene dome_scene(const Disc& disc) {
-  return scene_of(format("{{\"hemisphere\": {{\"center\": {}, \"radius\": {}}}, \"material\": \"target\"}}",
-                         point_text(kWest_m + disc.x_px, kNorth_m - disc.y_px, 0.0), metres(disc.radius_px)),
+  return scene_of(hemisphere({kWest_m + disc.x_px, kNorth_m - disc.y_px, 0.0}, disc.radius_px),
                   centre_area(disc));
 }
 
 ThermalScene disk_scene(const Disc& disc) {
-  return scene_of(
-      format(
-          "{{\"disk\": {{\"center\": {}, \"normal\": [0, 0, 1], \"radius\": {}}}, \"material\": \"target\"}}",
-          point_text(kWest_m + disc.x_px, kNorth_m - disc.y_px, 0.01), metres(disc.radius_px)),
-      centre_area(disc));
+  io::DiskPrimitive disk;
+  disk.centre_m = {kWest_m + disc.x_px, kNorth_m - disc.y_px, 0.01};
+  disk.normal = {0.0, 0.0, 1.0};
+  disk.radius_m = disc.radius_px;
+  return scene_of(object_of(disk, "target"), centre_area(disc));
 }
 
 ThermalScene box_scene(double x, double y, double length, double width, double angle) {
+  io::BoxPrimitive box;
+  box.low_m = {-0.5 * length, -0.5 * width, 0.0};
+  box.high_m = {0.5 * length, 0.5 * width, 0.005};
+  io::ObjectDocument object = object_of(box, "target");
   // The image's y axis points south, so that its angles turn the other way.
-  return scene_of(
-      format("{{\"box\": {{\"low\": {}, \"high\": {}}}, \"material\": \"target\",\n       \"transform\": "
-             "{{\"rotate\": "
-             "{{\"angle\": \"{} rad\"}}, \"translate\": {}}}}}",
-             point_text(-0.5 * length, -0.5 * width, 0.0), point_text(0.5 * length, 0.5 * width, 0.005),
-             -angle, point_text(kWest_m + x, kNorth_m - y, 0.0)),
-      centre_area(oblong(x, y, length, width, angle)));
+  object.transform.rotation_rad = -angle;
+  object.transform.translate_m = {kWest_m + x, kNorth_m - y, 0.0};
+  return scene_of(std::move(object), centre_area(oblong(x, y, length, width, angle)));
 }
 
 ThermalScene textured_dome_scene(const Disc& disc, const TextureMap& texture, double map_x_m,
                                  double map_y_m) {
-  const auto mapped = [&](std::string_view file) {
-    return format(
-        "{{\"map\": {{\"file\": \"{}\", \"unit\": \"K\", \"low_left\": [\"0 m\", \"0 m\"], \"size\": [{}, "
-        "{}]}}}}",
-        file, metres(texture.side_m()), metres(texture.side_m()));
+  const auto mapped = [&](const char* file) {
+    io::TemperatureMap map;
+    map.raster.file.path = file;
+    map.raster.placement = io::RasterDocument::Placement{0.0, 0.0, texture.side_m(), texture.side_m()};
+    return io::TemperatureDocument{std::move(map), {}};
   };
-  ThermalScene scene =
-      scene_of(format("{{\"hemisphere\": {{\"center\": {}, \"radius\": {}}}, \"material\": \"target\"}}",
-                      point_text(map_x_m + disc.x_px, map_y_m - disc.y_px, 0.0), metres(disc.radius_px)),
-               centre_area(disc));
-  scene.materials = format("{{{},\n      {}}}", black("ground", mapped("ground.img")),
-                           black("target", mapped("target.img")));
+  ThermalScene scene = scene_of(hemisphere({map_x_m + disc.x_px, map_y_m - disc.y_px, 0.0}, disc.radius_px),
+                                centre_area(disc));
+  scene.scene.materials = {black("ground", mapped("ground.img")), black("target", mapped("target.img"))};
   scene.west_m = map_x_m;
   scene.north_m = map_y_m;
 

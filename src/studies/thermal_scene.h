@@ -19,17 +19,17 @@ double cold_radiance();
 /// The paper's linear conversion: an error in radiance over the slope of Planck's law at the half-and-half
 /// mix.
 double error_c(double radiance_error);
-/// The radiance of an error in degrees, with its unit, for documents.
-std::string radiance_of_error(double error_c);
+/// The radiance of an error in degrees, to nine digits.
+io::ErrorSize radiance_of_error(double error_c);
 
 /// A scene and what the centre pixel must show.
 struct ThermalScene {
-  std::string materials, objects;
+  io::SceneDocument scene;
   double west_m = -1.5, north_m = 1.5;  ///< of the image
   double truth = 0.0;                   ///< radiance of the centre pixel
   double hot_fraction = 0.0;            ///< of the centre pixel
 
-  StudyDocument document(std::string sampling, std::uint64_t seed) const;
+  io::Document document(io::SamplingDocument sampling, std::uint64_t seed) const;
 };
 
 /// A hemisphere; positions in the image frame of the 3 x 3 pixels.

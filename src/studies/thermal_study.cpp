@@ -17,11 +17,14 @@ constexpr double kMapSide_m = 8.0;
 
 /// All shapes of the study are larger than half a pixel or seeded, so that a lattice of two cells per pixel side
 /// meets them.
-std::string asked(double error_c, std::string_view more = "") {
-  return accuracy_sampling(radiance_of_error(error_c), format(", \"lattice\": 2{}", more));
+io::SamplingDocument asked(double error_c, bool seeds = true) {
+  return accuracy_sampling(radiance_of_error(error_c), [&](io::AccuracySampling& accuracy) {
+    accuracy.lattice = 2;
+    accuracy.seeds = seeds;
+  });
 }
 
-constexpr std::string_view kNoSeeds = ", \"pilot_rays\": false";
+constexpr bool kNoSeeds = false;
 
 std::vector<TrialSeries> all_series() {
   return {{"dome, 0.1 °C", Family::dome, asked(0.1)},
@@ -137,10 +140,10 @@ StudyOutcome run_thermal_study(const StudyOptions& options) {
   ReportFigures drawn;
   keep("report.html", thermal_report(results, drawn));
   for (const auto& file : drawn.write(folder)) outcome.files.push_back(file);
-  keep("dome.json", dome_scene(paper_dome()).document(asked(0.1), options.seed).text());
-  keep("textured_dome.json", random_scene(Family::textured_dome, options.seed, 0, texture)
-                                 .document(asked(0.1), options.seed)
-                                 .text());
+  keep("dome.json", study_text(dome_scene(paper_dome()).document(asked(0.1), options.seed)));
+  keep("textured_dome.json",
+       study_text(
+           random_scene(Family::textured_dome, options.seed, 0, texture).document(asked(0.1), options.seed)));
   return outcome;
 }
 

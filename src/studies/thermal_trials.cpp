@@ -21,10 +21,11 @@ double quantile(std::vector<double> values, double share) {
 
 }  // namespace
 
-ThermalTrial render_thermal(const ThermalScene& scene, const std::string& sampling, std::uint64_t seed,
-                            const std::filesystem::path& folder, const CancelToken* cancel) {
+ThermalTrial render_thermal(const ThermalScene& scene, const io::SamplingDocument& sampling,
+                            std::uint64_t seed, const std::filesystem::path& folder,
+                            const CancelToken* cancel) {
   ImageStore image;
-  render_document(scene.document(sampling, seed).text(), folder, {1, cancel, nullptr, {}}, image);
+  render_document(study_text(scene.document(sampling, seed)), folder, {1, cancel, nullptr, {}}, image);
   const std::size_t centre = image.index(1, 1);
   ThermalTrial trial;
   trial.radiance = static_cast<double>(image.mean()[centre]);

@@ -18,8 +18,9 @@ struct ThermalTrial {
   ImageStore::Cost cost;      ///< over all pixels
 };
 
-ThermalTrial render_thermal(const ThermalScene& scene, const std::string& sampling, std::uint64_t seed,
-                            const std::filesystem::path& folder, const CancelToken* cancel);
+ThermalTrial render_thermal(const ThermalScene& scene, const io::SamplingDocument& sampling,
+                            std::uint64_t seed, const std::filesystem::path& folder,
+                            const CancelToken* cancel);
 
 /// What many trials say together.
 struct TrialSummary {
@@ -39,7 +40,7 @@ struct TrialSummary {
 struct TrialSeries {
   std::string name;
   Family family;
-  std::string sampling;
+  io::SamplingDocument sampling;
 };
 
 TrialSummary run_series(const TrialSeries& series, const TextureMap& texture,

@@ -116,7 +116,8 @@ class Extended:
         for path in self.written:
             if path.endswith(".cpp"):
                 room = [made for made in archive_of if made.startswith(f"src/{path.partition('/')[0]}/") and "processor" not in made]
-                tasks[f"src/{path}"] = (self.folder / path, next((made for made in room if source_of[made] == f"src/{path}"), room[0]))
+                # Its own object, else one of its folder, and so of its library.
+                tasks[f"src/{path}"] = (self.folder / path, max(room, key=lambda made: len(os.path.commonprefix([source_of[made] + "\n", f"src/{path}\n"]))))
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             compiled = dict(zip(tasks, pool.map(lambda task: self.compile(*task), tasks.values())))
 

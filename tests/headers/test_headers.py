@@ -15,7 +15,8 @@ BUILD = pathlib.Path(os.environ.get("IFOV_BUILD", ROOT / "build"))
 
 
 def compiler_and_flags():
-    """The compiler of the build, and per room the include paths and definitions that its sources are built with."""
+    """The compiler of the build, and per room and per folder of one the include paths and definitions that its sources are
+    built with."""
     flags, compiler = {}, "c++"
     for command in json.loads((BUILD / "compile_commands.json").read_text()):
         file = pathlib.Path(command["file"])
@@ -23,10 +24,11 @@ def compiler_and_flags():
             continue
         words = shlex.split(command["command"])
         compiler = words[1] if pathlib.Path(words[0]).name == "ccache" else words[0]
-        room = file.relative_to(ROOT / "src").parts[0]
+        parts = file.relative_to(ROOT / "src").parts
         kept = re.findall(r"(?:^| )(-isystem \S+|-[ID]\S+)", " ".join(words))
-        flags[room] = sorted({part for group in kept for part in ([group] if " " not in group else [group])})
-    return compiler, flags
+        for place in (parts[0], "/".join(parts[:2])):
+            flags.setdefault(place, set()).update(kept)
+    return compiler, {place: sorted(words) for place, words in flags.items()}
 
 
 def compile_alone(compiler, flags, header, folder="src"):
@@ -56,7 +58,8 @@ class Headers(unittest.TestCase):
         self.assertGreater(len(headers), 10)
 
         def check(path):
-            return compile_alone(compiler, flags.get(path.relative_to(ROOT / "src").parts[0], []), path)
+            parts = path.relative_to(ROOT / "src").parts
+            return compile_alone(compiler, flags.get("/".join(parts[:2]), flags.get(parts[0], [])), path)
 
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
             complaints = [text for text in pool.map(check, headers) if text]

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <set>
 
+#include "io/figures/material_plot.h"
 #include "io/library/library_table.h"
 #include "io/library/material_library.h"
-#include "io/library/material_plot.h"
 #include "io/library/material_text.h"
 #include "io/spectra/csv_spectrum.h"
 #include "io/spectra/usgs.h"

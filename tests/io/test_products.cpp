@@ -9,14 +9,16 @@
 #include <thread>
 
 #include "core/error.h"
+#include "io/document/output_document.h"
+#include "io/document/product_words.h"
 #include "io/json/json_adapter.h"
 #include "io/json/json_view.h"
-#include "io/product_parts/quality_classes.h"
 #include "io/product_parts/sha256.h"
 #include "io/products/bil_cube.h"
 #include "io/products/envi_reader.h"
 #include "io/products/geotiff.h"
 #include "io/quantities/location_quantities.h"
+#include "io/quantities/quality_classes.h"
 #include "io/quantities/quality_quantities.h"
 #include "io/synthetic_image.h"
 #include "truth/location.h"
@@ -125,6 +127,18 @@ TEST(Sha256, PublishedDigests) {  // FIPS 180-4, examples
             "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
   EXPECT_EQ(digest(std::string(1000000, 'a')),
             "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST(ProductFormats, HaveTheWordsOfDocuments) {
+  std::vector<std::string> named;
+  for (const ProductFormat* format : all_product_formats())
+    if (!format->name.empty()) named.emplace_back(format->name);
+  const std::vector<std::string> words(product_words().begin(), product_words().end());
+  EXPECT_EQ(named, words);
+  EXPECT_TRUE(product_formats(words).has(formats::kGeotiff));
+  EXPECT_FALSE(product_formats(std::vector<std::string>{"envi"}).has(formats::kGeotiff));
+  EXPECT_THROW(product_formats(std::vector<std::string>{"tiff"}), std::logic_error);
+  EXPECT_EQ(product_formats(OutputDocument().formats).list(), usual_product_formats().list());
 }
 
 TEST(ProductWriter, OddSizesInAnyTileOrder) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/product_parts/colour_map.h"
+#include "io/envi/colour_map.h"
 #include "io/product_parts/picture.h"
 #include "io/product_parts/product_headers.h"
 #include "io/products/quicklook.h"

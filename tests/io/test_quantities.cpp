@@ -5,9 +5,9 @@
 #include <sstream>
 #include <string>
 
+#include "io/products/quantity_header.h"
 #include "io/quantities/location_quantities.h"
 #include "io/quantities/quality_quantities.h"
-#include "io/quantities/quantity_header.h"
 #include "io/quantities/quantity_set.h"
 #include "io/quantities/radiance_quantities.h"
 #include "io/quantities/share_quantities.h"

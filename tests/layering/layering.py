@@ -19,6 +19,23 @@ class Rules:
     levels: dict  # room -> level
     adapters: dict  # first part of an outside header's path -> rooms that may include it
     public: dict  # header of include/ -> rooms that may include it
+    parts: dict = dataclasses.field(default_factory=dict)  # library of a part of a room -> folders, libraries, outside libraries
+
+
+@dataclasses.dataclass
+class Library:
+    """What a CMakeLists.txt says of a library: a room, or a part of one, which has folders of it."""
+
+    room: str
+    part: str  # empty: the room is one library
+    folders: list
+    parts: list
+    rooms: list
+    outside: list
+
+    @property
+    def name(self):
+        return f"{self.room}_{self.part}" if self.part else self.room
 
 
 def table_rows(page, first_heading):
@@ -40,7 +57,8 @@ def read_rules(page):
     levels = {names(row[1])[0]: int(row[0]) for row in table_rows(page, "level")}
     adapters = {header: names(row[2]) for row in table_rows(page, "headers") for header in names(row[0])}
     public = {header: names(row[1]) for row in table_rows(page, "public header") for header in names(row[0])}
-    return Rules(levels, adapters, public)
+    parts = {f"{names(row[0])[0]}_{name}": tuple(names(cell) for cell in row[2:5]) for row in table_rows(page, "room in parts") for name in names(row[1])}
+    return Rules(levels, adapters, public, parts)
 
 
 def without_comments_and_strings(text):
@@ -68,13 +86,50 @@ def adapter_of(header, adapters):
     return None
 
 
-def declared_rooms(folder):
-    """Rooms that a room's CMakeLists.txt names after ROOMS, or None where it has no such list."""
+def libraries_of(folder):
+    """The libraries that a room's CMakeLists.txt declares."""
     file = folder / "CMakeLists.txt"
-    if not file.exists():
-        return None
-    found = re.search(r"ROOMS\s+([^)]*?)(?:\bLIBRARIES\b|\))", file.read_text())
-    return found.group(1).split() if found else None
+    text = re.sub(r"#[^\n]*", "", file.read_text()) if file.exists() else ""
+    found = []
+    for kind, body in re.findall(r"\bifov_(room|part)\(([^)]*)\)", text):
+        words, lists, key = [], {}, None
+        for word in body.split():
+            if word in ("FOLDERS", "PARTS", "ROOMS", "LIBRARIES"):
+                key = word
+            elif key:
+                lists.setdefault(key, []).append(word)
+            else:
+                words.append(word)
+        get = lambda key: lists.get(key, [])
+        found.append(Library(words[0], words[1] if kind == "part" else "", get("FOLDERS"), get("PARTS"), get("ROOMS"), get("LIBRARIES")))
+    return found
+
+
+def library_of(file, room, libraries):
+    """The library that a file of a room is in; None where nothing is declared, or none of the parts has its folder."""
+    folder = file.relative_to(room).parts[0]
+    return next((library for library in libraries if not library.part or folder in library.folders), None)
+
+
+def part_violations(source, rules):
+    """Folders that no part of their room has, or several; and where a CMakeLists.txt and the table of parts differ."""
+    found, declared = [], {}
+    for room in sorted(path for path in source.iterdir() if path.is_dir()):
+        parts = [library for library in libraries_of(room) if library.part]
+        declared.update({library.name: (library.folders, library.parts, library.outside) for library in parts})
+        for folder in sorted(path.name for path in room.iterdir() if path.is_dir() and parts):
+            owners = [library.name for library in parts if folder in library.folders]
+            if len(owners) != 1:
+                found.append(f"{room.name}/{folder}: in {' and '.join(owners) or 'no part'}")
+    for name in sorted(set(declared) | set(rules.parts)):
+        of_table, of_build = rules.parts.get(name), declared.get(name)
+        if of_table is None or of_build is None:
+            found.append(f"{name}: not in {'the table' if of_table is None else 'a CMakeLists.txt'}")
+        else:
+            for what, here, there in zip(("folders", "parts", "outside libraries"), of_table, of_build):
+                if set(here) != set(there):
+                    found.append(f"{name}: {what} are {', '.join(here)} in the table, {', '.join(there)} in CMakeLists.txt")
+    return found
 
 
 def violations(source, rules):
@@ -86,10 +141,10 @@ def violations(source, rules):
             if any(folder.rglob("*.[ch]*")):
                 found.append(f"{room}/: not a room of the table")
             continue
-        declared = declared_rooms(folder)
+        libraries = libraries_of(folder)
         for file in sorted(folder.rglob("*")):
             if file.suffix in SOURCES:
-                found += file_violations(file, source, room, declared, rules)
+                found += file_violations(file, source, room, library_of(file, folder, libraries), rules)
     return found
 
 
@@ -150,10 +205,20 @@ def folder_circles(source):
     return sorted(", ".join(sorted(circle)) for circle in circles if len(circle) > 1)
 
 
-def file_violations(file, source, room, declared, rules):
+def file_violations(file, source, room, library, rules):
     found = []
     text = file.read_text()
     name = file.relative_to(source)
+    own_parts = [other for other in libraries_of(source / room) if other.part]
+
+    def declares(header):
+        """Whether the library may include a header of src/: of its own, a room, or a part of one."""
+        target, folder = header.split("/")[:2]
+        if target == room:
+            part = next((other.part for other in own_parts if folder in other.folders), library.part)
+            return part == library.part or part in library.parts
+        others = [other for other in libraries_of(source / target) if other.part]
+        return target in library.rooms or any(folder in other.folders and other.name in library.rooms for other in others)
 
     def add(offset, what):
         found.append(f"{name}:{text.count(chr(10), 0, offset) + 1}: {what}")
@@ -169,11 +234,13 @@ def file_violations(file, source, room, declared, rules):
                 add(match.start(), f'"{header}" does not start at src/ with a room of the table')
             elif target != room and rules.levels[target] >= rules.levels[room]:
                 add(match.start(), f"{room} (level {rules.levels[room]}) includes {target} (level {rules.levels[target]})")
-            elif target != room and declared is not None and target not in declared:
-                add(match.start(), f"{room} includes {target} without declaring it in {room}/CMakeLists.txt")
+            elif library is not None and not declares(header):
+                what = "/".join(header.split("/")[:2]) if target == room or any(lib.part for lib in libraries_of(source / target)) else target
+                add(match.start(), f"{library.name} includes {what} without declaring it in {room}/CMakeLists.txt")
         else:
             prefix = adapter_of(header, rules.adapters)
-            if prefix and room not in rules.adapters[prefix]:
+            owners = rules.adapters[prefix] if prefix else []
+            if prefix and room not in owners and (library is None or library.name not in owners):
                 add(match.start(), f"<{header}> belongs in {', '.join(rules.adapters[prefix])} only")
     if room not in SPEAKERS:
         code = without_comments_and_strings(text)

@@ -1,5 +1,6 @@
 """The source tree keeps the rules of docs/developer/architecture.md; a tree that breaks each of them is caught."""
 
+import dataclasses
 import pathlib
 import sys
 import tempfile
@@ -15,6 +16,7 @@ from layering import (  # noqa: E402
     emptiness_faults,
     folder_circles,
     folder_table_faults,
+    part_violations,
     public_violations,
     read_rules,
     violations,
@@ -39,6 +41,9 @@ class SourceTree(unittest.TestCase):
 
     def test_the_command_line_is_a_program_like_any_other(self):
         self.assertEqual(sorted(declared_rooms(ROOT / "src/cli")), ["core", "landscape", "studies"])
+    def test_parts_of_rooms_are_those_of_the_table(self):
+        self.assertIn("io_document", RULES.parts)
+        self.assertEqual(part_violations(ROOT / "src", RULES), [])
 
     def test_public_headers_show_nothing_of_the_inside(self):
         self.assertEqual(public_violations(ROOT / "include"), [])
@@ -122,16 +127,51 @@ class PlantedFaults(unittest.TestCase):
             "ifov_room(render ROOMS core math LIBRARIES x)\n",
         )
 
+    PARTS = ("# ifov_part(io none)\nifov_part(io low FOLDERS a b ROOMS core)\n"
+             "ifov_part(io high FOLDERS c\n          PARTS low ROOMS core math LIBRARIES GDAL::GDAL)\nifov_whole_room(io)\n")
+
+    def check_parts(self, files, expected, rules=RULES, found_by=violations):
+        with tempfile.TemporaryDirectory() as folder:
+            source = pathlib.Path(folder)
+            for path, text in ({"io/CMakeLists.txt": self.PARTS} | files).items():
+                (source / path).parent.mkdir(parents=True, exist_ok=True)
+                (source / path).write_text(text)
+            self.assertEqual(found_by(source, rules), expected)
+
+    def test_parts_include_what_they_declare(self):
+        self.check_parts({"io/a/x.h": '#include "io/b/y.h"\n', "io/c/x.h": '#include "io/a/x.h"\n#include "math/x.h"\n'}, [])
+        self.check_parts({"io/a/x.h": '#include "io/c/y.h"\n'}, ["io/a/x.h:1: io_low includes io/c without declaring it in io/CMakeLists.txt"])
+        self.check_parts({"io/a/x.h": '\n#include "math/y.h"\n'}, ["io/a/x.h:2: io_low includes math without declaring it in io/CMakeLists.txt"])
+        studies = "ifov_room(studies ROOMS core io_low)\n"
+        self.check_parts({"studies/CMakeLists.txt": studies, "studies/x.cpp": '#include "io/b/y.h"\n'}, [])
+        self.check_parts({"studies/CMakeLists.txt": studies, "studies/x.cpp": '#include "io/c/y.h"\n'},
+                         ["studies/x.cpp:1: studies includes io/c without declaring it in studies/CMakeLists.txt"])
+
+    def test_outside_header_beyond_its_part(self):
+        rules = dataclasses.replace(RULES, adapters={"gdal": ["io_high"]})
+        self.check_parts({"io/c/x.h": "#include <gdal.h>\n"}, [], rules)
+        self.check_parts({"io/b/x.h": "#include <gdal.h>\n"}, ["io/b/x.h:1: <gdal.h> belongs in io_high only"], rules)
+
+    def test_parts_that_differ_from_the_table(self):
+        table = {"io_low": (["a", "b"], [], []), "io_high": (["c"], ["low"], ["GDAL::GDAL"])}
+        holds = lambda parts, expected, files=(): self.check_parts(
+            {path: "" for path in ("io/a/x.h", "io/b/x.h", "io/c/x.h", *files)}, expected, dataclasses.replace(RULES, parts=parts), part_violations)
+        holds(table, [])
+        holds(table | {"io_low": (["a"], [], [])}, ["io_low: folders are a in the table, a, b in CMakeLists.txt"])
+        holds(table | {"io_high": (["c"], ["low"], [])}, ["io_high: outside libraries are  in the table, GDAL::GDAL in CMakeLists.txt"])
+        holds({"io_low": table["io_low"]}, ["io_high: not in the table"])
+        holds(table, ["io/d: in no part"], ["io/d/x.h"])
+
     def test_include_that_hides_its_room(self):
         self.check("math/a.h", '#include "vec3.h"\n', ['math/a.h:1: "vec3.h" does not start at src/ with a room of the table'])
 
     def test_outside_header_beyond_its_adapter(self):
         for header, rooms in (
             ("embree3/rtcore.h", "geometry"),
-            ("gdal_priv.h", "io"),
-            ("cairo/cairo.h", "io"),
-            ("cairo.h", "io"),
-            ("rapidjson/reader.h", "io"),
+            ("gdal_priv.h", "io_readers, io_products"),
+            ("cairo/cairo.h", "io_products"),
+            ("cairo.h", "io_products"),
+            ("rapidjson/reader.h", "io_base"),
             ("CLI/CLI.hpp", "cli"),
             ("erfa.h", "geodesy"),
             ("tbb/parallel_for.h", "core, geometry"),

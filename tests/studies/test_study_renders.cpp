@@ -64,12 +64,13 @@ TEST(StudyRenders, AccuracyReachesWhatWasAsked) {
 TEST(StudyRenders, SeedsFindSmallTargetsAndNothingElseDoes) {
   const TextureMap none(1, 1.0);
   StudyProgress progress(0, nullptr);
-  const std::string error = radiance_of_error(0.1);
+  const io::ErrorSize error = radiance_of_error(0.1);
   const TrialSummary seeded = run_series({"seeded", Family::small_target, accuracy_sampling(error)}, none,
                                          kFolder, few(60), progress);
   const TrialSummary unseeded =
-      run_series({"unseeded", Family::small_target, accuracy_sampling(error, ", \"pilot_rays\": false")}, none,
-                 kFolder, few(60), progress);
+      run_series({"unseeded", Family::small_target,
+                  accuracy_sampling(error, [](io::AccuracySampling& a) { a.seeds = false; })},
+                 none, kFolder, few(60), progress);
   EXPECT_EQ(seeded.seen, 1.0);
   EXPECT_LT(unseeded.seen, 0.5);
 }
@@ -94,7 +95,8 @@ TEST(ClutterScene, CellsTileTheImage) {
     EXPECT_LT(radiance, hot_radiance() + 1e-9);
   }
   ImageStore image;
-  render_document(scene.document(grid_sampling(60), "", 1).text(), kFolder, {2, nullptr, nullptr, {}}, image);
+  render_document(study_text(scene.document(grid_sampling(60), 0.0, 1)), kFolder, {2, nullptr, nullptr, {}},
+                  image);
   double squares = 0.0;
   for (std::size_t p = 0; p < truth.size(); ++p)
     squares += std::pow(error_c(static_cast<double>(image.mean()[p]) - truth[p]), 2);
@@ -105,8 +107,8 @@ TEST(ClutterScene, BlurredTruthIsWhatAFineGridSees) {
   const ClutterScene scene(8, 1.5, 3);
   const std::vector<double> truth = scene.blurred_truth(0.6, 24);
   ImageStore image;
-  render_document(scene.document(grid_sampling(24), "{\"gaussian\": {\"sigma\": \"0.6 px\"}}", 1).text(),
-                  kFolder, {2, nullptr, nullptr, {}}, image);
+  render_document(study_text(scene.document(grid_sampling(24), 0.6, 1)), kFolder, {2, nullptr, nullptr, {}},
+                  image);
   for (int y = 3; y < 5; ++y)
     for (int x = 3; x < 5; ++x) {
       const std::size_t p = image.index(x, y);

@@ -16,7 +16,8 @@ TEST(ThermalScene, RadiancesOfThePaper) {
   EXPECT_NEAR(dome_scene(paper_dome()).truth, 10.239994, 1e-6);
   EXPECT_NEAR(error_c(0.01), 0.05303, 1e-5);
   EXPECT_NEAR(error_c(hot_radiance() - cold_radiance()), 19.873, 1e-3);
-  EXPECT_EQ(radiance_of_error(0.1), "0.0188585314 W m-2 sr-1 um-1");
+  EXPECT_EQ(radiance_of_error(0.1).value, 0.0188585314);
+  EXPECT_EQ(radiance_of_error(0.1).unit, io::ErrorSize::Unit::radiance);
 }
 
 TEST(ThermalScene, FamiliesFillThePixelAsTheySay) {
@@ -38,9 +39,12 @@ TEST(ThermalScene, DocumentsAreValid) {
   for (Family family : {Family::dome, Family::square, Family::rod, Family::small_target, Family::large_target,
                         Family::textured_dome}) {
     const ThermalScene scene = random_scene(family, 1, 0, texture);
-    for (const std::string& sampling : {single_sampling(), grid_sampling(3), adaptive_sampling(3, 100, "1 %"),
-                                        accuracy_sampling("0.1 K", ", \"pilot_rays\": false")}) {
-      const io::Document document = io::parse_document(scene.document(sampling, 7).text(), "study.json");
+    for (const io::SamplingDocument& sampling :
+         {single_sampling(), grid_sampling(3),
+          adaptive_sampling(3, 100, {0.01, io::ErrorSize::Unit::fraction}),
+          accuracy_sampling({0.1, io::ErrorSize::Unit::kelvin},
+                            [](io::AccuracySampling& a) { a.seeds = false; })}) {
+      const io::Document document = io::parse_document(study_text(scene.document(sampling, 7)), "study.json");
       EXPECT_EQ(document.seed, 7u);
       EXPECT_EQ(document.scene.objects.size(), 2u);
     }

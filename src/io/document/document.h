@@ -61,6 +61,20 @@ Document read_document(const std::string& path, std::span<const DocumentOverride
 Document parse_document(std::string text, const std::string& file_name,
                         std::span<const DocumentOverride> overrides = {});
 
+/// How a document is written.
+struct DocumentText {
+  std::string comment = {};                ///< above it; its lines without "//"
+  std::vector<std::string> include = {};   ///< documents whose values count where this one has none
+  std::vector<std::string> sections = {};  ///< what is written: "scene", "light", "seed", ...; empty: all
+  bool all_keys = false;                   ///< those with their defaults too
+};
+
+/// The document as JSON: parse_document reads the same from it, in the folder of `file_name`, from which files are named.
+/// Numbers keep their value exactly and take the unit that makes them short. What several documents made together is one
+/// document. InputError, with the path of keys, for a value that no document gives.
+std::string document_text(const Document& document, const std::string& file_name,
+                          const DocumentText& how = {});
+
 /// The JSON Schema (draft 7) of a document, pretty-printed.
 std::string schema_json();
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "io/document/document_values.h"
-#include "io/products/product_format.h"
 #include "io/quantities/quantity_set.h"
 
 namespace ifov::io {
@@ -13,7 +12,8 @@ namespace ifov::io {
 struct OutputDocument {
   std::string folder;  ///< resolved against the document's folder; by default the document's name with ".out"
   std::string name = "image";  ///< of the products: NAME_radiance.img and so on
-  ProductFormats formats = usual_product_formats();
+  /// Of product_words(), beside what comes with every run.
+  std::vector<std::string> formats{"envi", "png", "html"};
   std::optional<QuantitySet> products;  ///< the cubes; absent: those that are usual for the camera
   /// None, one (grey) or three (red, green, blue); none: chosen.
   std::vector<DocumentName> quicklook_channels;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/product_parts/colour_map.h"
+#include "io/envi/colour_map.h"
 
 namespace ifov::io {
 

@@ -36,6 +36,9 @@ struct JsonWriter::Writers {
 
 namespace {
 
+/// Of what stands on one line though it holds other values, without what stands before it.
+constexpr std::size_t kLongestLine = 100;
+
 unsigned size_of(std::string_view text) { return static_cast<unsigned>(text.size()); }
 
 /// The library's own digits are not always the fewest.
@@ -93,6 +96,39 @@ void JsonWriter::natural(std::uint64_t value) {
 
 void JsonWriter::boolean(bool value) {
   writers_->with([&](auto& writer) { writer.Bool(value); });
+}
+
+void JsonWriter::list(const JsonValue::List& items) {
+  begin_list(
+      std::none_of(items.begin(), items.end(), [](const JsonValue& item) { return item.holds_others(); }));
+  for (const JsonValue& item : items) value(item);
+  end_list();
+}
+
+void JsonWriter::members(const JsonValue::Members& members) {
+  begin_object();
+  for (const auto& [name, value] : members) member(name, value);
+  end_object();
+}
+
+void JsonWriter::value(const JsonValue& value) {
+  if (writers_->is_indented && value.holds_others()) {
+    const auto line = value.on_one_line(kLongestLine);
+    if (line)
+      return static_cast<void>(
+          writers_->indented.RawValue(line->data(), line->size(), rapidjson::kObjectType));
+  }
+  std::visit(
+      [&](const auto& any) {
+        using Any = std::decay_t<decltype(any)>;
+        if constexpr (std::same_as<Any, JsonValue::List>)
+          list(any);
+        else if constexpr (std::same_as<Any, JsonValue::Members>)
+          members(any);
+        else
+          this->value(any);
+      },
+      value.any());
 }
 
 void JsonWriter::node(const DocumentNode& node, const TextOf& text_of) {

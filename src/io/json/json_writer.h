@@ -9,6 +9,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "io/json/json_value.h"
 #include "io/json/node.h"
 
 namespace ifov::io {
@@ -17,7 +18,7 @@ namespace ifov::io {
 /// finite is null.
 class JsonWriter {
  public:
-  /// Without white space; or two spaces a level, lists of plain values on one line, and a line end.
+  /// Without white space; or two spaces a level, lists of plain values and what else is short on one line, and a line end.
   enum class Look { compact, indented };
 
   explicit JsonWriter(Look look);
@@ -43,6 +44,7 @@ class JsonWriter {
       natural(value);
     }
   }
+  void value(const JsonValue& value);
   void null();
 
   /// `content` writes the members.
@@ -91,6 +93,8 @@ class JsonWriter {
   void integer(std::int64_t value);
   void natural(std::uint64_t value);
   void boolean(bool value);
+  void list(const JsonValue::List& items);
+  void members(const JsonValue::Members& members);
 
   std::unique_ptr<Writers> writers_;
 };

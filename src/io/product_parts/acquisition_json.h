@@ -2,7 +2,7 @@
 
 #include "io/json/json_view.h"
 #include "io/json/json_writer.h"
-#include "io/product_parts/acquisition.h"
+#include "io/quantities/acquisition.h"
 
 namespace ifov::io {
 

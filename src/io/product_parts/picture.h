@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "io/product_parts/colour_map.h"
+#include "io/envi/colour_map.h"
 #include "io/product_parts/raster_view.h"
 #include "render/tile_sink.h"
 

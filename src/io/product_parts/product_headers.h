@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/product_parts/envi_header.h"
+#include "io/envi/envi_header.h"
 #include "io/product_parts/run_record.h"
 
 namespace ifov::io {

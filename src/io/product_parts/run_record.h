@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/product_parts/acquisition.h"
+#include "io/quantities/acquisition.h"
 #include "render/tile_sink.h"
 #include "sampling/field.h"
 #include "sampling/reason_words.h"

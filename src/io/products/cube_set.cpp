@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "io/files/own_files.h"
-#include "io/quantities/quantity_header.h"
+#include "io/products/quantity_header.h"
 #include "io/quantities/radiance_quantities.h"
 
 namespace ifov::io {

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
+#include "io/envi/envi_header.h"
 #include "io/files/input_file.h"
-#include "io/product_parts/envi_header.h"
 #include "io/product_parts/raster_view.h"
 
 namespace ifov::io {

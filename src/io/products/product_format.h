@@ -4,6 +4,7 @@
 #include <functional>
 #include <initializer_list>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -62,6 +63,9 @@ class ProductFormats {
  private:
   std::vector<const ProductFormat*> asked_;
 };
+
+/// Those that a document asks for, by their words (product_words). std::logic_error for one that no format has.
+ProductFormats product_formats(std::span<const std::string> words);
 
 /// What is written where a document asks for nothing: cubes, picture and report.
 ProductFormats usual_product_formats();

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
+#include "io/document/product_words.h"
 #include "io/products/geotiff.h"
 #include "io/products/netcdf.h"
 #include "io/products/product_format.h"
@@ -45,8 +47,18 @@ std::uint64_t ProductFormats::bytes(const render::ImageInfo& image, const Quanti
   return bytes;
 }
 
+ProductFormats product_formats(std::span<const std::string> words) {
+  ProductFormats formats;
+  for (const std::string& word : words) {
+    const ProductFormat* format = find_product_format(word);
+    if (format == nullptr) throw std::logic_error("no kind of product is called '" + word + "'");
+    formats.add(*format);
+  }
+  return formats;
+}
+
 ProductFormats usual_product_formats() {
-  if (!why_no_figures().empty()) return {&kEnvi, &formats::kHtml};
+  if (!why_not_built("png").empty()) return {&kEnvi, &formats::kHtml};
   return {&kEnvi, &formats::kPng, &formats::kHtml};
 }
 

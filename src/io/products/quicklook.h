@@ -10,9 +10,6 @@
 
 namespace ifov::io {
 
-/// Why this build draws no figures; empty where it does.
-std::string why_no_figures();
-
 /// A PNG for people: three channels in colour, or one through a colour map with its bar (brightness
 /// temperature in the thermal infrared), with title, range, scale bar and accuracy. `channels`: three, one,
 /// or empty for a choice by wavelength. Throws EnvironmentError where it cannot be drawn.

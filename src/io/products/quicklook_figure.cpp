@@ -127,8 +127,6 @@ cairo_status_t append(void* out, const unsigned char* data, unsigned int length)
 
 }  // namespace
 
-std::string why_no_figures() { return {}; }
-
 std::string make_quicklook(const RasterView& radiance, const RunRecord& record,
                            const std::vector<int>& channels) {
   const int factor = averaging_factor(radiance.width, radiance.height);

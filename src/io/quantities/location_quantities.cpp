@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "io/product_parts/acquisition.h"
+#include "io/quantities/acquisition.h"
 #include "render/tile_sink.h"
 #include "truth/location.h"
 #include "truth/view_angles.h"

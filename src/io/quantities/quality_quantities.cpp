@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "io/product_parts/quality_classes.h"
+#include "io/quantities/quality_classes.h"
 #include "render/tile_sink.h"
 
 namespace ifov::io::quantities {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "io/product_parts/envi_header.h"
+#include "io/envi/envi_header.h"
 
 namespace ifov::render {
 struct ImageInfo;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/format.h"
-#include "io/product_parts/quality_classes.h"
+#include "io/quantities/quality_classes.h"
 #include "io/report/report_data.h"
 #include "io/report/report_words.h"
 

@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "core/names.h"
-#include "io/product_parts/envi_header.h"
+#include "io/envi/envi_header.h"
 #include "io/spectra/spectrum_bytes.h"
 #include "io/tables/text_table.h"
 

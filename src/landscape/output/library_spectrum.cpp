@@ -7,7 +7,8 @@
 
 namespace ifov::landscape {
 
-std::string library_spectrum(std::string_view material, int curve, SceneFolder& folder, LeafColumn column) {
+io::SpectrumDocument library_spectrum(std::string_view material, int curve, SceneFolder& folder,
+                                      LeafColumn column) {
   const io::LibraryMaterial& entry = io::material_library().find(material);
   const io::LibraryCurve& source = entry.curves[entry.curve_numbered(curve)];
   std::string name;
@@ -28,8 +29,12 @@ std::string library_spectrum(std::string_view material, int curve, SceneFolder& 
     }
     folder.add_spectrum(name, rows);
   }
-  return format(R"({{"csv": "spectra/{}.csv", "wavelength_unit": "um", "column": {}}})", name,
-                static_cast<int>(column));
+  io::CsvSpectrum csv;
+  csv.file.path = format("spectra/{}.csv", name);
+  csv.column = static_cast<int>(column);
+  io::SpectrumDocument spectrum;
+  spectrum.source = std::move(csv);
+  return spectrum;
 }
 
 }  // namespace ifov::landscape

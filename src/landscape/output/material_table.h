@@ -2,13 +2,14 @@
 
 #include <string>
 
+#include "io/document/scene_document.h"
 #include "landscape/output/scene_folder.h"
 
 namespace ifov::landscape {
 
-/// The entry of a material in a document, `"name": {...}`: spectra of the built-in library by name (or figures,
+/// A material of a document: spectra of the built-in library by name (or figures,
 /// where it has none), a temperature, and a texture where the library has several curves; its map is written into
 /// the folder. An unknown name is a mistake of this program: std::logic_error.
-std::string material_text(const std::string& name, SceneFolder& folder);
+io::MaterialDocument table_material(const std::string& name, SceneFolder& folder);
 
 }  // namespace ifov::landscape

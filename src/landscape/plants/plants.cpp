@@ -8,17 +8,15 @@ namespace ifov::landscape {
 
 Stock add_plant(const std::string& name, const Tree& plant, bool low_branches,
                 const std::string& leaf_material, const std::string& bark_material, SceneFolder& folder,
-                SceneText& text) {
+                SceneMaker& scene) {
   const std::string wood = folder.add_large_mesh(name + "_wood", plant.wood);
   const std::string leaves = folder.add_large_mesh(name + "_leaves", plant.leaves);
-  text.prototype(name,
-                 {format("// {} leaves, {:.1f} m high", plant.leaf_count, plant.height_m),
-                  format(R"({{{}, "material": {}}})", mesh_text(wood), text.material(bark_material)),
-                  format(R"({{{}, "material": {}}})", mesh_text(leaves), text.material(leaf_material))});
+  scene.prototype(name, {mesh_object("", wood, scene.only(bark_material)),
+                         mesh_object("", leaves, scene.only(leaf_material))});
   return {name, plant.crown_radius_m, low_branches, {}};
 }
 
-std::vector<Stock> add_trees(int individuals, const Chance& chance, SceneFolder& folder, SceneText& text,
+std::vector<Stock> add_trees(int individuals, const Chance& chance, SceneFolder& folder, SceneMaker& scene,
                              std::vector<int>* leaf_counts) {
   std::vector<Stock> stocks;
   int number = 0;
@@ -29,13 +27,13 @@ std::vector<Stock> add_trees(int individuals, const Chance& chance, SceneFolder&
       if (leaf_counts != nullptr) leaf_counts->push_back(tree.leaf_count);
       const std::string name(species.name);
       stocks.push_back(add_plant(format("{}_{}", name, k + 1), tree, species.low_branches, "leaf, " + name,
-                                 name == "birch" ? "bark, birch" : "bark", folder, text));
+                                 name == "birch" ? "bark, birch" : "bark", folder, scene));
     }
   return stocks;
 }
 
 void place_plants(const std::vector<Stock>& stocks, const std::function<double(Vec2)>& ground_m,
-                  SceneFolder& folder, SceneText& text) {
+                  SceneFolder& folder, SceneMaker& scene) {
   for (const Stock& stock : stocks) {
     if (stock.copies.empty()) continue;
     std::string rows = "# x, y, z (m), rotation about z (degrees), scale\n";
@@ -43,8 +41,10 @@ void place_plants(const std::vector<Stock>& stocks, const std::function<double(V
       rows += format("{:.3f},{:.3f},{:.3f},{:.2f},{:.4f}\n", plant.at.x, plant.at.y, ground_m(plant.at),
                      plant.rotation_rad * 180.0 / M_PI, plant.scale);
     const std::string file = folder.add_list(stock.prototype, rows);
-    text.object(format(R"({{"name": "{}", "instances": {{"of": "{}", "csv": "{}"}}}})", stock.prototype,
-                       stock.prototype, file));
+    io::ObjectDocument object;
+    object.name = stock.prototype;
+    object.shape = io::InstancesShape{{stock.prototype, {}}, {}, io::DocumentFile{file, {}}, {}};
+    scene.object(std::move(object));
   }
 }
 

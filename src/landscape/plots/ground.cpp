@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
-#include "core/format.h"
+#include "io/document/shapes/flat_primitives.h"
 #include "landscape/plots/garden_plan.h"
 #include "landscape/plots/lawn_map.h"
 #include "landscape/shapes/mesh_builder.h"
@@ -87,7 +88,7 @@ void lay_aprons(MeshBuilder& mesh, const PlotPlan& plots, const Region& verge_an
 }  // namespace
 
 void lay_ground(const StreetPlan& streets, const PlotPlan& plots, const Chance& chance, SceneFolder& folder,
-                SceneText& text) {
+                SceneMaker& scene) {
   const Region land = streets.domain - streets.asphalt;
   const Region to_kerb = streets.asphalt.grown(Section::kKerb) & streets.domain;
   const Region to_verge = streets.asphalt.grown(Section::kKerb + Section::kVerge) & streets.domain;
@@ -134,34 +135,38 @@ void lay_ground(const StreetPlan& streets, const PlotPlan& plots, const Chance& 
   take("bed", all_rectangles(beds), Section::kLand, Section::kLand);
 
   const std::string file = folder.add_mesh("ground", mesh.take());
-  text.object(format(R"({{"name": "streets and paths", {}, "material": {}}})", mesh_text(file),
-                     text.slots({{"asphalt", "asphalt, street"},
-                                 {"repair", "asphalt, repaired"},
-                                 {"manhole", "steel, galvanised"},
-                                 {"white paint", "road paint, white"},
-                                 {"yellow paint", "road paint, yellow"},
-                                 {"kerb", "concrete, kerb"},
-                                 {"apron", "concrete, driveway"},
-                                 {"sidewalk", "concrete, pavement"},
-                                 {"water", "water, pool"},
-                                 {"deck", "concrete, slab"},
-                                 {"concrete driveway", "concrete, driveway"},
-                                 {"asphalt driveway", "asphalt, driveway"},
-                                 {"walk", "concrete, pavement"},
-                                 {"patio", "concrete, slab"},
-                                 {"bed", "soil, dark"}})));
+  scene.object(mesh_object("streets and paths", file,
+                           scene.slots({{"asphalt", "asphalt, street"},
+                                        {"repair", "asphalt, repaired"},
+                                        {"manhole", "steel, galvanised"},
+                                        {"white paint", "road paint, white"},
+                                        {"yellow paint", "road paint, yellow"},
+                                        {"kerb", "concrete, kerb"},
+                                        {"apron", "concrete, driveway"},
+                                        {"sidewalk", "concrete, pavement"},
+                                        {"water", "water, pool"},
+                                        {"deck", "concrete, slab"},
+                                        {"concrete driveway", "concrete, driveway"},
+                                        {"asphalt driveway", "asphalt, driveway"},
+                                        {"walk", "concrete, pavement"},
+                                        {"patio", "concrete, slab"},
+                                        {"bed", "soil, dark"}})));
 
   MeshBuilder lawn;
   const Region verges = (kerb_and_verge - to_kerb) - drives;
   add(lawn, "lawn", free + verges, Section::kLand, 0.0);
   const std::string lawn_file = folder.add_mesh("lawn", lawn.take());
-  text.object(format(R"({{"name": "lawns", {}, "material": {}}})", mesh_text(lawn_file),
-                     lawn_material(streets, plots, chance.of(2), folder, text)));
-  text.object(format(R"({{"name": "subsoil", "polygon": {{"vertices": [{}, {}, {}, {}]}}, "material": {}}})",
-                     point_text(-streets.half_m, -streets.half_m, -0.05),
-                     point_text(streets.half_m, -streets.half_m, -0.05),
-                     point_text(streets.half_m, streets.half_m, -0.05),
-                     point_text(-streets.half_m, streets.half_m, -0.05), text.material("soil")));
+  scene.object(mesh_object("lawns", lawn_file, lawn_material(streets, plots, chance.of(2), folder, scene)));
+  io::PolygonPrimitive subsoil;
+  const double half = to_millimetre(streets.half_m), below = -0.05;
+  subsoil.vertices_m = {
+      {-half, -half, below}, {half, -half, below}, {half, half, below}, {-half, half, below}};
+  io::ObjectDocument object;
+  object.name = "subsoil";
+  object.shape = io::PrimitiveShape{std::string(io::PolygonPrimitive::kModel.key),
+                                    std::make_shared<const io::PolygonPrimitive>(subsoil)};
+  object.material = scene.only("soil");
+  scene.object(std::move(object));
 }
 
 }  // namespace ifov::landscape

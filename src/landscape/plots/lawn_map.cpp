@@ -46,8 +46,8 @@ Cover cover_at(const Chance& chance, double x, double y, double care) {
 
 }  // namespace
 
-std::string lawn_material(const StreetPlan& streets, const PlotPlan& plots, const Chance& chance,
-                          SceneFolder& folder, SceneText& text) {
+io::MaterialBinding lawn_material(const StreetPlan& streets, const PlotPlan& plots, const Chance& chance,
+                                  SceneFolder& folder, SceneMaker& scene) {
   constexpr int kMost_cells = 4400;
   const double size = 2.0 * streets.half_m;
   io::Raster raster;
@@ -68,11 +68,7 @@ std::string lawn_material(const StreetPlan& streets, const PlotPlan& plots, cons
                                                           streets.half_m - (row + 0.5) * cell, own)));
     }
   const std::string file = folder.add_map("lawn_cover", raster);
-  return format(R"({{"map": {{"file": "{}", "low_left": [{}, {}], "size": [{}, {}],
-         "classes": {{"1": {}, "2": {}, "3": {}, "4": {}, "5": {}}}}}}})",
-                file, metres(-streets.half_m), metres(-streets.half_m), metres(size), metres(size),
-                text.material("lawn"), text.material("lawn, sparse"), text.material("lawn, dry"),
-                text.material("clover"), text.material("soil"));
+  return scene.classes(file, streets.half_m, {"lawn", "lawn, sparse", "lawn, dry", "clover", "soil"});
 }
 
 }  // namespace ifov::landscape

@@ -33,7 +33,7 @@ double Terrain::on_mesh_m(Vec2 at) const {
   return low + v * (side - low) + u * (high - side);
 }
 
-void add_terrain(const Terrain& terrain, SceneFolder& folder, SceneText& text) {
+void add_terrain(const Terrain& terrain, SceneFolder& folder, SceneMaker& scene) {
   const int steps = steps_of(terrain);
   const double cell = 2.0 * terrain.half_m / steps;
   geometry::TriangleMesh mesh;
@@ -63,14 +63,7 @@ void add_terrain(const Terrain& terrain, SceneFolder& folder, SceneText& text) {
       raster.values.push_back(static_cast<float>(terrain.cover(
           {-terrain.half_m + (column + 0.5) * map_cell, terrain.half_m - (row + 0.5) * map_cell})));
   const std::string map_file = folder.add_map("ground_cover", raster);
-  std::string classes;
-  for (std::size_t k = 0; k < terrain.covers.size(); ++k)
-    classes += format("{}\"{}\": {}", k > 0 ? ", " : "", k + 1, text.material(terrain.covers[k]));
-  text.object(format(
-      R"({{"name": "ground", {}, "material": {{"map": {{"file": "{}", "low_left": [{}, {}], "size": [{}, {}],
-         "classes": {{{}}}}}}}}})",
-      mesh_text(mesh_file), map_file, metres(-terrain.half_m), metres(-terrain.half_m), metres(size),
-      metres(size), classes));
+  scene.object(mesh_object("ground", mesh_file, scene.classes(map_file, terrain.half_m, terrain.covers)));
 }
 
 }  // namespace ifov::landscape

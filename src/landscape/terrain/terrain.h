@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "landscape/output/scene_folder.h"
-#include "landscape/output/scene_text.h"
+#include "landscape/output/scene_maker.h"
 #include "landscape/shapes/plane.h"
 
 namespace ifov::landscape {
@@ -25,6 +25,6 @@ struct Terrain {
 };
 
 /// Writes the terrain's mesh and map, and names them in the document.
-void add_terrain(const Terrain& terrain, SceneFolder& folder, SceneText& text);
+void add_terrain(const Terrain& terrain, SceneFolder& folder, SceneMaker& scene);
 
 }  // namespace ifov::landscape

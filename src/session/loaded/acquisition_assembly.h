@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "io/product_parts/acquisition.h"
+#include "io/quantities/acquisition.h"
 
 namespace ifov::session {
 

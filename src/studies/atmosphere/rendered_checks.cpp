@@ -2,10 +2,14 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/sensor/channel_light.h"
 #include "core/format.h"
+#include "io/document/cameras/frame_camera.h"
+#include "io/document/shapes/box_primitive.h"
+#include "io/document/shapes/flat_primitives.h"
 #include "radiometry/solar_spectrum.h"
 #include "studies/common/study_document.h"
 
@@ -20,12 +24,15 @@ constexpr Band kThermal[] = {{4.3, 0.1}, {6.3, 0.3}, {10.0, 0.5}, {13.5, 0.5}};
 constexpr Band kSolar[] = {{0.865, 0.02}, {0.94, 0.02}, {1.38, 0.02}};
 constexpr double kReflectance = 0.3, kSunZenith_deg = 40.0;
 
-std::string channels_text(std::span<const Band> bands) {
-  std::string text;
+io::Document document_of(const io::CameraDocument& camera, std::span<const Band> bands, std::uint64_t seed) {
+  io::Document document;
+  document.seed = seed;
+  document.sensor.camera = camera;
   for (const Band& band : bands)
-    text += format("{}{{\"gaussian\": {{\"center\": \"{} um\", \"fwhm\": \"{} um\"}}}}",
-                   text.empty() ? "" : ", ", band.center_um, band.fwhm_um);
-  return "[" + text + "]";
+    document.sensor.channels.push_back(
+        {format("{:g}", band.center_um), io::GaussianChannel{band.center_um, band.fwhm_um}, {}, {}, {}});
+  document.atmosphere.modelled.emplace();
+  return document;
 }
 
 struct Moments {
@@ -48,32 +55,40 @@ Moments moments_of(const ImageStore& image, std::size_t channel) {
 }  // namespace
 
 std::vector<EnclosureChannel> render_enclosure(const StudyOptions& options, double air_k) {
-  std::string levels;
-  for (const double z : {0.0, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 99.9})
-    levels += format(
-        "{}{{\"altitude\": \"{} km\", \"pressure\": \"{:.5g} hPa\", \"temperature\": \"{} K\", "
-        "\"mixing_ratio\": \"{:.5g} g/kg\"}}",
-        levels.empty() ? "" : ", ", z, 1013.0 * std::exp(-z / 8.0), air_k, 8.0 * std::exp(-z / 2.0));
-  const std::string text = format(
-      "{{\"ifov\": 1, \"seed\": {}, \"scene\": {{\"materials\": {{\"floor\": {{\"emissivity\": 0.6, "
-      "\"temperature\": \"300 "
-      "K\"}}, \"wall\": {{\"emissivity\": 0.8, \"temperature\": \"300 K\"}}}}, \"objects\": [{{\"plane\": "
-      "{{}}, "
-      "\"material\": \"floor\"}}, {{\"box\": {{\"low\": [\"-50 m\", \"-50 m\", \"-1 m\"], \"high\": [\"50 "
-      "m\", \"50 m\", "
-      "\"60 m\"]}}, \"material\": \"wall\"}}]}}, \"atmosphere\": {{\"profile\": \"mid-latitude summer\", "
-      "\"levels\": [{}], "
-      "\"aerosol\": {{\"type\": \"none\"}}}}, \"sensor\": {{\"camera\": {{\"frame\": {{\"focal_length\": "
-      "\"20 mm\", "
-      "\"pitch\": \"0.25 mm\", \"pixels\": [32, 32], \"position\": [\"0 m\", \"0 m\", \"50 m\"], "
-      "\"look_at\": [\"5 m\", "
-      "\"0 m\", \"0 m\"]}}}}, \"channels\": {}}}, \"sampling\": {{\"grid\": {{\"elements\": [4, 4]}}}}}}",
-      options.seed, levels, channels_text(kThermal));
+  const auto five_digits = [](double value) { return std::stod(format("{:.5g}", value)); };
+  io::FrameCamera camera;
+  camera.focal_length_m = 0.02;
+  camera.pitch_m = 0.25e-3;
+  camera.size = {32, 32};
+  camera.position_m = {0.0, 0.0, 50.0};
+  camera.orientation = io::LookAt{{5.0, 0.0, 0.0}, {}};
+  io::Document document = document_of(
+      {std::string(io::FrameCamera::kModel.key), std::make_shared<const io::FrameCamera>(camera), {}},
+      kThermal, options.seed);
+  io::MaterialDocument floor = black("floor", {300.0, {}}), wall = black("wall", {300.0, {}});
+  floor.spectrum.source = io::ConstantSpectrum{0.6};
+  wall.spectrum.source = io::ConstantSpectrum{0.8};
+  document.scene.materials = {floor, wall};
+  io::BoxPrimitive box;
+  box.low_m = {-50.0, -50.0, -1.0};
+  box.high_m = {50.0, 50.0, 60.0};
+  document.scene.objects = {object_of(io::PlanePrimitive(), "floor"), object_of(box, "wall")};
+  auto& air = document.atmosphere.modelled->description;
+  air.aerosol.type = "none";
+  for (const double z_km : {0.0, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 99.9}) {
+    atmosphere::UserLevel level;
+    level.altitude_km = z_km;
+    level.pressure_hPa = five_digits(1013.0 * std::exp(-z_km / 8.0));
+    level.temperature_K = air_k;
+    level.mixing_ratio_g_kg = five_digits(8.0 * std::exp(-z_km / 2.0));
+    air.air.levels.push_back(level);
+  }
+  document.sampling = grid_sampling(4);
   ImageStore image;
   RenderChoices choices;
   choices.threads = options.threads;
   choices.cancel = options.cancel;
-  render_document(text, options.output_folder, choices, image);
+  render_document(study_text(document), options.output_folder, choices, image);
   std::vector<EnclosureChannel> result;
   for (std::size_t c = 0; c < std::size(kThermal); ++c) {
     const Moments found = moments_of(image, c);
@@ -88,22 +103,19 @@ std::vector<EnclosureChannel> render_enclosure(const StudyOptions& options, doub
 }
 
 std::vector<PlainChannel> render_plain(const StudyOptions& options) {
-  const std::string text = format(
-      "{{\"ifov\": 1, \"seed\": {0}, \"scene\": {{\"materials\": {{\"plain\": {{\"reflectance\": {1}}}}}, "
-      "\"objects\": "
-      "[{{\"plane\": {{}}, \"material\": \"plain\"}}]}}, \"light\": {{\"sun\": {{\"disc\": {{\"zenith\": "
-      "\"{2} deg\", "
-      "\"azimuth\": \"150 deg\"}}}}, \"surroundings\": {{\"reflectance\": {1}}}}}, \"atmosphere\": "
-      "{{\"profile\": "
-      "\"mid-latitude summer\"}}, \"sensor\": {{\"camera\": {{\"orthographic\": {{\"gsd\": \"1 m\", "
-      "\"pixels\": [100, 100], "
-      "\"center\": [\"0 m\", \"0 m\"]}}}}, \"channels\": {3}}}, \"sampling\": {{\"single\": {{}}}}}}",
-      options.seed, kReflectance, kSunZenith_deg, channels_text(kSolar));
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  io::Document document = document_of(nadir_camera(100, 100, -50.0, 50.0), kSolar, options.seed);
+  document.scene.materials = {grey("plain", kReflectance)};
+  document.scene.objects = {object_of(io::PlanePrimitive(), "plain")};
+  document.light.sun.emplace().direction = io::CelestialDirection{kSunZenith_deg * kDegree, 150.0 * kDegree};
+  document.light.sun->diameter_rad = 0.53 * kDegree;
+  document.light.surroundings.emplace().spectrum.source = io::ConstantSpectrum{kReflectance};
+  document.sampling = single_sampling();
   ImageStore image;
   RenderChoices choices;
   choices.threads = options.threads;
   choices.cancel = options.cancel;
-  render_document(text, options.output_folder, choices, image);
+  render_document(study_text(document), options.output_folder, choices, image);
 
   const atmosphere::AtmosphereColumn column{atmosphere::AtmosphereDescription{}};
   std::vector<radiometry::Channel> channels;

@@ -5,7 +5,8 @@
 
 #include "core/error.h"
 #include "core/format.h"
-#include "io/document/document.h"
+#include "io/document/cameras/orthographic_camera.h"
+#include "io/document/samplers/plain_sampling.h"
 #include "io/files/own_files.h"
 #include "render/image_renderer.h"
 #include "session/loaded/parts.h"
@@ -13,39 +14,71 @@
 
 namespace ifov::studies {
 
-std::string StudyDocument::text() const {
-  std::string out = title.empty() ? "" : format("// {}\n", title);
-  out += format("{{\n  \"ifov\": 1,\n  \"seed\": {},\n", seed);
-  out += format("  \"scene\": {{\n    \"materials\": {},\n    \"objects\": {}\n  }},\n", materials, objects);
-  if (!light.empty()) out += format("  \"light\": {},\n", light);
-  out += format("  \"sensor\": {{\n    \"camera\": {},\n    \"channels\": {}", camera, channels);
-  if (!psf.empty()) out += format(",\n    \"psf\": {}", psf);
-  return out + format("\n  }},\n  \"sampling\": {}\n}}\n", sampling);
+std::string study_text(const io::Document& document) { return io::document_text(document, "study.json"); }
+
+io::Document nadir_document(io::CameraDocument camera, const std::string& channel, double wavelength_um,
+                            io::SamplingDocument sampling, std::uint64_t seed) {
+  io::Document document;
+  document.seed = seed;
+  document.sensor.camera = std::move(camera);
+  document.sensor.channels.push_back({channel, io::MonochromaticChannel{wavelength_um}, {}, {}, {}});
+  document.sampling = std::move(sampling);
+  return document;
 }
 
-std::string metres(double value_m) { return format("\"{} m\"", value_m); }
-
-std::string point_text(double x_m, double y_m, double z_m) {
-  return format("[{}, {}, {}]", metres(x_m), metres(y_m), metres(z_m));
+io::CameraDocument nadir_camera(int width_px, int height_px, double west_m, double north_m) {
+  io::OrthographicCamera camera;
+  camera.gsd_m = 1.0;
+  camera.size = {width_px, height_px};
+  camera.centre_m = {west_m + 0.5 * width_px, north_m - 0.5 * height_px};
+  return {std::string(io::OrthographicCamera::kModel.key),
+          std::make_shared<const io::OrthographicCamera>(camera),
+          {}};
 }
 
-std::string nadir_camera(int width_px, int height_px, double west_m, double north_m) {
-  return format("{{\"orthographic\": {{\"gsd\": \"1 m\", \"pixels\": [{}, {}], \"center\": [{}, {}]}}}}",
-                width_px, height_px, metres(west_m + 0.5 * width_px), metres(north_m - 0.5 * height_px));
+namespace {
+
+template <class Settings>
+io::SamplingDocument sampling_of(Settings settings) {
+  io::SamplingDocument sampling;
+  sampling.method = std::make_shared<const Settings>(std::move(settings));
+  return sampling;
 }
 
-std::string single_sampling() { return "{\"single\": {}}"; }
+}  // namespace
 
-std::string grid_sampling(int n) { return format("{{\"grid\": {{\"elements\": [{}, {}]}}}}", n, n); }
+io::SamplingDocument single_sampling() { return sampling_of(io::SingleSampling()); }
 
-std::string adaptive_sampling(int sub_elements, int max_samples, std::string_view allowed_difference) {
-  return format(
-      "{{\"adaptive\": {{\"sub_elements\": [{}, {}], \"max_samples\": {}, \"allowed_difference\": \"{}\"}}}}",
-      sub_elements, sub_elements, max_samples, allowed_difference);
+io::SamplingDocument grid_sampling(int n) { return sampling_of(io::GridSampling(n, n)); }
+
+io::SamplingDocument adaptive_sampling(int sub_elements, int max_samples, io::ErrorSize allowed_difference) {
+  io::AdaptiveSampling adaptive;
+  adaptive.sub_columns = adaptive.sub_rows = sub_elements;
+  adaptive.max_samples = max_samples;
+  adaptive.allowed_difference = allowed_difference;
+  return sampling_of(std::move(adaptive));
 }
 
-std::string accuracy_sampling(std::string_view error, std::string_view more) {
-  return format("{{\"accuracy\": {{\"error\": \"{}\", \"confidence\": 0.95{}}}}}", error, more);
+io::SamplingDocument accuracy_sampling(io::ErrorSize error,
+                                       const std::function<void(io::AccuracySampling&)>& more) {
+  io::AccuracySampling accuracy;
+  accuracy.error = error;
+  if (more) more(accuracy);
+  return sampling_of(std::move(accuracy));
+}
+
+io::MaterialDocument grey(const std::string& name, double reflectance) {
+  io::MaterialDocument material;
+  material.name = name;
+  material.spectrum.source = io::ConstantSpectrum{reflectance};
+  return material;
+}
+
+io::MaterialDocument black(const std::string& name, io::TemperatureDocument temperature) {
+  io::MaterialDocument material = grey(name, 1.0);
+  material.is_emissivity = true;
+  material.temperature = std::move(temperature);
+  return material;
 }
 
 RenderTimes render_document(const std::string& text, const std::filesystem::path& folder,

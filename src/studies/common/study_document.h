@@ -2,38 +2,53 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/run_control.h"
+#include "io/document/document.h"
+#include "io/document/samplers/accuracy_sampling.h"
+#include "io/document/shapes/primitive.h"
 #include "sampling/tile.h"
 #include "studies/common/image_store.h"
 
 /// Documents as the studies write them, and their images.
 namespace ifov::studies {
 
-/// A document in parts; each is a JSON text. What is empty is left away.
-struct StudyDocument {
-  std::string title;  ///< a comment at the top
-  std::string materials, objects, light, camera, channels, psf, sampling;
-  std::uint64_t seed = 1;
-  std::string text() const;
-};
+/// The document as a study keeps and renders it.
+std::string study_text(const io::Document& document);
 
-std::string metres(double value_m);
-std::string point_text(double x_m, double y_m, double z_m);
+/// A document of a scene without light, seen from above.
+io::Document nadir_document(io::CameraDocument camera, const std::string& channel, double wavelength_um,
+                            io::SamplingDocument sampling, std::uint64_t seed);
 
 /// A nadir camera with 1 m pixels whose image coordinates are (x, y) = (X - west, north - Y) of the ground
 /// point.
-std::string nadir_camera(int width_px, int height_px, double west_m, double north_m);
+io::CameraDocument nadir_camera(int width_px, int height_px, double west_m, double north_m);
 
-std::string single_sampling();
-std::string grid_sampling(int n);
-/// The paper's scheme; `allowed_difference` with its unit.
-std::string adaptive_sampling(int sub_elements, int max_samples, std::string_view allowed_difference);
-/// `error` with its unit; `more` further members, each with a leading comma.
-std::string accuracy_sampling(std::string_view error, std::string_view more = "");
+io::SamplingDocument single_sampling();
+io::SamplingDocument grid_sampling(int n);
+/// The paper's scheme.
+io::SamplingDocument adaptive_sampling(int sub_elements, int max_samples, io::ErrorSize allowed_difference);
+/// `more` may change what else is asked.
+io::SamplingDocument accuracy_sampling(io::ErrorSize error,
+                                       const std::function<void(io::AccuracySampling&)>& more = nullptr);
+
+io::MaterialDocument grey(const std::string& name, double reflectance);
+io::MaterialDocument black(const std::string& name, io::TemperatureDocument temperature);
+/// Of one material.
+template <class Primitive>
+io::ObjectDocument object_of(Primitive primitive, const std::string& material) {
+  io::ObjectDocument object;
+  object.shape = io::PrimitiveShape{std::string(Primitive::kModel.key),
+                                    std::make_shared<const Primitive>(std::move(primitive))};
+  object.material = io::MaterialBinding{io::DocumentName{material, {}}, {}};
+  return object;
+}
 
 struct RenderTimes {
   double load_s = 0.0, render_s = 0.0;

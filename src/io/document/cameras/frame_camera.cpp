@@ -51,28 +51,27 @@ Kind<std::shared_ptr<const CameraSettings>> frame_kind() {
   const Kind<double> length = quantity(kLength, Range::above(0.0, "m"));
   Record<FrameEntry> record("frame camera", "A pinhole with a frame of detector elements behind it.");
   record
-      .required(
-          "focal_length", [](FrameEntry& e, double v) { e.camera.focal_length_m = v; }, length,
-          "focal length")
-      .required(
-          "pitch", [](FrameEntry& e, double v) { e.camera.pitch_m = v; }, length,
-          "distance between detector elements")
-      .required(
-          "pixels", [](FrameEntry& e, ImageSize size) { e.camera.size = size; }, image_size_kind(),
-          "columns and rows")
-      .required(
-          "position", [](FrameEntry& e, math::Point3 p) { e.camera.position_m = p; }, point(),
-          "where the camera is")
+      .required("focal_length", path(&FrameEntry::camera, &FrameCamera::focal_length_m), length,
+                "focal length")
+      .required("pitch", path(&FrameEntry::camera, &FrameCamera::pitch_m), length,
+                "distance between detector elements")
+      .required("pixels", path(&FrameEntry::camera, &FrameCamera::size), image_size_kind(),
+                "columns and rows")
+      .required("position", path(&FrameEntry::camera, &FrameCamera::position_m), point(),
+                "where the camera is")
       .exactly_one()
-      .one(
-          "look_at",
-          [](FrameEntry& e, math::Point3 p) {
-            e.camera.orientation = LookAt{p, {}};
-          },
-          point(), "point at the image's centre")
-      .one(
-          "attitude", [](FrameEntry& e, geodesy::Attitude a) { e.camera.orientation = a; }, attitude_kind(),
-          "instead: angles")
+      .one("look_at",
+           via(
+               [](FrameEntry& e, math::Point3 p) {
+                 e.camera.orientation = LookAt{p, {}};
+               },
+               [](const FrameEntry& e) {
+                 const auto* look_at = std::get_if<LookAt>(&e.camera.orientation);
+                 return look_at != nullptr ? &look_at->target_m : nullptr;
+               }),
+           point(), "point at the image's centre")
+      .one("attitude", path(&FrameEntry::camera, &FrameCamera::orientation), attitude_kind(),
+           "instead: angles")
       .optional("up", &FrameEntry::up, direction(),
                 "direction that is up in the image; +z if not given, or north where the camera looks along z")
       .needs("up", "look_at")
@@ -83,10 +82,16 @@ Kind<std::shared_ptr<const CameraSettings>> frame_kind() {
               format("{} is where the camera itself is", node.given("look_at").title()));
         }
       });
-  return settings_kind(converted<FrameCamera>(record.kind(), [](FrameEntry entry) {
-    if (auto* look_at = std::get_if<LookAt>(&entry.camera.orientation)) look_at->up = entry.up;
-    return std::move(entry.camera);
-  }));
+  return settings_kind(converted<FrameCamera>(
+      record.kind(),
+      [](FrameEntry entry) {
+        if (auto* look_at = std::get_if<LookAt>(&entry.camera.orientation)) look_at->up = entry.up;
+        return std::move(entry.camera);
+      },
+      [](const FrameCamera& camera) {
+        const auto* look_at = std::get_if<LookAt>(&camera.orientation);
+        return FrameEntry{camera, look_at != nullptr ? look_at->up : std::nullopt};
+      }));
 }
 
 }  // namespace

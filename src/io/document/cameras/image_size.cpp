@@ -15,13 +15,17 @@ constexpr std::int64_t kMostPixels = 1000000000;
 
 Kind<ImageSize> image_size_kind() {
   const auto pair = tuple<int, 2>(integer(1, kMostPixelsASide));
-  return {pair.description, [read = pair.read](const DocumentNode& node) {
+  return {pair.description,
+          [read = pair.read](const DocumentNode& node) {
             const std::array<int, 2> size = read(node);
             if (std::int64_t{size[0]} * size[1] > kMostPixels) {
               node.fail(format("{} has {} x {} pixels, more than the {} allowed", node.title(), size[0],
                                size[1], kMostPixels));
             }
             return ImageSize{size[0], size[1]};
+          },
+          [write = pair.write](const ImageSize& size, Writing& writing) {
+            return write({size.width_px, size.height_px}, writing);
           }};
 }
 

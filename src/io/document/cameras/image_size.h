@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/document/schema/kind.h"
-
 namespace ifov::io {
+
+template <class V>
+struct Kind;
 
 /// Columns and rows of an image.
 struct ImageSize {

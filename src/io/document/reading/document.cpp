@@ -1,17 +1,13 @@
 #include "io/document/document.h"
 
 #include "io/document/reading/check_references.h"
+#include "io/document/reading/document_kind.h"
 #include "io/document/reading/named_files.h"
 #include "io/document/tables/tables.h"
 #include "io/json/document_parts.h"
 
 namespace ifov::io {
 namespace {
-
-const Kind<Document>& table() {
-  static const Kind<Document> kind = document_kind();
-  return kind;
-}
 
 /// A section that was not written stands where the document begins.
 void place_defaults(Document& document, const SourcePosition& root) {
@@ -34,10 +30,23 @@ void gather_former_keys(const DocumentNode& node, std::vector<FormerKey>& keys) 
 
 }  // namespace
 
+const Kind<Document>& whole_document_kind() {
+  static const Kind<Document> kind = document_kind();
+  return kind;
+}
+
+std::string usual_output_folder(const std::string& file_name) {
+  const std::size_t slash = file_name.find_last_of('/');
+  const std::size_t dot = file_name.find_last_of('.');
+  const bool has_extension =
+      dot != std::string::npos && dot > 0 && (slash == std::string::npos || dot > slash + 1);
+  return file_name.substr(0, has_extension ? dot : std::string::npos) + ".out";
+}
+
 Document parse_document(std::string text, const std::string& file_name,
                         std::span<const DocumentOverride> overrides) {
   const DocumentParts parts = put_together(std::move(text), file_name, overrides);
-  Document document = table().read(*parts.root);
+  Document document = whole_document_kind().read(*parts.root);
   reject_unread(*parts.root);
   gather_former_keys(*parts.root, document.former_keys);
   place_defaults(document, parts.root->position());
@@ -53,11 +62,7 @@ Document parse_document(std::string text, const std::string& file_name,
   if (!document.output.folder.empty()) {
     document.output.folder = parts.sources.front()->resolve(document.output.folder);
   } else {
-    const std::size_t slash = file_name.find_last_of('/');
-    const std::size_t dot = file_name.find_last_of('.');
-    const bool has_extension =
-        dot != std::string::npos && dot > 0 && (slash == std::string::npos || dot > slash + 1);
-    document.output.folder = file_name.substr(0, has_extension ? dot : std::string::npos) + ".out";
+    document.output.folder = usual_output_folder(file_name);
   }
   check_references(document);
   return document;

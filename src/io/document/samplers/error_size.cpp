@@ -33,7 +33,8 @@ Kind<ErrorSize> error_size_kind(const std::vector<ErrorUnit>& allowed) {
   d.short_name = format("size in {}", units);
   auto description = std::make_shared<const ValueDescription>(std::move(d));
   return {
-      description, [description, allowed](const DocumentNode& node) {
+      description,
+      [description, allowed](const DocumentNode& node) {
         if (node.type() == DocumentNode::Type::text) {
           const std::optional<QuantityText> parts = split_quantity(node.text());
           for (const ErrorUnit& one : allowed) {
@@ -43,6 +44,13 @@ Kind<ErrorSize> error_size_kind(const std::vector<ErrorUnit>& allowed) {
           }
         }
         node.fail_expected(description->expected);
+      },
+      [allowed](const ErrorSize& error, Writing&) -> Written {
+        for (const ErrorUnit& one : allowed)
+          if (one.unit == error.unit)
+            return quantity_text(error.value, *one.dimension,
+                                 Range::above(0.0, one.dimension->units[0].spelling));
+        return std::nullopt;
       }};
 }
 

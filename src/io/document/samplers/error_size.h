@@ -3,9 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "io/document/schema/kind.h"
-
 namespace ifov::io {
+
+struct Dimension;
+template <class V>
+struct Kind;
 
 /// A size of error or difference, in the unit the user thinks in.
 struct ErrorSize {

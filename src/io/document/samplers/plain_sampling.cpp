@@ -20,13 +20,16 @@ Kind<std::array<int, 2>> elements_kind() { return tuple<int, 2>(integer(1, kMost
 
 Kind<std::shared_ptr<const SamplerSettings>> grid_kind() {
   Record<GridSampling> record("grid sampling", "Rays through the centres of equal cells of each pixel.");
-  record.required(
-      "elements",
-      [](GridSampling& grid, std::array<int, 2> n) {
-        grid.columns = n[0];
-        grid.rows = n[1];
-      },
-      elements_kind(), "cells across and down");
+  record.required("elements",
+                  via(
+                      [](GridSampling& grid, std::array<int, 2> n) {
+                        grid.columns = n[0];
+                        grid.rows = n[1];
+                      },
+                      [](const GridSampling& grid) {
+                        return std::array{grid.columns, grid.rows};
+                      }),
+                  elements_kind(), "cells across and down");
   return sampler_kind(record.kind());
 }
 
@@ -34,13 +37,16 @@ Kind<std::shared_ptr<const SamplerSettings>> adaptive_kind() {
   Record<AdaptiveSampling> record(
       "adaptive sampling", "Sub-elements of a pixel that differ from their neighbours get more samples.");
   record
-      .required(
-          "sub_elements",
-          [](AdaptiveSampling& a, std::array<int, 2> n) {
-            a.sub_columns = n[0];
-            a.sub_rows = n[1];
-          },
-          elements_kind(), "sub-elements across and down")
+      .required("sub_elements",
+                via(
+                    [](AdaptiveSampling& a, std::array<int, 2> n) {
+                      a.sub_columns = n[0];
+                      a.sub_rows = n[1];
+                    },
+                    [](const AdaptiveSampling& a) {
+                      return std::array{a.sub_columns, a.sub_rows};
+                    }),
+                elements_kind(), "sub-elements across and down")
       .required(
           "allowed_difference", &AdaptiveSampling::allowed_difference,
           error_size_kind({{ErrorSize::Unit::radiance, &kRadiance}, {ErrorSize::Unit::fraction, &kPercent}}),

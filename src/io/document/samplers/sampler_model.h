@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "io/document/samplers/sampler_settings.h"
-#include "io/document/schema/kind.h"
 
 namespace ifov::io {
+
+template <class V>
+struct Kind;
 
 /// A kind of sampler, by its key in `sampling`.
 struct SamplerModel {
@@ -19,10 +21,14 @@ struct SamplerModel {
 };
 
 /// Settings of any kind read as such.
-template <class Settings>
-Kind<std::shared_ptr<const SamplerSettings>> sampler_kind(const Kind<Settings>& kind) {
-  return converted<std::shared_ptr<const SamplerSettings>>(
-      kind, [](Settings settings) { return std::make_shared<const Settings>(std::move(settings)); });
+template <class Settings, class Base = SamplerSettings>
+Kind<std::shared_ptr<const Base>> sampler_kind(const Kind<Settings>& kind) {
+  return converted<std::shared_ptr<const Base>>(
+      kind, [](Settings settings) { return std::make_shared<const Settings>(std::move(settings)); },
+      [](const std::shared_ptr<const Base>& settings) {
+        const auto* own = dynamic_cast<const Settings*>(settings.get());
+        return own != nullptr ? std::optional(*own) : std::nullopt;
+      });
 }
 
 /// All kinds, in the order of the reference page.

@@ -14,18 +14,18 @@ constexpr std::size_t kLongestKey = 200;
 
 }  // namespace
 
+bool takes_count(const ValueDescription& description, std::size_t count) {
+  return count >= description.min_count && count <= description.max_count;
+}
+
 void check_list(const DocumentNode& node, const ValueDescription& description) {
   if (node.type() != Type::list) node.fail_expected(description.expected);
-  const std::size_t count = node.items().size();
-  if (count < description.min_count || count > description.max_count)
-    node.fail_expected(description.expected);
+  if (!takes_count(description, node.items().size())) node.fail_expected(description.expected);
 }
 
 void check_map(const DocumentNode& node, const ValueDescription& description) {
   if (node.type() != Type::object) node.fail_expected(description.expected);
-  const std::size_t count = node.members().size();
-  if (count < description.min_count || count > description.max_count)
-    node.fail_expected(description.expected);
+  if (!takes_count(description, node.members().size())) node.fail_expected(description.expected);
   for (const DocumentNode& member : node.members()) {
     if (member.key().empty() || member.key().size() > kLongestKey) {
       member.fail_at_key(format("a name has between 1 and {} bytes", kLongestKey));

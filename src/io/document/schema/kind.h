@@ -12,16 +12,25 @@
 #include "io/document/document_values.h"
 #include "io/document/schema/quantity.h"
 #include "io/document/schema/value_description.h"
+#include "io/document/schema/writing.h"
 #include "io/json/node.h"
 #include "math/vec3.h"
 
 namespace ifov::io {
 
-/// How a value of a document is described and read as a V. `read` throws InputError.
+/// How a value of a document is described, read as a V and written. `read` throws InputError. What `write` gives is read
+/// as the same value; it gives nothing for a value that no text of this kind gives.
 template <class V>
 struct Kind {
+  using Read = std::function<V(const DocumentNode&)>;
+  using Write = std::function<Written(const V&, Writing&)>;
+
+  Kind(ValueDescriptionPtr what, Read reads, Write writes)
+      : description(std::move(what)), read(std::move(reads)), write(std::move(writes)) {}
+
   ValueDescriptionPtr description;
-  std::function<V(const DocumentNode&)> read;
+  Read read;
+  Write write;
 };
 
 /// Allowed numbers, in the unit named (a spelling of the dimension; empty for plain numbers).
@@ -43,8 +52,8 @@ Kind<std::int64_t> long_integer(std::int64_t least, std::int64_t most);
 Kind<int> integer(int least, int most);
 Kind<double> number(const Range& range = {});
 
-/// A text such as "1 m"; the result is in the unit that the dimension's comment names.
-Kind<double> quantity(const Dimension& dimension, const Range& range = {});
+/// A text such as "1 m"; the result is in the unit that the dimension's comment names, times `factor`.
+Kind<double> quantity(const Dimension& dimension, const Range& range = {}, double factor = 1.0);
 
 /// A number such as 0.002, or a text such as "0.2 %".
 Kind<double> fraction(const Range& range);
@@ -71,6 +80,20 @@ const std::string& text_of(const DocumentNode& node, const ValueDescription& des
 double read_quantity(const DocumentNode& node, const Dimension& dimension, const Range& range,
                      std::string_view expected);
 
+/// The short text that read_quantity, times `factor`, makes this value of: exactly, where one does; nothing out of range.
+std::optional<std::string> quantity_text(double value, const Dimension& dimension, const Range& range,
+                                         double factor = 1.0);
+
+/// Whether a quantity is within a range: its value in the dimension's own unit, and the number as written in `unit`.
+bool is_within(double value, double number, const Unit& unit, const Dimension& dimension, const Range& range);
+/// Whether a number is.
+bool is_within(double value, const Range& range);
+/// Whether a number is neither beyond reason nor, where it must be above zero, too near to that.
+bool is_sensible(double value, const Range& range, double smallest, double largest);
+
+/// Whether a list or a map of so many has a length that the description takes.
+bool takes_count(const ValueDescription& description, std::size_t count);
+
 /// Fails unless the node is a list (an object) with a count within the description's bounds.
 void check_list(const DocumentNode& node, const ValueDescription& description);
 void check_map(const DocumentNode& node, const ValueDescription& description);
@@ -90,31 +113,60 @@ Kind<E> choice(const std::vector<std::pair<std::string, E>>& words) {
     values.push_back(value);
   }
   auto description = choice_description(std::move(names));
-  return {description, [description, values](const DocumentNode& node) {
-            return values[choice_index(node, *description)];
-          }};
+  return {
+      description,
+      [description, values](const DocumentNode& node) { return values[choice_index(node, *description)]; },
+      [description, values](const E& value, Writing&) -> Written {
+        for (std::size_t i = 0; i < values.size(); ++i)
+          if (values[i] == value) return description->choices[i];
+        return std::nullopt;
+      }};
+}
+
+/// Writes the items of a list, all or none.
+template <class Items, class V>
+Written written_list(const Items& items, const Kind<V>& item, Writing& writing) {
+  JsonValue::List list;
+  for (const V& value : items) {
+    Written one = item.write(value, writing);
+    if (!one) {
+      writing.is_within(list.size());
+      return std::nullopt;
+    }
+    list.push_back(std::move(*one));
+  }
+  return list;
 }
 
 template <class V>
 Kind<std::vector<V>> list(const Kind<V>& item, std::size_t least, std::size_t most) {
   auto description = list_description(item.description, least, most);
-  return {description, [description, read = item.read](const DocumentNode& node) {
+  return {description,
+          [description, read = item.read](const DocumentNode& node) {
             check_list(node, *description);
             std::vector<V> values;
             values.reserve(node.items().size());
             for (const DocumentNode& child : node.items()) values.push_back(read(child));
             return values;
+          },
+          [description, item](const std::vector<V>& values, Writing& writing) -> Written {
+            if (!takes_count(*description, values.size())) return std::nullopt;
+            return written_list(values, item, writing);
           }};
 }
 
 template <class V, std::size_t N>
 Kind<std::array<V, N>> tuple(const Kind<V>& item) {
   auto description = list_description(item.description, N, N);
-  return {description, [description, read = item.read](const DocumentNode& node) {
+  return {description,
+          [description, read = item.read](const DocumentNode& node) {
             check_list(node, *description);
             std::array<V, N> values{};
             for (std::size_t i = 0; i < N; ++i) values[i] = read(node.items()[i]);
             return values;
+          },
+          [item](const std::array<V, N>& values, Writing& writing) {
+            return written_list(values, item, writing);
           }};
 }
 
@@ -123,22 +175,53 @@ template <class V>
 Kind<std::vector<std::pair<std::string, V>>> map_of(const Kind<V>& item, const std::string& of_what,
                                                     std::size_t most) {
   auto description = map_description(item.description, of_what, most);
-  return {description, [description, read = item.read](const DocumentNode& node) {
-            check_map(node, *description);
-            std::vector<std::pair<std::string, V>> values;
-            for (const DocumentNode& child : node.members()) {
-              child.mark_read();
-              values.emplace_back(child.key(), read(child));
-            }
-            return values;
+  return {
+      description,
+      [description, read = item.read](const DocumentNode& node) {
+        check_map(node, *description);
+        std::vector<std::pair<std::string, V>> values;
+        for (const DocumentNode& child : node.members()) {
+          child.mark_read();
+          values.emplace_back(child.key(), read(child));
+        }
+        return values;
+      },
+      [description, item](const std::vector<std::pair<std::string, V>>& values, Writing& writing) -> Written {
+        if (!takes_count(*description, values.size())) return std::nullopt;
+        JsonValue::Members members;
+        for (const auto& [name, value] : values) {
+          Written one = item.write(value, writing);
+          if (!one) {
+            writing.is_within(name);
+            return std::nullopt;
+          }
+          members.emplace_back(name, std::move(*one));
+        }
+        return members;
+      }};
+}
+
+/// The same value read as another type. `back` gives what is written, or an optional of it: nothing for what this cannot
+/// tell.
+template <class W, class V, class Convert, class Back>
+Kind<W> converted(const Kind<V>& kind, Convert convert, Back back) {
+  return {kind.description,
+          [read = kind.read, convert](const DocumentNode& node) -> W { return convert(read(node)); },
+          [write = kind.write, back](const W& value, Writing& writing) -> Written {
+            const std::optional<V> from = back(value);
+            return from ? write(*from, writing) : std::nullopt;
           }};
 }
 
-/// The same value read as another type.
-template <class W, class V, class Convert>
-Kind<W> converted(const Kind<V>& kind, Convert convert) {
+/// The same value, whose position is kept: made by `make(V, node)`, of which `back` gives the value or an optional of it.
+template <class W, class V, class Make, class Back>
+Kind<W> located(const Kind<V>& kind, Make make, Back back) {
   return {kind.description,
-          [read = kind.read, convert](const DocumentNode& node) -> W { return convert(read(node)); }};
+          [read = kind.read, make](const DocumentNode& node) -> W { return make(read(node), node); },
+          [write = kind.write, back](const W& value, Writing& writing) -> Written {
+            const std::optional<V> from = back(value);
+            return from ? write(*from, writing) : std::nullopt;
+          }};
 }
 
 }  // namespace ifov::io

@@ -4,7 +4,6 @@
 #include "core/format.h"
 #include "core/names.h"
 #include "io/document/schema/kind.h"
-#include "io/files/inputs.h"
 
 namespace ifov::io {
 namespace {
@@ -12,8 +11,6 @@ namespace {
 using Form = ValueDescription::Form;
 using Type = DocumentNode::Type;
 
-constexpr std::size_t kLongestLabel = 200;
-constexpr std::size_t kLongestPath = 4096;
 constexpr double kSmallest = 1e-15, kLargest = 1e15;  // of plain numbers
 
 /// " above 0 m", " between -90 and 90 deg", or nothing.
@@ -31,13 +28,6 @@ std::string range_text(const Range& range) {
   return {};
 }
 
-bool within(double value, const Range& range) {
-  const bool low = !range.minimum || (range.above_minimum ? value > *range.minimum : value >= *range.minimum);
-  const bool high =
-      !range.maximum || (range.below_maximum ? value < *range.maximum : value <= *range.maximum);
-  return low && high;
-}
-
 Sign sign_of(const Range& range, const Dimension& dimension) {
   const Unit* unit = range.unit.empty() ? nullptr : dimension.find(range.unit);
   const bool signless = std::all_of(dimension.units.begin(), dimension.units.end(),
@@ -48,12 +38,6 @@ Sign sign_of(const Range& range, const Dimension& dimension) {
 
 std::string without_article(std::string_view name) {
   return std::string(name.substr(std::min(name.size(), name.find(' ') + 1)));
-}
-
-/// Whether a number is neither beyond reason nor, where it must be above zero, too near to that.
-bool sensible(double value, const Range& range, double smallest, double largest) {
-  const bool must_be_positive = range.above_minimum && range.minimum == 0.0;
-  return std::isfinite(value) && std::abs(value) <= largest && (!must_be_positive || value >= smallest);
 }
 
 /// "1,5 m": a decimal comma, which ends a number here.
@@ -69,6 +53,27 @@ void set_range(ValueDescription& description, const Range& range) {
 }
 
 }  // namespace
+
+bool is_within(double value, const Range& range) {
+  const bool low = !range.minimum || (range.above_minimum ? value > *range.minimum : value >= *range.minimum);
+  const bool high =
+      !range.maximum || (range.below_maximum ? value < *range.maximum : value <= *range.maximum);
+  return low && high;
+}
+
+bool is_within(double value, double number, const Unit& unit, const Dimension& dimension,
+               const Range& range) {
+  const Unit* limit_unit = range.unit.empty() ? nullptr : dimension.find(range.unit);
+  const double in_limit_unit = &unit == limit_unit ? number
+                               : limit_unit        ? (value - limit_unit->offset) / limit_unit->factor
+                                                   : value;
+  return std::isfinite(value) && is_within(in_limit_unit, range);
+}
+
+bool is_sensible(double value, const Range& range, double smallest, double largest) {
+  const bool must_be_positive = range.above_minimum && range.minimum == 0.0;
+  return std::isfinite(value) && std::abs(value) <= largest && (!must_be_positive || value >= smallest);
+}
 
 const std::string& text_of(const DocumentNode& node, const ValueDescription& description) {
   if (node.type() != Type::text) node.fail_expected(description.expected);
@@ -103,12 +108,8 @@ double read_quantity(const DocumentNode& node, const Dimension& dimension, const
         dimension.unit_list()));
   }
   const double value = parts->number * unit->factor + unit->offset;
-  const Unit* limit_unit = range.unit.empty() ? nullptr : dimension.find(range.unit);
-  const double in_limit_unit = unit == limit_unit ? parts->number
-                               : limit_unit       ? (value - limit_unit->offset) / limit_unit->factor
-                                                  : value;
-  if (!std::isfinite(value) || !within(in_limit_unit, range)) node.fail_expected(expected);
-  if (!sensible(value, range, dimension.smallest, dimension.largest)) {
+  if (!is_within(value, parts->number, *unit, dimension, range)) node.fail_expected(expected);
+  if (!is_sensible(value, range, dimension.smallest, dimension.largest)) {
     const Unit& first = dimension.units.front();
     node.fail(format(
         "{} is {}, which is too {}: {} here is {} {:g} {}", node.title(), node.found(),
@@ -127,10 +128,12 @@ Kind<bool> boolean() {
   d.expected = "true or false";
   d.short_name = "true or false";
   auto description = std::make_shared<const ValueDescription>(std::move(d));
-  return {description, [description](const DocumentNode& node) {
+  return {description,
+          [description](const DocumentNode& node) {
             if (node.type() != Type::boolean) node.fail_expected(description->expected);
             return node.boolean();
-          }};
+          },
+          [](bool value, Writing&) { return JsonValue(value); }};
 }
 
 Kind<std::int64_t> long_integer(std::int64_t least, std::int64_t most) {
@@ -141,16 +144,21 @@ Kind<std::int64_t> long_integer(std::int64_t least, std::int64_t most) {
   d.minimum = static_cast<double>(least);
   d.maximum = static_cast<double>(most);
   auto description = std::make_shared<const ValueDescription>(std::move(d));
-  return {description, [description, least, most](const DocumentNode& node) {
+  return {description,
+          [description, least, most](const DocumentNode& node) {
             if (node.type() != Type::number || !node.is_integer()) node.fail_expected(description->expected);
             if (node.integer() < least || node.integer() > most) node.fail_expected(description->expected);
             return node.integer();
+          },
+          [least, most](std::int64_t value, Writing&) {
+            return value >= least && value <= most ? Written(value) : std::nullopt;
           }};
 }
 
 Kind<int> integer(int least, int most) {
-  return converted<int>(long_integer(least, most),
-                        [](std::int64_t value) { return static_cast<int>(value); });
+  return converted<int>(
+      long_integer(least, most), [](std::int64_t value) { return static_cast<int>(value); },
+      [](int value) { return std::int64_t{value}; });
 }
 
 Kind<double> number(const Range& range) {
@@ -160,22 +168,28 @@ Kind<double> number(const Range& range) {
   d.short_name = d.expected.substr(2);
   set_range(d, range);
   auto description = std::make_shared<const ValueDescription>(std::move(d));
-  return {description, [description, range](const DocumentNode& node) {
+  return {description,
+          [description, range](const DocumentNode& node) {
             const bool is_share = range.minimum == 0.0 && range.maximum == 1.0;
             if (node.type() == Type::number && is_share && node.number() > 1.0 && node.number() <= 100.0)
               node.fail(format("{} is {}, expected {}; {:g} % is {:g}", node.title(), node.found(),
                                description->expected, node.number(), node.number() / 100.0));
-            if (node.type() != Type::number || !within(node.number(), range))
+            if (node.type() != Type::number || !is_within(node.number(), range))
               node.fail_expected(description->expected);
-            if (!sensible(node.number(), range, kSmallest, kLargest))
+            if (!is_sensible(node.number(), range, kSmallest, kLargest))
               node.fail(format("{} is {}, which is too {} to mean anything: expected {:g} to {:g}",
                                node.title(), node.found(),
                                std::abs(node.number()) > kLargest ? "large" : "small", kSmallest, kLargest));
             return node.number();
+          },
+          [range](double value, Writing&) {
+            const bool can_be_read =
+                is_within(value, range) && is_sensible(value, range, kSmallest, kLargest);
+            return can_be_read ? Written(value) : std::nullopt;
           }};
 }
 
-Kind<double> quantity(const Dimension& dimension, const Range& range) {
+Kind<double> quantity(const Dimension& dimension, const Range& range, double factor) {
   ValueDescription d;
   d.form = Form::text;
   d.expected = format("{}{}, such as \"{}\" (units: {})", dimension.name, range_text(range),
@@ -183,8 +197,12 @@ Kind<double> quantity(const Dimension& dimension, const Range& range) {
   d.short_name = without_article(format("{}{}", dimension.name, range_text(range)));
   d.pattern = quantity_pattern(dimension, sign_of(range, dimension));
   auto description = std::make_shared<const ValueDescription>(std::move(d));
-  return {description, [description, &dimension, range](const DocumentNode& node) {
-            return read_quantity(node, dimension, range, description->expected);
+  return {description,
+          [description, &dimension, range, factor](const DocumentNode& node) {
+            return factor * read_quantity(node, dimension, range, description->expected);
+          },
+          [&dimension, range, factor](double value, Writing&) -> Written {
+            return quantity_text(value, dimension, range, factor);
           }};
 }
 
@@ -201,79 +219,43 @@ Kind<double> fraction(const Range& range) {
   d.short_name = format("{}, or percentage", plain.description->short_name);
   d.alternatives = {plain.description, std::make_shared<const ValueDescription>(std::move(percent))};
   auto description = std::make_shared<const ValueDescription>(std::move(d));
-  return {description, [description, range](const DocumentNode& node) {
-            if (node.type() == Type::text) return read_quantity(node, kPercent, range, description->expected);
-            if (node.type() != Type::number || !within(node.number(), range))
-              node.fail_expected(description->expected);
-            return node.number();
-          }};
-}
-
-Kind<std::string> label() {
-  ValueDescription d;
-  d.expected = format("a text of 1 to {} bytes", kLongestLabel);
-  d.short_name = "text";
-  d.pattern = "^[^\\u0000-\\u001F]+$";
-  auto description = std::make_shared<const ValueDescription>(std::move(d));
-  return {description, [description](const DocumentNode& node) {
-            const std::string& text = text_of(node, *description);
-            const bool printable = std::all_of(text.begin(), text.end(),
-                                               [](char c) { return static_cast<unsigned char>(c) >= 0x20; });
-            if (text.empty() || text.size() > kLongestLabel || !printable)
-              node.fail_expected(description->expected);
-            return text;
-          }};
-}
-
-Kind<std::string> text_like(std::string pattern, std::string expected, std::string short_name) {
-  ValueDescription d;
-  d.expected = std::move(expected);
-  d.short_name = std::move(short_name);
-  d.pattern = std::move(pattern);
-  auto description = std::make_shared<const ValueDescription>(std::move(d));
-  return {description, [description](const DocumentNode& node) { return text_of(node, *description); }};
-}
-
-Kind<DocumentName> name_of(const std::string& what) {
-  ValueDescription d;
-  d.expected = format("the name of {}", what);
-  d.short_name = d.expected.substr(4);
-  auto description = std::make_shared<const ValueDescription>(std::move(d));
-  return {description, [description](const DocumentNode& node) {
-            return DocumentName{text_of(node, *description), node.position()};
-          }};
-}
-
-Kind<DocumentFile> file() {
-  ValueDescription d;
-  d.expected = "the name of a file, relative to the document";
-  d.short_name = "file name";
-  d.pattern = "^[^\\u0000]+$";
-  auto description = std::make_shared<const ValueDescription>(std::move(d));
-  return {description, [description](const DocumentNode& node) {
-            const std::string& path = text_of(node, *description);
-            const bool usable =
-                !path.empty() && path.size() <= kLongestPath && path.find('\0') == std::string::npos;
-            if (!usable) node.fail_expected(description->expected);
-            return DocumentFile{is_asset_name(path) ? path : node.source().resolve(path), node.position()};
-          }};
+  return {
+      description,
+      [description, range](const DocumentNode& node) {
+        if (node.type() == Type::text) return read_quantity(node, kPercent, range, description->expected);
+        if (node.type() != Type::number || !is_within(node.number(), range))
+          node.fail_expected(description->expected);
+        return node.number();
+      },
+      [range](double value, Writing&) { return is_within(value, range) ? Written(value) : std::nullopt; }};
 }
 
 Kind<math::Point3> point() {
-  return converted<math::Point3>(tuple<double, 3>(quantity(kLength)), [](const std::array<double, 3>& c) {
-    return math::Point3{c[0], c[1], c[2]};
-  });
+  return converted<math::Point3>(
+      tuple<double, 3>(quantity(kLength)),
+      [](const std::array<double, 3>& c) {
+        return math::Point3{c[0], c[1], c[2]};
+      },
+      [](math::Point3 p) {
+        return std::array{p.x, p.y, p.z};
+      });
 }
 
 Kind<math::Vec3> displacement() {
-  return converted<math::Vec3>(tuple<double, 3>(quantity(kLength)), [](const std::array<double, 3>& c) {
-    return math::Vec3{c[0], c[1], c[2]};
-  });
+  return converted<math::Vec3>(
+      tuple<double, 3>(quantity(kLength)),
+      [](const std::array<double, 3>& c) {
+        return math::Vec3{c[0], c[1], c[2]};
+      },
+      [](math::Vec3 v) {
+        return std::array{v.x, v.y, v.z};
+      });
 }
 
 Kind<math::Vec3> direction() {
   const Kind<std::array<double, 3>> numbers = tuple<double, 3>(number());
-  return {numbers.description, [read = numbers.read](const DocumentNode& node) {
+  return {numbers.description,
+          [read = numbers.read](const DocumentNode& node) {
             const std::array<double, 3> c = read(node);
             const math::Vec3 vector{c[0], c[1], c[2]};
             const double length = math::length(vector);
@@ -281,6 +263,10 @@ Kind<math::Vec3> direction() {
               node.fail(format("{} has no direction: its length must be above 0", node.title()));
             }
             return vector;
+          },
+          [write = numbers.write](math::Vec3 v, Writing& writing) -> Written {
+            if (!(math::length(v) > 0.0)) return std::nullopt;
+            return write({v.x, v.y, v.z}, writing);
           }};
 }
 

@@ -77,6 +77,35 @@ void check_members(const DocumentNode& node, const ValueDescription& record) {
   }
 }
 
+Written written_members(const ValueDescription& record, Writing& writing, std::span<const std::string> only,
+                        const std::function<WrittenMember(std::size_t)>& write) {
+  JsonValue::Members members;
+  std::vector<bool> group_given(record.group_required.size());
+  for (std::size_t i = 0; i < record.fields.size(); ++i) {
+    const FieldDescription& field = record.fields[i];
+    const bool in_group = field.group >= 0;
+    if (!only.empty() && std::find(only.begin(), only.end(), field.key) == only.end()) continue;
+    if (in_group && group_given[static_cast<std::size_t>(field.group)]) continue;
+    WrittenMember member = write(i);
+    if (!member.is_given && !field.required) continue;
+    if (member.value) {
+      members.emplace_back(field.key, std::move(*member.value));
+      if (in_group) group_given[static_cast<std::size_t>(field.group)] = true;
+      writing.fault.clear();
+      continue;
+    }
+    if (!member.is_given) writing.fault.clear();
+    writing.is_within(field.key);
+    if (!in_group) return std::nullopt;
+  }
+  for (std::size_t g = 0; g < group_given.size(); ++g) {
+    if (group_given[g] || !record.group_required[g]) continue;
+    if (writing.fault.empty()) writing.fault = list_names(keys_of(record, static_cast<int>(g)));
+    return std::nullopt;
+  }
+  return members;
+}
+
 int find_case(const DocumentNode& node, const ValueDescription& cases,
               const std::vector<std::vector<std::string>>& tags, int fallback) {
   if (node.type() != Type::object) node.fail_expected(cases.expected);

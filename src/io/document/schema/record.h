@@ -1,12 +1,15 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "io/document/schema/kind.h"
+#include "io/document/schema/target.h"
 #include "io/json/json_adapter.h"
 
 namespace ifov::io {
@@ -22,7 +25,18 @@ int find_case(const DocumentNode& node, const ValueDescription& cases,
 
 ValueDescriptionPtr cases_description(std::vector<ValueDescriptionPtr> cases);
 
-/// The table of an object's keys: written once, it reads a T, and describes it for schema and reference.
+/// Whether a row writes its key, and what: a value of null could not be written.
+struct WrittenMember {
+  bool is_given = false;
+  Written value = std::nullopt;
+};
+
+/// The members of an object from its rows, each `write(i)`. Nothing where one cannot be written or a required one is not
+/// given; of keys that exclude each other the first that can be is written. `only` some keys, or all where it is empty.
+Written written_members(const ValueDescription& record, Writing& writing, std::span<const std::string> only,
+                        const std::function<WrittenMember(std::size_t)>& write);
+
+/// The table of an object's keys: written once, it reads a T, writes it, and describes it for schema and reference.
 template <class T>
 class Record {
  public:
@@ -34,7 +48,7 @@ class Record {
     description_.doc = std::move(doc);
   }
 
-  /// A target is a pointer to a member, or a function (T&, V).
+  /// Where a value goes and comes from is said by its target (target.h).
   template <class V, class Target>
   Record& required(std::string key, Target target, const Kind<V>& kind, std::string doc) {
     return add({std::move(key), std::move(doc), kind.description, true, {}, -1}, target, kind);
@@ -42,6 +56,7 @@ class Record {
 
   template <class V, class Target>
   Record& optional(std::string key, Target target, const Kind<V>& kind, std::string doc) {
+    set_unwritten<V>(target, kind);
     return add({std::move(key), std::move(doc), kind.description, false, {}, -1}, target, kind);
   }
 
@@ -50,7 +65,10 @@ class Record {
   Record& with_default(std::string key, Target target, const Kind<V>& kind, std::string json,
                        std::string doc) {
     const DocumentTree tree = parse_json(json, "default of " + key);
-    defaults_.push_back([target, value = kind.read(*tree.root)](T& record) { store(record, target, value); });
+    const V value = kind.read(*tree.root);
+    defaults_.push_back([target, value](T& record) { store(record, target, value); });
+    Writing writing;
+    unwritten_ = kind.write(value, writing);
     return add({std::move(key), std::move(doc), kind.description, false, std::move(json), -1}, target, kind);
   }
 
@@ -61,6 +79,7 @@ class Record {
   template <class V, class Target>
   Record& one(std::string key, Target target, const Kind<V>& kind, std::string doc) {
     const int group = static_cast<int>(description_.group_required.size()) - 1;
+    if (!description_.group_required.back()) set_unwritten<V>(target, kind);
     return add({std::move(key), std::move(doc), kind.description, false, {}, group}, target, kind);
   }
 
@@ -84,38 +103,66 @@ class Record {
 
   Kind<T> kind() const {
     auto description = std::make_shared<const ValueDescription>(description_);
-    return {description, [description, readers = readers_, defaults = defaults_,
-                          checks = checks_](const DocumentNode& node) {
-              check_members(node, *description);
-              T record{};
-              if constexpr (requires { record.position = node.position(); })
-                record.position = node.position();
-              for (const auto& set_default : defaults) set_default(record);
-              for (std::size_t i = 0; i < readers.size(); ++i) {
-                const DocumentNode* member = node.find(description->fields[i].key);
-                if (member != nullptr) readers[i](record, *member);
-              }
-              for (const auto& condition : checks) condition(record, node);
-              return record;
-            }};
+    return {
+        description,
+        [description, readers = readers_, defaults = defaults_, checks = checks_](const DocumentNode& node) {
+          check_members(node, *description);
+          T record{};
+          if constexpr (requires { record.position = node.position(); }) record.position = node.position();
+          for (const auto& set_default : defaults) set_default(record);
+          for (std::size_t i = 0; i < readers.size(); ++i) {
+            const DocumentNode* member = node.find(description->fields[i].key);
+            if (member != nullptr) readers[i](record, *member);
+          }
+          for (const auto& condition : checks) condition(record, node);
+          return record;
+        },
+        [description, writers = writers_](const T& record, Writing& writing) {
+          return written_members(*description, writing, {},
+                                 [&](std::size_t i) { return writers[i](record, writing); });
+        }};
+  }
+
+  /// The members of some keys alone; of all where there are none.
+  Written written(const T& record, Writing& writing, std::span<const std::string> only) const {
+    return written_members(description_, writing, only,
+                           [&](std::size_t i) { return writers_[i](record, writing); });
   }
 
  private:
-  template <class Target, class V>
-  static void store(T& record, const Target& target, V value) {
-    if constexpr (std::is_member_object_pointer_v<Target>) {
-      record.*target = std::move(value);
-    } else {
-      target(record, std::move(value));
-    }
+  /// Without its key, a row says what a T has anyway: what that is needs no writing.
+  template <class V, class Target>
+  void set_unwritten(const Target& target, const Kind<V>& kind) {
+    const std::optional<V> value = load<V>(T{}, target);
+    Writing writing;
+    if (value) unwritten_ = kind.write(*value, writing);
+  }
+
+  template <class V>
+  static bool is_nothing(const V& value) {
+    if constexpr (requires {
+                    { value.empty() } -> std::same_as<bool>;
+                  })
+      return value.empty();
+    return false;
   }
 
   template <class Target, class V>
   Record& add(FieldDescription field, Target target, const Kind<V>& kind) {
+    const bool has_default = !field.default_json.empty(), is_required = field.required;
     description_.fields.push_back(std::move(field));
     readers_.push_back([target, read = kind.read](T& record, const DocumentNode& node) {
       store(record, target, read(node));
     });
+    writers_.push_back(
+        [target, write = kind.write, has_default, is_required,
+         unwritten = std::exchange(unwritten_, std::nullopt)](const T& record, Writing& writing) {
+          const std::optional<V> value = load<V>(record, target);
+          if (!value || (!is_required && !has_default && is_nothing(*value))) return WrittenMember{};
+          WrittenMember member{true, write(*value, writing)};
+          member.is_given = !member.value || member.value != unwritten || (has_default && writing.all_keys);
+          return member;
+        });
     return *this;
   }
 
@@ -126,6 +173,8 @@ class Record {
 
   ValueDescription description_;
   std::vector<std::function<void(T&, const DocumentNode&)>> readers_;
+  std::vector<std::function<WrittenMember(const T&, Writing&)>> writers_;
+  Written unwritten_;  ///< of the next row: what it writes where its key is left out
   std::vector<std::function<void(T&)>> defaults_;
   std::vector<std::function<void(const T&, const DocumentNode&)>> checks_;
 };
@@ -137,10 +186,16 @@ bool has_form(const DocumentNode& node, const ValueDescription& description);
 template <class W>
 Kind<W> either(const Kind<W>& first, const Kind<W>& second) {
   auto description = cases_description({first.description, second.description});
-  return {description, [description, first, second](const DocumentNode& node) {
+  return {description,
+          [description, first, second](const DocumentNode& node) {
             if (has_form(node, *first.description)) return first.read(node);
             if (has_form(node, *second.description)) return second.read(node);
             node.fail_expected(description->expected);
+          },
+          [first, second](const W& value, Writing& writing) {
+            Written written = first.write(value, writing);
+            if (!written) writing.fault.clear();
+            return written ? written : second.write(value, writing);
           }};
 }
 
@@ -154,9 +209,17 @@ Kind<W> tagged(const std::vector<std::pair<std::vector<std::string>, Kind<W>>>& 
     tags.push_back(keys);
   }
   auto description = cases_description(std::move(descriptions));
-  return {description, [description, tags, cases, fallback](const DocumentNode& node) {
+  return {description,
+          [description, tags, cases, fallback](const DocumentNode& node) {
             const int index = find_case(node, *description, tags, fallback);
             return cases[static_cast<std::size_t>(index)].second.read(node);
+          },
+          [cases](const W& value, Writing& writing) -> Written {
+            for (const auto& one : cases) {
+              writing.fault.clear();
+              if (Written written = one.second.write(value, writing)) return written;
+            }
+            return std::nullopt;
           }};
 }
 

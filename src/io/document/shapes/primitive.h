@@ -7,10 +7,12 @@
 
 #include "geometry/shapes.h"
 #include "io/document/scene_document.h"
-#include "io/document/schema/kind.h"
 #include "math/transform.h"
 
 namespace ifov::io {
+
+template <class V>
+struct Kind;
 
 /// What a document says of a shape that a few measures tell, from no file.
 class PrimitiveSettings {
@@ -33,10 +35,14 @@ struct PrimitiveModel {
 };
 
 /// Settings of any kind read as such.
-template <class Settings>
-Kind<std::shared_ptr<const PrimitiveSettings>> primitive_kind(const Kind<Settings>& kind) {
-  return converted<std::shared_ptr<const PrimitiveSettings>>(
-      kind, [](Settings settings) { return std::make_shared<const Settings>(std::move(settings)); });
+template <class Settings, class Base = PrimitiveSettings>
+Kind<std::shared_ptr<const Base>> primitive_kind(const Kind<Settings>& kind) {
+  return converted<std::shared_ptr<const Base>>(
+      kind, [](Settings settings) { return std::make_shared<const Settings>(std::move(settings)); },
+      [](const std::shared_ptr<const Base>& settings) {
+        const auto* own = dynamic_cast<const Settings*>(settings.get());
+        return own != nullptr ? std::optional(*own) : std::nullopt;
+      });
 }
 
 /// All kinds, in the order of the reference page.

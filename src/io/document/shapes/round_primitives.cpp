@@ -23,19 +23,26 @@ Kind<std::shared_ptr<const PrimitiveSettings>> hemisphere_kind() {
   return ball_kind<HemispherePrimitive>("hemisphere", "The upper half of a sphere, without a floor.");
 }
 
+bool is_upright(const CylinderPrimitive& cylinder) {
+  return cylinder.axis_m.x == 0.0 && cylinder.axis_m.y == 0.0 && cylinder.axis_m.z > 0.0;
+}
+
 Kind<std::shared_ptr<const PrimitiveSettings>> cylinder_kind() {
   Record<CylinderPrimitive> record("cylinder", "A circular cylinder.");
   record.required("base", &CylinderPrimitive::base_m, point(), "centre of its base")
       .required("radius", &CylinderPrimitive::radius_m, positive_length(), "its radius")
       .exactly_one()
-      .one("axis", &CylinderPrimitive::axis_m, displacement(),
-           "from the centre of the base to that of the top")
-      .one(
-          "height",
-          [](CylinderPrimitive& c, double h) {
-            c.axis_m = {0.0, 0.0, h};
-          },
-          positive_length(), "of an upright cylinder")
+      .one("axis",
+           via([](CylinderPrimitive& c, math::Vec3 axis) { c.axis_m = axis; },
+               [](const CylinderPrimitive& c) { return is_upright(c) ? nullptr : &c.axis_m; }),
+           displacement(), "from the centre of the base to that of the top")
+      .one("height",
+           via(
+               [](CylinderPrimitive& c, double h) {
+                 c.axis_m = {0.0, 0.0, h};
+               },
+               [](const CylinderPrimitive& c) { return is_upright(c) ? &c.axis_m.z : nullptr; }),
+           positive_length(), "of an upright cylinder")
       .with_default("capped", &CylinderPrimitive::capped, boolean(), "true", "with a disk at each end")
       .check([](const CylinderPrimitive& cylinder, const DocumentNode& node) {
         if (!(math::length(cylinder.axis_m) > 0.0)) {

@@ -8,13 +8,14 @@ Kind<CameraDocument> camera_kind() {
   Record<CameraDocument> record("camera", "Where the rays of pixels go.");
   record.exactly_one();
   for (const CameraModel* model : camera_models())
-    record.one(
-        std::string(model->key),
-        [model](CameraDocument& camera, std::shared_ptr<const CameraSettings> settings) {
-          camera.model = model->key;
-          camera.settings = std::move(settings);
-        },
-        model->kind(), std::string(model->what));
+    record.one(std::string(model->key),
+               via(
+                   [model](CameraDocument& camera, std::shared_ptr<const CameraSettings> settings) {
+                     camera.model = model->key;
+                     camera.settings = std::move(settings);
+                   },
+                   [](const CameraDocument& camera) { return camera.settings; }),
+               model->kind(), std::string(model->what));
   return record.kind();
 }
 

@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "core/format.h"
 #include "core/overloaded.h"
 #include "io/document/schema/record.h"
@@ -66,6 +70,38 @@ struct GaussianSeries {
   int count = 0;
 };
 
+std::vector<Response> channels_of(const GaussianSeries& series) {
+  std::vector<Response> channels;
+  for (int i = 0; i < series.count; ++i) {
+    const double share = static_cast<double>(i) / (series.count - 1);
+    channels.push_back(
+        GaussianChannel{series.from_um + share * (series.to_um - series.from_um), series.fwhm_um});
+  }
+  return channels;
+}
+
+/// The series that has exactly these channels.
+std::optional<GaussianSeries> series_of(const std::vector<Response>& channels) {
+  const auto is = [&](const GaussianSeries& series) {
+    const std::vector<Response> made = channels_of(series);
+    return std::equal(
+        made.begin(), made.end(), channels.begin(), channels.end(), [](const Response& a, const Response& b) {
+          const auto *one = std::get_if<GaussianChannel>(&a), *other = std::get_if<GaussianChannel>(&b);
+          return other != nullptr && one->centre_um == other->centre_um && one->fwhm_um == other->fwhm_um;
+        });
+  };
+  const auto* first = channels.size() < 2 ? nullptr : std::get_if<GaussianChannel>(&channels.front());
+  const auto* last = channels.size() < 2 ? nullptr : std::get_if<GaussianChannel>(&channels.back());
+  if (first == nullptr || last == nullptr) return std::nullopt;
+  // The last centre may have been rounded away from where the series says that it ends.
+  for (const double end_um : {last->centre_um, std::nextafter(last->centre_um, 0.0),
+                              std::nextafter(last->centre_um, 2.0 * last->centre_um)}) {
+    const GaussianSeries series{first->centre_um, end_um, first->fwhm_um, static_cast<int>(channels.size())};
+    if (end_um > first->centre_um && is(series)) return series;
+  }
+  return std::nullopt;
+}
+
 Kind<std::vector<Response>> series_kind() {
   Record<GaussianSeries> gaussian("Gaussian series", "Channels with centres at equal distances.");
   gaussian.required("from", &GaussianSeries::from_um, wavelength(), "centre of the first")
@@ -74,37 +110,36 @@ Kind<std::vector<Response>> series_kind() {
       .required("fwhm", &GaussianSeries::fwhm_um, wavelength(), "full width at half maximum of each")
       .check(
           [](const GaussianSeries& s, const DocumentNode& node) { check_rising(node, s.from_um, s.to_um); });
-  const auto spread = converted<std::vector<Response>>(gaussian.kind(), [](const GaussianSeries& series) {
-    std::vector<Response> channels;
-    for (int i = 0; i < series.count; ++i) {
-      const double share = static_cast<double>(i) / (series.count - 1);
-      channels.push_back(
-          GaussianChannel{series.from_um + share * (series.to_um - series.from_um), series.fwhm_um});
-    }
-    return channels;
-  });
+  const auto spread = converted<std::vector<Response>>(gaussian.kind(), channels_of, series_of);
   struct Holder {
     std::vector<Response> channels;
   };
   Record<Holder> record("channel series", "Many channels in one entry.");
   record.exactly_one().one("gaussian", &Holder::channels, spread, "Gaussian channels");
-  return converted<std::vector<Response>>(record.kind(),
-                                          [](Holder holder) { return std::move(holder.channels); });
+  return converted<std::vector<Response>>(
+      record.kind(), [](Holder holder) { return std::move(holder.channels); },
+      [](const std::vector<Response>& channels) { return Holder{channels}; });
+}
+
+/// The response of an entry with one channel, where it is of this kind.
+template <class Channel>
+auto response_of() {
+  return via([](ChannelEntry& entry, Channel channel) { entry.responses.emplace_back(std::move(channel)); },
+             [](const ChannelEntry& entry) {
+               return entry.responses.size() == 1 ? std::get_if<Channel>(&entry.responses.front()) : nullptr;
+             });
 }
 
 Kind<ChannelEntry> entry_kind() {
-  const auto store = [](ChannelEntry& entry, auto response) {
-    entry.responses.emplace_back(std::move(response));
-  };
   Record<ChannelEntry> record("channel", "A channel, or a series of channels.");
   record
       .optional("name", &ChannelEntry::name, label(),
                 "its name; of a series, the beginning of the names. Without it the wavelength")
       .exactly_one()
-      .one("gaussian", store, gaussian_kind(), "a bell")
-      .one("top_hat", store, top_hat_kind(), "a rectangle")
-      .one("tabulated", store, tabulated_kind(), "from a file")
-      .one("monochromatic", store, monochromatic_kind(), "one wavelength")
+      .one("gaussian", response_of<GaussianChannel>(), gaussian_kind(), "a bell")
+      .one("top_hat", response_of<TopHatChannel>(), top_hat_kind(), "a rectangle")
+      .one("tabulated", response_of<TabulatedChannel>(), tabulated_kind(), "from a file")
+      .one("monochromatic", response_of<MonochromaticChannel>(), monochromatic_kind(), "one wavelength")
       .one("series", &ChannelEntry::responses, series_kind(), "many at once")
       .at_most_one()
       .one(
@@ -134,12 +169,83 @@ std::string name_from(const Response& response) {
                     response);
 }
 
+/// What the name of a channel says beyond its response: all of it, or what a series puts before it.
+std::string own_name(const ChannelDocument& channel) {
+  const std::string own = name_from(channel.response);
+  return channel.name == own ? "" : channel.name;
+}
+std::string name_in_series(const ChannelDocument& channel) {
+  const std::string own = name_from(channel.response);
+  if (channel.name == own) return "";
+  const bool has_both = channel.name.size() > own.size() + 1 && channel.name.ends_with(" " + own);
+  return has_both ? channel.name.substr(0, channel.name.size() - own.size() - 1) : channel.name;
+}
+
+/// The entries of a document for its channels: series where three or more of them make one.
+class ChannelEntries {
+ public:
+  ChannelEntries(const std::vector<ChannelDocument>& channels, Writing& writing) : channels_(channels) {
+    const Kind<SpectrumDocument> noise = spectrum_kind(SpectrumOf::radiance);
+    for (const ChannelDocument& channel : channels)
+      noises_.push_back(channel.noise ? noise.write(*channel.noise, writing) : std::nullopt);
+  }
+
+  std::vector<ChannelEntry> all() const {
+    std::vector<ChannelEntry> entries;
+    for (std::size_t from = 0; from < channels_.size();) {
+      const std::size_t to = end_of_series(from);
+      ChannelEntry series = entry_of(from, name_in_series(channels_[from]));
+      for (std::size_t k = from + 1; k < to; ++k) series.responses.push_back(channels_[k].response);
+      if (to - from > 2 && series_of(series.responses)) {
+        entries.push_back(std::move(series));
+      } else {
+        for (std::size_t k = from; k < to; ++k) entries.push_back(entry_of(k, own_name(channels_[k])));
+      }
+      from = to;
+    }
+    return entries;
+  }
+
+ private:
+  ChannelEntry entry_of(std::size_t k, std::string name) const {
+    ChannelEntry entry;
+    entry.name = std::move(name);
+    entry.responses.push_back(channels_[k].response);
+    entry.noise = channels_[k].noise;
+    entry.noise_k = channels_[k].noise_k;
+    return entry;
+  }
+
+  /// Behind the last channel that goes on, as far as can be seen, what the one at `from` begins.
+  std::size_t end_of_series(std::size_t from) const {
+    constexpr double kSame = 1e-9;
+    const auto centre = [&](std::size_t k) {
+      const auto* gaussian = std::get_if<GaussianChannel>(&channels_[k].response);
+      return gaussian != nullptr ? gaussian->centre_um : std::numeric_limits<double>::quiet_NaN();
+    };
+    std::size_t end = from + 1;
+    for (; end < channels_.size(); ++end) {
+      const double step_um = centre(from + 1) - centre(from);
+      const double expected_um = centre(from) + static_cast<double>(end - from) * step_um;
+      if (!(std::abs(centre(end) - expected_um) <= kSame * centre(end)) || noises_[end] != noises_[from] ||
+          channels_[end].noise_k != channels_[from].noise_k ||
+          name_in_series(channels_[end]) != name_in_series(channels_[from]))
+        break;
+    }
+    return end;
+  }
+
+  const std::vector<ChannelDocument>& channels_;
+  std::vector<Written> noises_;
+};
+
 }  // namespace
 
 Kind<std::vector<ChannelDocument>> channels_kind() {
-  const auto entries = list(entry_kind(), 1, kMostChannels);
+  const Kind<ChannelEntry> entry_of = entry_kind();
+  const auto entries = list(entry_of, 1, kMostChannels);
   return {entries.description,
-          [description = entries.description, read = entry_kind().read](const DocumentNode& node) {
+          [description = entries.description, read = entry_of.read](const DocumentNode& node) {
             check_list(node, *description);
             std::vector<ChannelDocument> channels;
             for (const DocumentNode& item : node.items()) {
@@ -157,6 +263,9 @@ Kind<std::vector<ChannelDocument>> channels_kind() {
               }
             }
             return channels;
+          },
+          [write = entries.write](const std::vector<ChannelDocument>& channels, Writing& writing) {
+            return write(ChannelEntries(channels, writing).all(), writing);
           }};
 }
 

@@ -14,34 +14,39 @@ Kind<int> version_kind() {
   d.expected = format("{}, the version of the format that this program reads", kDocumentVersion);
   d.short_name = format("{}", kDocumentVersion);
   auto description = std::make_shared<const ValueDescription>(std::move(d));
-  return {description, [description](const DocumentNode& node) {
+  return {description,
+          [description](const DocumentNode& node) {
             const bool right = node.type() == DocumentNode::Type::number && node.is_integer() &&
                                node.integer() == kDocumentVersion;
             if (!right) node.fail_expected(description->expected);
             return kDocumentVersion;
-          }};
+          },
+          plain.write};
 }
 
 Kind<geodesy::UtcTime> time_kind() {
   const auto text = text_like(
       "^[0-9]{4}-[0-9]{2}-[0-9]{2}(T[0-9]{2}:[0-9]{2}:[0-9]{2}(\\.[0-9]+)?(Z|[+-][0-9]{2}:[0-9]{2}))?$",
       "a time such as \"2026-06-21T17:00:00Z\"", "time, ISO 8601");
-  return {text.description, [read = text.read](const DocumentNode& node) {
+  return {text.description,
+          [read = text.read](const DocumentNode& node) {
             const std::string& written = read(node);
             try {
               return geodesy::parse_utc(written);
             } catch (const InputError& error) {
               node.fail(format("{}: {}", node.title(), error.what()));
             }
-          }};
+          },
+          [](const geodesy::UtcTime& time, Writing&) { return JsonValue(geodesy::format_utc(time)); }};
 }
 
 /// Documents are put together before this table is read (put_together).
 Kind<std::vector<DocumentFile>> included_kind() {
   const Kind<DocumentFile> one = file();
-  return either(
-      converted<std::vector<DocumentFile>>(one, [](DocumentFile f) { return std::vector{std::move(f)}; }),
-      list(one, 1, 256));
+  return either(converted<std::vector<DocumentFile>>(
+                    one, [](DocumentFile f) { return std::vector{std::move(f)}; },
+                    [](const std::vector<DocumentFile>& files) { return files.front(); }),
+                list(one, 1, 256));
 }
 
 }  // namespace
@@ -49,15 +54,17 @@ Kind<std::vector<DocumentFile>> included_kind() {
 Kind<Document> document_kind() {
   Record<Document> record("document", "A scene, its light, the sensor that looks at it and how accurately.");
   record.required("ifov", &Document::version, version_kind(), "version of this format")
+      .optional("$schema", only_read([](Document&, const std::string&) {}), label(),
+                "for editors: where the schema is")
       .optional(
-          "$schema", [](Document&, const std::string&) {}, label(), "for editors: where the schema is")
-      .optional(
-          "include", [](Document&, const std::vector<DocumentFile>&) {}, included_kind(),
+          "include", only_read([](Document&, const std::vector<DocumentFile>&) {}), included_kind(),
           "documents whose values count where this one has none: objects are put together key by key, and a null takes a "
           "key away; of several the last counts most")
-      .with_default(
-          "seed", [](Document& d, std::int64_t seed) { d.seed = static_cast<std::uint64_t>(seed); },
-          long_integer(0, kLargestSeed), "1", "of all random numbers: the same seed gives the same result")
+      .with_default("seed",
+                    via([](Document& d, std::int64_t seed) { d.seed = static_cast<std::uint64_t>(seed); },
+                        [](const Document& d) { return static_cast<std::int64_t>(d.seed); }),
+                    long_integer(0, kLargestSeed), "1",
+                    "of all random numbers: the same seed gives the same result")
       .optional("time", &Document::time, time_kind(), "when the image is taken")
       .required("scene", &Document::scene, scene_kind(), "geometry and materials")
       .with_default("light", &Document::light, light_kind(), "{}", "Sun and sky")
@@ -66,7 +73,10 @@ Kind<Document> document_kind() {
       .required("sensor", &Document::sensor, sensor_kind(), "camera and channels")
       .with_default("sampling", &Document::sampling, sampling_kind(), "{}", "rays")
       .with_default("output", &Document::output, output_kind(), "{}", "products");
-  return record.kind();
+  const Kind<Document> kind = record.kind();
+  return {kind.description, kind.read, [record](const Document& document, Writing& writing) {
+            return record.written(document, writing, writing.sections);
+          }};
 }
 
 }  // namespace ifov::io

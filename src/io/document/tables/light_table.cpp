@@ -7,17 +7,13 @@ namespace {
 /// Keys for where it stands, both or neither.
 template <class Source>
 void with_direction(Record<Source>& record, const std::string& body) {
-  const auto direction = [](Source& s) -> CelestialDirection& {
-    return s.direction ? *s.direction : s.direction.emplace();
-  };
   record
-      .optional(
-          "zenith", [direction](Source& s, double v) { direction(s).zenith_rad = v; },
-          quantity(kAngle, Range::between(0.0, 90.0, "deg")),
-          "zenith angle; without it the " + body + " stands where time and place put it")
-      .optional(
-          "azimuth", [direction](Source& s, double v) { direction(s).azimuth_rad = v; },
-          quantity(kAngle, Range::between(-360.0, 360.0, "deg")), "of the " + body + ", clockwise from north")
+      .optional("zenith", path(&Source::direction, &CelestialDirection::zenith_rad),
+                quantity(kAngle, Range::between(0.0, 90.0, "deg")),
+                "zenith angle; without it the " + body + " stands where time and place put it")
+      .optional("azimuth", path(&Source::direction, &CelestialDirection::azimuth_rad),
+                quantity(kAngle, Range::between(-360.0, 360.0, "deg")),
+                "of the " + body + ", clockwise from north")
       .needs("zenith", "azimuth")
       .needs("azimuth", "zenith");
 }
@@ -40,10 +36,15 @@ Kind<SunDocument> sun_kind() {
                     quantity(kAngle, Range::between(0.01, 10.0, "deg")), "\"0.53 deg\"", "angular diameter");
   const auto point = sun_record("point sun", "The Sun as a point; shadows are sharp.");
   Record<SunDocument> record("sun", "Direct sunlight.");
-  const auto store = [](SunDocument& sun, SunDocument model) { sun = std::move(model); };
+  const auto where = [](bool is_point) {
+    return via([](SunDocument& sun, SunDocument model) { sun = std::move(model); },
+               [is_point](const SunDocument& sun) {
+                 return (sun.diameter_rad == 0.0) == is_point ? &sun : nullptr;
+               });
+  };
   record.exactly_one()
-      .one("disc", store, disc.kind(), "the Sun as a disc")
-      .one("point", store, point.kind(), "the Sun as a point");
+      .one("disc", where(false), disc.kind(), "the Sun as a disc")
+      .one("point", where(true), point.kind(), "the Sun as a point");
   return record.kind();
 }
 
@@ -68,21 +69,33 @@ Kind<SkyEntry> sky_kind() {
   Record<SkyEntry> record("sky", "The same in every direction above the horizon.");
   record.exactly_one()
       .one("none", &SkyEntry::sky, Record<NoSky>("no sky", "No light from the sky.").kind(), "a black sky")
-      .one(
-          "temperature", [](SkyEntry& e, double k) { e.sky = SkyTemperature{k}; },
-          quantity(kTemperature, Range::at_least(0.0, "K")), "a blackbody of this temperature")
-      .one(
-          "radiance", [](SkyEntry& e, SpectrumDocument s) { e.sky = SkyRadiance{std::move(s)}; },
-          spectrum_kind(SpectrumOf::radiance), "spectral radiance");
+      .one("temperature",
+           via([](SkyEntry& e, double k) { e.sky = SkyTemperature{k}; },
+               [](const SkyEntry& e) {
+                 const auto* sky = std::get_if<SkyTemperature>(&e.sky);
+                 return sky != nullptr ? &sky->temperature_k : nullptr;
+               }),
+           quantity(kTemperature, Range::at_least(0.0, "K")), "a blackbody of this temperature")
+      .one("radiance",
+           via([](SkyEntry& e, SpectrumDocument s) { e.sky = SkyRadiance{std::move(s)}; },
+               [](const SkyEntry& e) {
+                 const auto* sky = std::get_if<SkyRadiance>(&e.sky);
+                 return sky != nullptr ? &sky->radiance : nullptr;
+               }),
+           spectrum_kind(SpectrumOf::radiance), "spectral radiance");
   return record.kind();
 }
 
 Kind<SurroundingsDocument> surroundings_kind() {
   const auto store = [](bool is_emissivity) {
-    return [is_emissivity](SurroundingsDocument& s, SpectrumDocument spectrum) {
-      s.is_emissivity = is_emissivity;
-      s.spectrum = std::move(spectrum);
-    };
+    return via(
+        [is_emissivity](SurroundingsDocument& s, SpectrumDocument spectrum) {
+          s.is_emissivity = is_emissivity;
+          s.spectrum = std::move(spectrum);
+        },
+        [is_emissivity](const SurroundingsDocument& s) {
+          return s.is_emissivity == is_emissivity ? &s.spectrum : nullptr;
+        });
   };
   Record<SurroundingsDocument> record(
       "surroundings",
@@ -102,13 +115,17 @@ Kind<LightDocument> light_kind() {
   Record<LightDocument> record("light", "What shines on the scene. Warm surfaces always emit.");
   record.optional("sun", &LightDocument::sun, sun_kind(), "without it no sunlight")
       .optional("moon", &LightDocument::moon, moon_kind(), "without it no moonlight")
-      .optional(
-          "sky",
-          [](LightDocument& light, SkyEntry entry) {
-            light.sky = std::move(entry.sky);
-            light.sky_position = entry.position;
-          },
-          sky_kind(), "without it a black sky")
+      .optional("sky",
+                via(
+                    [](LightDocument& light, SkyEntry entry) {
+                      light.sky = std::move(entry.sky);
+                      light.sky_position = entry.position;
+                    },
+                    [](const LightDocument& light) {
+                      return std::holds_alternative<NoSky>(light.sky) ? std::optional<SkyEntry>()
+                                                                      : SkyEntry{light.sky, {}};
+                    }),
+                sky_kind(), "without it a black sky")
       .optional(
           "surroundings", &LightDocument::surroundings, surroundings_kind(),
           "without them the mean of the ground in the picture where an atmosphere is modelled or imported, else "

@@ -33,6 +33,12 @@ Kind<std::vector<std::pair<std::int64_t, DocumentName>>> classes_kind() {
             std::sort(classes.begin(), classes.end(),
                       [](const auto& a, const auto& b) { return a.first < b.first; });
             return classes;
+          },
+          [write = named.write](const std::vector<std::pair<std::int64_t, DocumentName>>& classes,
+                                Writing& writing) {
+            std::vector<std::pair<std::string, DocumentName>> by_key;
+            for (const auto& [number, name] : classes) by_key.emplace_back(format("{}", number), name);
+            return write(by_key, writing);
           }};
 }
 
@@ -92,15 +98,19 @@ Kind<ReliefDocument> relief_kind() {
   add_raster_keys(normals);
   struct Coding {
     double factor, offset;
+    bool operator==(const Coding&) const = default;
   };
-  normals.with_default(
-      "coding",
-      [](NormalRelief& n, Coding coding) {
-        n.factor = coding.factor;
-        n.offset = coding.offset;
-      },
-      choice<Coding>({{"0 to 255", {2.0 / 255.0, -1.0}}, {"-1 to 1", {1.0, 0.0}}}), "\"0 to 255\"",
-      "how components from -1 to 1 are written");
+  normals.with_default("coding",
+                       via(
+                           [](NormalRelief& n, Coding coding) {
+                             n.factor = coding.factor;
+                             n.offset = coding.offset;
+                           },
+                           [](const NormalRelief& n) {
+                             return Coding{n.factor, n.offset};
+                           }),
+                       choice<Coding>({{"0 to 255", {2.0 / 255.0, -1.0}}, {"-1 to 1", {1.0, 0.0}}}),
+                       "\"0 to 255\"", "how components from -1 to 1 are written");
   Record<ReliefDocument> record(
       "relief", "Relief finer than the geometry: tilts the surface for light, and moves nothing.");
   record.exactly_one()
@@ -111,9 +121,12 @@ Kind<ReliefDocument> relief_kind() {
 
 Kind<MaterialBinding> binding_kind() {
   const Kind<DocumentName> name = name_of("a material");
-  const Kind<MaterialBinding> direct{name.description, [read = name.read](const DocumentNode& node) {
-                                       return MaterialBinding{read(node), node.position()};
-                                     }};
+  const auto direct = located<MaterialBinding>(
+      name,
+      [](DocumentName material, const DocumentNode& node) {
+        return MaterialBinding{std::move(material), node.position()};
+      },
+      [](const MaterialBinding& binding) { return target::as<DocumentName>(binding.value); });
   Record<MaterialMap> map("material map", "Materials by the class numbers of a raster.");
   add_raster_keys(map);
   map.required("classes", &MaterialMap::classes, classes_kind(), "material of each class number");
@@ -127,7 +140,8 @@ Kind<MaterialBinding> binding_kind() {
                    "material of each band, in their order");
   const auto slots = converted<MaterialSlots>(
       map_of(name, "materials by the names in the mesh file", kMostClasses),
-      [](std::vector<std::pair<std::string, DocumentName>> s) { return MaterialSlots{std::move(s)}; });
+      [](std::vector<std::pair<std::string, DocumentName>> s) { return MaterialSlots{std::move(s)}; },
+      [](const MaterialSlots& named) { return named.slots; });
   Record<MaterialBinding> several("materials of an object", "More than one material on an object.");
   several.exactly_one()
       .one("map", &MaterialBinding::value, map.kind(), "by place")
@@ -144,8 +158,7 @@ Kind<TerrainShape> terrain_kind() {
   record.required("file", &TerrainShape::file, file(), "a raster that GDAL reads")
       .with_default("band", &TerrainShape::band, integer(1, kMostBands), "1",
                     "band of the heights, counted from 1");
-  add_placement_keys(
-      record, [](TerrainShape& t) -> std::optional<RasterDocument::Placement>& { return t.placement; });
+  add_placement_keys(record, &TerrainShape::placement);
   record
       .with_default(
           "detail", &TerrainShape::detail_m, quantity(kLength, Range::at_least(0.0, "m")), "\"0 m\"",

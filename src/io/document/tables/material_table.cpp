@@ -13,10 +13,12 @@ constexpr std::size_t kMostCurves = 100000;
 
 Kind<TemperatureDocument> temperature_kind() {
   const Kind<double> constant = quantity(kTemperature, Range::at_least(0.0, "K"));
-  const Kind<TemperatureDocument> uniform{constant.description,
-                                          [read = constant.read](const DocumentNode& node) {
-                                            return TemperatureDocument{read(node), node.position()};
-                                          }};
+  const auto uniform = located<TemperatureDocument>(
+      constant,
+      [](double kelvin, const DocumentNode& node) {
+        return TemperatureDocument{kelvin, node.position()};
+      },
+      [](const TemperatureDocument& temperature) { return target::as<double>(temperature.value); });
   Record<TemperatureDocument> mapped("mapped temperature", "A temperature that differs from place to place.");
   mapped.required("map", &TemperatureDocument::value, temperature_map_kind(), "the raster");
   return either(uniform, mapped.kind());
@@ -27,16 +29,25 @@ Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind() {
     const Kind<SpectrumDocument> spectrum = spectrum_kind(quantity);
     return either(
         converted<std::vector<SpectrumDocument>>(
-            spectrum, [](SpectrumDocument one) { return std::vector<SpectrumDocument>{std::move(one)}; }),
+            spectrum, [](SpectrumDocument one) { return std::vector<SpectrumDocument>{std::move(one)}; },
+            [](const std::vector<SpectrumDocument>& all) {
+              return all.size() == 1 ? std::optional(all.front()) : std::nullopt;
+            }),
         list(spectrum, 2, kMostCurves));
   };
   const auto store = [](bool is_emissivity) {
-    return [is_emissivity](MaterialDocument& material, std::vector<SpectrumDocument> values) {
-      material.is_emissivity = is_emissivity;
-      material.spectrum = std::move(values[0]);
-      values.erase(values.begin());
-      material.further_curves = std::move(values);
-    };
+    return via(
+        [is_emissivity](MaterialDocument& material, std::vector<SpectrumDocument> values) {
+          material.is_emissivity = is_emissivity;
+          material.spectrum = std::move(values[0]);
+          values.erase(values.begin());
+          material.further_curves = std::move(values);
+        },
+        [is_emissivity](const MaterialDocument& material) {
+          std::vector<SpectrumDocument> values{material.spectrum};
+          values.insert(values.end(), material.further_curves.begin(), material.further_curves.end());
+          return material.is_emissivity == is_emissivity ? std::optional(values) : std::nullopt;
+        });
   };
   Record<MaterialDocument> record(
       "material", "A surface: reflectance, transmittance (0 unless given) and emissivity sum to 1.");

@@ -14,25 +14,40 @@ Kind<TransformDocument> transform_kind() {
     math::Vec3 axis;
     double angle_rad = 0.0;
   };
+  using Factors = std::array<double, 3>;
   Record<Rotation> rotation("rotation", "Right-handed, about an axis through the object's origin.");
   rotation.with_default("axis", &Rotation::axis, direction(), "[0, 0, 1]", "its axis, any length")
       .required("angle", &Rotation::angle_rad, quantity(kAngle), "its angle");
   const Kind<double> factor = number(Range::above(0.0));
-  const auto uniform = converted<math::Vec3>(factor, [](double s) { return math::Vec3{s, s, s}; });
-  const auto by_axis = converted<math::Vec3>(tuple<double, 3>(factor), [](const std::array<double, 3>& s) {
-    return math::Vec3{s[0], s[1], s[2]};
-  });
+  const auto uniform = converted<math::Vec3>(
+      factor,
+      [](double s) {
+        return math::Vec3{s, s, s};
+      },
+      [](math::Vec3 s) { return s.x == s.y && s.y == s.z ? std::optional(s.x) : std::nullopt; });
+  const auto by_axis = converted<math::Vec3>(
+      tuple<double, 3>(factor),
+      [](const Factors& s) {
+        return math::Vec3{s[0], s[1], s[2]};
+      },
+      [](math::Vec3 s) {
+        return Factors{s.x, s.y, s.z};
+      });
   Record<TransformDocument> record("transform", "First scale, then rotate, then translate.");
   record
       .optional("translate", &TransformDocument::translate_m, displacement(),
                 "shift to the east, north and up")
-      .optional(
-          "rotate",
-          [](TransformDocument& t, Rotation r) {
-            t.rotation_axis = r.axis;
-            t.rotation_rad = r.angle_rad;
-          },
-          rotation.kind(), "rotation")
+      .optional("rotate",
+                via(
+                    [](TransformDocument& t, Rotation r) {
+                      t.rotation_axis = r.axis;
+                      t.rotation_rad = r.angle_rad;
+                    },
+                    [](const TransformDocument& t) {
+                      return t.rotation_rad != 0.0 ? std::optional(Rotation{t.rotation_axis, t.rotation_rad})
+                                                   : std::nullopt;
+                    }),
+                rotation.kind(), "rotation")
       .with_default("scale", &TransformDocument::scale, either(uniform, by_axis), "1",
                     "factor on all coordinates, or on each");
   return record.kind();
@@ -53,28 +68,35 @@ void add_common_keys(Record<ObjectDocument>& record) {
 
 template <class Shape>
 void add_shape(Record<ObjectDocument>& record, const std::string& key, const Kind<Shape>& kind) {
-  const Kind<std::pair<ShapeDocument, SourcePosition>> located{
-      kind.description, [read = kind.read](const DocumentNode& node) {
-        return std::pair<ShapeDocument, SourcePosition>(read(node), node.key_position());
-      }};
-  record.one(
-      key,
-      [](ObjectDocument& object, std::pair<ShapeDocument, SourcePosition> shape) {
-        object.shape = std::move(shape.first);
-        object.shape_position = std::move(shape.second);
-      },
-      located, kind.description->doc);
+  using Placed = std::pair<Shape, SourcePosition>;
+  const auto placed = located<Placed>(
+      kind,
+      [](Shape shape, const DocumentNode& node) { return Placed(std::move(shape), node.key_position()); },
+      [](const Placed& shape) { return shape.first; });
+  record.one(key,
+             via(
+                 [](ObjectDocument& object, Placed shape) {
+                   object.shape = std::move(shape.first);
+                   object.shape_position = std::move(shape.second);
+                 },
+                 [](const ObjectDocument& object) {
+                   const Shape* shape = std::get_if<Shape>(&object.shape);
+                   return shape != nullptr ? std::optional(Placed(*shape, {})) : std::nullopt;
+                 }),
+             placed, kind.description->doc);
 }
 
 Kind<ObjectDocument> shape_object_kind() {
   Record<ObjectDocument> record("object", "A shape with a material.");
   record.exactly_one();
   for (const PrimitiveModel* model : primitive_models())
-    add_shape(
-        record, std::string(model->key),
-        converted<PrimitiveShape>(model->kind(), [model](std::shared_ptr<const PrimitiveSettings> settings) {
-          return PrimitiveShape{std::string(model->key), std::move(settings)};
-        }));
+    add_shape(record, std::string(model->key),
+              converted<PrimitiveShape>(
+                  model->kind(),
+                  [model](std::shared_ptr<const PrimitiveSettings> settings) {
+                    return PrimitiveShape{std::string(model->key), std::move(settings)};
+                  },
+                  [](const PrimitiveShape& shape) { return shape.settings; }));
   add_shape(record, "mesh", mesh_kind());
   add_shape(record, "city", city_kind());
   add_shape(record, "terrain", terrain_kind());

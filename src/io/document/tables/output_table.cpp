@@ -2,10 +2,9 @@
 #include <filesystem>
 
 #include "core/format.h"
+#include "io/document/product_words.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
-#include "io/products/product_format.h"
-#include "io/products/quicklook.h"
 #include "io/quantities/quantity.h"
 
 namespace ifov::io {
@@ -25,33 +24,33 @@ Kind<std::string> folder_kind() {
   d.short_name = "folder name";
   d.pattern = "^(?!/)(?!(.*/)?\\.\\.(/|$))[^\\u0000]+$";
   auto description = std::make_shared<const ValueDescription>(std::move(d));
-  return {description, [description, read = any.read](const DocumentNode& node) {
+  const auto any_folder = [](const std::string& folder, Writing& writing) -> Written {
+    return file_from(writing.folder, folder);
+  };
+  return {description,
+          [description, read = any.read](const DocumentNode& node) {
             const std::filesystem::path path = text_of(node, *description);
             if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end())
               node.fail_expected(description->expected);
             read(node);
             return path.string();
-          }};
+          },
+          any_folder};
 }
 
-Kind<ProductFormats> formats_kind() {
-  std::vector<std::pair<std::string, const ProductFormat*>> words;
-  for (const ProductFormat* format : all_product_formats())
-    if (!format->name.empty()) words.emplace_back(format->name, format);
-  const std::size_t most = words.size();
-  const auto kind = converted<ProductFormats>(list(choice<const ProductFormat*>(words), 1, most),
-                                              [](const std::vector<const ProductFormat*>& chosen) {
-                                                ProductFormats formats;
-                                                for (const ProductFormat* format : chosen)
-                                                  formats.add(*format);
-                                                return formats;
-                                              });
-  return {kind.description, [read = kind.read](const DocumentNode& node) {
-            ProductFormats chosen = read(node);
-            if (const std::string why = why_no_figures(); !why.empty() && chosen.has(formats::kPng))
-              node.fail(format("'png': {}", why));
+Kind<std::vector<std::string>> formats_kind() {
+  std::vector<std::pair<std::string, std::string>> words;
+  for (const std::string_view word : product_words()) words.emplace_back(word, word);
+  const Kind<std::vector<std::string>> kind = list(choice<std::string>(words), 1, words.size());
+  return {kind.description,
+          [read = kind.read](const DocumentNode& node) {
+            std::vector<std::string> chosen = read(node);
+            for (const std::string& word : chosen)
+              if (const std::string why = why_not_built(word); !why.empty())
+                node.fail(format("'{}': {}", word, why));
             return chosen;
-          }};
+          },
+          kind.write};
 }
 
 /// Only what is a good file name everywhere.
@@ -61,7 +60,8 @@ Kind<std::string> name_kind() {
   d.short_name = "name of files";
   d.pattern = "^[A-Za-z0-9_][A-Za-z0-9_-]{0,99}$";
   auto description = std::make_shared<const ValueDescription>(std::move(d));
-  return {description, [description](const DocumentNode& node) {
+  return {description,
+          [description](const DocumentNode& node) {
             const std::string name = text_of(node, *description);
             const auto plain = [](char c) {
               return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
@@ -71,7 +71,8 @@ Kind<std::string> name_kind() {
                 !std::all_of(name.begin(), name.end(), plain))
               node.fail_expected(description->expected);
             return name;
-          }};
+          },
+          [](const std::string& name, Writing&) { return Written(name); }};
 }
 
 /// Cubes by their names; "all" for every one.
@@ -81,14 +82,23 @@ Kind<QuantitySet> products_kind() {
   for (std::size_t k = 0; k < all.size(); ++k) words.emplace_back(all[k]->name, static_cast<int>(k));
   words.emplace_back("all", -1);
   const std::size_t most = words.size();
-  return converted<QuantitySet>(list(choice<int>(words), 1, most), [](const std::vector<int>& names) {
-    QuantitySet quantities;
-    for (const int name : names) {
-      if (name < 0) return QuantitySet::all();
-      quantities.add(*all_quantities()[static_cast<std::size_t>(name)]);
-    }
-    return quantities;
-  });
+  return converted<QuantitySet>(
+      list(choice<int>(words), 1, most),
+      [](const std::vector<int>& names) {
+        QuantitySet quantities;
+        for (const int name : names) {
+          if (name < 0) return QuantitySet::all();
+          quantities.add(*all_quantities()[static_cast<std::size_t>(name)]);
+        }
+        return quantities;
+      },
+      [all](const QuantitySet& quantities) {
+        if (quantities == QuantitySet::all()) return std::vector{-1};
+        std::vector<int> names;
+        for (std::size_t k = 0; k < all.size(); ++k)
+          if (quantities.has(*all[k])) names.push_back(static_cast<int>(k));
+        return names;
+      });
 }
 
 Kind<Quicklook> quicklook_kind() {
@@ -122,12 +132,14 @@ Kind<OutputDocument> output_kind() {
           "products", &OutputDocument::products, products_kind(),
           "ENVI cubes beside the radiance, which is always written; if not given, those of the samples, the quality, the "
           "abundances and half_width, and of frame cameras location")
-      .optional(
-          "quicklook",
-          [](OutputDocument& output, Quicklook quicklook) {
-            output.quicklook_channels = std::move(quicklook.channels);
-          },
-          quicklook_kind(), "channels of the picture; chosen if not given");
+      .optional("quicklook",
+                via([](OutputDocument& output,
+                       Quicklook quicklook) { output.quicklook_channels = std::move(quicklook.channels); },
+                    [](const OutputDocument& output) {
+                      const bool chosen = !output.quicklook_channels.empty();
+                      return chosen ? std::optional(Quicklook{output.quicklook_channels}) : std::nullopt;
+                    }),
+                quicklook_kind(), "channels of the picture; chosen if not given");
   return record.kind();
 }
 

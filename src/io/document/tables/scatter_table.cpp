@@ -17,9 +17,14 @@ Kind<std::vector<ScatterShape::Kin>> kin_kind() {
   kin.required("prototype", &ScatterShape::Kin::prototype, name, "what is copied")
       .with_default("weight", &ScatterShape::Kin::weight, number(Range::above(0.0)), "1",
                     "how often it comes, beside the weights of the others");
-  const auto one = converted<std::vector<ScatterShape::Kin>>(name, [](DocumentName n) {
-    return std::vector<ScatterShape::Kin>{{std::move(n), 1.0}};
-  });
+  const auto one = converted<std::vector<ScatterShape::Kin>>(
+      name,
+      [](DocumentName n) {
+        return std::vector<ScatterShape::Kin>{{std::move(n), 1.0}};
+      },
+      [](const std::vector<ScatterShape::Kin>& of) {
+        return of.size() == 1 && of[0].weight == 1.0 ? std::optional(of[0].prototype) : std::nullopt;
+      });
   return either(one, list(kin.kind(), 1, kMostKin));
 }
 
@@ -36,9 +41,12 @@ Kind<std::variant<double, DensityMap>> density_kind() {
       .check([](const DensityMap& m, const DocumentNode& node) {
         if (m.raster.by_texture) node.given("by").fail_at_key("a density map lies by place");
       });
-  const auto fixed =
-      converted<Density>(quantity(kDensity, Range::above(0.0, "m-2")), [](double d) { return Density(d); });
-  return either(fixed, converted<Density>(map.kind(), [](DensityMap m) { return Density(std::move(m)); }));
+  const auto fixed = converted<Density>(
+      quantity(kDensity, Range::above(0.0, "m-2")), [](double d) { return Density(d); },
+      [](const Density& density) { return target::as<double>(density); });
+  return either(fixed, converted<Density>(
+                           map.kind(), [](DensityMap m) { return Density(std::move(m)); },
+                           [](const Density& density) { return target::as<DensityMap>(density); }));
 }
 
 struct Area {
@@ -60,16 +68,23 @@ Kind<Area> area_kind() {
 
 Kind<std::array<double, 2>> scale_kind() {
   const Kind<double> factor = number(Range::above(0.0));
-  const auto fixed = converted<std::array<double, 2>>(factor, [](double s) {
-    return std::array<double, 2>{s, s};
-  });
+  const auto fixed = converted<std::array<double, 2>>(
+      factor,
+      [](double s) {
+        return std::array<double, 2>{s, s};
+      },
+      [](const std::array<double, 2>& scale) {
+        return scale[0] == scale[1] ? std::optional(scale[0]) : std::nullopt;
+      });
   const auto pair = tuple<double, 2>(factor);
   const Kind<std::array<double, 2>> range{
-      pair.description, [read = pair.read](const DocumentNode& node) {
+      pair.description,
+      [read = pair.read](const DocumentNode& node) {
         const std::array<double, 2> scale = read(node);
         if (scale[0] > scale[1]) node.fail(format("{} falls: the smaller factor comes first", node.title()));
         return scale;
-      }};
+      },
+      pair.write};
   return either(fixed, range);
 }
 
@@ -80,19 +95,21 @@ Kind<ScatterShape> scatter_kind() {
                               "Copies of prototypes at random, with a density and a minimum distance.");
   const Kind<std::variant<double, DensityMap>> density = density_kind();
   record.required("of", &ScatterShape::of, kin_kind(), "what is copied")
-      .required(
-          "density", [](ScatterShape& s, std::variant<double, DensityMap> d) { s.density_m2 = std::move(d); },
-          density, "copies per area, everywhere the same or from a map")
+      .required("density", &ScatterShape::density_m2, density,
+                "copies per area, everywhere the same or from a map")
       .with_default("minimum_distance", &ScatterShape::minimum_distance_m,
                     quantity(kLength, Range::at_least(0.0, "m")), "\"0 m\"",
                     "of copies from each other, on the map")
-      .required(
-          "area",
-          [](ScatterShape& s, const Area& area) {
-            s.low_m = area.low_m;
-            s.high_m = area.high_m;
-          },
-          area_kind(), "where they stand")
+      .required("area",
+                via(
+                    [](ScatterShape& s, const Area& area) {
+                      s.low_m = area.low_m;
+                      s.high_m = area.high_m;
+                    },
+                    [](const ScatterShape& s) {
+                      return Area{s.low_m, s.high_m};
+                    }),
+                area_kind(), "where they stand")
       .at_most_one()
       .one("on", &ScatterShape::on, name_of("an object"),
            "the objects of this name carry them: each stands on the topmost surface of its place, and where "
@@ -102,15 +119,18 @@ Kind<ScatterShape> scatter_kind() {
       .with_default("scale", &ScatterShape::scale, scale_kind(), "1",
                     "factor, or the lowest and the highest of random ones")
       .with_default("turn", &ScatterShape::turn, boolean(), "true", "turned at random about the vertical")
-      .with_default(
-          "seed", [](ScatterShape& s, std::int64_t n) { s.seed = static_cast<std::uint64_t>(n); },
-          long_integer(0, kLargestSeed), "0", "another one gives other places");
+      .with_default("seed",
+                    via([](ScatterShape& s, std::int64_t n) { s.seed = static_cast<std::uint64_t>(n); },
+                        [](const ScatterShape& s) { return static_cast<std::int64_t>(s.seed); }),
+                    long_integer(0, kLargestSeed), "0", "another one gives other places");
   const Kind<ScatterShape> kind = record.kind();
-  return {kind.description, [read = kind.read](const DocumentNode& node) {
+  return {kind.description,
+          [read = kind.read](const DocumentNode& node) {
             ScatterShape scatter = read(node);
             scatter.density_position = node.given("density").position();
             return scatter;
-          }};
+          },
+          kind.write};
 }
 
 }  // namespace ifov::io

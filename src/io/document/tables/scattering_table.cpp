@@ -1,3 +1,5 @@
+#include <map>
+
 #include "core/format.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
@@ -12,21 +14,22 @@ using materials::BsdfParameter;
 template <class V>
 void add(Record<ScatteringDocument>& record, const BsdfParameter& parameter, const Kind<V>& kind) {
   const std::string key(parameter.key), doc(parameter.doc), fallback(parameter.default_json);
-  const auto store = [key](ScatteringDocument& to, V value) {
-    to.values.emplace_back(key, std::move(value));
-  };
+  const auto place = via(
+      [key](ScatteringDocument& to, V value) {
+        std::erase_if(to.values, [&](const auto& known) { return known.first == key; });
+        to.values.emplace_back(key, std::move(value));
+      },
+      [key](const ScatteringDocument& from) -> const V* {
+        for (const auto& [known, value] : from.values)
+          if (known == key) return std::get_if<V>(&value);
+        return nullptr;
+      });
   if (parameter.optional)
-    record.optional(key, store, kind, doc);
+    record.optional(key, place, kind, doc);
   else if (fallback.empty())
-    record.required(key, store, kind, doc);
+    record.required(key, place, kind, doc);
   else
-    record.with_default(
-        key,
-        [key, store](ScatteringDocument& to, V value) {
-          std::erase_if(to.values, [&](const auto& known) { return known.first == key; });
-          store(to, std::move(value));
-        },
-        kind, fallback, doc);
+    record.with_default(key, place, kind, fallback, doc);
 }
 
 Kind<ScatteringDocument> parameters_kind(const BsdfModel& model) {
@@ -43,23 +46,32 @@ Kind<ScatteringDocument> parameters_kind(const BsdfModel& model) {
   return record.kind();
 }
 
-/// A model by its name alone: none of its parameters has to be given.
+/// A model by its name alone: none of its parameters has to be given, or is written where all are what they are then.
 Kind<ScatteringDocument> named_kind() {
-  std::vector<std::pair<std::string, ScatteringDocument>> models;
-  const DocumentTree nothing = parse_json("{}", "no parameters");
-  for (const BsdfModel* model : materials::bsdf_models())
-    if (!model->needs_parameters())
-      models.push_back({std::string(model->key),
-                        {std::string(model->key), parameters_kind(*model).read(*nothing.root).values}});
-  const Kind<ScatteringDocument> named = choice<ScatteringDocument>(models);
-  return {named.description, [named](const DocumentNode& node) {
-            for (const BsdfModel* model : materials::bsdf_models())
-              if (model->needs_parameters() && node.type() == DocumentNode::Type::text &&
-                  node.text() == model->key)
-                node.fail(format("{} is '{}', which needs its parameters: {{\"{}\": {{\"{}\": ...}}}}",
-                                 node.title(), model->key, model->key, model->parameters.front().key));
-            return named.read(node);
-          }};
+  std::vector<std::pair<std::string, std::string>> words;
+  std::map<std::string, Kind<ScatteringDocument>> parameters;
+  for (const BsdfModel* model : materials::bsdf_models()) {
+    if (model->needs_parameters()) continue;
+    words.emplace_back(model->key, model->key);
+    parameters.emplace(model->key, parameters_kind(*model));
+  }
+  const Kind<std::string> named = choice<std::string>(words);
+  const auto read = [named, parameters](const DocumentNode& node) {
+    for (const BsdfModel* model : materials::bsdf_models())
+      if (model->needs_parameters() && node.type() == DocumentNode::Type::text && node.text() == model->key)
+        node.fail(format("{} is '{}', which needs its parameters: {{\"{}\": {{\"{}\": ...}}}}", node.title(),
+                         model->key, model->key, model->parameters.front().key));
+    const std::string name = named.read(node);
+    const DocumentTree nothing = parse_json("{}", "no parameters");
+    return ScatteringDocument{name, parameters.at(name).read(*nothing.root).values};
+  };
+  const auto write = [named, parameters](const ScatteringDocument& scattering, Writing& writing) -> Written {
+    const auto model = parameters.find(scattering.model);
+    if (model == parameters.end()) return std::nullopt;
+    const bool is_told = model->second.write(scattering, writing) == JsonValue(JsonValue::Members());
+    return is_told ? named.write(scattering.model, writing) : std::nullopt;
+  };
+  return {named.description, read, write};
 }
 
 }  // namespace
@@ -74,9 +86,11 @@ Kind<ScatteringDocument> scattering_kind() {
     any = true;
     with_parameters.one(
         key,
-        [key](ScatteringDocument& to, ScatteringDocument with) {
-          to = {key, std::move(with.values)};
-        },
+        via(
+            [key](ScatteringDocument& to, ScatteringDocument with) {
+              to = {key, std::move(with.values)};
+            },
+            [key](const ScatteringDocument& from) { return from.model == key ? &from : nullptr; }),
         parameters_kind(*model), std::string(model->doc));
   }
   return any ? either(named_kind(), with_parameters.kind()) : named_kind();

@@ -7,43 +7,45 @@ namespace {
 constexpr std::size_t kMostPrototypes = 10000;
 
 Kind<std::pair<std::string, SourcePosition>> located_text() {
-  const Kind<std::string> text = label();
-  return {text.description, [read = text.read](const DocumentNode& node) {
-            return std::pair<std::string, SourcePosition>(read(node), node.position());
-          }};
+  using Text = std::pair<std::string, SourcePosition>;
+  return located<Text>(
+      label(),
+      [](std::string text, const DocumentNode& node) { return Text(std::move(text), node.position()); },
+      [](const Text& text) { return text.first; });
 }
 
 Kind<OriginDocument> origin_kind() {
-  const auto geographic = [](OriginDocument& o) -> OriginDocument::Geographic& {
-    return o.geographic ? *o.geographic : o.geographic.emplace();
+  using Geographic = OriginDocument::Geographic;
+  // Northing is given beside easting.
+  const auto map_offset = [](double math::Vec3::*part) {
+    return via(
+        [part](OriginDocument& o, double v) {
+          o.has_map_offset = true;
+          o.offset_m.*part = v;
+        },
+        [part](const OriginDocument& o) { return o.has_map_offset ? &(o.offset_m.*part) : nullptr; });
   };
   Record<OriginDocument> record(
       "origin",
       "Where the scene stands. With easting and northing, coordinates in the document and "
       "in its files are map coordinates, and those of the origin are subtracted from them.");
   record
-      .optional(
-          "latitude", [geographic](OriginDocument& o, double v) { geographic(o).latitude_rad = v; },
-          quantity(kAngle, Range::between(-90.0, 90.0, "deg")), "geodetic (WGS 84), north positive")
-      .optional(
-          "longitude", [geographic](OriginDocument& o, double v) { geographic(o).longitude_rad = v; },
-          quantity(kAngle, Range::between(-180.0, 360.0, "deg")), "east positive")
-      .optional(
-          "easting",
-          [](OriginDocument& o, double v) {
-            o.has_map_offset = true;
-            o.offset_m.x = v;
-          },
-          quantity(kLength), "map coordinate of the origin")
-      .optional(
-          "northing", [](OriginDocument& o, double v) { o.offset_m.y = v; }, quantity(kLength),
-          "map coordinate of the origin")
+      .optional("latitude", path(&OriginDocument::geographic, &Geographic::latitude_rad),
+                quantity(kAngle, Range::between(-90.0, 90.0, "deg")), "geodetic (WGS 84), north positive")
+      .optional("longitude", path(&OriginDocument::geographic, &Geographic::longitude_rad),
+                quantity(kAngle, Range::between(-180.0, 360.0, "deg")), "east positive")
+      .optional("easting", map_offset(&math::Vec3::x), quantity(kLength), "map coordinate of the origin")
+      .optional("northing", map_offset(&math::Vec3::y), quantity(kLength), "map coordinate of the origin")
       .optional(
           "crs",
-          [](OriginDocument& o, std::pair<std::string, SourcePosition> crs) {
-            o.crs = std::move(crs.first);
-            o.crs_position = std::move(crs.second);
-          },
+          via(
+              [](OriginDocument& o, std::pair<std::string, SourcePosition> crs) {
+                o.crs = std::move(crs.first);
+                o.crs_position = std::move(crs.second);
+              },
+              [](const OriginDocument& o) {
+                return o.crs.empty() ? std::nullopt : std::optional(std::pair(o.crs, o.crs_position));
+              }),
           located_text(),
           "coordinate reference system of the map coordinates, as PROJ knows it: \"EPSG:25832\"; rasters in others "
           "are taken over into it, and without easting and northing it gives those of latitude and longitude")
@@ -58,32 +60,40 @@ Kind<OriginDocument> origin_kind() {
           node.given("crs").fail_at_key(
               "with 'crs', give 'easting' and 'northing', or 'latitude' and 'longitude'");
       });
-  return converted<OriginDocument>(record.kind(), [](OriginDocument origin) {
-    if (origin.has_map_offset) origin.offset_m.z = origin.height_m;
-    return origin;
-  });
+  return converted<OriginDocument>(
+      record.kind(),
+      [](OriginDocument origin) {
+        if (origin.has_map_offset) origin.offset_m.z = origin.height_m;
+        return origin;
+      },
+      [](const OriginDocument& origin) { return origin; });
 }
 
 Kind<PeriodicDocument> periodic_kind() {
   Record<PeriodicDocument> record("periodic scene", "The cell that repeats without end to all sides.");
   record
-      .required(
-          "size",
-          [](PeriodicDocument& p, std::array<double, 2> size) {
-            p.width_m = size[0];
-            p.height_m = size[1];
-          },
-          tuple<double, 2>(quantity(kLength, Range::above(0.0, "m"))),
-          "after how much x and y everything repeats; objects may stand across the border of the cell")
+      .required("size",
+                via(
+                    [](PeriodicDocument& p, std::array<double, 2> size) {
+                      p.width_m = size[0];
+                      p.height_m = size[1];
+                    },
+                    [](const PeriodicDocument& p) {
+                      return std::array{p.width_m, p.height_m};
+                    }),
+                tuple<double, 2>(quantity(kLength, Range::above(0.0, "m"))),
+                "after how much x and y everything repeats; objects may stand across the border of the cell")
       .optional(
           "low_left", &PeriodicDocument::low_left_m, tuple<double, 2>(quantity(kLength)),
           "lower left corner of the cell, as it is drawn; without it the cell is centred on the origin");
   const Kind<PeriodicDocument> kind = record.kind();
-  return {kind.description, [read = kind.read](const DocumentNode& node) {
+  return {kind.description,
+          [read = kind.read](const DocumentNode& node) {
             PeriodicDocument periodic = read(node);
             periodic.position = node.position();
             return periodic;
-          }};
+          },
+          kind.write};
 }
 
 template <class T>
@@ -96,12 +106,26 @@ std::vector<T> with_names(std::vector<std::pair<std::string, T>> named) {
   return values;
 }
 
+/// Where things with names go, and come from again.
+template <class T>
+auto by_name(std::vector<T> SceneDocument::*member) {
+  using Named = std::vector<std::pair<std::string, T>>;
+  return via([member](SceneDocument& scene, Named named) { scene.*member = with_names(std::move(named)); },
+             [member](const SceneDocument& scene) {
+               Named named;
+               for (const T& value : scene.*member) named.emplace_back(value.name, value);
+               return named;
+             });
+}
+
 Kind<std::vector<std::pair<std::string, PrototypeDocument>>> prototypes_kind() {
   const auto objects = objects_kind();
-  const Kind<PrototypeDocument> prototype{objects.description,
-                                          [read = objects.read](const DocumentNode& node) {
-                                            return PrototypeDocument{{}, read(node), node.key_position()};
-                                          }};
+  const auto prototype = located<PrototypeDocument>(
+      objects,
+      [](std::vector<ObjectDocument> all, const DocumentNode& node) {
+        return PrototypeDocument{{}, std::move(all), node.key_position()};
+      },
+      [](const PrototypeDocument& one) { return one.objects; });
   return map_of(prototype, "prototypes", kMostPrototypes);
 }
 
@@ -112,18 +136,10 @@ Kind<SceneDocument> scene_kind() {
   record.optional("origin", &SceneDocument::origin, origin_kind(), "where the scene stands")
       .optional("periodic", &SceneDocument::periodic, periodic_kind(),
                 "makes the scene a cell that repeats without end")
-      .required(
-          "materials",
-          [](SceneDocument& s, std::vector<std::pair<std::string, MaterialDocument>> m) {
-            s.materials = with_names(std::move(m));
-          },
-          materials_kind(), "what surfaces are made of")
-      .optional(
-          "prototypes",
-          [](SceneDocument& s, std::vector<std::pair<std::string, PrototypeDocument>> p) {
-            s.prototypes = with_names(std::move(p));
-          },
-          prototypes_kind(), "objects that are copied, in coordinates of their own")
+      .required("materials", by_name(&SceneDocument::materials), materials_kind(),
+                "what surfaces are made of")
+      .optional("prototypes", by_name(&SceneDocument::prototypes), prototypes_kind(),
+                "objects that are copied, in coordinates of their own")
       .required("objects", &SceneDocument::objects, objects_kind(), "what stands in the scene");
   return record.kind();
 }

@@ -37,13 +37,18 @@ Kind<SensorDocument> sensor_kind() {
   Record<SensorDocument> record("sensor", "What measures.");
   record.required("camera", &SensorDocument::camera, camera_kind(), "geometry of the image")
       .required("channels", &SensorDocument::channels, channels_kind(), "spectral channels")
-      .optional(
-          "psf",
-          [](SensorDocument& sensor, PsfEntry entry) {
-            sensor.psf = std::move(entry.psf);
-            sensor.psf_position = std::move(entry.position);
-          },
-          psf_kind(), "blur of the optics; none if not given")
+      .optional("psf",
+                via(
+                    [](SensorDocument& sensor, PsfEntry entry) {
+                      sensor.psf = std::move(entry.psf);
+                      sensor.psf_position = std::move(entry.position);
+                    },
+                    [](const SensorDocument& sensor) {
+                      return std::holds_alternative<NoPsf>(sensor.psf)
+                                 ? std::nullopt
+                                 : std::optional(PsfEntry{sensor.psf, {}});
+                    }),
+                psf_kind(), "blur of the optics; none if not given")
       .with_default("fill_factor", &SensorDocument::fill_factor, fraction({0.0, 1.0, true, false, {}}), "1",
                     "sensitive share of a detector element's area, a centred square");
   return record.kind();

@@ -1,7 +1,6 @@
 #include "core/format.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/shape_tables.h"
-#include "io/mesh/mesh_format.h"
 
 namespace ifov::io {
 namespace {
@@ -9,27 +8,15 @@ namespace {
 constexpr std::size_t kMostCopies = 1000000;
 constexpr std::size_t kMostTypes = 100;
 
-/// "Wavefront OBJ (.obj), PLY (.ply) or glTF 2 (.gltf, .glb)"
-std::string mesh_format_list() {
-  std::string text;
-  const auto formats = mesh_formats();
-  for (std::size_t k = 0; k < formats.size(); ++k) {
-    if (k > 0) text += k + 1 < formats.size() ? ", " : " or ";
-    text += formats[k]->name;
-    for (std::size_t e = 0; e < formats[k]->extensions.size(); ++e)
-      text += format("{}{}", e > 0 ? ", " : " (", formats[k]->extensions[e]);
-    text += ")";
-  }
-  return text;
-}
-
 }  // namespace
 
 Kind<MeshShape> mesh_kind() {
   std::vector<std::pair<std::string, double>> units;
   for (const Unit& unit : kLength.units) units.emplace_back(unit.spelling, unit.factor);
   Record<MeshShape> record("mesh", "A triangle mesh from a file.");
-  record.required("file", &MeshShape::file, file(), mesh_format_list() + ", told apart by the extension")
+  record
+      .required("file", &MeshShape::file, file(),
+                "the file, whose extension tells its format (docs/formats/meshes.md lists them)")
       .with_default("unit", &MeshShape::unit_m, choice<double>(units), "\"m\"", "unit of its coordinates")
       .optional(
           "up", &MeshShape::y_is_up, choice<bool>({{"z", false}, {"y", true}}),

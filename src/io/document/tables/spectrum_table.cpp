@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/error.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
@@ -23,10 +25,17 @@ Kind<SpectrumDocument> finished(Record<Entry<Source>>& record, SpectrumOf quanti
       "outside", &Entry<Source>::outside,
       choice<OutsideRange>({{"error", OutsideRange::error}, {"extend", OutsideRange::extend}}), "\"error\"",
       "wavelengths beyond the table: an error, or the end values repeated");
-  return converted<SpectrumDocument>(record.kind(), [quantity_of](Entry<Source> entry) {
-    return SpectrumDocument{std::move(entry.source), quantity_of, entry.range_um, entry.outside,
-                            std::move(entry.position)};
-  });
+  return converted<SpectrumDocument>(
+      record.kind(),
+      [quantity_of](Entry<Source> entry) {
+        return SpectrumDocument{std::move(entry.source), quantity_of, entry.range_um, entry.outside,
+                                std::move(entry.position)};
+      },
+      [](const SpectrumDocument& spectrum) -> std::optional<Entry<Source>> {
+        const Source* source = std::get_if<Source>(&spectrum.source);
+        if (source == nullptr) return std::nullopt;
+        return Entry<Source>{*source, spectrum.outside, spectrum.range_um, {}};
+      });
 }
 
 /// The same for what is read from a file.
@@ -80,36 +89,50 @@ Kind<double> unit_factor_kind(const Dimension& dimension) {
   return choice<double>(words);
 }
 
+/// Whether a factor is that of one of the dimension's units.
+bool is_unit(const Dimension* dimension, double factor) {
+  return dimension != nullptr && std::any_of(dimension->units.begin(), dimension->units.end(),
+                                             [&](const Unit& unit) { return unit.factor == factor; });
+}
+
 Kind<SpectrumDocument> constant_kind(SpectrumOf quantity_of) {
   const Kind<double> value = value_kind(quantity_of);
-  return {value.description, [read = value.read, quantity_of](const DocumentNode& node) {
-            return SpectrumDocument{
-                ConstantSpectrum{read(node)}, quantity_of, {}, OutsideRange::error, node.position()};
-          }};
+  return located<SpectrumDocument>(
+      value,
+      [quantity_of](double constant, const DocumentNode& node) {
+        return SpectrumDocument{
+            ConstantSpectrum{constant}, quantity_of, {}, OutsideRange::error, node.position()};
+      },
+      [](const SpectrumDocument& spectrum) {
+        const auto* constant = std::get_if<ConstantSpectrum>(&spectrum.source);
+        return constant != nullptr ? std::optional(constant->value) : std::nullopt;
+      });
 }
 
 Kind<SpectrumDocument> csv_kind(SpectrumOf quantity_of) {
   using Csv = Entry<CsvSpectrum>;
+  const Dimension* dimension = dimension_of(quantity_of);
   Record<Csv> record(
       name_for("CSV spectrum", quantity_of),
       "Columns of numbers with the wavelength first; separators and lines of text at the top are "
       "recognised.");
-  record
-      .required(
-          "csv", [](Csv& e, DocumentFile f) { e.source.file = std::move(f); }, file(), "the file")
-      .required(
-          "wavelength_unit", [](Csv& e, double um) { e.source.um_per_unit = um; }, um_per_unit_kind(),
-          "unit of the wavelength column")
-      .with_default(
-          "column", [](Csv& e, int column) { e.source.column = column; }, integer(2, 100000), "2",
-          "column of the values, counted from 1")
-      .with_default(
-          "scale", [](Csv& e, double scale) { e.source.scale = scale; }, number(Range::above(0.0)), "1",
-          "factor on the values; 0.01 where they are percent");
-  if (const Dimension* dimension = dimension_of(quantity_of)) {
+  record.required("csv", path(&Csv::source, &CsvSpectrum::file), file(), "the file")
+      .required("wavelength_unit", path(&Csv::source, &CsvSpectrum::um_per_unit), um_per_unit_kind(),
+                "unit of the wavelength column")
+      .with_default("column", path(&Csv::source, &CsvSpectrum::column), integer(2, 100000), "2",
+                    "column of the values, counted from 1")
+      .with_default("scale",
+                    via([](Csv& e, double scale) { e.source.scale = scale; },
+                        [dimension](const Csv& e) {
+                          return is_unit(dimension, e.source.scale) ? 1.0 : e.source.scale;
+                        }),
+                    number(Range::above(0.0)), "1", "factor on the values; 0.01 where they are percent");
+  if (dimension != nullptr) {
     record.required(
-        "unit", [](Csv& e, double factor) { e.source.scale *= factor; }, unit_factor_kind(*dimension),
-        "unit of the values");
+        "unit",
+        via([](Csv& e, double factor) { e.source.scale *= factor; },
+            [dimension](const Csv& e) { return is_unit(dimension, e.source.scale) ? e.source.scale : 1.0; }),
+        unit_factor_kind(*dimension), "unit of the values");
   }
   return finished_file(record, quantity_of);
 }
@@ -117,13 +140,15 @@ Kind<SpectrumDocument> csv_kind(SpectrumOf quantity_of) {
 Kind<SpectrumDocument> ecostress_kind(SpectrumOf quantity_of) {
   using Ecostress = Entry<EcostressSpectrum>;
   const auto one = converted<std::vector<DocumentFile>>(
-      file(), [](DocumentFile f) { return std::vector<DocumentFile>{std::move(f)}; });
+      file(), [](DocumentFile f) { return std::vector<DocumentFile>{std::move(f)}; },
+      [](const std::vector<DocumentFile>& files) {
+        return files.size() == 1 ? std::optional(files.front()) : std::nullopt;
+      });
   Record<Ecostress> record(
       "ECOSTRESS spectrum",
       "A spectrum file of the ECOSTRESS library, or a vswir and a tir file that are joined.");
-  record.required(
-      "ecostress", [](Ecostress& e, std::vector<DocumentFile> f) { e.source.files = std::move(f); },
-      either(one, list(file(), 1, 2)), "the file, or two of them");
+  record.required("ecostress", path(&Ecostress::source, &EcostressSpectrum::files),
+                  either(one, list(file(), 1, 2)), "the file, or two of them");
   return finished_file(record, quantity_of);
 }
 
@@ -131,12 +156,9 @@ Kind<SpectrumDocument> usgs_kind(SpectrumOf quantity_of) {
   using Usgs = Entry<UsgsSpectrum>;
   Record<Usgs> record("USGS spectrum",
                       "A spectrum file of the USGS spectral library, version 6 (.asc) or 7.");
-  record
-      .required(
-          "usgs", [](Usgs& e, DocumentFile f) { e.source.file = std::move(f); }, file(), "the file")
-      .optional(
-          "wavelengths", [](Usgs& e, DocumentFile f) { e.source.wavelengths = std::move(f); }, file(),
-          "the file of wavelengths that belongs to it; not for version 6");
+  record.required("usgs", path(&Usgs::source, &UsgsSpectrum::file), file(), "the file")
+      .optional("wavelengths", path(&Usgs::source, &UsgsSpectrum::wavelengths), file(),
+                "the file of wavelengths that belongs to it; not for version 6");
   return finished_file(record, quantity_of);
 }
 
@@ -144,8 +166,7 @@ Kind<SpectrumDocument> asd_kind(SpectrumOf quantity_of) {
   using Asd = Entry<AsdSpectrum>;
   Record<Asd> record("ASD spectrum",
                      "A file of an ASD field spectrometer: reflectance, or counts with a white reference.");
-  record.required(
-      "asd", [](Asd& e, DocumentFile f) { e.source.file = std::move(f); }, file(), "the file");
+  record.required("asd", path(&Asd::source, &AsdSpectrum::file), file(), "the file");
   return finished_file(record, quantity_of);
 }
 
@@ -153,8 +174,12 @@ using Selector = std::variant<int, std::string>;
 
 /// A number that counts from 1, or a name.
 Kind<Selector> selector() {
-  return either(converted<Selector>(integer(1, 1000000), [](int n) { return Selector(n); }),
-                converted<Selector>(label(), [](std::string n) { return Selector(std::move(n)); }));
+  return either(converted<Selector>(
+                    integer(1, 1000000), [](int n) { return Selector(n); },
+                    [](const Selector& which) { return target::as<int>(which); }),
+                converted<Selector>(
+                    label(), [](std::string n) { return Selector(std::move(n)); },
+                    [](const Selector& which) { return target::as<std::string>(which); }));
 }
 
 Kind<SpectrumDocument> sli_kind(SpectrumOf quantity_of) {
@@ -162,15 +187,12 @@ Kind<SpectrumDocument> sli_kind(SpectrumOf quantity_of) {
   Record<Sli> record("ENVI library spectrum",
                      "A spectrum of an ENVI spectral library, in the quantity that is asked for.");
   record
-      .required(
-          "sli", [](Sli& e, DocumentFile f) { e.source.file = std::move(f); }, file(),
-          "the data or the header; the other lies beside it")
-      .required(
-          "spectrum", [](Sli& e, Selector which) { e.source.which = std::move(which); }, selector(),
-          "which of its spectra: a name, or a number that counts from 1")
-      .with_default(
-          "scale", [](Sli& e, double scale) { e.source.scale = scale; }, number(Range::above(0.0)), "1",
-          "factor on the values, beyond the header's own");
+      .required("sli", path(&Sli::source, &SliSpectrum::file), file(),
+                "the data or the header; the other lies beside it")
+      .required("spectrum", path(&Sli::source, &SliSpectrum::which), selector(),
+                "which of its spectra: a name, or a number that counts from 1")
+      .with_default("scale", path(&Sli::source, &SliSpectrum::scale), number(Range::above(0.0)), "1",
+                    "factor on the values, beyond the header's own");
   return finished_file(record, quantity_of);
 }
 
@@ -178,12 +200,9 @@ Kind<SpectrumDocument> ems_kind(SpectrumOf quantity_of) {
   using Ems = Entry<EmsSpectrum>;
   Record<Ems> record("DIRSIG spectrum",
                      "A curve of a DIRSIG emissivity file; its weights by angle are not used.");
-  record
-      .required(
-          "ems", [](Ems& e, DocumentFile f) { e.source.file = std::move(f); }, file(), "the file")
-      .with_default(
-          "curve", [](Ems& e, int curve) { e.source.curve = curve; }, integer(1, 1000000), "1",
-          "which of its curves, counted from 1");
+  record.required("ems", path(&Ems::source, &EmsSpectrum::file), file(), "the file")
+      .with_default("curve", path(&Ems::source, &EmsSpectrum::curve), integer(1, 1000000), "1",
+                    "which of its curves, counted from 1");
   return finished_file(record, quantity_of);
 }
 
@@ -204,14 +223,14 @@ Kind<SpectrumDocument> library_kind(SpectrumOf quantity_of) {
       "A curve of the embedded library; `ifov materials` lists what there is. Emissivity is 1 - "
       "reflectance - transmittance.");
   record
-      .required(
-          "library", [](Library& e, std::string name) { e.source.material = std::move(name); }, label(),
-          "name of the material")
-      .with_default(
-          "curve", [](Library&, const Selector&) {}, selector(), "1",
-          "which of its curves: a number that counts from 1, or a name");
+      .required("library", path(&Library::source, &LibrarySource::material), label(), "name of the material")
+      .with_default("curve",
+                    via([](Library&, const Selector&) {},
+                        [](const Library& e) { return Selector(static_cast<int>(e.source.curve) + 1); }),
+                    selector(), "1", "which of its curves: a number that counts from 1, or a name");
   const Kind<SpectrumDocument> entry = finished(record, quantity_of);
-  return {entry.description, [entry, quantity_of](const DocumentNode& node) {
+  return {entry.description,
+          [entry, quantity_of](const DocumentNode& node) {
             SpectrumDocument spectrum = entry.read(node);
             LibrarySource& source = std::get<LibrarySource>(spectrum.source);
             const LibraryMaterial& material = at_node(node.given("library"), [&]() -> const LibraryMaterial& {
@@ -227,7 +246,8 @@ Kind<SpectrumDocument> library_kind(SpectrumOf quantity_of) {
             if (quantity_of == SpectrumOf::transmittance && !material.curves[source.curve].transmittance)
               node.fail(format("the library has no transmittance of '{}'", material.name));
             return spectrum;
-          }};
+          },
+          entry.write};
 }
 
 Kind<TableSpectrum> table_kind(SpectrumOf quantity_of) {
@@ -265,9 +285,7 @@ Kind<SpectrumDocument> joined_kind(const Kind<SpectrumDocument>& part, SpectrumO
       "joined spectrum",
       "A visible-to-shortwave and a thermal spectrum of one sample, in either order: the thermal one "
       "counts from its first wavelength on, a gap is bridged by a straight line.");
-  record.required(
-      "join", [](Joined& e, std::vector<SpectrumDocument> parts) { e.source.parts = std::move(parts); },
-      list(part, 2, 2), "the two");
+  record.required("join", path(&Joined::source, &JoinedSpectrum::parts), list(part, 2, 2), "the two");
   return finished(record, quantity_of);
 }
 

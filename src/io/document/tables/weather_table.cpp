@@ -7,9 +7,7 @@ Kind<WeatherDocument> weather_kind() {
   Record<WeatherDocument> record(
       "weather",
       "Air at the ground, from a file or the same at all times. It changes nothing of the 'atmosphere'.");
-  const auto source = [](auto member) {
-    return [member](WeatherDocument& weather, auto value) { weather.source.*member = std::move(value); };
-  };
+  const auto source = [](auto member) { return path(&WeatherDocument::source, member); };
   record.exactly_one()
       .one("file", source(&WeatherFileDocument::file), file(), "EPW, TMY3, SURFRAD or a table")
       .one("air_temperature", &WeatherDocument::air_temperature_k,

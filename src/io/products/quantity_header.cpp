@@ -1,4 +1,4 @@
-#include "io/quantities/quantity_header.h"
+#include "io/products/quantity_header.h"
 
 #include <cctype>
 

@@ -1,4 +1,4 @@
-#include "io/library/material_plot.h"
+#include "io/figures/material_plot.h"
 
 #include <cairo.h>
 

@@ -1,4 +1,4 @@
-#include "io/product_parts/envi_header.h"
+#include "io/envi/envi_header.h"
 
 #include <algorithm>
 #include <cctype>

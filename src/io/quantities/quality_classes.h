@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
-#include "io/product_parts/colour_map.h"
-#include "io/product_parts/envi_header.h"
+#include "io/envi/colour_map.h"
+#include "io/envi/envi_header.h"
 #include "sampling/reason_words.h"
 
 namespace ifov::io {

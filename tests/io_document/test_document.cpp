@@ -288,9 +288,7 @@ TEST(Document, DefaultsWhereSectionsAreMissing) {
   EXPECT_EQ(accuracy.error.unit, ErrorSize::Unit::fraction);
   EXPECT_EQ(document.sampling.tile_px, 64);
   EXPECT_EQ(document.output.folder, "some/where/b.scene.out");
-  std::string formats;
-  for (const ProductFormat* format : document.output.formats.list()) formats += format->ending;
-  EXPECT_EQ(formats, "_radiance.qml_quicklook.png_report.html");
+  EXPECT_EQ(document.output.formats, (std::vector<std::string>{"envi", "png", "html"}));
   EXPECT_EQ(document.sensor.channels[0].name, "8 um to 9 um");
   EXPECT_EQ(document.light.position.file, "some/where/b.scene.json");
   EXPECT_EQ(document.sampling.position.line, 1);

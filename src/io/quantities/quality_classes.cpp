@@ -1,4 +1,4 @@
-#include "io/product_parts/quality_classes.h"
+#include "io/quantities/quality_classes.h"
 
 #include "core/format.h"
 

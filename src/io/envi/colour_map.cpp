@@ -1,4 +1,4 @@
-#include "io/product_parts/colour_map.h"
+#include "io/envi/colour_map.h"
 
 #include <algorithm>
 #include <cmath>

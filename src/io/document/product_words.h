@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace ifov::io {
+
+/// What documents call the kinds of products (output.formats), in the order of messages and of the reference. Each is the
+/// name of a ProductFormat, which says how it is written.
+std::span<const std::string_view> product_words();
+
+/// Why this build does not write a kind of product; empty where it does.
+std::string why_not_built(std::string_view word);
+
+}  // namespace ifov::io

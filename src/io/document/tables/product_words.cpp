@@ -1,0 +1,21 @@
+#include "io/document/product_words.h"
+
+#include <array>
+
+namespace ifov::io {
+namespace {
+
+constexpr std::array<std::string_view, 5> kWords{"envi", "geotiff", "netcdf", "png", "html"};
+
+}  // namespace
+
+std::span<const std::string_view> product_words() { return kWords; }
+
+std::string why_not_built([[maybe_unused]] std::string_view word) {
+#ifndef IFOV_CAIRO
+  if (word == "png") return "this ifov was built without Cairo (IFOV_CAIRO=OFF) and draws no figures";
+#endif
+  return {};
+}
+
+}  // namespace ifov::io
