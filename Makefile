@@ -5,7 +5,7 @@
 #   make test     build and run every test
 #   make bench    build and run the benchmarks (BENCH="speed honesty": only these; BENCH_FLAGS=--long: the long versions)
 #   make sanitize build and run the C++ tests under sanitizers (SANITIZE=thread: for data races)
-#   make tidy     look for mistakes with clang-tidy (SINCE=main: only in files changed since then)
+#   make tidy     look for mistakes with clang-tidy (SINCE=main: only in what changed since then)
 #   make clean    remove what was built
 #
 # TYPE=Debug builds with assertions; COMPILER=clang with another compiler (g++-13 and the like too). Each such build has
@@ -47,7 +47,10 @@ SANITIZE := address
 sanitize: packages
 	@sh tools/sanitize.sh $(SANITIZE) $(TESTS)
 
+tidy: configure
+	@python3 tools/tidy.py $(BUILD) $(if $(SINCE),--since $(SINCE)) $(FILES)
+
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all packages configure program demo test bench sanitize clean
+.PHONY: all packages configure program demo test bench sanitize tidy clean
