@@ -5,9 +5,16 @@
 #   make test     build and run every test
 #   make bench    build and run the benchmarks (BENCH="speed honesty": only these; BENCH_FLAGS=--long: the long versions)
 #   make sanitize build and run the C++ tests under sanitizers (SANITIZE=thread: for data races)
+#   make tidy     look for mistakes with clang-tidy (SINCE=main: only in what changed since then)
 #   make clean    remove what was built
+#
+# TYPE=Debug builds with assertions; COMPILER=clang with another compiler (g++-13 and the like too). Each such build has
+# a folder of its own: build-debug, build-clang.
 
-BUILD := build
+TYPE := Release
+COMPILER :=
+CXX_clang = $(shell command -v clang++ || command -v clang++-14 || echo clang++)
+BUILD := build$(COMPILER:%=-%)$(patsubst %,-%,$(shell echo $(TYPE:Release=) | tr A-Z a-z))
 JOBS := $(shell nproc)
 TOOLS := cmake --build $(BUILD) -j $(JOBS)
 
@@ -17,7 +24,8 @@ packages:
 	@sh tools/install_packages.sh
 
 configure: packages
-	@test -f $(BUILD)/build.ninja || cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release
+	@test -f $(BUILD)/build.ninja || cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=$(TYPE) \
+	  $(COMPILER:%=-DCMAKE_CXX_COMPILER=$(or $(CXX_$(COMPILER)),%))
 
 program: configure
 	@$(TOOLS) --target ifov
@@ -39,7 +47,10 @@ SANITIZE := address
 sanitize: packages
 	@sh tools/sanitize.sh $(SANITIZE) $(TESTS)
 
+tidy: configure
+	@python3 tools/tidy.py $(BUILD) $(if $(SINCE),--since $(SINCE)) $(FILES)
+
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all packages configure program demo test bench sanitize clean
+.PHONY: all packages configure program demo test bench sanitize tidy clean

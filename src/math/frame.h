@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cassert>
+
 #include "math/vec3.h"
 
 namespace ifov::math {
@@ -15,6 +17,7 @@ struct Frame {
 /// `n` has length 1. Branch-free but for the sign, without a bad direction: Duff et al., "Building an
 /// Orthonormal Basis, Revisited", JCGT 6(1), 2017.
 inline Frame frame_from_normal(Normal3 n) {
+  assert(std::abs(dot(n.as_vector(), n.as_vector()) - 1.0) < 1e-6);
   const double sign = std::copysign(1.0, n.z);
   const double a = -1.0 / (sign + n.z);
   const double b = n.x * n.y * a;

@@ -1,5 +1,7 @@
 #include "math/transform.h"
 
+#include <cassert>
+
 namespace ifov::math {
 
 Transform Transform::translation(Vec3 by_m) {
@@ -25,6 +27,7 @@ Normal3 Transform::operator()(Normal3 n) const {
 }
 
 Transform Transform::inverse() const {
+  assert(determinant() != 0.0);
   const double scale = 1.0 / determinant();
   const Vec3 row_x = cross(y_, z_) * scale, row_y = cross(z_, x_) * scale, row_z = cross(x_, y_) * scale;
   const Vec3 o{origin_m_.x, origin_m_.y, origin_m_.z};

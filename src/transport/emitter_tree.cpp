@@ -1,6 +1,7 @@
 #include "transport/emitter_tree.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -25,6 +26,7 @@ double first_chance(double a, double b) { return a + b > 0.0 ? a / (a + b) : 0.0
 }  // namespace
 
 EmitterTree::EmitterTree(std::span<const Emitter> emitters) : emitters_(emitters), order_(emitters.size()) {
+  assert(!emitters.empty());
   std::iota(order_.begin(), order_.end(), 0u);
   leaf_of_.resize(emitters.size());
   nodes_.reserve(emitters.size());

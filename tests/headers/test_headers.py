@@ -6,6 +6,7 @@ import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -15,15 +16,16 @@ BUILD = pathlib.Path(os.environ.get("IFOV_BUILD", ROOT / "build"))
 
 
 def compiler_and_flags():
-    """The compiler of the build, and per room and per folder of one the include paths and definitions that its sources are
-    built with."""
-    flags, compiler = {}, "c++"
+    """The compiler of the build, with ccache before it where that is there, and per room and per folder of one the include paths
+    and definitions that its sources are built with."""
+    flags, compiler = {}, ["c++"]
     for command in json.loads((BUILD / "compile_commands.json").read_text()):
         file = pathlib.Path(command["file"])
         if not file.is_relative_to(ROOT / "src"):
             continue
         words = shlex.split(command["command"])
-        compiler = words[1] if pathlib.Path(words[0]).name == "ccache" else words[0]
+        command_line = words[1:] if pathlib.Path(words[0]).name == "ccache" else words
+        compiler = ["ccache", command_line[0]] if shutil.which("ccache") else command_line[:1]
         parts = file.relative_to(ROOT / "src").parts
         kept = re.findall(r"(?:^| )(-isystem \S+|-[ID]\S+)", " ".join(words))
         for place in (parts[0], "/".join(parts[:2])):
@@ -34,11 +36,15 @@ def compiler_and_flags():
 def compile_alone(compiler, flags, header, folder="src"):
     """What the compiler says to a source that includes this header alone, twice; empty where it is content."""
     words = [word for flag in flags for word in flag.split(" ")]
-    with tempfile.NamedTemporaryFile("w", suffix=".cpp") as source:
-        source.write(f'#include "{header}"\n#include "{header}"\n')
-        source.flush()
-        command = [compiler, "-std=c++20", "-fsyntax-only", "-march=x86-64-v3", "-I", str(ROOT / folder), *words, source.name]
-        result = subprocess.run(command, capture_output=True, text=True, check=False)
+    # The same source for the same header, also in another clone, so that ccache knows it.
+    path = pathlib.Path(header)
+    name = path.relative_to(ROOT / folder).as_posix() if path.is_relative_to(ROOT) else str(path)
+    alone = BUILD / "headers" / (re.sub(r"\W", "_", name) + ".cpp" if path.is_relative_to(ROOT) else "outside.cpp")
+    alone.parent.mkdir(exist_ok=True)
+    alone.write_text(f'#include "{name}"\n#include "{name}"\n')
+    command = [*compiler, "-std=c++20", "-march=x86-64-v3", "-I", str(ROOT / folder), *words, "-c", str(alone),
+               "-o", str(alone.with_suffix(".o"))]
+    result = subprocess.run(command, capture_output=True, text=True, check=False)
     return "" if result.returncode == 0 else f"{header} does not compile alone:\n{result.stderr[:1500]}"
 
 

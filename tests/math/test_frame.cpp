@@ -25,6 +25,10 @@ TEST(Frame, IsOrthonormalAndRightHandedEverywhere) {
   }
 }
 
+TEST(Frame, DebugBuildsRefuseANormalOfAnotherLength) {
+  EXPECT_DEBUG_DEATH(frame_from_normal({0, 0, 2}), "1e-6");
+}
+
 TEST(Frame, PolesAreNoExceptions) {
   EXPECT_EQ(frame_from_normal({0, 0, 1}).x, (Vec3{1, 0, 0}));
   const Frame down = frame_from_normal({0, 0, -1});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -16,6 +17,7 @@ double interpolated(double a, double b, double f) {
 /// fraction f0 to f1.
 template <class Piece>
 void over_pieces(const std::vector<double>& z, double first, double last, Piece piece) {
+  assert(std::is_sorted(z.begin(), z.end()));
   for (std::size_t i = 0; i + 1 < z.size(); ++i) {
     const double low = std::max(first, z[i]), high = std::min(last, z[i + 1]);
     if (high <= low) continue;

@@ -1,6 +1,7 @@
 #include "transport/sky/sky_sampler.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace ifov::transport {
@@ -25,6 +26,9 @@ SkySampler::SkySampler(std::vector<double> zenith_rad, std::vector<double> azimu
   for (const double zenith : zenith_rad_) sine_squared_.push_back(std::sin(zenith) * std::sin(zenith));
   const std::size_t rings = zenith_rad_.size() - 1;
   cells_.resize(rings * azimuths());
+  assert(brightness.size() == cells_.size());
+  assert(std::is_sorted(zenith_rad_.begin(), zenith_rad_.end()));
+  assert(std::is_sorted(azimuth_rad_.begin(), azimuth_rad_.end()));
   double total = 0.0;
   for (std::size_t z = 0; z < rings; ++z)
     for (std::size_t a = 0; a < azimuths(); ++a) {

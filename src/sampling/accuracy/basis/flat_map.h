@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -23,6 +24,7 @@ class FlatMap {
 
   /// The value of the key, which is `fresh` if the key was absent; `fresh` must not be kAbsent.
   std::uint32_t find_or_insert(std::uint64_t key, std::uint32_t fresh) {
+    assert(fresh != kAbsent);
     if (2 * (size_ + 1) > slots_.size()) rehash(2 * slots_.size());
     for (std::size_t i = home(key);; i = (i + 1) & mask_) {
       if (slots_[i].value == kAbsent) {
