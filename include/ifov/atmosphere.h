@@ -83,7 +83,7 @@ class IFOV_API AtmosphereReport {
   std::string csv() const;
   /// The sky by direction, with its polarization. The report has a sky.
   std::string sky_csv() const;
-  /// Spectra and sky as PNG; the report has both. Throws EnvironmentError where it cannot be drawn.
+  /// Spectra and sky as PNG; the report has both. Throws SystemError where it cannot be drawn.
   std::string figure() const;
 
  private:

@@ -20,7 +20,7 @@ class IFOV_API Document {
  public:
   /// Reads a file and what it includes. `set`: values in place of the document's, as the command line's --set takes them:
   /// "sensor.camera.orthographic.gsd=2 m", "light.sky=null".
-  /// Throws InputError, located, with an excerpt; EnvironmentError where a file cannot be read.
+  /// Throws InputError, located, with an excerpt; SystemError where a file cannot be read.
   static Document read(const std::filesystem::path& file, const std::vector<std::string>& set = {});
 
   /// The same from a text. Relative files are looked for in `folder` (empty: where the program was started), and messages

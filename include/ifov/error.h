@@ -27,8 +27,8 @@ class IFOV_API InputError : public std::runtime_error {
   SourcePosition position_;
 };
 
-/// The surroundings fail us: a missing or unwritable file, a full disk, memory that cannot be had.
-class IFOV_API EnvironmentError : public std::runtime_error {
+/// What the system lacks or refuses: a missing or unwritable file, a full disk, memory that cannot be had.
+class IFOV_API SystemError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };

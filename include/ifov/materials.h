@@ -42,7 +42,7 @@ IFOV_API std::string materials_list(const std::vector<Material>& materials);
 IFOV_API std::string material_text(const Material& material, const std::vector<std::size_t>& curves);
 /// A table which the document's `csv` reads.
 IFOV_API std::string material_csv(const Material& material, const std::vector<std::size_t>& curves);
-/// PNG. Throws EnvironmentError where it cannot be drawn.
+/// PNG. Throws SystemError where it cannot be drawn.
 IFOV_API std::string material_figure(const Material& material, const std::vector<std::size_t>& curves);
 
 }  // namespace ifov

@@ -38,7 +38,7 @@ struct Outcome {
   bool converged() const { return verdict == Verdict::done || verdict == Verdict::warned; }
 };
 
-/// What the program would return for an exception of this library: 1 for InputError, 2 for EnvironmentError and where the
+/// What the program would return for an exception of this library: 1 for InputError, 2 for SystemError and where the
 /// system or memory fails, 130 for Cancelled, 3 (a bug) for all others.
 IFOV_API int exit_code_of(const std::exception& error);
 

@@ -40,7 +40,7 @@ struct RunInfo {
   std::vector<File> files;
 };
 
-/// Throws EnvironmentError where the record cannot be read, InputError where it is none.
+/// Throws SystemError where the record cannot be read, InputError where it is none.
 IFOV_API RunInfo run_info(const std::filesystem::path& record);
 
 /// What an ENVI file (.img, .hdr) says of itself.
@@ -75,7 +75,7 @@ struct RegionMean {
 
 /// `products`: a folder with one run record, or the record. A region is "x0,y0,x1,y1" (a rectangle, pixels from the upper
 /// left corner), "x,y,x,y,x,y,..." (a polygon), either of them after "map:" in map coordinates, or "mask:FILE", an ENVI raster
-/// of the image's size that is not 0 inside. Throws InputError on what is none, EnvironmentError on files that cannot be
+/// of the image's size that is not 0 inside. Throws InputError on what is none, SystemError on files that cannot be
 /// read.
 IFOV_API std::vector<RegionMean> region_means(const std::filesystem::path& products,
                                               const std::vector<std::string>& regions);
@@ -84,7 +84,7 @@ IFOV_API std::vector<RegionMean> region_means(const std::filesystem::path& produ
 IFOV_API std::filesystem::path record_of(const std::filesystem::path& products);
 
 /// Makes a file anew, whole or not at all: writes it beside its name and renames it, and follows no link. Throws
-/// EnvironmentError.
+/// SystemError.
 IFOV_API void write_file(const std::filesystem::path& path, const std::string& content);
 
 /// The input file that is mapped at an address, or null: for a handler of SIGBUS, which a process gets where a file was cut

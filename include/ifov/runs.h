@@ -31,7 +31,7 @@ struct RunStatus {
 };
 
 /// Looks at the headers of the finished tiles alone, and may be called while the run is at work. Throws InputError where the
-/// folder holds no run, EnvironmentError where its state cannot be read.
+/// folder holds no run, SystemError where its state cannot be read.
 IFOV_API RunStatus run_status(const std::filesystem::path& folder);
 
 struct MergeOptions {
@@ -42,7 +42,7 @@ struct MergeOptions {
 };
 
 /// Makes the products of a run of which each folder holds a share of the tiles (RenderOptions::share); the folders stay as
-/// they are. Throws InputError where they are not of one run or tiles are missing, EnvironmentError for files.
+/// they are. Throws InputError where they are not of one run or tiles are missing, SystemError for files.
 IFOV_API Outcome merge(const std::vector<std::filesystem::path>& folders, const MergeOptions& options);
 
 /// The processes of one run under MPI. All programs of them call join(); the first one, which leads, loads and renders with
@@ -56,7 +56,7 @@ class IFOV_API Ranks {
     const CancelToken* cancel = nullptr;
   };
 
-  /// Null where the program was not started as one of several. Throws EnvironmentError where it was, and the library has no
+  /// Null where the program was not started as one of several. Throws SystemError where it was, and the library has no
   /// MPI.
   static std::unique_ptr<Ranks> join();
   ~Ranks();

@@ -110,7 +110,7 @@ struct RayHit {
 /// A document with all that it names: every file read, the scene built, ready to be rendered. It does not change once it
 /// is loaded: several threads may render it at once, each into a folder of its own, and get the same bytes as one.
 ///
-/// Errors of all calls: InputError for what the user wrote; EnvironmentError for files, disk and memory (std::bad_alloc
+/// Errors of all calls: InputError for what the user wrote; SystemError for files, disk and memory (std::bad_alloc
 /// while a scene is loaded); Cancelled. exit_code_of() says what the program would return for each. Nothing is printed.
 class IFOV_API Simulation {
  public:

@@ -47,7 +47,7 @@ ExitCode check(const CheckArguments& arguments) {
     } catch (const InputError& error) {
       complain(error.what());
       note(ExitCode::input);
-    } catch (const EnvironmentError& error) {
+    } catch (const SystemError& error) {
       complain(format("ifov: {}", error.what()));
       note(ExitCode::environment);
     }

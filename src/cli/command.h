@@ -12,7 +12,7 @@ class App;
 namespace ifov::cli {
 
 /// A subcommand: what the command line parser knows it by, and what it does. `run` throws InputError,
-/// EnvironmentError and Cancelled.
+/// SystemError and Cancelled.
 struct Command {
   CLI::App* parser = nullptr;
   std::function<ExitCode()> run;

@@ -81,7 +81,7 @@ int run_and_say(int argc, char** argv) {
     return cli::run(argc, argv);
   } catch (const InputError& error) {
     return cli::fail(ExitCode::input, error.what());
-  } catch (const EnvironmentError& error) {
+  } catch (const SystemError& error) {
     return cli::fail(ExitCode::environment, format("ifov: {}", error.what()));
   } catch (const Cancelled&) {
     return cli::fail(ExitCode::stopped,

@@ -67,7 +67,7 @@ Communicator::Communicator() : mpi_(std::make_unique<Mpi>()) {
   int provided = MPI_THREAD_SINGLE;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
   if (provided < MPI_THREAD_SERIALIZED)
-    throw EnvironmentError(
+    throw SystemError(
         format("{} does not serve programs with several threads (MPI_THREAD_SERIALIZED)", mpi_library()));
   int ranks = 1;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
@@ -165,7 +165,7 @@ Communicator::~Communicator() = default;
 
 std::unique_ptr<Communicator> Communicator::join() {
   if (is_one_of_several())
-    throw EnvironmentError(
+    throw SystemError(
         "this ifov was built without MPI, and was started as one of several ranks: each would make the whole image. "
         "Install an MPI library (Debian: libopenmpi-dev) and build again, or render shares (--tiles)");
   return nullptr;

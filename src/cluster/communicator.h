@@ -35,7 +35,7 @@ struct Message {
 /// as MPI has it.
 class Communicator {
  public:
-  /// Null where the program was not started as one of several; MPI is then never touched. Throws EnvironmentError where
+  /// Null where the program was not started as one of several; MPI is then never touched. Throws SystemError where
   /// it was, and the build has no MPI.
   static std::unique_ptr<Communicator> join();
   /// The first rank tells the others that the run is over. All leave together.

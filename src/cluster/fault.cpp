@@ -17,7 +17,7 @@ Fault current_fault() {
     return {Kind::stopped, error.what()};
   } catch (const InputError& error) {
     return {Kind::input, error.what()};
-  } catch (const EnvironmentError& error) {
+  } catch (const SystemError& error) {
     return {Kind::environment, error.what()};
   } catch (const std::system_error& error) {
     return {Kind::environment, error.what()};
@@ -33,7 +33,7 @@ void raise(const Fault& fault, const std::string& rank) {
   switch (fault.kind) {
     case Fault::Kind::stopped: throw Cancelled();
     case Fault::Kind::input: throw InputError(text);
-    case Fault::Kind::environment: throw EnvironmentError(text);
+    case Fault::Kind::environment: throw SystemError(text);
     case Fault::Kind::none:
     case Fault::Kind::bug: break;
   }

@@ -18,7 +18,7 @@ struct Fault {
 /// The exception that is being handled.
 Fault current_fault();
 
-/// Throws InputError, EnvironmentError, Cancelled or std::runtime_error; `rank` is named in it ("rank 3 on
+/// Throws InputError, SystemError, Cancelled or std::runtime_error; `rank` is named in it ("rank 3 on
 /// node7").
 [[noreturn]] void raise(const Fault& fault, const std::string& rank);
 

@@ -43,7 +43,7 @@ double size_m_of(const std::string& text);
 
 /// Each writes an ordinary scene into a folder: documents, meshes, instance lists, maps. The same options give the
 /// same bytes. Throws InputError where the size is not between kSmallest_m and kLargest_m or the folder exists,
-/// EnvironmentError where something cannot be written; then no folder is left.
+/// SystemError where something cannot be written; then no folder is left.
 MadeScene make_suburb(const MakeOptions& options);
 MadeScene make_forest(const MakeOptions& options);
 MadeScene make_desert(const MakeOptions& options);

@@ -47,7 +47,7 @@ struct RunSummary {
 };
 
 /// One document, loaded and checked, that can be rendered; programs have it as ifov::Simulation.
-/// Errors: ifov::InputError for the user's input, ifov::EnvironmentError for files and memory, ifov::Cancelled.
+/// Errors: ifov::InputError for the user's input, ifov::SystemError for files and memory, ifov::Cancelled.
 class Session {
  public:
   /// Reads every file the document names and builds the scene. `log` may be null.

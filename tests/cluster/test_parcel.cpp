@@ -26,14 +26,14 @@ TEST(Payload, GivesBackWhatWasPutIn) {
 TEST(Fault, IsThrownAgainWithTheNameOfItsRank) {
   Fault fault;
   try {
-    throw EnvironmentError("the disk is full");
+    throw SystemError("the disk is full");
   } catch (...) {
     fault = current_fault();
   }
   try {
     raise(fault, "rank 3 on node7");
     FAIL();
-  } catch (const EnvironmentError& error) {
+  } catch (const SystemError& error) {
     EXPECT_STREQ(error.what(), "rank 3 on node7: the disk is full");
   }
 }

@@ -209,7 +209,7 @@ TEST_F(Facade, LocatesErrors) {
     EXPECT_NE(std::string(error.what()).find("zenit"), std::string::npos);
     EXPECT_EQ(ifov::exit_code_of(error), 1);
   }
-  EXPECT_THROW(ifov::Document::read(folder_ / "none.json"), ifov::EnvironmentError);
+  EXPECT_THROW(ifov::Document::read(folder_ / "none.json"), ifov::SystemError);
 }
 
 /// A relative name of a file leads to the folder that was given with the text.
@@ -428,7 +428,7 @@ TEST_F(Facade, TwoRunsDoNotShareAFolder) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   EXPECT_THROW(
       simulation.render({.folder = folder_ / "out", .start = ifov::RunStart::resume, .anyway = true}),
-      ifov::EnvironmentError);
+      ifov::SystemError);
   cancel.cancel();
   first.join();
 }
@@ -521,7 +521,7 @@ TEST_F(Facade, PrintsNothing) {
 
 TEST(FacadeErrors, HaveTheProgramsExitCodes) {
   EXPECT_EQ(ifov::exit_code_of(ifov::InputError("x")), 1);
-  EXPECT_EQ(ifov::exit_code_of(ifov::EnvironmentError("x")), 2);
+  EXPECT_EQ(ifov::exit_code_of(ifov::SystemError("x")), 2);
   EXPECT_EQ(ifov::exit_code_of(std::bad_alloc()), 2);
   EXPECT_EQ(ifov::exit_code_of(ifov::Cancelled()), 130);
   EXPECT_EQ(ifov::exit_code_of(std::logic_error("x")), 3);
@@ -540,7 +540,7 @@ TEST_F(Facade, OpensNoFilesButThoseBelowAFolder) {
     try {
       ifov::Document::read(folder_ / which / "scene.json");
       return true;
-    } catch (const ifov::EnvironmentError& error) {
+    } catch (const ifov::SystemError& error) {
       EXPECT_NE(std::string(error.what()).find("--inputs-below"), std::string::npos) << error.what();
       return false;
     }

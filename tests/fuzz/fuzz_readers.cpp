@@ -60,7 +60,7 @@ bool reads(const FuzzedReader& reader, const fs::path& file, const Options& opti
   } catch (const InputError& error) {
     refused = true;
     if (std::string(error.what()).empty()) failure = "an error without a message";
-  } catch (const EnvironmentError&) {
+  } catch (const SystemError&) {
     refused = true;
   } catch (const std::exception& error) {
     failure = std::string("an exception that is no InputError: ") + error.what();

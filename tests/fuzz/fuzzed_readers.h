@@ -7,7 +7,7 @@
 
 namespace ifov::fuzz {
 
-/// One reader under test. `read` may throw InputError and EnvironmentError, nothing else.
+/// One reader under test. `read` may throw InputError and SystemError, nothing else.
 struct FuzzedReader {
   std::string name;                ///< also the folder of its finds
   std::string file_name;           ///< that the damaged bytes are written to

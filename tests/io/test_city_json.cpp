@@ -196,7 +196,7 @@ TEST(CityJson, ErrorsShowThePlace) {
       message_of(city("\"a\": {\"type\": \"Road\", \"parents\": [\"a\"], \"geometry\": [" + kSolid + "]}")),
       ":5:105: the parents of this object run in a circle");
   EXPECT_EQ(message_of(city("\"a\": {\"type\": \"Road\"}")), ": the file has no surfaces");
-  EXPECT_THROW(read_city_json("/no/such/file.json"), EnvironmentError);
+  EXPECT_THROW(read_city_json("/no/such/file.json"), SystemError);
 }
 
 TEST(CityJson, AFileCutShortSaysWhatWasOpen) {

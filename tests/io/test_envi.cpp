@@ -139,12 +139,12 @@ TEST(EnviReader, ShortFilesAreSaid) {
   try {
     EnviReader reader(folder.path() / "x.img");
     FAIL() << "no error";
-  } catch (const EnvironmentError& error) {
+  } catch (const SystemError& error) {
     EXPECT_NE(std::string(error.what()).find("x.img: the file has 9 bytes, its header x.img.hdr asks for 28"),
               std::string::npos)
         << error.what();
   }
-  EXPECT_THROW(EnviReader(folder.path() / "absent.img"), EnvironmentError);
+  EXPECT_THROW(EnviReader(folder.path() / "absent.img"), SystemError);
 }
 
 /// Rows of band, mean, std, first_pixel, last_pixel.

@@ -119,7 +119,7 @@ TEST(LargeCube, ADiskFullInTheBackgroundIsSaid) {
     for (const auto& tile : image.tiles(64)) cube.write(tile, std::span<const float>(image.tile(tile).mean));
     cube.flush();
     FAIL() << "11.5 MB on a disk of 4 MB";
-  } catch (const EnvironmentError& error) {
+  } catch (const SystemError& error) {
     EXPECT_NE(std::string(error.what()).find("x.img.part: the disk is full: "), std::string::npos)
         << error.what();
   }

@@ -119,7 +119,7 @@ TEST(MeshObj, ErrorsShowThePlace) {
   EXPECT_EQ(message_of("f x y z\n"), ":1:3: expected the number of a vertex, found 'x'\n  f x y z\n    ^");
   EXPECT_EQ(message_of("# nothing\n"), ": the file has no faces");
   EXPECT_EQ(message_of("\xfe\xff"), ": the file is in UTF-16; expected plain text (UTF-8)");
-  EXPECT_THROW(read_obj("/no/such/file.obj"), EnvironmentError);
+  EXPECT_THROW(read_obj("/no/such/file.obj"), SystemError);
 }
 
 /// Files that once broke other readers: an error with a place, or a mesh whose indices are all good.

@@ -131,7 +131,7 @@ TEST(MeshPly, ErrorsShowThePlace) {
             ":16:1: a list announces 250 items, which do not fit into the 7 bytes left");
   EXPECT_EQ(message_of(kSquare + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1\n"),
             ":17:1: the file ends before all announced rows are read");
-  EXPECT_THROW(read_ply("/no/such/file.ply"), EnvironmentError);
+  EXPECT_THROW(read_ply("/no/such/file.ply"), SystemError);
 }
 
 TEST(MeshPly, ErrorsInBinaryFilesNameTheByte) {

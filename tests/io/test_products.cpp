@@ -447,7 +447,7 @@ TEST(ProductWriter, TwoRunsOfOneNameExcludeEachOther) {
   try {
     second.begin(image.info());
     FAIL() << "no error";
-  } catch (const EnvironmentError& error) {
+  } catch (const SystemError& error) {
     EXPECT_NE(std::string(error.what()).find("another run is writing this file"), std::string::npos)
         << error.what();
   }
@@ -465,7 +465,7 @@ TEST(ProductWriter, UnusableFoldersAreSaid) {
   try {
     writer.begin(image.info());
     FAIL() << "no error";
-  } catch (const EnvironmentError& error) {
+  } catch (const SystemError& error) {
     EXPECT_NE(std::string(error.what()).find((folder.path() / "file").string()), std::string::npos)
         << error.what();
   }
@@ -478,7 +478,7 @@ TEST(ProductWriter, MorePixelsThanTheDiskHoldsAreRefusedBeforeTheFirstRay) {
   try {
     writer.begin(image.info());
     FAIL() << "no error";
-  } catch (const EnvironmentError& error) {
+  } catch (const SystemError& error) {
     EXPECT_NE(std::string(error.what()).find("the disk is full: the products take"), std::string::npos)
         << error.what();
   }

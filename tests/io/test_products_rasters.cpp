@@ -78,7 +78,7 @@ TEST(Rasters, UnknownCoordinateSystemsAreSaidBeforeTheFirstRay) {
 std::string error_of(const auto& action) {
   try {
     action();
-  } catch (const EnvironmentError& error) {
+  } catch (const SystemError& error) {
     return error.what();
   }
   return "no error";

@@ -74,9 +74,9 @@ TEST(Raster, OtherDriversAndVirtualFilesAreNotTried) {
           .find("not a raster of a kind that is read (GTiff, ENVI, PNG, JPEG, BMP, AAIGrid, HFA, PNM, EHdr, "
                 "SRTMHGT, DTED, USGSDEM, GSAG, GSBG, GS7BG, SAGA)"),
       std::string::npos);
-  EXPECT_THROW(read_raster("/vsizip/a.zip/b.tif"), EnvironmentError);
-  EXPECT_THROW(read_raster("/nowhere/a.tif"), EnvironmentError);
-  EXPECT_THROW(read_raster(std::filesystem::temp_directory_path()), EnvironmentError);
+  EXPECT_THROW(read_raster("/vsizip/a.zip/b.tif"), SystemError);
+  EXPECT_THROW(read_raster("/nowhere/a.tif"), SystemError);
+  EXPECT_THROW(read_raster(std::filesystem::temp_directory_path()), SystemError);
 }
 
 TEST(Raster, DamagedFilesAreErrors) {

@@ -333,7 +333,7 @@ TEST(RunLock, TwoRunsDoNotMeet) {
   {
     const RunLock lock(file, nullptr);
     EXPECT_EQ(lock_holder(file), format("process {} on {}", getpid(), host));
-    EXPECT_EQ(message_of<EnvironmentError>([&] { RunLock(file, nullptr); }),
+    EXPECT_EQ(message_of<SystemError>([&] { RunLock(file, nullptr); }),
               format("{}: another run is at work in this folder: process {} on {}; wait for it, stop it, or "
                      "take another "
                      "folder (--output)",
@@ -361,7 +361,7 @@ TEST(RunLock, ADeadProcessLosesIt) {
 
   std::ofstream(file) << "4711 another-host\n";
   EXPECT_EQ(lock_holder(file), "process 4711 on another-host");
-  EXPECT_EQ(message_of<EnvironmentError>([&] { RunLock(file, nullptr); }),
+  EXPECT_EQ(message_of<SystemError>([&] { RunLock(file, nullptr); }),
             format("{}: a run on another machine, process 4711 on another-host, has not ended or was killed; "
                    "where it is "
                    "gone, delete {} and try again",
@@ -395,13 +395,13 @@ TEST(RunPlan, DamageIsNoticed) {
       continue;  // white space that became other space
     std::ofstream(file, std::ios::trunc) << text;
     std::string same;
-    const std::string message = message_of<EnvironmentError>([&] { same = to_json(read_plan(file)); });
+    const std::string message = message_of<SystemError>([&] { same = to_json(read_plan(file)); });
     if (same == whole) continue;  // a digit beyond what a number holds
     EXPECT_TRUE(message == damaged || message.find("it is of format") != std::string::npos)
         << at << ' ' << message;
   }
   std::ofstream(file, std::ios::trunc) << whole.substr(0, whole.size() / 2);
-  EXPECT_EQ(message_of<EnvironmentError>([&] { read_plan(file); }), damaged);
+  EXPECT_EQ(message_of<SystemError>([&] { read_plan(file); }), damaged);
 }
 
 }  // namespace

@@ -67,8 +67,8 @@ TEST(CsvSpectrum, ErrorsShowThePlace) {
 }
 
 TEST(CsvSpectrum, MissingFilesAndUnits) {
-  EXPECT_THROW(read_csv_spectrum("/nowhere/at/all.csv"), EnvironmentError);
-  EXPECT_THROW(read_csv_spectrum(std::filesystem::temp_directory_path()), EnvironmentError);
+  EXPECT_THROW(read_csv_spectrum("/nowhere/at/all.csv"), SystemError);
+  EXPECT_THROW(read_csv_spectrum(std::filesystem::temp_directory_path()), SystemError);
   EXPECT_THROW(parse_wavelength_unit("inch"), InputError);
 }
 

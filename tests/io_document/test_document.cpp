@@ -294,9 +294,9 @@ TEST(Document, DefaultsWhereSectionsAreMissing) {
   EXPECT_EQ(document.sampling.position.line, 1);
 }
 
-TEST(Document, MissingFilesAreErrorsOfTheEnvironment) {
-  EXPECT_THROW(read_document("/no/such/file.json"), EnvironmentError);
-  EXPECT_THROW(read_document("/tmp"), EnvironmentError);
+TEST(Document, MissingFilesAreSystemErrors) {
+  EXPECT_THROW(read_document("/no/such/file.json"), SystemError);
+  EXPECT_THROW(read_document("/tmp"), SystemError);
 }
 
 }  // namespace

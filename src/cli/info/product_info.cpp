@@ -120,7 +120,7 @@ std::string describe_folder(const std::filesystem::path& folder) {
 }  // namespace
 
 std::string describe_product(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path)) throw EnvironmentError(format("there is no '{}'", path.string()));
+  if (!std::filesystem::exists(path)) throw SystemError(format("there is no '{}'", path.string()));
   if (std::filesystem::is_directory(path)) return describe_folder(path);
   if (ends_with(path, ".json")) return describe_record(path);
   if (ends_with(path, ".img") || ends_with(path, ".hdr")) return describe_envi(path);

@@ -34,9 +34,8 @@ void refuse_linked_log(const std::string& file) {
   std::error_code unknown;
   if (file.starts_with("/dev/") || file.starts_with("/proc/")) return;
   if (std::filesystem::is_symlink(file, unknown))
-    throw EnvironmentError(
-        format("cannot write the log '{}': it is a link to '{}'; name that file, or another", file,
-               std::filesystem::read_symlink(file, unknown).string()));
+    throw SystemError(format("cannot write the log '{}': it is a link to '{}'; name that file, or another",
+                             file, std::filesystem::read_symlink(file, unknown).string()));
 }
 
 }  // namespace
@@ -51,7 +50,7 @@ Console::Console(bool quiet, const std::string& log_file)
   if (log_file.empty()) return;
   refuse_linked_log(log_file);
   log_.open(log_file, std::ios::trunc);
-  if (!log_) throw EnvironmentError(format("cannot write the log '{}': {}", log_file, std::strerror(errno)));
+  if (!log_) throw SystemError(format("cannot write the log '{}': {}", log_file, std::strerror(errno)));
 }
 
 Console::~Console() {

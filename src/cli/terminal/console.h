@@ -18,7 +18,7 @@ namespace ifov::cli {
 /// twice a second.
 class Console final : public LogSink, public ProgressSink {
  public:
-  /// `log_file` may be empty. Throws EnvironmentError where it cannot be written.
+  /// `log_file` may be empty. Throws SystemError where it cannot be written.
   Console(bool quiet, const std::string& log_file);
   ~Console() override;
 

@@ -24,8 +24,8 @@ std::atomic<int> commits{0}, calls_back{0};
 void check(RTCDevice device) {
   const RTCError error = rtcGetDeviceError(device);
   if (error == RTC_ERROR_OUT_OF_MEMORY)
-    throw EnvironmentError("out of memory while building the ray tracer's tree");
-  if (error != RTC_ERROR_NONE) throw EnvironmentError(format("the ray tracer reports error {}", int(error)));
+    throw SystemError("out of memory while building the ray tracer's tree");
+  if (error != RTC_ERROR_NONE) throw SystemError(format("the ray tracer reports error {}", int(error)));
 }
 
 /// Embree's rays carry their lane number as their id. The ray's far end moves to the hit and a window beyond
@@ -180,7 +180,7 @@ EmbreeDevice make_device(int threads, std::atomic<std::int64_t>& bytes) {
   const std::string config = threads > 0 ? format("isa=avx2,threads={}", threads) : std::string("isa=avx2");
   EmbreeDevice device(rtcNewDevice(config.c_str()));
   if (!device)
-    throw EnvironmentError(
+    throw SystemError(
         rtcGetDeviceError(nullptr) == RTC_ERROR_UNSUPPORTED_CPU
             ? "the ray tracer cannot start: it needs a processor with AVX2"
             : "the ray tracer cannot start: there is too little memory, or no thread can be made");

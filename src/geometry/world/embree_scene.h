@@ -28,7 +28,7 @@ using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScen
 EmbreeDevice make_device(int threads, std::atomic<std::int64_t>& bytes);
 
 /// Of medium build quality; `robust`: watertight where triangles share vertices, at a tenth of the speed.
-/// Geometry is attached, then committed; errors of Embree are EnvironmentError.
+/// Geometry is attached, then committed; errors of Embree are SystemError.
 EmbreeScene make_scene(RTCDevice device, bool robust);
 void commit(RTCDevice device, RTCScene scene);
 /// What the builder calls back while it commits holds one of these: the thread sanitizer cannot see that it comes after

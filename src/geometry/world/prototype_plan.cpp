@@ -57,9 +57,9 @@ void require_room(const PrototypePlan& plan) {
   for (const std::uint64_t standing : plan.copies) copies += standing > 1 ? standing : 0;
   const double bytes = kLeastInstanceBytes * static_cast<double>(copies);
   if (const std::uint64_t room = memory_within_reach_bytes(); room > 0 && bytes > static_cast<double>(room))
-    throw EnvironmentError(format("{:.3g} copies of objects take at least {}, and {} of memory are there",
-                                  static_cast<double>(copies), byte_count(static_cast<std::uint64_t>(bytes)),
-                                  byte_count(room)));
+    throw SystemError(format("{:.3g} copies of objects take at least {}, and {} of memory are there",
+                             static_cast<double>(copies), byte_count(static_cast<std::uint64_t>(bytes)),
+                             byte_count(room)));
 }
 
 Body body_from_parts(const WorldContent& content, std::uint32_t of, std::map<std::uint32_t, Body>& inner) {

@@ -25,7 +25,7 @@ struct PrototypePlan {
   std::uint64_t apart = 0;            ///< prototypes in use whose parts stand in the scene
 };
 
-/// Throws InputError where both ways lead to more parts than can be numbered, EnvironmentError where there is no memory
+/// Throws InputError where both ways lead to more parts than can be numbered, SystemError where there is no memory
 /// to list them.
 PrototypePlan plan_prototypes(const WorldContent& content, const std::vector<Contents>& contents);
 

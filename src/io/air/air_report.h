@@ -40,7 +40,7 @@ std::string air_csv(const AirReport& report);
 std::string sky_csv(const AirReport& report);
 
 /// Transmittance, path radiance and irradiance over wavelength, and the sky above, as PNG. The report has a
-/// spectrum and a sky. Throws EnvironmentError where it cannot be drawn.
+/// spectrum and a sky. Throws SystemError where it cannot be drawn.
 std::string air_figure(const AirReport& report);
 
 }  // namespace ifov::io

@@ -18,7 +18,7 @@ struct ImportOptions {
 
 /// Paths of a file of any format (docs/formats/atmosphere_import.md), told from its content: MODTRAN tape7,
 /// channels and tables, output of uvspec, the project's own table. Throws InputError where it is none of
-/// these or is malformed, EnvironmentError where it cannot be read.
+/// these or is malformed, SystemError where it cannot be read.
 std::vector<atmosphere::ImportedPath> import_paths(const std::filesystem::path& path,
                                                    const ImportOptions& options = {});
 

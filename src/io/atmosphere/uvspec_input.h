@@ -23,7 +23,7 @@ struct UvspecInput {
 
 /// Reads the file and what it includes (paths relative to it, or the same name beside it). Throws InputError
 /// with file, line and column for what cannot be interpreted: polarized solvers, integrated output,
-/// brightness temperatures and reflectivities, unknown columns; EnvironmentError where a file cannot be read.
+/// brightness temperatures and reflectivities, unknown columns; SystemError where a file cannot be read.
 UvspecInput read_uvspec_input(const std::filesystem::path& path);
 /// Without files that it includes.
 UvspecInput parse_uvspec_input(const TextFile& file);

@@ -21,7 +21,7 @@ struct CityJsonChoice {
 /// apart by their normals: RoofSurface within 60 degrees of upwards, GroundSurface within 30 degrees of
 /// downwards, otherwise WallSurface; surfaces of other objects without semantics are in the slot of their
 /// object's type. Appearance is not read. Throws InputError with file, line and column for anything broken,
-/// EnvironmentError if the file cannot be read.
+/// SystemError if the file cannot be read.
 CityModel read_city_json(const std::filesystem::path& path, const CityJsonChoice& choice = {});
 
 }  // namespace ifov::io

@@ -54,7 +54,7 @@ struct Document {
 };
 
 /// Reads a document and what it includes, with values in place of its own (put_together). Throws InputError (located,
-/// with an excerpt), EnvironmentError where the file cannot be read.
+/// with an excerpt), SystemError where the file cannot be read.
 Document read_document(const std::string& path, std::span<const DocumentOverride> overrides = {});
 
 /// The same from text; `file_name` is used in messages and its folder for relative paths.

@@ -23,8 +23,8 @@ using Surface = std::unique_ptr<cairo_surface_t, Free>;
 Surface checked(cairo_surface_t* made) {
   Surface surface(made);
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
-    throw EnvironmentError("the figure cannot be drawn: " +
-                           std::string(cairo_status_to_string(cairo_surface_status(surface.get()))));
+    throw SystemError("the figure cannot be drawn: " +
+                      std::string(cairo_status_to_string(cairo_surface_status(surface.get()))));
   return surface;
 }
 
@@ -69,7 +69,7 @@ struct Canvas::Parts {
     draw_on(sheet.get(), 1.0);
     cairo_surface_finish(sheet.get());
     if (cairo_surface_status(sheet.get()) != CAIRO_STATUS_SUCCESS)
-      throw EnvironmentError("the figure cannot be written");
+      throw SystemError("the figure cannot be written");
     return bytes;
   }
 };
@@ -190,7 +190,7 @@ std::string Canvas::png() const {
   cairo_surface_flush(sheet.get());
   std::string bytes;
   if (cairo_surface_write_to_png_stream(sheet.get(), append, &bytes) != CAIRO_STATUS_SUCCESS)
-    throw EnvironmentError("the figure cannot be encoded as PNG");
+    throw SystemError("the figure cannot be encoded as PNG");
   return bytes;
 }
 

@@ -22,7 +22,7 @@ inline constexpr Ink kBlackInk{0.12, 0.12, 0.12}, kGreyInk{0.4, 0.4, 0.4}, kGrid
 enum class Anchor { left, centre, right };
 
 /// A white sheet to draw figures on, in units of a screen's pixels from the upper left corner (points in a PDF); a PNG has
-/// twice as many. Throws EnvironmentError where there is no memory for it.
+/// twice as many. Throws SystemError where there is no memory for it.
 class Canvas {
  public:
   Canvas(double width, double height);

@@ -7,7 +7,7 @@ namespace ifov::io {
 struct Canvas::Parts {};
 
 Canvas::Canvas(double, double) {
-  throw EnvironmentError("this ifov was built without Cairo (IFOV_CAIRO=OFF) and draws no figures");
+  throw SystemError("this ifov was built without Cairo (IFOV_CAIRO=OFF) and draws no figures");
 }
 Canvas::~Canvas() = default;
 

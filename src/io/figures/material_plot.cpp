@@ -251,7 +251,7 @@ std::string plot_material(const LibraryMaterial& material, std::span<const std::
   cairo_surface_flush(surface.get());
   std::string png;
   if (cairo_surface_write_to_png_stream(surface.get(), append, &png) != CAIRO_STATUS_SUCCESS)
-    throw EnvironmentError("the figure cannot be drawn or encoded as PNG");
+    throw SystemError("the figure cannot be drawn or encoded as PNG");
   return png;
 }
 

@@ -16,15 +16,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-EnvironmentError cannot_read(const fs::path& path, const std::string& why) {
-  return EnvironmentError(format("cannot read '{}': {}", path.string(), why));
+SystemError cannot_read(const fs::path& path, const std::string& why) {
+  return SystemError(format("cannot read '{}': {}", path.string(), why));
 }
 
 bool is_below(const fs::path& path, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
-EnvironmentError lies_elsewhere(const fs::path& path) {
+SystemError lies_elsewhere(const fs::path& path) {
   return cannot_read(path, format("it does not lie below '{}', and --inputs-below allows no other files",
                                   current_inputs().below.string()));
 }

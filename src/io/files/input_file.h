@@ -13,7 +13,7 @@ namespace ifov::io {
 /// the folder of current_inputs() is held.
 class InputFile {
  public:
-  /// Throws EnvironmentError that says why the file cannot be read; folders, pipes, devices and assets are refused.
+  /// Throws SystemError that says why the file cannot be read; folders, pipes, devices and assets are refused.
   explicit InputFile(const std::filesystem::path& path);
 
   std::uint64_t size() const { return size_; }  ///< when it was opened

@@ -55,7 +55,7 @@ MappedFile::MappedFile(const std::filesystem::path& path) {
   if (size_ == 0) return;
   void* memory = mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file.descriptor(), 0);
   if (memory == MAP_FAILED)
-    throw EnvironmentError(format("cannot read '{}': {}", path.string(), file_reason(errno)));
+    throw SystemError(format("cannot read '{}': {}", path.string(), file_reason(errno)));
   data_ = static_cast<const std::byte*>(memory);
   place_ = enter(data_, size_, path);
 }

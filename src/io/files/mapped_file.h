@@ -9,7 +9,7 @@ namespace ifov::io {
 /// A file as memory, read only. What is not looked at is not read; pages that memory is short of are read again.
 class MappedFile {
  public:
-  /// Throws EnvironmentError where the file cannot be read or is not a plain file.
+  /// Throws SystemError where the file cannot be read or is not a plain file.
   explicit MappedFile(const std::filesystem::path& path);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-EnvironmentError cannot_write(const fs::path& path, int error) {
-  return EnvironmentError(format("{}: cannot be written: {}", path.string(), file_reason(error)));
+SystemError cannot_write(const fs::path& path, int error) {
+  return SystemError(format("{}: cannot be written: {}", path.string(), file_reason(error)));
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ EnvironmentError cannot_write(const fs::path& path, int error) {
 void refuse_link(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_symlink(fs::symlink_status(folder, error))) return;
-  throw EnvironmentError(format(
+  throw SystemError(format(
       "'{}' is a link (to '{}'), and ifov writes through no link that lies beside a document or in its output "
       "folder; delete the link, or say where to write (--output)",
       folder.string(), fs::read_symlink(folder, error).string()));
@@ -63,8 +63,8 @@ void read_whole(const Descriptor& file, const fs::path& path, std::uint64_t offs
     const ssize_t got = pread(file.number(), into, bytes, static_cast<off_t>(offset));
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0)
-      throw EnvironmentError(format("{}: cannot be read at byte {}: {}", path.string(), offset,
-                                    got < 0 ? file_reason(errno) : "the file ends"));
+      throw SystemError(format("{}: cannot be read at byte {}: {}", path.string(), offset,
+                               got < 0 ? file_reason(errno) : "the file ends"));
     into += got;
     offset += static_cast<std::uint64_t>(got);
     bytes -= static_cast<std::size_t>(got);
@@ -73,7 +73,7 @@ void read_whole(const Descriptor& file, const fs::path& path, std::uint64_t offs
 
 std::string read_own_file(const fs::path& path) {
   const auto fail = [&](const std::string& why) {
-    return EnvironmentError(format("{}: cannot be read: {}", path.string(), why));
+    return SystemError(format("{}: cannot be read: {}", path.string(), why));
   };
   const Descriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (!file) throw fail(errno == ELOOP ? "it is a link" : file_reason(errno));

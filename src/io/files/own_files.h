@@ -23,7 +23,7 @@ void refuse_link(const std::filesystem::path& folder);
 /// is taken away first: a link goes, and not what it leads to. -1 and errno where that cannot be.
 Descriptor create_file_at(int folder, const std::filesystem::path& name);
 
-/// All of so many bytes of an open file. Where fewer lie there, an EnvironmentError that names `path`.
+/// All of so many bytes of an open file. Where fewer lie there, a SystemError that names `path`.
 void read_whole(const Descriptor& file, const std::filesystem::path& path, std::uint64_t offset, void* to,
                 std::size_t bytes);
 
@@ -33,7 +33,7 @@ class OwnFile {
   /// False where there is none.
   explicit OwnFile(const std::filesystem::path& path);
   explicit operator bool() const { return static_cast<bool>(file_); }
-  /// EnvironmentError where fewer bytes lie there.
+  /// SystemError where fewer bytes lie there.
   void read_at(std::uint64_t offset, void* to, std::size_t bytes) const {
     read_whole(file_, path_, offset, to, bytes);
   }

@@ -23,7 +23,7 @@ class InstanceList final : public geometry::Placings {
 /// Reads an instance list in text: a row for each copy, of x, y, z in metres, then, where all rows have them, yaw
 /// (degrees, counter-clockwise from above), a scale, and pitch and roll (degrees): 3, 4, 5 or 7 numbers. Fields are
 /// separated by commas, semicolons, tabs or blanks; one heading, empty lines and comments are skipped. Files of any
-/// length. Throws InputError with file, line and column, EnvironmentError where the file cannot be read.
+/// length. Throws InputError with file, line and column, SystemError where the file cannot be read.
 std::vector<Instance> read_instance_csv(const std::filesystem::path& path);
 
 }  // namespace ifov::io

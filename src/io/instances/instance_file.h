@@ -13,7 +13,7 @@ namespace ifov::io {
 /// byte order. The header is checked against the file's size and every record for sense when it is opened.
 class InstanceFile final : public geometry::Placings {
  public:
-  /// Throws InputError that names the file and what is wrong, EnvironmentError where it cannot be read.
+  /// Throws InputError that names the file and what is wrong, SystemError where it cannot be read.
   explicit InstanceFile(const std::filesystem::path& path);
 
   std::size_t count() const override { return count_; }

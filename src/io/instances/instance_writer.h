@@ -12,7 +12,7 @@
 namespace ifov::io {
 
 /// Writes a binary instance list (`.ifovinst`) of any length, record by record, beside its final name until
-/// finish(); what was not finished is removed. Positions are written less `origin_m`, which the header keeps in double. Throws EnvironmentError where
+/// finish(); what was not finished is removed. Positions are written less `origin_m`, which the header keeps in double. Throws SystemError where
 /// the file cannot be written, InputError for an instance that its layout cannot hold.
 class InstanceWriter {
  public:

@@ -167,7 +167,7 @@ class Gatherer {
     std::string text;
     try {
       text = read_document_text(file);
-    } catch (const EnvironmentError& error) {
+    } catch (const SystemError& error) {
       name.fail(error.what());
     }
     if (bytes_ + text.size() > most)

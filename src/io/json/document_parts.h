@@ -23,11 +23,11 @@ struct DocumentParts {
 };
 
 /// Throws InputError with the place of the `include` for files that include each other, more than 256 of them, or text
-/// beyond the limits of JsonRules; EnvironmentError where one cannot be read.
+/// beyond the limits of JsonRules; SystemError where one cannot be read.
 DocumentParts put_together(std::string text, const std::string& file_name,
                            std::span<const DocumentOverride> overrides);
 
-/// The text of a file, at most `max_bytes`; EnvironmentError, InputError as read_document.
+/// The text of a file, at most `max_bytes`; SystemError, InputError as read_document.
 std::string read_document_text(const std::string& path, std::size_t max_bytes = JsonRules().max_bytes);
 
 }  // namespace ifov::io

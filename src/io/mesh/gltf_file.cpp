@@ -152,7 +152,7 @@ tinygltf::Model load_gltf(const std::filesystem::path& path, LogSink* log) {
                                           reinterpret_cast<const unsigned char*>(bytes.data()), size,
                                           open.folder.string())
             : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, open.folder.string());
-  } catch (const EnvironmentError&) {
+  } catch (const SystemError&) {
     throw;
   } catch (const std::exception& thrown) {
     error = thrown.what();

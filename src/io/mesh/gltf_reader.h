@@ -18,7 +18,7 @@ inline constexpr std::size_t kMostUnfoldedTriangles = 5'000'000;
 /// Materials become slots by name ("material <number>" where they have none), the absent material a slot
 /// without a name. Skins, morphs, animations, images, cameras, points and lines are not read, the last three
 /// with a word to `log` (may be null). Throws InputError for anything broken, for compressed or sparse data;
-/// EnvironmentError if the file cannot be read.
+/// SystemError if the file cannot be read.
 geometry::TriangleMesh read_gltf(const std::filesystem::path& path, LogSink* log = nullptr);
 
 extern const MeshFormat kGltf;

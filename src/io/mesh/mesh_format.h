@@ -17,7 +17,7 @@ struct MeshFormat {
   bool y_up = false;                             ///< the format itself says that y points up
 
   /// `log` (may be null) is told what the file holds and is not used. Throws InputError with the place of what is wrong,
-  /// EnvironmentError if the file cannot be read.
+  /// SystemError if the file cannot be read.
   geometry::TriangleMesh (*read)(const std::filesystem::path& path, LogSink* log) = nullptr;
 
   /// Files beside this one that its reader opens as well, of which caches and runs have to know; null where there are

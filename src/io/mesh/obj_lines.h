@@ -17,7 +17,7 @@ struct ObjWord {
 /// joins the next one to it.
 class ObjLines {
  public:
-  /// Throws EnvironmentError where the file cannot be read.
+  /// Throws SystemError where the file cannot be read.
   explicit ObjLines(const std::filesystem::path& path);
 
   bool next();              ///< steps to the next statement; false at the end

@@ -13,7 +13,7 @@ namespace ifov::io {
 /// the first `usemtl` get a slot without a name). Indices may refer to what stands above them only. `.mtl`
 /// files are ignored with a word to `log` (may be null), lines and curves without; a name that no face uses
 /// makes a slot all the same. Coordinates are kept in double. Throws InputError with file and line for
-/// anything broken, EnvironmentError if the file cannot be read.
+/// anything broken, SystemError if the file cannot be read.
 geometry::TriangleMesh read_obj(const std::filesystem::path& path, LogSink* log = nullptr);
 
 extern const MeshFormat kObj;

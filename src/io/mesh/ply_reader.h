@@ -13,7 +13,7 @@ namespace ifov::io {
 /// `texcoord` of two numbers per corner; the element `tristrips`. Polygons are cut into triangles. Other
 /// elements and properties are skipped. Coordinates are kept in double. A file of points alone gives a mesh
 /// without triangles. Throws InputError with file and line (binary: byte) for anything broken,
-/// EnvironmentError if the file cannot be read.
+/// SystemError if the file cannot be read.
 geometry::TriangleMesh read_ply(const std::filesystem::path& path);
 
 extern const MeshFormat kPly;

@@ -9,7 +9,7 @@ namespace {
 
 /// Without memory, or where this machine's settings of the library leave SHA-256 out.
 void require(bool done) {
-  if (!done) throw EnvironmentError("OpenSSL cannot compute a SHA-256 checksum here");
+  if (!done) throw SystemError("OpenSSL cannot compute a SHA-256 checksum here");
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ bool CubeSet::read_values(sampling::TileResult& tile, const std::function<bool()
       if (fill(quantities::kRadiance, tile.mean, published) &&
           fill(quantities::kHalfWidth, tile.half_width, published) && is_right())
         return true;
-    } catch (const EnvironmentError&) {
+    } catch (const SystemError&) {
       // What cannot be read is not there: the caller says that it is computed again.
     }
   }

@@ -17,8 +17,8 @@ std::filesystem::path find_header(const std::filesystem::path& data) {
   replaced.replace_extension(".hdr");
   for (const auto& candidate : {appended, replaced})
     if (std::filesystem::is_regular_file(candidate)) return candidate;
-  throw EnvironmentError(format("{}: no ENVI header beside it: neither {} nor {} exists", data.string(),
-                                appended.filename().string(), replaced.filename().string()));
+  throw SystemError(format("{}: no ENVI header beside it: neither {} nor {} exists", data.string(),
+                           appended.filename().string(), replaced.filename().string()));
 }
 
 std::filesystem::path find_data(const std::filesystem::path& header) {
@@ -29,7 +29,7 @@ std::filesystem::path find_data(const std::filesystem::path& header) {
     candidate += extension;
     if (std::filesystem::is_regular_file(candidate)) return candidate;
   }
-  throw EnvironmentError(format("{}: no data file beside the header", header.string()));
+  throw SystemError(format("{}: no data file beside the header", header.string()));
 }
 
 std::string read_text(const std::filesystem::path& path) {
@@ -77,13 +77,13 @@ EnviReader::EnviReader(const Pair& pair)
       data_(pair.data) {
   const std::uint64_t needed = header_.header_offset + header_.data_bytes();
   if (data_.size() < needed)
-    throw EnvironmentError(format("{}: the file has {} bytes, its header {} asks for {}", data_path_.string(),
-                                  data_.size(), pair.header.filename().string(), needed));
+    throw SystemError(format("{}: the file has {} bytes, its header {} asks for {}", data_path_.string(),
+                             data_.size(), pair.header.filename().string(), needed));
 }
 
 void EnviReader::fetch(std::uint64_t offset, unsigned char* to, std::size_t bytes) const {
   if (data_.read_at(offset, {reinterpret_cast<char*>(to), bytes}) < bytes)
-    throw EnvironmentError(format("{}: cannot be read: the file ends", data_path_.string()));
+    throw SystemError(format("{}: cannot be read: the file ends", data_path_.string()));
 }
 
 void EnviReader::read(int line, int band, std::span<float> values) const {

@@ -15,7 +15,7 @@ namespace ifov::io {
 class EnviReader {
  public:
   /// Accepts the path of the data or of the header; finds `name.img.hdr` and `name.hdr`. ifov::InputError on
-  /// headers that cannot be right (with line numbers), ifov::EnvironmentError on files that are missing or
+  /// headers that cannot be right (with line numbers), ifov::SystemError on files that are missing or
   /// too short.
   explicit EnviReader(const std::filesystem::path& path);
 

@@ -36,7 +36,7 @@ struct FirstFailure {
 GDALDriver& cog_driver() {
   prepare_gdal();
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("COG");
-  if (driver == nullptr) throw EnvironmentError("this GDAL cannot write GeoTIFF");
+  if (driver == nullptr) throw SystemError("this GDAL cannot write GeoTIFF");
   return *driver;
 }
 
@@ -121,7 +121,7 @@ void write_geotiff(PartFile& file, const RasterView& radiance, const RunRecord& 
                                                        const_cast<char**>(options), nullptr, nullptr);
   if (written != nullptr) GDALClose(written);
   if (!failure.message.empty() || written == nullptr)
-    throw EnvironmentError(format("{}: cannot be written: {}", file.part_path().string(), failure.message));
+    throw SystemError(format("{}: cannot be written: {}", file.part_path().string(), failure.message));
 }
 
 constinit const ProductFormat formats::kGeotiff{

@@ -48,7 +48,7 @@ class Writer {
  private:
   void require(int status) const {
     if (status != NC_NOERR)
-      throw EnvironmentError(format("{}: cannot be written: {}", path_, nc_strerror(status)));
+      throw SystemError(format("{}: cannot be written: {}", path_, nc_strerror(status)));
   }
   void text(int variable, const char* name, const std::string& value) const {
     require(nc_put_att_text(file_, variable, name, value.size(), value.c_str()));

@@ -19,7 +19,7 @@ struct NetcdfCube {
 
 /// Writes cubes over (wavelength, y, x), the first one's errors and so on as ancillary variables of it, by the CF conventions 1.8: classic
 /// NetCDF with 64-bit offsets, which all readers know, or with 64-bit data where a variable is too large for that.
-/// ifov::EnvironmentError on full disks.
+/// ifov::SystemError on full disks.
 void write_netcdf(PartFile& file, const std::vector<NetcdfCube>& input, const RunRecord& record);
 
 /// Disk space that this takes, but for what is small.

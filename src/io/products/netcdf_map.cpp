@@ -15,7 +15,7 @@ namespace {
 
 void require(int status) {
   if (status != NC_NOERR)
-    throw EnvironmentError(format("the place on the map cannot be written: {}", nc_strerror(status)));
+    throw SystemError(format("the place on the map cannot be written: {}", nc_strerror(status)));
 }
 
 void text(int file, int variable, const char* name, const std::string& value) {

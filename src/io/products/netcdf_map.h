@@ -10,7 +10,7 @@ class NetcdfMap {
  public:
   static constexpr const char* kName = "crs";  ///< of the grid mapping
 
-  /// While the file is being defined, which has these dimensions. ifov::EnvironmentError in the library's words.
+  /// While the file is being defined, which has these dimensions. ifov::SystemError in the library's words.
   static NetcdfMap define(int file, int y_dimension, int x_dimension, const render::ImageInfo& info);
   bool has_system() const { return system_ >= 0; }
   void write(int file, const render::ImageInfo& info) const;

@@ -37,13 +37,13 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
 [[noreturn]] void fail_write(const std::filesystem::path& path, std::uint64_t wanted, int error) {
   const std::string free = byte_count(free_bytes(folder_of(path)));
   if (error == EFBIG)
-    throw EnvironmentError(
+    throw SystemError(
         format("{}: cannot write {}: {}", path.string(), byte_count(wanted), file_reason(error)));
   if (error == ENOSPC || error == EDQUOT)
-    throw EnvironmentError(format("{}: the disk is full: {} wanted, {} free ({})", path.string(),
-                                  byte_count(wanted), free, std::strerror(error)));
-  throw EnvironmentError(format("{}: cannot write {}: {} ({} free)", path.string(), byte_count(wanted),
-                                std::strerror(error), free));
+    throw SystemError(format("{}: the disk is full: {} wanted, {} free ({})", path.string(),
+                             byte_count(wanted), free, std::strerror(error)));
+  throw SystemError(format("{}: cannot write {}: {} ({} free)", path.string(), byte_count(wanted),
+                           std::strerror(error), free));
 }
 
 /// By another; takes the lock where nobody has it. File systems without locks say that nobody has.
@@ -107,10 +107,10 @@ PartFile::PartFile(std::filesystem::path final_path, Left left_over)
   part_path_ += ".part";
   std::error_code ignored;
   if (std::filesystem::is_directory(final_path_, ignored))
-    throw EnvironmentError(format("{}: cannot be written: a folder has this name", final_path_.string()));
+    throw SystemError(format("{}: cannot be written: a folder has this name", final_path_.string()));
   const std::filesystem::path part_name = part_path_.filename();
   const auto cannot = [&](const std::string& why) {
-    return EnvironmentError(format("{}: cannot be written: {}", part_path_.string(), why));
+    return SystemError(format("{}: cannot be written: {}", part_path_.string(), why));
   };
   folder_ = Descriptor(open(folder_of(final_path_).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   if (!folder_) throw cannot(file_reason(errno));
@@ -119,7 +119,7 @@ PartFile::PartFile(std::filesystem::path final_path, Left left_over)
       openat(folder_.number(), part_name.c_str(),
              (left_over == Left::go_on ? O_RDWR : O_RDONLY) | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (left && is_locked(left))
-    throw EnvironmentError(format("{}: another run is writing this file", part_path_.string()));
+    throw SystemError(format("{}: another run is writing this file", part_path_.string()));
   if (left && left_over == Left::go_on && is_plain_file_of_ours(left)) {
     file_ = std::move(left);
     gone_on_with_ = true;
@@ -129,7 +129,7 @@ PartFile::PartFile(std::filesystem::path final_path, Left left_over)
   if (!file_) throw cannot(file_reason(errno));
   // Another run may have taken the new file for one that was left.
   if (is_locked(file_) || is_unlinked(file_))
-    throw EnvironmentError(format("{}: another run is writing this file", part_path_.string()));
+    throw SystemError(format("{}: another run is writing this file", part_path_.string()));
 }
 
 PartFile::~PartFile() = default;
@@ -231,8 +231,8 @@ void PartFile::sync() {
 void PartFile::publish() {
   if (renameat(folder_.number(), part_path_.filename().c_str(), folder_.number(),
                final_path_.filename().c_str()) != 0)
-    throw EnvironmentError(format("{}: cannot be renamed to {}: {}", part_path_.string(),
-                                  final_path_.filename().string(), std::strerror(errno)));
+    throw SystemError(format("{}: cannot be renamed to {}: {}", part_path_.string(),
+                             final_path_.filename().string(), std::strerror(errno)));
   close_all();
 }
 
@@ -264,14 +264,13 @@ void require_space(const std::filesystem::path& folder, std::uint64_t bytes) {
   const std::filesystem::path target = folder.empty() ? "." : folder;
   std::filesystem::create_directories(target, error);
   if (error && !std::filesystem::is_directory(target))
-    throw EnvironmentError(format("{}: the folder cannot be made: {}", target.string(), error.message()));
+    throw SystemError(format("{}: the folder cannot be made: {}", target.string(), error.message()));
   if (access(target.c_str(), W_OK | X_OK) != 0)
-    throw EnvironmentError(
-        format("{}: the folder cannot be written: {}", target.string(), std::strerror(errno)));
+    throw SystemError(format("{}: the folder cannot be written: {}", target.string(), std::strerror(errno)));
   const std::uint64_t free = free_bytes(target);
   if (bytes > free)
-    throw EnvironmentError(format("{}: the disk is full: the products take {}, {} free", target.string(),
-                                  byte_count(bytes), byte_count(free)));
+    throw SystemError(format("{}: the disk is full: the products take {}, {} free", target.string(),
+                             byte_count(bytes), byte_count(free)));
 }
 
 void sync_folder(const std::filesystem::path& folder) {

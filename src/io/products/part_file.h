@@ -18,7 +18,7 @@ namespace ifov::io {
 inline constexpr std::uint64_t kManyBytes = std::uint64_t{1} << 30;
 
 /// A file being made: it is called `<final path>.part` until publish(). Two writers of one path exclude each
-/// other. All errors are ifov::EnvironmentError and name the path, what was wanted and what was free.
+/// other. All errors are ifov::SystemError and name the path, what was wanted and what was free.
 class PartFile {
  public:
   /// What has the `.part` name already: it goes; or, where it is a plain file of this user alone, it is gone on with.
@@ -66,7 +66,7 @@ class PartFile {
 /// Writes a small file whole, synced, still under its `.part` name.
 void write_part(PartFile& file, std::string_view content);
 
-/// ifov::EnvironmentError unless the folder exists (it is made where it can be) and has `bytes` free.
+/// ifov::SystemError unless the folder exists (it is made where it can be) and has `bytes` free.
 void require_space(const std::filesystem::path& folder, std::uint64_t bytes);
 
 /// SHA-256 of a file that is still being made.

@@ -34,7 +34,7 @@ struct ProductFormat {
   std::string_view ending{};  ///< of the file's name, behind that of the products: "_radiance.tif"
   std::string_view what{};    ///< in lists of files: "radiance, GeoTIFF"
 
-  /// Throws EnvironmentError on full disks; then the run keeps its other products. Null: no file of its own.
+  /// Throws SystemError on full disks; then the run keeps its other products. Null: no file of its own.
   void (*write)(PartFile& file, const FormatInput& input) = nullptr;
 
   /// Disk space that this takes at most while it is made, of cubes of these quantities; null where it is small.

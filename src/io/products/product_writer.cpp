@@ -55,8 +55,7 @@ struct ProductWriter::State {
     return static_cast<std::uint64_t>(info.width_px) * static_cast<std::uint64_t>(info.height_px);
   }
 
-  std::vector<std::unique_ptr<PartFile>> derive(RunRecord& record,
-                                                std::optional<EnvironmentError>& failure) const;
+  std::vector<std::unique_ptr<PartFile>> derive(RunRecord& record, std::optional<SystemError>& failure) const;
   void publish(const RunRecord& record, std::vector<std::unique_ptr<PartFile>>& derived,
                PartFile& record_file);
 };
@@ -64,7 +63,7 @@ struct ProductWriter::State {
 /// The products that are made from the cubes. One that cannot be written is left away and does not harm the
 /// others.
 std::vector<std::unique_ptr<PartFile>> ProductWriter::State::derive(
-    RunRecord& record, std::optional<EnvironmentError>& failure) const {
+    RunRecord& record, std::optional<SystemError>& failure) const {
   std::vector<std::unique_ptr<PartFile>> files;
   const auto make = [&](const ProductFormat& format, const FormatInput& input) {
     std::unique_ptr<PartFile> file;
@@ -75,7 +74,7 @@ std::vector<std::unique_ptr<PartFile>> ProductWriter::State::derive(
       const std::uint64_t bytes = std::filesystem::file_size(file->part_path());
       record.files.push_back({file->final_path(), std::string(format.what), bytes, checksum(*file, bytes)});
       files.push_back(std::move(file));
-    } catch (const EnvironmentError& error) {
+    } catch (const SystemError& error) {
       if (file) file->discard();
       if (!failure) failure = error;
     }
@@ -160,7 +159,7 @@ RunRecord ProductWriter::finish(const RunOutcome& outcome) {
   s.cubes->complete(record);
   s.cubes->write_headers(s.identity, outcome.accuracy_statement);
 
-  std::optional<EnvironmentError> failure;
+  std::optional<SystemError> failure;
   auto derived = s.derive(record, failure);
   if (failure) record.outcome.notes.push_back(failure->what());
   PartFile record_file(s.path("_run.json"));
@@ -170,8 +169,8 @@ RunRecord ProductWriter::finish(const RunOutcome& outcome) {
   record.files.push_back({record_file.final_path(), "run record", text.size(), ""});
   s.finished = true;
   if (failure)
-    throw EnvironmentError(format("{}\nAll other products are complete in {}", failure->what(),
-                                  s.options.folder.empty() ? "." : s.options.folder.string()));
+    throw SystemError(format("{}\nAll other products are complete in {}", failure->what(),
+                             s.options.folder.empty() ? "." : s.options.folder.string()));
   return record;
 }
 

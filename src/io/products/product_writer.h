@@ -26,7 +26,7 @@ struct ProductOptions {
 
 /// Streams finished tiles into ENVI cubes and completes them with the other products. Everything is written
 /// under a name that ends in `.part` and renamed when all of it is whole; `<name>_run.json` is renamed last,
-/// so that its presence says "complete". Errors: ifov::EnvironmentError for folders that cannot be written
+/// so that its presence says "complete". Errors: ifov::SystemError for folders that cannot be written
 /// and full disks. Disk space for the cubes is reserved in begin(), before the first ray; tiles that were
 /// written stay in the `.part` files.
 class ProductWriter final : public render::TileSink {

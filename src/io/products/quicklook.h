@@ -12,7 +12,7 @@ namespace ifov::io {
 
 /// A PNG for people: three channels in colour, or one through a colour map with its bar (brightness
 /// temperature in the thermal infrared), with title, range, scale bar and accuracy. `channels`: three, one,
-/// or empty for a choice by wavelength. Throws EnvironmentError where it cannot be drawn.
+/// or empty for a choice by wavelength. Throws SystemError where it cannot be drawn.
 std::string make_quicklook(const RasterView& radiance, const RunRecord& record,
                            const std::vector<int>& channels);
 

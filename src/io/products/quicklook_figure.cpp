@@ -67,8 +67,8 @@ std::vector<std::string> wrapped(cairo_t* c, const std::string& words, double wi
 Surface image_surface(int width, int height) {
   Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
-    throw EnvironmentError(format("a picture of {} x {} cannot be made: {}", width, height,
-                                  cairo_status_to_string(cairo_surface_status(surface.get()))));
+    throw SystemError(format("a picture of {} x {} cannot be made: {}", width, height,
+                             cairo_status_to_string(cairo_surface_status(surface.get()))));
   return surface;
 }
 
@@ -170,7 +170,7 @@ std::string make_quicklook(const RasterView& radiance, const RunRecord& record,
   cairo_surface_flush(surface.get());
   std::string png;
   if (cairo_surface_write_to_png_stream(surface.get(), append, &png) != CAIRO_STATUS_SUCCESS)
-    throw EnvironmentError("the picture cannot be encoded as PNG");
+    throw SystemError("the picture cannot be encoded as PNG");
   return png;
 }
 

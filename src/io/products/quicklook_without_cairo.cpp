@@ -6,7 +6,7 @@
 namespace ifov::io {
 
 std::string make_quicklook(const RasterView&, const RunRecord&, const std::vector<int>&) {
-  throw EnvironmentError(why_not_built("png"));
+  throw SystemError(why_not_built("png"));
 }
 
 }  // namespace ifov::io

@@ -25,7 +25,7 @@ std::unique_ptr<void, CloseDataset> memory_band(std::vector<T>& values, int widt
       GDALCreate(GDALGetDriverByName("MEM"), "", width, height, 1, type, nullptr));
   if (!set || GDALRasterIO(GDALGetRasterBand(set.get(), 1), GF_Write, 0, 0, width, height, values.data(),
                            width, height, type, 0, 0) != CE_None)
-    throw EnvironmentError("no memory to fill the holes of a raster");
+    throw SystemError("no memory to fill the holes of a raster");
   return set;
 }
 

@@ -42,7 +42,7 @@ int look_at(void*, const char* name, VSIStatBufL* info, int) {
   try {
     const InputFile file(name);
     return fstat64(file.descriptor(), info);
-  } catch (const EnvironmentError&) {
+  } catch (const SystemError&) {
     return -1;
   }
 }
@@ -51,7 +51,7 @@ void* open_input(void*, const char* name, const char* access) {
   if (std::string_view(access).find_first_of("wa+") != std::string_view::npos) return nullptr;
   try {
     return new OpenFile{InputFile(name)};
-  } catch (const EnvironmentError&) {
+  } catch (const SystemError&) {
     return nullptr;
   }
 }
@@ -74,7 +74,7 @@ std::size_t read(void* file, void* bytes, std::size_t size, std::size_t count) {
     open.at_end = got < size * count;
     open.at += got;
     return got / size;
-  } catch (const EnvironmentError&) {
+  } catch (const SystemError&) {
     return 0;
   } catch (const Cancelled&) {  // the file is damaged, then; who reads it asks why
     return 0;

@@ -64,7 +64,7 @@ MapReference MapReference::around(double latitude_deg, double longitude_deg, Map
   if (OSRSetProjCS(handle, name.c_str()) != OGRERR_NONE ||
       OSRSetWellKnownGeogCS(handle, "WGS84") != OGRERR_NONE ||
       OSRSetTM(handle, latitude_deg, longitude, 1.0, false_origin.x, false_origin.y) != OGRERR_NONE)
-    throw EnvironmentError(
+    throw SystemError(
         format("PROJ makes no map projection about {:g}, {:g}: {}", latitude_deg, longitude, gdal.message()));
   return result;
 }

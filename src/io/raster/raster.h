@@ -41,7 +41,7 @@ std::string raster_driver_list();
 /// Reads all bands of a raster by GDAL, as floats: any kind in raster_driver_list(). A palette's indices count, not
 /// its colours; a band's scale and offset are applied. No other driver is tried (none that reads further files), and
 /// no path into GDAL's virtual file systems is followed. A raster of more than `max_values` numbers is refused before
-/// memory is taken. Throws InputError where the file is not such a raster or is damaged, EnvironmentError
+/// memory is taken. Throws InputError where the file is not such a raster or is damaged, SystemError
 /// where it is not there.
 Raster read_raster(const std::filesystem::path& path, std::size_t max_values = std::size_t{1} << 28);
 

@@ -25,7 +25,7 @@ using Dataset = std::unique_ptr<void, CloseDataset>;
 GDALDriverH driver_named(const char* name) {
   prepare_gdal();
   const GDALDriverH driver = GDALGetDriverByName(name);
-  if (driver == nullptr) throw EnvironmentError(format("GDAL has no driver '{}' here", name));
+  if (driver == nullptr) throw SystemError(format("GDAL has no driver '{}' here", name));
   return driver;
 }
 
@@ -33,7 +33,7 @@ GDALDriverH driver_named(const char* name) {
 Dataset in_memory(const Raster& raster) {
   Dataset dataset(
       GDALCreate(driver_named("MEM"), "", raster.width, raster.height, raster.bands, GDT_Byte, nullptr));
-  if (!dataset) throw EnvironmentError("memory ran out for a raster");
+  if (!dataset) throw SystemError("memory ran out for a raster");
   std::vector<std::uint8_t> row(static_cast<std::size_t>(raster.width));
   for (int band = 0; band < raster.bands; ++band)
     for (int y = 0; y < raster.height; ++y) {
@@ -41,7 +41,7 @@ Dataset in_memory(const Raster& raster) {
         row[static_cast<std::size_t>(x)] = static_cast<std::uint8_t>(std::lround(raster.at(band, y, x)));
       if (GDALRasterIO(GDALGetRasterBand(dataset.get(), band + 1), GF_Write, 0, y, raster.width, 1,
                        row.data(), raster.width, 1, GDT_Byte, 0, 0) != CE_None)
-        throw EnvironmentError("a raster cannot be filled");
+        throw SystemError("a raster cannot be filled");
     }
   if (raster.geotransform) {
     std::array<double, 6> transform = *raster.geotransform;
@@ -67,7 +67,7 @@ void write_byte_raster(const std::filesystem::path& path, const Raster& raster) 
   const NoSidecars none;
   const Dataset written(GDALCreateCopy(driver, path.c_str(), source.get(), FALSE, options, nullptr, nullptr));
   CSLDestroy(options);
-  if (!written) throw EnvironmentError(format("cannot write '{}': {}", path.string(), CPLGetLastErrorMsg()));
+  if (!written) throw SystemError(format("cannot write '{}': {}", path.string(), CPLGetLastErrorMsg()));
 }
 
 }  // namespace ifov::io

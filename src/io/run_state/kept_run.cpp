@@ -39,7 +39,7 @@ DocumentTree document_of(const std::string& text) {
     if (tree.root->type() == Type::object) return tree;
   } catch (const InputError&) {
   }
-  throw EnvironmentError("the document of a kept run cannot be read");
+  throw SystemError("the document of a kept run cannot be read");
 }
 
 bool counts(const DocumentNode& member) {

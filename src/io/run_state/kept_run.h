@@ -15,7 +15,7 @@ namespace ifov::io {
 /// Where a finished run keeps its tiles, to be refined: the folder `run.kept` of its output folder.
 std::filesystem::path kept_folder(const std::filesystem::path& folder);
 
-/// The plan of the kept run. Throws EnvironmentError where it cannot be read.
+/// The plan of the kept run. Throws SystemError where it cannot be read.
 RunPlan read_kept_plan(const std::filesystem::path& folder);
 
 /// The tiles of a kept run, read one by one.

@@ -53,8 +53,8 @@ void remove_planted(const std::filesystem::path& path) {
     unlink(path.c_str());
 }
 
-EnvironmentError busy(const std::filesystem::path& path, const Holder& holder) {
-  return EnvironmentError(
+SystemError busy(const std::filesystem::path& path, const Holder& holder) {
+  return SystemError(
       format("{}: another run is at work in this folder: process {} on {}; wait for it, stop it, or "
              "take another folder (--output)",
              path.parent_path().string(), holder.process, holder.host));
@@ -67,7 +67,7 @@ RunLock::RunLock(std::filesystem::path file, LogSink* log) : path_(std::move(fil
     remove_planted(path_);
     descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0644);
     if (descriptor_ < 0)
-      throw EnvironmentError(format("{}: cannot be written: {}", path_.string(), file_reason(errno)));
+      throw SystemError(format("{}: cannot be written: {}", path_.string(), file_reason(errno)));
     const bool locked = flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
     const bool cannot_tell = !locked && errno != EWOULDBLOCK;  // a file system without locks
     const Holder holder = read_holder(descriptor_);
@@ -91,7 +91,7 @@ RunLock::RunLock(std::filesystem::path file, LogSink* log) : path_(std::move(fil
     }
     if (!why_not.empty()) {
       close(descriptor_);
-      throw EnvironmentError(why_not);
+      throw SystemError(why_not);
     }
     break;
   }
@@ -99,7 +99,7 @@ RunLock::RunLock(std::filesystem::path file, LogSink* log) : path_(std::move(fil
   if (ftruncate(descriptor_, 0) != 0 || pwrite(descriptor_, text.data(), text.size(), 0) < 0) {
     const int error = errno;
     close(descriptor_);
-    throw EnvironmentError(format("{}: cannot be written: {}", path_.string(), std::strerror(error)));
+    throw SystemError(format("{}: cannot be written: {}", path_.string(), std::strerror(error)));
   }
 }
 

@@ -9,7 +9,7 @@ namespace ifov::io {
 
 /// Keeps two runs out of one folder: a file that names the process and its host, held for as long as this
 /// lives. A lock whose process is gone from this host is taken over, which `log` is told. Throws
-/// EnvironmentError where another run holds it, or where it was left by another host, whose processes cannot
+/// SystemError where another run holds it, or where it was left by another host, whose processes cannot
 /// be seen from here.
 class RunLock {
  public:

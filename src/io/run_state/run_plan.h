@@ -61,11 +61,11 @@ std::vector<std::string> differences(const RunPlan& was, const RunPlan& is);
 /// JSON, with a checksum. docs/formats/run_state.md lists the keys.
 std::string to_json(const RunPlan& plan);
 
-/// The plan in such a text; `name` is that of its file, for messages. Throws EnvironmentError where it is damaged or of
+/// The plan in such a text; `name` is that of its file, for messages. Throws SystemError where it is damaged or of
 /// another format.
 RunPlan plan_in(const std::string& text, const std::string& name);
 
-/// The same from a file. Throws EnvironmentError where it cannot be read, too.
+/// The same from a file. Throws SystemError where it cannot be read, too.
 RunPlan read_plan(const std::filesystem::path& file);
 
 }  // namespace ifov::io

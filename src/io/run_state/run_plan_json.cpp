@@ -211,7 +211,7 @@ std::string to_json(const RunPlan& plan) {
 }
 
 RunPlan plan_in(const std::string& text, const std::string& name) {
-  const EnvironmentError damaged(
+  const SystemError damaged(
       format("{}: it is damaged; what it belongs to cannot be known, so its tiles cannot be "
              "used: start anew with --restart",
              name));
@@ -222,7 +222,7 @@ RunPlan plan_in(const std::string& text, const std::string& name) {
     const DocumentTree tree = parse_json(text, name, rules);
     const JsonView root(tree);
     if (const JsonView found = root["format"]; found.is_number() && found.integer() != kFormat)
-      throw EnvironmentError(
+      throw SystemError(
           format("{}: it is of format {}, this program reads format {}: go on with the program that "
                  "wrote it, or start anew with --restart",
                  name, found.integer(), kFormat));

@@ -213,7 +213,7 @@ void RunState::move_values_out(const std::filesystem::path& pack, int line_end) 
     try {
       io::move_values_out(held.path, demands);
       return true;
-    } catch (const EnvironmentError&) {
+    } catch (const SystemError&) {
       return false;  // it stays as it was, and is tried again
     }
   });
@@ -249,7 +249,7 @@ void RunState::keep() {
   std::filesystem::remove_all(kept, error);
   if (!error) std::filesystem::rename(path_, kept, error);
   if (error)
-    throw EnvironmentError(
+    throw SystemError(
         format("{}: the finished tiles cannot be kept here: {}", kept.string(), error.message()));
   std::filesystem::remove(kept / "lock", error);
   lock_.reset();

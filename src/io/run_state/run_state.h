@@ -31,7 +31,7 @@ struct TilesDone {
 class RunState {
  public:
   /// Takes the lock. Throws InputError where the folder holds a run that is not to be thrown away, or that
-  /// differs from `plan`; EnvironmentError where another process is at work in it, and for files.
+  /// differs from `plan`; SystemError where another process is at work in it, and for files.
   RunState(const std::filesystem::path& folder, const RunPlan& plan, RunStart start, LogSink* log);
 
   /// Where means and half-widths of finished tiles lie besides: what the state holds of them goes once the cubes hold it.

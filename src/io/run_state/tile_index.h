@@ -17,7 +17,7 @@ class TileIndex {
   explicit TileIndex(const RunPlan& plan);
 
   /// The tiles of a pack, by their headers, up to a damaged one; of a tile that is known already the first place stays.
-  /// `seen` (may be empty) gets each header. Throws EnvironmentError where the pack cannot be read.
+  /// `seen` (may be empty) gets each header. Throws SystemError where the pack cannot be read.
   void add(const std::filesystem::path& pack, const std::function<void(const TileHeader&)>& seen = {});
 
   bool has(std::size_t index) const { return places_[index].bytes > 0; }

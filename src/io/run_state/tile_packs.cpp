@@ -18,7 +18,7 @@ class PackReader {
  public:
   explicit PackReader(const std::filesystem::path& pack)
       : path_(pack), file_(pack, std::ios::binary | std::ios::ate) {
-    if (!file_) throw EnvironmentError(format("{}: cannot be read: {}", pack.string(), std::strerror(errno)));
+    if (!file_) throw SystemError(format("{}: cannot be read: {}", pack.string(), std::strerror(errno)));
     size_ = static_cast<std::uint64_t>(file_.tellg());
     file_.seekg(0);
   }
@@ -26,7 +26,7 @@ class PackReader {
   std::uint64_t left() const { return size_ - position_; }
   void read(void* to, std::uint64_t bytes) {
     file_.read(static_cast<char*>(to), static_cast<std::streamsize>(bytes));
-    if (!file_) throw EnvironmentError(format("{}: cannot be read at byte {}", path_.string(), position_));
+    if (!file_) throw SystemError(format("{}: cannot be read at byte {}", path_.string(), position_));
     position_ += bytes;
   }
   void skip(std::uint64_t bytes) {

@@ -14,13 +14,13 @@ namespace ifov::io {
 std::vector<std::filesystem::path> packs_in(const std::filesystem::path& folder);
 
 /// Each whole tile of a pack goes to `take`; `read_values` as for decode_tile(). What is damaged or cut short is told to `log` (may be null);
-/// where `repair`, the pack is then left with its whole tiles alone, or taken away. Throws EnvironmentError
+/// where `repair`, the pack is then left with its whole tiles alone, or taken away. Throws SystemError
 /// where the pack cannot be read.
 void read_pack(const std::filesystem::path& pack, const TileDemands& demands, const ReadValues& read_values,
                const std::function<void(const TileHeader&, const sampling::TileResult&)>& take, LogSink* log,
                bool repair);
 
-/// Leaves out of a pack of whole tiles the values that lie in the run's cubes (without_values()). Throws EnvironmentError
+/// Leaves out of a pack of whole tiles the values that lie in the run's cubes (without_values()). Throws SystemError
 /// where the pack cannot be read or written; the pack then stays as it was.
 void move_values_out(const std::filesystem::path& pack, const TileDemands& demands);
 

@@ -32,7 +32,7 @@ std::string pack_name(const StoreStart& start, int rank, int number);
 /// finished within a short time share a file, a pack, so that cheap tiles do not drown in files: at first a
 /// thousandth of a second, later a twentieth of what the run has taken, at most a second. After many they go
 /// past the page cache. A thread of its own writes; errors in it (a full disk) are thrown by the next put() or
-/// close() as EnvironmentError.
+/// close() as SystemError.
 class TileStore {
  public:
   /// `run` is RunPlan::key(). Makes the folder.

@@ -36,7 +36,7 @@ inline constexpr std::size_t kHashedBlock_bytes = 1 << 20;
 std::uint64_t hash_of_blocks(std::span<const std::byte> bytes);
 
 /// Writes a cache beside its final name, under one that no other run has, and renames it when it is whole. Throws
-/// EnvironmentError where it cannot.
+/// SystemError where it cannot.
 class CacheWriter {
  public:
   explicit CacheWriter(const std::filesystem::path& path);

@@ -53,7 +53,7 @@ FileStamp stamp_of(const std::filesystem::path& file, const std::filesystem::pat
                    std::span<const FileStamp> known) {
   // The time is taken before the bytes: what changes in between is noticed the next time.
   const std::optional<SizeAndTime> seen = look_at(file);
-  if (!seen) throw EnvironmentError(format("cannot read '{}': {}", file.string(), std::strerror(errno)));
+  if (!seen) throw SystemError(format("cannot read '{}': {}", file.string(), std::strerror(errno)));
   FileStamp stamp{name_beside(file, cache_folder), seen->bytes, seen->time_ns, {}};
   for (const FileStamp& one : known)
     if (one.path == stamp.path && one.bytes == stamp.bytes && one.time_ns == stamp.time_ns) return one;
@@ -68,7 +68,7 @@ StampState check_stamp(FileStamp& stamp, const std::filesystem::path& cache_fold
   if (seen->time_ns == stamp.time_ns) return StampState::same;
   try {
     if (hash_of(file) != stamp.hash) return StampState::changed;
-  } catch (const EnvironmentError&) {
+  } catch (const SystemError&) {
     return StampState::changed;
   }
   stamp.time_ns = seen->time_ns;

@@ -25,7 +25,7 @@ std::array<std::uint64_t, 2> content_hash(std::span<const std::byte> bytes);
 /// The path of a file relative to a folder, both taken from the working directory.
 std::string name_beside(const std::filesystem::path& file, const std::filesystem::path& folder);
 
-/// Throws EnvironmentError where the file cannot be read. A file of the size and time of one of `known`, stamps of the
+/// Throws SystemError where the file cannot be read. A file of the size and time of one of `known`, stamps of the
 /// same folder, has its hash and is not read.
 FileStamp stamp_of(const std::filesystem::path& file, const std::filesystem::path& cache_folder,
                    std::span<const FileStamp> known = {});

@@ -77,7 +77,7 @@ void SceneCache::say(const std::string& message) const {
 std::optional<std::string> SceneCache::open() {
   try {
     file_ = std::make_shared<const MappedFile>(path_);
-  } catch (const EnvironmentError& error) {
+  } catch (const SystemError& error) {
     return error.what();
   }
   const std::span<const std::byte> bytes = file_->bytes();
@@ -170,7 +170,7 @@ std::vector<FileStamp> SceneCache::known_files() const {
 CacheWriter* SceneCache::writer() {
   if (!writer_ && !cannot_write_) try {
       writer_ = std::make_unique<CacheWriter>(path_);
-    } catch (const EnvironmentError& error) {
+    } catch (const SystemError& error) {
       cannot_write_ = true;
       say(format("there will be no scene cache: {}", error.what()));
     }
@@ -183,7 +183,7 @@ void SceneCache::put(const std::string& name, std::vector<FileStamp> made_from,
   try {
     writer_->add(name, made_from, pieces);
     put_.insert(put_.end(), made_from.begin(), made_from.end());
-  } catch (const EnvironmentError& error) {
+  } catch (const SystemError& error) {
     writer_.reset();
     cannot_write_ = true;
     say(format("there will be no scene cache: {}", error.what()));
@@ -206,7 +206,7 @@ void SceneCache::save() {
     for (const Record& record : records_)
       if (record.found) writer_->add(record.name, record.made_from, std::span(&record.bytes, 1));
     writer_->publish(program_version_);
-  } catch (const EnvironmentError& error) {
+  } catch (const SystemError& error) {
     cannot_write_ = true;
     say(format("there will be no scene cache: {}", error.what()));
   }

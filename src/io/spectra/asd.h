@@ -15,7 +15,7 @@ namespace ifov::io {
 /// not such a file, are cut short, or hold a radiance, an irradiance or counts without a reference.
 SampleSpectrum parse_asd(std::string_view bytes, const std::string& name);
 
-/// Of at most 64 MiB; EnvironmentError where it cannot be read.
+/// Of at most 64 MiB; SystemError where it cannot be read.
 SampleSpectrum read_asd(const std::filesystem::path& path);
 
 }  // namespace ifov::io

@@ -26,7 +26,7 @@ struct CsvSpectrumOptions {
 /// A spectrum from a table in text: fields separated by commas, semicolons, tabs or blanks (found from the
 /// file); empty lines and lines that start with #, ; or // are skipped, and so are heading lines before the
 /// first number. Rows may ascend or descend. Throws InputError with file, line and column for anything else,
-/// EnvironmentError where the file cannot be read.
+/// SystemError where the file cannot be read.
 radiometry::Spectrum read_csv_spectrum(const std::filesystem::path& path,
                                        const CsvSpectrumOptions& options = {});
 /// The same of text in memory.

@@ -171,11 +171,11 @@ EnviLibrary read_envi_library(const std::filesystem::path& path) {
     data.replace_extension();
     for (const char* ending : {".sli", ".SLI", ".lib", ".img", ".dat"})
       if (!exists(data)) data = std::filesystem::path(path).replace_extension(ending);
-    if (!exists(data)) throw EnvironmentError(format("found no data beside the header '{}'", path.string()));
+    if (!exists(data)) throw SystemError(format("found no data beside the header '{}'", path.string()));
   } else {
     header.replace_extension(".hdr");
     if (!exists(header)) header = path.string() + ".hdr";
-    if (!exists(header)) throw EnvironmentError(format("found no header (.hdr) beside '{}'", path.string()));
+    if (!exists(header)) throw SystemError(format("found no header (.hdr) beside '{}'", path.string()));
   }
   return EnviLibrary(read_bytes(header, kLargestHeader), header.string(), read_bytes(data, kLargestData),
                      data.string());

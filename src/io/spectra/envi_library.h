@@ -35,7 +35,7 @@ class EnviLibrary {
 };
 
 /// From the path of either file: `name.sli`, `name` or any other ending, with `name.hdr` or `name.sli.hdr`
-/// beside it. Of at most 1 GiB. EnvironmentError where one is missing.
+/// beside it. Of at most 1 GiB. SystemError where one is missing.
 EnviLibrary read_envi_library(const std::filesystem::path& path);
 
 }  // namespace ifov::io

@@ -13,7 +13,7 @@ namespace ifov::io {
 /// The lines of a text file, without their ends (LF, CR LF or CR); a byte-order mark is dropped.
 class TextFile {
  public:
-  /// Throws EnvironmentError where the file cannot be read, InputError where it is larger than 256 MiB.
+  /// Throws SystemError where the file cannot be read, InputError where it is larger than 256 MiB.
   explicit TextFile(const std::filesystem::path& path);
   /// The same of bytes in memory; `name` is what messages call them.
   TextFile(std::string name, std::string text);

@@ -15,7 +15,7 @@ struct WeatherOptions {
 };
 
 /// Weather from a file of any known format, told from its content: EPW, TMY3, SURFRAD or the project's own
-/// table (docs/formats/weather.md). Throws InputError with the place, EnvironmentError where it cannot be
+/// table (docs/formats/weather.md). Throws InputError with the place, SystemError where it cannot be
 /// read.
 atmosphere::WeatherSeries read_weather(const std::filesystem::path& path, const WeatherOptions& options = {});
 atmosphere::WeatherSeries parse_weather(const TextFile& file, const WeatherOptions& options = {});

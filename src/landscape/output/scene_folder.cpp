@@ -27,7 +27,7 @@ SceneFolder::SceneFolder(const fs::path& folder, bool replace) : folder_(folder.
   part_ += ".part";
   fs::remove_all(part_, error);
   if (!fs::create_directories(part_, error))
-    throw EnvironmentError(format("cannot make the folder '{}': {}", part_.string(), error.message()));
+    throw SystemError(format("cannot make the folder '{}': {}", part_.string(), error.message()));
 }
 
 SceneFolder::~SceneFolder() {
@@ -39,8 +39,7 @@ void SceneFolder::make_subfolder(const char* name) {
   std::error_code error;
   fs::create_directories(part_ / name, error);
   if (error)
-    throw EnvironmentError(
-        format("cannot make the folder '{}': {}", (part_ / name).string(), error.message()));
+    throw SystemError(format("cannot make the folder '{}': {}", (part_ / name).string(), error.message()));
 }
 
 std::string SceneFolder::add_text(const std::string& name, std::string_view content) {
@@ -92,8 +91,7 @@ void SceneFolder::publish() {
     fs::rename(folder_, old, error);
   }
   if (!error) fs::rename(part_, folder_, error);
-  if (error)
-    throw EnvironmentError(format("cannot put '{}' in its place: {}", folder_.string(), error.message()));
+  if (error) throw SystemError(format("cannot put '{}' in its place: {}", folder_.string(), error.message()));
   published_ = true;
   if (replaces) fs::remove_all(old, error);
 }

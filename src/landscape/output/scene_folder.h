@@ -15,7 +15,7 @@ namespace ifov::landscape {
 /// A folder being made: it is called `<folder>.part` until publish(), and removed where that is never called.
 class SceneFolder {
  public:
-  /// InputError where the folder exists and is neither empty nor to be replaced; EnvironmentError where it cannot
+  /// InputError where the folder exists and is neither empty nor to be replaced; SystemError where it cannot
   /// be made.
   SceneFolder(const std::filesystem::path& folder, bool replace);
   ~SceneFolder();

@@ -39,7 +39,7 @@ std::vector<Message> check(const Document& document, const LoadOptions& options)
     for (std::string line; std::getline(lines, line);) messages.push_back({Severity::statement, line, {}});
   } catch (const InputError& error) {
     messages.push_back({Severity::error, error.what(), error.position()});
-  } catch (const EnvironmentError& error) {
+  } catch (const SystemError& error) {
     messages.push_back({Severity::failure, error.what(), {}});
   }
   return messages;

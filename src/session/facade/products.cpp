@@ -99,7 +99,7 @@ CubeInfo cube_info(const std::filesystem::path& file) {
 std::vector<std::filesystem::path> products_in(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::directory_iterator entries(folder, error);
-  if (error) throw EnvironmentError(format("cannot read '{}': {}", folder.string(), error.message()));
+  if (error) throw SystemError(format("cannot read '{}': {}", folder.string(), error.message()));
   std::vector<std::filesystem::path> records, cubes;
   for (const auto& entry : entries) {
     if (ends_with(entry.path(), "run.json")) records.push_back(entry.path());

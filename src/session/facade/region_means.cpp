@@ -59,7 +59,7 @@ RegionMean mean_of(const std::string& text, const io::RegionMeans& region, const
 }  // namespace
 
 std::filesystem::path record_of(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path)) throw EnvironmentError(format("there is no '{}'", path.string()));
+  if (!std::filesystem::exists(path)) throw SystemError(format("there is no '{}'", path.string()));
   if (path.filename().string().ends_with(kRecordEnding)) return path;
   if (!std::filesystem::is_directory(path))
     throw InputError(format("--region needs a folder of products or a run record (NAME{}); found '{}'",

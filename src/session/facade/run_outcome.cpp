@@ -35,7 +35,7 @@ Outcome outcome_of(RunResult result, const std::vector<std::string>& warnings) {
 int exit_code_of(const std::exception& error) {
   if (dynamic_cast<const InputError*>(&error) != nullptr) return 1;
   if (dynamic_cast<const Cancelled*>(&error) != nullptr) return 130;
-  const bool surroundings = dynamic_cast<const EnvironmentError*>(&error) != nullptr ||
+  const bool surroundings = dynamic_cast<const SystemError*>(&error) != nullptr ||
                             dynamic_cast<const std::system_error*>(&error) != nullptr ||
                             dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
   return surroundings ? 2 : 3;

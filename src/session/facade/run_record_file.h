@@ -11,7 +11,7 @@ using Record = io::JsonView;
 /// The record of a run (NAME_run.json).
 class RunRecordFile {
  public:
-  /// EnvironmentError where it cannot be read, InputError where it is none.
+  /// SystemError where it cannot be read, InputError where it is none.
   explicit RunRecordFile(const std::filesystem::path& path);
   Record root() const { return Record(tree_); }
 

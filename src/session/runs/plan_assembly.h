@@ -11,7 +11,7 @@ namespace ifov::session {
 struct Parts;
 
 /// What the tiles and the products of a document's run depend on. Looks at every file of the scene, where it is to be
-/// `with_files`. Throws EnvironmentError where one cannot be read.
+/// `with_files`. Throws SystemError where one cannot be read.
 io::RunPlan assemble_plan(const Parts& parts, bool with_files = true);
 
 /// What the run's tiles are to hold.

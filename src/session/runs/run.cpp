@@ -129,10 +129,10 @@ class Run {
       const int packs = state_ ? state_->close() : 0;
       if (coordinator_ != nullptr) state_->find(0, packs);
       return finish();
-    } catch (const EnvironmentError& error) {
-      throw EnvironmentError(kept(error.what()));
+    } catch (const SystemError& error) {
+      throw SystemError(kept(error.what()));
     } catch (const std::bad_alloc&) {
-      throw EnvironmentError(kept(memory_ran_out()));
+      throw SystemError(kept(memory_ran_out()));
     }
   }
 
@@ -193,7 +193,7 @@ class Run {
     if (lines.empty()) return;
     std::string message;
     for (const std::string& line : lines) message += line + "\n";
-    throw EnvironmentError(message + "Nothing was begun. --anyway begins all the same; --dry-run says more.");
+    throw SystemError(message + "Nothing was begun. --anyway begins all the same; --dry-run says more.");
   }
 
   void trace() {
@@ -240,7 +240,7 @@ class Run {
       take_from(rank, farewell.packs);
     }
     if (const std::size_t missing = tiles_left().size(); server && missing > 0 && !limit.reached())
-      throw EnvironmentError(format("{} tiles of other ranks cannot be read back", missing));
+      throw SystemError(format("{} tiles of other ranks cannot be read back", missing));
   }
 
   std::unique_ptr<cluster::TileServer> begin_workers(const std::vector<int>& left,
@@ -270,7 +270,7 @@ class Run {
     if (products_) {
       if (const std::size_t unread = assembly_->finish(tiles_.done, options_.threads, sampling::Reason::time);
           unread > 0)
-        throw EnvironmentError(format("{} tiles cannot be read back", unread));
+        throw SystemError(format("{} tiles cannot be read back", unread));
       result.summary = products_->finish(totals_, tiles_.reasons, options_.threads, kTimeLimit);
     } else {
       result.summary.folder = folder_;

@@ -26,7 +26,7 @@ struct RunRequest {
 
   Coordinator* coordinator = nullptr;  ///< of ranks that share the tiles; needs keep_tiles
 
-  /// Of the options, else as the document says, with the share in its name. Throws EnvironmentError where the latter
+  /// Of the options, else as the document says, with the share in its name. Throws SystemError where the latter
   /// leads through a link.
   std::filesystem::path folder(const Session& session) const;
 };

@@ -49,7 +49,7 @@ void require_same(const SharedRun& run, io::RunPlan own, bool knows_files) {
   const std::filesystem::path file = io::plan_file(run.folder);
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored) || io::read_plan(file).key() != run.plan.key())
-    throw EnvironmentError(format(
+    throw SystemError(format(
         "'{}', which the first rank wrote, is not to be seen from here: the output folder (--output) must be on "
         "a file system that all machines share, and all ranks must start in the same folder",
         file.string()));

@@ -112,8 +112,7 @@ RenderTimes render_document(const std::string& text, const std::filesystem::path
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error)
-    throw EnvironmentError(format("cannot make the folder '{}': {}", folder.string(), error.message()));
+  if (error) throw SystemError(format("cannot make the folder '{}': {}", folder.string(), error.message()));
 }
 
 void write_file(const std::filesystem::path& path, std::string_view content) {

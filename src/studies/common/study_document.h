@@ -67,10 +67,10 @@ struct RenderChoices {
 RenderTimes render_document(const std::string& text, const std::filesystem::path& folder,
                             const RenderChoices& choices, ImageStore& image);
 
-/// Makes a folder where there is none; EnvironmentError where that fails.
+/// Makes a folder where there is none; SystemError where that fails.
 void make_folder(const std::filesystem::path& folder);
 
-/// Writes a file whole; EnvironmentError where that fails.
+/// Writes a file whole; SystemError where that fails.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace ifov::studies

@@ -8,7 +8,7 @@ TileMemory::TileMemory(std::size_t columns, std::span<const std::byte> bytes) : 
   MemoryReader read(bytes);
   std::uint64_t known_columns = 0;
   read(known_columns);
-  if (known_columns != columns) throw EnvironmentError("a kept tile has another number of columns");
+  if (known_columns != columns) throw SystemError("a kept tile has another number of columns");
   read.list(names_);
   read.list(point_keys_);
   read.list(point_names_);
@@ -21,7 +21,7 @@ TileMemory::TileMemory(std::size_t columns, std::span<const std::byte> bytes) : 
                values_.size() == path_keys_.size() * columns_;
   for (const auto* list : {&point_names_, &path_names_})
     for (const std::uint32_t n : *list) whole = whole && n < names_.size();
-  if (!whole) throw EnvironmentError("the memory of a kept tile is damaged");
+  if (!whole) throw SystemError("the memory of a kept tile is damaged");
   for (std::uint32_t i = 0; i < names_.size(); ++i) name_index_.find_or_insert(names_[i], i);
   for (std::uint32_t i = 0; i < point_keys_.size(); ++i) points_.find_or_insert(point_keys_[i], i);
   for (std::uint32_t i = 0; i < path_keys_.size(); ++i) paths_.find_or_insert(path_keys_[i], i);

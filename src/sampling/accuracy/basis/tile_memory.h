@@ -44,7 +44,7 @@ class MemoryWriter {
   std::vector<std::byte>& bytes_;
 };
 
-/// Throws EnvironmentError where the bytes end too soon.
+/// Throws SystemError where the bytes end too soon.
 class MemoryReader {
  public:
   static constexpr bool kReads = true;
@@ -57,7 +57,7 @@ class MemoryReader {
   template <class T>
   void array(T* to, std::size_t count) {
     static_assert(std::is_trivially_copyable_v<T>);
-    if (count > bytes_.size() / sizeof(T)) throw EnvironmentError("the memory of a kept tile is damaged");
+    if (count > bytes_.size() / sizeof(T)) throw SystemError("the memory of a kept tile is damaged");
     if (count > 0) std::memcpy(to, bytes_.data(), count * sizeof(T));
     bytes_ = bytes_.subspan(count * sizeof(T));
   }
@@ -65,12 +65,12 @@ class MemoryReader {
   void list(std::vector<T>& numbers) {
     std::uint64_t count = 0;
     (*this)(count);
-    if (count > bytes_.size() / sizeof(T)) throw EnvironmentError("the memory of a kept tile is damaged");
+    if (count > bytes_.size() / sizeof(T)) throw SystemError("the memory of a kept tile is damaged");
     numbers.resize(count);
     array(numbers.data(), count);
   }
   std::span<const std::byte> take(std::size_t size) {
-    if (size > bytes_.size()) throw EnvironmentError("the memory of a kept tile is damaged");
+    if (size > bytes_.size()) throw SystemError("the memory of a kept tile is damaged");
     const auto taken = bytes_.first(size);
     bytes_ = bytes_.subspan(size);
     return taken;
@@ -87,7 +87,7 @@ class MemoryReader {
 class TileMemory {
  public:
   explicit TileMemory(std::size_t columns) : columns_(columns) {}
-  /// As to_bytes() of the earlier run left it, to be added to. Throws EnvironmentError where the bytes are
+  /// As to_bytes() of the earlier run left it, to be added to. Throws SystemError where the bytes are
   /// damaged or of another number of columns.
   TileMemory(std::size_t columns, std::span<const std::byte> bytes);
 

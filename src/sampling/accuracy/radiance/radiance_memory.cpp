@@ -114,7 +114,7 @@ bool RadianceMemory::recall(SourcePixel& pixel, const TileMemory& memory) const 
     read(samples);
     const std::size_t first = kept_ != nullptr ? kept_->x.size() : 0;
     for (std::uint64_t k = 0; k < samples; ++k) {
-      if (kept_ == nullptr) throw EnvironmentError("the memory of a kept tile is damaged");
+      if (kept_ == nullptr) throw SystemError("the memory of a kept tile is damaged");
       known.samples.push_back(static_cast<std::uint32_t>(kept_->x.size()));
       read(kept_->x.emplace_back());
       read(kept_->replicates.emplace_back());

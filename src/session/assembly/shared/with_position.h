@@ -14,7 +14,7 @@ auto with_position(const io::Document& document, const SourcePosition& position,
   } catch (const InputError& error) {
     if (error.position().line > 0 && error.position().file == position.file) throw;
     throw io::document_error(document, position, error.what());
-  } catch (const EnvironmentError& error) {
+  } catch (const SystemError& error) {
     throw io::document_error(document, position, error.what());
   }
 }
