@@ -21,9 +21,9 @@ MoonPosition moon_position(UtcTime time, const Geodetic& place, double ut1_minus
   moon.elevation_rad = angles.elevation_rad;
   const EnuVector moon_to_sun = to_sun - to_moon;
   moon.sun_distance_au = length(moon_to_sun);
-  const EnuVector moon_to_place = -1.0 * to_moon;
+  const EnuVector moon_to_observer = -1.0 * to_moon;
   moon.phase_angle_rad =
-      std::atan2(length(cross(moon_to_sun, moon_to_place)), dot(moon_to_sun, moon_to_place));
+      std::atan2(length(cross(moon_to_sun, moon_to_observer)), dot(moon_to_sun, moon_to_observer));
   moon.illuminated_fraction = 0.5 * (1.0 + std::cos(moon.phase_angle_rad));
   return moon;
 }

@@ -32,11 +32,11 @@ Observer::Observer(UtcTime time, const Geodetic& place, double ut1_minus_utc_s, 
       ecef_from_gcrs_(ecef_from_gcrs(times_)),
       ecef_from_enu_(ecef_from_enu(place)) {
   const math::Point3 at_m = ecef_from_enu_.origin().p;
-  place_au_ = {{at_m.x / ERFA_DAU, at_m.y / ERFA_DAU, at_m.z / ERFA_DAU}};
+  position_au_ = {{at_m.x / ERFA_DAU, at_m.y / ERFA_DAU, at_m.z / ERFA_DAU}};
 }
 
 EnuVector Observer::to_body_au(GcrsVector body_au) const {
-  return ecef_from_enu_.inverse()(ecef_from_gcrs_(body_au) - place_au_);
+  return ecef_from_enu_.inverse()(ecef_from_gcrs_(body_au) - position_au_);
 }
 
 Horizontal horizontal(EnuVector vector) {

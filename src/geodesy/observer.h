@@ -28,7 +28,7 @@ class Observer {
   Times times_;
   FrameTransform<Ecef, Gcrs> ecef_from_gcrs_;
   FrameTransform<Ecef, Enu> ecef_from_enu_;
-  EcefVector place_au_;
+  EcefVector position_au_;
 };
 
 /// Azimuth clockwise from north in [0, 2 pi) and elevation of a vector of any length.
