@@ -25,7 +25,7 @@ void require_size(const char* what, double size_m) {
   if (!(size_m > 0.0) || !std::isfinite(size_m))
     throw InputError(format("{} must be a positive length, found {} m", what, size_m));
 }
-void require_place(const char* what, Point3 p) {
+void require_position(const char* what, Point3 p) {
   if (!finite(p)) throw InputError(format("{} must be finite, found ({}, {}, {})", what, p.x, p.y, p.z));
 }
 
@@ -64,49 +64,50 @@ void settle_bounds(Body& body) {
       oriented_extent(body.analytic.empty() ? body.mesh.vertices_m : std::span<const Point3>(), body.bounds);
 }
 
-Body analytic_body(UnitKind kind, const Transform& object_from_unit, Point3 seed_in_unit, bool solid) {
+Body analytic_body(UnitKind kind, const Transform& object_from_unit, Point3 pilot_in_unit, bool solid) {
   Body body;
   body.analytic.push_back({object_from_unit.inverse(), 0, 0, kind});
   body.patch_count = unit_face_count(kind);
-  body.seed_m = object_from_unit(seed_in_unit);
-  body.seed_is_solid = solid;
+  body.pilot_point_m = object_from_unit(pilot_in_unit);
+  body.pilot_is_solid = solid;
   settle_bounds(body);
-  body.seed_weight = 4.0 * std::numbers::pi * body.radius_m * body.radius_m;
+  body.pilot_weight = 4.0 * std::numbers::pi * body.radius_m * body.radius_m;
   return body;
 }
 
 Body make(const PlacedUnit& placed) {
-  return analytic_body(*placed.unit, placed.object_from_unit, placed.seed_in_unit, placed.solid);
+  return analytic_body(*placed.unit, placed.object_from_unit, placed.pilot_in_unit, placed.solid);
 }
 
 Body make(const Plane&) { throw InputError("a plane cannot be part of a prototype"); }
 
 Body make(const Box& box) {
-  require_place("a corner of a box", box.low_m);
-  require_place("a corner of a box", box.high_m);
+  require_position("a corner of a box", box.low_m);
+  require_position("a corner of a box", box.high_m);
   const Vec3 size = box.high_m - box.low_m;
   for (const double s : {size.x, size.y, size.z}) require_size("the side of a box", s);
   return analytic_body(UnitKind::box, scaled_about(box.low_m + size * 0.5, size * 0.5), {}, true);
 }
 
 Body make(const Sphere& sphere) {
-  require_place("the centre of a sphere", sphere.centre_m);
+  require_position("the centre of a sphere", sphere.centre_m);
   require_size("the radius of a sphere", sphere.radius_m);
   const double r = sphere.radius_m;
   return analytic_body(UnitKind::sphere, scaled_about(sphere.centre_m, {r, r, r}), {}, true);
 }
 
-Body make(const Hemisphere& dome) {
-  require_place("the centre of a hemisphere", dome.centre_m);
-  require_size("the radius of a hemisphere", dome.radius_m);
-  const double r = dome.radius_m;
+Body make(const Hemisphere& hemisphere) {
+  require_position("the centre of a hemisphere", hemisphere.centre_m);
+  require_size("the radius of a hemisphere", hemisphere.radius_m);
+  const double r = hemisphere.radius_m;
   // A ray towards a point below the shell meets the shell from above, from the sides and through the open
   // floor.
-  return analytic_body(UnitKind::hemisphere, scaled_about(dome.centre_m, {r, r, r}), {0.0, 0.0, 0.5}, false);
+  return analytic_body(UnitKind::hemisphere, scaled_about(hemisphere.centre_m, {r, r, r}), {0.0, 0.0, 0.5},
+                       false);
 }
 
 Body make(const Cylinder& cylinder) {
-  require_place("the base of a cylinder", cylinder.base_m);
+  require_position("the base of a cylinder", cylinder.base_m);
   require_size("the radius of a cylinder", cylinder.radius_m);
   require_size("the height of a cylinder", cylinder.height_m);
   const Transform map =
@@ -116,7 +117,7 @@ Body make(const Cylinder& cylinder) {
 }
 
 Body make(const Disk& disk) {
-  require_place("the centre of a disk", disk.centre_m);
+  require_position("the centre of a disk", disk.centre_m);
   require_size("the radius of a disk", disk.radius_m);
   const double r = disk.radius_m;
   return analytic_body(UnitKind::disk, scaled_about(disk.centre_m, {r, r, r}), {}, false);
@@ -130,7 +131,7 @@ void require_vertices(std::span<const Point3> vertices_m) {
     return sum == 0.0;
   };
   if (all_pieces(vertices_m.size(), good)) return;
-  for (const Point3& p : vertices_m) require_place("a vertex of a mesh", p);
+  for (const Point3& p : vertices_m) require_position("a vertex of a mesh", p);
 }
 
 void require_indices(const char* what, std::span<const Triangle> corners, std::size_t count, bool optional) {
@@ -184,13 +185,13 @@ Body mesh_body(TriangleMesh mesh, bool one_patch) {
     const Point3 a = body.mesh.vertices_m[t[0]], b = body.mesh.vertices_m[t[1]],
                  c = body.mesh.vertices_m[t[2]];
     const double area = 0.5 * length(cross(b - a, c - a));
-    if (area > largest) largest = area, body.seed_m = a + ((b - a) + (c - a)) / 3.0;
+    if (area > largest) largest = area, body.pilot_point_m = a + ((b - a) + (c - a)) / 3.0;
   }
-  body.seed_weight = largest;
+  body.pilot_weight = largest;
   if (topology.closed && inside(body.mesh, body.centre_m)) {
-    body.seed_m = body.centre_m;
-    body.seed_is_solid = true;
-    body.seed_weight = 4.0 * std::numbers::pi * body.radius_m * body.radius_m;
+    body.pilot_point_m = body.centre_m;
+    body.pilot_is_solid = true;
+    body.pilot_weight = 4.0 * std::numbers::pi * body.radius_m * body.radius_m;
   }
   return body;
 }
@@ -200,7 +201,7 @@ Body make(TriangleMesh mesh) { return mesh_body(std::move(mesh), false); }
 Body make(const Polygon& polygon) {
   const std::vector<Point3>& v = polygon.vertices_m;
   if (v.size() < 3) throw InputError(format("a polygon needs at least 3 vertices, found {}", v.size()));
-  for (const Point3& p : v) require_place("a vertex of a polygon", p);
+  for (const Point3& p : v) require_position("a vertex of a polygon", p);
   const Vec3 area = polygon_area_vector(v);
   double size = 0.0;
   for (const Point3& p : v) size = std::max(size, length(p - v[0]));
@@ -309,11 +310,11 @@ void JoinedBody::add(const Body& part, const Transform& whole_from_part,
   whole_.patch_count += part.patch_count;
   whole_.surface_triangles += part.surface_triangles;
   const double stretch = largest_stretch(whole_from_part);
-  const double weight = part.seed_weight * stretch * stretch;
-  if (std::pair(part.seed_is_solid, weight) > std::pair(whole_.seed_is_solid, whole_.seed_weight)) {
-    whole_.seed_is_solid = part.seed_is_solid;
-    whole_.seed_weight = weight;
-    whole_.seed_m = whole_from_part(part.seed_m);
+  const double weight = part.pilot_weight * stretch * stretch;
+  if (std::pair(part.pilot_is_solid, weight) > std::pair(whole_.pilot_is_solid, whole_.pilot_weight)) {
+    whole_.pilot_is_solid = part.pilot_is_solid;
+    whole_.pilot_weight = weight;
+    whole_.pilot_point_m = whole_from_part(part.pilot_point_m);
   }
 }
 

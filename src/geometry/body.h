@@ -24,10 +24,11 @@ struct Body {
   World::Bounds bounds{};
   math::Point3 centre_m;  ///< of the bounding sphere
   double radius_m = 0.0;
-  HalfSides half_sides_m{};  ///< of the vertices' box where there is nothing but a mesh, else of `bounds`
-  math::Point3 seed_m;       ///< a point in a solid, or on a face
-  double seed_weight = 0.0;  ///< what the seed stands for: area of the face, or of the ball about a solid
-  bool seed_is_solid = false;
+  HalfSides half_sides_m{};    ///< of the vertices' box where there is nothing but a mesh, else of `bounds`
+  math::Point3 pilot_point_m;  ///< a point in a solid, or on a face
+  double pilot_weight =
+      0.0;  ///< what the pilot point stands for: area of the face, or of the ball about a solid
+  bool pilot_is_solid = false;
 };
 
 /// A body of one shape (not a plane); a large mesh is divided. Throws InputError for sizes, polygons or indices that

@@ -20,9 +20,9 @@ struct Head {
   std::uint64_t counts[kLists];
   std::uint64_t names, name_bytes, surface_triangles;
   std::uint32_t patch_count, slot_count;
-  double low_m[3], high_m[3], centre_m[3], seed_m[3], half_sides_m[3][3];
-  double radius_m, seed_weight;
-  std::uint64_t seed_is_solid;
+  double low_m[3], high_m[3], centre_m[3], pilot_point_m[3], half_sides_m[3][3];
+  double radius_m, pilot_weight;
+  std::uint64_t pilot_is_solid;
 };
 static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) % 8 == 0);
 
@@ -86,10 +86,11 @@ BodyRecord record_of(const Body& body) {
   head.surface_triangles = body.surface_triangles;
   head.patch_count = body.patch_count, head.slot_count = body.slot_count;
   store(head.low_m, body.bounds.low_m), store(head.high_m, body.bounds.high_m);
-  store(head.centre_m, body.centre_m), store(head.seed_m, body.seed_m);
+  store(head.centre_m, body.centre_m), store(head.pilot_point_m, body.pilot_point_m);
   for (std::size_t side = 0; side < 3; ++side)
     store(head.half_sides_m[side], math::Point3{} + body.half_sides_m[side]);
-  head.radius_m = body.radius_m, head.seed_weight = body.seed_weight, head.seed_is_solid = body.seed_is_solid;
+  head.radius_m = body.radius_m, head.pilot_weight = body.pilot_weight,
+  head.pilot_is_solid = body.pilot_is_solid;
   record.head.assign(reinterpret_cast<const char*>(&head), sizeof head);
   record.head += names;
   record.head.resize(padded(record.head.size()), '\0');
@@ -133,9 +134,9 @@ std::optional<Body> body_from_record(std::span<const std::byte> bytes, std::shar
   body.bounds = {point(head.low_m), point(head.high_m)};
   for (std::size_t side = 0; side < 3; ++side)
     body.half_sides_m[side] = point(head.half_sides_m[side]) - math::Point3{};
-  body.centre_m = point(head.centre_m), body.seed_m = point(head.seed_m);
-  body.radius_m = head.radius_m, body.seed_weight = head.seed_weight,
-  body.seed_is_solid = head.seed_is_solid != 0;
+  body.centre_m = point(head.centre_m), body.pilot_point_m = point(head.pilot_point_m);
+  body.radius_m = head.radius_m, body.pilot_weight = head.pilot_weight,
+  body.pilot_is_solid = head.pilot_is_solid != 0;
 
   try {
     check_mesh(body.mesh);

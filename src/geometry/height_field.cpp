@@ -18,7 +18,7 @@ HeightField::HeightField(TerrainGrid grid, bool smooth) : grid_(std::move(grid))
   if (grid_.columns < 2 || grid_.rows < 2)
     throw InputError(
         format("a terrain needs at least 2 x 2 nodes: found {} x {}", grid_.columns, grid_.rows));
-  if (!grid_.places_m.empty())
+  if (!grid_.positions_m.empty())
     throw InputError("a terrain that is traced as a grid must be regular on the map");
   if (triangles() >= kNoIndex)
     throw InputError(format("a terrain of {} x {} heights has too many cells", grid_.columns, grid_.rows));

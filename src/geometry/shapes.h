@@ -60,7 +60,7 @@ struct PlacedUnit {
   const UnitShape* unit = nullptr;
   math::Transform object_from_unit;
   /// A point in a solid, or one such that rays towards it from most sides meet the surface.
-  math::Point3 seed_in_unit;
+  math::Point3 pilot_in_unit;
   bool solid = false;
 };
 

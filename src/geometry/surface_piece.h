@@ -28,7 +28,7 @@ struct SurfacePiece {
   bool solid = false;  ///< a flat face of a solid, whose outside is where x cross y of the map points
 };
 
-/// Area of a piece, m^2: exact where the map is a similarity; of other balls, domes and tubes by the mean of its
+/// Area of a piece, m^2: exact where the map is a similarity; of other balls, hemispheres and open cylinders by the mean of its
 /// stretches.
 double area_m2(const SurfacePiece& piece);
 

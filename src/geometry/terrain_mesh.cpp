@@ -56,14 +56,14 @@ class Hierarchy {
   Deviation deviation(const Half& half) const;
 
  private:
-  enum class Place { inside, outside, astride };
+  enum class Side { inside, outside, astride };
 
-  Place place(const Half& h) const {
+  Side side(const Half& h) const {
     const auto inside = [&](Node n) { return n.column < grid_.columns && n.row < grid_.rows; };
-    if (inside(h.a) && inside(h.b) && inside(h.apex)) return Place::inside;
+    if (inside(h.a) && inside(h.b) && inside(h.apex)) return Side::inside;
     const bool beyond = std::min({h.a.column, h.b.column, h.apex.column}) >= grid_.columns - 1 ||
                         std::min({h.a.row, h.b.row, h.apex.row}) >= grid_.rows - 1;
-    return beyond ? Place::outside : Place::astride;
+    return beyond ? Side::outside : Side::astride;
   }
   bool known(Node n) const { return std::isfinite(grid_.height_m[grid_.index(n.column, n.row)]); }
 
@@ -74,15 +74,15 @@ class Hierarchy {
 
   template <class Use>
   void descend(const Half& h, const Use& use) const {
-    const Place where = place(h);
-    if (where == Place::outside) return;
+    const Side where = side(h);
+    if (where == Side::outside) return;
     const int legs = std::max(std::abs(h.a.column - h.b.column), std::abs(h.a.row - h.b.row));
     const bool smallest = legs == 1;
     const Node m = middle(h.a, h.b);
-    if (!smallest && (where == Place::astride || halved_[grid_.index(m.column, m.row)] != 0)) {
+    if (!smallest && (where == Side::astride || halved_[grid_.index(m.column, m.row)] != 0)) {
       descend({h.apex, h.a, m}, use);
       descend({h.b, h.apex, m}, use);
-    } else if (where == Place::inside && known(h.a) && known(h.b) && known(h.apex)) {
+    } else if (where == Side::inside && known(h.a) && known(h.b) && known(h.apex)) {
       use(h);
     }
   }
@@ -117,7 +117,7 @@ Deviation Hierarchy::deviation(const Half& h) const {
   const double side = ax * by - bx * ay;
   const math::Point3 pa = grid_.node(h.a.column, h.a.row), pb = grid_.node(h.b.column, h.b.row),
                      pc = grid_.node(h.apex.column, h.apex.row);
-  const bool regular = grid_.places_m.empty();
+  const bool regular = grid_.positions_m.empty();
   Deviation worst;
   for (int row = north; row <= south; ++row)
     for (int column = west; column <= east; ++column) {
@@ -155,9 +155,9 @@ bool Hierarchy::must_halve(Node m, int step, bool diagonal) const {
   if (!known(m)) return true;
   for (const Half& half : halves(m, step, diagonal)) {
     if (half.a.column < 0 || half.a.row < 0 || half.apex.column < 0 || half.apex.row < 0) continue;
-    const Place where = place(half);
-    if (where == Place::astride) return true;
-    if (where == Place::outside) continue;
+    const Side where = side(half);
+    if (where == Side::astride) return true;
+    if (where == Side::outside) continue;
     if (!known(half.a) || !known(half.b) || !known(half.apex)) return true;
     const Deviation found = deviation(half);
     if (found.height_m > detail_m_ || found.shift_m > detail_m_) return true;
@@ -188,8 +188,8 @@ math::Normal3 normal_at(const TerrainGrid& grid, int column, int row) {
   math::Vec3 east = neighbour(column + 1, row) - neighbour(column - 1, row);
   math::Vec3 north = neighbour(column, row - 1) - neighbour(column, row + 1);
   // Level along an axis on which both are missing.
-  if (grid.places_m.empty() && length(east) == 0.0) east = grid.along_column_m;
-  if (grid.places_m.empty() && length(north) == 0.0) north = -grid.along_row_m;
+  if (grid.positions_m.empty() && length(east) == 0.0) east = grid.along_column_m;
+  if (grid.positions_m.empty() && length(north) == 0.0) north = -grid.along_row_m;
   const math::Vec3 up = math::cross(east, north);
   if (!(math::length(up) > 0.0)) return {0.0, 0.0, 1.0};
   const math::Vec3 unit = math::normalized(up);
@@ -200,9 +200,9 @@ math::Normal3 normal_at(const TerrainGrid& grid, int column, int row) {
 
 math::Point3 TerrainGrid::node(int column, int row) const {
   const double z = corner_m.z + static_cast<double>(height_m[index(column, row)]);
-  if (!places_m.empty()) {
-    const std::array<double, 2>& place = places_m[index(column, row)];
-    return {place[0], place[1], z};
+  if (!positions_m.empty()) {
+    const std::array<double, 2>& position = positions_m[index(column, row)];
+    return {position[0], position[1], z};
   }
   return {corner_m.x + column * along_column_m.x + row * along_row_m.x,
           corner_m.y + column * along_column_m.y + row * along_row_m.y, z};

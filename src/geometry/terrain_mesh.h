@@ -9,13 +9,13 @@
 namespace ifov::geometry {
 
 /// Heights at the nodes of a grid, rows from the north. The nodes stand where `west_m` and its companions put
-/// them, or, in a grid that is not regular on the map, where `places_m` says.
+/// them, or, in a grid that is not regular on the map, where `positions_m` says.
 struct TerrainGrid {
   int columns = 0, rows = 0;
   std::vector<float> height_m;  ///< [row * columns + column]; NaN: nothing known there
   math::Point3 corner_m;        ///< of the first node; its z is added to all heights
   math::Vec3 along_column_m{1.0, 0.0, 0.0}, along_row_m{0.0, -1.0, 0.0};  ///< steps between nodes
-  std::vector<std::array<double, 2>> places_m;  ///< x and y of every node; empty: regular
+  std::vector<std::array<double, 2>> positions_m;  ///< x and y of every node; empty: regular
 
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +

@@ -46,8 +46,8 @@ class World {
   struct PlacedObject {
     math::Point3 centre_m;
     double radius_m = 0.0;
-    math::Point3 seed_m;  ///< a point on or in the object that a ray towards it meets (centroid of its
-                          ///< largest face for open meshes, the centre for solids)
+    math::Point3 pilot_point_m;  ///< a point on or in the object that a ray towards it meets (centroid of its
+                                 ///< largest face for open meshes, the centre for solids)
     /// From the centre to the sides of the box in the object's own frame, longest first; 0 for planes.
     std::array<math::Vec3, 3> half_sides_m;
     bool compact = false;  ///< one connected thing, not a leaf or part of a larger object

@@ -180,7 +180,7 @@ ObjectSeeds::ObjectSeeds(const geometry::World& world, std::size_t materials, co
     const double parts =
         std::min(std::ceil(outline.length_px / std::max(kSpacing_px, outline.width_px)), kMostParts);
     if (outline.length_px <= kSeeded_px || parts <= 1.0) {
-      add(object.seed_m, static_cast<std::uint32_t>(number));
+      add(object.pilot_point_m, static_cast<std::uint32_t>(number));
       continue;
     }
     // What is thin may be met at one end and missed at the other.

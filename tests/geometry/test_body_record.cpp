@@ -66,9 +66,9 @@ TEST(BodyRecord, ComesBackWhole) {
   EXPECT_EQ(back->bounds.high_m, body.bounds.high_m);
   EXPECT_EQ(back->centre_m, body.centre_m);
   EXPECT_EQ(back->radius_m, body.radius_m);
-  EXPECT_EQ(back->seed_m, body.seed_m);
-  EXPECT_EQ(back->seed_weight, body.seed_weight);
-  EXPECT_EQ(back->seed_is_solid, body.seed_is_solid);
+  EXPECT_EQ(back->pilot_point_m, body.pilot_point_m);
+  EXPECT_EQ(back->pilot_weight, body.pilot_weight);
+  EXPECT_EQ(back->pilot_is_solid, body.pilot_is_solid);
 }
 
 TEST(BodyRecord, KeepsChunks) {

@@ -211,7 +211,7 @@ TEST(HeightField, SaysWhatItCannotTrace) {
   EXPECT_EQ(error_of(grid_of(5, 5, [](int, int) { return std::nan(""); })),
             "the terrain has no triangle with three known heights");
   TerrainGrid bent = grid_of(3, 3, hills);
-  bent.places_m.assign(9, {0.0, 0.0});
+  bent.positions_m.assign(9, {0.0, 0.0});
   EXPECT_EQ(error_of(std::move(bent)), "a terrain that is traced as a grid must be regular on the map");
   WorldBuilder builder;
   const ShapeId id = builder.add_height_field(std::make_shared<HeightField>(grid_of(4, 4, hills), true));

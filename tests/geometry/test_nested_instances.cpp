@@ -21,7 +21,7 @@ using math::Vec3;
 using Slots = std::vector<std::uint32_t>;
 
 /// A list of placings by a function of the index.
-class Listed final : public Placings {
+class Listed final : public Placements {
  public:
   explicit Listed(std::vector<Transform> all) : all_(std::move(all)) {}
   std::size_t count() const override { return all_.size(); }
@@ -31,7 +31,7 @@ class Listed final : public Placings {
   std::vector<Transform> all_;
 };
 
-std::shared_ptr<const Placings> ring(int count, double radius_m, double height_m, std::uint64_t key) {
+std::shared_ptr<const Placements> ring(int count, double radius_m, double height_m, std::uint64_t key) {
   std::vector<Transform> all;
   for (int k = 0; k < count; ++k) {
     const double size = 0.7 + 0.6 * test::uniform(key, static_cast<std::uint64_t>(k));
@@ -147,7 +147,7 @@ TEST(NestedInstances, AreWhatIsPlacedByHand) {
   for (std::size_t k = 0; k < 12; ++k) {
     const auto a = nested->object(k), b = plain->object(k);
     EXPECT_LT(length(a.centre_m - b.centre_m), 1e-8);
-    EXPECT_LT(length(a.seed_m - b.seed_m), 1e-8);
+    EXPECT_LT(length(a.pilot_point_m - b.pilot_point_m), 1e-8);
     EXPECT_NEAR(a.radius_m, b.radius_m, 1e-9);
   }
 }
@@ -189,7 +189,7 @@ TEST(NestedInstances, HitsOfATableAreExact) {
 }
 
 /// A list of so many copies that joining them would take more memory than placing them one by one.
-class Wide final : public Placings {
+class Wide final : public Placements {
  public:
   std::size_t count() const override { return 4000; }
   Transform at(std::size_t k) const override {

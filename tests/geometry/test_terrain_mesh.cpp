@@ -130,7 +130,7 @@ TEST(TerrainMesh, UnknownHeightsAreHoles) {
 TEST(TerrainMesh, IrregularGridsKeepTheirPlacesToo) {
   TerrainGrid grid = grid_of(33, 33, [](int, int) { return 100.0; });
   for (int r = 0; r < 33; ++r)
-    for (int c = 0; c < 33; ++c) grid.places_m.push_back({30.0 * c, -30.0 * r + 0.05 * c * (32 - c)});
+    for (int c = 0; c < 33; ++c) grid.positions_m.push_back({30.0 * c, -30.0 * r + 0.05 * c * (32 - c)});
   const TerrainMesh coarse = mesh_terrain(grid, 20.0, false), fine = mesh_terrain(grid, 1.0, false);
   EXPECT_EQ(coarse.mesh.triangles.size(), 2u);
   EXPECT_NEAR(coarse.largest_shift_m, 0.05 * 16 * 16, 1e-9);

@@ -170,9 +170,9 @@ TEST(WorldBuilder, ObjectsTellWhereTheyAre) {
   for (std::size_t k = 1; k < 6; ++k) EXPECT_TRUE(objects[k].compact);
 }
 
-/// A ray towards the seed of an object that stands alone meets the object, from every side that sees a
+/// A ray towards the pilot point of an object that stands alone meets the object, from every side that sees a
 /// surface there.
-TEST(WorldBuilder, SeedsAreMet) {
+TEST(WorldBuilder, PilotPointsAreMet) {
   TriangleMesh ring = test::height_field(6, {});
   const std::vector<std::pair<const char*, Shape>> shapes{
       {"sphere", Sphere{{3, 2, 1}, 0.5}},
@@ -187,13 +187,13 @@ TEST(WorldBuilder, SeedsAreMet) {
     WorldBuilder builder;
     builder.place(builder.add_shape(shape), Transform::rotation({1, 0, 0}, 0.2), Slots{0});
     const auto world = builder.build(1);
-    const Point3 seed = world->object(0).seed_m;
-    EXPECT_LE(length(seed - world->object(0).centre_m), world->object(0).radius_m);
+    const Point3 pilot = world->object(0).pilot_point_m;
+    EXPECT_LE(length(pilot - world->object(0).centre_m), world->object(0).radius_m);
     for (std::uint64_t i = 0; i < 200; ++i) {
       Vec3 d = test::direction(72, i);
       d.z = -0.4 - std::abs(d.z);
       d = normalized(d);
-      EXPECT_TRUE(hit_of(*world, seed - d * 500.0, d).hit());
+      EXPECT_TRUE(hit_of(*world, pilot - d * 500.0, d).hit());
     }
   }
 }

@@ -42,10 +42,11 @@ void LateFailure::rethrow() const {
   std::rethrow_exception(first_);
 }
 
-ChunkedMesh::ChunkedMesh(RTCDevice device, MeshLists mesh, const ChunkPlacing& placing, LateFailure& failure)
+ChunkedMesh::ChunkedMesh(RTCDevice device, MeshLists mesh, const ChunkPlacement& placement,
+                         LateFailure& failure)
     : device_(device),
       mesh_(std::move(mesh)),
-      placing_(placing),
+      placement_(placement),
       failure_(failure),
       chunks_(std::make_unique<Chunk[]>(mesh_.chunks.size())) {}
 
@@ -60,7 +61,7 @@ void ChunkedMesh::attach_to(RTCScene scene, unsigned geometry) const {
 }
 
 World::Bounds ChunkedMesh::chunk_bounds(std::size_t chunk) const {
-  return image_of(mesh_.chunks[chunk].bounds, placing_.set_from_object);
+  return image_of(mesh_.chunks[chunk].bounds, placement_.set_from_object);
 }
 
 ChunkedMesh::Made ChunkedMesh::made() const {
@@ -92,9 +93,9 @@ std::unique_ptr<ChunkedMesh::Tree> ChunkedMesh::make_tree(std::size_t chunk) con
   const KeepDenormals keep;  // as for trees that are made before any ray
   const MeshChunk& c = mesh_.chunks[chunk];
   auto tree = std::make_unique<Tree>();
-  tree->triangles.take(mesh_, mesh_.order.subspan(c.first, c.count), placing_.set_from_object);
-  tree->triangles.only_owner = placing_.owner;
-  tree->scene = make_scene(device_, placing_.robust);
+  tree->triangles.take(mesh_, mesh_.order.subspan(c.first, c.count), placement_.set_from_object);
+  tree->triangles.only_owner = placement_.owner;
+  tree->scene = make_scene(device_, placement_.robust);
   attach_triangles(device_, tree->scene.get(), 0, tree->triangles);
   commit(device_, tree->scene.get());
   return tree;

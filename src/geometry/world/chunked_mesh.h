@@ -32,7 +32,7 @@ class LateFailure {
 };
 
 /// How the triangles of a mesh get into a scene of Embree's.
-struct ChunkPlacing {
+struct ChunkPlacement {
   math::Transform set_from_object;
   std::uint32_t owner = 0;  ///< of a mesh in the scene itself
   bool robust = true;
@@ -45,7 +45,7 @@ struct ChunkPlacing {
 class ChunkedMesh {
  public:
   /// `device` and `failure` must outlive it.
-  ChunkedMesh(RTCDevice device, MeshLists mesh, const ChunkPlacing& placing, LateFailure& failure);
+  ChunkedMesh(RTCDevice device, MeshLists mesh, const ChunkPlacement& placement, LateFailure& failure);
   ChunkedMesh(const ChunkedMesh&) = delete;
   ChunkedMesh& operator=(const ChunkedMesh&) = delete;
 
@@ -53,10 +53,10 @@ class ChunkedMesh {
   void attach_to(RTCScene scene, unsigned geometry) const;
 
   const MeshLists& mesh() const { return mesh_; }
-  const math::Transform& set_from_object() const { return placing_.set_from_object; }
-  std::uint32_t owner() const { return placing_.owner; }
+  const math::Transform& set_from_object() const { return placement_.set_from_object; }
+  std::uint32_t owner() const { return placement_.owner; }
   World::Bounds chunk_bounds(std::size_t chunk) const;  ///< in the set's frame
-  double padding_m() const { return placing_.padding_m; }
+  double padding_m() const { return placement_.padding_m; }
 
   /// Chunks whose trees are there by now, and the bytes of the trees' triangles.
   struct Made {
@@ -81,7 +81,7 @@ class ChunkedMesh {
 
   RTCDevice device_;
   MeshLists mesh_;
-  ChunkPlacing placing_;
+  ChunkPlacement placement_;
   LateFailure& failure_;
   std::unique_ptr<Chunk[]> chunks_;
 };

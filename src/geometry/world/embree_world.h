@@ -62,7 +62,7 @@ class EmbreeWorld final : public World {
   };
   /// What placed objects of a template have in common, in its own frame.
   struct Figure {
-    math::Point3 centre_m, seed_m;
+    math::Point3 centre_m, pilot_point_m;
     double radius_m = 0.0;
     World::Bounds bounds{};
     HalfSides half_sides_m{};
@@ -71,7 +71,7 @@ class EmbreeWorld final : public World {
   struct Object {
     std::uint32_t of = 0;            ///< template
     std::uint32_t where = kNoIndex;  ///< into transforms_, or an instance number
-    bool seed = true, is_instance = false;
+    bool pilot_ray = true, is_instance = false;
   };
 
   void choose_chunked(WorldContent& content, const PrototypePlan& plan, const std::vector<bool>& instanced,

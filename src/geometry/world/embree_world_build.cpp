@@ -167,7 +167,7 @@ void EmbreeWorld::build_prototypes(WorldContent& content, const std::vector<bool
     storage_.stored_triangles += body.mesh.triangles.size();
     if (is_chunked_[t]) {
       prototype->chunked = std::make_unique<ChunkedMesh>(
-          device_.get(), body.mesh, ChunkPlacing{set_from_object, 0, robust, box_padding_m() * shrink[t]},
+          device_.get(), body.mesh, ChunkPlacement{set_from_object, 0, robust, box_padding_m() * shrink[t]},
           late_failure_);
       prototype->chunked->attach_to(prototype->scene.get(), 0);
       storage_.chunks += body.mesh.chunks.size();
@@ -221,7 +221,7 @@ void EmbreeWorld::place_pieces(WorldContent& content, const PieceWalk& walk, con
     copies_.push_back(piece);
     if (is_chunked_[placed.of]) {
       chunked_.push_back(std::make_unique<ChunkedMesh>(
-          device_.get(), body.mesh, ChunkPlacing{centred_from_body, owner, true, box_padding_m()},
+          device_.get(), body.mesh, ChunkPlacement{centred_from_body, owner, true, box_padding_m()},
           late_failure_));
       storage_.stored_triangles += body.mesh.triangles.size();
       storage_.chunks += body.mesh.chunks.size();

@@ -18,7 +18,7 @@ void EmbreeWorld::note_figures(const WorldContent& content, const PrototypePlan&
     const Template& one = content.templates[t];
     Figure& figure = figures_[t];
     if (one.plane) {
-      figure.centre_m = figure.seed_m = {0.0, 0.0, one.plane->z_m};
+      figure.centre_m = figure.pilot_point_m = {0.0, 0.0, one.plane->z_m};
       figure.radius_m = std::numeric_limits<double>::infinity();
     } else if (one.field) {
       const World::Bounds b = one.field->bounds();
@@ -27,9 +27,10 @@ void EmbreeWorld::note_figures(const WorldContent& content, const PrototypePlan&
                 b,      oriented_extent({}, b), centre};
     } else if (one.body.patch_count > 0) {
       const Body& body = one.body;
-      figure = {body.centre_m, body.seed_m, body.radius_m, body.bounds, body.half_sides_m, body.centre_m};
+      figure = {body.centre_m, body.pilot_point_m, body.radius_m,
+                body.bounds,   body.half_sides_m,  body.centre_m};
     } else if (!plan.flat[t]) {
-      // Its parts stand apart: boxes of boxes, and the seed of the largest part.
+      // Its parts stand apart: boxes of boxes, and the pilot point of the largest part.
       GrowingBox box;
       double largest = -1.0;
       for (const TemplatePart& part : one.parts)
@@ -38,7 +39,7 @@ void EmbreeWorld::note_figures(const WorldContent& content, const PrototypePlan&
           const Figure& inner = figures_[part.of];
           box.include(image_of(inner.bounds, map));
           const double size = inner.radius_m * largest_stretch(map);
-          if (size > largest) largest = size, figure.seed_m = map(inner.seed_m);
+          if (size > largest) largest = size, figure.pilot_point_m = map(inner.pilot_point_m);
         }
       figure.bounds = box.bounds;
       figure.centre_m = box.bounds.low_m + (box.bounds.high_m - box.bounds.low_m) * 0.5;
@@ -53,7 +54,7 @@ void EmbreeWorld::note_objects(const WorldContent& content, const std::vector<bo
   for (const Run& run : content.runs) {
     const bool is_instance = instanced[run.what.of];
     for (std::size_t k = 0; k < run.what.copies(); ++k) {
-      Object object{run.what.of, kNoIndex, run.seed, is_instance};
+      Object object{run.what.of, kNoIndex, run.pilot_ray, is_instance};
       if (!is_instance) {
         object.where = static_cast<std::uint32_t>(transforms_.size());
         transforms_.push_back(run.what.whole_from_copy(k));
@@ -72,11 +73,11 @@ World::PlacedObject EmbreeWorld::object(std::size_t number) const {
                                            : transforms_[object.where];
   PlacedObject placed;
   placed.centre_m = map(figure.centre_m);
-  placed.seed_m = map(figure.seed_m);
+  placed.pilot_point_m = map(figure.pilot_point_m);
   placed.radius_m = figure.radius_m;
   if (std::isinf(figure.radius_m)) return placed;
   placed.radius_m *= largest_stretch(map);
-  placed.compact = object.seed;
+  placed.compact = object.pilot_ray;
   HalfSides sides = figure.half_sides_m;
   for (Vec3& side : sides) side = map(side);
   std::sort(sides.begin(), sides.end(), [](Vec3 a, Vec3 b) { return dot(a, a) > dot(b, b); });

@@ -39,7 +39,7 @@ struct WorldBuilder::Content : WorldContent {
     return entry->second;
   }
 
-  std::uint32_t place(TemplatePart what, std::span<const std::uint32_t> material_of_slot, bool seed) {
+  std::uint32_t place(TemplatePart what, std::span<const std::uint32_t> material_of_slot, bool pilot_ray) {
     Template& t = templates[what.of];
     if (material_of_slot.size() != t.slot_count)
       throw InputError(
@@ -51,7 +51,7 @@ struct WorldBuilder::Content : WorldContent {
     if (copies == 0 || t.nothing) return first;
     t.uses += copies;
     object_count += static_cast<std::uint32_t>(copies);
-    runs.push_back({std::move(what), materials_begin(material_of_slot), first, seed});
+    runs.push_back({std::move(what), materials_begin(material_of_slot), first, pilot_ray});
     return first;
   }
 };
@@ -110,23 +110,23 @@ std::uint32_t WorldBuilder::object_count() const { return content_->object_count
 std::size_t WorldBuilder::slot_count(ShapeId what) const { return content_->at(what).slot_count; }
 
 std::uint32_t WorldBuilder::place(ShapeId what, const math::Transform& scene_from_object,
-                                  std::span<const std::uint32_t> material_of_slot, bool seed) {
+                                  std::span<const std::uint32_t> material_of_slot, bool pilot_ray) {
   if (content_->at(what).plane) {
     const math::Vec3 x = scene_from_object.column_x(), y = scene_from_object.column_y(),
                      z = scene_from_object.column_z();
     if (std::abs(x.z) > 1e-12 * length(x) || std::abs(y.z) > 1e-12 * length(y) || !(z.z > 0.0))
       throw InputError("a plane must stay horizontal, its outer side up");
   }
-  return content_->place({what.value, scene_from_object, nullptr, {}}, material_of_slot, seed);
+  return content_->place({what.value, scene_from_object, nullptr, {}}, material_of_slot, pilot_ray);
 }
 
 std::uint32_t WorldBuilder::place_many(ShapeId what, const math::Transform& scene_from_list,
-                                       std::shared_ptr<const Placings> list,
-                                       std::span<const std::uint32_t> material_of_slot, bool seed) {
+                                       std::shared_ptr<const Placements> list,
+                                       std::span<const std::uint32_t> material_of_slot, bool pilot_ray) {
   if (content_->at(what).plane) throw InputError("a plane cannot be placed many times");
   if (content_->at(what).field)
     throw InputError("a terrain that is traced as a grid cannot be placed many times");
-  return content_->place({what.value, scene_from_list, std::move(list), {}}, material_of_slot, seed);
+  return content_->place({what.value, scene_from_list, std::move(list), {}}, material_of_slot, pilot_ray);
 }
 
 std::unique_ptr<World> WorldBuilder::build(const BuildOptions& options) {

@@ -7,7 +7,7 @@
 
 #include "geometry/body.h"
 #include "geometry/height_field.h"
-#include "geometry/placings.h"
+#include "geometry/placements.h"
 #include "geometry/shapes.h"
 #include "geometry/world.h"
 #include "math/transform.h"
@@ -25,7 +25,7 @@ struct Part {
   math::Transform prototype_from_part;
   /// The prototype's material slot for each slot of the part; empty: all 0.
   std::vector<std::uint32_t> slots;
-  std::shared_ptr<const Placings> list = nullptr;  ///< copies stand at prototype_from_part * list->at(k)
+  std::shared_ptr<const Placements> list = nullptr;  ///< copies stand at prototype_from_part * list->at(k)
 };
 
 /// How instances are kept: as nodes of the ray tracer (faster rays), or in a table of our own (a third of the
@@ -73,17 +73,17 @@ class WorldBuilder {
   std::size_t slot_count(ShapeId what) const;
 
   /// Returns the instance number: 0, 1, 2, ... in the order of placing. `material_of_slot` has slot_count
-  /// entries. `seed`: whether the object, if it is compact, may serve as a seed (false for a leaf or a part
+  /// entries. `pilot_ray`: whether a ray is sent at the object where it is compact (false for a leaf or a part
   /// of something larger that is placed on its own). Planes may be moved and turned about the vertical, not
   /// tilted.
   std::uint32_t place(ShapeId what, const math::Transform& scene_from_object,
-                      std::span<const std::uint32_t> material_of_slot, bool seed = true);
+                      std::span<const std::uint32_t> material_of_slot, bool pilot_ray = true);
 
   /// The same for one object for each entry of a list, at scene_from_list * list->at(k). Returns the number of the
   /// first; the others follow.
   std::uint32_t place_many(ShapeId what, const math::Transform& scene_from_list,
-                           std::shared_ptr<const Placings> list,
-                           std::span<const std::uint32_t> material_of_slot, bool seed = true);
+                           std::shared_ptr<const Placements> list,
+                           std::span<const std::uint32_t> material_of_slot, bool pilot_ray = true);
 
   /// The builder is empty afterwards. Lists of placings are not kept.
   std::unique_ptr<World> build(const BuildOptions& options = {});

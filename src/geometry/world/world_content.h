@@ -7,7 +7,7 @@
 
 #include "geometry/body.h"
 #include "geometry/height_field.h"
-#include "geometry/placings.h"
+#include "geometry/placements.h"
 #include "geometry/shapes.h"
 #include "math/transform.h"
 
@@ -17,8 +17,8 @@ namespace ifov::geometry {
 struct TemplatePart {
   std::uint32_t of = 0;
   math::Transform whole_from_list;
-  std::shared_ptr<const Placings> list;  ///< null: one copy, whole_from_list itself
-  std::vector<std::uint32_t> slots;      ///< the whole's slot for each slot of the part; empty: all 0
+  std::shared_ptr<const Placements> list;  ///< null: one copy, whole_from_list itself
+  std::vector<std::uint32_t> slots;        ///< the whole's slot for each slot of the part; empty: all 0
 
   std::size_t copies() const { return list ? list->count() : 1; }
   math::Transform whole_from_copy(std::size_t k) const {
@@ -45,7 +45,7 @@ struct Run {
   TemplatePart what;            ///< slots are not used
   std::uint32_t materials = 0;  ///< where their materials begin in the list, one per slot
   std::uint32_t first_object = 0;
-  bool seed = true;
+  bool pilot_ray = true;
 };
 
 struct WorldContent {

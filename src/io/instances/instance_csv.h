@@ -3,13 +3,13 @@
 #include <filesystem>
 #include <vector>
 
-#include "geometry/placings.h"
+#include "geometry/placements.h"
 #include "io/instances/instance.h"
 
 namespace ifov::io {
 
 /// A list of instances in memory.
-class InstanceList final : public geometry::Placings {
+class InstanceList final : public geometry::Placements {
  public:
   explicit InstanceList(std::vector<Instance> instances) : instances_(std::move(instances)) {}
   std::size_t count() const override { return instances_.size(); }

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "geometry/placings.h"
+#include "geometry/placements.h"
 #include "io/files/mapped_file.h"
 #include "io/instances/instance.h"
 #include "io/instances/instance_layout.h"
@@ -11,7 +11,7 @@ namespace ifov::io {
 
 /// A binary instance list (`.ifovinst`, docs/formats/instances.md) as it lies on disk, mapped into memory; either
 /// byte order. The header is checked against the file's size and every record for sense when it is opened.
-class InstanceFile final : public geometry::Placings {
+class InstanceFile final : public geometry::Placements {
  public:
   /// Throws InputError that names the file and what is wrong, SystemError where it cannot be read.
   explicit InstanceFile(const std::filesystem::path& path);

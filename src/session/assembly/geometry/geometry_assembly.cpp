@@ -180,13 +180,13 @@ class GeometryAssembly {
   }
 
   /// Where its copies stand; null: there is one.
-  std::shared_ptr<const geometry::Placings> list_of(const io::ObjectDocument& object) const {
+  std::shared_ptr<const geometry::Placements> list_of(const io::ObjectDocument& object) const {
     const auto* many = std::get_if<io::InstancesShape>(&object.shape);
     if (many == nullptr) return nullptr;
     const auto file = many->binary ? many->binary : many->csv;
     if (file) {
       const auto list =
-          with_position(document_, file->position, [&]() -> std::shared_ptr<const geometry::Placings> {
+          with_position(document_, file->position, [&]() -> std::shared_ptr<const geometry::Placements> {
             if (many->binary) return std::make_shared<io::InstanceFile>(file->path);
             return cached_instances(cache_, {file->path}, [&] { return io::read_instance_csv(file->path); });
           });

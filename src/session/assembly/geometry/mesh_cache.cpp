@@ -22,7 +22,7 @@ bool any_asset(const std::vector<std::string>& files) {
 }
 
 /// A list as it lies in the cache.
-class CachedInstances final : public geometry::Placings {
+class CachedInstances final : public geometry::Placements {
  public:
   explicit CachedInstances(std::span<const std::byte> bytes) : bytes_(bytes) {}
   std::size_t count() const override { return bytes_.size() / sizeof(io::Instance); }
@@ -73,7 +73,7 @@ geometry::Body cached_mesh(io::SceneCache* cache, const MeshSource& source,
   return body;
 }
 
-std::shared_ptr<const geometry::Placings> cached_instances(
+std::shared_ptr<const geometry::Placements> cached_instances(
     io::SceneCache* cache, const std::vector<std::string>& files,
     const std::function<std::vector<io::Instance>()>& make, const std::string& more) {
   if (cache == nullptr || any_asset(files)) return std::make_shared<io::InstanceList>(make());

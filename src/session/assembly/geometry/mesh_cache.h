@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/body.h"
-#include "geometry/placings.h"
+#include "geometry/placements.h"
 #include "io/instances/instance.h"
 #include "io/scene_cache/scene_cache.h"
 
@@ -31,7 +31,7 @@ geometry::Body cached_mesh(io::SceneCache* cache, const MeshSource& source,
 
 /// The list of instances that `make` makes of `files`, which `more` tells apart from others of the same
 /// files. The list must not outlive the cache.
-std::shared_ptr<const geometry::Placings> cached_instances(
+std::shared_ptr<const geometry::Placements> cached_instances(
     io::SceneCache* cache, const std::vector<std::string>& files,
     const std::function<std::vector<io::Instance>()>& make, const std::string& more = {});
 

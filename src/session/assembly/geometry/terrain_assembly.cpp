@@ -49,7 +49,7 @@ geometry::TerrainGrid grid_of(const io::TerrainShape& source, io::Elevation elev
                         t[3] + (column + 0.5) * t[4] + (row + 0.5) * t[5]});
   transform->apply(points);
   for (const io::MapPoint& point : points)
-    grid.places_m.push_back({point.x - offset_m.x, point.y - offset_m.y});
+    grid.positions_m.push_back({point.x - offset_m.x, point.y - offset_m.y});
   return grid;
 }
 
@@ -60,7 +60,8 @@ std::string words_of(const io::TerrainShape& source, const geometry::TerrainGrid
   std::string text =
       format("terrain '{}': {} x {} heights, {} triangles, largest height error {:.3g} m", name, grid.columns,
              grid.rows, terrain.mesh.triangles.size(), terrain.largest_height_error_m);
-  if (!grid.places_m.empty()) text += format(", largest shift on the map {:.3g} m", terrain.largest_shift_m);
+  if (!grid.positions_m.empty())
+    text += format(", largest shift on the map {:.3g} m", terrain.largest_shift_m);
   text += '\n';
   if (unknown > 0)
     text += format("terrain '{}': {} of {} cells have no height; they are {}", name, unknown,
@@ -116,7 +117,7 @@ std::shared_ptr<const geometry::HeightField> assemble_height_field(const io::Ter
                          source.fill ? io::UnknownHeights::fill : io::UnknownHeights::holes);
   const std::size_t unknown = elevation.unknown;
   geometry::TerrainGrid grid = grid_of(source, std::move(elevation), frame);
-  if (!grid.places_m.empty())
+  if (!grid.positions_m.empty())
     throw InputError(
         format("a terrain of the form 'grid' must be in the scene's own coordinates: '{}' is in others; give "
                "the scene "
