@@ -57,16 +57,16 @@ CurveMatcher::CurveMatcher(std::vector<double> means, std::size_t ranges, Distan
     mean_.push_back(mean);
     deviation_.push_back(deviation);
   }
-  places_ = scores_;
+  points_ = scores_;
   if (distance == Distance::covariance) {
     decorrelate();
-    for (std::size_t c = 0; c < count_; ++c) whiten({places_.data() + c * ranges_, ranges_});
+    for (std::size_t c = 0; c < count_; ++c) whiten({points_.data() + c * ranges_, ranges_});
   }
   sorted_.resize(count_);
   std::iota(sorted_.begin(), sorted_.end(), 0u);
   if (ranges_ == 1)
     std::stable_sort(sorted_.begin(), sorted_.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return places_[a] < places_[b]; });
+                     [&](std::uint32_t a, std::uint32_t b) { return points_[a] < points_[b]; });
 }
 
 void CurveMatcher::decorrelate() {
@@ -100,38 +100,38 @@ void CurveMatcher::whiten(std::span<double> scores) const {
 
 CurveMix CurveMatcher::match(std::span<const double> scores, std::uint64_t key) const {
   if (ranges_ == 1) return match_in_one(scores[0], key);
-  std::array<double, kMostRanges> place{};
-  std::copy(scores.begin(), scores.end(), place.begin());
-  if (!factor_.empty()) whiten({place.data(), ranges_});
-  return match_in_many({place.data(), ranges_}, key);
+  std::array<double, kMostRanges> point{};
+  std::copy(scores.begin(), scores.end(), point.begin());
+  if (!factor_.empty()) whiten({point.data(), ranges_});
+  return match_in_many({point.data(), ranges_}, key);
 }
 
 CurveMix CurveMatcher::match_in_one(double score, std::uint64_t key) const {
   const auto pick = [&](std::size_t index, std::uint64_t purpose) {
     Choice choice(sampling::hash(key, purpose));
-    const double place = places_[sorted_[index]];
+    const double point = points_[sorted_[index]];
     std::size_t first = index;
-    while (first > 0 && place - places_[sorted_[first - 1]] < kSame) --first;
-    for (std::size_t k = first; k < count_ && places_[sorted_[k]] - place < kSame; ++k)
+    while (first > 0 && point - points_[sorted_[first - 1]] < kSame) --first;
+    for (std::size_t k = first; k < count_ && points_[sorted_[k]] - point < kSame; ++k)
       choice.offer(sorted_[k]);
     return choice.chosen();
   };
   const auto above = static_cast<std::size_t>(
       std::upper_bound(sorted_.begin(), sorted_.end(), score,
-                       [&](double s, std::uint32_t curve) { return s < places_[curve]; }) -
+                       [&](double s, std::uint32_t curve) { return s < points_[curve]; }) -
       sorted_.begin());
   if (above == 0 || above == count_) {
     const std::uint32_t outermost = pick(above == 0 ? 0 : count_ - 1, 0);
     return {outermost, outermost, 0.0};
   }
   const std::uint32_t low = pick(above - 1, 0), high = pick(above, 1);
-  return {low, high, std::clamp((score - places_[low]) / (places_[high] - places_[low]), 0.0, 1.0)};
+  return {low, high, std::clamp((score - points_[low]) / (points_[high] - points_[low]), 0.0, 1.0)};
 }
 
-CurveMix CurveMatcher::match_in_many(std::span<const double> place, std::uint64_t key) const {
+CurveMix CurveMatcher::match_in_many(std::span<const double> point, std::uint64_t key) const {
   const auto squared = [&](std::size_t curve) {
     double sum = 0.0;
-    for (std::size_t j = 0; j < ranges_; ++j) sum += std::pow(places_[curve * ranges_ + j] - place[j], 2.0);
+    for (std::size_t j = 0; j < ranges_; ++j) sum += std::pow(points_[curve * ranges_ + j] - point[j], 2.0);
     return sum;
   };
   Choice nearest(sampling::hash(key, 0));
@@ -151,9 +151,9 @@ CurveMix CurveMatcher::match_in_many(std::span<const double> place, std::uint64_
   for (std::size_t b = 0; b < count_; ++b) {
     double length = 0.0, along = 0.0;
     for (std::size_t j = 0; j < ranges_; ++j) {
-      const double way = places_[b * ranges_ + j] - places_[a * ranges_ + j];
+      const double way = points_[b * ranges_ + j] - points_[a * ranges_ + j];
       length += way * way;
-      along += way * (place[j] - places_[a * ranges_ + j]);
+      along += way * (point[j] - points_[a * ranges_ + j]);
     }
     if (!(length > kTie) || along <= 0.0) continue;
     const double share = std::min(1.0, along / length);

@@ -47,7 +47,7 @@ class CurveMatcher {
 
   std::size_t count_ = 0, ranges_ = 0;
   std::vector<double> mean_, deviation_, scores_;
-  std::vector<double> places_;         ///< scores in the metric of the distance
+  std::vector<double> points_;         ///< scores in the metric of the distance
   std::vector<double> factor_;         ///< lower Cholesky factor of the correlations; empty: plain
   std::vector<std::uint32_t> sorted_;  ///< by score, for one range
 };

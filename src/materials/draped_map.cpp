@@ -27,8 +27,8 @@ TemperatureMap::TemperatureMap(MapGrid grid, std::vector<float> temperature_k)
   }
 }
 
-double TemperatureMap::at_k(const MapPlace& place) const {
-  const MapGrid::Corners corners = grid_.corners_at(place);
+double TemperatureMap::at_k(const MapPosition& position) const {
+  const MapGrid::Corners corners = grid_.corners_at(position);
   double sum = 0.0;
   for (int k = 0; k < 4; ++k) sum += corners.share[k] * static_cast<double>(temperature_k_[corners.cell[k]]);
   return sum;

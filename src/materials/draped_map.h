@@ -13,8 +13,8 @@ class ClassMap {
   /// `classes` row by row from the north-west corner; throws InputError unless there are width x height of
   /// them and the cells have a size.
   ClassMap(MapGrid grid, std::vector<std::uint16_t> classes);
-  std::uint16_t at(const MapPlace& place) const { return classes_[grid_.cell_at(place)]; }
-  std::uint16_t at(double x_m, double y_m) const { return at(MapPlace{x_m, y_m}); }
+  std::uint16_t at(const MapPosition& position) const { return classes_[grid_.cell_at(position)]; }
+  std::uint16_t at(double x_m, double y_m) const { return at(MapPosition{x_m, y_m}); }
   const MapGrid& grid() const { return grid_; }
   std::uint16_t largest_class() const;
 
@@ -31,8 +31,8 @@ class TemperatureMap {
   /// As ClassMap; temperatures in kelvins. Throws InputError, which names row and column, where one is not above 0 or
   /// above kHottest_k.
   TemperatureMap(MapGrid grid, std::vector<float> temperature_k);
-  double at_k(const MapPlace& place) const;
-  double at_k(double x_m, double y_m) const { return at_k(MapPlace{x_m, y_m}); }
+  double at_k(const MapPosition& position) const;
+  double at_k(double x_m, double y_m) const { return at_k(MapPosition{x_m, y_m}); }
   const MapGrid& grid() const { return grid_; }
   double minimum_k() const;
   double maximum_k() const;

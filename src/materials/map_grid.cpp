@@ -29,23 +29,23 @@ struct InCells {
   double column = 0.0, row = 0.0;
 };
 
-InCells in_cells(const MapGrid& grid, const MapPlace& place) {
-  const bool by_place = grid.by == MapBy::place;
-  return {((by_place ? place.x_m : place.u) - grid.west_m) / grid.cell_width_m,
-          (grid.north_m - (by_place ? place.y_m : place.v)) / grid.cell_height_m};
+InCells in_cells(const MapGrid& grid, const MapPosition& position) {
+  const bool by_position = grid.by == MapBy::position;
+  return {((by_position ? position.x_m : position.u) - grid.west_m) / grid.cell_width_m,
+          (grid.north_m - (by_position ? position.y_m : position.v)) / grid.cell_height_m};
 }
 
 }  // namespace
 
-std::size_t MapGrid::cell_at(const MapPlace& place) const {
-  const InCells at = in_cells(*this, place);
+std::size_t MapGrid::cell_at(const MapPosition& position) const {
+  const InCells at = in_cells(*this, position);
   return static_cast<std::size_t>(tiled(std::floor(at.row), height, tiling)) *
              static_cast<std::size_t>(width) +
          static_cast<std::size_t>(tiled(std::floor(at.column), width, tiling));
 }
 
-MapGrid::Corners MapGrid::corners_at(const MapPlace& place) const {
-  const InCells at = in_cells(*this, place);
+MapGrid::Corners MapGrid::corners_at(const MapPosition& position) const {
+  const InCells at = in_cells(*this, position);
   const double column = std::floor(at.column - 0.5), row = std::floor(at.row - 0.5);
   const double across = at.column - 0.5 - column, down = at.row - 0.5 - row;
   Corners corners{};

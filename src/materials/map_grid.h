@@ -14,12 +14,12 @@ enum class Tiling {
 
 /// Which coordinates of a surface point a map is looked up at.
 enum class MapBy {
-  place,                ///< x and y in the scene: draped from above
+  position,             ///< x and y in the scene: draped from above
   texture_coordinates,  ///< u and v of the surface; v rises towards the first row
 };
 
 /// The coordinates of a surface point that maps use.
-struct MapPlace {
+struct MapPosition {
   double x_m = 0.0, y_m = 0.0;  ///< in the scene
   double u = 0.0, v = 0.0;      ///< texture coordinates
 };
@@ -32,17 +32,17 @@ struct MapGrid {
   double cell_width_m = 1.0, cell_height_m = 1.0;
   int width = 0, height = 0;
   Tiling tiling = Tiling::edge;
-  MapBy by = MapBy::place;
+  MapBy by = MapBy::position;
 
   /// Index of the cell that holds a place.
-  std::size_t cell_at(const MapPlace& place) const;
+  std::size_t cell_at(const MapPosition& position) const;
 
   /// The four cells whose middles surround a place, and the shares of bilinear interpolation.
   struct Corners {
     std::size_t cell[4];  ///< north-west, north-east, south-west, south-east
     double share[4];
   };
-  Corners corners_at(const MapPlace& place) const;
+  Corners corners_at(const MapPosition& position) const;
 
   std::size_t cell_count() const {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);

@@ -53,8 +53,8 @@ MixtureMap::MixtureMap(MapGrid grid, std::size_t bands, std::span<const float> s
   first_.push_back(static_cast<std::uint32_t>(parts_.size()));
 }
 
-std::span<const MixtureMap::Part> MixtureMap::at(const MapPlace& place) const {
-  const std::size_t cell = grid_.cell_at(place);
+std::span<const MixtureMap::Part> MixtureMap::at(const MapPosition& position) const {
+  const std::size_t cell = grid_.cell_at(position);
   return {parts_.data() + first_[cell], parts_.data() + first_[cell + 1]};
 }
 

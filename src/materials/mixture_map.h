@@ -32,7 +32,7 @@ class MixtureMap {
   /// all of a cell are 0.
   MixtureMap(MapGrid grid, std::size_t bands, std::span<const float> shares);
 
-  std::span<const Part> at(const MapPlace& place) const;
+  std::span<const Part> at(const MapPosition& position) const;
   const MapGrid& grid() const { return grid_; }
   const Report& report() const { return report_; }
 

@@ -38,9 +38,9 @@ ReliefMap ReliefMap::from_normals(MapGrid grid, std::span<const float> normals) 
   return ReliefMap(grid, std::move(slopes), false);
 }
 
-math::Normal3 ReliefMap::tilted(math::Normal3 normal, const MapPlace& place) const {
+math::Normal3 ReliefMap::tilted(math::Normal3 normal, const MapPosition& position) const {
   double p = 0.0, q = 0.0;
-  const MapGrid::Corners corners = grid_.corners_at(place);
+  const MapGrid::Corners corners = grid_.corners_at(position);
   if (heights_) {
     const auto height = [&](int k) { return static_cast<double>(numbers_[corners.cell[k]]); };
     const double down = corners.share[2] + corners.share[3], across = corners.share[1] + corners.share[3];

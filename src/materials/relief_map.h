@@ -24,7 +24,7 @@ class ReliefMap {
   /// The normal of a surface with this normal and the relief on it: unit. With the slopes p = dh/dx and q = dh/dy the
   /// surface z = f + h has the normal (n_x - p n_z, n_y - q n_z, n_z), normalised (Blinn 1978, with displacement
   /// upwards instead of along the normal). Walls are left as they are.
-  math::Normal3 tilted(math::Normal3 normal, const MapPlace& place) const;
+  math::Normal3 tilted(math::Normal3 normal, const MapPosition& position) const;
 
   const MapGrid& grid() const { return grid_; }
 

@@ -9,7 +9,7 @@ SpectralMaterials::SpectralMaterials(std::span<const Material> materials,
     : reflectance_(materials.size(), nodes.node_count()), emissivity_(materials.size(), nodes.node_count()) {
   std::uint32_t rows = 1;
   for (const Material& material : materials)
-    transmittance_row_.push_back(material.transmittance ? rows++ : 0u);
+    transmittance_index_.push_back(material.transmittance ? rows++ : 0u);
   transmittance_.resize(rows, nodes.node_count());
 
   const auto highest = [](std::span<const float> values) {
@@ -29,7 +29,7 @@ SpectralMaterials::SpectralMaterials(std::span<const Material> materials,
       maximum_transmittance_.back() = static_cast<float>(model->highest_transmittance());
     }
     if (!material.transmittance) continue;
-    const std::span<float> transmittance = transmittance_.values(transmittance_row_[m]);
+    const std::span<float> transmittance = transmittance_.values(transmittance_index_[m]);
     nodes.average_surface(*material.transmittance, transmittance);
     for (std::size_t n = 0; n < emissivity.size(); ++n)
       emissivity[n] = std::max(0.0f, emissivity[n] - transmittance[n]);

@@ -12,7 +12,7 @@
 
 namespace ifov::materials {
 
-/// The materials of a scene in the nodes of a sensor: aligned rows that the integrator multiplies. Rows are
+/// The materials of a scene in the nodes of a sensor: aligned spectra that the integrator multiplies. They are
 /// indexed by material, padded and aligned as SpectrumBlock says.
 class SpectralMaterials {
  public:
@@ -23,10 +23,10 @@ class SpectralMaterials {
   const float* reflectance(std::uint32_t material) const { return reflectance_.row(material); }
   /// Zero for an opaque one.
   const float* transmittance(std::uint32_t material) const {
-    return transmittance_.row(transmittance_row_[material]);
+    return transmittance_.row(transmittance_index_[material]);
   }
   const float* emissivity(std::uint32_t material) const { return emissivity_.row(material); }
-  /// A material whose model is not separable: all of its rows depend on direction, and those above are bihemispherical.
+  /// A material whose model is not separable: all of its spectra depend on direction, and those above are bihemispherical.
   /// Null for the others.
   const NodeBsdf* directional(std::uint32_t material) const { return directional_[material].get(); }
   /// Largest value over the nodes, and directions (for Russian roulette).
@@ -36,7 +36,7 @@ class SpectralMaterials {
  private:
   radiometry::SpectrumBlock reflectance_, emissivity_;
   radiometry::SpectrumBlock transmittance_;  // row 0: of the opaque ones
-  std::vector<std::uint32_t> transmittance_row_;
+  std::vector<std::uint32_t> transmittance_index_;
   std::vector<float> maximum_reflectance_, maximum_transmittance_;
   std::vector<std::unique_ptr<const NodeBsdf>> directional_;
 };

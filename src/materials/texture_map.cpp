@@ -74,12 +74,12 @@ TextureMap::TextureMap(std::vector<Image> images, CurveMatcher matcher, std::uin
   for (const Image& image : images_) check(image.grid, image.scores.size(), "an image of a texture");
 }
 
-CurveMix TextureMap::at(const MapPlace& place) const {
+CurveMix TextureMap::at(const MapPosition& position) const {
   constexpr std::size_t kMost = 16;  // as CurveMatcher admits
   std::array<double, kMost> scores{};
   std::uint64_t key = seed_;
   for (std::size_t k = 0; k < images_.size(); ++k) {
-    const std::size_t cell = images_[k].grid.cell_at(place);
+    const std::size_t cell = images_[k].grid.cell_at(position);
     scores[k] = static_cast<double>(images_[k].scores[cell]);
     key = sampling::hash(key, cell);
   }

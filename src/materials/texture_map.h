@@ -47,7 +47,7 @@ class TextureMap {
   /// between curves that match equally well.
   TextureMap(std::vector<Image> images, CurveMatcher matcher, std::uint64_t seed);
 
-  CurveMix at(const MapPlace& place) const;
+  CurveMix at(const MapPosition& position) const;
   std::size_t curve_count() const { return matcher_.curve_count(); }
   const std::vector<Image>& images() const { return images_; }
   const CurveMatcher& matcher() const { return matcher_; }

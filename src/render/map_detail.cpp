@@ -30,12 +30,12 @@ struct Place {
 };
 
 Place place_of(const materials::MapGrid& grid, const geometry::SurfacePoint& hit) {
-  const bool by_place = grid.by == materials::MapBy::place;
-  return {((by_place ? hit.position_m.x : hit.u) - grid.west_m) / grid.cell_width_m,
-          (grid.north_m - (by_place ? hit.position_m.y : hit.v)) / grid.cell_height_m};
+  const bool by_position = grid.by == materials::MapBy::position;
+  return {((by_position ? hit.position_m.x : hit.u) - grid.west_m) / grid.cell_width_m,
+          (grid.north_m - (by_position ? hit.position_m.y : hit.v)) / grid.cell_height_m};
 }
 
-materials::MapPlace middle_of(const materials::MapGrid& grid, double a, double b) {
+materials::MapPosition middle_of(const materials::MapGrid& grid, double a, double b) {
   const double x = grid.west_m + a * grid.cell_width_m, y = grid.north_m - b * grid.cell_height_m;
   return {x, y, x, y};
 }

@@ -7,7 +7,7 @@ namespace ifov::scene {
 
 namespace {
 
-materials::MapPlace place_of(const geometry::SurfacePoint& point) {
+materials::MapPosition place_of(const geometry::SurfacePoint& point) {
   return {point.position_m.x, point.position_m.y, point.u, point.v};
 }
 
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> MixturePattern::mixed_materials() const {
 
 void MixturePattern::apply(const geometry::SurfacePoint& point, ResolvedSurface& surface) const {
   static_assert(materials::MixtureMap::kMost <= ResolvedSurface::kMost);
-  const materials::MapPlace place = place_of(point);
+  const materials::MapPosition place = place_of(point);
   surface.count = 0;
   for (const materials::MixtureMap::Part& found : map_->at(place)) {
     const Part& part = parts_[found.index];

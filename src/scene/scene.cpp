@@ -53,7 +53,7 @@ ResolvedSurface Scene::resolve_own(const geometry::SurfacePoint& point) const {
   surface.count = 1;
   surface.shading_normal = point.shading_normal;
   Constituent& only = surface.constituents[0];
-  const materials::MapPlace place{point.position_m.x, point.position_m.y, point.u, point.v};
+  const materials::MapPosition place{point.position_m.x, point.position_m.y, point.u, point.v};
   const std::uint32_t index = covering.classes ? covering.classes->at(place) : std::uint16_t{0};
   only.state = covering.states[index];
   only.material = states[only.state].material;

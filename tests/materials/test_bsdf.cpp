@@ -49,7 +49,7 @@ class Dummy final : public Bsdf {
   Dummy(Spectrum back, double share) : spectra_{std::move(back)}, share_(share) {}
   bool may_transmit() const override { return true; }
   std::span<const Spectrum> spectra() const override { return spectra_; }
-  void evaluate(const BsdfEvent& event, ParameterRows parameters, std::size_t count,
+  void evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                 float* bsdf) const override {
     const double cosines = event.outgoing_cosine() + event.incoming_cosine();
     const double side = event.side == Side::reflected ? share_ : 1.0 - share_;
@@ -247,7 +247,7 @@ TEST(Bsdf, NoModelSendsBackMoreThanArrives) {
   EXPECT_NO_THROW(check(m));
   class Bright final : public Bsdf {
    public:
-    void evaluate(const BsdfEvent&, ParameterRows, std::size_t count, float* bsdf) const override {
+    void evaluate(const BsdfEvent&, ParameterSpectra, std::size_t count, float* bsdf) const override {
       std::fill_n(bsdf, count, 0.4f);
     }
   };

@@ -13,7 +13,7 @@ namespace ifov::materials {
 namespace {
 
 MapGrid grid(int width, int height, Tiling tiling = Tiling::edge) {
-  return {10.0, 50.0, 2.0, 5.0, width, height, tiling, MapBy::place};
+  return {10.0, 50.0, 2.0, 5.0, width, height, tiling, MapBy::position};
 }
 
 template <class Action>
@@ -66,10 +66,10 @@ TEST(MapGrid, TilesRepeatAndMirror) {
 TEST(MapGrid, TextureCoordinatesRiseTowardsTheFirstRow) {
   MapGrid by_texture{0.0, 1.0, 0.5, 0.5, 2, 2, Tiling::repeat, MapBy::texture_coordinates};
   const ClassMap map(by_texture, {0, 1, 2, 3});
-  EXPECT_EQ(map.at(MapPlace{1e6, 1e6, 0.1, 0.9}), 0);
-  EXPECT_EQ(map.at(MapPlace{0, 0, 0.6, 0.9}), 1);
-  EXPECT_EQ(map.at(MapPlace{0, 0, 0.1, 0.1}), 2);
-  EXPECT_EQ(map.at(MapPlace{0, 0, 1.6, -0.9}), 3);
+  EXPECT_EQ(map.at(MapPosition{1e6, 1e6, 0.1, 0.9}), 0);
+  EXPECT_EQ(map.at(MapPosition{0, 0, 0.6, 0.9}), 1);
+  EXPECT_EQ(map.at(MapPosition{0, 0, 0.1, 0.1}), 2);
+  EXPECT_EQ(map.at(MapPosition{0, 0, 1.6, -0.9}), 3);
 }
 
 TEST(TemperatureMap, BilinearBetweenTheMiddlesOfCells) {

@@ -192,7 +192,7 @@ TEST(TextureMap, BrightPixelsTakeBrightCurves) {
       radiometry::Spectrum::constant(0.5), radiometry::Spectrum::constant(0.7)};
   const SpectralRange range[] = {{0.6, 0.7}};
   const ImageScores image = score_image(std::vector<float>{50.0f, 250.0f}, {});
-  const MapGrid grid{0.0, 1.0, 1.0, 1.0, 2, 1, Tiling::repeat, MapBy::place};
+  const MapGrid grid{0.0, 1.0, 1.0, 1.0, 2, 1, Tiling::repeat, MapBy::position};
   const TextureMap texture({{grid, image.scores}}, CurveMatcher(range_means(curves, range), 1), 9);
   const auto reflectance = [&](double x) {
     const CurveMix mix = texture.at({x, 0.5});

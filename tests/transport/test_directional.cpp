@@ -27,7 +27,7 @@ class ByEvent final : public materials::Bsdf {
       : spectra_{std::move(reflectance), std::move(transmittance)}, fault_(fault) {}
   bool may_transmit() const override { return spectra_[1].maximum() > 0.0; }
   std::span<const Spectrum> spectra() const override { return spectra_; }
-  void evaluate(const materials::BsdfEvent& event, materials::ParameterRows rows, std::size_t count,
+  void evaluate(const materials::BsdfEvent& event, materials::ParameterSpectra rows, std::size_t count,
                 float* bsdf) const override {
     const bool reflected = event.side == materials::Side::reflected;
     // A direction on the wrong side would be a path's mistake.
@@ -170,7 +170,7 @@ class Inconsistent final : public materials::Bsdf {
         smooth_(Spectrum::constant(0.8), 0.9 * slope_rad),
         scatters_(std::move(scatters)) {}
   std::span<const Spectrum> spectra() const override { return rough_.spectra(); }
-  void evaluate(const materials::BsdfEvent& event, materials::ParameterRows rows, std::size_t count,
+  void evaluate(const materials::BsdfEvent& event, materials::ParameterSpectra rows, std::size_t count,
                 float* bsdf) const override {
     (*scatters_ ? smooth_ : rough_).evaluate(event, rows, count, bsdf);
   }

@@ -37,8 +37,8 @@ double Bsdf::shape(const BsdfEvent& event) const {
   return event.incoming_cosine() > 0.0 && event.outgoing_cosine() > 0.0 ? 1.0 : 0.0;
 }
 
-void Bsdf::evaluate(const BsdfEvent&, ParameterRows, std::size_t, float*) const {
-  throw std::logic_error("a separable BSDF has no rows of its own");
+void Bsdf::evaluate(const BsdfEvent&, ParameterSpectra, std::size_t, float*) const {
+  throw std::logic_error("a separable BSDF has no spectra of its own");
 }
 
 }  // namespace ifov::materials

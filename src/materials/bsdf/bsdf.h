@@ -40,8 +40,8 @@ struct UnitSquarePoint {
   double u1 = 0.0, u2 = 0.0;
 };
 
-/// Spectral parameters of a model as rows over wavelengths or nodes.
-using ParameterRows = std::span<const float* const>;
+/// Spectral parameters of a model over wavelengths or nodes.
+using ParameterSpectra = std::span<const float* const>;
 
 /// How a surface spreads light: a bidirectional scattering distribution function (Nicodemus et al. 1977) with its
 /// parameters, immutable and shared between threads. Reciprocal.
@@ -72,11 +72,11 @@ class Bsdf {
   /// 1/sr for a separable model, else 1; 0 where either direction is not on its side of the surface.
   virtual double shape(const BsdfEvent& event) const;
 
-  /// What evaluate() needs in the wavelengths of its row; none of a separable model.
+  /// What evaluate() needs in the wavelengths of its spectrum; none of a separable model.
   virtual std::span<const radiometry::Spectrum> spectra() const { return {}; }
-  /// BSDF, 1/sr, in `count` wavelengths, for an event whose directions are on their sides. `parameters` are the rows of
+  /// BSDF, 1/sr, in `count` wavelengths, for an event whose directions are on their sides. `parameters` are the spectra of
   /// spectra(), in their order. Never called of a separable model.
-  virtual void evaluate(const BsdfEvent& event, ParameterRows parameters, std::size_t count,
+  virtual void evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                         float* bsdf) const;
 };
 

@@ -24,8 +24,8 @@ Crowded crowded(int k) {
 
 }  // namespace
 
-void directional_hemispherical(const Bsdf& bsdf, Side side, ParameterRows parameters, std::size_t count,
-                               double cosine, float* row) {
+void directional_hemispherical(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_t count,
+                               double cosine, float* spectrum) {
   const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
   const int azimuths = bsdf.is_isotropic() ? 1 : kAzimuths;
   std::vector<double> sum(count, 0.0);
@@ -48,7 +48,7 @@ void directional_hemispherical(const Bsdf& bsdf, Side side, ParameterRows parame
           sum[n] += x.weight * y.weight * sample.weight * static_cast<double>(values[n]);
       }
   }
-  for (std::size_t n = 0; n < count; ++n) row[n] = static_cast<float>(sum[n] / azimuths);
+  for (std::size_t n = 0; n < count; ++n) spectrum[n] = static_cast<float>(sum[n] / azimuths);
 }
 
 radiometry::Spectrum directional_hemispherical(const Bsdf& bsdf, Side side, double cosine) {

@@ -46,13 +46,13 @@ NodeBsdf::NodeBsdf(std::shared_ptr<const Bsdf> bsdf, const radiometry::SpectralN
     }
 }
 
-void NodeBsdf::emissivity(double cosine, float* row) const {
-  const double place = std::clamp(cosine, 0.0, 1.0) * static_cast<double>(kAngles - 1);
-  const auto below = std::min(static_cast<std::size_t>(place), kAngles - 2);
-  const float share = static_cast<float>(place - static_cast<double>(below));
+void NodeBsdf::emissivity(double cosine, float* spectrum) const {
+  const double position = std::clamp(cosine, 0.0, 1.0) * static_cast<double>(kAngles - 1);
+  const auto below = std::min(static_cast<std::size_t>(position), kAngles - 2);
+  const float share = static_cast<float>(position - static_cast<double>(below));
   const float* __restrict a = emissivity_.row(below);
   const float* __restrict b = emissivity_.row(below + 1);
-  for (std::size_t n = 0; n < emissivity_.stride(); ++n) row[n] = a[n] + share * (b[n] - a[n]);
+  for (std::size_t n = 0; n < emissivity_.stride(); ++n) spectrum[n] = a[n] + share * (b[n] - a[n]);
 }
 
 }  // namespace ifov::materials

@@ -16,12 +16,12 @@ class NodeBsdf {
 
   const Bsdf& model() const { return *bsdf_; }
   /// 1/sr.
-  void evaluate(const BsdfEvent& event, float* row) const {
-    bsdf_->evaluate(event, pointers_, parameters_.stride(), row);
+  void evaluate(const BsdfEvent& event, float* spectrum) const {
+    bsdf_->evaluate(event, pointers_, parameters_.stride(), spectrum);
   }
   /// Towards a direction of this cosine above the surface: 1 - reflectance - transmittance of light from there (Kirchhoff),
   /// linear between 33 angles.
-  void emissivity(double cosine, float* row) const;
+  void emissivity(double cosine, float* spectrum) const;
   /// Largest directional-hemispherical values in any node and at any of those angles.
   double highest_reflectance() const { return highest_[0]; }
   double highest_transmittance() const { return highest_[1]; }

@@ -44,7 +44,7 @@ std::array<double, 2> OrenNayar::terms(const BsdfEvent& event) const {
   return {once / pi, again_ * (1.0 - cos_phi * b * b) / pi};
 }
 
-void OrenNayar::evaluate(const BsdfEvent& event, ParameterRows parameters, std::size_t count,
+void OrenNayar::evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                          float* bsdf) const {
   const std::array<double, 2> both = terms(event);
   const float once = static_cast<float>(both[0]), again = static_cast<float>(both[1]);

@@ -17,7 +17,7 @@ class OrenNayar final : public Bsdf {
   OrenNayar(radiometry::Spectrum reflectance, double slope_rad);
 
   std::span<const radiometry::Spectrum> spectra() const override { return reflectance_; }
-  void evaluate(const BsdfEvent& event, ParameterRows parameters, std::size_t count,
+  void evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                 float* bsdf) const override;
 
   /// BRDF = reflectance x [0] + reflectance^2 x [1], 1/sr.

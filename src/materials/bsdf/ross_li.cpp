@@ -48,7 +48,7 @@ std::array<double, 2> RossLi::kernels(const BsdfEvent& event) const {
   return {volume, overlap - secants + 0.5 * (1.0 + a.cos_phase) / (a.cos_in * a.cos_out)};
 }
 
-void RossLi::evaluate(const BsdfEvent& event, ParameterRows parameters, std::size_t count,
+void RossLi::evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                       float* bsdf) const {
   const std::array<double, 2> both = kernels(event);
   const float volume = static_cast<float>(both[0]), crowns = static_cast<float>(both[1]);

@@ -19,7 +19,7 @@ class RossLi final : public Bsdf {
          double hot_spot_rad = 0.0);
 
   std::span<const radiometry::Spectrum> spectra() const override { return spectra_; }
-  void evaluate(const BsdfEvent& event, ParameterRows parameters, std::size_t count,
+  void evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                 float* bsdf) const override;
 
   /// K_vol and K_geo.

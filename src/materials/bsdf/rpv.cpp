@@ -34,7 +34,8 @@ Rpv::Rpv(radiometry::Spectrum rho0, double k, double asymmetry, std::optional<ra
   if (hot_spot) spectra_.push_back(*std::move(hot_spot));
 }
 
-void Rpv::evaluate(const BsdfEvent& event, ParameterRows parameters, std::size_t count, float* bsdf) const {
+void Rpv::evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
+                   float* bsdf) const {
   const ReflectionAngles a(event);
   const double g = asymmetry_;
   // Light that goes straight back has been turned by 180 deg: the phase angle is 0, and the scattering angle's cosine -1.

@@ -21,7 +21,7 @@ class Rpv final : public Bsdf {
       std::optional<radiometry::Spectrum> hot_spot = std::nullopt);
 
   std::span<const radiometry::Spectrum> spectra() const override { return spectra_; }
-  void evaluate(const BsdfEvent& event, ParameterRows parameters, std::size_t count,
+  void evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                 float* bsdf) const override;
 
  private:

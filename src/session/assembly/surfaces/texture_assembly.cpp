@@ -12,7 +12,7 @@ namespace ifov::session {
 
 materials::MapGrid TextureAssembly::grid(const io::RasterDocument& source, const io::Raster& raster) {
   const materials::MapGrid grid = grid_of(source, raster, frame_);
-  if (grid.by == materials::MapBy::place) {
+  if (grid.by == materials::MapBy::position) {
     const MapScale scale{source.file.path,
                          grid.cell_width_m,
                          grid.cell_height_m,
