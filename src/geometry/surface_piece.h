@@ -23,7 +23,7 @@ enum class PieceKind : std::uint8_t {
 struct SurfacePiece {
   math::Transform scene_from_unit;
   std::uint32_t object = 0, primitive = 0, patch = 0;
-  std::uint32_t material = 0;  ///< index into the scene's coverings, as in SurfacePoint
+  std::uint32_t material = 0;  ///< index into the scene's surface assignments, as in SurfacePoint
   PieceKind kind = PieceKind::triangle;
   bool solid = false;  ///< a flat face of a solid, whose outside is where x cross y of the map points
 };

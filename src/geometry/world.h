@@ -55,7 +55,7 @@ class World {
   virtual std::size_t object_count() const = 0;
   virtual PlacedObject object(std::size_t number) const = 0;
 
-  /// The pieces whose materials are wanted (one entry for each covering of the scene), in a fixed order; of a world that
+  /// The pieces whose materials are wanted (one entry for each surface assignment of the scene), in a fixed order; of a world that
   /// repeats, those of the one world. Planes and height fields have none.
   virtual void visit_surfaces(const WantedMaterials& wanted, const PieceVisitor& visitor) const = 0;
   /// Area by SurfacePoint::material (`materials` of them), about, m^2: unequal scales count by their mean. A plane

@@ -10,12 +10,12 @@ namespace ifov::render {
 BlendColumns::BlendColumns(const scene::Scene& scene, const scene::TruthMaterials& truth, int channels)
     : scene_(scene), channels_(channels) {
   std::set<std::uint32_t> mixed;
-  for (const scene::Covering& covering : scene.coverings) {
-    mixes_.push_back(covering.mixes_materials());
+  for (const scene::SurfaceAssignment& assignment : scene.assignments) {
+    mixes_.push_back(assignment.mixes_materials());
     if (!mixes_.back()) continue;
-    for (const std::uint32_t state : covering.states)
+    for (const std::uint32_t state : assignment.states)
       mixed.insert(truth.of_material[scene.states[state].material]);
-    for (const auto& pattern : covering.patterns) {
+    for (const auto& pattern : assignment.patterns) {
       if (!pattern->mixes_materials()) continue;
       const std::vector<std::uint32_t> brought = pattern->mixed_materials();
       for (const std::uint32_t material : brought) mixed.insert(truth.of_material[material]);

@@ -8,8 +8,8 @@
 
 namespace ifov::render {
 
-/// Abundances where coverings mix materials. A label cannot name one material there, so each material that is mixed
-/// somewhere gets a column behind the channels: its share at each sample on such a covering, 0 elsewhere. Samplers
+/// Abundances where surface assignments mix materials. A label cannot name one material there, so each material that is mixed
+/// somewhere gets a column behind the channels: its share at each sample on such a surface assignment, 0 elsewhere. Samplers
 /// estimate its mean and error as they do a radiance's; afterwards the columns become abundances.
 class BlendColumns {
  public:
@@ -19,7 +19,7 @@ class BlendColumns {
 
   int first_column() const { return channels_; }
   int count() const { return static_cast<int>(materials_.size()); }
-  bool mixes(std::uint32_t covering) const { return count() > 0 && mixes_[covering] != 0; }
+  bool mixes(std::uint32_t assignment) const { return count() > 0 && mixes_[assignment] != 0; }
 
   /// Into the columns of one sample.
   void write_shares(const geometry::SurfacePoint& hit, float* columns) const;
@@ -34,7 +34,7 @@ class BlendColumns {
   int channels_;
   std::vector<std::uint32_t> materials_;           // in truth, rising, by column
   std::vector<std::uint32_t> column_of_material_;  // by the scene's material
-  std::vector<std::uint8_t> mixes_;                // by covering
+  std::vector<std::uint8_t> mixes_;                // by surface assignment
 };
 
 }  // namespace ifov::render

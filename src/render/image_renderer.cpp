@@ -97,7 +97,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   std::optional<ObjectSeeds> seeds;
   if (job.seed_objects) {
     const scene::Scene& scene = job.scene.scene();
-    seeds.emplace(*scene.world, scene.coverings.size(), job.camera, margin_px);
+    seeds.emplace(*scene.world, scene.assignments.size(), job.camera, margin_px);
   }
 
   std::int64_t pixels = 0;

@@ -77,8 +77,9 @@ struct MapDetail::Window {
 
 MapDetail::MapDetail(const scene::Scene& scene, const sensor::Camera& camera)
     : scene_(scene), camera_(camera) {
-  any_ = std::any_of(scene.coverings.begin(), scene.coverings.end(),
-                     [](const scene::Covering& c) { return c.classes != nullptr && c.states.size() > 1; });
+  any_ = std::any_of(
+      scene.assignments.begin(), scene.assignments.end(),
+      [](const scene::SurfaceAssignment& c) { return c.classes != nullptr && c.states.size() > 1; });
 }
 
 void MapDetail::find(const sampling::FieldRect& pixels, sampling::KnownDetail& detail, std::uint64_t& rays) {
@@ -118,9 +119,9 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
     if (corners[k].hit() && count > alike) alike = count, first = k;
   }
   if (alike < 3) return;
-  const scene::Covering& covering = scene_.coverings[corners[first].material];
-  if (covering.classes == nullptr) return;
-  const materials::MapGrid& grid = covering.classes->grid();
+  const scene::SurfaceAssignment& assignment = scene_.assignments[corners[first].material];
+  if (assignment.classes == nullptr) return;
+  const materials::MapGrid& grid = assignment.classes->grid();
   std::array<Place, 4> at;
   std::array<bool, 4> seen{};
   for (std::size_t k = 0; k < 4; ++k) {
@@ -171,9 +172,9 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
     const sampling::FocalPoint o = window.offset(place.a, place.b);
     if (o.x_px <= -reach_x || o.x_px >= 1.0 + reach_x || o.y_px <= -reach_y || o.y_px >= 1.0 + reach_y)
       continue;
-    const std::uint16_t number = covering.classes->at(middle_of(grid, place.a, place.b));
+    const std::uint16_t number = assignment.classes->at(middle_of(grid, place.a, place.b));
     classes_[cell] = number;
-    mixed = mixed || (any_class != kOutside && covering.states[number] != covering.states[any_class]);
+    mixed = mixed || (any_class != kOutside && assignment.states[number] != assignment.states[any_class]);
     any_class = number;
   }
   if (!mixed) return;

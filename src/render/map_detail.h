@@ -29,7 +29,7 @@ class MapDetail {
 
   const scene::Scene& scene_;
   const sensor::Camera& camera_;
-  bool any_ = false;                         // some covering has a map of classes
+  bool any_ = false;                         // some surface assignment has a map of classes
   std::vector<std::uint16_t> classes_;       // of the cells in a pixel's window; kOutside beside the pixel
   std::vector<std::uint32_t> queue_, part_;  // cells of one part
 };

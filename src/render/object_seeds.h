@@ -13,7 +13,7 @@ namespace ifov::render {
 /// get a point for each part of their length; so do the long thin faces of meshes, which may be strips that no object tells of.
 class ObjectSeeds {
  public:
-  /// `materials`: number of the scene's coverings.
+  /// `materials`: number of the scene's surface assignments.
   ObjectSeeds(const geometry::World& world, std::size_t materials, const sensor::Camera& camera,
               double margin_px);
 

@@ -35,7 +35,7 @@ class SceneField final : public sampling::Field {
     map_detail_.find(pixels, detail, counts_.primary);
   }
   /// By number in scene::TruthMaterials. Rays that met nothing stand on the material of the surroundings, the last
-  /// of the scene; coverings that mix stand on none: BlendColumns::kNoMaterial.
+  /// of the scene; surface assignments that mix stand on none: BlendColumns::kNoMaterial.
   std::uint32_t material_of(sampling::Label label) const override;
   bool uneven(sampling::Label label) const override {
     return SurfaceLabel::is_uneven(label, mirror_light_ != nullptr);

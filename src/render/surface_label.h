@@ -19,8 +19,9 @@ struct SurfaceLabel {
   SunState sun = SunState::none;
 
   static constexpr std::uint32_t kMaximumMaterials = (1u << 15) - 3;
-  static constexpr std::uint32_t kBlend = (1u << 15) - 2;  ///< "material" of coverings that mix materials
-  static constexpr std::uint32_t kSky = (1u << 15) - 1;    ///< "material" of a ray that met nothing
+  static constexpr std::uint32_t kBlend =
+      (1u << 15) - 2;  ///< "material" of surface assignments that mix materials
+  static constexpr std::uint32_t kSky = (1u << 15) - 1;  ///< "material" of a ray that met nothing
 
   constexpr sampling::Label pack() const {
     return (static_cast<std::uint64_t>(instance & 0x1ffffffu) << 39) |

@@ -7,7 +7,7 @@ namespace ifov::scene {
 
 namespace {
 
-materials::MapPosition place_of(const geometry::SurfacePoint& point) {
+materials::MapPosition map_position_of(const geometry::SurfacePoint& point) {
   return {point.position_m.x, point.position_m.y, point.u, point.v};
 }
 
@@ -29,12 +29,12 @@ std::vector<std::uint32_t> MixturePattern::mixed_materials() const {
 
 void MixturePattern::apply(const geometry::SurfacePoint& point, ResolvedSurface& surface) const {
   static_assert(materials::MixtureMap::kMost <= ResolvedSurface::kMost);
-  const materials::MapPosition place = place_of(point);
+  const materials::MapPosition position = map_position_of(point);
   surface.count = 0;
-  for (const materials::MixtureMap::Part& found : map_->at(place)) {
+  for (const materials::MixtureMap::Part& found : map_->at(position)) {
     const Part& part = parts_[found.index];
     surface.constituents[surface.count++] = {part.state, part.material, static_cast<double>(found.share),
-                                             part.temperature ? part.temperature->at_k(place) : 0.0};
+                                             part.temperature ? part.temperature->at_k(position) : 0.0};
   }
 }
 
@@ -58,7 +58,7 @@ void TexturePattern::apply(const geometry::SurfacePoint& point, ResolvedSurface&
   for (std::size_t k = 0; k < before; ++k) {
     Constituent& found = surface.constituents[k];
     if (found.state != state_) continue;
-    const materials::CurveMix mix = texture_->at(place_of(point));
+    const materials::CurveMix mix = texture_->at(map_position_of(point));
     const Constituent whole = found;
     const auto part = [&](std::uint32_t curve, double share) {
       return Constituent{curves_[curve].state, curves_[curve].material, whole.weight * share,
@@ -85,7 +85,7 @@ void ReliefPattern::apply(const geometry::SurfacePoint& point, ResolvedSurface& 
   for (const Constituent& c : surface)
     if (c.weight > most->weight) most = &c;
   if (most->material != material_) return;
-  const math::Normal3 tilted = map_->tilted(surface.shading_normal, place_of(point));
+  const math::Normal3 tilted = map_->tilted(surface.shading_normal, map_position_of(point));
   if (math::dot(tilted, point.geometric_normal.as_vector()) > 0.0) surface.shading_normal = tilted;
 }
 

@@ -9,22 +9,22 @@ double Sun::zenith_rad() const { return std::atan2(std::hypot(direction.x, direc
 double Sun::elevation_rad() const { return std::atan2(direction.z, std::hypot(direction.x, direction.y)); }
 double Sun::azimuth_rad() const { return std::atan2(direction.x, direction.y); }
 
-bool Covering::mixes_materials() const {
+bool SurfaceAssignment::mixes_materials() const {
   return std::any_of(patterns.begin(), patterns.end(), [](const auto& p) { return p->mixes_materials(); });
 }
 
-bool Covering::bends_normals() const {
+bool SurfaceAssignment::bends_normals() const {
   return std::any_of(patterns.begin(), patterns.end(), [](const auto& p) { return p->bends_normals(); });
 }
 
-std::vector<bool> Scene::mirror_coverings() const {
+std::vector<bool> Scene::mirror_assignments() const {
   const auto is_mirror = [&](std::uint32_t material) { return materials[material].bsdf->is_delta(); };
   std::vector<bool> mirrors;
-  for (const Covering& covering : coverings) {
+  for (const SurfaceAssignment& assignment : assignments) {
     // Curves of a texture scatter as the material of the state does that they replace.
-    bool any = std::any_of(covering.states.begin(), covering.states.end(),
+    bool any = std::any_of(assignment.states.begin(), assignment.states.end(),
                            [&](std::uint32_t state) { return is_mirror(states[state].material); });
-    for (const auto& pattern : covering.patterns) {
+    for (const auto& pattern : assignment.patterns) {
       const std::vector<std::uint32_t> brought = pattern->mixed_materials();
       any = any || std::any_of(brought.begin(), brought.end(), is_mirror);
       if (pattern->mixes_materials() && brought.empty())
@@ -48,20 +48,20 @@ ResolvedSurface Scene::resolve(const geometry::SurfacePoint& point) const {
 }
 
 ResolvedSurface Scene::resolve_own(const geometry::SurfacePoint& point) const {
-  const Covering& covering = coverings[point.material];
+  const SurfaceAssignment& assignment = assignments[point.material];
   ResolvedSurface surface;
   surface.count = 1;
   surface.shading_normal = point.shading_normal;
   Constituent& only = surface.constituents[0];
-  const materials::MapPosition place{point.position_m.x, point.position_m.y, point.u, point.v};
-  const std::uint32_t index = covering.classes ? covering.classes->at(place) : std::uint16_t{0};
-  only.state = covering.states[index];
+  const materials::MapPosition position{point.position_m.x, point.position_m.y, point.u, point.v};
+  const std::uint32_t index = assignment.classes ? assignment.classes->at(position) : std::uint16_t{0};
+  only.state = assignment.states[index];
   only.material = states[only.state].material;
   only.weight = 1.0;
   only.mapped_temperature_k = 0.0;
-  if (!covering.temperatures.empty() && covering.temperatures[index])
-    only.mapped_temperature_k = covering.temperatures[index]->at_k(place);
-  for (const auto& pattern : covering.patterns) pattern->apply(point, surface);
+  if (!assignment.temperatures.empty() && assignment.temperatures[index])
+    only.mapped_temperature_k = assignment.temperatures[index]->at_k(position);
+  for (const auto& pattern : assignment.patterns) pattern->apply(point, surface);
   return surface;
 }
 

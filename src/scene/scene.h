@@ -53,7 +53,7 @@ struct TemperatureRange {
   double coldest_k = 0.0, hottest_k = 0.0;
 };
 
-/// What changes a covering from point to point beyond classes and temperatures: mixtures, textures, bumps. Called
+/// What changes a surface assignment from point to point beyond classes and temperatures: mixtures, textures, bumps. Called
 /// for every hit, from many threads; must not allocate, and depend on the point alone.
 class Pattern {
  public:
@@ -64,9 +64,9 @@ class Pattern {
   virtual void apply(const geometry::SurfacePoint& point, ResolvedSurface& surface) const = 0;
 
   /// Whether constituents of unlike materials (see truth_materials) may come out side by side. Labels do not tell
-  /// materials apart on such a covering; abundances are estimated from the weights.
+  /// materials apart on such a surface assignment; abundances are estimated from the weights.
   virtual bool mixes_materials() const { return false; }
-  /// Where it mixes, the materials that it brings in besides those of the covering's own states; empty: any of the
+  /// Where it mixes, the materials that it brings in besides those of the surface assignment's own states; empty: any of the
   /// scene's. Each costs a column of numbers.
   virtual std::vector<std::uint32_t> mixed_materials() const { return {}; }
 
@@ -77,15 +77,15 @@ class Pattern {
   virtual std::optional<TemperatureRange> temperatures() const { return std::nullopt; }
 };
 
-/// What covers a part of an object (SurfacePoint::material is an index into Scene::coverings): one state, or a map
+/// What covers a part of an object (SurfacePoint::material is an index into Scene::assignments): one state, or a map
 /// of classes draped from above, each with its state. Where a state has a temperature map, that replaces its
 /// temperature. Patterns then apply in their order.
-struct Covering {
+struct SurfaceAssignment {
   std::vector<std::uint32_t> states;  ///< indices into Scene::states; one, or by class index of the map
   std::shared_ptr<const materials::ClassMap> classes;
   std::vector<std::shared_ptr<const materials::TemperatureMap>> temperatures;  ///< by state; empty: none
   std::vector<std::shared_ptr<const Pattern>> patterns;
-  friend bool operator==(const Covering&, const Covering&) = default;
+  friend bool operator==(const SurfaceAssignment&, const SurfaceAssignment&) = default;
 
   bool mixes_materials() const;  ///< by one of its patterns
   bool bends_normals() const;    ///< by one of its patterns
@@ -97,7 +97,7 @@ struct Scene {
   std::unique_ptr<geometry::World> world;
   std::vector<materials::Material> materials;
   std::vector<SurfaceState> states;
-  std::vector<Covering> coverings;
+  std::vector<SurfaceAssignment> assignments;
   std::optional<Sun> sun;
   Sky sky;
   /// An open, level plain of this state, met by rays that leave below the horizon.
@@ -105,8 +105,8 @@ struct Scene {
   ViewPath view_path;
 
   ResolvedSurface resolve(const geometry::SurfacePoint& point) const;
-  /// By covering: whether any of its materials is a mirror. Empty where none is.
-  std::vector<bool> mirror_coverings() const;
+  /// By surface assignment: whether any of its materials is a mirror. Empty where none is.
+  std::vector<bool> mirror_assignments() const;
 
   /// All temperatures at which anything of the scene may emit: states, maps, patterns, surroundings and sky; none
   /// where nothing does. Whoever needs to know asks here (scene_temperatures.cpp), so that nothing is forgotten.
@@ -115,7 +115,7 @@ struct Scene {
   bool all_emit() const;
   /// Of those the ones that differ from point to point: of maps and patterns.
   std::optional<TemperatureRange> mapped_temperatures() const;
-  /// Whether a state emits somewhere: by its own temperature, or by that of a map or pattern on some covering.
+  /// Whether a state emits somewhere: by its own temperature, or by that of a map or pattern on some surface assignment.
   bool emits(std::uint32_t state) const;
 
  private:

@@ -18,10 +18,10 @@ void include(std::optional<TemperatureRange>& range, double coldest_k, double ho
 
 std::optional<TemperatureRange> Scene::mapped_temperatures() const {
   std::optional<TemperatureRange> range;
-  for (const Covering& covering : coverings) {
-    for (const auto& map : covering.temperatures)
+  for (const SurfaceAssignment& assignment : assignments) {
+    for (const auto& map : assignment.temperatures)
       if (map) include(range, map->minimum_k(), map->maximum_k());
-    for (const auto& pattern : covering.patterns)
+    for (const auto& pattern : assignment.patterns)
       if (const auto of_pattern = pattern->temperatures())
         include(range, of_pattern->coldest_k, of_pattern->hottest_k);
   }
@@ -40,10 +40,10 @@ std::optional<TemperatureRange> Scene::temperatures() const {
 bool Scene::emits(std::uint32_t state) const {
   if (states[state].temperature_k > 0.0) return true;
   const std::uint32_t material = states[state].material;
-  return std::any_of(coverings.begin(), coverings.end(), [&](const Covering& covering) {
-    for (std::size_t k = 0; k < covering.temperatures.size(); ++k)
-      if (covering.states[k] == state && covering.temperatures[k]) return true;
-    return std::any_of(covering.patterns.begin(), covering.patterns.end(), [&](const auto& pattern) {
+  return std::any_of(assignments.begin(), assignments.end(), [&](const SurfaceAssignment& assignment) {
+    for (std::size_t k = 0; k < assignment.temperatures.size(); ++k)
+      if (assignment.states[k] == state && assignment.temperatures[k]) return true;
+    return std::any_of(assignment.patterns.begin(), assignment.patterns.end(), [&](const auto& pattern) {
       const std::vector<std::uint32_t> mixed = pattern->mixed_materials();
       return pattern->temperatures() && std::find(mixed.begin(), mixed.end(), material) != mixed.end();
     });

@@ -28,10 +28,10 @@ double median(std::vector<std::pair<double, double>> value_and_weight) {
 
 EmitterChoice::EmitterChoice(const SpectralScene& scene, double contrast, bool shown)
     : scene_(scene),
-      wanted_(scene.scene().coverings.size(), false),
-      mapped_(scene.scene().coverings.size(), false),
-      brightest_(scene.scene().coverings.size(), 0.0),
-      contrast_(scene.scene().coverings.size(), 0.0),
+      wanted_(scene.scene().assignments.size(), false),
+      mapped_(scene.scene().assignments.size(), false),
+      brightest_(scene.scene().assignments.size(), 0.0),
+      contrast_(scene.scene().assignments.size(), 0.0),
       unit_(scene.nodes().channel_count(), 0.0) {
   if (!scene.scene().world) return;
   list_surfaces();
@@ -49,9 +49,9 @@ std::vector<double> EmitterChoice::channels(const float* nodes) const {
 void EmitterChoice::list_surfaces() {
   const scene::Scene& scene = scene_.scene();
   std::vector<float> row(scene_.node_count());
-  const auto add = [&](std::uint32_t covering, std::uint32_t material, double coldest_k, double hottest_k) {
+  const auto add = [&](std::uint32_t assignment, std::uint32_t material, double coldest_k, double hottest_k) {
     Surface surface;
-    surface.covering = covering;
+    surface.assignment = assignment;
     surface.scatters = scene_.brightest(material) > 0.0 && !scene.materials[material].bsdf->is_delta();
     const auto emitted = [&](double temperature_k) {
       std::fill(row.begin(), row.end(), 0.0f);
@@ -66,18 +66,18 @@ void EmitterChoice::list_surfaces() {
     surface.albedo = channels(row.data());
     surfaces_.push_back(std::move(surface));
   };
-  for (std::uint32_t c = 0; c < scene.coverings.size(); ++c) {
-    const scene::Covering& covering = scene.coverings[c];
-    mapped_[c] = covering.classes || !covering.temperatures.empty() || !covering.patterns.empty();
-    for (std::size_t k = 0; k < covering.states.size(); ++k) {
-      const scene::SurfaceState& state = scene.states[covering.states[k]];
-      const auto* map = covering.temperatures.empty() ? nullptr : covering.temperatures[k].get();
+  for (std::uint32_t c = 0; c < scene.assignments.size(); ++c) {
+    const scene::SurfaceAssignment& assignment = scene.assignments[c];
+    mapped_[c] = assignment.classes || !assignment.temperatures.empty() || !assignment.patterns.empty();
+    for (std::size_t k = 0; k < assignment.states.size(); ++k) {
+      const scene::SurfaceState& state = scene.states[assignment.states[k]];
+      const auto* map = assignment.temperatures.empty() ? nullptr : assignment.temperatures[k].get();
       if (map != nullptr)
         add(c, state.material, map->minimum_k(), map->maximum_k());
       else
         add(c, state.material, state.temperature_k, state.temperature_k);
     }
-    for (const auto& pattern : covering.patterns) {
+    for (const auto& pattern : assignment.patterns) {
       const auto range = pattern->temperatures();
       if (!range) continue;
       std::vector<std::uint32_t> mixed = pattern->mixed_materials();
@@ -107,34 +107,35 @@ void EmitterChoice::find_contrasts(double contrast, bool shown) {
     if (!(unit_[c] > contrast * std::max(lit[c], coldest))) continue;
     if (areas.empty()) areas = scene_.scene().world->surface_areas_m2(wanted_.size());
     std::vector<std::size_t> parts(wanted_.size(), 0);
-    for (const Surface& s : surfaces_) ++parts[s.covering];
+    for (const Surface& s : surfaces_) ++parts[s.assignment];
     std::vector<std::pair<double, double>> levels;
     for (const Surface& s : surfaces_)
-      levels.emplace_back(s.coldest[c], areas[s.covering] / static_cast<double>(parts[s.covering]));
+      levels.emplace_back(s.coldest[c], areas[s.assignment] / static_cast<double>(parts[s.assignment]));
     const double usual = std::max(lit[c], median(std::move(levels)));
     for (const Surface& s : surfaces_) {
-      if (!(s.hottest[c] > contrast * usual) || areas[s.covering] <= 0.0) continue;
+      if (!(s.hottest[c] > contrast * usual) || areas[s.assignment] <= 0.0) continue;
       const bool wanted = !shown || std::any_of(surfaces_.begin(), surfaces_.end(), [&](const Surface& r) {
-        return r.scatters && areas[r.covering] > 0.0 &&
+        return r.scatters && areas[r.assignment] > 0.0 &&
                r.albedo[c] * s.hottest[c] > kShown * (r.coldest[c] + r.albedo[c] * lit[c]);
       });
       if (!wanted) continue;
-      wanted_[s.covering] = any_ = true;
-      contrast_[s.covering] = std::max(contrast_[s.covering], usual > 0.0 ? s.hottest[c] / usual : kEndless);
+      wanted_[s.assignment] = any_ = true;
+      contrast_[s.assignment] =
+          std::max(contrast_[s.assignment], usual > 0.0 ? s.hottest[c] / usual : kEndless);
     }
   }
   for (const Surface& s : surfaces_) {
     double mean = 0.0;
     for (std::size_t c = 0; c < unit_.size(); ++c)
       if (unit_[c] > 0.0) mean += s.hottest[c] / unit_[c] / static_cast<double>(unit_.size());
-    brightest_[s.covering] = std::max(brightest_[s.covering], mean);
+    brightest_[s.assignment] = std::max(brightest_[s.assignment], mean);
   }
 }
 
-std::vector<double> EmitterChoice::highest(std::uint32_t covering) const {
+std::vector<double> EmitterChoice::highest(std::uint32_t assignment) const {
   std::vector<double> highest(unit_.size(), 0.0);
   for (const Surface& s : surfaces_)
-    for (std::size_t c = 0; c < highest.size() && s.covering == covering; ++c)
+    for (std::size_t c = 0; c < highest.size() && s.assignment == assignment; ++c)
       highest[c] = std::max(highest[c], s.hottest[c]);
   return highest;
 }

@@ -8,8 +8,8 @@ namespace ifov::transport {
 
 class SpectralScene;
 
-/// Which coverings of a scene emit so much more than the rest of it, in some channel, that scattered paths alone would find
-/// their light by luck. A covering is sought where it may be brighter than `kContrast` times both the light that falls on
+/// Which surface assignments of a scene emit so much more than the rest of it, in some channel, that scattered paths alone would find
+/// their light by luck. A surface assignment is sought where it may be brighter than `kContrast` times both the light that falls on
 /// the scene (a white surface under Sun and sky) and the emission of the median surface, by area; and where some surface
 /// that scatters would show at least `kShown` of its own radiance and that light more if it saw nothing else.
 struct EmitterChoice {
@@ -26,18 +26,18 @@ struct EmitterChoice {
       : EmitterChoice(scene, mirrors.contrast, false) {}
 
   bool any() const { return any_; }
-  const geometry::WantedMaterials& wanted() const { return wanted_; }  ///< by covering
-  /// Whether what a covering emits changes from point to point.
-  bool mapped(std::uint32_t covering) const { return mapped_[covering]; }
+  const geometry::WantedMaterials& wanted() const { return wanted_; }  ///< by surface assignment
+  /// Whether what a surface assignment emits changes from point to point.
+  bool mapped(std::uint32_t assignment) const { return mapped_[assignment]; }
   /// A scale of radiance over the channels, for a row of emission in nodes: the mean of shares of the brightest.
   double brightness(const float* emission) const;
-  /// At most, of a covering.
-  double brightest(std::uint32_t covering) const { return brightest_[covering]; }
-  /// How many times as bright a covering may be as white under Sun and sky and as the median surface, in some channel; 0
+  /// At most, of a surface assignment.
+  double brightest(std::uint32_t assignment) const { return brightest_[assignment]; }
+  /// How many times as bright a surface assignment may be as white under Sun and sky and as the median surface, in some channel; 0
   /// of one that is not wanted.
-  double contrast(std::uint32_t covering) const { return contrast_[covering]; }
-  /// What a covering emits at most, by channel, W m-2 sr-1 um-1.
-  std::vector<double> highest(std::uint32_t covering) const;
+  double contrast(std::uint32_t assignment) const { return contrast_[assignment]; }
+  /// What a surface assignment emits at most, by channel, W m-2 sr-1 um-1.
+  std::vector<double> highest(std::uint32_t assignment) const;
 
  private:
   EmitterChoice(const SpectralScene& scene, double contrast, bool shown);
@@ -45,9 +45,9 @@ struct EmitterChoice {
   void list_surfaces();
   void find_contrasts(double contrast, bool shown);
 
-  /// What a covering may be somewhere.
+  /// What a surface assignment may be somewhere.
   struct Surface {
-    std::uint32_t covering = 0;
+    std::uint32_t assignment = 0;
     std::vector<double> hottest, coldest, albedo;  // by channel
     bool scatters = false;
   };
@@ -55,7 +55,7 @@ struct EmitterChoice {
   bool any_ = false;
   geometry::WantedMaterials wanted_;
   std::vector<bool> mapped_;
-  std::vector<double> brightest_, contrast_;  // by covering
+  std::vector<double> brightest_, contrast_;  // by surface assignment
   std::vector<Surface> surfaces_;
   std::vector<double> unit_;  // radiance of brightness 1, by channel
 };

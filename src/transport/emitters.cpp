@@ -20,7 +20,7 @@ using math::Vec3;
 
 namespace {
 
-/// Of a piece that a map covers, the least part of what its covering may emit that it is taken to emit: what lies between
+/// Of a piece that a map covers, the least part of what its surface assignment may emit that it is taken to emit: what lies between
 /// the points that are looked at.
 constexpr double kLeastPart = 0.01;
 

@@ -33,12 +33,12 @@ class Emitters {
   /// Whether some of what ought to be sought is not: on planes and height fields, or of too many pieces.
   bool leaves_some() const { return leaves_some_; }
 
-  /// What is not sought because there are too many pieces, of one covering and near each other; of a world that repeats
+  /// What is not sought because there are too many pieces, of one surface assignment and near each other; of a world that repeats
   /// those of the first cell and the eight around it.
   struct LeftOut {
     geometry::SurfaceSurvey::Ball ball;
     double area_m2 = 0.0;
-    std::uint32_t covering = 0;
+    std::uint32_t assignment = 0;
   };
   std::span<const LeftOut> left_out() const { return left_out_; }
 
@@ -68,8 +68,8 @@ class Emitters {
   /// Of point() for what a ray met; 0 where that is not sought.
   double point_density(const Receiver& receiver, const geometry::SurfacePoint& hit) const;
 
-  /// Whether all that a covering emits is sought.
-  bool seeks_all_of(std::uint32_t covering) const { return !leaves_some_ && wanted_[covering]; }
+  /// Whether all that a surface assignment emits is sought.
+  bool seeks_all_of(std::uint32_t assignment) const { return !leaves_some_ && wanted_[assignment]; }
 
   /// About what emitters send to a receiver, in a unit of its own.
   double reach(const Receiver& receiver) const;

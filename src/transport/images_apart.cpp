@@ -22,7 +22,8 @@ ImagesApart::ImagesApart(const scene::Scene& scene, const ShiningParts& parts) :
   if (survey == nullptr || scene.world->period()) return;
   any_ = true;
   smooth_ = survey->all_flats && survey->flats.size() <= kMostNormals;
-  for (const scene::Covering& covering : scene.coverings) bends_.push_back(covering.bends_normals());
+  for (const scene::SurfaceAssignment& assignment : scene.assignments)
+    bends_.push_back(assignment.bends_normals());
   if (smooth_)
     for (const geometry::SurfaceSurvey::Flat& flat : survey->flats) normals_.push_back(flat.normal);
   std::size_t planes = 0;

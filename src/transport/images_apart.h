@@ -57,7 +57,7 @@ class ImagesApart {
   };
   const ShiningParts& parts_;
   bool any_ = false, smooth_ = false;
-  std::vector<bool> bends_;  // by covering: a relief tilts its normals
+  std::vector<bool> bends_;  // by surface assignment: a relief tilts its normals
   std::vector<Plane> planes_;
   std::vector<math::Vec3> normals_;  // of all flat mirrors, at most kMostNormals
   std::vector<Pair> pairs_;          // sorted

@@ -70,7 +70,7 @@ ShiningParts::ShiningParts(const SpectralScene& scene) {
     std::size_t last = first;
     for (; last < found.size() && found[last].object == object; ++last)
       if (const double contrast = choice.contrast(found[last].material); contrast > part.contrast)
-        part.contrast = contrast, part.covering = found[last].material;
+        part.contrast = contrast, part.assignment = found[last].material;
     pieces.clear();
     for (; first < last; ++first) {
       const SurfacePiece& piece = found[first];

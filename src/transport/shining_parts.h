@@ -17,7 +17,7 @@ class SpectralScene;
 class ShiningParts {
  public:
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  /// A covering belongs to them that may be so many times as bright as the rest (EmitterChoice) in some channel.
+  /// A surface assignment belongs to them that may be so many times as bright as the rest (EmitterChoice) in some channel.
   static constexpr double kContrast = 3.0;
   /// Of more pieces, none are listed.
   static constexpr std::size_t kMost = 1 << 18;
@@ -26,8 +26,8 @@ class ShiningParts {
     geometry::SurfaceSurvey::Ball ball;
     double fill = 1.0;  ///< about the share of the ball's disc that it fills, above 0
     std::uint32_t object = 0;
-    double contrast = 0.0;       ///< how many times as bright as the rest it may be
-    std::uint32_t covering = 0;  ///< the brightest of it
+    double contrast = 0.0;         ///< how many times as bright as the rest it may be
+    std::uint32_t assignment = 0;  ///< the brightest of it
   };
 
   explicit ShiningParts(const SpectralScene& scene);
@@ -38,10 +38,10 @@ class ShiningParts {
   bool complete() const { return complete_; }
   /// The part that a ray met; kNone where it met none.
   std::uint32_t part_of(const geometry::SurfacePoint& hit) const;
-  /// Whether what was met is of a covering that may shine.
+  /// Whether what was met is of a surface assignment that may shine.
   bool shines(const geometry::SurfacePoint& hit) const { return wanted_[hit.material]; }
-  /// What a covering that shines emits at most, by channel, W m-2 sr-1 um-1.
-  std::span<const double> highest(std::uint32_t covering) const { return highest_[covering]; }
+  /// What a surface assignment that shines emits at most, by channel, W m-2 sr-1 um-1.
+  std::span<const double> highest(std::uint32_t assignment) const { return highest_[assignment]; }
 
  private:
   struct Name {
@@ -64,7 +64,7 @@ class ShiningParts {
   void put_together(std::span<Piece> pieces, Part part);
 
   geometry::WantedMaterials wanted_;
-  std::vector<std::vector<double>> highest_;  // by covering
+  std::vector<std::vector<double>> highest_;  // by surface assignment
   std::vector<Part> parts_;
   std::vector<Entry> entries_;  // sorted by name
   bool complete_ = true;

@@ -58,7 +58,7 @@ TEST(Blend, ReflectanceAndEmissionAreSharesOfTheParts) {
   SmallScene scene;
   const std::uint32_t bright = scene.material(0.6, 300.0), dark = scene.material(0.1, 320.0);
   scene.place(geometry::Plane{}, bright);
-  scene.scene().coverings[bright].patterns.push_back(
+  scene.scene().assignments[bright].patterns.push_back(
       std::make_shared<FixedBlend>(std::vector<scene::Constituent>{
           {bright, bright, 0.3, 0.0}, {dark, dark, 0.5, 0.0}, {dark, dark, 0.2, 340.0}}));
   scene.sun({0.0, 0.3, 1.0}, kSun, 0.00465);
@@ -79,7 +79,7 @@ SmallScene::Estimate meadow_with_mirrors(double mirror_share, double mirror_refl
   scene.place(geometry::Plane{}, meadow);
   // A hot plate overhead that only the mirrors show whole.
   scene.place(geometry::Disk{{0.0, 0.0, 20.0}, 1.0}, scene.material(0.0, 400.0));
-  scene.scene().coverings[meadow].patterns.push_back(
+  scene.scene().assignments[meadow].patterns.push_back(
       std::make_shared<FixedBlend>(std::vector<scene::Constituent>{{meadow, meadow, 1.0 - mirror_share, 0.0},
                                                                    {mirror, mirror, mirror_share, 0.0}}));
   scene.build();
@@ -102,7 +102,7 @@ SmallScene::Estimate furnace(std::shared_ptr<const scene::Pattern> bump, bool wh
   const std::uint32_t wall = scene.material(0.8, 300.0), other = scene.material(0.3, 300.0);
   const std::uint32_t mirror = scene.material(0.6, 300.0, materials::Mirror::shared());
   scene.place(geometry::Box{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}}, wall);
-  auto& patterns = scene.scene().coverings[wall].patterns;
+  auto& patterns = scene.scene().assignments[wall].patterns;
   patterns.push_back(std::make_shared<FixedBlend>(std::vector<scene::Constituent>{
       {wall, wall, 0.4, 0.0}, {other, other, 0.3, 0.0}, {mirror, mirror, whole_weights ? 0.3 : 0.28, 0.0}}));
   if (bump) patterns.push_back(std::move(bump));
@@ -140,7 +140,7 @@ TEST(Blend, AbundancesAreTheSharesByArea) {
   const std::uint32_t bright = scene.material(0.6), dark = scene.material(0.1), slab = scene.material(0.3);
   scene.place(geometry::Plane{}, bright);
   scene.place(geometry::Box{{-5.0, -5.0, 0.0}, {0.0, 5.0, 0.1}}, slab);
-  scene.scene().coverings[bright].patterns.push_back(std::make_shared<FixedBlend>(
+  scene.scene().assignments[bright].patterns.push_back(std::make_shared<FixedBlend>(
       std::vector<scene::Constituent>{{bright, bright, 0.3, 0.0}, {dark, dark, 0.7, 0.0}}));
   scene.sky(1.0);
   const transport::SpectralScene& spectral = scene.build();
@@ -168,7 +168,7 @@ TEST(Bump, SunlightComesAtTheShadingNormalsCosine) {
     SmallScene scene;
     const std::uint32_t ground = scene.material(0.5);
     scene.place(geometry::Plane{}, ground);
-    scene.scene().coverings[ground].patterns.push_back(std::make_shared<Tilt>(math::Vec3{1.0, 0.0, 0.0}));
+    scene.scene().assignments[ground].patterns.push_back(std::make_shared<Tilt>(math::Vec3{1.0, 0.0, 0.0}));
     scene.sun({std::sin(zenith), 0.0, std::cos(zenith)}, kSun, 0.00465);
     scene.build();
     const auto estimate = scene.radiance(kDown, 256);
@@ -182,7 +182,7 @@ TEST(Bump, LowSunFromBelowTheTiltComesMirrored) {
   SmallScene scene;
   const std::uint32_t ground = scene.material(0.5);
   scene.place(geometry::Plane{}, ground);
-  scene.scene().coverings[ground].patterns.push_back(
+  scene.scene().assignments[ground].patterns.push_back(
       std::make_shared<Tilt>(math::Vec3{std::tan(std::numbers::pi / 3.0), 0.0, 0.0}));
   const double height = std::numbers::pi / 18.0;
   scene.sun({std::cos(height), 0.0, std::sin(height)}, kSun, 0.0);

@@ -86,7 +86,7 @@ struct Scene : SmallScene {
   explicit Scene(std::initializer_list<geometry::Shape> mirrors, double relief = 0.0) {
     place(geometry::Plane{}, material(0.0, kWarm_k));
     const std::uint32_t mirror = material(kMirror, kWarm_k, kMirrorKind);
-    if (relief > 0.0) scene().coverings[mirror].patterns.push_back(std::make_shared<Tilted>(relief));
+    if (relief > 0.0) scene().assignments[mirror].patterns.push_back(std::make_shared<Tilted>(relief));
     for (const geometry::Shape& shape : mirrors) place(shape, mirror);
     place(geometry::Sphere{kThing, kHotRadius}, material(0.0, kHot_k));
     sky(planck(kWarm_k));

@@ -11,13 +11,13 @@ std::shared_ptr<const materials::TemperatureMap> map_of(float low_k, float high_
                                                      std::vector<float>{low_k, high_k});
 }
 
-/// Two materials without a temperature, one covering.
+/// Two materials without a temperature, one surface assignment.
 scene::Scene cold_scene() {
   scene::Scene scene;
   scene.materials.resize(3);
   scene.states = {{0, 0.0}, {1, 0.0}};
-  scene.coverings.resize(1);
-  scene.coverings[0].states = {0};
+  scene.assignments.resize(1);
+  scene.assignments[0].states = {0};
   scene.surroundings = {2, 0.0};
   return scene;
 }
@@ -54,19 +54,19 @@ TEST(SceneTemperatures, EachPlaceThatHoldsOneIsAsked) {
   expect_range(scene.temperatures(), 220.0, 300.0);
   scene.surroundings.temperature_k = 310.0;
   expect_range(scene.temperatures(), 220.0, 310.0);
-  scene.coverings[0].temperatures = {map_of(280.0f, 320.0f)};
+  scene.assignments[0].temperatures = {map_of(280.0f, 320.0f)};
   expect_range(scene.temperatures(), 220.0, 320.0);
   expect_range(scene.mapped_temperatures(), 280.0, 320.0);
-  scene.coverings[0].patterns = {std::make_shared<OnePattern>()};
+  scene.assignments[0].patterns = {std::make_shared<OnePattern>()};
   expect_range(scene.temperatures(), 220.0, 350.0);
   expect_range(scene.mapped_temperatures(), 280.0, 350.0);
 }
 
 TEST(SceneTemperatures, StatesEmitByTheirOwnByMapsAndByPatterns) {
   scene::Scene scene = cold_scene();
-  scene.coverings[0].temperatures = {map_of(280.0f, 320.0f)};
+  scene.assignments[0].temperatures = {map_of(280.0f, 320.0f)};
   EXPECT_TRUE(scene.emits(0));
   EXPECT_FALSE(scene.emits(1));
-  scene.coverings[0].patterns = {std::make_shared<OnePattern>()};
+  scene.assignments[0].patterns = {std::make_shared<OnePattern>()};
   EXPECT_TRUE(scene.emits(1));
 }

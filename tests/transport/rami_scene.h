@@ -63,7 +63,7 @@ class RamiScene {
     add_material("ground", kGround, 0.0);
     add_material("surroundings", 0.0, 0.0);
     scene_.surroundings = scene_.states.back();
-    if (fault == Fault::one_sided) scene_.coverings[0].patterns.push_back(std::make_shared<BlackBehind>());
+    if (fault == Fault::one_sided) scene_.assignments[0].patterns.push_back(std::make_shared<BlackBehind>());
     scene::Sun sun;
     sun.direction = {std::sin(kSunZenith_rad), 0.0, std::cos(kSunZenith_rad)};
     sun.irradiance = radiometry::Spectrum::constant(1.0);
@@ -151,9 +151,9 @@ class RamiScene {
     const auto index = static_cast<std::uint32_t>(scene_.materials.size());
     scene_.materials.push_back(std::move(material));
     scene_.states.push_back({index, 0.0});
-    scene::Covering covering;
-    covering.states = {index};
-    scene_.coverings.push_back(std::move(covering));
+    scene::SurfaceAssignment assignment;
+    assignment.states = {index};
+    scene_.assignments.push_back(std::move(assignment));
   }
 
   scene::Scene scene_;

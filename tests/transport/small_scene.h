@@ -28,9 +28,9 @@ class SmallScene {
     const auto index = static_cast<std::uint32_t>(scene_.materials.size());
     scene_.materials.push_back(material);
     scene_.states.push_back({index, temperature_k});
-    scene::Covering covering;
-    covering.states = {index};
-    scene_.coverings.push_back(covering);
+    scene::SurfaceAssignment assignment;
+    assignment.states = {index};
+    scene_.assignments.push_back(assignment);
     return index;
   }
 
@@ -70,7 +70,7 @@ class SmallScene {
  private:
   std::unique_ptr<geometry::World> place() {
     geometry::BuildOptions options{.threads = 1};
-    options.surveyed = scene_.mirror_coverings();
+    options.surveyed = scene_.mirror_assignments();
     return builder_.build(options);
   }
   const transport::SpectralScene& build_spectra() {

@@ -87,7 +87,7 @@ SmallScene::Estimate yard(Ground ground, const math::Ray& ray, bool directional,
               math::Transform::rotation(math::normalized({1.0, 1.0, 0.0}), 0.3));
   scene.place(geometry::Sphere{{0.8, -0.8, 0.6}, 0.2}, scene.material(0.2, 900.0));
   if (ground != Ground::plain)
-    scene.scene().coverings[soil].patterns.push_back(
+    scene.scene().assignments[soil].patterns.push_back(
         std::make_shared<Tilt>(ground == Ground::mixed ? std::optional(mirror) : std::nullopt));
   scene.sun({-0.8, 0.1, 1.0}, 300.0, 0.00465);
   scene.sky(20.0);

@@ -42,7 +42,7 @@ SmallScene::Estimate furnace(double reflectance, double transmittance, double lo
   scene.place(geometry::Disk{{0.0, 0.0, 0.1}, 0.8}, leaf);
   scene.place(geometry::Disk{{0.1, 0.0, 0.2}, 0.7}, leaf,
               math::Transform::rotation(math::normalized({1.0, 1.0, 0.0}), 0.4));
-  if (loss > 0.0) scene.scene().coverings[leaf].patterns.push_back(std::make_shared<Loss>(loss));
+  if (loss > 0.0) scene.scene().assignments[leaf].patterns.push_back(std::make_shared<Loss>(loss));
   scene.build();
   const math::Point3 eye{0.2, -0.3, 0.9};
   return scene.radiance({eye, math::normalized(math::Point3{0.0, 0.0, 0.1} - eye)}, 1 << 19);

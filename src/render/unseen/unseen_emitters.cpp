@@ -27,7 +27,7 @@ std::unique_ptr<const UnseenEmitters> UnseenEmitters::find(const transport::Spec
 UnseenEmitters::UnseenEmitters(const transport::SpectralScene& scene, const sensor::Camera& camera)
     : scene_(scene), camera_(camera) {
   const transport::EmitterChoice choice(scene);
-  for (std::uint32_t c = 0; c < scene.scene().coverings.size(); ++c)
+  for (std::uint32_t c = 0; c < scene.scene().assignments.size(); ++c)
     highest_.push_back(choice.wanted()[c] ? choice.highest(c) : std::vector<double>());
 }
 
@@ -66,7 +66,7 @@ void UnseenEmitters::settle(const AccuracyTolerance* tolerance, sampling::TileRe
         if (!(passes > 0.0) && dot(to, outward) < -left.ball.radius_m) continue;
         const double projected_sr =
             before > 0.0 ? std::min(std::numbers::pi, left.area_m2 / (before * before)) : std::numbers::pi;
-        const std::vector<double>& emitted = highest_[left.covering];
+        const std::vector<double>& emitted = highest_[left.assignment];
         for (std::size_t c = 0; c < channels; ++c)
           here[c] += share * projected_sr / std::numbers::pi * emitted[c];
       }

@@ -32,7 +32,7 @@ class UnseenEmitters {
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
-  std::vector<std::vector<double>> highest_;  // by covering: emission by channel
+  std::vector<std::vector<double>> highest_;  // by surface assignment: emission by channel
 };
 
 }  // namespace ifov::render

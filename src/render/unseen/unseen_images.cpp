@@ -40,9 +40,9 @@ std::unique_ptr<const UnseenImages> UnseenImages::find(const transport::Spectral
                                                        const sensor::Camera& camera,
                                                        const MirrorImages& images, std::uint64_t seed) {
   const geometry::World& world = *scene.scene().world;
-  const std::vector<scene::Covering>& coverings = scene.scene().coverings;
-  const bool reliefs = std::any_of(coverings.begin(), coverings.end(),
-                                   [](const scene::Covering& c) { return c.bends_normals(); });
+  const std::vector<scene::SurfaceAssignment>& assignments = scene.scene().assignments;
+  const bool reliefs = std::any_of(assignments.begin(), assignments.end(),
+                                   [](const scene::SurfaceAssignment& c) { return c.bends_normals(); });
   if (one_plane(*world.survey()) && !world.period() && !reliefs && images.all_settled()) return nullptr;
   return std::unique_ptr<const UnseenImages>(new UnseenImages(scene, camera, images, seed));
 }
@@ -78,7 +78,7 @@ void UnseenImages::list_throwers() {
   for (const geometry::SurfaceSurvey::Round& round : survey.rounds) {
     Thrower thrower{&round, {}};
     const bool sought = mirrors != nullptr && mirrors->rounds().seeks_all_of(round.object);
-    thrower.all_sought.assign(scene_.scene().coverings.size(), false);
+    thrower.all_sought.assign(scene_.scene().assignments.size(), false);
     for (std::uint32_t c = 0; c < thrower.all_sought.size(); ++c)
       thrower.all_sought[c] = sought && emitters->seeks_all_of(c);
     throwers_.push_back(std::move(thrower));
@@ -172,7 +172,7 @@ void UnseenImages::add_thrown(const Lit& lit, double weight, double* unseen,
     const double nearest = std::max(way, 0.0);
     bool free = false, asked = false;
     for (const Target& target : targets_) {
-      if (thrower.all_sought[target.part.covering]) continue;
+      if (thrower.all_sought[target.part.assignment]) continue;
       const double to = std::max(length(target.centre_m - round.ball.centre_m) - round.ball.radius_m,
                                  target.part.ball.radius_m);
       const double a = 1.0 + nearest / to, other = a + 2.0 * nearest / radius;
@@ -185,7 +185,7 @@ void UnseenImages::add_thrown(const Lit& lit, double weight, double* unseen,
                        round.ball.radius_m, counts);
       asked = true;
       if (!free) break;
-      const std::span<const double> highest = images_.parts().highest(target.part.covering);
+      const std::span<const double> highest = images_.parts().highest(target.part.assignment);
       for (std::size_t c = 0; c < highest.size(); ++c) unseen[c] += share * highest[c];
     }
   }
@@ -217,7 +217,7 @@ void UnseenImages::look(const Leaving* const (&corner)[3], double area_px2, doub
       if (!(share > 0.0) ||
           (!period && !is_free(from.at, from.time_s, target.centre_m, target.part.ball.radius_m, counts)))
         return;
-      const std::span<const double> highest = images_.parts().highest(target.part.covering);
+      const std::span<const double> highest = images_.parts().highest(target.part.assignment);
       for (std::size_t c = 0; c < highest.size(); ++c)
         unseen[c] += area * share * from.brightness * highest[c];
     };

@@ -60,7 +60,7 @@ class UnseenImages {
     transport::ShiningParts::Part part;
     math::Point3 centre_m;
   };
-  /// A round mirror, and by covering whether all light of it that the mirror throws is sought by paths.
+  /// A round mirror, and by surface assignment whether all light of it that the mirror throws is sought by paths.
   struct Thrower {
     const geometry::SurfaceSurvey::Round* round;
     std::vector<bool> all_sought;

@@ -122,8 +122,8 @@ double SceneRenderer::render(const io::SamplingDocument& sampling, const Choices
 
 double SceneRenderer::render_abundances(int n, const Choices& choices, render::TileSink& image) const {
   const session::Session::Parts& parts = session_.parts();
-  for (const scene::Covering& covering : parts.scene.coverings)
-    if (covering.mixes_materials())
+  for (const scene::SurfaceAssignment& assignment : parts.scene.assignments)
+    if (assignment.mixes_materials())
       throw InputError(
           "labels do not tell the materials of a mixture apart: scenes with mixture maps have no reference");
   const LabelGrid sampler(n);

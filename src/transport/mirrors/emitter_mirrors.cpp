@@ -17,7 +17,8 @@ constexpr double kNear_m = 1e-4, kNear = 1e-9, kSameNormal = 1e-9;
 
 EmitterMirrors::EmitterMirrors(const scene::Scene& scene, const geometry::SurfaceSurvey& survey)
     : rounds_(scene, survey) {
-  for (const scene::Covering& covering : scene.coverings) bends_.push_back(covering.bends_normals());
+  for (const scene::SurfaceAssignment& assignment : scene.assignments)
+    bends_.push_back(assignment.bends_normals());
   for (const geometry::SurfaceSurvey::Flat& flat : survey.flats) {
     if (planes_.size() + flat.planes_m.size() > kMost || flat.many_planes) {
       planes_.clear();

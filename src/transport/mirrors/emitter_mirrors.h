@@ -46,7 +46,7 @@ class EmitterMirrors {
   std::vector<Plane> planes_;
   bool all_planes_ = true;
   RoundMirrors rounds_;
-  std::vector<bool> bends_;  // by covering
+  std::vector<bool> bends_;  // by surface assignment
 };
 
 }  // namespace ifov::transport

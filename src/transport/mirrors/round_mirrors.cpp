@@ -7,7 +7,8 @@ namespace ifov::transport {
 using geometry::SurfaceSurvey;
 
 RoundMirrors::RoundMirrors(const scene::Scene& scene, const SurfaceSurvey& survey) {
-  for (const scene::Covering& covering : scene.coverings) bends_.push_back(covering.bends_normals());
+  for (const scene::SurfaceAssignment& assignment : scene.assignments)
+    bends_.push_back(assignment.bends_normals());
   // An object counts whole: a hit does not tell which of its shapes it is on.
   std::vector<std::uint32_t> stretched;
   for (const SurfaceSurvey::Round& round : survey.rounds)

@@ -73,7 +73,7 @@ class RoundMirrors {
  private:
   double shares(math::Point3 from) const;
 
-  std::vector<bool> bends_;  // by covering: a relief tilts its normals
+  std::vector<bool> bends_;  // by surface assignment: a relief tilts its normals
   std::vector<RoundMirror> rounds_;
   std::vector<std::uint32_t> objects_;  // sorted: all their round faces are among rounds_
   std::vector<std::uint32_t> whole_;    // of them, sorted: those without an inner side

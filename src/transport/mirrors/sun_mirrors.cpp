@@ -61,7 +61,8 @@ void group(std::span<SurfaceSurvey::Ball> balls, std::size_t groups, std::vector
 
 SunMirrors::SunMirrors(const scene::Scene& scene, const SurfaceSurvey& survey)
     : survey_(survey), rounds_(scene, survey) {
-  for (const scene::Covering& covering : scene.coverings) bends_.push_back(covering.bends_normals());
+  for (const scene::SurfaceAssignment& assignment : scene.assignments)
+    bends_.push_back(assignment.bends_normals());
   std::vector<std::size_t> order(survey.flats.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const std::size_t kept = std::min(order.size(), kMostFacings);

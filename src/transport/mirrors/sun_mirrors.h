@@ -55,7 +55,7 @@ class SunMirrors {
   const geometry::SurfaceSurvey& survey_;
   std::vector<Facing> facings_;
   bool by_shape_ = true;  // copies of a periodic scene, and faces that pass for bent ones, are not searched
-  std::vector<bool> bends_;  // by covering: a relief tilts its normals
+  std::vector<bool> bends_;  // by surface assignment: a relief tilts its normals
   RoundMirrors rounds_;
   std::vector<geometry::SurfaceSurvey::Ball> groups_;
 };

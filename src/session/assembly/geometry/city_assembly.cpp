@@ -30,7 +30,7 @@ std::string epsg_code(const std::string& system) {
 
 /// Which of the entries of `slots` covers each slot of an object, and under which name the binding knows it.
 std::vector<std::uint32_t> materials_of(const io::ObjectDocument& object, const io::CityObject& thing,
-                                        const io::Document& document, CoveringAssembly& coverings) {
+                                        const io::Document& document, AssignmentAssembly& assignments) {
   std::vector<std::string> names;
   const auto* slots = std::get_if<io::MaterialSlots>(&object.material->value);
   if (slots != nullptr)
@@ -43,7 +43,7 @@ std::vector<std::uint32_t> materials_of(const io::ObjectDocument& object, const 
           document, object.material->position,
           format("no material for the surfaces '{}' of the {} '{}'; give one for '{}', '{}' or 'other'", slot,
                  thing.type, thing.id, slot, thing.type));
-    materials.push_back(coverings.covering(*object.material, *name, object.temperature));
+    materials.push_back(assignments.assignment(*object.material, *name, object.temperature));
   }
   return materials;
 }
@@ -160,7 +160,7 @@ void report(const std::string& file, const io::CityModel& model, math::Point3 ce
 
 void place_city(const io::Document& document, const io::ObjectDocument& object,
                 const math::Transform& scene_from_document, const MapFrame& frame,
-                CoveringAssembly& coverings, geometry::WorldBuilder& builder, LogSink* log) {
+                AssignmentAssembly& assignments, geometry::WorldBuilder& builder, LogSink* log) {
   const io::CityShape& shape = std::get<io::CityShape>(object.shape);
   // The object's transform is about the document's coordinates, the model's are on the map.
   const math::Transform scene_from_map =
@@ -187,7 +187,7 @@ void place_city(const io::Document& document, const io::ObjectDocument& object,
       warn_of_misspelt_rules(shape.file.path, *slots, model, *log);
   }
   for (io::CityObject& thing : model.objects) {
-    const std::vector<std::uint32_t> materials = materials_of(object, thing, document, coverings);
+    const std::vector<std::uint32_t> materials = materials_of(object, thing, document, assignments);
     // Roads, lawns and water are parts of the ground, not things that a sensor may miss.
     const bool seed = object.seed.value_or(thing.type.starts_with("Building"));
     const math::Transform scene_from_thing =

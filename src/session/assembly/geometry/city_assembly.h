@@ -5,7 +5,7 @@
 #include "io/document/scene_document.h"
 #include "math/transform.h"
 #include "session/assembly/shared/map_frame.h"
-#include "session/assembly/surfaces/covering_assembly.h"
+#include "session/assembly/surfaces/assignment_assembly.h"
 
 namespace ifov::io {
 struct Document;
@@ -19,6 +19,6 @@ namespace ifov::session {
 /// what was read and what was left out. Throws InputError.
 void place_city(const io::Document& document, const io::ObjectDocument& object,
                 const math::Transform& scene_from_document, const MapFrame& frame,
-                CoveringAssembly& coverings, geometry::WorldBuilder& builder, LogSink* log);
+                AssignmentAssembly& assignments, geometry::WorldBuilder& builder, LogSink* log);
 
 }  // namespace ifov::session

@@ -51,10 +51,10 @@ class SlotList {
 
 class GeometryAssembly {
  public:
-  GeometryAssembly(const io::Document& document, CoveringAssembly& coverings, const MapFrame& frame,
+  GeometryAssembly(const io::Document& document, AssignmentAssembly& assignments, const MapFrame& frame,
                    LogSink* log, io::SceneCache* cache)
       : document_(document),
-        coverings_(coverings),
+        assignments_(assignments),
         frame_(frame),
         log_(log),
         cache_(cache),
@@ -69,7 +69,7 @@ class GeometryAssembly {
     }
     placed.end(builder_.object_count());
     geometry::BuildOptions options;
-    options.surveyed = coverings_.mirrors();
+    options.surveyed = assignments_.mirrors();
     return builder_.build(options);
   }
 
@@ -79,14 +79,14 @@ class GeometryAssembly {
     if (const io::DocumentName* of = copied_by(object)) {
       place_copies(object, prototype(of->name), scene_from_object);
     } else if (std::holds_alternative<io::CityShape>(object.shape)) {
-      place_city(document_, object, scene_from_object, frame_, coverings_, builder_, log_);
+      place_city(document_, object, scene_from_object, frame_, assignments_, builder_, log_);
     } else if (const auto* scatter = std::get_if<io::ScatterShape>(&object.shape)) {
       place_scatter(object, *scatter, scene_from_document);
     } else {
       const BuiltShape shape = shapes_.build(object, ShapeAssembly::Use::object);
       std::vector<std::uint32_t> materials;
       for (const std::string& slot : shape.slot_names)
-        materials.push_back(coverings_.covering(*object.material, slot, object.temperature));
+        materials.push_back(assignments_.assignment(*object.material, slot, object.temperature));
       builder_.place(shape.id, scene_from_object * shape.object_from_shape, materials,
                      object.seed.value_or(true));
     }
@@ -105,8 +105,8 @@ class GeometryAssembly {
   std::vector<std::uint32_t> materials_of(const io::ObjectDocument& object, const BuiltPrototype& built) {
     std::vector<std::uint32_t> materials;
     for (const BuiltPrototype::Slot& slot : built.slots)
-      materials.push_back(coverings_.covering(*slot.object->material, slot.name,
-                                              object.temperature ? object.temperature : *slot.temperature));
+      materials.push_back(assignments_.assignment(
+          *slot.object->material, slot.name, object.temperature ? object.temperature : *slot.temperature));
     return materials;
   }
 
@@ -127,7 +127,7 @@ class GeometryAssembly {
   const geometry::World& ground(const std::string& name, const math::Transform& scene_from_document) {
     std::unique_ptr<geometry::World>& world = grounds_[name];
     if (world) return *world;
-    GeometryAssembly alone(document_, coverings_, frame_, nullptr, cache_);
+    GeometryAssembly alone(document_, assignments_, frame_, nullptr, cache_);
     for (const io::ObjectDocument& object : document_.scene.objects)
       if (object.name == name && object.material)
         with_position(document_, object.position, [&] { alone.place(object, scene_from_document); });
@@ -207,7 +207,7 @@ class GeometryAssembly {
   }
 
   const io::Document& document_;
-  CoveringAssembly& coverings_;
+  AssignmentAssembly& assignments_;
   const MapFrame& frame_;
   LogSink* log_;
   io::SceneCache* cache_;
@@ -219,10 +219,11 @@ class GeometryAssembly {
 
 }  // namespace
 
-std::unique_ptr<geometry::World> assemble_geometry(const io::Document& document, CoveringAssembly& coverings,
-                                                   const MapFrame& frame, LogSink* log, io::SceneCache* cache,
+std::unique_ptr<geometry::World> assemble_geometry(const io::Document& document,
+                                                   AssignmentAssembly& assignments, const MapFrame& frame,
+                                                   LogSink* log, io::SceneCache* cache,
                                                    PlacedObjects& placed) {
-  return GeometryAssembly(document, coverings, frame, log, cache).assemble(placed);
+  return GeometryAssembly(document, assignments, frame, log, cache).assemble(placed);
 }
 
 }  // namespace ifov::session

@@ -6,7 +6,7 @@
 #include "geometry/world.h"
 #include "session/assembly/geometry/placed_objects.h"
 #include "session/assembly/shared/map_frame.h"
-#include "session/assembly/surfaces/covering_assembly.h"
+#include "session/assembly/surfaces/assignment_assembly.h"
 
 namespace ifov::io {
 struct Document;
@@ -15,11 +15,12 @@ class SceneCache;
 
 namespace ifov::session {
 
-/// All that stands in a document's scene, about its origin; what covers it is asked of `coverings`. Meshes
+/// All that stands in a document's scene, about its origin; what covers it is asked of `assignments`. Meshes
 /// and lists are kept in `cache` from run to run; it and `log` may be null. Throws InputError with the place
 /// in the document. `placed` takes down which of its objects stand for which of the document's.
-std::unique_ptr<geometry::World> assemble_geometry(const io::Document& document, CoveringAssembly& coverings,
-                                                   const MapFrame& frame, LogSink* log, io::SceneCache* cache,
+std::unique_ptr<geometry::World> assemble_geometry(const io::Document& document,
+                                                   AssignmentAssembly& assignments, const MapFrame& frame,
+                                                   LogSink* log, io::SceneCache* cache,
                                                    PlacedObjects& placed);
 
 }  // namespace ifov::session

@@ -6,7 +6,7 @@
 #include "session/assembly/geometry/geometry_assembly.h"
 #include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/with_position.h"
-#include "session/assembly/surfaces/covering_assembly.h"
+#include "session/assembly/surfaces/assignment_assembly.h"
 #include "session/assembly/whole/light_assembly.h"
 
 namespace ifov::session {
@@ -34,9 +34,9 @@ AssembledScene assemble_scene(const io::Document& document, LogSink* log, io::Sc
   scene::Scene& scene = assembled.scene;
   const MapFrame frame(document);
   assembled.map_offset_m = frame.offset_m();
-  CoveringAssembly coverings(document, frame, scene, log);
-  scene.world = assemble_geometry(document, coverings, frame, log, cache, assembled.placed);
-  assembled.map_scales = coverings.map_scales();
+  AssignmentAssembly assignments(document, frame, scene, log);
+  scene.world = assemble_geometry(document, assignments, frame, log, cache, assembled.placed);
+  assembled.map_scales = assignments.map_scales();
   if (document.scene.periodic) {
     const io::PeriodicDocument& periodic = *document.scene.periodic;
     geometry::PeriodicWorld::Cell cell{-0.5 * periodic.width_m, -0.5 * periodic.height_m, periodic.width_m,

@@ -22,21 +22,21 @@ struct Document;
 
 namespace ifov::session {
 
-/// Turns the materials, maps and temperatures of a document into the scene's materials, states and coverings. Each
+/// Turns the materials, maps and temperatures of a document into the scene's materials, states and surface assignments. Each
 /// file is read once, each map made once.
-class CoveringAssembly {
+class AssignmentAssembly {
  public:
   /// Reads all materials into the scene: those of the document in its order, then the further curves of textured ones.
   /// Keeps all references; `log` may be null.
-  CoveringAssembly(const io::Document& document, const MapFrame& frame, scene::Scene& scene, LogSink* log);
+  AssignmentAssembly(const io::Document& document, const MapFrame& frame, scene::Scene& scene, LogSink* log);
 
-  /// Index of the covering for a binding on one slot of an object (`slot_name` as in a mesh file, else empty);
+  /// Index of the surface assignment for a binding on one slot of an object (`slot_name` as in a mesh file, else empty);
   /// `temperature` replaces the materials' own.
-  std::uint32_t covering(const io::MaterialBinding& binding, const std::string& slot_name,
-                         const std::optional<io::TemperatureDocument>& temperature);
+  std::uint32_t assignment(const io::MaterialBinding& binding, const std::string& slot_name,
+                           const std::optional<io::TemperatureDocument>& temperature);
 
-  /// By covering made so far: whether any of its materials is a mirror; empty where none is.
-  std::vector<bool> mirrors() const { return scene_.mirror_coverings(); }
+  /// By surface assignment made so far: whether any of its materials is a mirror; empty where none is.
+  std::vector<bool> mirrors() const { return scene_.mirror_assignments(); }
 
   /// How large the cells of the maps are that were made so far.
   const std::vector<MapScale>& map_scales() const { return textures_.map_scales(); }
@@ -60,8 +60,8 @@ class CoveringAssembly {
   std::uint32_t state(scene::SurfaceState wanted);
   std::shared_ptr<const materials::ClassMap> class_map(const io::MaterialMap& map);
   Pattern mixture(const io::MixtureDocument& source, const std::vector<Surface>& surfaces);
-  void add_patterns(scene::Covering& covering, const std::vector<Surface>& surfaces);
-  std::uint32_t add(scene::Covering covering);
+  void add_patterns(scene::SurfaceAssignment& assignment, const std::vector<Surface>& surfaces);
+  std::uint32_t add(scene::SurfaceAssignment assignment);
 
   const io::Document& document_;
   scene::Scene& scene_;

@@ -1,4 +1,4 @@
-#include "session/assembly/surfaces/covering_assembly.h"
+#include "session/assembly/surfaces/assignment_assembly.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +13,14 @@
 #include "session/assembly/shared/with_position.h"
 
 namespace ifov::session {
-CoveringAssembly::CoveringAssembly(const io::Document& document, const MapFrame& frame, scene::Scene& scene,
-                                   LogSink* log)
+AssignmentAssembly::AssignmentAssembly(const io::Document& document, const MapFrame& frame,
+                                       scene::Scene& scene, LogSink* log)
     : document_(document), scene_(scene), log_(log), textures_(document, frame, log) {
   add_materials();
 }
 
-void CoveringAssembly::assemble_scattering(const io::MaterialDocument& source,
-                                           materials::Material& material) const {
+void AssignmentAssembly::assemble_scattering(const io::MaterialDocument& source,
+                                             materials::Material& material) const {
   materials::BsdfInputs inputs{material.reflectance, {}};
   for (const auto& [key, value] : source.scattering.values) {
     std::visit(Overloaded{[&](double number) { inputs.values.emplace_back(key, number); },
@@ -38,7 +38,7 @@ void CoveringAssembly::assemble_scattering(const io::MaterialDocument& source,
                                                                 materials::kBihemispherical);
 }
 
-void CoveringAssembly::add_materials() {
+void AssignmentAssembly::add_materials() {
   std::vector<materials::Material> further;
   const auto first = static_cast<std::uint32_t>(document_.scene.materials.size());
   for (const io::MaterialDocument& source : document_.scene.materials) {
@@ -68,9 +68,9 @@ void CoveringAssembly::add_materials() {
   scene_.materials.insert(scene_.materials.end(), further.begin(), further.end());
 }
 
-std::uint32_t CoveringAssembly::covering(const io::MaterialBinding& binding, const std::string& slot_name,
-                                         const std::optional<io::TemperatureDocument>& temperature) {
-  scene::Covering covering;
+std::uint32_t AssignmentAssembly::assignment(const io::MaterialBinding& binding, const std::string& slot_name,
+                                             const std::optional<io::TemperatureDocument>& temperature) {
+  scene::SurfaceAssignment assignment;
   std::vector<Surface> surfaces;
   std::visit(
       Overloaded{[&](const io::DocumentName& name) { surfaces.push_back(surface_of(name, temperature)); },
@@ -89,7 +89,7 @@ std::uint32_t CoveringAssembly::covering(const io::MaterialBinding& binding, con
                    surfaces.push_back(surface_of(found->second, temperature));
                  },
                  [&](const io::MaterialMap& map) {
-                   with_position(document_, binding.position, [&] { covering.classes = class_map(map); });
+                   with_position(document_, binding.position, [&] { assignment.classes = class_map(map); });
                    for (const auto& entry : map.classes)
                      surfaces.push_back(surface_of(entry.second, temperature));
                  },
@@ -97,20 +97,21 @@ std::uint32_t CoveringAssembly::covering(const io::MaterialBinding& binding, con
                    for (const io::DocumentName& material : source.materials)
                      surfaces.push_back(surface_of(material, temperature));
                    with_position(document_, binding.position,
-                                 [&] { covering.patterns.push_back(mixture(source, surfaces)); });
-                   covering.states.push_back(surfaces[0].state);
+                                 [&] { assignment.patterns.push_back(mixture(source, surfaces)); });
+                   assignment.states.push_back(surfaces[0].state);
                  }},
       binding.value);
-  if (covering.states.empty())
+  if (assignment.states.empty())
     for (const Surface& surface : surfaces) {
-      covering.states.push_back(surface.state);
-      covering.temperatures.push_back(surface.temperature);
+      assignment.states.push_back(surface.state);
+      assignment.temperatures.push_back(surface.temperature);
     }
-  add_patterns(covering, surfaces);
-  return add(std::move(covering));
+  add_patterns(assignment, surfaces);
+  return add(std::move(assignment));
 }
 
-void CoveringAssembly::add_patterns(scene::Covering& covering, const std::vector<Surface>& surfaces) {
+void AssignmentAssembly::add_patterns(scene::SurfaceAssignment& assignment,
+                                      const std::vector<Surface>& surfaces) {
   std::vector<Pattern> reliefs, textures;
   const auto append = [](std::vector<Pattern>& list, const Pattern& pattern) {
     if (std::find(list.begin(), list.end(), pattern) == list.end()) list.push_back(pattern);
@@ -142,11 +143,11 @@ void CoveringAssembly::add_patterns(scene::Covering& covering, const std::vector
     }
   }
   // Relief goes by the document's material, which a texture replaces by the curve that it picks.
-  covering.patterns.insert(covering.patterns.end(), reliefs.begin(), reliefs.end());
-  covering.patterns.insert(covering.patterns.end(), textures.begin(), textures.end());
+  assignment.patterns.insert(assignment.patterns.end(), reliefs.begin(), reliefs.end());
+  assignment.patterns.insert(assignment.patterns.end(), textures.begin(), textures.end());
 }
 
-std::shared_ptr<const materials::ClassMap> CoveringAssembly::class_map(const io::MaterialMap& map) {
+std::shared_ptr<const materials::ClassMap> AssignmentAssembly::class_map(const io::MaterialMap& map) {
   std::string classes_text;
   for (const auto& entry : map.classes)
     classes_text += format("{}{}", classes_text.empty() ? "" : ", ", entry.first);
@@ -173,8 +174,8 @@ std::shared_ptr<const materials::ClassMap> CoveringAssembly::class_map(const io:
   return shared;
 }
 
-CoveringAssembly::Pattern CoveringAssembly::mixture(const io::MixtureDocument& source,
-                                                    const std::vector<Surface>& surfaces) {
+AssignmentAssembly::Pattern AssignmentAssembly::mixture(const io::MixtureDocument& source,
+                                                        const std::vector<Surface>& surfaces) {
   const std::string& path = source.raster.file.path;
   std::shared_ptr<const materials::MixtureMap>& map =
       mixture_maps_[key_of(source.raster, format("{}", surfaces.size()))];
@@ -214,7 +215,7 @@ CoveringAssembly::Pattern CoveringAssembly::mixture(const io::MixtureDocument& s
   return pattern;
 }
 
-CoveringAssembly::Surface CoveringAssembly::surface_of(
+AssignmentAssembly::Surface AssignmentAssembly::surface_of(
     const io::DocumentName& material, const std::optional<io::TemperatureDocument>& temperature) {
   Surface surface;
   surface.material = material_index(material.name);
@@ -232,7 +233,7 @@ CoveringAssembly::Surface CoveringAssembly::surface_of(
   return surface;
 }
 
-std::shared_ptr<const materials::TemperatureMap> CoveringAssembly::temperature_map(
+std::shared_ptr<const materials::TemperatureMap> AssignmentAssembly::temperature_map(
     const io::TemperatureMap& map) {
   std::shared_ptr<const materials::TemperatureMap>& shared =
       temperature_maps_[key_of(map.raster, format("{}", map.offset_k))];
@@ -269,27 +270,27 @@ std::shared_ptr<const materials::TemperatureMap> CoveringAssembly::temperature_m
   return shared;
 }
 
-std::uint32_t CoveringAssembly::material_index(const std::string& name) const {
+std::uint32_t AssignmentAssembly::material_index(const std::string& name) const {
   for (std::size_t m = 0; m < document_.scene.materials.size(); ++m)
     if (document_.scene.materials[m].name == name) return static_cast<std::uint32_t>(m);
   throw InputError(format("there is no material '{}'", name));
 }
 
-std::uint32_t CoveringAssembly::state(scene::SurfaceState wanted) {
+std::uint32_t AssignmentAssembly::state(scene::SurfaceState wanted) {
   const auto found = std::find(scene_.states.begin(), scene_.states.end(), wanted);
   const auto index = static_cast<std::uint32_t>(found - scene_.states.begin());
   if (found == scene_.states.end()) scene_.states.push_back(wanted);
   return index;
 }
 
-std::uint32_t CoveringAssembly::add(scene::Covering covering) {
-  const bool mapped = std::any_of(covering.temperatures.begin(), covering.temperatures.end(),
+std::uint32_t AssignmentAssembly::add(scene::SurfaceAssignment assignment) {
+  const bool mapped = std::any_of(assignment.temperatures.begin(), assignment.temperatures.end(),
                                   [](const auto& map) { return map != nullptr; });
-  if (!mapped) covering.temperatures.clear();
-  for (std::size_t k = 0; k < scene_.coverings.size(); ++k)
-    if (scene_.coverings[k] == covering) return static_cast<std::uint32_t>(k);
-  scene_.coverings.push_back(std::move(covering));
-  return static_cast<std::uint32_t>(scene_.coverings.size() - 1);
+  if (!mapped) assignment.temperatures.clear();
+  for (std::size_t k = 0; k < scene_.assignments.size(); ++k)
+    if (scene_.assignments[k] == assignment) return static_cast<std::uint32_t>(k);
+  scene_.assignments.push_back(std::move(assignment));
+  return static_cast<std::uint32_t>(scene_.assignments.size() - 1);
 }
 
 }  // namespace ifov::session
