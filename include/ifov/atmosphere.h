@@ -30,7 +30,7 @@ struct AtmosphereQuestion {
 
 /// What the air does to the light of one channel: means over the response. Radiances in W m-2 sr-1 um-1, irradiances in
 /// W m-2 um-1 on a level surface, both over black ground. Without a Sun, what is sunlight is 0.
-struct AirLight {
+struct AtmosphereEffects {
   double wavelength_um = 0.0;
   double solar_irradiance = 0.0;       ///< above the air, across the beam
   double sun_transmittance = 0.0;      ///< of direct sunlight, down to the ground
@@ -66,16 +66,16 @@ class IFOV_API AtmosphereReport {
   struct Channel {
     std::string name;
     double first_um = 0.0, last_um = 0.0;  ///< where the response is above half of its maximum
-    AirLight light;
+    AtmosphereEffects light;
   };
   std::vector<std::string> description;  ///< air, aerosol and geometry, a line each
   std::optional<double> sun_zenith_rad;  ///< none: no Sun above the horizon
   std::optional<double> sun_azimuth_rad;
   double view_zenith_rad = 0.0, sensor_altitude_km = 0.0;
   std::vector<Channel> channels;
-  std::vector<AirLight> spectrum;  ///< from short to long wavelengths; empty if not asked for
-  double step_cm1 = 0.0;           ///< of the spectrum
-  std::optional<SkyLight> sky;     ///< none if not asked for
+  std::vector<AtmosphereEffects> spectrum;  ///< from short to long wavelengths; empty if not asked for
+  double step_cm1 = 0.0;                    ///< of the spectrum
+  std::optional<SkyLight> sky;              ///< none if not asked for
 
   /// The table of channels, for a terminal: at most 110 columns.
   std::string table() const;

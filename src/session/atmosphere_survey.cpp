@@ -191,13 +191,13 @@ io::AirReport survey_atmosphere(const io::Document& original, const AtmosphereQu
     atmosphere::SurveyControl control;
     control.threads = question.threads;
     control.progress = meter.from(0);
-    const std::vector<atmosphere::AirLight> light =
-        atmosphere::survey_air(column, stage.channels, sunlight, report.geometry, control);
+    const std::vector<atmosphere::AtmosphereEffects> light =
+        atmosphere::survey_effects(column, stage.channels, sunlight, report.geometry, control);
     for (std::size_t c = 0; c < light.size(); ++c) report.channels[c].light = light[c];
     if (!steps.empty()) {
       control.most_nodes = 1;
       control.progress = meter.from(stage.channels.size());
-      report.spectrum = atmosphere::survey_air(column, steps, sunlight, report.geometry, control);
+      report.spectrum = atmosphere::survey_effects(column, steps, sunlight, report.geometry, control);
       report.step_cm1 = 1e4 / steps.front().response.first_um() - 1e4 / steps.front().response.last_um();
     }
     if (shown) {

@@ -54,7 +54,7 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Sensor
   const std::vector<double> ground = couple(air, air.sky_irradiance(), emitted.values(0));
   const math::Vec3 towards_sun = scene.sun ? scene.sun->direction : math::Vec3{1.0, 0.0, 0.0};
   dome_ = std::make_unique<SkyDome>(air, towards_sun, ground);
-  if (!air.sights().single())
+  if (!air.lines_of_sight().single())
     view_table_ = std::make_unique<ViewTable>(air, towards_sun, ground);
   else if (air.polarized())
     single_view_ = std::make_unique<ViewTable>(air, towards_sun, ground);
@@ -112,7 +112,7 @@ std::vector<double> SpectralScene::couple(const Air& air, std::span<const double
 }
 
 void SpectralScene::light_heights(const atmosphere::SensorAtmosphere& air) {
-  const std::vector<double>& heights_km = air.sights().height().known();
+  const std::vector<double>& heights_km = air.lines_of_sight().height().known();
   if (heights_km.size() < 2) return;
   for (const double height : heights_km) heights_m_.push_back(1e3 * height);
   sun_rows_.resize(heights_km.size(), node_count());

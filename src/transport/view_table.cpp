@@ -21,7 +21,7 @@ double counterclockwise(double azimuth_rad) {
 
 template <class Visit>
 void ViewTable::each_row(const atmosphere::SensorAtmosphere& atmosphere, Visit visit) const {
-  const atmosphere::SightGrid& grid = atmosphere.sights();
+  const atmosphere::LineOfSightGrid& grid = atmosphere.lines_of_sight();
   std::size_t row = 0;
   for (const double sensor_km : grid.sensor().wanted())
     for (const double height_km : axes_[1])
@@ -33,7 +33,7 @@ ViewTable::ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 
                      const std::vector<double>& ground_radiance) {
   const double level = std::hypot(towards_sun.x, towards_sun.y);
   if (level > 0.0) sun_x_ = towards_sun.x / level, sun_y_ = towards_sun.y / level;
-  const atmosphere::SightGrid& grid = atmosphere.sights();
+  const atmosphere::LineOfSightGrid& grid = atmosphere.lines_of_sight();
   axes_ = {grid.sensor().wanted(), grid.height().wanted(), grid.along().wanted(), grid.across().wanted()};
   for (double& sensor_km : axes_[0]) sensor_km -= grid.ground_km();
   const std::size_t nodes = atmosphere.node_count();
@@ -45,10 +45,11 @@ ViewTable::ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 
     std::fill(added.begin(), added.end(), 0.0);
     for (std::size_t line = 0; line < weight.size(); ++line) {
       if (weight[line] == 0.0) continue;
-      const atmosphere::SensorAtmosphere::Sight sight = atmosphere.sight(line);
+      const atmosphere::SensorAtmosphere::LightAlongLine line_of_sight = atmosphere.line_of_sight(line);
       for (std::size_t n = 0; n < nodes; ++n) {
-        through[n] += weight[line] * sight.transmittance[n];
-        added[n] += weight[line] * (sight.radiance[n] + ground_radiance[n] * sight.diffuse_transmittance[n]);
+        through[n] += weight[line] * line_of_sight.transmittance[n];
+        added[n] += weight[line] *
+                    (line_of_sight.radiance[n] + ground_radiance[n] * line_of_sight.diffuse_transmittance[n]);
       }
     }
     for (std::size_t n = 0; n < nodes; ++n) {
@@ -61,13 +62,13 @@ ViewTable::ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 
 
 void ViewTable::polarize(const atmosphere::SensorAtmosphere& atmosphere,
                          const std::vector<double>& ground_radiance) {
-  const atmosphere::SightGrid& grid = atmosphere.sights();
+  const atmosphere::LineOfSightGrid& grid = atmosphere.lines_of_sight();
   const std::size_t nodes = atmosphere.node_count();
   q_.resize(radiance_.rows(), nodes);
   u_.resize(radiance_.rows(), nodes);
   // Here x is towards the Sun and z up.
   std::vector<radiometry::MuellerMatrix> turn;
-  for (const atmosphere::SightLine& line : grid.lines()) {
+  for (const atmosphere::LineOfSight& line : grid.lines()) {
     const radiometry::PolarizationFrame own =
         radiometry::meridional_frame(std::cos(line.zenith_rad), counterclockwise(line.azimuth_rad));
     turn.push_back(turned(own, radiometry::carried({}, own.direction)));
@@ -77,11 +78,13 @@ void ViewTable::polarize(const atmosphere::SensorAtmosphere& atmosphere,
     std::fill(light.begin(), light.end(), radiometry::StokesVector{});
     for (std::size_t line = 0; line < weight.size(); ++line) {
       if (weight[line] == 0.0) continue;
-      const atmosphere::SensorAtmosphere::SightPolarization sight = atmosphere.sight_polarization(line);
+      const atmosphere::SensorAtmosphere::LineOfSightPolarization line_of_sight =
+          atmosphere.line_of_sight_polarization(line);
       const radiometry::MuellerMatrix part = weight[line] * turn[line];
       for (std::size_t n = 0; n < nodes; ++n)
-        light[n] += part * radiometry::StokesVector{0.0, sight.q[n] + ground_radiance[n] * sight.diffuse_q[n],
-                                                    sight.u[n], 0.0};
+        light[n] += part * radiometry::StokesVector{
+                               0.0, line_of_sight.q[n] + ground_radiance[n] * line_of_sight.diffuse_q[n],
+                               line_of_sight.u[n], 0.0};
     }
     for (std::size_t n = 0; n < nodes; ++n) {
       // Polynomials between lines may go beyond what can be.

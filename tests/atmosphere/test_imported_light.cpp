@@ -117,12 +117,12 @@ TEST(ImportedLight, TotalsWithIrradiancesOfTheGround) {
 }
 
 TEST(ImportedLight, LightsOfOtherFilesFillIn) {
-  ImportedPath sight("sight", kWavelengths), beam("beam", {0.4, 0.8});
-  sight.set(Q::ground_sensor_transmittance, all(kUp));
-  sight.set(Q::solar_path_radiance, all(kPath));
+  ImportedPath line_of_sight("sight", kWavelengths), beam("beam", {0.4, 0.8});
+  line_of_sight.set(Q::ground_sensor_transmittance, all(kUp));
+  line_of_sight.set(Q::solar_path_radiance, all(kPath));
   beam.set(Q::direct_sun_ground_transmittance, {0.4, 0.6});
   EXPECT_FALSE(sees_ground(beam));
-  const ImportedLight light = imported_light({{sight}, {0.0}, {beam}}, kSun);
+  const ImportedLight light = imported_light({{line_of_sight}, {0.0}, {beam}}, kSun);
   EXPECT_NEAR(light.sun[1], 1000.0 * 0.5, 1e-9);  // the document's Sun, the transmittance at 0.6 um
   EXPECT_FALSE(light.own_irradiance);
   EXPECT_TRUE(light.sky.empty());

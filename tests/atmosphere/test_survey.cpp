@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "atmosphere/survey/air_light.h"
+#include "atmosphere/survey/atmosphere_effects.h"
 #include "atmosphere/survey/neutral_points.h"
 #include "atmosphere/survey/sky_view.h"
 #include "radiometry/solar_spectrum.h"
@@ -39,30 +39,30 @@ double irradiance(const SkyView& sky) {
   return sum;  // both sides of the Sun's plane: twice a quarter
 }
 
-TEST(AirSurvey, TheSkyInThePictureGivesTheIrradianceInTheTable) {
+TEST(AtmosphereSurvey, TheSkyInThePictureGivesTheIrradianceInTheTable) {
   const AtmosphereColumn air = column("none");
   const std::vector<radiometry::Channel> channels{radiometry::Channel::top_hat("blue", 0.4495, 0.4505)};
   const auto& sunlight = radiometry::solar_irradiance_1au();
-  const AirLight light = survey_air(air, channels, sunlight, sun_at(50.0)).front();
+  const AtmosphereEffects light = survey_effects(air, channels, sunlight, sun_at(50.0)).front();
   const SkyView sky = view_sky(air, 0.45, light.solar_irradiance, 50.0 * kDegree);
   EXPECT_NEAR(irradiance(sky) / light.solar_sky, 1.0, 0.01);
 }
 
-TEST(AirSurvey, TheThermalSkyInThePictureGivesTheIrradianceInTheTable) {
+TEST(AtmosphereSurvey, TheThermalSkyInThePictureGivesTheIrradianceInTheTable) {
   const AtmosphereColumn air = column("rural");
   const std::vector<radiometry::Channel> channels{radiometry::Channel::monochromatic("thermal", 1e4 / 900.0)};
-  const AirLight light = survey_air(air, channels, radiometry::Spectrum(), {}).front();
+  const AtmosphereEffects light = survey_effects(air, channels, radiometry::Spectrum(), {}).front();
   const SkyView sky = view_sky(air, 1e4 / 900.0, 0.0, std::nullopt);
   EXPECT_NEAR(irradiance(sky) / light.thermal_sky, 1.0, 0.01);
   EXPECT_EQ(light.solar_path, 0.0);
 }
 
-TEST(AirSurvey, SunlightSplitsFromEmission) {
+TEST(AtmosphereSurvey, SunlightSplitsFromEmission) {
   const AtmosphereColumn air = column("rural");
   const std::vector<radiometry::Channel> channels{radiometry::Channel::top_hat("mid-wave", 3.8, 4.0)};
   const auto& sunlight = radiometry::solar_irradiance_1au();
-  const AirLight day = survey_air(air, channels, sunlight, sun_at(30.0)).front();
-  const AirLight night = survey_air(air, channels, radiometry::Spectrum(), {}).front();
+  const AtmosphereEffects day = survey_effects(air, channels, sunlight, sun_at(30.0)).front();
+  const AtmosphereEffects night = survey_effects(air, channels, radiometry::Spectrum(), {}).front();
   EXPECT_NEAR(day.thermal_path / night.thermal_path, 1.0, 1e-6);
   EXPECT_GT(day.solar_path, 0.0);
   EXPECT_NEAR(day.view_transmittance, night.view_transmittance, 1e-12);
@@ -70,12 +70,12 @@ TEST(AirSurvey, SunlightSplitsFromEmission) {
 
 // Light finds the same ways up as down: where the sensor stands in the direction of the Sun, the share of its light
 // that reaches level black ground is the share of the light of bright ground that reaches the sensor.
-TEST(AirSurvey, LightGoesUpAsItComesDown) {
+TEST(AtmosphereSurvey, LightGoesUpAsItComesDown) {
   SensorGeometry geometry = sun_at(40.0);
   geometry.view_zenith_rad = 40.0 * kDegree;
   const std::vector<radiometry::Channel> channels{radiometry::Channel::top_hat("green", 0.5495, 0.5505)};
-  const AirLight light =
-      survey_air(column("rural"), channels, radiometry::solar_irradiance_1au(), geometry).front();
+  const AtmosphereEffects light =
+      survey_effects(column("rural"), channels, radiometry::solar_irradiance_1au(), geometry).front();
   const double down =
       (light.direct_irradiance + light.solar_sky) / (std::cos(40.0 * kDegree) * light.solar_irradiance);
   EXPECT_NEAR((light.view_transmittance + light.diffuse_transmittance) / down, 1.0, 0.01);
@@ -123,7 +123,7 @@ TEST(SkyView, NeutralPointsAreWhereTheTableHasThem) {
   EXPECT_TRUE(neutral_points(once, sun).empty());
 }
 
-TEST(AirSurvey, StepsAreAsWideAsTheBandModelResolves) {
+TEST(AtmosphereSurvey, StepsAreAsWideAsTheBandModelResolves) {
   const std::vector<radiometry::Channel> steps = resolved_steps(0.5, 0.6);
   EXPECT_GE(steps.back().response.last_um(), 0.6);
   EXPECT_LE(steps.front().response.first_um(), 0.5);

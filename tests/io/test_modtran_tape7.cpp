@@ -137,9 +137,9 @@ TEST(ModtranTape7, SeveralRunsAndLinesOfSight) {
   heading.insert(8, " LOS");
   row1.insert(8, "   1");
   row2.insert(8, "   2");
-  const auto sights = parse(kCards + heading + row1 + row2 + kEnd);
-  ASSERT_EQ(sights.size(), 2u);
-  EXPECT_EQ(sights[1].path.source(), "tape7, line of sight 2");
+  const auto lines_of_sight = parse(kCards + heading + row1 + row2 + kEnd);
+  ASSERT_EQ(lines_of_sight.size(), 2u);
+  EXPECT_EQ(lines_of_sight[1].path.source(), "tape7, line of sight 2");
 }
 
 TEST(ModtranTape7, ErrorsShowThePlace) {

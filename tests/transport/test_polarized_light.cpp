@@ -39,8 +39,8 @@ class PolarizedLight : public testing::Test {
     inputs.solar_irradiance = radiometry::solar_irradiance_1au();
     inputs.geometry.sun_zenith_rad = kSunZenith;
     inputs.geometry.sensor_altitude_km = kSensor_km;
-    inputs.sights =
-        atmosphere::SightGrid({-0.6, 0.5, 0.0, 0.55, 0.0}, column().levels(), {kSensor_km, kSensor_km});
+    inputs.lines_of_sight =
+        atmosphere::LineOfSightGrid({-0.6, 0.5, 0.0, 0.55, 0.0}, column().levels(), {kSensor_km, kSensor_km});
     inputs.polarized = polarized;
     return inputs;
   }
@@ -169,12 +169,12 @@ TEST_F(PolarizedLight, OfThePathBetweenItsLinesOfSight) {
       EXPECT_LT(error(light[0], expected).polarization, 3e-3) << zenith << " " << azimuth;
       EXPECT_LT(error(light[0], expected).radiance, 5e-3) << zenith << " " << azimuth;
       // The planted fault: polynomials through what each line has about its own plane.
-      const std::vector<double> weight =
-          air().sights().weights(atmosphere::SightLine{zenith * kDegree, std::abs(azimuth) * kDegree, 0.0});
+      const std::vector<double> weight = air().lines_of_sight().weights(
+          atmosphere::LineOfSight{zenith * kDegree, std::abs(azimuth) * kDegree, 0.0});
       StokesVector naive{light[0].i, 0.0, 0.0, 0.0};
       for (std::size_t line = 0; line < weight.size(); ++line) {
-        naive.q += weight[line] * air().sight_polarization(line).q[0];
-        naive.u += weight[line] * air().sight_polarization(line).u[0] * (azimuth < 0.0 ? -1.0 : 1.0);
+        naive.q += weight[line] * air().line_of_sight_polarization(line).q[0];
+        naive.u += weight[line] * air().line_of_sight_polarization(line).u[0] * (azimuth < 0.0 ? -1.0 : 1.0);
       }
       worst_of_planes = std::max(worst_of_planes, error(naive, exact).polarization);
     }
@@ -223,7 +223,7 @@ TEST_F(PolarizedLight, OfASceneSeenFromAfar) {
   atmosphere::SensorAtmosphere::Inputs far = inputs(true);
   far.geometry.view_zenith_rad = 25.0 * kDegree;
   far.geometry.view_azimuth_rad = -60.0 * kDegree;
-  far.sights.reset();
+  far.lines_of_sight.reset();
   test::SmallScene scene;
   scene.build();
   scene.scene().sun.emplace().direction = towards_sun_;

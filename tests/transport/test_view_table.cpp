@@ -13,9 +13,9 @@
 namespace ifov::transport {
 namespace {
 
+using atmosphere::LineOfSightGrid;
 using atmosphere::SensorAltitudes;
 using atmosphere::SensorAtmosphere;
-using atmosphere::SightGrid;
 using math::Vec3;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -38,7 +38,7 @@ class ViewTableByHeight : public testing::Test {
     inputs.geometry.sun_zenith_rad = 50.0 * kDegree;
     inputs.geometry.sensor_altitude_km = kHigh_km;
     inputs.scattering.nodes_per_hemisphere = 6;
-    inputs.sights = SightGrid({-0.6, 0.5, 0.0, 0.55, highest_km}, column().levels(), altitudes);
+    inputs.lines_of_sight = LineOfSightGrid({-0.6, 0.5, 0.0, 0.55, highest_km}, column().levels(), altitudes);
     inputs.polarized = polarized;
     return SensorAtmosphere(column(), inputs);
   }
@@ -176,7 +176,7 @@ TEST_F(ViewTableByHeight, PathsTakeTheAirOfTheirOwnSensor) {
 TEST(SensorAltitudes, AreOneWhereTheSensorFliesLevelOrBeyondTheAir) {
   const atmosphere::AtmosphereColumn column{atmosphere::AtmosphereDescription{}};
   const auto known = [&](double low_km, double high_km) {
-    return atmosphere::SightAxis::sensors(column.levels(), {low_km, high_km}).known();
+    return atmosphere::LineOfSightAxis::sensors(column.levels(), {low_km, high_km}).known();
   };
   EXPECT_EQ(known(3.0, 3.0), std::vector{3.0});
   EXPECT_EQ(known(3.0, 3.0 + 1e-4), std::vector{3.0});

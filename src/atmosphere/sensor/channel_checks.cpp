@@ -14,7 +14,7 @@ double relative(double given, double right) {
 }  // namespace
 
 ChannelChecks::ChannelChecks(const ChannelScattering& scattering, const ChannelPoints& points,
-                             const SensorGeometry& geometry, const FinerAir& air)
+                             const SensorGeometry& geometry, const FinerAtmosphere& air)
     : points_(points), geometry_(geometry), air_(air) {
   for (const ChannelScattering::WeakPoint& at : scattering.weak_points()) checks_.emplace_back().at = at;
 }

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "atmosphere/sensor/air_error.h"
+#include "atmosphere/sensor/atmosphere_error.h"
 #include "atmosphere/sensor/channel_scattering.h"
-#include "atmosphere/sensor/finer_air.h"
+#include "atmosphere/sensor/finer_atmosphere.h"
 #include "atmosphere/sensor/kept_solutions.h"
 
 namespace ifov::atmosphere {
@@ -14,7 +14,7 @@ namespace ifov::atmosphere {
 class ChannelChecks {
  public:
   ChannelChecks(const ChannelScattering& scattering, const ChannelPoints& points,
-                const SensorGeometry& geometry, const FinerAir& air);
+                const SensorGeometry& geometry, const FinerAtmosphere& air);
 
   std::size_t solutions() const { return checks_.size(); }
   /// Different ones may be solved at the same time.
@@ -34,7 +34,7 @@ class ChannelChecks {
   };
   const ChannelPoints& points_;
   const SensorGeometry& geometry_;
-  const FinerAir& air_;
+  const FinerAtmosphere& air_;
   std::vector<Check> checks_;
 };
 

@@ -13,7 +13,7 @@ ChannelEmission::ChannelEmission(const AtmosphereColumn& column, const ChannelPo
     : path(points.size()),
       sky_irradiance(points.size()),
       sky(directions.zenith_rad.size(), std::vector<double>(points.size())),
-      sight_path(geometry.sights.size(), std::vector<double>(points.size())),
+      line_of_sight_path(geometry.lines_of_sight.size(), std::vector<double>(points.size())),
       sky_at_height(geometry.heights_km.size(), std::vector<double>(points.size())) {
   const Levels& levels = column.levels();
   const double ground_km = levels.altitude_km.front();
@@ -40,10 +40,11 @@ ChannelEmission::ChannelEmission(const AtmosphereColumn& column, const ChannelPo
     sky_irradiance[p] = irradiance(ground_km);
     for (std::size_t h = 0; h < sky_at_height.size(); ++h)
       sky_at_height[h][p] = irradiance(ground_km + geometry.heights_km[h]);
-    for (std::size_t s = 0; s < sight_path.size(); ++s) {
-      const SightLine& line = geometry.sights[s];
-      sight_path[s][p] =
-          thermal.path(line.sensor_km, std::cos(line.zenith_rad), sight_length_km(line, ground_km)).radiance;
+    for (std::size_t s = 0; s < line_of_sight_path.size(); ++s) {
+      const LineOfSight& line = geometry.lines_of_sight[s];
+      line_of_sight_path[s][p] =
+          thermal.path(line.sensor_km, std::cos(line.zenith_rad), line_of_sight_length_km(line, ground_km))
+              .radiance;
     }
   }
 }

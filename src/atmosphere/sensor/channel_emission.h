@@ -12,8 +12,8 @@ struct ChannelEmission {
   std::vector<double> path;              ///< by point: radiance towards the sensor, W m-2 sr-1 um-1
   std::vector<double> sky_irradiance;    ///< by point: on level ground, W m-2 um-1
   std::vector<std::vector<double>> sky;  ///< [zenith][point]
-  /// [sight][point] as path, [height][point] as sky_irradiance.
-  std::vector<std::vector<double>> sight_path, sky_at_height;
+  /// [line][point] as path, [height][point] as sky_irradiance.
+  std::vector<std::vector<double>> line_of_sight_path, sky_at_height;
 
   ChannelEmission(const AtmosphereColumn& column, const ChannelPoints& points, const SensorGeometry& geometry,
                   const SkyDirections& directions);

@@ -15,11 +15,11 @@ namespace {
 constexpr double kPathShare = 0.1, kPathDepth = 0.3, kLeastWeakness = 0.01;
 constexpr std::size_t kMostChecks = 2;
 
-struct Place {
+struct Bracket {
   std::size_t low = 0;
   double high_share = 0.0;
 };
-Place place(const std::vector<double>& nodes, double x) {
+Bracket bracket(const std::vector<double>& nodes, double x) {
   if (nodes.size() == 1) return {};
   const auto above = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, x);
   const std::size_t low = static_cast<std::size_t>(above - nodes.begin()) - 1;
@@ -37,8 +37,8 @@ std::vector<ChannelScattering::WeakPoint> ChannelScattering::weak_points() const
   const auto bulge = [](double share) { return share >= 1.0 ? 1.0 : std::abs(4.0 * share * (1.0 - share)); };
   for (std::size_t p = 0; p < points_.size(); ++p) {
     const double gas = points_.gas_depth[p];
-    const Place wavelength = place(log_wavelength_, std::log(points_.points[p].wavelength_um));
-    const Place depth = place(scaled_depth_, scaled_depth(gas));
+    const Bracket wavelength = bracket(log_wavelength_, std::log(points_.points[p].wavelength_um));
+    const Bracket depth = bracket(scaled_depth_, scaled_depth(gas));
     const double light =
         points_.share[p] *
         (points_.sun[p] * points_.view[p] + kPathShare * points_.irradiance[p] * std::exp(-kPathDepth * gas));
@@ -67,16 +67,16 @@ std::vector<ChannelScattering::WeakPoint> ChannelScattering::weak_points() const
 
 std::vector<ChannelScattering::Part> ChannelScattering::parts_at(std::size_t p) const {
   const std::size_t columns = depth_.size();
-  const Place at_wavelength = place(log_wavelength_, std::log(points_.points[p].wavelength_um));
+  const Bracket at_wavelength = bracket(log_wavelength_, std::log(points_.points[p].wavelength_um));
   const double depth = std::clamp(points_.gas_depth[p], depth_.front(), depth_.back());
-  const Place at_depth = place(depth_, depth), at_scaled = place(scaled_depth_, scaled_depth(depth));
+  const Bracket at_depth = bracket(depth_, depth), at_scaled = bracket(scaled_depth_, scaled_depth(depth));
   std::vector<Part> parts;
   for (std::size_t w = at_wavelength.low; w <= std::min(at_wavelength.low + 1, log_wavelength_.size() - 1);
        ++w)
     for (std::size_t d = 0; d < columns; ++d) {
       const double across =
           w == at_wavelength.low ? 1.0 - at_wavelength.high_share : at_wavelength.high_share;
-      const auto share = [&](const Place& here) {
+      const auto share = [&](const Bracket& here) {
         return d == here.low ? 1.0 - here.high_share : d == here.low + 1 ? here.high_share : 0.0;
       };
       const std::size_t solution = w * columns + d;
@@ -86,18 +86,18 @@ std::vector<ChannelScattering::Part> ChannelScattering::parts_at(std::size_t p) 
 }
 
 ChannelScattering::AtPoints ChannelScattering::at_points() const {
-  const std::size_t count = points_.size(), sights = geometry_.sights.size(),
+  const std::size_t count = points_.size(), lines_of_sight = geometry_.lines_of_sight.size(),
                     heights = geometry_.heights_km.size();
   AtPoints result;
   for (auto* row : {&result.once, &result.path, &result.sky_irradiance, &result.diffuse_transmittance,
                     &result.spherical_albedo})
     row->resize(count);
-  result.sight_path.assign(sights, std::vector<double>(count));
-  result.sight_diffuse.assign(sights, std::vector<double>(count));
+  result.line_of_sight_path.assign(lines_of_sight, std::vector<double>(count));
+  result.line_of_sight_diffuse.assign(lines_of_sight, std::vector<double>(count));
   result.sky_at_height.assign(heights, std::vector<double>(count));
   if (polarized_)
     for (auto* rows : {&result.path_q, &result.path_u, &result.diffuse_q})
-      rows->assign(1 + sights, std::vector<double>(count));
+      rows->assign(1 + lines_of_sight, std::vector<double>(count));
   result.share.assign(nodes_.size(), std::vector<double>(count, 0.0));
   const double ground_km = column_.levels().altitude_km.front();
   for (std::size_t p = 0; p < count; ++p) {
@@ -129,15 +129,17 @@ ChannelScattering::AtPoints ChannelScattering::at_points() const {
         points_.view[p] * ratio([](const Node& n) { return n.diffuse_transmittance; });
     result.spherical_albedo[p] = ratio([](const Node& n) { return n.spherical_albedo; });
     if (polarized_) polarize(0, p, parts, own, result.path[p], result.diffuse_transmittance[p], result);
-    for (std::size_t s = 0; s < sights; ++s) {
-      const SightLine& line = geometry_.sights[s];
+    for (std::size_t s = 0; s < lines_of_sight; ++s) {
+      const LineOfSight& line = geometry_.lines_of_sight[s];
       const StokesVector along = once({std::cos(line.zenith_rad), line.azimuth_rad - std::numbers::pi},
-                                      line.sensor_km, sight_length_km(line, ground_km));
-      result.sight_path[s][p] = along.i * path_ratio([s](const Node& n) { return n.sight_path[s]; });
-      result.sight_diffuse[s][p] =
-          points_.sight_view[s][p] * ratio([s](const Node& n) { return n.sight_diffuse[s]; });
+                                      line.sensor_km, line_of_sight_length_km(line, ground_km));
+      result.line_of_sight_path[s][p] =
+          along.i * path_ratio([s](const Node& n) { return n.line_of_sight_path[s]; });
+      result.line_of_sight_diffuse[s][p] =
+          points_.line_of_sight_view[s][p] * ratio([s](const Node& n) { return n.line_of_sight_diffuse[s]; });
       if (polarized_)
-        polarize(1 + s, p, parts, along, result.sight_path[s][p], result.sight_diffuse[s][p], result);
+        polarize(1 + s, p, parts, along, result.line_of_sight_path[s][p], result.line_of_sight_diffuse[s][p],
+                 result);
     }
     for (std::size_t h = 0; h < heights; ++h)
       result.sky_at_height[h][p] =

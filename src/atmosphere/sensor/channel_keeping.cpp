@@ -34,7 +34,7 @@ std::vector<double> ChannelScattering::question(const ColumnSolver& solver, cons
     all.push_back(static_cast<double>(list->size()));
     all.insert(all.end(), list->begin(), list->end());
   }
-  for (const SightLine& line : geometry_.sights)
+  for (const LineOfSight& line : geometry_.lines_of_sight)
     all.insert(all.end(), {line.zenith_rad, line.azimuth_rad, line.height_km, line.sensor_km});
   if (polarized_) all.push_back(1.0);
   return all;
@@ -45,8 +45,9 @@ void ChannelScattering::solve(const ColumnSolver& solver, std::size_t solution, 
   if (kept == nullptr) return solve(solver, node);
   const std::vector<double> asked = question(solver, node);
   const std::size_t rings = directions_.zenith_rad.size() * (directions_.azimuth_rad.size() + 1);
-  std::size_t count = 4 + 2 * geometry_.sights.size() + geometry_.heights_km.size() + rings;
-  if (polarized_) count += 3 * (1 + geometry_.sights.size()) + 2 * rings - directions_.zenith_rad.size();
+  std::size_t count = 4 + 2 * geometry_.lines_of_sight.size() + geometry_.heights_km.size() + rings;
+  if (polarized_)
+    count += 3 * (1 + geometry_.lines_of_sight.size()) + 2 * rings - directions_.zenith_rad.size();
   std::vector<double> answer(count);
   if (kept->find(asked, answer)) return node.unpack(answer, geometry_, directions_, polarized_);
   solve(solver, node);
@@ -56,7 +57,7 @@ void ChannelScattering::solve(const ColumnSolver& solver, std::size_t solution, 
 std::vector<double> ChannelScattering::Node::packed() const {
   std::vector<double> answer{path, sky_irradiance, diffuse_transmittance, spherical_albedo};
   for (const std::vector<double>* list :
-       {&sight_path, &sight_diffuse, &sky_at_height, &sky, &groundlit, &sky_polarization.q,
+       {&line_of_sight_path, &line_of_sight_diffuse, &sky_at_height, &sky, &groundlit, &sky_polarization.q,
         &sky_polarization.u, &sky_polarization.groundlit_q})
     answer.insert(answer.end(), list->begin(), list->end());
   for (const LinePolarization& line : lines) answer.insert(answer.end(), {line.q, line.u, line.diffuse_q});
@@ -76,8 +77,8 @@ void ChannelScattering::Node::unpack(std::span<const double> answer, const Senso
     list.assign(part.begin(), part.end());
     next += count;
   };
-  take(sight_path, geometry.sights.size());
-  take(sight_diffuse, geometry.sights.size());
+  take(line_of_sight_path, geometry.lines_of_sight.size());
+  take(line_of_sight_diffuse, geometry.lines_of_sight.size());
   take(sky_at_height, geometry.heights_km.size());
   take(sky, zeniths * azimuths);
   take(groundlit, zeniths);

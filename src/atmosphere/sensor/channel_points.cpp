@@ -22,7 +22,7 @@ std::vector<double> sun_slants(const std::vector<double>& altitude_km, double ze
 }
 
 /// The same for a straight line of sight in flat layers, from a height above the ground up to the sensor.
-std::vector<double> view_slants(const std::vector<double>& altitude_km, const SightLine& line) {
+std::vector<double> view_slants(const std::vector<double>& altitude_km, const LineOfSight& line) {
   const double surface_km = altitude_km.front() + line.height_km;
   std::vector<double> slants;
   for (std::size_t i = 0; i + 1 < altitude_km.size(); ++i) {
@@ -47,7 +47,7 @@ std::vector<double> above(const std::vector<double>& altitude_km, std::vector<do
 
 }  // namespace
 
-double sight_length_km(const SightLine& line, double ground_km) {
+double line_of_sight_length_km(const LineOfSight& line, double ground_km) {
   if (!(line.height_km > 0.0)) return std::numeric_limits<double>::infinity();
   return std::max(0.0, line.sensor_km - ground_km - line.height_km) / std::cos(line.zenith_rad);
 }
@@ -57,10 +57,11 @@ ChannelPoints::ChannelPoints(const AtmosphereColumn& column, const std::vector<C
   const std::vector<double>& altitude_km = column.levels().altitude_km;
   const std::vector<double> up = view_slants(altitude_km, geometry.own_sight());
   const std::vector<double> down = sun_slants(altitude_km, geometry.sun_zenith_rad.value_or(0.0));
-  std::vector<std::vector<double>> sights, suns;
-  for (const SightLine& line : geometry.sights) sights.push_back(view_slants(altitude_km, line));
+  std::vector<std::vector<double>> lines_of_sight, suns;
+  for (const LineOfSight& line : geometry.lines_of_sight)
+    lines_of_sight.push_back(view_slants(altitude_km, line));
   for (const double height : geometry.heights_km) suns.push_back(above(altitude_km, down, height));
-  sight_view.resize(sights.size());
+  line_of_sight_view.resize(lines_of_sight.size());
   sun_at_height.resize(suns.size());
   std::vector<double> depths(altitude_km.size() - 1);
   const auto along = [&](const std::vector<double>& slants) {
@@ -81,7 +82,8 @@ ChannelPoints::ChannelPoints(const AtmosphereColumn& column, const std::vector<C
       irradiance.push_back(bin.irradiance);
       sun.push_back(sunlight(down));
       view.push_back(std::exp(-along(up)));
-      for (std::size_t s = 0; s < sights.size(); ++s) sight_view[s].push_back(std::exp(-along(sights[s])));
+      for (std::size_t s = 0; s < lines_of_sight.size(); ++s)
+        line_of_sight_view[s].push_back(std::exp(-along(lines_of_sight[s])));
       for (std::size_t h = 0; h < suns.size(); ++h) sun_at_height[h].push_back(sunlight(suns[h]));
       gas_depth.push_back(std::accumulate(layers.gas_absorption.begin(), layers.gas_absorption.end(), 0.0));
     }

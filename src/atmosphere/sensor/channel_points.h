@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "atmosphere/sensor/channel_bins.h"
-#include "atmosphere/sensor/sight_grid.h"
+#include "atmosphere/sensor/line_of_sight_grid.h"
 
 namespace ifov::atmosphere {
 
@@ -21,24 +21,24 @@ struct SensorGeometry {
   double sensor_altitude_km = 100.0;
   /// Further lines of sight that are wanted, each with its own sensor's altitude, and further heights of surfaces above
   /// the ground.
-  std::vector<SightLine> sights = {};
+  std::vector<LineOfSight> lines_of_sight = {};
   std::vector<double> heights_km = {};
 
   /// The Sun for a solution of which only what comes from the ground is wanted.
   double any_sun_zenith_rad() const { return sun_zenith_rad.value_or(0.7); }
   /// The sensor's own line of sight, from the ground.
-  SightLine own_sight() const { return {view_zenith_rad, view_azimuth_rad, 0.0, sensor_altitude_km}; }
+  LineOfSight own_sight() const { return {view_zenith_rad, view_azimuth_rad, 0.0, sensor_altitude_km}; }
   /// The same without these.
   SensorGeometry alone() const {
     SensorGeometry geometry = *this;
-    geometry.sights.clear();
+    geometry.lines_of_sight.clear();
     geometry.heights_km.clear();
     return geometry;
   }
 };
 
 /// Length of the straight path from the surface of a line of sight up to the sensor; endless from the ground itself.
-double sight_length_km(const SightLine& line, double ground_km);
+double line_of_sight_length_km(const LineOfSight& line, double ground_km);
 
 /// A channel as its points: bins of the band model, term by term, with what is exact at each of them.
 struct ChannelPoints {
@@ -49,13 +49,13 @@ struct ChannelPoints {
     LayerOptics layers() const { return optics->term(term); }
   };
   std::vector<Point> points;
-  std::vector<double> share;                       ///< of the channel's response; sums to 1
-  std::vector<double> irradiance;                  ///< of the Sun above the air, W m-2 um-1
-  std::vector<double> sun;                         ///< direct, at the ground on a surface that faces the Sun
-  std::vector<double> view;                        ///< direct transmittance from the ground to the sensor
-  std::vector<std::vector<double>> sight_view;     ///< [sight], as view
-  std::vector<std::vector<double>> sun_at_height;  ///< [height], as sun
-  std::vector<double> gas_depth;                   ///< vertical absorption depth of all gas
+  std::vector<double> share;       ///< of the channel's response; sums to 1
+  std::vector<double> irradiance;  ///< of the Sun above the air, W m-2 um-1
+  std::vector<double> sun;         ///< direct, at the ground on a surface that faces the Sun
+  std::vector<double> view;        ///< direct transmittance from the ground to the sensor
+  std::vector<std::vector<double>> line_of_sight_view;  ///< [line], as view
+  std::vector<std::vector<double>> sun_at_height;       ///< [height], as sun
+  std::vector<double> gas_depth;                        ///< vertical absorption depth of all gas
 
   ChannelPoints(const AtmosphereColumn& column, const std::vector<ChannelBin>& bins, const BinOptics& optics,
                 const SensorGeometry& geometry);

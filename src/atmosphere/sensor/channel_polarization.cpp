@@ -8,18 +8,18 @@
 
 namespace ifov::atmosphere {
 
-std::vector<SightLine> ChannelScattering::lines() const {
-  std::vector<SightLine> all{geometry_.own_sight()};
-  all.insert(all.end(), geometry_.sights.begin(), geometry_.sights.end());
+std::vector<LineOfSight> ChannelScattering::lines() const {
+  std::vector<LineOfSight> all{geometry_.own_sight()};
+  all.insert(all.end(), geometry_.lines_of_sight.begin(), geometry_.lines_of_sight.end());
   return all;
 }
 
 void ChannelScattering::solve_polarization(const ColumnSolution& solved, double scale, double groundlit_scale,
                                            Node& node) const {
   const double ground_km = column_.levels().altitude_km.front();
-  std::map<double, SlantSource> rings;  // by cosine, as in solve_sights
-  for (const SightLine& line : lines()) {
-    const double mu = std::cos(line.zenith_rad), length = sight_length_km(line, ground_km);
+  std::map<double, SlantSource> rings;  // by cosine, as in solve_lines_of_sight
+  for (const LineOfSight& line : lines()) {
+    const double mu = std::cos(line.zenith_rad), length = line_of_sight_length_km(line, ground_km);
     const SlantSource& ring = rings.try_emplace(mu, solved.sunlit(), mu).first->second;
     const StokesVector often =
                            ring.path(line.azimuth_rad - std::numbers::pi, line.sensor_km, length).multiple,

@@ -111,18 +111,19 @@ Propagation ChannelScattering::towards_sensor() const {
 }
 
 /// Ratios as at the ground and along the sensor's own line of sight.
-void ChannelScattering::solve_sights(const ColumnSolution& solved, Node& node) const {
+void ChannelScattering::solve_lines_of_sight(const ColumnSolution& solved, Node& node) const {
   const double ground_km = column_.levels().altitude_km.front();
   for (const double height : geometry_.heights_km)
     node.sky_at_height.push_back(log_ratio(solved.sunlit().fluxes().at(ground_km + height).diffuse_down,
                                            solved.sun_transmittance(ground_km + height)));
   std::map<double, SlantSource> rings;  // by cosine: lines of one slope end at several heights
-  for (const SightLine& line : geometry_.sights) {
-    const double mu = std::cos(line.zenith_rad), length = sight_length_km(line, ground_km);
+  for (const LineOfSight& line : geometry_.lines_of_sight) {
+    const double mu = std::cos(line.zenith_rad), length = line_of_sight_length_km(line, ground_km);
     const SlantSource& ring = rings.try_emplace(mu, solved.sunlit(), mu).first->second;
     const PathLight path = ring.path(line.azimuth_rad - std::numbers::pi, line.sensor_km, length);
-    node.sight_path.push_back(path.single.i > 0.0 ? log_ratio(path.radiance().i, path.single.i) : 0.0);
-    node.sight_diffuse.push_back(
+    node.line_of_sight_path.push_back(path.single.i > 0.0 ? log_ratio(path.radiance().i, path.single.i)
+                                                          : 0.0);
+    node.line_of_sight_diffuse.push_back(
         log_ratio(solved.diffuse_transmittance(mu, line.sensor_km, length).i, path.transmittance));
   }
 }
@@ -139,7 +140,7 @@ void ChannelScattering::solve(const ColumnSolver& solver, Node& node) const {
       log_ratio(solved.diffuse_transmittance(towards_sensor().mu, sensor_km).i, path.transmittance);
   node.spherical_albedo = std::log(std::max(albedo, kDark));
 
-  solve_sights(solved, node);
+  solve_lines_of_sight(solved, node);
 
   const std::vector<double> weights = directions_.level_weights();
   const std::size_t zeniths = directions_.zenith_rad.size(), azimuths = directions_.azimuth_rad.size();

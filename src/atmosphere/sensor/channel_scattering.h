@@ -44,8 +44,8 @@ class ChannelScattering {
   struct AtPoints {
     std::vector<double> once;  ///< of the path: light scattered once
     std::vector<double> path, sky_irradiance, diffuse_transmittance, spherical_albedo;
-    /// [sight][point] and [height][point].
-    std::vector<std::vector<double>> sight_path, sight_diffuse, sky_at_height;
+    /// [line][point] and [height][point].
+    std::vector<std::vector<double>> line_of_sight_path, line_of_sight_diffuse, sky_at_height;
     /// [solution]: the share of each solution in the shapes of the sky.
     std::vector<std::vector<double>> share;
     /// Q and U of the paths, Q of what they let through diffusely, about the vertical plane: of the geometry's
@@ -81,10 +81,10 @@ class ChannelScattering {
     // Logarithms of all light over light scattered once, of the sky's light over the direct beam's, of the
     // diffuse over the direct transmittance, of the spherical albedo.
     double path = 0.0, sky_irradiance = 0.0, diffuse_transmittance = 0.0, spherical_albedo = 0.0;
-    // The same by sight and by height.
-    std::vector<double> sight_path, sight_diffuse, sky_at_height;
+    // The same by line of sight and by height.
+    std::vector<double> line_of_sight_path, line_of_sight_diffuse, sky_at_height;
     std::vector<double> sky, groundlit;
-    std::vector<LinePolarization> lines;  // the geometry's own, then its sights
+    std::vector<LinePolarization> lines;  // the geometry's own, then its lines of sight
     SkyPolarization sky_polarization;
     std::vector<double> packed() const;
     void unpack(std::span<const double> answer, const SensorGeometry& geometry,
@@ -101,7 +101,7 @@ class ChannelScattering {
   std::vector<double> question(const ColumnSolver& solver, const Node& node) const;
   void choose_nodes();
   LayerOptics optics_at(double log_wavelength, double depth) const;
-  void solve_sights(const ColumnSolution& solved, Node& node) const;
+  void solve_lines_of_sight(const ColumnSolution& solved, Node& node) const;
   /// `scale` and `groundlit_scale`: of the shapes of the sky.
   void solve_polarization(const ColumnSolution& solved, double scale, double groundlit_scale,
                           Node& node) const;
@@ -109,8 +109,8 @@ class ChannelScattering {
   /// are known.
   void polarize(std::size_t line, std::size_t point, const std::vector<Part>& parts, const StokesVector& once,
                 double path, double diffuse, AtPoints& at) const;
-  /// The geometry's own line of sight, then its sights.
-  std::vector<SightLine> lines() const;
+  /// The geometry's own line of sight, then its lines of sight.
+  std::vector<LineOfSight> lines() const;
   Propagation towards_sensor() const;
   /// Depth as the ratio of all light to light scattered once varies with it.
   static double scaled_depth(double gas_depth);

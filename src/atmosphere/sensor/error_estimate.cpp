@@ -71,7 +71,7 @@ class Estimate {
            std::span<const ChannelLights> channels)
       : question_(question), bins_(bins), channels_(channels), errors_(channels.size()) {}
 
-  std::vector<AirErrors> made() {
+  std::vector<AtmosphereErrors> made() {
     std::vector<std::vector<double>> asked(channels_.size());
     std::vector<std::size_t> unknown;
     for (std::size_t c = 0; c < channels_.size(); ++c)
@@ -112,13 +112,13 @@ class Estimate {
     }
     return asked;
   }
-  bool known(const std::vector<double>& asked, AirError& error) const {
+  bool known(const std::vector<double>& asked, AtmosphereError& error) const {
     double answer[3];
     if (question_.kept == nullptr || !question_.kept->find(asked, answer)) return false;
     error = {answer[0], answer[1], answer[2]};
     return true;
   }
-  void keep(const std::vector<double>& asked, const AirError& error) const {
+  void keep(const std::vector<double>& asked, const AtmosphereError& error) const {
     const double answer[3] = {error.path, error.surface, error.sky};
     if (question_.kept != nullptr) question_.kept->keep(asked, answer);
   }
@@ -229,14 +229,14 @@ class Estimate {
   const ErrorQuestion& question_;
   std::span<const std::vector<ChannelBin>> bins_;
   std::span<const ChannelLights> channels_;
-  std::vector<AirErrors> errors_;
+  std::vector<AtmosphereErrors> errors_;
 };
 
 }  // namespace
 
-std::vector<AirErrors> estimate_errors(const ErrorQuestion& question,
-                                       std::span<const std::vector<ChannelBin>> bins,
-                                       std::span<const ChannelLights> channels) {
+std::vector<AtmosphereErrors> estimate_errors(const ErrorQuestion& question,
+                                              std::span<const std::vector<ChannelBin>> bins,
+                                              std::span<const ChannelLights> channels) {
   return Estimate(question, bins, channels).made();
 }
 

@@ -3,17 +3,17 @@
 #include <span>
 #include <vector>
 
-#include "atmosphere/sensor/air_error.h"
+#include "atmosphere/sensor/atmosphere_error.h"
 #include "atmosphere/sensor/channel_bins.h"
 #include "atmosphere/sensor/channel_lights.h"
-#include "atmosphere/sensor/finer_air.h"
+#include "atmosphere/sensor/finer_atmosphere.h"
 #include "atmosphere/sensor/kept_solutions.h"
 
 namespace ifov::atmosphere {
 
 struct ErrorQuestion {
   const AtmosphereColumn& column;
-  const FinerAir& finer;
+  const FinerAtmosphere& finer;
   const SensorGeometry& geometry;
   const SkyDirections& directions;
   const ScatteringOptions& scattering;
@@ -24,8 +24,8 @@ struct ErrorQuestion {
 
 /// Errors of solved channels by where they come from, all but that of the nodes
 /// (docs/theory/atmosphere_error.md).
-std::vector<AirErrors> estimate_errors(const ErrorQuestion& question,
-                                       std::span<const std::vector<ChannelBin>> bins,
-                                       std::span<const ChannelLights> channels);
+std::vector<AtmosphereErrors> estimate_errors(const ErrorQuestion& question,
+                                              std::span<const std::vector<ChannelBin>> bins,
+                                              std::span<const ChannelLights> channels);
 
 }  // namespace ifov::atmosphere

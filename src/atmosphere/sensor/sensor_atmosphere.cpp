@@ -29,14 +29,15 @@ double white_above(double wavelength_um, double irradiance) {
 SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs& inputs)
     : geometry_(inputs.geometry),
       directions_(inputs.sky.value_or(SkyDirections::standard(inputs.geometry.sun_zenith_rad))),
-      sights_(inputs.sights.value_or(SightGrid(geometry_.own_sight()))) {
+      lines_of_sight_(inputs.lines_of_sight.value_or(LineOfSightGrid(geometry_.own_sight()))) {
   if (inputs.polarized && !inputs.scattering.polarized)
     throw std::invalid_argument("polarized tables of the air need the polarized solver");
-  if (!sights_.trivial()) {
-    geometry_.sights = sights_.lines();
-    const std::vector<SightLine> checks = sights_.checks();
-    geometry_.sights.insert(geometry_.sights.end(), checks.begin(), checks.end());
-    geometry_.heights_km.assign(sights_.height().known().begin() + 1, sights_.height().known().end());
+  if (!lines_of_sight_.trivial()) {
+    geometry_.lines_of_sight = lines_of_sight_.lines();
+    const std::vector<LineOfSight> checks = lines_of_sight_.checks();
+    geometry_.lines_of_sight.insert(geometry_.lines_of_sight.end(), checks.begin(), checks.end());
+    geometry_.heights_km.assign(lines_of_sight_.height().known().begin() + 1,
+                                lines_of_sight_.height().known().end());
   }
   std::vector<std::vector<ChannelBin>> bins;
   for (std::size_t c = 0; c < inputs.channels.size(); ++c) {
@@ -47,7 +48,7 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
   std::vector<ChannelLights> channels;
   for (const std::vector<ChannelBin>& channel : bins)
     channels.push_back({{column, channel, optics, geometry_}});
-  std::optional<FinerAir> finer;
+  std::optional<FinerAtmosphere> finer;
   if (inputs.with_errors) finer.emplace(column);
   struct Task {
     ChannelLights* lights;
@@ -68,7 +69,7 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
     lights.checks.emplace(*lights.scattering, lights.points, geometry_, *finer);
     for (std::size_t k = 0; k < lights.checks->solutions(); ++k) tasks.push_back({&lights, k, true});
   }
-  const ColumnSolver solver(inputs.scattering), careful(FinerAir::finer(inputs.scattering));
+  const ColumnSolver solver(inputs.scattering), careful(FinerAtmosphere::finer(inputs.scattering));
   std::mutex telling;
   std::size_t solved = 0;
   parallel_for(static_cast<std::int64_t>(tasks.size()), inputs.threads, [&](std::int64_t k) {
@@ -92,11 +93,11 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
   const std::size_t nodes = node_count(), zeniths = directions_.zenith_rad.size();
   for (auto* row : {&view_radiance_, &diffuse_transmittance_, &spherical_albedo_, &sky_irradiance_})
     row->assign(nodes, 0.0);
-  if (!sights_.trivial()) {
-    for (auto* rows : {&sight_transmittance_, &sight_radiance_, &sight_diffuse_})
-      rows->assign(sights_.known_lines() * nodes, 0.0);
+  if (!lines_of_sight_.trivial()) {
+    for (auto* rows : {&line_of_sight_transmittance_, &line_of_sight_radiance_, &line_of_sight_diffuse_})
+      rows->assign(lines_of_sight_.known_lines() * nodes, 0.0);
     for (auto* rows : {&sun_at_height_, &sky_at_height_})
-      rows->assign(sights_.height().known().size() * nodes, 0.0);
+      rows->assign(lines_of_sight_.height().known().size() * nodes, 0.0);
   }
   sky_.assign(zeniths * directions_.azimuth_rad.size() * nodes, 0.0);
   groundlit_.assign(zeniths * nodes, 0.0);
@@ -105,13 +106,13 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
     for (auto* rows : {&all.sky_q, &all.sky_u}) rows->assign(sky_.size(), 0.0);
     all.groundlit_q.assign(groundlit_.size(), 0.0);
     for (auto* rows : {&all.path_q, &all.path_u, &all.diffuse_q})
-      rows->assign(sights_.known_lines() * nodes, 0.0);
+      rows->assign(lines_of_sight_.known_lines() * nodes, 0.0);
   }
   parallel_for(static_cast<std::int64_t>(channels.size()), inputs.threads, [&](std::int64_t k) {
     const std::size_t channel = static_cast<std::size_t>(k);
     if (channels[channel].scattering) add_scattering(channel, channels[channel]);
     if (channels[channel].emitted) add_emission(channel, channels[channel]);
-    if (!sights_.trivial()) add_sights(channel, channels[channel]);
+    if (!lines_of_sight_.trivial()) add_lines_of_sight(channel, channels[channel]);
     if (polarization_ && channels[channel].scattering) add_polarization(channel, channels[channel]);
   });
   normalise_sky();
@@ -123,7 +124,7 @@ SensorAtmosphere::SensorAtmosphere(const AtmosphereColumn& column, const Inputs&
       bins, channels);
   for (std::size_t c = 0; c < errors_.size(); ++c) {
     errors_[c].nodes.surface = nodes_.worst_error(c);
-    errors_[c].sights = sight_error(c, channels[c], inputs.ground);
+    errors_[c].lines_of_sight = line_of_sight_error(c, channels[c], inputs.ground);
   }
 }
 

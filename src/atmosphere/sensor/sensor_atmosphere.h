@@ -8,10 +8,10 @@
 #include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/scattering/propagation.h"
 #include "atmosphere/scattering/scattering_options.h"
-#include "atmosphere/sensor/air_error.h"
+#include "atmosphere/sensor/atmosphere_error.h"
 #include "atmosphere/sensor/channel_points.h"
 #include "atmosphere/sensor/kept_solutions.h"
-#include "atmosphere/sensor/sight_grid.h"
+#include "atmosphere/sensor/line_of_sight_grid.h"
 #include "atmosphere/sensor/sky_directions.h"
 #include "radiometry/spectral_nodes.h"
 
@@ -36,8 +36,9 @@ class SensorAtmosphere {
     std::optional<SkyDirections> sky = {};  ///< none: the standard ones
     ScatteringOptions scattering;
     int threads = 0;
-    std::optional<SightGrid> sights = {};  ///< none: that of the geometry holds for all surfaces
-    KeptSolutions* kept = nullptr;         ///< solutions from before, if any
+    std::optional<LineOfSightGrid> lines_of_sight =
+        {};                         ///< none: that of the geometry holds for all surfaces
+    KeptSolutions* kept = nullptr;  ///< solutions from before, if any
     /// Whether Q and U of sky and path are kept beside I; needs scattering.polarized.
     bool polarized = false;
     /// Whether errors() are wanted, and the reflectance of the ground around the scene, which they depend on.
@@ -54,7 +55,7 @@ class SensorAtmosphere {
   std::size_t node_count() const { return nodes_.node_count(); }
   const SensorGeometry& geometry() const { return geometry_; }
   const SkyDirections& sky_directions() const { return directions_; }
-  const SightGrid& sights() const { return sights_; }
+  const LineOfSightGrid& lines_of_sight() const { return lines_of_sight_; }
 
   /// By node. Irradiances in W m-2 um-1, radiances in W m-2 sr-1 um-1.
   const std::vector<double>& sun_irradiance() const { return sun_; }  ///< direct, on a surface that faces it
@@ -67,12 +68,12 @@ class SensorAtmosphere {
   }  ///< groundlit, to the sensor
   const std::vector<double>& spherical_albedo() const { return spherical_albedo_; }
   const std::vector<double>& sky_irradiance() const { return sky_irradiance_; }  ///< on a level surface
-  /// The same along one of sights().lines(), by node.
-  struct Sight {
+  /// The same along one of lines_of_sight().lines(), by node.
+  struct LightAlongLine {
     std::span<const double> transmittance, radiance, diffuse_transmittance;
   };
-  Sight sight(std::size_t line) const;
-  /// Irradiances at one of sights().height().known(), by node: direct as sun_irradiance, of the sky as
+  LightAlongLine line_of_sight(std::size_t line) const;
+  /// Irradiances at one of lines_of_sight().height().known(), by node: direct as sun_irradiance, of the sky as
   /// sky_irradiance.
   std::span<const double> sun_at_height(std::size_t height) const { return row(sun_at_height_, height); }
   std::span<const double> sky_at_height(std::size_t height) const { return row(sky_at_height_, height); }
@@ -92,15 +93,15 @@ class SensorAtmosphere {
   /// counterclockwise from the Sun's, seen from above, and have -u on the other side.
   StokesVector sky_stokes(std::size_t zenith, std::size_t azimuth, std::size_t node) const;
   StokesVector groundlit_sky_stokes(std::size_t zenith, std::size_t node) const;
-  /// Q and U of Sight::radiance and Q of Sight::diffuse_transmittance (its U is 0), by node, about the
+  /// Q and U of LightAlongLine::radiance and Q of LightAlongLine::diffuse_transmittance (its U is 0), by node, about the
   /// meridional_frame of light that goes towards the sensor; u for a line on the counterclockwise side.
-  struct SightPolarization {
+  struct LineOfSightPolarization {
     std::span<const double> q, u, diffuse_q;
   };
-  SightPolarization sight_polarization(std::size_t line) const;
+  LineOfSightPolarization line_of_sight_polarization(std::size_t line) const;
 
   /// How far each channel may be off because of how all this is computed; empty where it was not asked for.
-  const std::vector<AirErrors>& errors() const { return errors_; }
+  const std::vector<AtmosphereErrors>& errors() const { return errors_; }
 
   /// Channels narrower than the band model resolves, by index.
   const std::vector<std::size_t>& unresolved_channels() const { return unresolved_; }
@@ -111,9 +112,9 @@ class SensorAtmosphere {
   void add_emission(std::size_t channel, const ChannelLights& lights);
   /// Adds a source's values at the points of a channel to a row over all nodes.
   void add_source(std::size_t channel, const std::vector<double>& at_points, double* row) const;
-  void add_sights(std::size_t channel, const ChannelLights& lights);
-  AirError sight_error(std::size_t channel, const ChannelLights& lights,
-                       const radiometry::Spectrum& ground) const;
+  void add_lines_of_sight(std::size_t channel, const ChannelLights& lights);
+  AtmosphereError line_of_sight_error(std::size_t channel, const ChannelLights& lights,
+                                      const radiometry::Spectrum& ground) const;
   void normalise_sky();
   void add_polarization(std::size_t channel, const ChannelLights& lights);
   /// Makes light that interpolation left too polarized wholly polarized.
@@ -132,10 +133,11 @@ class SensorAtmosphere {
   std::vector<double> sun_, view_transmittance_, view_radiance_, diffuse_transmittance_, spherical_albedo_,
       sky_irradiance_, sky_, groundlit_;
   std::vector<std::size_t> unresolved_;
-  std::vector<AirErrors> errors_;
-  SightGrid sights_;
-  std::vector<double> sight_transmittance_, sight_radiance_, sight_diffuse_;  // [line][node]
-  std::vector<double> sun_at_height_, sky_at_height_;                         // [height][node]
+  std::vector<AtmosphereErrors> errors_;
+  LineOfSightGrid lines_of_sight_;
+  std::vector<double> line_of_sight_transmittance_, line_of_sight_radiance_,
+      line_of_sight_diffuse_;                          // [line][node]
+  std::vector<double> sun_at_height_, sky_at_height_;  // [height][node]
   std::optional<Polarization> polarization_;
 };
 

@@ -28,7 +28,8 @@ StokesVector SensorAtmosphere::groundlit_sky_stokes(std::size_t zenith, std::siz
   return {groundlit_sky(zenith, node), polarization_->groundlit_q[zenith * node_count() + node], 0.0, 0.0};
 }
 
-SensorAtmosphere::SightPolarization SensorAtmosphere::sight_polarization(std::size_t line) const {
+SensorAtmosphere::LineOfSightPolarization SensorAtmosphere::line_of_sight_polarization(
+    std::size_t line) const {
   return {row(polarization_->path_q, line), row(polarization_->path_u, line),
           row(polarization_->diffuse_q, line)};
 }
@@ -54,12 +55,12 @@ void SensorAtmosphere::add_polarization(std::size_t channel, const ChannelLights
     nodes_.average_source(channel, behind(i, q, -1.0), across);
     difference(sign, row);
   };
-  for (std::size_t line = 0; line < sights_.known_lines(); ++line) {
-    const bool own = sights_.trivial();
+  for (std::size_t line = 0; line < lines_of_sight_.known_lines(); ++line) {
+    const bool own = lines_of_sight_.trivial();
     const std::size_t k = own ? 0 : line + 1, start = line * node_count();
-    const std::vector<double>&path = own ? at.path : at.sight_path[line],
-          &diffuse = own ? at.diffuse_transmittance : at.sight_diffuse[line];
-    const double azimuth = own ? geometry_.view_azimuth_rad : geometry_.sights[line].azimuth_rad;
+    const std::vector<double>&path = own ? at.path : at.line_of_sight_path[line],
+          &diffuse = own ? at.diffuse_transmittance : at.line_of_sight_diffuse[line];
+    const double azimuth = own ? geometry_.view_azimuth_rad : geometry_.lines_of_sight[line].azimuth_rad;
     add_source(path, at.path_q[k], 1.0, polarization_->path_q.data() + start);
     add_source(path, at.path_u[k], std::sin(azimuth) < 0.0 ? -1.0 : 1.0,
                polarization_->path_u.data() + start);
@@ -92,8 +93,8 @@ void SensorAtmosphere::bound_polarization() {
     bound(sky_[k], polarization_->sky_q[k], polarization_->sky_u[k]);
   for (std::size_t k = 0; k < groundlit_.size(); ++k)
     bound(groundlit_[k], polarization_->groundlit_q[k], none);
-  for (std::size_t line = 0; line < sights_.known_lines(); ++line) {
-    const Sight seen = sight(line);
+  for (std::size_t line = 0; line < lines_of_sight_.known_lines(); ++line) {
+    const LightAlongLine seen = line_of_sight(line);
     for (std::size_t n = 0; n < node_count(); ++n) {
       const std::size_t k = line * node_count() + n;
       bound(seen.radiance[n], polarization_->path_q[k], polarization_->path_u[k]);

@@ -8,7 +8,7 @@
 namespace ifov::io {
 namespace {
 
-using atmosphere::AirLight;
+using atmosphere::AtmosphereEffects;
 
 constexpr double kWidth = 1180.0, kLeft = 84.0, kPlotWidth = 690.0, kPlotHeight = 190.0, kGap = 52.0,
                  kTitle = 26.0;
@@ -17,9 +17,10 @@ constexpr Ink kBlue{0.00, 0.45, 0.70}, kRed{0.84, 0.37, 0.00}, kGreen{0.00, 0.62
 /// Decades that a logarithmic axis shows below the brightest light.
 constexpr double kDecades = 1e-4;
 
-std::vector<CanvasPoint> points(const std::vector<AirLight>& spectrum, double AirLight::*value) {
+std::vector<CanvasPoint> points(const std::vector<AtmosphereEffects>& spectrum,
+                                double AtmosphereEffects::*value) {
   std::vector<CanvasPoint> found;
-  for (const AirLight& step : spectrum) found.push_back({step.wavelength_um, step.*value});
+  for (const AtmosphereEffects& step : spectrum) found.push_back({step.wavelength_um, step.*value});
   return found;
 }
 
@@ -66,7 +67,7 @@ void draw_channels(Canvas& canvas, const AirReport& report, const Plot& plot) {
 }  // namespace
 
 std::string air_figure(const AirReport& report) {
-  const std::vector<AirLight>& spectrum = report.spectrum;
+  const std::vector<AtmosphereEffects>& spectrum = report.spectrum;
   const bool day = report.geometry.sun_zenith_rad.has_value();
   const double top = kTitle + 20.0 * static_cast<double>(report.description.size()) + 44.0;
   Canvas canvas(kWidth, top + 3.0 * kPlotHeight + 2.0 * kGap + 62.0);
@@ -77,18 +78,21 @@ std::string air_figure(const AirReport& report) {
   Axis across{spectrum.front().wavelength_um, spectrum.back().wavelength_um, false};
   across.logarithmic = across.last > 3.0 * across.first;
   std::vector<Curve> transmittance{
-      {"ground to sensor", kBlue, false, points(spectrum, &AirLight::view_transmittance)}};
-  std::vector<Curve> path{{"emission of the air", kRed, false, points(spectrum, &AirLight::thermal_path)}};
+      {"ground to sensor", kBlue, false, points(spectrum, &AtmosphereEffects::view_transmittance)}};
+  std::vector<Curve> path{
+      {"emission of the air", kRed, false, points(spectrum, &AtmosphereEffects::thermal_path)}};
   std::vector<Curve> irradiance{
-      {"emission of the sky", kRed, false, points(spectrum, &AirLight::thermal_sky)}};
+      {"emission of the sky", kRed, false, points(spectrum, &AtmosphereEffects::thermal_sky)}};
   if (day) {
     const std::string light = report.body == "Sun" ? "sunlight" : "moonlight";
     transmittance.insert(transmittance.begin(), {report.body + " to ground", kRed, false,
-                                                 points(spectrum, &AirLight::sun_transmittance)});
-    path.insert(path.begin(), {"scattered " + light, kBlue, false, points(spectrum, &AirLight::solar_path)});
-    irradiance.insert(irradiance.begin(),
-                      {{report.body, kGreen, false, points(spectrum, &AirLight::direct_irradiance)},
-                       {light + " from the sky", kBlue, false, points(spectrum, &AirLight::solar_sky)}});
+                                                 points(spectrum, &AtmosphereEffects::sun_transmittance)});
+    path.insert(path.begin(),
+                {"scattered " + light, kBlue, false, points(spectrum, &AtmosphereEffects::solar_path)});
+    irradiance.insert(
+        irradiance.begin(),
+        {{report.body, kGreen, false, points(spectrum, &AtmosphereEffects::direct_irradiance)},
+         {light + " from the sky", kBlue, false, points(spectrum, &AtmosphereEffects::solar_sky)}});
   }
   // What is dark everywhere has no curve.
   for (std::vector<Curve>* curves : {&path, &irradiance})

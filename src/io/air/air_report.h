@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "atmosphere/survey/air_light.h"
+#include "atmosphere/survey/atmosphere_effects.h"
 #include "atmosphere/survey/neutral_points.h"
 #include "atmosphere/survey/sky_view.h"
 
@@ -15,15 +15,16 @@ struct AirReport {
   struct Channel {
     std::string name;
     double first_um = 0.0, last_um = 0.0;  ///< where the response is above half of its maximum
-    atmosphere::AirLight light;
+    atmosphere::AtmosphereEffects light;
   };
   std::vector<std::string> description;  ///< air, aerosol and geometry, a line each
   atmosphere::SensorGeometry geometry;
   std::optional<double> sun_azimuth_rad;  ///< clockwise from north
   std::string body = "Sun";               ///< what shines: Sun or Moon
   std::vector<Channel> channels;
-  std::vector<atmosphere::AirLight> spectrum;  ///< from short to long wavelengths; empty if not asked for
-  double step_cm1 = 0.0;                       ///< of the spectrum
+  std::vector<atmosphere::AtmosphereEffects>
+      spectrum;           ///< from short to long wavelengths; empty if not asked for
+  double step_cm1 = 0.0;  ///< of the spectrum
   std::optional<atmosphere::SkyView> sky;
   std::string sky_channel;
   bool sky_is_thermal = false;  ///< emission outweighs sunlight: shown as brightness temperature

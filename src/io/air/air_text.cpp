@@ -39,7 +39,7 @@ std::string air_table(const AirReport& report) {
   text += format("{:<{}}  {:>7}  {:>7} {:>7}  {:>8} {:>8}  {:>8} {:>8}  {:>6}  {:>5}\n", "channel", widest,
                  "um", report.body, "sensor", "solar", "thermal", "direct", "diffuse", "albedo", "sky K");
   for (const AirReport::Channel& channel : report.channels) {
-    const atmosphere::AirLight& of = channel.light;
+    const atmosphere::AtmosphereEffects& of = channel.light;
     const double sky = of.solar_sky + of.thermal_sky;
     const std::string kelvin =
         of.wavelength_um >= kFirstSkyTemperature_um && sky > 0.0
@@ -75,14 +75,15 @@ std::string air_table(const AirReport& report) {
 std::string air_csv(const AirReport& report) {
   using atmosphere::PathQuantity;
   std::vector<double> wavelength_um;
-  for (const atmosphere::AirLight& step : report.spectrum) wavelength_um.push_back(step.wavelength_um);
+  for (const atmosphere::AtmosphereEffects& step : report.spectrum)
+    wavelength_um.push_back(step.wavelength_um);
   atmosphere::ImportedPath path("spectrum", std::move(wavelength_um));
   const auto set = [&](PathQuantity quantity, auto value) {
     std::vector<double> values;
-    for (const atmosphere::AirLight& step : report.spectrum) values.push_back(value(step));
+    for (const atmosphere::AtmosphereEffects& step : report.spectrum) values.push_back(value(step));
     path.set(quantity, std::move(values));
   };
-  using Light = atmosphere::AirLight;
+  using Light = atmosphere::AtmosphereEffects;
   set(PathQuantity::ground_sensor_transmittance, [](const Light& l) { return l.view_transmittance; });
   set(PathQuantity::thermal_path_radiance, [](const Light& l) { return l.thermal_path; });
   set(PathQuantity::diffuse_irradiance, [](const Light& l) { return l.solar_sky + l.thermal_sky; });

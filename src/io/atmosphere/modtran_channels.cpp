@@ -82,12 +82,13 @@ class Reader {
     const double um_per_unit = unit_in(first, rule);
     const std::vector<std::size_t> ends = ends_of(rule);
     int number = rule + 1;
-    std::map<double, Rows> sights;
+    std::map<double, Rows> lines_of_sight;
     while (number <= file_.line_count() && !is_blank(file_.line(number)) &&
            file_.line(number).find("1ST SPECTRAL") == std::string_view::npos)
-      read_row(number++, ends, sights);
-    if (sights.empty()) file_.fail(rule, 0, "found no channels below this line");
-    for (const auto& [sight, rows] : sights) add_path(first, sight, rows, um_per_unit);
+      read_row(number++, ends, lines_of_sight);
+    if (lines_of_sight.empty()) file_.fail(rule, 0, "found no channels below this line");
+    for (const auto& [line_of_sight, rows] : lines_of_sight)
+      add_path(first, line_of_sight, rows, um_per_unit);
     return number;
   }
 
@@ -112,7 +113,8 @@ class Reader {
   }
 
   /// Numbers are flush right and may touch, so a row is cut at the ends of the dashes.
-  void read_row(int number, const std::vector<std::size_t>& ends, std::map<double, Rows>& sights) const {
+  void read_row(int number, const std::vector<std::size_t>& ends,
+                std::map<double, Rows>& lines_of_sight) const {
     const std::string_view line = file_.line(number);
     std::array<double, kNumbers> values{};
     for (std::size_t i = 0, begin = 0; i < kNumbers; begin = ends[i++]) {
@@ -132,12 +134,12 @@ class Reader {
       file_.fail(number, 1, format("found a wavelength of {:g}; expected one above 0", values[kMoment]));
     if (!(values[kWidth] > 0.0))
       file_.fail(number, 1, format("found a channel width of {:g}; expected one above 0", values[kWidth]));
-    Rows& rows = sights[values[kSight]];
+    Rows& rows = lines_of_sight[values[kSight]];
     rows.values.push_back(values);
     rows.lines.push_back(number);
   }
 
-  void add_path(int first, double sight, const Rows& given, double um_per_unit) {
+  void add_path(int first, double line_of_sight, const Rows& given, double um_per_unit) {
     std::vector<std::size_t> order(given.values.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -155,7 +157,7 @@ class Reader {
     if (!paths_.empty()) same_channels(um, given, order);
     std::string source = file_.name();
     if (first > 2) source += format(", block at line {}", first);
-    if (sight != 1.0) source += format(", line of sight {}", sight);
+    if (line_of_sight != 1.0) source += format(", line of sight {}", line_of_sight);
     atmosphere::ImportedPath path(source, um);
     path.width_um = width_um;
     fill(path, [&](Column column, double factor) {

@@ -150,10 +150,10 @@ class Reader {
     line_ = heading_line + heading.lines;
     const auto tables = read_rows(heading, unit_of(heading, heading_line));
     const bool alone = runs_.empty() && line_ > file_.line_count();
-    for (const auto& [sight, table] : tables) {
+    for (const auto& [line_of_sight, table] : tables) {
       std::string source = file_.name();
       if (!alone) source += format(", run at line {}", first);
-      if (sight != 0.0) source += format(", line of sight {}", sight);
+      if (line_of_sight != 0.0) source += format(", line of sight {}", line_of_sight);
       ModtranRun run{heading.mode, first, modtran_path(table, heading.mode, source)};
       read_cards(first, heading_line, run.path);
       runs_.push_back(std::move(run));
@@ -204,12 +204,12 @@ class Reader {
         return tables;
       }
       const std::vector<Field> cells = cells_under(file_, line_, heading.ends);
-      double sight = 0.0;
+      double line_of_sight = 0.0;
       if (los != heading.names.end()) {
         const Field& cell = cells[static_cast<std::size_t>(los - heading.names.begin()) + 1];
-        sight = number_in(cell.text).value_or(0.0);
+        line_of_sight = number_in(cell.text).value_or(0.0);
       }
-      SpectralTable& table = tables.try_emplace(sight, file_, unit, used(heading)).first->second;
+      SpectralTable& table = tables.try_emplace(line_of_sight, file_, unit, used(heading)).first->second;
       table.add(line_, cells[0], used_cells(heading, cells));
     }
   }

@@ -19,8 +19,8 @@ std::vector<AirHalfWidth> air_half_widths(const transport::SpectralScene& scene,
   std::vector<double> planck(nodes.node_count());
   nodes.planck(kGrey_k, planck);
   for (std::size_t c = 0; c < atmosphere.errors().size(); ++c) {
-    const atmosphere::AirError error = atmosphere.errors()[c].total(),
-                               &by_nodes = atmosphere.errors()[c].nodes;
+    const atmosphere::AtmosphereError error = atmosphere.errors()[c].total(),
+                                      &by_nodes = atmosphere.errors()[c].nodes;
     AirHalfWidth& air = all.emplace_back();
     air.path = error.path, air.surface = error.surface, air.sky = error.sky;
     air.path_radiance = path[c];

@@ -6,7 +6,7 @@
 namespace ifov {
 namespace {
 
-AirLight light_of(const atmosphere::AirLight& light) {
+AtmosphereEffects light_of(const atmosphere::AtmosphereEffects& light) {
   return {.wavelength_um = light.wavelength_um,
           .solar_irradiance = light.solar_irradiance,
           .sun_transmittance = light.sun_transmittance,
@@ -51,7 +51,7 @@ AtmosphereReport survey_atmosphere(const Document& document, const AtmosphereQue
   report.sensor_altitude_km = found.geometry.sensor_altitude_km;
   for (const io::AirReport::Channel& channel : found.channels)
     report.channels.push_back({channel.name, channel.first_um, channel.last_um, light_of(channel.light)});
-  for (const atmosphere::AirLight& step : found.spectrum) report.spectrum.push_back(light_of(step));
+  for (const atmosphere::AtmosphereEffects& step : found.spectrum) report.spectrum.push_back(light_of(step));
   report.step_cm1 = found.step_cm1;
   if (found.sky) report.sky = sky_of(found);
   FacadeAccess::set(report, std::move(found));

@@ -94,8 +94,8 @@ atmosphere::SensorAltitudes sensor_altitudes(const io::Document& document, const
   return altitudes;
 }
 
-atmosphere::SightRange sight_range(const sensor::Camera& camera, const std::optional<scene::Sun>& sun,
-                                   double highest_m) {
+atmosphere::LineOfSightRange line_of_sight_range(const sensor::Camera& camera,
+                                                 const std::optional<scene::Sun>& sun, double highest_m) {
   constexpr int kPoints = 17;
   constexpr double kMargin_px = 4.0;  // of what samplers look at beyond the image
   std::vector<sampling::FocalPoint> points;
@@ -110,7 +110,7 @@ atmosphere::SightRange sight_range(const sensor::Camera& camera, const std::opti
   towards = level > 0.0 ? (1.0 / level) * math::Vec3{towards.x, towards.y, 0.0} : math::Vec3{0.0, 1.0, 0.0};
   const double steepest = std::tan(kLowestView_rad);
   constexpr double kFar = 1e300;
-  atmosphere::SightRange range{kFar, -kFar, kFar, -kFar, 1e-3 * std::max(0.0, highest_m)};
+  atmosphere::LineOfSightRange range{kFar, -kFar, kFar, -kFar, 1e-3 * std::max(0.0, highest_m)};
   bool left = false, right = false;
   for (const math::Ray& ray : rays) {
     const math::Vec3 up = -ray.direction;
@@ -163,8 +163,8 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
                                    : kNodeTolerance;
     inputs.geometry =
         sensor_geometry(document, subject.camera, subject.scene.sun, column.levels().altitude_km.front());
-    inputs.sights.emplace(
-        sight_range(subject.camera, subject.scene.sun, subject.scene.world->heights().high_m),
+    inputs.lines_of_sight.emplace(
+        line_of_sight_range(subject.camera, subject.scene.sun, subject.scene.world->heights().high_m),
         column.levels(), sensor_altitudes(document, subject.camera, column.levels().altitude_km.front()));
     inputs.with_errors = true;
     inputs.ground = subject.scene.materials[subject.scene.surroundings.material].reflectance;

@@ -18,7 +18,7 @@ class KeptSolutions;
 class SensorAtmosphere;
 struct SensorAltitudes;
 struct SensorGeometry;
-struct SightRange;
+struct LineOfSightRange;
 }  // namespace ifov::atmosphere
 namespace ifov::scene {
 struct Sun;
@@ -47,8 +47,8 @@ atmosphere::SensorAltitudes sensor_altitudes(const io::Document& document, const
                                              double ground_km);
 
 /// The lines of sight of an image, over surfaces up to this height.
-atmosphere::SightRange sight_range(const sensor::Camera& camera, const std::optional<scene::Sun>& sun,
-                                   double highest_m);
+atmosphere::LineOfSightRange line_of_sight_range(const sensor::Camera& camera,
+                                                 const std::optional<scene::Sun>& sun, double highest_m);
 
 /// The warning about channels (by index) that are narrower than the band model resolves; empty without any.
 std::string narrow_channels(std::span<const radiometry::Channel> channels,

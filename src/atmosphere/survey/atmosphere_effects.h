@@ -12,7 +12,7 @@ namespace ifov::atmosphere {
 /// What the air does to the light of one channel, for people to look at: means over the response. Radiances
 /// in W m-2 sr-1 um-1, irradiances in W m-2 um-1 on a level surface, both over black ground. Without a Sun,
 /// what is sunlight is 0.
-struct AirLight {
+struct AtmosphereEffects {
   double wavelength_um = 0.0;
   double solar_irradiance = 0.0;       ///< above the air, across the beam
   double sun_transmittance = 0.0;      ///< of direct sunlight, down to the ground
@@ -32,10 +32,11 @@ struct SurveyControl {
 };
 
 /// Of each channel. InputError as BinOptics.
-std::vector<AirLight> survey_air(const AtmosphereColumn& column,
-                                 std::span<const radiometry::Channel> channels,
-                                 const radiometry::Spectrum& solar_irradiance, const SensorGeometry& geometry,
-                                 const SurveyControl& control = {});
+std::vector<AtmosphereEffects> survey_effects(const AtmosphereColumn& column,
+                                              std::span<const radiometry::Channel> channels,
+                                              const radiometry::Spectrum& solar_irradiance,
+                                              const SensorGeometry& geometry,
+                                              const SurveyControl& control = {});
 
 /// Rectangular channels side by side, as wide as the band model resolves (20 cm-1), or a multiple of it where
 /// there would be more than `most`; from short to long wavelengths.

@@ -8,9 +8,9 @@ namespace ifov::atmosphere {
 /// A column computed with more care than the one that is judged by it: every layer halved, 8 terms of each
 /// gas joined to twice as many, half as many zenith angles more, half the sublayers' depth and a tenth of the
 /// tolerance.
-class FinerAir {
+class FinerAtmosphere {
  public:
-  explicit FinerAir(const AtmosphereColumn& judged);
+  explicit FinerAtmosphere(const AtmosphereColumn& judged);
 
   const AtmosphereColumn& column() const { return column_; }
   /// Layers of the judged column cut into those of this one: gas in proportion to what this one has of it at

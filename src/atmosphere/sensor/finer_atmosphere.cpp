@@ -1,4 +1,4 @@
-#include "atmosphere/sensor/finer_air.h"
+#include "atmosphere/sensor/finer_atmosphere.h"
 
 #include <algorithm>
 
@@ -20,10 +20,10 @@ ColumnOptions finer_than(const AtmosphereColumn& column) {
 
 }  // namespace
 
-FinerAir::FinerAir(const AtmosphereColumn& judged)
+FinerAtmosphere::FinerAtmosphere(const AtmosphereColumn& judged)
     : judged_(judged), column_(judged.description(), finer_than(judged)) {}
 
-LayerOptics FinerAir::cut(const LayerOptics& layers, double wavenumber_cm1) const {
+LayerOptics FinerAtmosphere::cut(const LayerOptics& layers, double wavenumber_cm1) const {
   const ColumnOptics here = column_.at(wavenumber_cm1);
   const std::vector<double>&altitude = column_.levels().altitude_km, &bounds = judged_.levels().altitude_km;
   std::vector<double> gas = here.continuum;
@@ -44,7 +44,7 @@ LayerOptics FinerAir::cut(const LayerOptics& layers, double wavenumber_cm1) cons
   return cut;
 }
 
-ScatteringOptions FinerAir::finer(ScatteringOptions options) {
+ScatteringOptions FinerAtmosphere::finer(ScatteringOptions options) {
   constexpr int kMostNodes = 24;
   options.nodes_per_hemisphere = std::min(kMostNodes, options.nodes_per_hemisphere * 3 / 2);
   options.polarized = true;

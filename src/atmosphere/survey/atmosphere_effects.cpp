@@ -1,4 +1,4 @@
-#include "atmosphere/survey/air_light.h"
+#include "atmosphere/survey/atmosphere_effects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ struct Part {
 /// What is left of all light without the part; 0 where that is rounding.
 double rest(double all, double part) { return all > part * (1.0 + 1e-12) ? all - part : 0.0; }
 
-void survey_part(const Part& part, AirLight* light) {
+void survey_part(const Part& part, AtmosphereEffects* light) {
   std::vector<std::vector<ChannelBin>> bins;
   for (const radiometry::Channel& channel : part.channels)
     bins.push_back(channel_bins(channel, part.inputs.solar_irradiance));
@@ -54,14 +54,14 @@ void survey_part(const Part& part, AirLight* light) {
         use(light[c], n, nodes.node_weight(n));
   };
   const SensorAtmosphere night = part.solve(false);
-  add(night, [&](AirLight& to, std::size_t n, double weight) {
+  add(night, [&](AtmosphereEffects& to, std::size_t n, double weight) {
     to.thermal_path += weight * night.view_radiance()[n];
     to.thermal_sky += weight * night.sky_irradiance()[n];
   });
   if (!geometry.sun_zenith_rad) return;
   const double sine = std::cos(*geometry.sun_zenith_rad);
   const SensorAtmosphere day = part.solve(true);
-  add(day, [&](AirLight& to, std::size_t n, double weight) {
+  add(day, [&](AtmosphereEffects& to, std::size_t n, double weight) {
     to.solar_path += weight * day.view_radiance()[n];
     to.solar_sky += weight * day.sky_irradiance()[n];
     to.direct_irradiance += weight * day.sun_irradiance()[n] * sine;
@@ -69,7 +69,7 @@ void survey_part(const Part& part, AirLight* light) {
     to.spherical_albedo += weight * day.spherical_albedo()[n];
   });
   for (std::size_t c = 0; c < part.channels.size(); ++c) {
-    AirLight& of = light[c];
+    AtmosphereEffects& of = light[c];
     of.solar_path = rest(of.solar_path, of.thermal_path);
     of.solar_sky = rest(of.solar_sky, of.thermal_sky);
     of.sun_transmittance =
@@ -79,11 +79,11 @@ void survey_part(const Part& part, AirLight* light) {
 
 }  // namespace
 
-std::vector<AirLight> survey_air(const AtmosphereColumn& column,
-                                 std::span<const radiometry::Channel> channels,
-                                 const radiometry::Spectrum& solar_irradiance, const SensorGeometry& geometry,
-                                 const SurveyControl& control) {
-  std::vector<AirLight> light(channels.size());
+std::vector<AtmosphereEffects> survey_effects(const AtmosphereColumn& column,
+                                              std::span<const radiometry::Channel> channels,
+                                              const radiometry::Spectrum& solar_irradiance,
+                                              const SensorGeometry& geometry, const SurveyControl& control) {
+  std::vector<AtmosphereEffects> light(channels.size());
   for (std::size_t first = 0; first < channels.size(); first += kPart) {
     if (control.progress) control.progress(first);
     const auto some = channels.subspan(first, std::min(kPart, channels.size() - first));

@@ -1,4 +1,4 @@
-#include "atmosphere/sensor/sight_grid.h"
+#include "atmosphere/sensor/line_of_sight_grid.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@ namespace {
 
 /// Slopes that differ by less are one: 0.06 degrees at the nadir.
 constexpr double kOneSlope = 1e-3;
-/// Of the finer places, in slope, and how many there are at most.
+/// Of the finer positions, in slope, and how many there are at most.
 constexpr double kWantedStep = 0.03;
 constexpr std::size_t kMostWanted = 97;
 /// Lower surfaces are taken for ground.
@@ -23,16 +23,16 @@ std::size_t points_for(double half) {
   return half < 0.03 ? 2 : half < 0.1 ? 3 : half < 0.25 ? 4 : half < 0.45 ? 5 : half < 0.8 ? 6 : 8;
 }
 
-std::size_t below(const std::vector<double>& places, double x) {
-  const auto above = std::upper_bound(places.begin() + 1, places.end() - 1, x);
-  return static_cast<std::size_t>(above - places.begin()) - 1;
+std::size_t below(const std::vector<double>& positions, double x) {
+  const auto above = std::upper_bound(positions.begin() + 1, positions.end() - 1, x);
+  return static_cast<std::size_t>(above - positions.begin()) - 1;
 }
 
 }  // namespace
 
-SightAxis SightAxis::slopes(double low, double high) {
-  if (!(high - low > kOneSlope)) return SightAxis(0.5 * (low + high));
-  SightAxis axis;
+LineOfSightAxis LineOfSightAxis::slopes(double low, double high) {
+  if (!(high - low > kOneSlope)) return LineOfSightAxis(0.5 * (low + high));
+  LineOfSightAxis axis;
   axis.straight_ = false;
   axis.known_.clear();
   axis.wanted_.clear();
@@ -48,8 +48,8 @@ SightAxis SightAxis::slopes(double low, double high) {
   return axis;
 }
 
-SightAxis SightAxis::heights(const Levels& levels, double highest_km) {
-  SightAxis axis(0.0);
+LineOfSightAxis LineOfSightAxis::heights(const Levels& levels, double highest_km) {
+  LineOfSightAxis axis(0.0);
   if (!(highest_km > kOneHeight_km)) return axis;
   for (std::size_t l = 1; l < levels.altitude_km.size() && axis.known_.back() < highest_km; ++l)
     axis.known_.push_back(std::min(highest_km, levels.altitude_km[l] - levels.altitude_km.front()));
@@ -57,10 +57,10 @@ SightAxis SightAxis::heights(const Levels& levels, double highest_km) {
   return axis;
 }
 
-SightAxis SightAxis::sensors(const Levels& levels, const SensorAltitudes& altitudes) {
+LineOfSightAxis LineOfSightAxis::sensors(const Levels& levels, const SensorAltitudes& altitudes) {
   const double top_km = levels.altitude_km.back(), low_km = altitudes.low_km,
                high_km = std::min(altitudes.high_km, std::max(low_km, top_km));
-  SightAxis axis(low_km);
+  LineOfSightAxis axis(low_km);
   if (!(high_km - low_km > kOneAltitude_km)) return axis;
   const auto add = [&](double altitude_km) {
     if (altitude_km > low_km && altitude_km < high_km) axis.known_.push_back(altitude_km);
@@ -75,11 +75,11 @@ SightAxis SightAxis::sensors(const Levels& levels, const SensorAltitudes& altitu
   return axis;
 }
 
-std::vector<double> SightAxis::weights(double place) const {
+std::vector<double> LineOfSightAxis::weights(double position) const {
   const std::size_t count = known_.size();
   std::vector<double> result(count, 0.0);
   if (count == 1) return {1.0};
-  const double x = std::clamp(place, known_.front(), known_.back());
+  const double x = std::clamp(position, known_.front(), known_.back());
   if (straight_) {
     const std::size_t low = below(known_, x);
     const double share = (x - known_[low]) / (known_[low + 1] - known_[low]);
@@ -95,35 +95,36 @@ std::vector<double> SightAxis::weights(double place) const {
   return result;
 }
 
-double slope_along(const SightLine& line) { return std::tan(line.zenith_rad) * std::cos(line.azimuth_rad); }
-double slope_across(const SightLine& line) {
+double slope_along(const LineOfSight& line) { return std::tan(line.zenith_rad) * std::cos(line.azimuth_rad); }
+double slope_across(const LineOfSight& line) {
   return std::abs(std::tan(line.zenith_rad) * std::sin(line.azimuth_rad));
 }
 
-SightGrid::SightGrid(const SightLine& line)
+LineOfSightGrid::LineOfSightGrid(const LineOfSight& line)
     : only_(line),
       sensor_(line.sensor_km),
       along_(slope_along(line)),
       across_(slope_across(line)),
       height_(line.height_km) {}
 
-SightGrid::SightGrid(const SightRange& range, const Levels& levels, const SensorAltitudes& sensors)
+LineOfSightGrid::LineOfSightGrid(const LineOfSightRange& range, const Levels& levels,
+                                 const SensorAltitudes& sensors)
     : ground_km_(levels.altitude_km.front()),
-      sensor_(SightAxis::sensors(levels, sensors)),
-      along_(SightAxis::slopes(range.along_low, range.along_high)),
-      across_(SightAxis::slopes(range.across_low, range.across_high)),
-      height_(SightAxis::heights(levels, range.highest_km)) {
+      sensor_(LineOfSightAxis::sensors(levels, sensors)),
+      along_(LineOfSightAxis::slopes(range.along_low, range.along_high)),
+      across_(LineOfSightAxis::slopes(range.across_low, range.across_high)),
+      height_(LineOfSightAxis::heights(levels, range.highest_km)) {
   highest_km_ = std::max(0.0, range.highest_km);
   only_ = line(along_.known().front(), across_.known().front(), 0.0, sensor_.known().front());
 }
 
-SightLine SightGrid::line(double along, double across, double height_km, double sensor_km) {
+LineOfSight LineOfSightGrid::line(double along, double across, double height_km, double sensor_km) {
   return {std::atan(std::hypot(along, across)), std::atan2(across, along), height_km, sensor_km};
 }
 
-std::vector<SightLine> SightGrid::lines() const {
+std::vector<LineOfSight> LineOfSightGrid::lines() const {
   if (single()) return {only_};
-  std::vector<SightLine> all;
+  std::vector<LineOfSight> all;
   for (const double sensor : sensor_.known())
     for (const double height : height_.known())
       for (const double along : along_.known())
@@ -131,30 +132,30 @@ std::vector<SightLine> SightGrid::lines() const {
   return all;
 }
 
-std::vector<SightLine> SightGrid::checks() const {
-  std::vector<SightLine> all;
+std::vector<LineOfSight> LineOfSightGrid::checks() const {
+  std::vector<LineOfSight> all;
   if (trivial()) return all;
   // Near the corners, where polynomials are worst, and within; heights between levels.
-  constexpr std::array<std::array<double, 3>, 6> kPlaces{{{0.04, 0.04, 0.11},
-                                                          {0.96, 0.06, 0.93},
-                                                          {0.05, 0.95, 0.55},
-                                                          {0.94, 0.97, 0.3},
-                                                          {0.52, 0.47, 0.71},
-                                                          {0.3, 0.7, 0.04}}};
-  const auto at = [](const SightAxis& axis, double share) {
+  constexpr std::array<std::array<double, 3>, 6> kPositions{{{0.04, 0.04, 0.11},
+                                                             {0.96, 0.06, 0.93},
+                                                             {0.05, 0.95, 0.55},
+                                                             {0.94, 0.97, 0.3},
+                                                             {0.52, 0.47, 0.71},
+                                                             {0.3, 0.7, 0.04}}};
+  const auto at = [](const LineOfSightAxis& axis, double share) {
     return axis.known().front() + share * (axis.known().back() - axis.known().front());
   };
-  for (const auto& [a, c, h] : kPlaces)
+  for (const auto& [a, c, h] : kPositions)
     all.push_back(line(at(along_, a), at(across_, c), h * highest_km_, at(sensor_, 1.0 - h)));
   return all;
 }
 
-std::vector<double> SightGrid::weights(const SightLine& line) const {
+std::vector<double> LineOfSightGrid::weights(const LineOfSight& line) const {
   return weights(line.sensor_km, line.height_km, slope_along(line), slope_across(line));
 }
 
-std::vector<double> SightGrid::weights(double sensor_km, double height_km, double along,
-                                       double across) const {
+std::vector<double> LineOfSightGrid::weights(double sensor_km, double height_km, double along,
+                                             double across) const {
   const std::vector<double> by_sensor = sensor_.weights(sensor_km), by_height = height_.weights(height_km),
                             by_along = along_.weights(along), by_across = across_.weights(across);
   std::vector<double> all;

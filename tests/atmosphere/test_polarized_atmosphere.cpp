@@ -34,9 +34,9 @@ class Memory final : public KeptSolutions {
   std::map<std::vector<double>, std::vector<double>> answers_;
 };
 
-class PolarizedAir : public testing::Test {
+class PolarizedAtmosphere : public testing::Test {
  protected:
-  PolarizedAir() {
+  PolarizedAtmosphere() {
     inputs_.solar_irradiance = radiometry::solar_irradiance_1au();
     inputs_.geometry.sun_zenith_rad = 50.0 * kDegree;
     inputs_.geometry.sensor_altitude_km = 6.0;
@@ -62,7 +62,7 @@ class PolarizedAir : public testing::Test {
 };
 
 // At single wavelengths a channel is one bin and one term, whose solution the tables interpolate.
-TEST_F(PolarizedAir, TablesHoldWhatTheSolverTells) {
+TEST_F(PolarizedAtmosphere, TablesHoldWhatTheSolverTells) {
   inputs_.geometry.view_zenith_rad = 20.0 * kDegree;
   inputs_.geometry.view_azimuth_rad = 65.0 * kDegree;
   const std::vector<radiometry::Channel> channels{radiometry::Channel::monochromatic("", 0.45),
@@ -76,7 +76,7 @@ TEST_F(PolarizedAir, TablesHoldWhatTheSolverTells) {
         ColumnSolver().solve(column_.levels(), layers, *inputs_.geometry.sun_zenith_rad);
     const StokesVector path =
         sun * solved.sunlit().path({std::cos(20.0 * kDegree), 65.0 * kDegree - kPi}, 6.0).radiance();
-    const SensorAtmosphere::SightPolarization seen = air.sight_polarization(0);
+    const SensorAtmosphere::LineOfSightPolarization seen = air.line_of_sight_polarization(0);
     EXPECT_NEAR(seen.q[c], path.q, 3e-3 * path.i) << um;
     EXPECT_NEAR(seen.u[c], path.u, 3e-3 * path.i) << um;
     EXPECT_GT(std::abs(path.u), 0.01 * path.i) << "U of the other sign passes";
@@ -102,7 +102,7 @@ TEST_F(PolarizedAir, TablesHoldWhatTheSolverTells) {
 }
 
 // The irradiance of a coarse table with sunlight and emission in it is put right by a factor, the same for I, Q and U.
-TEST_F(PolarizedAir, ACoarseTableIsAsPolarizedAsAFineOne) {
+TEST_F(PolarizedAtmosphere, ACoarseTableIsAsPolarizedAsAFineOne) {
   const std::vector<radiometry::Channel> mixed{radiometry::Channel::monochromatic("", 3.8)};
   const SensorAtmosphere fine = build(mixed);
   const SkyDirections& all = fine.sky_directions();
@@ -116,7 +116,7 @@ TEST_F(PolarizedAir, ACoarseTableIsAsPolarizedAsAFineOne) {
   EXPECT_NEAR(b.u / b.q, a.u / a.q, 0.01 * std::abs(a.u / a.q));
 }
 
-TEST_F(PolarizedAir, IIsWhatItIsWithoutAndNothingIsKeptThen) {
+TEST_F(PolarizedAtmosphere, IIsWhatItIsWithoutAndNothingIsKeptThen) {
   const SensorAtmosphere with = build(wide_);
   inputs_.polarized = false;
   const SensorAtmosphere without = build(wide_);
@@ -129,7 +129,7 @@ TEST_F(PolarizedAir, IIsWhatItIsWithoutAndNothingIsKeptThen) {
         EXPECT_EQ(with.sky(z, a, n), without.sky(z, a, n));
 }
 
-TEST_F(PolarizedAir, LightCanBeAndEmissionIsUnpolarized) {
+TEST_F(PolarizedAtmosphere, LightCanBeAndEmissionIsUnpolarized) {
   const SensorAtmosphere air = build(wide_);
   const radiometry::SpectralNodes& nodes = air.nodes();
   double most = 0.0;
@@ -147,7 +147,7 @@ TEST_F(PolarizedAir, LightCanBeAndEmissionIsUnpolarized) {
   EXPECT_GT(most, 0.3);
 }
 
-TEST_F(PolarizedAir, OtherSideOfTheSunsPlane) {
+TEST_F(PolarizedAtmosphere, OtherSideOfTheSunsPlane) {
   const std::vector<radiometry::Channel> blue{radiometry::Channel::gaussian("", 0.45, 0.02)};
   inputs_.geometry.view_zenith_rad = 30.0 * kDegree;
   inputs_.geometry.view_azimuth_rad = 80.0 * kDegree;
@@ -155,14 +155,14 @@ TEST_F(PolarizedAir, OtherSideOfTheSunsPlane) {
   inputs_.geometry.view_azimuth_rad = -80.0 * kDegree;
   const SensorAtmosphere right = build(blue);
   for (std::size_t n = 0; n < left.node_count(); ++n) {
-    EXPECT_NEAR(left.sight_polarization(0).q[n], right.sight_polarization(0).q[n],
+    EXPECT_NEAR(left.line_of_sight_polarization(0).q[n], right.line_of_sight_polarization(0).q[n],
                 1e-9 * left.view_radiance()[n]);
-    EXPECT_NEAR(left.sight_polarization(0).u[n], right.sight_polarization(0).u[n],
+    EXPECT_NEAR(left.line_of_sight_polarization(0).u[n], right.line_of_sight_polarization(0).u[n],
                 1e-9 * left.view_radiance()[n]);
   }
 }
 
-TEST_F(PolarizedAir, KeptSolutionsAreFoundAgainAndNotMixedUp) {
+TEST_F(PolarizedAtmosphere, KeptSolutionsAreFoundAgainAndNotMixedUp) {
   const std::vector<radiometry::Channel> blue{radiometry::Channel::gaussian("", 0.45, 0.02)};
   Memory memory;
   inputs_.kept = &memory;
@@ -174,15 +174,15 @@ TEST_F(PolarizedAir, KeptSolutionsAreFoundAgainAndNotMixedUp) {
   inputs_.polarized = true;
   const SensorAtmosphere again = build(blue);
   EXPECT_GT(memory.found, 0);
-  expect_same(first.sight_polarization(0).q, again.sight_polarization(0).q);
-  expect_same(first.sight_polarization(0).u, again.sight_polarization(0).u);
+  expect_same(first.line_of_sight_polarization(0).q, again.line_of_sight_polarization(0).q);
+  expect_same(first.line_of_sight_polarization(0).u, again.line_of_sight_polarization(0).u);
   for (std::size_t n = 0; n < first.node_count(); ++n) {
     EXPECT_EQ(first.sky_stokes(5, 7, n).q, again.sky_stokes(5, 7, n).q);
     EXPECT_EQ(first.sky_stokes(5, 7, n).u, again.sky_stokes(5, 7, n).u);
   }
 }
 
-TEST_F(PolarizedAir, NightAndScalarSolver) {
+TEST_F(PolarizedAtmosphere, NightAndScalarSolver) {
   inputs_.geometry.sun_zenith_rad.reset();
   const SensorAtmosphere night = build({wide_[2]});
   for (std::size_t n = 0; n < night.node_count(); ++n) EXPECT_EQ(night.sky_stokes(5, 7, n).q, 0.0);

@@ -10,28 +10,30 @@
 
 namespace ifov::atmosphere {
 
-SensorAtmosphere::Sight SensorAtmosphere::sight(std::size_t line) const {
-  if (sights_.trivial()) return {view_transmittance_, view_radiance_, diffuse_transmittance_};
-  return {row(sight_transmittance_, line), row(sight_radiance_, line), row(sight_diffuse_, line)};
+SensorAtmosphere::LightAlongLine SensorAtmosphere::line_of_sight(std::size_t line) const {
+  if (lines_of_sight_.trivial()) return {view_transmittance_, view_radiance_, diffuse_transmittance_};
+  return {row(line_of_sight_transmittance_, line), row(line_of_sight_radiance_, line),
+          row(line_of_sight_diffuse_, line)};
 }
 
-void SensorAtmosphere::add_sights(std::size_t channel, const ChannelLights& lights) {
+void SensorAtmosphere::add_lines_of_sight(std::size_t channel, const ChannelLights& lights) {
   const std::size_t first = nodes_.first_node(channel), count = nodes_.first_node(channel + 1) - first;
-  const auto place = [&](std::vector<double>& rows, std::size_t k) {
+  const auto store = [&](std::vector<double>& rows, std::size_t k) {
     return std::span(rows).subspan(k * node_count() + first, count);
   };
   const auto add = [&](const std::vector<double>& at_points, std::vector<double>& rows, std::size_t k) {
     add_source(channel, at_points, rows.data() + k * node_count());
   };
-  for (std::size_t s = 0; s < sights_.known_lines(); ++s) {
-    nodes_.average_seen(channel, lights.points.sight_view[s], place(sight_transmittance_, s));
+  for (std::size_t s = 0; s < lines_of_sight_.known_lines(); ++s) {
+    nodes_.average_seen(channel, lights.points.line_of_sight_view[s], store(line_of_sight_transmittance_, s));
     if (lights.scattering) {
-      add(lights.scattered.sight_path[s], sight_radiance_, s);
-      nodes_.average_seen(channel, lights.scattered.sight_diffuse[s], place(sight_diffuse_, s));
+      add(lights.scattered.line_of_sight_path[s], line_of_sight_radiance_, s);
+      nodes_.average_seen(channel, lights.scattered.line_of_sight_diffuse[s],
+                          store(line_of_sight_diffuse_, s));
     }
-    if (lights.emitted) add(lights.emitted->sight_path[s], sight_radiance_, s);
+    if (lights.emitted) add(lights.emitted->line_of_sight_path[s], line_of_sight_radiance_, s);
   }
-  for (std::size_t h = 0; h < sights_.height().known().size(); ++h) {
+  for (std::size_t h = 0; h < lines_of_sight_.height().known().size(); ++h) {
     add(h == 0 ? lights.points.sun : lights.points.sun_at_height[h - 1], sun_at_height_, h);
     if (lights.scattering)
       add(h == 0 ? lights.scattered.sky_irradiance : lights.scattered.sky_at_height[h - 1], sky_at_height_,
@@ -43,11 +45,11 @@ void SensorAtmosphere::add_sights(std::size_t channel, const ChannelLights& ligh
 
 /// At lines of sight between those of the table, from nodes and by interpolation against all points as they
 /// are there.
-AirError SensorAtmosphere::sight_error(std::size_t channel, const ChannelLights& lights,
-                                       const radiometry::Spectrum& ground) const {
+AtmosphereError SensorAtmosphere::line_of_sight_error(std::size_t channel, const ChannelLights& lights,
+                                                      const radiometry::Spectrum& ground) const {
   constexpr double kGrey = 0.3, kGrey_k = 300.0;
-  AirError error;
-  if (sights_.trivial()) return error;
+  AtmosphereError error;
+  if (lines_of_sight_.trivial()) return error;
   const double sine = geometry_.sun_zenith_rad ? std::cos(*geometry_.sun_zenith_rad) : 0.0;
   const ChannelPoints& points = lights.points;
   const std::vector<double> sky = lights.sky_irradiance();
@@ -58,20 +60,20 @@ AirError SensorAtmosphere::sight_error(std::size_t channel, const ChannelLights&
   const auto sent = [&](double wavelength_um, double light) {
     return light + (1.0 - kGrey) * radiometry::planck_w_m2_sr_um(wavelength_um, kGrey_k);
   };
-  const std::vector<SightLine> checks = sights_.checks();
+  const std::vector<LineOfSight> checks = lines_of_sight_.checks();
   for (std::size_t k = 0; k < checks.size(); ++k) {
-    const std::size_t s = sights_.known_lines() + k;
+    const std::size_t s = lines_of_sight_.known_lines() + k;
     double surface = 0.0, path = 0.0, groundlit = 0.0;
     for (std::size_t p = 0; p < points.size(); ++p) {
       const double wavelength_um = points.points[p].wavelength_um, light = reflected(points.sun[p], sky[p]);
-      surface += points.share[p] * points.sight_view[s][p] * sent(wavelength_um, light);
-      if (lights.emitted) path += points.share[p] * lights.emitted->sight_path[s][p];
+      surface += points.share[p] * points.line_of_sight_view[s][p] * sent(wavelength_um, light);
+      if (lights.emitted) path += points.share[p] * lights.emitted->line_of_sight_path[s][p];
       if (!lights.scattering) continue;
-      path += points.share[p] * lights.scattered.sight_path[s][p];
-      groundlit +=
-          points.share[p] * lights.scattered.sight_diffuse[s][p] * light * ground.at(wavelength_um) / kGrey;
+      path += points.share[p] * lights.scattered.line_of_sight_path[s][p];
+      groundlit += points.share[p] * lights.scattered.line_of_sight_diffuse[s][p] * light *
+                   ground.at(wavelength_um) / kGrey;
     }
-    const std::vector<double> weight = sights_.weights(checks[k]);
+    const std::vector<double> weight = lines_of_sight_.weights(checks[k]);
     double surface_given = 0.0, path_given = 0.0, groundlit_given = 0.0;
     std::vector<double> planck(node_count());
     nodes_.planck(kGrey_k, std::span<double>(planck));
@@ -80,9 +82,9 @@ AirError SensorAtmosphere::sight_error(std::size_t channel, const ChannelLights&
       for (std::size_t line = 0; line < weight.size(); ++line) {
         if (weight[line] == 0.0) continue;
         const double part = share * weight[line];
-        surface_given += part * sight(line).transmittance[n] * (light + (1.0 - kGrey) * planck[n]);
-        path_given += part * sight(line).radiance[n];
-        groundlit_given += part * sight(line).diffuse_transmittance[n] * light *
+        surface_given += part * line_of_sight(line).transmittance[n] * (light + (1.0 - kGrey) * planck[n]);
+        path_given += part * line_of_sight(line).radiance[n];
+        groundlit_given += part * line_of_sight(line).diffuse_transmittance[n] * light *
                            ground.at(nodes_.node_wavelength_um(n)) / kGrey;
       }
     }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "atmosphere/sensor/channel_light.h"
-#include "atmosphere/sensor/finer_air.h"
+#include "atmosphere/sensor/finer_atmosphere.h"
 #include "atmosphere/sensor/sky_table_error.h"
 #include "radiometry/planck.h"
 #include "radiometry/solar_spectrum.h"
@@ -17,9 +17,9 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0, kGround = 0.3, kGround_k = 300.0;
 
-class AirErrorTest : public testing::Test {
+class AtmosphereErrorTest : public testing::Test {
  protected:
-  AirErrorTest() {
+  AtmosphereErrorTest() {
     geometry_.sun_zenith_rad = 50.0 * kDegree;
     geometry_.view_zenith_rad = 20.0 * kDegree;
     geometry_.view_azimuth_rad = 60.0 * kDegree;
@@ -27,7 +27,7 @@ class AirErrorTest : public testing::Test {
       channels_.push_back(radiometry::Channel::gaussian("", um, 0.004));
     channels_.push_back(radiometry::Channel::top_hat("", 0.85, 0.88));
     for (const double um : {8.6, 10.9}) channels_.push_back(radiometry::Channel::gaussian("", um, 0.2));
-    careful_ = FinerAir::finer(plain());
+    careful_ = FinerAtmosphere::finer(plain());
   }
 
   static ScatteringOptions plain() {
@@ -66,7 +66,7 @@ class AirErrorTest : public testing::Test {
   const std::vector<double>& careful() {
     static std::vector<double> radiances;  // the same for all tests
     if (radiances.empty()) {
-      const FinerAir finer(column_);
+      const FinerAtmosphere finer(column_);
       for (const radiometry::Channel& channel : channels_)
         radiances.push_back(radiance(solve_all_terms(
             finer.column(), channel, radiometry::solar_irradiance_1au(), geometry_, careful_)));
@@ -83,7 +83,7 @@ class AirErrorTest : public testing::Test {
       const std::vector<ChannelLight> parts = channel_nodes(air, c);
       double path = 0.0, whole = radiance(parts);
       for (const ChannelLight& part : parts) path += part.weight * part.path;
-      const AirError error = states.errors()[c].total();
+      const AtmosphereError error = states.errors()[c].total();
       all.push_back({std::abs(whole / careful()[c] - 1.0),
                      (error.path + (error.surface + error.sky) * (whole - path)) / whole});
     }
@@ -96,7 +96,7 @@ class AirErrorTest : public testing::Test {
   ScatteringOptions careful_;
 };
 
-TEST_F(AirErrorTest, HoldsWhatIsFoundWithMoreCare) {
+TEST_F(AtmosphereErrorTest, HoldsWhatIsFoundWithMoreCare) {
   const SensorAtmosphere air = build(plain());
   ASSERT_EQ(air.errors().size(), channels_.size());
   const std::vector<Judged> judged = judge(air, air);
@@ -110,7 +110,7 @@ TEST_F(AirErrorTest, HoldsWhatIsFoundWithMoreCare) {
 
 // Planted: light taken for unpolarized, with few angles. The figures for the good solver do not hold it; its
 // own do.
-TEST_F(AirErrorTest, GrowsWithAPoorSolver) {
+TEST_F(AtmosphereErrorTest, GrowsWithAPoorSolver) {
   ScatteringOptions poor;
   poor.nodes_per_hemisphere = 2;
   poor.polarized = false;
@@ -121,8 +121,8 @@ TEST_F(AirErrorTest, GrowsWithAPoorSolver) {
 }
 
 // Planted: one node a channel, over ground that is bright where water absorbs.
-TEST_F(AirErrorTest, GrowsWithTooFewNodes) {
-  const std::vector<AirErrors> good = build(plain()).errors(), coarse = build(plain(), 1).errors();
+TEST_F(AtmosphereErrorTest, GrowsWithTooFewNodes) {
+  const std::vector<AtmosphereErrors> good = build(plain()).errors(), coarse = build(plain(), 1).errors();
   double few = 0.0, many = 0.0;
   for (std::size_t c = 0; c < good.size(); ++c) {
     many = std::max(many, good[c].nodes.surface);
@@ -133,9 +133,9 @@ TEST_F(AirErrorTest, GrowsWithTooFewNodes) {
   EXPECT_GT(few, 2.0 * many);
 }
 
-TEST(FinerAirTest, CutsLayersWithoutLosingAny) {
+TEST(FinerAtmosphereTest, CutsLayersWithoutLosingAny) {
   const AtmosphereColumn column{AtmosphereDescription{}};
-  const FinerAir finer(column);
+  const FinerAtmosphere finer(column);
   EXPECT_EQ(finer.column().levels().layers(), 2 * column.levels().layers());
   const auto sum = [](const std::vector<double>& values) {
     double all = 0.0;

@@ -10,7 +10,7 @@
 namespace ifov::atmosphere {
 
 /// A line of sight from a surface to the sensor.
-struct SightLine {
+struct LineOfSight {
   double zenith_rad = 0.0;                ///< of the direction from the surface towards the sensor
   double azimuth_rad = 0.0;               ///< of that direction from the Sun's
   double height_km = 0.0;                 ///< of the surface above the column's ground
@@ -19,7 +19,7 @@ struct SightLine {
 
 /// Lines of sight of an image, as the box that holds them: slopes tan(zenith) cos(azimuth) along the Sun's
 /// azimuth and |tan(zenith) sin(azimuth)| across it (the air is the same on both sides of the Sun's plane).
-struct SightRange {
+struct LineOfSightRange {
   double along_low = 0.0, along_high = 0.0;
   double across_low = 0.0, across_high = 0.0;
   double highest_km = 0.0;  ///< of the surfaces, above the column's ground
@@ -30,24 +30,24 @@ struct SensorAltitudes {
   double low_km = kTopOfAtmosphereKm, high_km = kTopOfAtmosphereKm;
 };
 
-/// An axis that a smooth quantity is known at few places of, and taken from at many: between the few it is
+/// An axis that a smooth quantity is known at few positions of, and taken from at many: between the few it is
 /// the polynomial through all of them (Chebyshev's points, where that is safe), or straight lines.
-class SightAxis {
+class LineOfSightAxis {
  public:
-  /// One place.
-  explicit SightAxis(double place = 0.0) : known_{place}, wanted_{place} {}
+  /// One position.
+  explicit LineOfSightAxis(double position = 0.0) : known_{position}, wanted_{position} {}
   /// Chebyshev's points of [low, high], more of them for longer ranges.
-  static SightAxis slopes(double low, double high);
+  static LineOfSightAxis slopes(double low, double high);
   /// The column's own levels, straight between.
-  static SightAxis heights(const Levels& levels, double highest_km);
+  static LineOfSightAxis heights(const Levels& levels, double highest_km);
   /// Of sensors: both ends, levels and middles of layers between; straight between; beyond the air all are alike.
-  static SightAxis sensors(const Levels& levels, const SensorAltitudes& altitudes);
+  static LineOfSightAxis sensors(const Levels& levels, const SensorAltitudes& altitudes);
 
   const std::vector<double>& known() const { return known_; }
-  /// Rising, evenly spaced for slopes; its first and last place are the range's ends.
+  /// Rising, evenly spaced for slopes; its first and last position are the range's ends.
   const std::vector<double>& wanted() const { return wanted_; }
-  /// Weights of the known places at a place.
-  std::vector<double> weights(double place) const;
+  /// Weights of the known positions at a position.
+  std::vector<double> weights(double position) const;
 
  private:
   std::vector<double> known_, wanted_;
@@ -55,40 +55,40 @@ class SightAxis {
 };
 
 /// The lines of sight that an image's table is made of, from all altitudes that its sensor has.
-class SightGrid {
+class LineOfSightGrid {
  public:
   /// A single line of sight.
-  explicit SightGrid(const SightLine& line);
-  SightGrid(const SightRange& range, const Levels& levels, const SensorAltitudes& sensors);
+  explicit LineOfSightGrid(const LineOfSight& line);
+  LineOfSightGrid(const LineOfSightRange& range, const Levels& levels, const SensorAltitudes& sensors);
 
-  const SightAxis& sensor() const { return sensor_; }  ///< altitudes above mean sea level, km
-  double ground_km() const { return ground_km_; }      ///< above mean sea level; 0 of a single line
-  const SightAxis& along() const { return along_; }
-  const SightAxis& across() const { return across_; }
-  const SightAxis& height() const { return height_; }
+  const LineOfSightAxis& sensor() const { return sensor_; }  ///< altitudes above mean sea level, km
+  double ground_km() const { return ground_km_; }            ///< above mean sea level; 0 of a single line
+  const LineOfSightAxis& along() const { return along_; }
+  const LineOfSightAxis& across() const { return across_; }
+  const LineOfSightAxis& height() const { return height_; }
   bool single() const { return known_lines() == 1; }
   std::size_t known_lines() const {
     return sensor_.known().size() * along_.known().size() * across_.known().size() * height_.known().size();
   }
-  /// At the known places, [sensor][height][along][across].
-  std::vector<SightLine> lines() const;
+  /// At the known positions, [sensor][height][along][across].
+  std::vector<LineOfSight> lines() const;
   /// Some between them, for checks; none of a single line.
-  std::vector<SightLine> checks() const;
+  std::vector<LineOfSight> checks() const;
   /// Weights of lines() at a line of sight.
-  std::vector<double> weights(const SightLine& line) const;
+  std::vector<double> weights(const LineOfSight& line) const;
   std::vector<double> weights(double sensor_km, double height_km, double along, double across) const;
   /// Whether anything but a single line's own light is asked for.
   bool trivial() const { return single() && !(highest_km_ > 0.0); }
 
  private:
-  static SightLine line(double along, double across, double height_km, double sensor_km);
-  SightLine only_;
+  static LineOfSight line(double along, double across, double height_km, double sensor_km);
+  LineOfSight only_;
   double ground_km_ = 0.0, highest_km_ = 0.0;
-  SightAxis sensor_, along_, across_, height_;
+  LineOfSightAxis sensor_, along_, across_, height_;
 };
 
 /// Slopes of a direction.
-double slope_along(const SightLine& line);
-double slope_across(const SightLine& line);
+double slope_along(const LineOfSight& line);
+double slope_across(const LineOfSight& line);
 
 }  // namespace ifov::atmosphere

@@ -13,22 +13,23 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0, kPi = std::numbers::pi;
 
-class Sights : public testing::Test {
+class LinesOfSight : public testing::Test {
  protected:
-  Sights() {
+  LinesOfSight() {
     geometry_.sun_zenith_rad = 40.0 * kDegree;
     geometry_.sensor_altitude_km = 6.0;
     for (const double um : {0.45, 0.86, 0.762})
       channels_.push_back(radiometry::Channel::gaussian("", um, 0.004));
     channels_.push_back(radiometry::Channel::gaussian("", 10.0, 0.3));
   }
-  SensorAtmosphere build(std::optional<SightGrid> sights, const SensorGeometry& geometry) const {
+  SensorAtmosphere build(std::optional<LineOfSightGrid> lines_of_sight,
+                         const SensorGeometry& geometry) const {
     SensorAtmosphere::Inputs inputs;
     inputs.channels = channels_;
     inputs.solar_irradiance = radiometry::solar_irradiance_1au();
     inputs.geometry = geometry;
     inputs.scattering.nodes_per_hemisphere = 6;
-    inputs.sights = std::move(sights);
+    inputs.lines_of_sight = std::move(lines_of_sight);
     inputs.demands.tolerance = 1e-3;
     inputs.demands.most_nodes = 8;
     inputs.with_errors = true;
@@ -45,10 +46,10 @@ class Sights : public testing::Test {
     for (std::size_t n = nodes.first_node(channel); n < nodes.first_node(channel + 1); ++n) {
       const double light = air.sun_irradiance()[n] + air.sky_irradiance()[n];
       for (std::size_t line = 0; line < weight.size(); ++line) {
-        const SensorAtmosphere::Sight sight = air.sight(line);
-        sum.through += nodes.node_weight(n) * weight[line] * light * sight.transmittance[n];
-        sum.added += nodes.node_weight(n) * weight[line] * sight.radiance[n];
-        sum.groundlit += nodes.node_weight(n) * weight[line] * light * sight.diffuse_transmittance[n];
+        const SensorAtmosphere::LightAlongLine line_of_sight = air.line_of_sight(line);
+        sum.through += nodes.node_weight(n) * weight[line] * light * line_of_sight.transmittance[n];
+        sum.added += nodes.node_weight(n) * weight[line] * line_of_sight.radiance[n];
+        sum.groundlit += nodes.node_weight(n) * weight[line] * light * line_of_sight.diffuse_transmittance[n];
       }
     }
     return sum;
@@ -58,22 +59,22 @@ class Sights : public testing::Test {
   SensorGeometry geometry_;
   std::vector<radiometry::Channel> channels_;
   SensorAltitudes altitudes_{6.0, 6.0};
-  SightRange range_{-0.55, 0.5, 0.0, 0.45, 0.0};
+  LineOfSightRange range_{-0.55, 0.5, 0.0, 0.45, 0.0};
 };
 
-TEST_F(Sights, BetweenTheSolvedDirections) {
-  const SensorAtmosphere air = build(SightGrid(range_, column_.levels(), altitudes_), geometry_);
-  for (const SightLine line : {SightLine{0.0, 0.0, 0.0},
-                               {14.0 * kDegree, 70.0 * kDegree, 0.0},
-                               {26.0 * kDegree, 5.0 * kDegree, 0.0},
-                               {24.0 * kDegree, 165.0 * kDegree, 0.0}}) {
+TEST_F(LinesOfSight, BetweenTheSolvedDirections) {
+  const SensorAtmosphere air = build(LineOfSightGrid(range_, column_.levels(), altitudes_), geometry_);
+  for (const LineOfSight line : {LineOfSight{0.0, 0.0, 0.0},
+                                 {14.0 * kDegree, 70.0 * kDegree, 0.0},
+                                 {26.0 * kDegree, 5.0 * kDegree, 0.0},
+                                 {24.0 * kDegree, 165.0 * kDegree, 0.0}}) {
     SensorGeometry own = geometry_;
     own.view_zenith_rad = line.zenith_rad;
     own.view_azimuth_rad = line.azimuth_rad;
     const SensorAtmosphere right = build({}, own);
     for (std::size_t c = 0; c < channels_.size(); ++c) {
-      const Seen found = seen(air, c, air.sights().weights(line)), expected = seen(right, c, {1.0}),
-                 middle = seen(air, c, air.sights().weights(SightLine{}));
+      const Seen found = seen(air, c, air.lines_of_sight().weights(line)), expected = seen(right, c, {1.0}),
+                 middle = seen(air, c, air.lines_of_sight().weights(LineOfSight{}));
       EXPECT_NEAR(found.added / expected.added, 1.0, 1.5e-3) << c << " " << line.zenith_rad;
       if (expected.groundlit > 0.0) {
         EXPECT_NEAR(found.through / expected.through, 1.0, 1.5e-3) << c << " " << line.zenith_rad;
@@ -89,10 +90,10 @@ TEST_F(Sights, BetweenTheSolvedDirections) {
 }
 
 // At single wavelengths, from surfaces above the ground, against the solver itself.
-TEST_F(Sights, AboveTheGround) {
+TEST_F(LinesOfSight, AboveTheGround) {
   channels_ = {radiometry::Channel::monochromatic("", 0.45), radiometry::Channel::monochromatic("", 0.86)};
   range_.highest_km = 1.6;
-  const SensorAtmosphere air = build(SightGrid(range_, column_.levels(), altitudes_), geometry_);
+  const SensorAtmosphere air = build(LineOfSightGrid(range_, column_.levels(), altitudes_), geometry_);
   const ColumnSolver solver([] {
     ScatteringOptions options;
     options.nodes_per_hemisphere = 6;
@@ -102,28 +103,28 @@ TEST_F(Sights, AboveTheGround) {
     const double um = channels_[c].centre_um, sun = radiometry::solar_irradiance_1au().at(um);
     const LayerOptics layers = column_.at(5.0 * std::round(1e4 / um / 5.0)).term(0);
     const ColumnSolution solved = solver.solve(column_.levels(), layers, *geometry_.sun_zenith_rad);
-    for (const SightLine line : {SightLine{5.0 * kDegree, 40.0 * kDegree, 0.6},
-                                 {22.0 * kDegree, 120.0 * kDegree, 1.1},
-                                 {16.0 * kDegree, 10.0 * kDegree, 0.18}}) {
+    for (const LineOfSight line : {LineOfSight{5.0 * kDegree, 40.0 * kDegree, 0.6},
+                                   {22.0 * kDegree, 120.0 * kDegree, 1.1},
+                                   {16.0 * kDegree, 10.0 * kDegree, 0.18}}) {
       const double mu = std::cos(line.zenith_rad),
                    length = (geometry_.sensor_altitude_km - line.height_km) / mu;
       const PathLight path = solved.sunlit().path({mu, line.azimuth_rad - kPi}, 6.0, length);
-      const std::vector<double> weight = air.sights().weights(line);
+      const std::vector<double> weight = air.lines_of_sight().weights(line);
       double through = 0.0, added = 0.0;
       for (std::size_t k = 0; k < weight.size(); ++k) {
-        through += weight[k] * air.sight(k).transmittance[c];
-        added += weight[k] * air.sight(k).radiance[c];
+        through += weight[k] * air.line_of_sight(k).transmittance[c];
+        added += weight[k] * air.line_of_sight(k).radiance[c];
       }
       EXPECT_NEAR(through / path.transmittance, 1.0, 1.5e-3) << um << " " << line.height_km;
       EXPECT_NEAR(added / (sun * path.radiance().i), 1.0, 6e-3) << um << " " << line.height_km;
-      const double error = air.errors()[c].sights.path;
+      const double error = air.errors()[c].lines_of_sight.path;
       EXPECT_LE(std::abs(added - sun * path.radiance().i), 1.5 * error + 1e-3 * added)
           << um << " " << line.height_km;
       if (line.height_km > 0.5) {  // the planted fault: the ground for all
-        EXPECT_GT(std::abs(air.sight(0).transmittance[c] / path.transmittance - 1.0), 0.03);
+        EXPECT_GT(std::abs(air.line_of_sight(0).transmittance[c] / path.transmittance - 1.0), 0.03);
       }
       // Light that comes down there.
-      const std::vector<double> by_height = air.sights().height().weights(line.height_km);
+      const std::vector<double> by_height = air.lines_of_sight().height().weights(line.height_km);
       double beam = 0.0, sky = 0.0;
       for (std::size_t h = 0; h < by_height.size(); ++h) {
         beam += by_height[h] * air.sun_at_height(h)[c];
@@ -135,16 +136,17 @@ TEST_F(Sights, AboveTheGround) {
   }
 }
 
-TEST_F(Sights, OfOneDirectionAreTheGeometrysOwn) {
+TEST_F(LinesOfSight, OfOneDirectionAreTheGeometrysOwn) {
   geometry_.view_zenith_rad = 12.0 * kDegree;
   geometry_.view_azimuth_rad = 50.0 * kDegree;
   const double along = std::tan(12.0 * kDegree) * std::cos(50.0 * kDegree),
                across = std::tan(12.0 * kDegree) * std::sin(50.0 * kDegree);
   const SensorAtmosphere air = build(
-      SightGrid(SightRange{along, along, across, across, 0.0}, column_.levels(), altitudes_), geometry_);
-  EXPECT_TRUE(air.sights().trivial());
+      LineOfSightGrid(LineOfSightRange{along, along, across, across, 0.0}, column_.levels(), altitudes_),
+      geometry_);
+  EXPECT_TRUE(air.lines_of_sight().trivial());
   for (std::size_t n = 0; n < air.node_count(); ++n)
-    EXPECT_EQ(air.sight(0).transmittance[n], air.view_transmittance()[n]);
+    EXPECT_EQ(air.line_of_sight(0).transmittance[n], air.view_transmittance()[n]);
 }
 
 }  // namespace
