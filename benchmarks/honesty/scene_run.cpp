@@ -56,7 +56,7 @@ class Trial {
     job.seed = seed;
     job.tile_px = plan.tile_px;
     job.seed_objects = plan.seed_objects;
-    job.drivers = plan.drivers;
+    job.steering_channels = plan.steering_channels;
     return render_tile(job);
   }
 

@@ -57,12 +57,12 @@ void accuracy_bookkeeping(benchmark::State& state) {
   const int side = static_cast<int>(state.range(0));
   const PixelFootprint footprint = PixelFootprint::box(1.0);
   const Limit limit;
-  const int drivers[1] = {0};
+  const int steering_channels[1] = {0};
   TileProblem problem;
   problem.tile = problem.image = {0, 0, side, side};
   problem.footprint = &footprint;
   problem.tolerance = &limit;
-  problem.drivers = drivers;
+  problem.steering_channels = steering_channels;
   const AccuracySampler sampler;
   TileResult result;
   double own = 0.0, rays = 0.0;

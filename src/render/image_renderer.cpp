@@ -104,10 +104,10 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   for (const int index : control.tile_order) pixels += tiles[static_cast<std::size_t>(index)].count();
   if (control.tile_order.empty()) pixels = static_cast<std::int64_t>(width) * height;
   // Samplers that judge every column where none is named are not to judge the shares of mixtures.
-  std::vector<int> drivers = job.drivers;
-  if (drivers.empty())
+  std::vector<int> steering_channels = job.steering_channels;
+  if (steering_channels.empty())
     for (std::size_t c = 0; c < job.scene.nodes().channel_count(); ++c)
-      drivers.push_back(static_cast<int>(c));
+      steering_channels.push_back(static_cast<int>(c));
 
   transport::TransportOptions transport = job.transport;
   transport.sought_only = true;
@@ -137,9 +137,9 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     problem.seed = job.seed;
     problem.footprint = &job.footprint;
     problem.tolerance = job.tolerance;
-    problem.drivers = drivers;
-    problem.seeds = tile_seeds.points;
-    problem.seed_objects = tile_seeds.objects;
+    problem.steering_channels = steering_channels;
+    problem.pilot_points = tile_seeds.points;
+    problem.pilot_objects = tile_seeds.objects;
     problem.cancel = control.cancel;
     problem.keep_memory = job.keep_memory;
     sampling::TileResult before;
@@ -171,7 +171,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   return tally.total();
 }
 
-std::vector<int> driver_channels(int channels, std::span<const int> always, int count) {
+std::vector<int> steering_channels_of(int channels, std::span<const int> always, int count) {
   std::vector<int> chosen(always.begin(), always.end());
   const int spread = std::min(channels, count);
   for (int k = 0; k < spread; ++k)

@@ -41,7 +41,7 @@ struct RenderJob {
   std::uint64_t seed = 1;
   int tile_px = 64;
   bool seed_objects = true;                 ///< send a ray at each compact object smaller than a pixel
-  std::vector<int> drivers{};               ///< channels that steer the sampler
+  std::vector<int> steering_channels{};     ///< channels that steer the sampler
   std::span<const AirHalfWidth> air{};      ///< by channel; empty: the air has no error that is known
   std::span<const NodeHalfWidth> nodes{};   ///< by channel; empty: not known, or in those of the air
   const sensor::PsfWings* wings = nullptr;  ///< of the footprint's PSF; null: it has none
@@ -66,6 +66,6 @@ struct RenderControl {
 Progress render_image(const RenderJob& job, const RenderControl& control, TileSink& sink);
 
 /// Channels that steer decisions: all of them up to `count`, else `count` spread evenly and those in `always`.
-std::vector<int> driver_channels(int channels, std::span<const int> always, int count = 16);
+std::vector<int> steering_channels_of(int channels, std::span<const int> always, int count = 16);
 
 }  // namespace ifov::render

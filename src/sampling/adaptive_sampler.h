@@ -16,7 +16,7 @@ struct AdaptiveOptions {
 
 /// Sub-elements that vary, or that differ from any of their 8 neighbours (across pixel borders), are sampled
 /// up to their cap with Halton points; the others keep their one sample: DIRSIG's scheme
-/// (docs/theory/sampling.md). Judged in the problem's driver columns, in all columns without drivers.
+/// (docs/theory/sampling.md). Judged in the problem's steering channels, in all columns without any.
 /// Unrotated points are the same in every sub-element: they fall on the same side of an edge that runs along
 /// the lattice all at once, and the intervals know nothing of that. Rotated points are independent from one
 /// sub-element to the next, and so are their errors.

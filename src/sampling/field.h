@@ -89,7 +89,7 @@ class Field {
   /// Whether values of a label differ by their nature, however alike those are that were met: a penumbra's.
   virtual bool uneven(Label) const { return false; }
 
-  /// Number of the object that a label belongs to, as TileProblem::seed_objects counts them.
+  /// Number of the object that a label belongs to, as TileProblem::pilot_objects counts them.
   static constexpr std::uint32_t kNoObject = ~std::uint32_t{0};
   virtual std::uint32_t object_of(Label) const { return kNoObject; }
 

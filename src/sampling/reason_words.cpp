@@ -12,7 +12,7 @@ constexpr std::array<std::string_view, kReasonNames.size()> kWords{
     "nothing is known of its error",
     "the samples that a pixel may take were spent",
     "time ran out before it was finished",
-    "it stayed above the limit though every look was taken",
+    "it stayed above the limit after the last test",
     "it holds finer structure than was resolved",
     "light may reach it in ways that are not sought",
     "the air is not known well enough",

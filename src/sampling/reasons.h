@@ -12,7 +12,7 @@ enum class Reason : std::uint8_t {
   unjudged,      ///< nothing is known of its error, or no accuracy was asked
   samples,       ///< stopped by the number of samples that a pixel may take
   time,          ///< stopped by time
-  error,         ///< the sampler ended above the error asked for another reason: borders or looks were spent
+  error,         ///< the sampler ended above the error asked for another reason: borders or tests were spent
   structure,     ///< finer structure than was resolved keeps turning up, or is known to be there
   unseen_light,  ///< light may reach it by a way that is not sought (caustics, images by several mirrors)
   air,           ///< the air's own error leaves no room within the error asked

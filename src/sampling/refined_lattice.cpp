@@ -115,7 +115,7 @@ bool RefinedLattice::differs_from_neighbour(std::size_t cell) const {
 void RefinedLattice::refine(Field& field) {
   const std::size_t cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   columns_ = static_cast<std::size_t>(field.columns());
-  judged_.assign(problem_.drivers.begin(), problem_.drivers.end());
+  judged_.assign(problem_.steering_channels.begin(), problem_.steering_channels.end());
   if (judged_.empty())
     for (int c = 0; c < field.columns(); ++c) judged_.push_back(c);
   count_.assign(cells, 0);

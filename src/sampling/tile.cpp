@@ -25,7 +25,7 @@ void TileResult::reset(PixelRect tile_pixels, int column_count, bool with_errors
   abundances.clear();
   border_share.clear();
   layers.clear();
-  halo_samples = seed_samples = probe_samples = 0;
+  halo_samples = pilot_samples = probe_samples = 0;
   rays = {};
   memory.clear();
 }

@@ -30,11 +30,12 @@ struct TileProblem {
   std::uint64_t seed = 0;
   const PixelFootprint* footprint = nullptr;
   const Tolerance* tolerance = nullptr;  ///< null for samplers that follow no accuracy
-  std::span<const int> drivers;  ///< columns that steer decisions (at most some dozens); all are reported
+  std::span<const int>
+      steering_channels;  ///< columns that steer decisions (at most some dozens); all are reported
   /// Projected centres of compact objects smaller than a pixel, of tile and halo.
-  std::span<const FocalPoint> seeds;
+  std::span<const FocalPoint> pilot_points;
   /// The object of each seed (Field::object_of), where any ray that meets it finds all of it, or kNoObject; empty: of none.
-  std::span<const std::uint32_t> seed_objects;
+  std::span<const std::uint32_t> pilot_objects;
   const CancelToken* cancel = nullptr;  ///< throws ifov::Cancelled when set
   bool keep_memory = false;             ///< fill TileResult::memory
   /// What an earlier run of the same problem left, with its memory, at a tolerance that is looser by a third at least.
@@ -94,8 +95,8 @@ struct TileResult {
   std::vector<float> missable_fraction;
   std::vector<Abundance> abundances;  ///< sorted by (pixel, material)
   std::vector<TileLayer> layers;
-  std::uint64_t halo_samples = 0;                     ///< points queried outside the tile's own pixels
-  std::uint64_t seed_samples = 0, probe_samples = 0;  ///< of all points, by purpose
+  std::uint64_t halo_samples = 0;                      ///< points queried outside the tile's own pixels
+  std::uint64_t pilot_samples = 0, probe_samples = 0;  ///< of all points, by purpose
   RayCounts rays;  ///< as Field::counts(): of this run alone; the other counts include `before`
   std::vector<std::byte> memory;  ///< what a run at a tighter tolerance need not find out again; opaque
 

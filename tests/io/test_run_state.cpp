@@ -53,7 +53,7 @@ TEST(TileRecord, HoldsAllOfATile) {
   for (const bool with_errors : {true, false}) {
     sampling::TileResult tile = kImage.tile(grid[7]);
     if (!with_errors) tile.variance_geometry = tile.variance_path = tile.half_width = {};
-    tile.seed_samples = 3, tile.probe_samples = 4, tile.rays.bounce = 5;
+    tile.pilot_samples = 3, tile.probe_samples = 4, tile.rays.bounce = 5;
     const auto record = encode_tile(tile, {7, 11, plan.key(), 2.5});
     TileHeader header;
     std::memcpy(&header, record.data(), sizeof header);
@@ -62,7 +62,7 @@ TEST(TileRecord, HoldsAllOfATile) {
     sampling::TileResult back;
     ASSERT_EQ(decode_tile(header, std::span(record).subspan(sizeof header), {}, back), "");
     expect_same(tile, back);
-    EXPECT_EQ(back.seed_samples + back.probe_samples, 7u);
+    EXPECT_EQ(back.pilot_samples + back.probe_samples, 7u);
   }
 }
 

@@ -69,13 +69,13 @@ sampling::TileResult image_of(const transport::SpectralScene& scene, double x, d
     return sink.result;
   }
   render::SceneField field(scene, camera, {}, render::LabelDetail::sun_state);
-  const int drivers[1] = {0};
+  const int steering_channels[1] = {0};
   sampling::TileProblem problem;
   problem.tile = problem.image = {0, 0, kSide, kSide};
   problem.seed = seed;
   problem.footprint = &footprint;
   problem.tolerance = &tolerance;
-  problem.drivers = drivers;
+  problem.steering_channels = steering_channels;
   sampler.sample(problem, field, sink.result);
   return sink.result;
 }

@@ -104,13 +104,13 @@ Edge picture(double q_px, double tolerance, bool with_wings, std::uint64_t seed)
   const sensor::PsfWings wings(*psf, 1.0);
   EdgeField field(kDark, kBright, 0.5 * kSide + 0.13, 0.5 * kSide, kAngle);
   const Percent limits(0.9 * tolerance);
-  const int drivers[] = {0};
+  const int steering_channels[] = {0};
   sampling::TileProblem problem;
   problem.tile = problem.image = {0, 0, kSide, kSide};
   problem.seed = seed;
   problem.footprint = &footprint;
   problem.tolerance = &limits;
-  problem.drivers = drivers;
+  problem.steering_channels = steering_channels;
   sampling::TileResult tile;
   sampling::AccuracySampler().sample(problem, field, tile);
   if (with_wings) add_wings(wings, problem, nullptr, field, tile);

@@ -92,7 +92,7 @@ struct Rendering {
   std::uint64_t seed = 0;
   double half_width = 0.1 * kRadiancePerKelvin;
   sampling::PixelFootprint footprint = sampling::PixelFootprint::box(1.0);
-  std::vector<sampling::FocalPoint> seeds;
+  std::vector<sampling::FocalPoint> pilot_points;
   sampling::AccuracyOptions options;
   /// Makes the sampler: the real one, or one with a fault.
   std::unique_ptr<sampling::PixelSampler> (*sampler)(const sampling::AccuracyOptions&) =
@@ -100,15 +100,15 @@ struct Rendering {
 
   sampling::TileResult operator()(sampling::Field& field) const {
     const FixedTolerance tolerance(half_width);
-    const int drivers[1] = {0};
+    const int steering_channels[1] = {0};
     sampling::TileProblem problem;
     problem.tile = tile;
     problem.image = image;
     problem.seed = seed;
     problem.footprint = &footprint;
     problem.tolerance = &tolerance;
-    problem.drivers = drivers;
-    problem.seeds = seeds;
+    problem.steering_channels = steering_channels;
+    problem.pilot_points = pilot_points;
     sampling::TileResult result;
     sampler(options)->sample(problem, field, result);
     return result;
@@ -207,14 +207,14 @@ inline sampling::TileResult sampled_at_a_percent(sampling::Field& field, int sid
                                                  const sampling::PixelSampler& sampler) {
   const Percent tolerance;
   const sampling::PixelFootprint box = sampling::PixelFootprint::box(1.0);
-  const int drivers[] = {0};
+  const int steering_channels[] = {0};
   sampling::TileProblem problem;
   problem.tile = {0, 0, side, side};
   problem.image = {-4, -4, side + 4, side + 4};
   problem.seed = seed;
   problem.footprint = &box;
   problem.tolerance = &tolerance;
-  problem.drivers = drivers;
+  problem.steering_channels = steering_channels;
   sampling::TileResult result;
   sampler.sample(problem, field, result);
   return result;

@@ -154,7 +154,7 @@ TEST(PixelModel, PartsThatWereForgottenLeaveNoWeights) {
   EXPECT_EQ(model.loose_weight.size(), 2u);
 }
 
-// Every kind of question looks whether the work was cancelled before it traces anything.
+// Every kind of question checks whether the work was cancelled before it traces anything.
 TEST(RayLedger, EveryQuestionEndsWhenCancelled) {
   test::ShapeField field = test::uniform_field(1.0f);
   CancelToken cancel;
@@ -342,16 +342,16 @@ TEST(LabelSpread, ToldVariancesAreThoseOfTheNoise) {
     at.values.push_back(noise(v));
     table.add(at.labels.back(), &at.values.back());
   }
-  for (const bool looks : {false, true}) {
-    for (int k = 0; looks && k < 3600; ++k) {
-      at.look.points.push_back({k % 60 * 0.5 + 0.25, k / 60 * 0.5 + 0.25});
-      at.look.labels.push_back(1);
-      at.look.values.push_back(noise(10000 + k));
-      table.add(1, &at.look.values.back());
+  for (const bool with_random_points : {false, true}) {
+    for (int k = 0; with_random_points && k < 3600; ++k) {
+      at.random.points.push_back({k % 60 * 0.5 + 0.25, k / 60 * 0.5 + 0.25});
+      at.random.labels.push_back(1);
+      at.random.values.push_back(noise(10000 + k));
+      table.add(1, &at.random.values.back());
     }
     const LabelSpread spread(lattice, table, at);
     for (const std::uint32_t label : {0u, 1u, 99u})
-      EXPECT_NEAR(spread.local(label, 0), 1.0 / 12.0, 0.1 / 12.0) << looks;
+      EXPECT_NEAR(spread.local(label, 0), 1.0 / 12.0, 0.1 / 12.0) << with_random_points;
     EXPECT_NEAR(spread.total(1, 0), 1.0 / 12.0, 0.05 / 12.0);
   }
 }

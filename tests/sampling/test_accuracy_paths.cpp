@@ -173,7 +173,7 @@ TEST(AccuracyPaths, IntervalsHoldOnTexture) {
     t.add(render(field), 10.0 + truth, field);
   }
   EXPECT_GE(t.coverage(), 0.93);
-  // Independent values would need (2.4 * 0.33 / 0.04)^2 of them in each pixel at the looks' quantile.
+  // Independent values would need (2.4 * 0.33 / 0.04)^2 of them in each pixel at the tests' quantile.
   EXPECT_LT(t.mean_samples(), 9.0 * 392.0);
 }
 

@@ -1,4 +1,4 @@
-// Where looks meet something that the lattice did not announce, more like it may lie beside it.
+// Where random rays meet something that the lattice did not announce, more like it may lie beside it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ TEST(AccuracyProbing, ASurprisingFindIsProbedAroundOnAllSides) {
     render.tile = render.image = {0, 0, kSide, kSide};
     const TileResult result = render(field);
     const std::uint32_t far = result.label_rays[0];
-    if (!(result.half_width[kMiddle * kSide + kMiddle] > 0.0f)) continue;  // no look met it
+    if (!(result.half_width[kMiddle * kSide + kMiddle] > 0.0f)) continue;  // no random ray met it
     ++found;
     const int least = render.options.probes_per_side * render.options.probes_per_side;
     for (int y = 0; y < kSide; ++y)

@@ -86,9 +86,9 @@ TEST(AccuracyRows, InStepWithTheLatticeAreRight) {
   EXPECT_LT(std::abs(sum.bias), 1e-3 * sum.converged);
 }
 
-TEST(AccuracyRows, WithoutRandomLooksAreCaught) {
+TEST(AccuracyRows, WithoutRandomRaysAreCaught) {
   AccuracyOptions without;
-  without.looks_per_side = 0;
+  without.random_rays_per_side = 0;
   const Judged sum = judge_aligned(AccuracySampler(without));
   EXPECT_GT(sum.far_off, 0.05 * sum.converged);
 }

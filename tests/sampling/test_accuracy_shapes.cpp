@@ -29,7 +29,7 @@ Trials discs(double error_k, int trials, std::uint64_t first_seed) {
 
 TEST(AccuracyShapes, DiscToATenthOfAKelvin) {
   const Trials t = discs(0.1, kTrials, 1000);
-  EXPECT_LE(t.mean_samples(), 200.0);  // of which 36 looks at random
+  EXPECT_LE(t.mean_samples(), 200.0);  // 36 of them at random
   EXPECT_LE(t.quantile(0.95), 0.1 * kRadiancePerKelvin);
   EXPECT_GE(t.coverage(), 0.94);
   for (double h : t.half_width) EXPECT_LE(h, 0.1 * kRadiancePerKelvin * (1.0 + 1e-5));
@@ -127,7 +127,7 @@ TEST(AccuracyShapes, BordersThatDoNotSettleAreWithinTheInterval) {
   EXPECT_GE(held, 0.9 * judged);
 }
 
-Trials rods(bool seeded) {
+Trials rods(bool with_pilot_rays) {
   Trials t;
   for (int i = 0; i < kTrials; ++i) {
     Draw draw(3000 + static_cast<std::uint64_t>(i));
@@ -137,10 +137,10 @@ Trials rods(bool seeded) {
     ShapeField field = scene.field();
     Rendering render = three_by_three(3000 + static_cast<std::uint64_t>(i));
     const int pieces = static_cast<int>(std::ceil(length / 0.35));
-    for (int p = 0; p < pieces && seeded; ++p) {
+    for (int p = 0; p < pieces && with_pilot_rays; ++p) {
       const double s = ((p + 0.5) / pieces - 0.5) * length;
       const sampling::FocalPoint at{x + std::cos(angle) * s, y + std::sin(angle) * s};
-      if (at.x_px > 0 && at.y_px > 0 && at.x_px < 3 && at.y_px < 3) render.seeds.push_back(at);
+      if (at.x_px > 0 && at.y_px > 0 && at.x_px < 3 && at.y_px < 3) render.pilot_points.push_back(at);
     }
     t.add(render(field), scene.truth(), field);
   }
@@ -154,11 +154,11 @@ TEST(AccuracyShapes, SeededRodsAreFollowed) {
   EXPECT_GE(t.coverage(), 0.93);
 }
 
-TEST(AccuracyShapes, RodsWithoutSeedsAreMissedSometimes) {
+TEST(AccuracyShapes, RodsWithoutPilotRaysAreMissedSometimes) {
   EXPECT_GT(rods(false).quantile(0.95), 0.1 * kRadiancePerKelvin);
 }
 
-Trials small_targets(bool seeded) {
+Trials small_targets(bool with_pilot_rays) {
   Trials t;
   for (int i = 0; i < kTrials; ++i) {
     Draw draw(4000 + static_cast<std::uint64_t>(i));
@@ -167,27 +167,29 @@ Trials small_targets(bool seeded) {
     ShapeField field = scene.field();
     Rendering render = three_by_three(4000 + static_cast<std::uint64_t>(i));
     render.options.lattice = 2;
-    if (seeded) render.seeds.push_back({scene.x, scene.y});
+    if (with_pilot_rays) render.pilot_points.push_back({scene.x, scene.y});
     t.add(render(field), scene.truth(), field);
   }
   return t;
 }
 
-TEST(AccuracyShapes, SmallTargetWithASeedIsAlwaysFound) {
+TEST(AccuracyShapes, SmallTargetWithAPilotRayIsAlwaysFound) {
   const Trials t = small_targets(true);
   EXPECT_EQ(t.found, kTrials);
   EXPECT_LE(t.mean_samples(), 25.0 * 9.0);
   EXPECT_GE(t.coverage(), 0.90);
 }
 
-TEST(AccuracyShapes, SmallTargetWithoutASeedIsMissed) { EXPECT_LT(small_targets(false).found, kTrials / 2); }
+TEST(AccuracyShapes, SmallTargetWithoutAPilotRayIsMissed) {
+  EXPECT_LT(small_targets(false).found, kTrials / 2);
+}
 
 // Random rays have a probability, the lattice has none.
-TEST(AccuracyShapes, DetectionStatementRestsOnRandomLooks) {
+TEST(AccuracyShapes, DetectionRestsOnRandomRays) {
   ShapeField field = two_surfaces([](double, double) { return sampling::Label{0}; });
   const sampling::TileResult r = three_by_three(1)(field);
   EXPECT_NEAR(r.missable_fraction[4], 0.446, 0.002);  // of four jittered rays, as in test_detection
-  EXPECT_EQ(field.counts().primary, 136u);  // the lattice, and four looks in each of the nine pixels
+  EXPECT_EQ(field.counts().primary, 136u);  // the lattice, and four random rays in each of the nine pixels
   for (float h : r.half_width) EXPECT_EQ(h, 0.0f);
   for (auto reasons : r.reasons) EXPECT_EQ(reasons, 0);
 }

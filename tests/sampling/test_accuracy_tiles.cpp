@@ -126,14 +126,14 @@ TEST(AccuracyTiles, StopsWhenCancelled) {
   ShapeField field = clutter.field();
   const FixedTolerance tolerance(0.01);
   const sampling::PixelFootprint footprint = sampling::PixelFootprint::box(1.0);
-  const int drivers[1] = {0};
+  const int steering_channels[1] = {0};
   CancelToken cancel;
   cancel.cancel();
   sampling::TileProblem problem;
   problem.tile = problem.image = {0, 0, 4, 4};
   problem.footprint = &footprint;
   problem.tolerance = &tolerance;
-  problem.drivers = drivers;
+  problem.steering_channels = steering_channels;
   problem.cancel = &cancel;
   sampling::TileResult result;
   EXPECT_THROW(sampling::AccuracySampler().sample(problem, field, result), Cancelled);

@@ -61,8 +61,8 @@ TEST(Detection, MoreRaysFindSmallerThings) {
   EXPECT_NEAR(detection.missable_fraction({{}, 28.0}), 1.0 - std::pow(0.05, 1.0 / 28.0), 1e-3);
 }
 
-// The values of a noisy surface stand anywhere in its pixel: what they would meet is counted with the random looks.
-TEST(Detection, ValuesLookAsWell) {
+// The values of a noisy surface stand anywhere in its pixel: what they would meet is counted with the random rays.
+TEST(Detection, ValuesCountAsRandomRays) {
   test::ShapeField field{[](double, double) { return Label{0}; },
                          [](Label, double x, double y, int) {
                            return static_cast<float>(unit_double(hash(static_cast<std::uint64_t>(x * 1e9),
@@ -75,7 +75,7 @@ TEST(Detection, ValuesLookAsWell) {
   ASSERT_GT(values, 100.0);
   Detection detection;
   // All but those of the lattice.
-  const RandomLooks none{{render.options.looks_per_side}, 0.0}, all{none.grids, values},
+  const RandomRays none{{render.options.random_rays_per_side}, 0.0}, all{none.grids, values},
       most{none.grids, 0.9 * values};
   EXPECT_GE(result.missable_fraction[4], detection.missable_fraction(all));
   EXPECT_LE(result.missable_fraction[4], detection.missable_fraction(most));

@@ -97,7 +97,7 @@ Trials sectors(double error, int trials) {
   return t;
 }
 
-// Splitting cells down to the junction took 334 and 476 rays over the nine pixels, and 36 looks at random.
+// Splitting cells down to the junction took 334 and 476 rays over the nine pixels, and 36 rays at random.
 TEST(Junction, IsFoundByFewRays) {
   for (const auto& [error, most] : {std::pair{0.02, 320.0}, {0.002, 410.0}}) {
     const Trials t = sectors(error, 200);

@@ -44,7 +44,7 @@ TEST(AccuracyReasons, AWidthThatMoreSamplesWouldNotLowerIsAnotherReason) {
   EXPECT_EQ(r.reasons[4], bit(Reason::error));
 }
 
-// Specks between the points of the lattice, of which more looks are wanted than one round has: more of them may turn
+// Specks between the points of the lattice, of which more tests are wanted than one round has: more of them may turn
 // up, unless the pixel is sampled as clutter.
 TEST(AccuracyReasons, WhatMayGoOnTurningUpIsSaid) {
   for (const bool clutter_switch : {false, true}) {

@@ -70,12 +70,12 @@ Outcome refine(double size_px, double sigma, double half_width, int trials,
   for (int trial = 0; trial < trials; ++trial) {
     const auto seed = static_cast<std::uint64_t>(trial + 1);
     const FixedTolerance loose(2.0 * half_width), tight(half_width);
-    const int drivers[1] = {0};
+    const int steering_channels[1] = {0};
     sampling::TileProblem problem;
     problem.tile = problem.image = {0, 0, 4, 4};
     problem.seed = seed;
     problem.footprint = &footprint;
-    problem.drivers = drivers;
+    problem.steering_channels = steering_channels;
     const sampling::AccuracySampler sampler;
 
     Patches field(size_px, sigma, seed), again(size_px, sigma, seed);
@@ -153,7 +153,7 @@ double coverage(double first, bool remembered) {
     };
     std::vector<double> sum(kReplicates, 0.0);
     double drawn = 0.0, mean = 0.0, error = 0.0, half_width = 0.0;
-    const auto look = [&](double grown) {
+    const auto grow = [&](double grown) {
       mean = 0.0;
       for (double& s : sum) mean += (s += std::sqrt(grown - drawn) * normal()) / grown / kReplicates;
       drawn = grown;
@@ -161,30 +161,30 @@ double coverage(double first, bool remembered) {
       for (double s : sum) squares += (s / drawn - mean) * (s / drawn - mean);
       error = std::sqrt(squares / (kReplicates - 1.0) / kReplicates);
     };
-    int looks = 2;
-    look(2.0);
-    while ((half_width = stopping.student(looks, kReplicates - 1.0) * error) > first * limit) {
-      look(2.0 * drawn);
-      ++looks;
+    int tests = 2;
+    grow(2.0);
+    while ((half_width = stopping.student(tests, kReplicates - 1.0) * error) > first * limit) {
+      grow(2.0 * drawn);
+      ++tests;
     }
     const auto quantile = [&] {
-      return remembered ? stopping.student(looks, kReplicates - 1.0)
+      return remembered ? stopping.student(tests, kReplicates - 1.0)
                         : sampling::two_sided_student(0.95, kReplicates - 1);
     };
     while ((half_width = quantile() * error) > limit) {
-      look(2.0 * drawn);
-      ++looks;
+      grow(2.0 * drawn);
+      ++tests;
     }
     covered += std::abs(mean) <= half_width;
   }
   return covered / static_cast<double>(kTrials);
 }
 
-TEST(RefinedLooks, IntervalsCountTheLooksOfBothRuns) {
+TEST(RefinedTests, IntervalsCountTheTestsOfBothRuns) {
   for (const double first : {4.0 / 3.0, 1.5, 2.0, 4.0}) EXPECT_GE(coverage(first, true), 0.945) << first;
 }
 
-TEST(RefinedLooks, IntervalsThatForgetTheLooksFail) {
+TEST(RefinedTests, IntervalsThatForgetTheTestsFail) {
   for (const double first : {4.0 / 3.0, 2.0}) EXPECT_LT(coverage(first, false), 0.945) << first;
 }
 

@@ -268,9 +268,9 @@ TEST(AdaptiveSampler, OnlyDriversAreJudged) {
       [](Label label, double, double, int c) { return c == 1 ? static_cast<float>(label) : 1.0f; }, 2);
   const int quiet[] = {0};
   TileProblem problem = problem_of({0, 0, 1, 1}, {0, 0, 1, 1});
-  problem.drivers = quiet;
+  problem.steering_channels = quiet;
   EXPECT_EQ(total_samples(render(AdaptiveSampler({}), field, problem)), 9u);
-  problem.drivers = {};
+  problem.steering_channels = {};
   EXPECT_GT(total_samples(render(AdaptiveSampler({}), field, problem)), 9u);
 }
 

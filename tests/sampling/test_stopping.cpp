@@ -8,7 +8,7 @@
 #include "sampling/hash.h"
 #include "sampling/random.h"
 
-// Do intervals hold wherever the sampling ends? Normal values, looks at growing numbers of them, an end when the
+// Do intervals hold wherever the sampling ends? Normal values, tests of growing numbers of them, an end when the
 // estimated interval is narrow enough.
 
 namespace ifov::test {
@@ -30,7 +30,7 @@ class Normal {
   std::uint64_t key_;
 };
 
-using Quantile = std::function<double(int look, double freedom)>;
+using Quantile = std::function<double(int test, double freedom)>;
 
 /// Share of the intervals that hold 0, the mean of replicates of variance 1 per value; `needed` independent values
 /// would do for an interval at exactly known variance.
@@ -42,14 +42,14 @@ double coverage(const Quantile& quantile, int replicates, double needed) {
     Normal normal(sampling::hash(replicates, static_cast<int>(needed), trial));
     std::vector<double> sum(static_cast<std::size_t>(replicates), 0.0);
     double drawn = 0.0, mean = 0.0, half_width = 0.0;
-    for (int look = 2; look < Stopping::kLooks; ++look) {
+    for (int test = 2; test < Stopping::kTests; ++test) {
       const double grown = drawn == 0.0 ? 2.0 : 2.0 * drawn;
       mean = 0.0;
       for (double& s : sum) mean += (s += std::sqrt(grown - drawn) * normal()) / grown / replicates;
       drawn = grown;
       double squares = 0.0;
       for (double s : sum) squares += (s / drawn - mean) * (s / drawn - mean);
-      half_width = quantile(look, replicates - 1.0) * std::sqrt(squares / (replicates - 1.0) / replicates);
+      half_width = quantile(test, replicates - 1.0) * std::sqrt(squares / (replicates - 1.0) / replicates);
       if (half_width <= limit) break;
     }
     covered += std::abs(mean) <= half_width;
@@ -59,7 +59,7 @@ double coverage(const Quantile& quantile, int replicates, double needed) {
 
 TEST(Stopping, IntervalsHoldWhereverTheSamplingEnds) {
   const Stopping stopping(0.95);
-  const Quantile quantile = [&](int look, double freedom) { return stopping.student(look, freedom); };
+  const Quantile quantile = [&](int test, double freedom) { return stopping.student(test, freedom); };
   for (int replicates : {5, 12, 24, 48})
     for (double needed : {60.0, 100.0, 300.0}) {
       const double held = coverage(quantile, replicates, needed);
@@ -68,14 +68,14 @@ TEST(Stopping, IntervalsHoldWhereverTheSamplingEnds) {
     }
 }
 
-TEST(Stopping, IntervalsThatIgnoreTheLooksOrTheFreedomFail) {
+TEST(Stopping, IntervalsThatIgnoreTheTestsOrTheFreedomFail) {
   const Quantile normal = [](int, double) { return 1.96; };
   EXPECT_LT(coverage(normal, 5, 100.0), 0.9);
-  const Quantile no_looks = [](int, double freedom) { return sampling::two_sided_student(0.95, freedom); };
-  EXPECT_LT(coverage(no_looks, 12, 100.0), 0.945);
+  const Quantile no_tests = [](int, double freedom) { return sampling::two_sided_student(0.95, freedom); };
+  EXPECT_LT(coverage(no_tests, 12, 100.0), 0.945);
 }
 
-TEST(Stopping, EarlyLooksAndFewDegreesOfFreedomAskForMore) {
+TEST(Stopping, EarlyTestsAndFewDegreesOfFreedomAskForMore) {
   const Stopping stopping(0.95);
   EXPECT_NEAR(stopping.normal(), 1.959964, 1e-6);
   EXPECT_GT(stopping.student(0, 20.0), stopping.student(1, 20.0));

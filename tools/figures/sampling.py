@@ -1,4 +1,4 @@
-"""Figures of docs/theory/sampling.md and scatter.md: the Sun's disc in projected solid angle, a sequence, places at random."""
+"""Figures of docs/theory/sampling.md and random_placement.md: the Sun's disc in projected solid angle, a sequence, places at random."""
 
 import numpy as np
 

@@ -6,7 +6,7 @@
 
 #include "figure_data.h"
 #include "sampling/accuracy/accuracy_sampler.h"
-#include "sampling/scatter.h"
+#include "sampling/random_placement.h"
 #include "sampling/sequence.h"
 #include "sampling/tile.h"
 

@@ -78,7 +78,7 @@ void write_cost(JsonWriter& json, const RunRecord& record) {
     json.member("most_in_a_pixel", s.most_samples);
     json.member("probes", s.probe_samples);
     json.member("radiance_evaluations", s.radiance_evaluations);
-    json.member("seeds", s.seed_samples);
+    json.member("seeds", s.pilot_samples);
     json.member("total", s.samples);
   });
   json.member("threads", record.outcome.threads);

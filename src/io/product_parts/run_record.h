@@ -56,7 +56,7 @@ struct ImageStatistics {
   std::uint64_t pixels = 0, converged = 0;
   sampling::ReasonCounts reasons{};  ///< pixels that are not converged, by reason; one may have several
   std::uint64_t samples = 0, label_rays = 0, radiance_evaluations = 0;
-  std::uint64_t halo_samples = 0, seed_samples = 0, probe_samples = 0;
+  std::uint64_t halo_samples = 0, pilot_samples = 0, probe_samples = 0;
   std::uint32_t fewest_samples = 0, most_samples = 0;
   double worst_ratio = 0.0;  ///< largest half-width over its limit
   double largest_missable_fraction = 0.0;

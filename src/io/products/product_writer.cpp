@@ -30,7 +30,7 @@ void add(ImageStatistics& s, const sampling::TileResult& tile) {
   }
   sampling::add_reasons(tile.reasons, s.reasons);
   s.halo_samples += tile.halo_samples;
-  s.seed_samples += tile.seed_samples;
+  s.pilot_samples += tile.pilot_samples;
   s.probe_samples += tile.probe_samples;
   s.rays.primary += tile.rays.primary;
   s.rays.shadow += tile.rays.shadow;

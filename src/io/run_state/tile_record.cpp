@@ -152,7 +152,7 @@ std::vector<std::byte> encode_tile(const sampling::TileResult& tile, const TileS
   header.x0 = tile.tile.x0, header.y0 = tile.tile.y0, header.x1 = tile.tile.x1, header.y1 = tile.tile.y1;
   header.columns = tile.columns;
   header.halo_samples = tile.halo_samples;
-  header.seed_samples = tile.seed_samples;
+  header.pilot_samples = tile.pilot_samples;
   header.probe_samples = tile.probe_samples;
   header.primary_rays = tile.rays.primary;
   header.shadow_rays = tile.rays.shadow;
@@ -244,7 +244,7 @@ std::string decode_tile(const TileHeader& header, std::span<const std::byte> pay
       (!read_values || !read_values(tile, [&] { return hash_of_values(tile) == header.values_hash; })))
     return format("the values of tile {} are in the cubes no more", header.index);
   tile.halo_samples = header.halo_samples;
-  tile.seed_samples = header.seed_samples;
+  tile.pilot_samples = header.pilot_samples;
   tile.probe_samples = header.probe_samples;
   tile.rays = {header.primary_rays, header.shadow_rays, header.bounce_rays};
   return {};

@@ -25,7 +25,7 @@ struct TileHeader {
   /// 1: means and half-widths lie in the run's cubes, the others are compressed.
   std::uint32_t values_in_cubes;
   std::uint64_t payload_bytes;
-  std::uint64_t halo_samples, seed_samples, probe_samples;
+  std::uint64_t halo_samples, pilot_samples, probe_samples;
   std::uint64_t primary_rays, shadow_rays, bounce_rays;
   std::uint64_t start;      ///< tells the starts of a run apart
   double elapsed_s;         ///< since that start

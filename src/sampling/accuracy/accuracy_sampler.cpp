@@ -23,8 +23,8 @@ const AccuracyParts& AccuracySampler::parts() const {
 }
 
 void AccuracySampler::sample(const TileProblem& problem, Field& field, TileResult& result) const {
-  if (problem.tolerance == nullptr || problem.footprint == nullptr || problem.drivers.empty())
-    throw std::invalid_argument("the accuracy sampler needs a tolerance, a footprint and driver columns");
+  if (problem.tolerance == nullptr || problem.footprint == nullptr || problem.steering_channels.empty())
+    throw std::invalid_argument("the accuracy sampler needs a tolerance, a footprint and steering channels");
   if (!options_.footprint_by_model) {
     draw_from_footprint(problem, field, options_.max_samples_per_pixel, result);
     return;

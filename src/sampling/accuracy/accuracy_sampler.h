@@ -19,7 +19,7 @@ class AccuracySampler : public PixelSampler {
   /// Errors: std::invalid_argument where an option is out of its range (lattice 1..32, probes 0..16).
   explicit AccuracySampler(AccuracyOptions options = {});
 
-  /// Errors: std::invalid_argument without a tolerance, a footprint or drivers; Cancelled.
+  /// Errors: std::invalid_argument without a tolerance, a footprint or steering channels; Cancelled.
   void sample(const TileProblem& problem, Field& field, TileResult& result) const override;
 
   /// One pixel, so that the pixels beside a tile's rim are traced as they are in the neighbouring tile.

@@ -57,7 +57,7 @@ AllowedErrors::AllowedErrors(const TileProblem& problem, const SourceGrid& grid,
 
 void AllowedErrors::take_from_lattice() {
   const PixelRect& d = lattice_.domain();
-  const std::size_t columns = values_.columns, drivers = problem_.drivers.size();
+  const std::size_t columns = values_.columns, steering_channels = problem_.steering_channels.size();
   const std::vector<double> source_mean = source_means();
   const int reach = reach_of(*problem_.footprint);
   std::vector<double> pixel_weight;
@@ -65,7 +65,7 @@ void AllowedErrors::take_from_lattice() {
     for (int dx = -reach; dx <= reach; ++dx)
       pixel_weight.push_back(problem_.footprint->integral(dx - 0.5, dy - 0.5, dx + 0.5, dy + 0.5));
   std::vector<double> mean(columns), known_mean, limit(columns),
-      allowed(static_cast<std::size_t>(problem_.tile.count()) * drivers);
+      allowed(static_cast<std::size_t>(problem_.tile.count()) * steering_channels);
   for (int o = 0; o < problem_.tile.count(); ++o) {
     std::fill(mean.begin(), mean.end(), 0.0);
     const int source = grid_.source_of(o);
@@ -79,10 +79,12 @@ void AllowedErrors::take_from_lattice() {
       problem_.tolerance->limits(mean, limit);
       known_mean = mean;
     }
-    for (std::size_t n = 0; n < drivers; ++n) allowed[o * drivers + n] = limit[problem_.drivers[n]] / unit_;
+    for (std::size_t n = 0; n < steering_channels; ++n)
+      allowed[o * steering_channels + n] = limit[problem_.steering_channels[n]] / unit_;
   }
   for (int p = 0; p < d.count(); ++p)
-    std::copy_n(&allowed[grid_.nearest_output(p) * drivers], drivers, contrast_.allowed(p).begin());
+    std::copy_n(&allowed[grid_.nearest_output(p) * steering_channels], steering_channels,
+                contrast_.allowed(p).begin());
 }
 
 /// Of the lattice's values, [source pixel][column].
@@ -116,13 +118,14 @@ std::vector<double> AllowedErrors::source_means() const {
 }
 
 void AllowedErrors::take_from_sums(OutputIntervals& intervals) {
-  const std::size_t n = problem_.drivers.size();
+  const std::size_t n = problem_.steering_channels.size();
   std::vector<double> mean(values_.columns, 0.0), limit(mean.size());
   for (int p = 0; p < lattice_.domain().count(); ++p) {
     const OutputSums::Row sum = intervals.sum(grid_.nearest_output(p));
-    for (std::size_t d = 0; d < n; ++d) mean[problem_.drivers[d]] = sum.mean[d];
+    for (std::size_t d = 0; d < n; ++d) mean[problem_.steering_channels[d]] = sum.mean[d];
     problem_.tolerance->limits(mean, limit);
-    for (std::size_t d = 0; d < n; ++d) contrast_.allowed(p)[d] = limit[problem_.drivers[d]] / unit_;
+    for (std::size_t d = 0; d < n; ++d)
+      contrast_.allowed(p)[d] = limit[problem_.steering_channels[d]] / unit_;
   }
 }
 
@@ -137,8 +140,8 @@ double AllowedErrors::geometry_share(int source, const LabelSpread& spread) cons
       if (labels[i] == known) continue;
       known = labels[i];
       if (spread.constant(known)) continue;
-      for (std::size_t d = 0; d < problem_.drivers.size(); ++d)
-        if (spread.total(known, problem_.drivers[d]) > 0.01 * allowed[d] * allowed[d])
+      for (std::size_t d = 0; d < problem_.steering_channels.size(); ++d)
+        if (spread.total(known, problem_.steering_channels[d]) > 0.01 * allowed[d] * allowed[d])
           return kGeometryShareWithPaths;
     }
   return 1.0;

@@ -24,17 +24,17 @@ constexpr double kDoubt = 0.05;
 /// The first round in clutter takes this share of what the lattice predicts, within these bounds.
 constexpr double kFirstShare = 0.6, kFewestClutter = 36.0, kMostFirstClutter = 400.0;
 /// First look in clutter: its values are as many as the prediction says, and its interval is as good as later ones.
-constexpr int kClutterLook = 2;
+constexpr int kClutterTest = 2;
 
 }  // namespace
 
 ClutterChoice::ClutterChoice(const Lattice& lattice, const LatticeValues& values, const Contrast& contrast,
-                             const TileRecall& recall, std::span<const int> drivers)
+                             const TileRecall& recall, std::span<const int> steering_channels)
     : lattice_(lattice),
       values_(values),
       contrast_(contrast),
       recall_(recall),
-      drivers_(drivers),
+      steering_channels_(steering_channels),
       predicted_(static_cast<std::size_t>(lattice.domain().count()), 0.0f) {}
 
 void ClutterChoice::choose(const AllowedErrors& errors, const LabelSpread& spread, TracedPixels& pixels) {
@@ -43,7 +43,7 @@ void ClutterChoice::choose(const AllowedErrors& errors, const LabelSpread& sprea
     if (values_.only[p] != LatticeValues::kMixed) continue;
     const std::uint32_t* labels = &values_.labels[lattice_.first_vertex(p)];
     double crossings = 0.0, squares = 0.0;
-    const auto look = [&](std::uint32_t a, std::uint32_t b) {
+    const auto compare = [&](std::uint32_t a, std::uint32_t b) {
       if (a == b) return;
       const double contrast = contrast_(static_cast<std::uint32_t>(p), a, b);
       crossings += 1.0;
@@ -51,8 +51,8 @@ void ClutterChoice::choose(const AllowedErrors& errors, const LabelSpread& sprea
     };
     for (int j = 0; j <= k; ++j, labels += row)
       for (int i = 0; i <= k; ++i) {
-        if (i < k) look(labels[i], labels[i + 1]);
-        if (j < k) look(labels[i], labels[i + row]);
+        if (i < k) compare(labels[i], labels[i + 1]);
+        if (j < k) compare(labels[i], labels[i + row]);
       }
     // In allowed standard errors of this pixel, which counts only in part in each output.
     const double whole =
@@ -84,8 +84,8 @@ bool ClutterChoice::doubtful(const SourcePixel& pixel) const {
     double weight = 0.0;
     for (std::size_t o = 0; o < model.outputs.size(); ++o) weight = std::max(weight, model.weight_of(s, o));
     const double share = weight / std::max(static_cast<double>(stratum.count()), stratum.strays);
-    for (std::size_t d = 0; d < drivers_.size(); ++d) {
-      const int c = drivers_[d];
+    for (std::size_t d = 0; d < steering_channels_.size(); ++d) {
+      const int c = steering_channels_[d];
       const double square = stratum.stray_sum[c] * stratum.stray_sum[c] + stratum.stray_squares[c];
       if (share * share * square > kDoubt * allowed[d] * allowed[d]) return true;
     }
@@ -103,7 +103,7 @@ bool ClutterChoice::begin_rounds(bool doubt, Radiance& radiance, std::vector<Out
     }
     if (pixel.cluttered && pixel.rounds.empty() && !pixel.model.outputs.empty()) {
       radiance.clutter().plan(p, first_round(pixel));
-      for (int o : pixel.model.outputs) outputs[o].look = std::max(outputs[o].look, kClutterLook);
+      for (int o : pixel.model.outputs) outputs[o].look = std::max(outputs[o].look, kClutterTest);
       any = true;
     }
   }

@@ -22,7 +22,7 @@ class ClutterChoice {
  public:
   /// `drivers`: the columns that steer.
   ClutterChoice(const Lattice& lattice, const LatticeValues& values, const Contrast& contrast,
-                const TileRecall& recall, std::span<const int> drivers);
+                const TileRecall& recall, std::span<const int> steering_channels);
 
   /// Abandons pixels that are cheaper so, and limits what tracing may spend on the others.
   void choose(const AllowedErrors& errors, const LabelSpread& spread, TracedPixels& pixels);
@@ -42,7 +42,7 @@ class ClutterChoice {
   const LatticeValues& values_;
   const Contrast& contrast_;
   const TileRecall& recall_;
-  std::span<const int> drivers_;
+  std::span<const int> steering_channels_;
   std::vector<float> predicted_;
 };
 

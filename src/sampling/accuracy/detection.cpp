@@ -9,7 +9,7 @@ namespace {
 
 /// Places of the square, by the R2 sequence (Roberts 2018: powers of the inverse of the plastic number), which is in
 /// step with no grid.
-constexpr int kPlaces = 48;
+constexpr int kPositions = 48;
 constexpr double kStepX = 0.7548776662466927, kStepY = 0.5698402909980532;
 
 /// Shares of a grid's cells that an interval covers, along one axis.
@@ -22,14 +22,14 @@ void cover(double from, double length, int cells, std::vector<double>& shares) {
 
 }  // namespace
 
-double chance_missed(const RandomLooks& looks, double area) {
+double probability_missed(const RandomRays& rays, double area) {
   const double side = std::sqrt(area);
   double sum = 0.0;
   std::vector<double> x, y;
-  for (int k = 0; k < kPlaces; ++k) {
+  for (int k = 0; k < kPositions; ++k) {
     const double u = std::fmod((k + 0.5) * kStepX, 1.0), v = std::fmod((k + 0.5) * kStepY, 1.0);
     double missed = 1.0;
-    for (const int cells : looks.grids) {
+    for (const int cells : rays.grids) {
       cover(u, side, cells, x);
       cover(v, side, cells, y);
       for (const double sx : x)
@@ -38,20 +38,20 @@ double chance_missed(const RandomLooks& looks, double area) {
     }
     sum += missed;
   }
-  return sum / kPlaces * std::pow(1.0 - std::min(1.0, area), looks.independent);
+  return sum / kPositions * std::pow(1.0 - std::min(1.0, area), rays.independent);
 }
 
-float Detection::missable_fraction(const RandomLooks& looks) {
+float Detection::missable_fraction(const RandomRays& rays) {
   constexpr double kMissed = 0.05;
   constexpr double kNarrow = 1e-3;
-  const auto known = known_.find(looks);
+  const auto known = known_.find(rays);
   if (known != known_.end()) return known->second;
   double low = 0.0, high = 1.0;
   while (high - low > kNarrow * high) {
     const double middle = 0.5 * (low + high);
-    (chance_missed(looks, middle) > kMissed ? low : high) = middle;
+    (probability_missed(rays, middle) > kMissed ? low : high) = middle;
   }
-  return known_[looks] = static_cast<float>(high);
+  return known_[rays] = static_cast<float>(high);
 }
 
 }  // namespace ifov::sampling

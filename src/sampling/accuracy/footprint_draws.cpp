@@ -56,7 +56,7 @@ void draw_from_footprint(const TileProblem& problem, Field& field, std::uint32_t
   std::vector<std::size_t> open(pixels);
   for (std::size_t p = 0; p < pixels; ++p) open[p] = p;
   std::uint32_t done = 0, net = kFirstNet;
-  for (int look = 0; look < Stopping::kLooks && !open.empty(); ++look) {
+  for (int test = 0; test < Stopping::kTests && !open.empty(); ++test) {
     std::vector<PathRequest> requests;
     for (std::size_t p : open) {
       const int x = problem.tile.x0 + static_cast<int>(p) % problem.tile.width();
@@ -92,7 +92,7 @@ void draw_from_footprint(const TileProblem& problem, Field& field, std::uint32_t
         mean[c] = sum / kReplicates;
         variance[c] =
             std::max(0.0, squares - kReplicates * mean[c] * mean[c]) / (kReplicates * (kReplicates - 1.0));
-        half[c] = stopping.student(look, kReplicates - 1.0) * std::sqrt(variance[c]);
+        half[c] = stopping.student(test, kReplicates - 1.0) * std::sqrt(variance[c]);
       }
       problem.tolerance->limits(mean, limit);
       for (std::size_t c = 0; c < columns; ++c) {

@@ -103,8 +103,8 @@ void take_means(const Lattice& lattice, LabelTable& table, LatticeValues& at) {
   }
   for (std::uint32_t label = 0; label < seen.size(); ++label)
     table.add_same(label, at.value(seen[label].first), seen[label].times);
-  for (std::size_t i = 0; i < at.look.labels.size(); ++i)
-    if (!at.constant[at.look.labels[i]]) table.add(at.look.labels[i], at.look.value(i, at.columns));
+  for (std::size_t i = 0; i < at.random.labels.size(); ++i)
+    if (!at.constant[at.random.labels[i]]) table.add(at.random.labels[i], at.random.value(i, at.columns));
 
   at.only.resize(static_cast<std::size_t>(lattice.domain().count()));
   const int k = lattice.cells_per_pixel();

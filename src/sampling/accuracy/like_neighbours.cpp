@@ -52,7 +52,7 @@ std::vector<LikeNeighbours::Meeting> LikeNeighbours::meetings(const std::vector<
   return found;
 }
 
-void LikeNeighbours::look_between(const std::vector<std::uint8_t>& worth) {
+void LikeNeighbours::probe_between(const std::vector<std::uint8_t>& worth) {
   std::vector<Meeting> left = meetings(worth);
   std::sort(left.begin(), left.end(), [](const Meeting& a, const Meeting& b) {
     return std::tie(a.pixel, a.low, a.high, a.key) < std::tie(b.pixel, b.low, b.high, b.key);
@@ -75,7 +75,7 @@ void LikeNeighbours::look_between(const std::vector<std::uint8_t>& worth) {
     }
     left.resize(kept);
     if (sides.empty()) return;
-    for (const FocalPoint point : prober_.look_between(std::move(sides))) {
+    for (const FocalPoint point : prober_.probe_between(std::move(sides))) {
       const int pixel = lattice.pixel_at(point), x = pixel % d.width(), y = pixel / d.width();
       for (int j = std::max(0, y - 1); j <= std::min(d.height() - 1, y + 1); ++j)
         for (int i = std::max(0, x - 1); i <= std::min(d.width() - 1, x + 1); ++i)

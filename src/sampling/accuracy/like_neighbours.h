@@ -20,7 +20,7 @@ class LikeNeighbours {
 
   /// One side of the lattice is looked into for each two such labels that meet in a pixel of `worth`, chosen by chance;
   /// where that finds something, all sides there and around.
-  void look_between(const std::vector<std::uint8_t>& worth);
+  void probe_between(const std::vector<std::uint8_t>& worth);
 
  private:
   /// A side of the lattice in a pixel, between two labels that look alike; in the order of `key` by chance.

@@ -7,8 +7,8 @@ namespace ifov::sampling {
 
 /// How far an output pixel of a tile has come.
 struct OutputState {
-  int look = 0;  ///< those of an earlier run included
-  int last_look = Stopping::kLooks;
+  int test = 0;  ///< those of an earlier run included
+  int last_test = Stopping::kTests;
   bool satisfied = false;
   SmallVector<double, 2> path_budget;  ///< per steering column: variance that paths may leave
 };

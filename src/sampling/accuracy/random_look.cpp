@@ -16,14 +16,14 @@ namespace ifov::sampling {
 namespace {
 
 /// Source pixels that weigh less than this in every output are not looked at beside the lattice.
-constexpr double kLeastLookedAt = 0.05;
+constexpr double kLeastTested = 0.05;
 
-constexpr std::uint64_t kLookKey = 0x6c6f6f6b, kLookPath = 0x6c6f6f6b70;
+constexpr std::uint64_t kRandomPointKey = 0x6c6f6f6b, kRandomPointPath = 0x6c6f6f6b70;
 
 }  // namespace
 
 bool RandomLook::covers(int source) const {
-  return side_ > 0 && grid_.relative_weight(source) >= kLeastLookedAt;
+  return side_ > 0 && grid_.relative_weight(source) >= kLeastTested;
 }
 
 std::vector<FocalPoint> RandomLook::points(int source) const {
@@ -32,7 +32,7 @@ std::vector<FocalPoint> RandomLook::points(int source) const {
   std::vector<FocalPoint> points;
   for (int j = 0; j < side_; ++j)
     for (int i = 0; i < side_; ++i) {
-      const std::uint64_t key = hash(seed_, kLookKey, x, y, j * side_ + i);
+      const std::uint64_t key = hash(seed_, kRandomPointKey, x, y, j * side_ + i);
       points.push_back({x + (i + unit_double(key)) / side_, y + (j + unit_double(mix(key))) / side_});
     }
   return points;
@@ -47,10 +47,10 @@ bool RandomLook::constant_at_vertices(int source, const LatticeValues& at) const
   return true;
 }
 
-std::vector<int> RandomLook::look_at_constants(RayLedger& ledger, const LabelTable& table,
-                                               LatticeValues& at) const {
+std::vector<int> RandomLook::test_constant_labels(RayLedger& ledger, const LabelTable& table,
+                                                  LatticeValues& at) const {
   std::vector<int> left;
-  LatticeValues::Look& look = at.look;
+  LatticeValues::RandomPoints& random = at.random;
   std::vector<PathRequest> requests;
   for (int p = 0; p < lattice_.domain().count(); ++p) {
     if (!covers(p)) continue;
@@ -60,7 +60,7 @@ std::vector<int> RandomLook::look_at_constants(RayLedger& ledger, const LabelTab
     }
     for (const FocalPoint point : points(p)) {
       look.points.push_back(point);
-      requests.push_back({point, hash(seed_, kLookPath, requests.size()), 0});
+      requests.push_back({point, hash(seed_, kRandomPointPath, requests.size()), 0});
     }
   }
   if (requests.empty()) return left;

@@ -28,7 +28,7 @@ class RandomLook {
   /// Labels whose values agree at all vertices draw no values in their pixels: whether they are alike elsewhere is looked
   /// at here, with values, into at.look. Returns the other source pixels, whose points are to be asked for their labels
   /// when borders are traced.
-  std::vector<int> look_at_constants(RayLedger& ledger, const LabelTable& table, LatticeValues& at) const;
+  std::vector<int> test_constant_labels(RayLedger& ledger, const LabelTable& table, LatticeValues& at) const;
 
  private:
   bool constant_at_vertices(int source, const LatticeValues& at) const;

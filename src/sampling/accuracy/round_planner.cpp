@@ -48,10 +48,10 @@ RoundPlanner::RoundPlanner(const AccuracyOptions& options, const RayLedger& ledg
       outputs_(intervals.states()) {}
 
 void RoundPlanner::run(Radiance& radiance, const LeafIntegrator& integrator, const std::vector<int>& outputs,
-                       std::span<const int> drivers, int columns) {
+                       std::span<const int> steering_channels, int columns) {
   all_columns_.resize(static_cast<std::size_t>(columns));
   std::iota(all_columns_.begin(), all_columns_.end(), 0);
-  steering_.assign(drivers.begin(), drivers.end());
+  steering_.assign(steering_channels.begin(), steering_channels.end());
   do {
     while (plan_round(radiance, integrator, outputs)) radiance.trace();
   } while (steer_by_more(radiance, integrator, outputs));
@@ -68,7 +68,7 @@ bool RoundPlanner::steer_by_more(const Radiance& radiance, const LeafIntegrator&
   std::vector<double> limit(n);
   std::vector<int> more;
   for (int o : outputs) {
-    if (outputs_[o].look >= outputs_[o].last_look) continue;
+    if (outputs_[o].test >= outputs_[o].last_test) continue;
     const OutputSums::Row sum = intervals_.sum(o);
     if (!sum.paths_vary(n)) continue;
     intervals_.tolerance().limits(intervals_.means(o), limit);
@@ -87,7 +87,7 @@ bool RoundPlanner::steer_by_more(const Radiance& radiance, const LeafIntegrator&
   return !more.empty();
 }
 
-/// Nets grow by doubling, at most fourfold between looks: their error falls faster than that of independent
+/// Nets grow by doubling, at most fourfold between tests: their error falls faster than that of independent
 /// values, by which `wanted` is reckoned.
 std::uint32_t RoundPlanner::net_size(const Stratum& stratum, double wanted, double room) {
   constexpr double kGain = 8.0;  // about what nets save
@@ -134,7 +134,7 @@ bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrat
       const bool wide = intervals_.half_width(o, d) > limit_d && sum.path[d].variance() > 0.0;
       if (wide) output.satisfied = false;
       const double planned_t = intervals_.stopping().student(
-          std::max(output.look + 1, 2), std::max(sum.path[d].degrees_of_freedom(), 20.0));
+          std::max(output.test + 1, 2), std::max(sum.path[d].degrees_of_freedom(), 20.0));
       output.path_budget[d] =
           std::max(limit_d * limit_d - from_borders, 0.2 * limit_d * limit_d) / (planned_t * planned_t);
       // Few degrees of freedom may keep an interval wide whose variance is small: more values still.
@@ -171,7 +171,7 @@ bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrat
       double wanted = 0.0;
       for (std::size_t o = 0; o < model.outputs.size(); ++o) {
         const OutputState& output = outputs_[model.outputs[o]];
-        if (output.satisfied || output.look >= output.last_look) continue;
+        if (output.satisfied || output.test >= output.last_test) continue;
         const OutputSums::Row sum = intervals_.sum(model.outputs[o]);
         const double weight =
             pixel.cluttered ? integrator.whole_weight(pixel.source, model.outputs[o]) : model.weight_of(s, o);
@@ -210,7 +210,7 @@ bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrat
     }
   }
   for (std::size_t o = 0; o < looked.size(); ++o)
-    if (looked[o] && !outputs_[o].satisfied) ++outputs_[o].look;
+    if (looked[o] && !outputs_[o].satisfied) ++outputs_[o].test;
   return any;
 }
 

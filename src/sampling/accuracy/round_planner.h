@@ -25,7 +25,7 @@ class RoundPlanner {
   /// Rounds of values until the intervals of all `columns` of these outputs are as narrow as asked, or no value is left to
   /// be spent. `drivers` steer at first. Leaves the sums of all columns gathered.
   void run(Radiance& radiance, const LeafIntegrator& integrator, const std::vector<int>& outputs,
-           std::span<const int> drivers, int columns);
+           std::span<const int> steering_channels, int columns);
 
  private:
   bool plan_round(Radiance& radiance, const LeafIntegrator& integrator, const std::vector<int>& outputs);

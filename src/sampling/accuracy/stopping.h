@@ -8,25 +8,25 @@
 
 namespace ifov::sampling {
 
-/// Quantiles for intervals that are looked at more than once. A look may end the sampling, and does so the sooner the
-/// smaller its estimate of the variance has turned out by chance. As the number of values at least doubles from look to
-/// look, hardly more than two of them are ever in doubt, and each may spend 0.4 of the chance of error; the first two
+/// Quantiles for intervals that are tested more than once. A test may end the sampling, and does so the sooner the
+/// smaller its estimate of the variance happens to be. As the number of values at least doubles from test to
+/// test, hardly more than two of them are ever in doubt, and each may spend 0.4 of the probability of error; the first two
 /// (the lattice alone, a pilot) see little and may spend less. That intervals then hold, wherever the sampling ends, is
 /// shown by simulation (tests/sampling/test_stopping.cpp).
 class Stopping {
  public:
-  static constexpr int kLooks = 8;
+  static constexpr int kTests = 8;
 
   explicit Stopping(double confidence) : confidence_(confidence), normal_(two_sided_normal(confidence)) {}
 
-  /// Of the part of the error that no look can bias.
+  /// Of the part of the error that no test can bias.
   double normal() const { return normal_; }
 
-  /// Of the part that was estimated at this look (from 0) with these degrees of freedom.
-  double student(int look, double degrees_of_freedom) const {
+  /// Of the part that was estimated at this test (from 0) with these degrees of freedom.
+  double student(int test, double degrees_of_freedom) const {
     const int freedom = static_cast<int>(std::clamp(degrees_of_freedom, 1.0, 200.0));
     if (cache_.empty()) cache_.assign(3 * 201, 0.0);
-    const int row = std::clamp(look, 0, 2);
+    const int row = std::clamp(test, 0, 2);
     double& quantile = cache_[row * 201 + freedom];
     if (quantile == 0.0) quantile = two_sided_student(1.0 - (1.0 - confidence_) * kShare[row], freedom);
     return quantile;
@@ -34,7 +34,7 @@ class Stopping {
 
  private:
   static constexpr double kShare[3] = {0.05, 0.1,
-                                       0.4};  // of the chance of error, from the third look on the last
+                                       0.4};  // of the probability of error, from the third test on the last
   double confidence_, normal_;
   mutable std::vector<double> cache_;
 };

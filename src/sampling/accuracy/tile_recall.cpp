@@ -32,7 +32,7 @@ void add_counts(const TileResult& before, TileResult& result) {
     result.radiance_evaluations[p] += before.radiance_evaluations[p];
   }
   result.halo_samples += before.halo_samples;
-  result.seed_samples += before.seed_samples;
+  result.pilot_samples += before.pilot_samples;
   result.probe_samples += before.probe_samples;
 }
 
@@ -45,19 +45,19 @@ TileRecall::~TileRecall() = default;
 
 void TileRecall::recall_looks(std::vector<OutputState>& outputs) const {
   if (!memory_) return;
-  const std::vector<std::uint8_t>& looks = memory_->looks_before();
-  for (std::size_t o = 0; o < looks.size() && o < outputs.size(); ++o) {
-    outputs[o].look = looks[o];
-    outputs[o].last_look += outputs[o].look;
+  const std::vector<std::uint8_t>& tests = memory_->tests_before();
+  for (std::size_t o = 0; o < tests.size() && o < outputs.size(); ++o) {
+    outputs[o].test = tests[o];
+    outputs[o].last_test += outputs[o].test;
   }
 }
 
-/// Looks belong to the values they were at: where some of these are not taken up, the looks begin anew.
+/// Tests belong to the values they were made of: where some of these are not taken up, the count begins anew.
 void TileRecall::recall_values(Radiance& radiance, std::size_t p, std::vector<OutputState>& outputs) const {
   if (problem_.before == nullptr) return;
   SourcePixel& pixel = radiance.pixels().others()[p];
   if (radiance.memory().recall(pixel, *memory_)) return;
-  for (int o : pixel.model.outputs) outputs[o].look = 0;
+  for (int o : pixel.model.outputs) outputs[o].test = 0;
 }
 
 void TileRecall::recall_values(Radiance& radiance, std::vector<OutputState>& outputs) const {
@@ -80,10 +80,10 @@ void TileRecall::remember_values(const Radiance& radiance, std::span<const float
 void TileRecall::finish(const std::vector<OutputState>& outputs, TileResult& result) {
   if (problem_.before != nullptr) add_counts(*problem_.before, result);
   if (!problem_.keep_memory) return;
-  std::vector<std::uint8_t> looks;
+  std::vector<std::uint8_t> tests;
   for (const OutputState& output : outputs)
-    looks.push_back(static_cast<std::uint8_t>(std::min(output.look, 255)));
-  memory_->keep_looks(std::move(looks));
+    tests.push_back(static_cast<std::uint8_t>(std::min(output.test, 255)));
+  memory_->keep_tests(std::move(tests));
   result.memory = memory_->to_bytes();
 }
 

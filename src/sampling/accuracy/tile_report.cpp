@@ -32,7 +32,7 @@ TileReport::TileReport(const Prober& prober, RayLedger& ledger, const LabelTable
       table_(table),
       most_samples_(most_samples),
       result_(result),
-      looks_(ledger.label_rays().size()) {}
+      random_rays_(ledger.label_rays().size()) {}
 
 void TileReport::add_group(const Radiance& radiance, const LeafIntegrator& integrator,
                            const std::vector<int>& outputs, OutputIntervals& intervals) {
@@ -82,23 +82,23 @@ void TileReport::add_reasons(const Radiance& radiance) {
     // Clutter is sampled; elsewhere what went on turning up is not in the model.
     if (prober_.unsettled(pixel.source) && !pixel.cluttered)
       for (int o : pixel.model.outputs) result_.set(o, Reason::structure);
-    note_looks(pixel);
+    note_random_rays(pixel);
   }
 }
 
 /// Values are random points too: those of clutter stand in grids over the whole pixel, those of strata in grids over a
 /// part of it each.
-void TileReport::note_looks(const SourcePixel& pixel) {
-  RandomLooks& looks = looks_[pixel.source];
+void TileReport::note_random_rays(const SourcePixel& pixel) {
+  RandomRays& rays = random_rays_[pixel.source];
   if (pixel.cluttered) {
-    for (const ClutterRound& round : pixel.rounds) looks.grids.push_back(round.side());
+    for (const ClutterRound& round : pixel.rounds) rays.grids.push_back(round.side());
     return;
   }
   double fewest = INFINITY;
   for (std::size_t s = 0; s < pixel.strata.size(); ++s)
     if (pixel.model.area[s] > 0.0)
       fewest = std::min(fewest, static_cast<double>(pixel.strata[s].count()) / pixel.model.area[s]);
-  if (std::isfinite(fewest)) looks.independent = std::floor(fewest);
+  if (std::isfinite(fewest)) rays.independent = std::floor(fewest);
 }
 
 void TileReport::finish(const Lattice& lattice, const RandomLook& look) {
@@ -115,12 +115,12 @@ void TileReport::finish(const Lattice& lattice, const RandomLook& look) {
     result_.label_rays[o] = labels;
     result_.radiance_evaluations[o] = values;
     result_.samples[o] = labels + values;
-    RandomLooks looks = looks_[p];
-    if (look.covers(p)) looks.grids.push_back(look.side());
-    looks.grids.insert(looks.grids.end(), prober_.grids(p).begin(), prober_.grids(p).end());
-    result_.missable_fraction[o] = detection.missable_fraction(looks);
+    RandomRays rays = random_rays_[p];
+    if (look.covers(p)) rays.grids.push_back(look.side());
+    rays.grids.insert(rays.grids.end(), prober_.grids(p).begin(), prober_.grids(p).end());
+    result_.missable_fraction[o] = detection.missable_fraction(rays);
   }
-  result_.seed_samples = ledger_.seed_rays();
+  result_.pilot_samples = ledger_.pilot_rays();
   result_.probe_samples = ledger_.probe_rays();
   result_.rays = ledger_.field().counts();
 }

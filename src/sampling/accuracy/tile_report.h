@@ -34,14 +34,14 @@ class TileReport {
  private:
   void add_intervals(const std::vector<int>& outputs, OutputIntervals& intervals);
   void add_reasons(const Radiance& radiance);
-  void note_looks(const SourcePixel& pixel);
+  void note_random_rays(const SourcePixel& pixel);
 
   const Prober& prober_;
   RayLedger& ledger_;
   const LabelTable& table_;
   std::uint32_t most_samples_;
   TileResult& result_;
-  std::vector<RandomLooks> looks_;  // per source pixel: values at random points
+  std::vector<RandomRays> looks_;  // per source pixel: values at random points
 };
 
 }  // namespace ifov::sampling

@@ -53,13 +53,13 @@ struct TileTracing::Parts {
         grid(lattice, *problem.footprint, problem.tile),
         table(field.columns()),
         ledger(field, problem.cancel, lattice, table, recall.memory()),
-        contrast(table, problem.drivers, lattice.domain().count()),
+        contrast(table, problem.steering_channels, lattice.domain().count()),
         dither(parts.dither()),
         tracer(lattice, ledger, table, contrast, options, *dither, problem.seed),
         prober(tracer, ledger, options, problem.seed),
-        look(grid, lattice, options.looks_per_side, problem.seed),
+        look(grid, lattice, options.random_rays_per_side, problem.seed),
         errors(problem, grid, lattice, values, Stopping(problem.tolerance->confidence()).normal(), contrast),
-        clutter(lattice, values, contrast, recall, problem.drivers) {}
+        clutter(lattice, values, contrast, recall, problem.steering_channels) {}
 
   Lattice lattice;
   SourceGrid grid;
@@ -106,16 +106,16 @@ void TileTracing::trace_lattice() {
   LatticeValues& values = parts_->values;
   ask_vertices(lattice, ledger, problem_.seed, values);
   merge_twins(ledger, table, values);
-  parts_->not_looked_at = parts_->look.look_at_constants(ledger, table, values);
+  parts_->not_looked_at = parts_->look.test_constant_labels(ledger, table, values);
   take_means(lattice, table, values);
   parts_->spread = parts_of_method_.spread(lattice, table, values);
   const LabelSpread& spread = *parts_->spread;
-  const std::size_t drivers = problem_.drivers.size();
-  parts_->contrast.spread().resize(table.size() * drivers);
+  const std::size_t steering_channels = problem_.steering_channels.size();
+  parts_->contrast.spread().resize(table.size() * steering_channels);
   for (std::size_t l = 0; l < table.size(); ++l)
-    for (std::size_t d = 0; d < drivers; ++d)
-      parts_->contrast.spread()[l * drivers + d] =
-          spread.local(static_cast<std::uint32_t>(l), problem_.drivers[d]);
+    for (std::size_t d = 0; d < steering_channels; ++d)
+      parts_->contrast.spread()[l * steering_channels + d] =
+          spread.local(static_cast<std::uint32_t>(l), problem_.steering_channels[d]);
   parts_->errors.take_from_lattice();
   for (int p = 0; p < lattice.domain().count(); ++p)
     parts_->tracer.pixels().allow_variance(static_cast<std::uint32_t>(p),
@@ -126,7 +126,7 @@ void TileTracing::trace_lattice() {
 void TileTracing::switch_clutter() {
   const PixelRect& d = parts_->lattice.domain();
   KnownDetail& known = parts_->known;
-  if (options_.seeds) parts_->ledger.field().known_detail({d.x0, d.y0, d.x1, d.y1}, known);
+  if (options_.pilot_rays) parts_->ledger.field().known_detail({d.x0, d.y0, d.x1, d.y1}, known);
   if (!options_.clutter_switch) return;
   TracedPixels& pixels = parts_->tracer.pixels();
   for (std::size_t p = 0; p < known.full.size(); ++p)
@@ -140,25 +140,25 @@ void TileTracing::trace_borders() {
   std::vector<std::uint8_t> worth(static_cast<std::size_t>(parts_->lattice.domain().count()));
   for (std::size_t p = 0; p < worth.size(); ++p)
     worth[p] = parts_->grid.relative_weight(static_cast<int>(p)) > kLeastProbed;
-  LikeNeighbours(parts_->tracer, prober, parts_->values, parts_->table, problem_.seed).look_between(worth);
-  look_around();
-  if (options_.seeds) {
-    prober.follow_seeds(problem_.seeds, problem_.seed_objects);
-    prober.follow_seeds(parts_->known.points, {});
+  LikeNeighbours(parts_->tracer, prober, parts_->values, parts_->table, problem_.seed).probe_between(worth);
+  probe_around();
+  if (options_.pilot_rays) {
+    prober.follow_pilot_rays(problem_.pilot_points, problem_.pilot_objects);
+    prober.follow_pilot_rays(parts_->known.points, {});
   }
   prober.probe_until_clean(worth);
   leave_unsettled();
 }
 
 /// In clutter the values will look.
-void TileTracing::look_around() {
+void TileTracing::probe_around() {
   std::vector<FocalPoint> points;
   for (const int p : parts_->not_looked_at) {
     if (parts_->tracer.pixels().abandoned(static_cast<std::uint32_t>(p))) continue;
     const std::vector<FocalPoint> more = parts_->look.points(p);
     points.insert(points.end(), more.begin(), more.end());
   }
-  parts_->prober.look_around(parts_->values.look.points, parts_->values.look.labels, points);
+  parts_->prober.probe_around(parts_->values.look.points, parts_->values.look.labels, points);
 }
 
 /// Where looks went on finding what the model did not have, there is more than they have found.

@@ -33,7 +33,7 @@ class TileTracing {
 
   void trace_lattice();   ///< labels and values at the vertices; limits from the first means
   void switch_clutter();  ///< leaves pixels to stratified samples where that is cheaper
-  void trace_borders();   ///< edges, seeds, probes
+  void trace_borders();   ///< edges, pilot rays, probes
 
   const Lattice& lattice() const;
   const SourceGrid& grid() const;
@@ -51,7 +51,7 @@ class TileTracing {
  private:
   struct Parts;
 
-  void look_around();
+  void probe_around();
   void leave_unsettled();
 
   const TileProblem& problem_;

@@ -35,7 +35,7 @@ render::RenderJob Parts::job(const SamplingPlan& sampling, const render::Accurac
   job.seed = document.seed;
   job.tile_px = document.sampling.tile_px;
   job.seed_objects = sampling.seed_objects;
-  job.drivers = sampling.drivers;
+  job.steering_channels = sampling.steering_channels;
   return job;
 }
 

@@ -20,7 +20,7 @@ void ImageStore::begin(const render::ImageInfo& info) {
 void ImageStore::write(const sampling::TileResult& tile) {
   Cost cost;
   cost.halo = cost.samples = tile.halo_samples;
-  cost.seed = tile.seed_samples;
+  cost.seed = tile.pilot_samples;
   cost.probe = tile.probe_samples;
   cost.rays = tile.rays;
   const std::size_t columns = static_cast<std::size_t>(columns_);

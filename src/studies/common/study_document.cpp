@@ -91,12 +91,18 @@ RenderTimes render_document(const std::string& text, const std::filesystem::path
   const Clock::time_point loaded = Clock::now();
   const session::Session::Parts& parts = session.parts();
   const render::RenderJob own = parts.job();
-  render::RenderJob job{own.scene,        own.camera,
-                        own.footprint,    choices.sampler != nullptr ? *choices.sampler : own.sampler,
-                        own.tolerance,    own.transport,
-                        own.label_detail, own.seed,
-                        own.tile_px,      own.seed_objects,
-                        own.drivers,      own.air};
+  render::RenderJob job{own.scene,
+                        own.camera,
+                        own.footprint,
+                        choices.sampler != nullptr ? *choices.sampler : own.sampler,
+                        own.tolerance,
+                        own.transport,
+                        own.label_detail,
+                        own.seed,
+                        own.tile_px,
+                        own.seed_objects,
+                        own.steering_channels,
+                        own.air};
   job.nodes = own.nodes;
   job.wings = own.wings;
   job.cut = own.cut;

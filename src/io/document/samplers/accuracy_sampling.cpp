@@ -60,7 +60,7 @@ std::unique_ptr<sampling::PixelSampler> AccuracySampling::build() const {
   sampling::AccuracyOptions options;
   if (lattice) options.lattice = *lattice;
   options.probes_per_side = static_cast<int>(std::lround(std::sqrt(probes)));
-  options.seeds = seeds;
+  options.pilot_rays = seeds;
   options.thinnest_px = thinnest_px;
   options.max_samples_per_pixel = static_cast<std::uint32_t>(max_samples);
   options.clutter_switch = clutter;

@@ -36,7 +36,7 @@ void RayLedger::labels(std::span<const FocalPoint> points, std::vector<std::uint
   }
   if (memory_ != nullptr)
     for (std::size_t i = 0; i < points.size(); ++i) memory_->note(keys_[i], raw_[i]);
-  if (purpose == Purpose::seed) seed_rays_ += points.size() - known;
+  if (purpose == Purpose::pilot) pilot_rays_ += points.size() - known;
   if (purpose == Purpose::probe) probe_rays_ += points.size() - known;
 }
 
@@ -46,7 +46,7 @@ void RayLedger::values(std::span<const PathRequest> requests, std::vector<std::u
   out.resize(requests.size());
   raw_of_values_.resize(requests.size());
   for (std::size_t first = 0; first < requests.size(); first += kBatch) {
-    look_for_cancel();
+    check_cancel();
     const std::size_t n = std::min(kBatch, requests.size() - first);
     field_.values(requests.subspan(first, n), {raw_of_values_.data() + first, n},
                   values.subspan(first * stride, n * stride));
@@ -89,7 +89,7 @@ void RayLedger::first_values(std::span<const PathRequest> requests, std::vector<
 
 void RayLedger::values_and_materials(std::span<const PathRequest> requests, std::vector<std::uint32_t>& out,
                                      std::span<float> values) {
-  look_for_cancel();
+  check_cancel();
   out.resize(requests.size());
   raw_of_values_.resize(requests.size());
   field_.values_and_materials(requests, raw_of_values_, values);
@@ -106,13 +106,13 @@ std::vector<std::uint32_t> RayLedger::objects_met() const {
   return met;
 }
 
-void RayLedger::look_for_cancel() const {
+void RayLedger::check_cancel() const {
   if (cancel_ != nullptr && cancel_->cancelled()) throw Cancelled();
 }
 
 void RayLedger::trace(std::span<const FocalPoint> points, std::span<Label> labels) {
   for (std::size_t first = 0; first < points.size(); first += kBatch) {
-    look_for_cancel();
+    check_cancel();
     const std::size_t n = std::min(kBatch, points.size() - first);
     field_.labels(points.subspan(first, n), labels.subspan(first, n));
   }

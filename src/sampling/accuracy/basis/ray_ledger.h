@@ -18,7 +18,7 @@ class Lattice;
 class TileMemory;
 
 /// What a ray is for, as the counts are reported.
-enum class Purpose { trace, seed, probe };
+enum class Purpose { trace, pilot, probe };
 
 /// Every ray of a tile goes through here: asked in large batches, counted per pixel and purpose, with a look
 /// at the cancel token between batches. Labels leave as numbers of the tile's label table. Where the tile has
@@ -58,11 +58,11 @@ class RayLedger {
   /// Of these, the ones that were traced in this run.
   std::uint32_t traced_labels(int pixel) const { return label_rays_[pixel] - known_labels_[pixel]; }
   std::uint32_t traced_values(int pixel) const { return value_rays_[pixel] - known_values_[pixel]; }
-  std::uint64_t seed_rays() const { return seed_rays_; }
+  std::uint64_t pilot_rays() const { return pilot_rays_; }
   std::uint64_t probe_rays() const { return probe_rays_; }
 
  private:
-  void look_for_cancel() const;
+  void check_cancel() const;
   void trace(std::span<const FocalPoint> points, std::span<Label> labels);
   std::size_t recall(std::span<const FocalPoint> points);
   void trace_unknown(std::span<const FocalPoint> points);
@@ -77,7 +77,7 @@ class RayLedger {
   std::vector<std::size_t> unknown_;                        // of them, those that the memory does not know
   std::vector<std::uint32_t> label_rays_, value_rays_;      // asked for
   std::vector<std::uint32_t> known_labels_, known_values_;  // of these, those that the memory knew
-  std::uint64_t seed_rays_ = 0, probe_rays_ = 0;
+  std::uint64_t pilot_rays_ = 0, probe_rays_ = 0;
 };
 
 }  // namespace ifov::sampling

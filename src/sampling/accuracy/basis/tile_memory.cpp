@@ -15,7 +15,7 @@ TileMemory::TileMemory(std::size_t columns, std::span<const std::byte> bytes) : 
   read.list(path_keys_);
   read.list(path_names_);
   read.list(values_);
-  read.list(looks_before_);
+  read.list(tests_before_);
   read.list(before_);
   bool whole = point_names_.size() == point_keys_.size() && path_names_.size() == path_keys_.size() &&
                values_.size() == path_keys_.size() * columns_;
@@ -29,9 +29,9 @@ TileMemory::TileMemory(std::size_t columns, std::span<const std::byte> bytes) : 
     std::uint64_t source = 0, size = 0;
     pixels(source);
     pixels(size);
-    const std::span<const std::byte> place = pixels.take(size);
+    const std::span<const std::byte> memory = pixels.take(size);
     pixels_before_.resize(std::max<std::size_t>(pixels_before_.size(), source + 1));
-    pixels_before_[source] = {static_cast<std::size_t>(place.data() - before_.data()), size};
+    pixels_before_[source] = {static_cast<std::size_t>(memory.data() - before_.data()), size};
   }
 }
 
@@ -79,7 +79,7 @@ std::vector<std::byte> TileMemory::to_bytes() const {
   write.list(path_keys_);
   write.list(path_names_);
   write.list(values_);
-  write.list(looks_);
+  write.list(tests_);
   write.list(kept_);
   return bytes;
 }

@@ -121,8 +121,8 @@ class TileMemory {
   void keep_pixel(int source, std::span<const std::byte> bytes);
 
   /// Looks at each output pixel's intervals by the end of the run before; empty in a first run.
-  const std::vector<std::uint8_t>& looks_before() const { return looks_before_; }
-  void keep_looks(std::vector<std::uint8_t> looks) { looks_ = std::move(looks); }
+  const std::vector<std::uint8_t>& tests_before() const { return tests_before_; }
+  void keep_tests(std::vector<std::uint8_t> tests) { tests_ = std::move(tests); }
 
   std::size_t columns() const { return columns_; }
   std::vector<std::byte> to_bytes() const;
@@ -142,7 +142,7 @@ class TileMemory {
   std::vector<std::uint64_t> point_keys_, path_keys_;
   std::vector<std::uint32_t> point_names_, path_names_;
   std::vector<float> values_;  // [path][column]
-  std::vector<std::uint8_t> looks_before_, looks_;
+  std::vector<std::uint8_t> tests_before_, tests_;
   std::vector<std::byte> before_, kept_;                            // of pixels
   std::vector<std::pair<std::size_t, std::size_t>> pixels_before_;  // [source]: offset and size
 };

@@ -11,34 +11,36 @@
 namespace ifov::sampling {
 
 /// What a misplaced border costs: the difference of two labels' radiance in units of the standard error that
-/// the tolerance allows to a pixel, largest over the driver columns. An area of a px^2 put to the wrong label
+/// the tolerance allows to a pixel, largest over the steering channels. An area of a px^2 put to the wrong label
 /// moves the pixel by a * contrast allowed standard errors. A label's own spread counts as well: what is
 /// wrong about a sliver is its radiance there, not the mean.
 class Contrast {
  public:
-  Contrast(const LabelTable& table, std::span<const int> drivers, int pixels)
+  Contrast(const LabelTable& table, std::span<const int> steering_channels, int pixels)
       : table_(table),
-        drivers_(drivers),
-        allowed_(drivers.size() * static_cast<std::size_t>(pixels), INFINITY) {}
+        steering_channels_(steering_channels),
+        allowed_(steering_channels.size() * static_cast<std::size_t>(pixels), INFINITY) {}
 
   /// Standard errors allowed to a pixel of the domain, one per driver.
   std::span<double> allowed(int pixel) {
-    return {allowed_.data() + static_cast<std::size_t>(pixel) * drivers_.size(), drivers_.size()};
+    return {allowed_.data() + static_cast<std::size_t>(pixel) * steering_channels_.size(),
+            steering_channels_.size()};
   }
   std::span<const double> allowed(int pixel) const {
-    return {allowed_.data() + static_cast<std::size_t>(pixel) * drivers_.size(), drivers_.size()};
+    return {allowed_.data() + static_cast<std::size_t>(pixel) * steering_channels_.size(),
+            steering_channels_.size()};
   }
 
   /// Variance of single points within a label, one per driver; label-major.
   std::vector<double>& spread() { return spread_; }
 
   double operator()(std::uint32_t pixel, std::uint32_t a, std::uint32_t b) const {
-    const double* allowed_here = &allowed_[pixel * drivers_.size()];
+    const double* allowed_here = &allowed_[pixel * steering_channels_.size()];
     const double* mean_a = table_.mean(a);
     const double* mean_b = table_.mean(b);
     double worst = 0.0;
-    for (std::size_t d = 0; d < drivers_.size(); ++d) {
-      const double difference = mean_a[drivers_[d]] - mean_b[drivers_[d]];
+    for (std::size_t d = 0; d < steering_channels_.size(); ++d) {
+      const double difference = mean_a[steering_channels_[d]] - mean_b[steering_channels_[d]];
       const double square = difference * difference + variance(a, d) + variance(b, d);
       worst = std::max(worst, square / (allowed_here[d] * allowed_here[d]));
     }
@@ -60,12 +62,12 @@ class Contrast {
 
  private:
   double variance(std::uint32_t label, std::size_t driver) const {
-    const std::size_t i = label * drivers_.size() + driver;
+    const std::size_t i = label * steering_channels_.size() + driver;
     return i < spread_.size() ? spread_[i] : 0.0;
   }
 
   const LabelTable& table_;
-  std::span<const int> drivers_;
+  std::span<const int> steering_channels_;
   std::vector<double> allowed_, spread_;
 };
 

@@ -37,7 +37,7 @@ class EdgeTracer {
   /// agrees or cannot be refined further. The next settle() does the work.
   bool contradict(FocalPoint point, std::uint32_t label);
 
-  /// Labels of further points, for seeds and probes.
+  /// Labels of further points, for pilot rays and probes.
   void ask_at(const std::vector<FocalPoint>& points, std::vector<std::uint32_t>& labels, Purpose purpose);
 
   /// About how wide the narrowest feature is that was followed into the pixel across the sides of its cells; infinite where

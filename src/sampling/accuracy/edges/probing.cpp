@@ -108,8 +108,9 @@ void Prober::take_in(const std::vector<FocalPoint>& points, const std::vector<st
   }
 }
 
-void Prober::look_around(const std::vector<FocalPoint>& known, const std::vector<std::uint32_t>& known_labels,
-                         const std::vector<FocalPoint>& others) {
+void Prober::probe_around(const std::vector<FocalPoint>& known,
+                          const std::vector<std::uint32_t>& known_labels,
+                          const std::vector<FocalPoint>& others) {
   std::vector<FocalPoint> points = others;
   std::vector<std::uint32_t> labels;
   if (!points.empty()) tracer_.ask_at(points, labels, Purpose::probe);
@@ -118,7 +119,7 @@ void Prober::look_around(const std::vector<FocalPoint>& known, const std::vector
   take_in(points, labels, reconcile(points, labels));
 }
 
-void Prober::follow_seeds(std::span<const FocalPoint> seeds, std::span<const std::uint32_t> objects) {
+void Prober::follow_pilot_rays(std::span<const FocalPoint> seeds, std::span<const std::uint32_t> objects) {
   const std::vector<std::uint32_t> met =
       objects.empty() ? std::vector<std::uint32_t>{} : ledger_.objects_met();
   const PixelRect& domain = tracer_.lattice().domain();
@@ -132,7 +133,7 @@ void Prober::follow_seeds(std::span<const FocalPoint> seeds, std::span<const std
   }
   if (points.empty()) return;
   std::vector<std::uint32_t> labels;
-  tracer_.ask_at(points, labels, Purpose::seed);
+  tracer_.ask_at(points, labels, Purpose::pilot);
   take_in_expected(points, labels);
 }
 
@@ -145,7 +146,7 @@ void Prober::take_in_expected(const std::vector<FocalPoint>& points,
   tracer_.pixels().set_signs(std::move(signs));
 }
 
-std::vector<FocalPoint> Prober::look_between(std::vector<Between> sides) {
+std::vector<FocalPoint> Prober::probe_between(std::vector<Between> sides) {
   std::vector<FocalPoint> points, found;
   std::vector<std::uint32_t> labels, found_labels;
   std::vector<Between> halves;

@@ -22,8 +22,8 @@ class Prober {
 
   /// One jittered round in every pixel of `worth`, whether or not anything is suspect: `known` points have been asked
   /// already, the others are here.
-  void look_around(const std::vector<FocalPoint>& known, const std::vector<std::uint32_t>& known_labels,
-                   const std::vector<FocalPoint>& others);
+  void probe_around(const std::vector<FocalPoint>& known, const std::vector<std::uint32_t>& known_labels,
+                    const std::vector<FocalPoint>& others);
   /// A side of the lattice whose ends have unlike labels that look alike, the first of them counted as `as`.
   struct Between {
     FocalPoint from, to;
@@ -32,15 +32,15 @@ class Prober {
   };
   /// Halves each side until it is known where the one label goes over into the other, or what lies between them: the points
   /// where that was met.
-  std::vector<FocalPoint> look_between(std::vector<Between> sides);
-  /// Looks at the seeds whose objects no ray has met yet.
-  void follow_seeds(std::span<const FocalPoint> seeds, std::span<const std::uint32_t> objects);
+  std::vector<FocalPoint> probe_between(std::vector<Between> sides);
+  /// Sends pilot rays at objects that no ray has met yet.
+  void follow_pilot_rays(std::span<const FocalPoint> seeds, std::span<const std::uint32_t> objects);
   /// `worth`: the pixels of the domain where a find would matter.
   void probe_until_clean(const std::vector<std::uint8_t>& worth);
 
   /// Sides of the jittered grids of points asked in the pixel. Any of them might have met what is still unknown.
   const std::vector<int>& grids(int pixel) const { return grids_[pixel]; }
-  /// Labels that looks, probes and seeds have met in the pixel, with their numbers.
+  /// Labels that random rays, probes and pilot rays have met in the pixel, with their numbers.
   struct Met {
     std::uint32_t label, count;
   };
@@ -68,7 +68,7 @@ class Prober {
   std::vector<std::vector<int>> grids_;
   std::vector<double> dismissed_;  // by pixel: summed contrast of what was met in cells too small to follow
   std::vector<SmallVector<Met, 2>> met_;
-  std::vector<int> asked_;   // by pixel: rays of looks and probes
+  std::vector<int> asked_;   // by pixel: random rays and probes
   std::vector<int> wanted_;  // by pixel: rays that must find nothing before it is left
   std::vector<std::uint8_t> unsettled_;
 };

@@ -46,10 +46,10 @@ LabelSpread::LabelSpread(const Lattice& lattice, const LabelTable& table, const 
       total_[l * columns_ + c] += d * d;
     }
   }
-  for (std::size_t i = 0; i < at.look.labels.size(); ++i) {
-    const std::uint32_t l = at.look.labels[i];
+  for (std::size_t i = 0; i < at.random.labels.size(); ++i) {
+    const std::uint32_t l = at.random.labels[i];
     if (at.constant[l]) continue;
-    const float* value = at.look.value(i, columns_);
+    const float* value = at.random.value(i, columns_);
     for (std::size_t c = 0; c < columns_; ++c) {
       const double d = value[c] - table.mean(l)[c];
       total_[l * columns_ + c] += d * d;
@@ -84,7 +84,7 @@ LabelSpread::LabelSpread(const Lattice& lattice, const LabelTable& table, const 
       }
     }
   }
-  add_look(lattice, at, local_freedom);
+  add_random_points(lattice, at, local_freedom);
   blocks_ = local_freedom;
   double any = 0.0;
   for (double f : local_freedom) any += f;
@@ -108,15 +108,15 @@ LabelSpread::LabelSpread(const Lattice& lattice, const LabelTable& table, const 
 }
 
 /// Values beside the lattice differ from what its four vertices around them make of the place.
-void LabelSpread::add_look(const Lattice& lattice, const LatticeValues& at,
-                           std::vector<double>& local_freedom) {
+void LabelSpread::add_random_points(const Lattice& lattice, const LatticeValues& at,
+                                    std::vector<double>& local_freedom) {
   const std::size_t row_length = static_cast<std::size_t>(lattice.columns()) + 1;
   const double k = lattice.cells_per_pixel();
-  for (std::size_t p = 0; p < at.look.labels.size(); ++p) {
-    const std::uint32_t l = at.look.labels[p];
+  for (std::size_t p = 0; p < at.random.labels.size(); ++p) {
+    const std::uint32_t l = at.random.labels[p];
     if (at.constant[l]) continue;
-    const double x = (at.look.points[p].x_px - lattice.domain().x0) * k,
-                 y = (at.look.points[p].y_px - lattice.domain().y0) * k;
+    const double x = (at.random.points[p].x_px - lattice.domain().x0) * k,
+                 y = (at.random.points[p].y_px - lattice.domain().y0) * k;
     const int i = std::clamp(static_cast<int>(x), 0, lattice.columns() - 1),
               j = std::clamp(static_cast<int>(y), 0, lattice.rows() - 1);
     const std::size_t v = static_cast<std::size_t>(j) * row_length + static_cast<std::size_t>(i);
@@ -132,7 +132,7 @@ void LabelSpread::add_look(const Lattice& lattice, const LatticeValues& at,
     for (const double share : weight) squares += share * share;
     local_freedom[l] += 1.0;
     for (std::size_t c = 0; c < columns_; ++c) {
-      double difference = at.look.value(p, columns_)[c];
+      double difference = at.random.value(p, columns_)[c];
       for (int q = 0; q < 4; ++q) difference -= weight[q] * at.value(corner[q])[c];
       const double square = difference * difference / squares;
       local_[l * columns_ + c] += square;

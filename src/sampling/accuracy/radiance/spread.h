@@ -42,7 +42,7 @@ class LabelSpread {
   std::vector<double> local_, total_, rare_;
 
  private:
-  void add_look(const Lattice& lattice, const LatticeValues& at, std::vector<double>& local_freedom);
+  void add_random_points(const Lattice& lattice, const LatticeValues& at, std::vector<double>& local_freedom);
   const double* row(const std::vector<double>& table, std::uint32_t label) const {
     return &table[static_cast<std::size_t>(label < labels_ ? label : labels_) * columns_];
   }

@@ -39,12 +39,13 @@ bool StratumEstimates::paths_differ(const Stratum& stratum, std::span<const int>
   return false;
 }
 
-double StratumEstimates::with_trend(const Stratum& stratum, std::span<const int> drivers, double count) {
+double StratumEstimates::with_trend(const Stratum& stratum, std::span<const int> steering_channels,
+                                    double count) {
   const BlockSums* const round = &stratum.rounds.back() - 1;  // the last two
   if (round[0].blocks() == 0.0 || round[1].blocks() == 0.0) return count;
   const double growth = round[1].blocks() / round[0].blocks();
   double slowest = 1.0;
-  for (int column : drivers) {
+  for (int column : steering_channels) {
     const double variance[2] = {round[0].squares(column) / round[0].blocks(),
                                 round[1].squares(column) / round[1].blocks()};
     if (variance[1] == 0.0) continue;

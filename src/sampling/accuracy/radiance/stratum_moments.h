@@ -42,7 +42,7 @@ class StratumEstimates {
 
   /// The number of values that reaches what `count` values would reach at the variance of the last round, if
   /// the variance within blocks goes on falling with their size as it did from the round before.
-  static double with_trend(const Stratum& stratum, std::span<const int> drivers, double count);
+  static double with_trend(const Stratum& stratum, std::span<const int> steering_channels, double count);
 
  private:
   void of_values(const Stratum& stratum, std::span<const int> columns, StratumMoments& out) const;

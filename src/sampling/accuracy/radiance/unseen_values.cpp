@@ -22,7 +22,7 @@ constexpr double kRareValues = 1.0, kManyValues = 8.0;
 
 }  // namespace
 
-/// Whether looks, probes or seeds have met a material in a cluttered pixel that none of its values has met.
+/// Whether random rays, probes or pilot rays have met a material in a cluttered pixel that none of its values has met.
 bool UnseenValues::knows_more_than_values(const SourcePixel& pixel) const {
   for (const Prober::Met& met : prober_.met(pixel.source)) {
     const std::uint32_t material = field_.material_of(table_.label(met.label));

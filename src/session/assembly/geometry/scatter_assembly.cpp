@@ -8,7 +8,7 @@
 
 #include "core/overloaded.h"
 #include "io/document/document.h"
-#include "sampling/scatter.h"
+#include "sampling/random_placement.h"
 #include "session/assembly/shared/raster_assembly.h"
 #include "session/assembly/shared/with_position.h"
 
@@ -36,7 +36,7 @@ std::pair<int, int> met(double from, double to, int count) {
   return {inside(from), inside(to)};
 }
 
-Density density_from(const io::DensityMap& map, const sampling::ScatterArea& area, const MapFrame& frame) {
+Density density_from(const io::DensityMap& map, const sampling::PlacementArea& area, const MapFrame& frame) {
   const std::string& path = map.raster.file.path;
   const io::Raster raster = io::read_raster(path);
   const materials::MapGrid grid = grid_of(map.raster, raster, frame);
@@ -77,7 +77,7 @@ struct Asked {
   double mean_m2 = 0.0, share_above = 0.0;
 };
 
-Asked asked_of(const Density& density, const sampling::ScatterArea& area, double most_m2) {
+Asked asked_of(const Density& density, const sampling::PlacementArea& area, double most_m2) {
   if (!density.at_m2) return {density.peak_m2, density.peak_m2 > most_m2 ? 1.0 : 0.0};
   constexpr int kSide = 500;
   Asked asked;
@@ -111,7 +111,7 @@ std::size_t pick(const io::ScatterShape& source, double u) {
 
 /// Heights of the topmost surface below the sky, in the coordinates of the document; none: there is no
 /// surface.
-std::vector<std::optional<double>> heights_of(const std::vector<sampling::ScatteredPlace>& places,
+std::vector<std::optional<double>> heights_of(const std::vector<sampling::RandomPosition>& places,
                                               const geometry::World& ground, math::Vec3 offset_m) {
   std::vector<math::Ray> rays;
   rays.reserve(places.size());
@@ -130,7 +130,7 @@ std::vector<std::optional<double>> heights_of(const std::vector<sampling::Scatte
 std::vector<std::vector<io::Instance>> scatter_copies(const io::Document& document,
                                                       const io::ScatterShape& source, const MapFrame& frame,
                                                       const geometry::World* ground, LogSink* log) {
-  const sampling::ScatterArea area{source.low_m[0], source.low_m[1], source.high_m[0], source.high_m[1]};
+  const sampling::PlacementArea area{source.low_m[0], source.low_m[1], source.high_m[0], source.high_m[1]};
   return with_position(document, source.density_position, [&] {
     const Density density =
         std::visit(Overloaded{[](double even_m2) {
@@ -138,8 +138,8 @@ std::vector<std::vector<io::Instance>> scatter_copies(const io::Document& docume
                               },
                               [&](const io::DensityMap& map) { return density_from(map, area, frame); }},
                    source.density_m2);
-    const std::vector<sampling::ScatteredPlace> places =
-        sampling::scatter({area, source.minimum_distance_m, density.peak_m2, density.at_m2, source.seed});
+    const std::vector<sampling::RandomPosition> places = sampling::random_positions(
+        {area, source.minimum_distance_m, density.peak_m2, density.at_m2, source.seed});
     std::vector<std::optional<double>> heights(places.size(), source.height_m);
     if (ground != nullptr) heights = heights_of(places, *ground, frame.offset_m());
 
@@ -160,7 +160,7 @@ std::vector<std::vector<io::Instance>> scatter_copies(const io::Document& docume
     }
     if (log == nullptr) return copies;
     const std::string names = names_of(source);
-    const double most_m2 = sampling::largest_scatter_density(source.minimum_distance_m);
+    const double most_m2 = sampling::largest_placement_density(source.minimum_distance_m);
     const Asked asked = asked_of(density, area, most_m2);
     log->info(format("random placement of {}: {} copies, {:.4g} ha-1 (asked for: {:.4g} ha-1)", names, placed,
                      static_cast<double>(placed) / area.square_metres() * kPer_ha, asked.mean_m2 * kPer_ha));

@@ -74,7 +74,8 @@ struct Plan {
                source.channel ? format(" in channel '{}'", source.channel->name) : " in every channel",
                100.0 * source.confidence,
                source.simultaneous ? "for all pixels and channels together" : "per pixel and channel");
-    plan.drivers = render::driver_channels(static_cast<int>(channels.size()), request.channels);
+    plan.steering_channels =
+        render::steering_channels_of(static_cast<int>(channels.size()), request.channels);
     plan.request = std::move(request);
   }
 };
@@ -92,7 +93,7 @@ SamplingPlan assemble_sampling(const io::Document& document,
   if (const auto* accuracy = io::sampler_as<io::AccuracySampling>(document.sampling))
     assemble.ask(*accuracy, plan);
   else
-    plan.drivers = assemble.judged(settings.channel_looked_at());
+    plan.steering_channels = assemble.judged(settings.channel_looked_at());
   return plan;
 }
 

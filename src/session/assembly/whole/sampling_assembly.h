@@ -23,7 +23,7 @@ struct SamplingPlan {
   std::string accuracy_asked;  ///< for people: "0.1 K in channel 'B10', at 95 %"; may be empty
   bool seed_objects = false;
   bool knows_errors = true;  ///< false for single rays
-  std::vector<int> drivers;
+  std::vector<int> steering_channels;
 };
 
 SamplingPlan assemble_sampling(const io::Document& document,

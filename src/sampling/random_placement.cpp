@@ -1,4 +1,4 @@
-#include "sampling/scatter.h"
+#include "sampling/random_placement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ struct Cells {
   std::int64_t first_column = 0, first_row = 0;
   std::int64_t columns = 0, rows = 0;
 
-  Cells(const ScatterPlan& plan, double cell_m) : side_m(cell_m) {
+  Cells(const PlacementPlan& plan, double cell_m) : side_m(cell_m) {
     const double margin_m = kMargin * plan.minimum_distance_m;
     first_column = std::llround(std::floor((plan.area.west_m - margin_m) / side_m));
     first_row = std::llround(std::floor((plan.area.south_m - margin_m) / side_m));
@@ -59,7 +59,7 @@ struct Cells {
 };
 
 /// Those of a Poisson process in time and place, cell by cell.
-std::vector<Proposal> proposals_of(const ScatterPlan& plan, const Cells& cells, double proposals_m2) {
+std::vector<Proposal> proposals_of(const PlacementPlan& plan, const Cells& cells, double proposals_m2) {
   std::vector<Proposal> proposals;
   const double per_cell = proposals_m2 * cells.side_m * cells.side_m;
   for (std::int32_t row = 0; row < cells.rows; ++row)
@@ -113,12 +113,12 @@ std::vector<bool> staying(const std::vector<Proposal>& proposals, const Cells& c
 
 }  // namespace
 
-double largest_scatter_density(double minimum_distance_m) {
+double largest_placement_density(double minimum_distance_m) {
   if (minimum_distance_m == 0.0) return std::numeric_limits<double>::infinity();
   return kFullest * kJammedCoverage / disk_m2(minimum_distance_m);
 }
 
-double scatter_proposals(double density_m2, double minimum_distance_m) {
+double placement_proposals(double density_m2, double minimum_distance_m) {
   if (minimum_distance_m == 0.0) return density_m2;
   const double disk = disk_m2(minimum_distance_m);
   const double filled = std::min(kFullest, density_m2 * disk / kJammedCoverage);
@@ -132,11 +132,11 @@ double scatter_proposals(double density_m2, double minimum_distance_m) {
   return sum * filled / (3.0 * kSteps) * kJammedCoverage / disk;
 }
 
-std::vector<ScatteredPlace> scatter(const ScatterPlan& plan) {
-  std::vector<ScatteredPlace> places;
-  if (!(plan.peak_density_m2 > 0.0)) return places;
-  const double peak_m2 = std::min(plan.peak_density_m2, largest_scatter_density(plan.minimum_distance_m));
-  const double proposals_m2 = scatter_proposals(peak_m2, plan.minimum_distance_m);
+std::vector<RandomPosition> random_positions(const PlacementPlan& plan) {
+  std::vector<RandomPosition> positions;
+  if (!(plan.peak_density_m2 > 0.0)) return positions;
+  const double peak_m2 = std::min(plan.peak_density_m2, largest_placement_density(plan.minimum_distance_m));
+  const double proposals_m2 = placement_proposals(peak_m2, plan.minimum_distance_m);
   const double side_m = cell_side_m(plan.minimum_distance_m, proposals_m2);
   const double beyond_m = 2.0 * (kMargin * plan.minimum_distance_m + side_m);
   const double count = proposals_m2 * (plan.area.east_m - plan.area.west_m + beyond_m) *
@@ -154,9 +154,9 @@ std::vector<ScatteredPlace> scatter(const ScatterPlan& plan) {
     if (!stays[k] || !plan.area.holds(p.at_m)) continue;
     const double wanted_m2 = plan.density_m2 ? std::min(plan.density_m2(p.at_m), peak_m2) : peak_m2;
     if (unit_double(extend(p.key, Purpose::thinning)) * peak_m2 < wanted_m2)
-      places.push_back({p.at_m, extend(p.key, Purpose::further)});
+      positions.push_back({p.at_m, extend(p.key, Purpose::further)});
   }
-  return places;
+  return positions;
 }
 
 }  // namespace ifov::sampling
