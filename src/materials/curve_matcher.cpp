@@ -19,7 +19,7 @@ constexpr double kTie = kSame * kSame;
 /// A range adds nothing where so little of its variance is its own.
 constexpr double kLeastOwnVariance = 1e-9;
 
-/// Keeps one of equally good candidates: the k-th is taken with a chance of 1 / k.
+/// Keeps one of equally good candidates: the k-th is taken with a probability of 1 / k.
 class Choice {
  public:
   explicit Choice(std::uint64_t key) : key_(key) {}

@@ -120,7 +120,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     mirror_images = MirrorImages::find(job.scene, job.camera, transport, job.footprint.half_width_px(),
                                        job.seed, control.threads, control.cancel);
   if (mirror_images != nullptr && !mirror_images->apart().empty())
-    transport.images_apart = &mirror_images->apart();
+    transport.separate_images = &mirror_images->apart();
   std::unique_ptr<const UnseenImages> unseen_images;
   if (mirror_images != nullptr)
     unseen_images = UnseenImages::find(job.scene, job.camera, *mirror_images, job.seed);

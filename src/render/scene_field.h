@@ -12,7 +12,7 @@
 #include "transport/mirror_light.h"
 #include "transport/path_light.h"
 #include "transport/path_tracer.h"
-#include "transport/view_air.h"
+#include "transport/view_atmosphere.h"
 
 namespace ifov::render {
 
@@ -59,7 +59,7 @@ class SceneField final : public sampling::Field {
   LabelDetail detail_;
   transport::PathTracer tracer_;
   transport::PathLight light_;
-  transport::ViewAir air_;
+  transport::ViewAtmosphere air_;
   scene::TruthMaterials truth_;
   BlendColumns blends_;
   MapDetail map_detail_;

@@ -31,14 +31,14 @@ struct PathRequest {
 
 /// Rays traced so far on behalf of a sampler, by kind.
 struct RayCounts {
-  std::uint64_t primary = 0;  ///< rays from the camera: one a label or value
-  std::uint64_t shadow = 0;   ///< rays to the Sun, for labels and for radiance
-  std::uint64_t bounce = 0;   ///< rays leaving surfaces
-  std::uint64_t total() const { return primary + shadow + bounce; }
+  std::uint64_t primary = 0;       ///< rays from the camera: one a label or value
+  std::uint64_t shadow = 0;        ///< rays to the Sun, for labels and for radiance
+  std::uint64_t continuation = 0;  ///< rays leaving surfaces
+  std::uint64_t total() const { return primary + shadow + continuation; }
   RayCounts& operator+=(const RayCounts& other) {
     primary += other.primary;
     shadow += other.shadow;
-    bounce += other.bounce;
+    continuation += other.continuation;
     return *this;
   }
 };

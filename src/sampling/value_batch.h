@@ -17,7 +17,7 @@ inline constexpr std::uint64_t kPixelPaths = 0x7061746873ull;
 /// Rays that `field` has traced since it stood at `before`.
 inline RayCounts rays_since(const RayCounts& before, const Field& field) {
   const RayCounts now = field.counts();
-  return {now.primary - before.primary, now.shadow - before.shadow, now.bounce - before.bounce};
+  return {now.primary - before.primary, now.shadow - before.shadow, now.continuation - before.continuation};
 }
 
 /// Asks `field` for `count` paths in batches (about half a megabyte of values, so that they stay in the cache),

@@ -75,7 +75,7 @@ std::string shift_table(const ThermalResults& r) {
         "class=\"n\">{:.4f}</td><td class=\"n\">{:.4f}</td><td class=\"n\">{:.3f}</td>",
         html_text(series.name), s.mean_samples, s.samples_95, s.seen, s.rms_c, s.error_95_c, s.coverage);
     const ImageStore::Cost& c = s.mean_cost_total;
-    for (std::uint64_t total : {c.halo, c.seed, c.probe, c.radiance, c.rays.shadow, c.rays.bounce})
+    for (std::uint64_t total : {c.halo, c.seed, c.probe, c.radiance, c.rays.shadow, c.rays.continuation})
       rows += format("<td class=\"n\">{:.1f}</td>", mean(total));
     rows += "</tr>\n";
   }

@@ -48,22 +48,24 @@ std::vector<double> EmitterChoice::channels(const float* nodes) const {
 
 void EmitterChoice::list_surfaces() {
   const scene::Scene& scene = scene_.scene();
-  std::vector<float> row(scene_.node_count());
+  std::vector<float> spectrum(scene_.node_count());
   const auto add = [&](std::uint32_t assignment, std::uint32_t material, double coldest_k, double hottest_k) {
     Surface surface;
     surface.assignment = assignment;
-    surface.scatters = scene_.brightest(material) > 0.0 && !scene.materials[material].bsdf->is_delta();
+    surface.events = scene_.brightest(material) > 0.0 && !scene.materials[material].bsdf->is_delta();
     const auto emitted = [&](double temperature_k) {
-      std::fill(row.begin(), row.end(), 0.0f);
-      if (temperature_k > 0.0) scene_.nodes().planck(temperature_k, std::span<float>(row));
-      for (std::size_t n = 0; n < row.size(); ++n) row[n] *= scene_.materials().emissivity(material)[n];
-      return channels(row.data());
+      std::fill(spectrum.begin(), spectrum.end(), 0.0f);
+      if (temperature_k > 0.0) scene_.nodes().planck(temperature_k, std::span<float>(spectrum));
+      for (std::size_t n = 0; n < spectrum.size(); ++n)
+        spectrum[n] *= scene_.materials().emissivity(material)[n];
+      return channels(spectrum.data());
     };
     surface.hottest = emitted(hottest_k);
     surface.coldest = coldest_k == hottest_k ? surface.hottest : emitted(coldest_k);
-    for (std::size_t n = 0; n < row.size(); ++n)
-      row[n] = scene_.materials().reflectance(material)[n] + scene_.materials().transmittance(material)[n];
-    surface.albedo = channels(row.data());
+    for (std::size_t n = 0; n < spectrum.size(); ++n)
+      spectrum[n] =
+          scene_.materials().reflectance(material)[n] + scene_.materials().transmittance(material)[n];
+    surface.albedo = channels(spectrum.data());
     surfaces_.push_back(std::move(surface));
   };
   for (std::uint32_t c = 0; c < scene.assignments.size(); ++c) {
@@ -115,7 +117,7 @@ void EmitterChoice::find_contrasts(double contrast, bool shown) {
     for (const Surface& s : surfaces_) {
       if (!(s.hottest[c] > contrast * usual) || areas[s.assignment] <= 0.0) continue;
       const bool wanted = !shown || std::any_of(surfaces_.begin(), surfaces_.end(), [&](const Surface& r) {
-        return r.scatters && areas[r.assignment] > 0.0 &&
+        return r.events && areas[r.assignment] > 0.0 &&
                r.albedo[c] * s.hottest[c] > kShown * (r.coldest[c] + r.albedo[c] * lit[c]);
       });
       if (!wanted) continue;

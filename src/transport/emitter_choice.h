@@ -29,7 +29,7 @@ struct EmitterChoice {
   const geometry::WantedMaterials& wanted() const { return wanted_; }  ///< by surface assignment
   /// Whether what a surface assignment emits changes from point to point.
   bool mapped(std::uint32_t assignment) const { return mapped_[assignment]; }
-  /// A scale of radiance over the channels, for a row of emission in nodes: the mean of shares of the brightest.
+  /// A scale of radiance over the channels, for a spectrum of emission in nodes: the mean of shares of the brightest.
   double brightness(const float* emission) const;
   /// At most, of a surface assignment.
   double brightest(std::uint32_t assignment) const { return brightest_[assignment]; }
@@ -49,7 +49,7 @@ struct EmitterChoice {
   struct Surface {
     std::uint32_t assignment = 0;
     std::vector<double> hottest, coldest, albedo;  // by channel
-    bool scatters = false;
+    bool events = false;
   };
   const SpectralScene& scene_;
   bool any_ = false;

@@ -20,8 +20,8 @@ constexpr double kTurnedAway = 1e-3;
 
 double coordinate(Point3 p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
-/// Chance of the first of two.
-double first_chance(double a, double b) { return a + b > 0.0 ? a / (a + b) : 0.0; }
+/// Probability of the first of two.
+double first_probability(double a, double b) { return a + b > 0.0 ? a / (a + b) : 0.0; }
 
 }  // namespace
 
@@ -151,10 +151,10 @@ EmitterTree::Choice EmitterTree::choose(const Receiver& receiver, double u) cons
     const Node &a = nodes_[node->first], &b = nodes_[node->first + 1];
     const double in_a = importance(a, receiver), in_b = importance(b, receiver);
     if (in_a + in_b <= 0.0) return {};
-    const double chance = first_chance(in_a, in_b);
-    const bool first = u < chance;
-    u = std::min(first ? u / chance : (u - chance) / (1.0 - chance), 1.0 - 0x1p-53);
-    choice.chance *= first ? chance : first_chance(in_b, in_a);
+    const double probability = first_probability(in_a, in_b);
+    const bool first = u < probability;
+    u = std::min(first ? u / probability : (u - probability) / (1.0 - probability), 1.0 - 0x1p-53);
+    choice.probability *= first ? probability : first_probability(in_b, in_a);
     node = first ? &a : &b;
   }
   const Weights w = weights(*node, receiver);
@@ -168,26 +168,27 @@ EmitterTree::Choice EmitterTree::choose(const Receiver& receiver, double u) cons
     left -= w.of[k];
   }
   choice.emitter = order_[node->first + chosen];
-  choice.chance *= w.of[chosen] / w.sum;
+  choice.probability *= w.of[chosen] / w.sum;
   choice.rest = std::clamp(left / w.of[chosen], 0.0, 1.0 - 0x1p-53);
   return choice;
 }
 
-double EmitterTree::chance(const Receiver& receiver, std::uint32_t emitter) const {
+double EmitterTree::probability(const Receiver& receiver, std::uint32_t emitter) const {
   std::uint32_t index = leaf_of_[emitter];
   const Node& leaf = nodes_[index];
   const Weights w = weights(leaf, receiver);
   if (!(w.sum > 0.0)) return 0.0;
-  double chance = 0.0;
+  double probability = 0.0;
   for (std::uint32_t k = 0; k < leaf.count; ++k)
-    if (order_[leaf.first + k] == emitter) chance = w.of[k] / w.sum;
-  while (index != 0 && chance > 0.0) {
+    if (order_[leaf.first + k] == emitter) probability = w.of[k] / w.sum;
+  while (index != 0 && probability > 0.0) {
     const std::uint32_t parent = nodes_[index].parent, pair = nodes_[parent].first;
     const std::uint32_t other = index == pair ? pair + 1 : pair;
-    chance *= first_chance(importance(nodes_[index], receiver), importance(nodes_[other], receiver));
+    probability *=
+        first_probability(importance(nodes_[index], receiver), importance(nodes_[other], receiver));
     index = parent;
   }
-  return chance;
+  return probability;
 }
 
 }  // namespace ifov::transport

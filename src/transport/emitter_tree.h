@@ -16,10 +16,10 @@ struct Emitter {
   std::int32_t column = 0, row = 0;  ///< of a periodic world: the copy, from the object's own place
 };
 
-/// Picks one of many emitters for a receiver with a chance about in proportion to what each would send there if nothing
+/// Picks one of many emitters for a receiver with a probability about in proportion to what each would send there if nothing
 /// stood between: a binary tree whose nodes know the power, the bounding sphere and the cone of normals of what is in
 /// them, and leaves of a few emitters that are weighed one by one (Conty Estevez and Kulla 2018, "Importance sampling of
-/// many lights with adaptive tree splitting", without the splitting). So among a few emitters the chances are as good as
+/// many lights with adaptive tree splitting", without the splitting). So among a few emitters the probabilities are as good as
 /// EmitterShape::reach_sr.
 class EmitterTree {
  public:
@@ -28,14 +28,14 @@ class EmitterTree {
 
   struct Choice {
     std::uint32_t emitter = 0;
-    double chance = 0.0;  ///< 0: nothing can reach the receiver
-    double rest = 0.0;    ///< where `u` lies within the emitter's share, [0, 1): a number as good as `u`
+    double probability = 0.0;  ///< 0: nothing can reach the receiver
+    double rest = 0.0;         ///< where `u` lies within the emitter's share, [0, 1): a number as good as `u`
   };
   /// `u` in [0, 1).
   Choice choose(const Receiver& receiver, double u) const;
 
   /// Of choose() for an emitter.
-  double chance(const Receiver& receiver, std::uint32_t emitter) const;
+  double probability(const Receiver& receiver, std::uint32_t emitter) const;
 
   /// About what all of them would send there.
   double reach(const Receiver& receiver) const { return importance(nodes_[0], receiver); }

@@ -25,13 +25,13 @@ namespace {
 constexpr double kLeastPart = 0.01;
 
 /// Points of a unit shape at which a mapped piece is looked at, with a direction in which they are looked at.
-struct Look {
+struct Viewpoint {
   Point3 at;
   Vec3 along;
 };
-std::vector<Look> looks_at(PieceKind kind) {
+std::vector<Viewpoint> viewpoints_of(PieceKind kind) {
   const Vec3 down{0.0, 0.0, -1.0};
-  std::vector<Look> looks;
+  std::vector<Viewpoint> viewpoints;
   switch (kind) {
     case PieceKind::triangle:
       return {{{1.0 / 3.0, 1.0 / 3.0, 0.0}, down},
@@ -40,28 +40,28 @@ std::vector<Look> looks_at(PieceKind kind) {
               {{0.2, 0.2, 0.0}, down}};
     case PieceKind::parallelogram:
       for (int k = 0; k < 16; ++k)
-        looks.push_back({{0.125 + 0.25 * (k % 4), 0.125 + 0.25 * (k / 4), 0.0}, down});
-      return looks;
+        viewpoints.push_back({{0.125 + 0.25 * (k % 4), 0.125 + 0.25 * (k / 4), 0.0}, down});
+      return viewpoints;
     case PieceKind::disk:
       for (const double x : {-0.5, 0.0, 0.5})
-        for (const double y : {-0.5, 0.0, 0.5}) looks.push_back({{x, y, 0.0}, down});
-      return looks;
+        for (const double y : {-0.5, 0.0, 0.5}) viewpoints.push_back({{x, y, 0.0}, down});
+      return viewpoints;
     case PieceKind::open_cylinder:
       for (int k = 0; k < 8; ++k) {
         const double x = std::cos(0.785398 * k), y = std::sin(0.785398 * k);
-        looks.push_back({{x, y, 0.25 + 0.5 * (k % 2)}, {-x, -y, 0.0}});
+        viewpoints.push_back({{x, y, 0.25 + 0.5 * (k % 2)}, {-x, -y, 0.0}});
       }
-      return looks;
+      return viewpoints;
     case PieceKind::ball:
     case PieceKind::hemisphere:
       for (int k = 0; k < 12; ++k) {
         const double z = kind == PieceKind::hemisphere ? 0.1 + 0.4 * (k / 6) : -0.6 + 0.6 * (k / 4);
         const double r = std::sqrt(1.0 - z * z), x = r * std::cos(2.4 * k), y = r * std::sin(2.4 * k);
-        looks.push_back({{x, y, z}, {-x, -y, -z}});
+        viewpoints.push_back({{x, y, z}, {-x, -y, -z}});
       }
-      return looks;
+      return viewpoints;
   }
-  return looks;
+  return viewpoints;
 }
 
 bool is_of(const SurfacePiece& piece, const SurfacePoint& hit) {
@@ -75,12 +75,12 @@ double looked_at(const SpectralScene& scene, const EmitterChoice& choice, const 
   std::vector<math::Ray> rays;
   const math::Transform& map = piece.scene_from_unit;
   const double size = std::sqrt(geometry::area_m2(piece));
-  for (const Look& look : looks_at(piece.kind)) {
-    Vec3 along = map(look.along);
-    if (look.along.z == -1.0 && piece.kind != PieceKind::ball)
+  for (const Viewpoint& view : viewpoints_of(piece.kind)) {
+    Vec3 along = map(view.along);
+    if (view.along.z == -1.0 && piece.kind != PieceKind::ball)
       along = math::cross(map.column_y(), map.column_x());
     along = math::normalized(along);
-    rays.push_back({map(look.at) - kNear * size * along, along});
+    rays.push_back({map(view.at) - kNear * size * along, along});
   }
   std::vector<SurfacePoint> hits(rays.size());
   scene.scene().world->intersect(rays, hits);
@@ -245,10 +245,10 @@ Emitters::Aim Emitters::aim(const Receiver& receiver, sampling::Point2 u) const 
   Aim aim;
   const Home home = at_home(receiver);
   const EmitterTree::Choice choice = tree_->choose(home.receiver, u.x);
-  if (!(choice.chance > 0.0)) return aim;
+  if (!(choice.probability > 0.0)) return aim;
   const AimedDirection aimed = emitters_[choice.emitter].shape.aim(home.receiver, {choice.rest, u.y});
   aim.direction = aimed.direction;
-  aim.density = choice.chance * aimed.density;
+  aim.density = choice.probability * aimed.density;
   aim.emitter = choice.emitter;
   aim.column = home.column;
   aim.row = home.row;
@@ -259,11 +259,11 @@ Emitters::Point Emitters::point(const Receiver& receiver, sampling::Point2 u) co
   Point point;
   const Home home = at_home(receiver);
   const EmitterTree::Choice choice = tree_->choose(home.receiver, u.x);
-  if (!(choice.chance > 0.0)) return point;
+  if (!(choice.probability > 0.0)) return point;
   static_cast<SurfaceSample&>(point) = emitters_[choice.emitter].shape.point({choice.rest, u.y});
   static_cast<Piece&>(point) = {choice.emitter, home.column, home.row};
   point.at_m = point.at_m + Vec3{home.column * period_.x_m, home.row * period_.y_m, 0.0};
-  point.density *= choice.chance;
+  point.density *= choice.probability;
   return point;
 }
 
@@ -288,9 +288,10 @@ double Emitters::density(const Receiver& receiver, Vec3 direction, const Surface
   const Home home = at_home(receiver);
   const std::optional<std::uint32_t> emitter = emitter_of(home, hit);
   if (!emitter) return 0.0;
-  const double chance = tree_->chance(home.receiver, *emitter);
-  return chance > 0.0 ? chance * emitters_[*emitter].shape.density(home.receiver, direction, hit.distance_m)
-                      : 0.0;
+  const double probability = tree_->probability(home.receiver, *emitter);
+  return probability > 0.0
+             ? probability * emitters_[*emitter].shape.density(home.receiver, direction, hit.distance_m)
+             : 0.0;
 }
 
 double Emitters::point_density(const Receiver& receiver, const SurfacePoint& hit) const {
@@ -298,7 +299,7 @@ double Emitters::point_density(const Receiver& receiver, const SurfacePoint& hit
   const std::optional<std::uint32_t> emitter = emitter_of(home, hit);
   if (!emitter) return 0.0;
   const Vec3 moved{home.column * period_.x_m, home.row * period_.y_m, 0.0};
-  return tree_->chance(home.receiver, *emitter) *
+  return tree_->probability(home.receiver, *emitter) *
          emitters_[*emitter].shape.point_density(hit.position_m - moved);
 }
 

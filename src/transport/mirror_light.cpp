@@ -95,7 +95,7 @@ void MirrorLight::trace(sampling::RayCounts& counts) {
       },
       [&](const Way& way) {
         Asked& point = asked_[way.asked];
-        if (way.image == MirrorWay::kRound)
+        if (way.image == MirrorPath::kRound)
           point.round_light += way.light;
         else
           ++point.seen[way.image];

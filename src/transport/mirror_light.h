@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "transport/mirrors/mirror_ways.h"
+#include "transport/mirrors/mirror_paths.h"
 
 namespace ifov::transport {
 
@@ -42,7 +42,7 @@ class MirrorLight {
 
  private:
   static constexpr std::size_t kMostImages = 24;  // in flat mirrors, that are judged
-  struct Way : MirrorWay {
+  struct Way : MirrorPath {
     std::uint32_t asked = 0;
     double light = 0.0;  // of a round mirror
   };

@@ -5,21 +5,21 @@
 #include <numbers>
 
 #include "math/vec3.h"
-#include "transport/row_arithmetic.h"
 #include "transport/sky/sky_dome.h"
 #include "transport/spectral_scene.h"
+#include "transport/spectrum_arithmetic.h"
 
 namespace ifov::transport {
 
 PathLight::PathLight(const SpectralScene& scene) : scene_(scene), n_(scene.stride()) {
-  static_assert(kMoreWork == kWork + 1);  // which directional rows are worked out in
-  rows_.resize(kRows, scene.node_count());
+  static_assert(kMoreWork == kWork + 1);  // which directional spectra are worked out in
+  spectra_.resize(kSpectra, scene.node_count());
 }
 
 float* PathLight::radiance(const PathRecord& record, std::size_t k) {
   const PathRecord::Path& path = record.paths[k];
   if (path.first == PathVertex::kNone) {
-    std::memset(row(kSum), 0, n_ * sizeof(float));
+    std::memset(spectrum(kSum), 0, n_ * sizeof(float));
   } else {
     const PathVertex* vertex = &record.vertices[path.first];
     add_first(record, *vertex);
@@ -29,20 +29,20 @@ float* PathLight::radiance(const PathRecord& record, std::size_t k) {
     }
   }
   if (path.escaped) add_escaped(path);
-  return row(kSum);
+  return spectrum(kSum);
 }
 
 void PathLight::add_first(const PathRecord& record, const PathVertex& vertex) {
-  float *sum = row(kSum), *throughput = row(kThroughput);
+  float *sum = spectrum(kSum), *throughput = spectrum(kThroughput);
   const float* emitted = emission(record, vertex);
   const float* factor = nullptr;
   if (vertex.sun_weight > 0.0f) {
     factor = sun_factor(record, vertex);
-    const float* sun = scene_.sun_irradiance(vertex.height_m, row(kSun));
+    const float* sun = scene_.sun_irradiance(vertex.height_m, spectrum(kSun));
     if (emitted != nullptr)
-      rows::sum_of_scaled_product(sum, emitted, factor, sun, vertex.sun_weight, n_);
+      spectra::sum_of_scaled_product(sum, emitted, factor, sun, vertex.sun_weight, n_);
     else
-      rows::scaled_product(sum, factor, sun, vertex.sun_weight, n_);
+      spectra::scaled_product(sum, factor, sun, vertex.sun_weight, n_);
   } else if (emitted != nullptr) {
     std::memcpy(sum, emitted, n_ * sizeof(float));
   } else {
@@ -50,32 +50,35 @@ void PathLight::add_first(const PathRecord& record, const PathVertex& vertex) {
   }
   if (vertex.sought_weight > 0.0f) add_sought(record, vertex, nullptr);
   if (vertex.mirrored != PathVertex::kNone) add_mirrored(record, vertex, nullptr);
-  if (vertex.bounce_weight > 0.0f)
-    rows::set_scaled(throughput, bounce_factor(record, vertex, factor), vertex.bounce_weight, n_);
+  if (vertex.continuation_weight > 0.0f)
+    spectra::set_scaled(throughput, continuation_factor(record, vertex, factor), vertex.continuation_weight,
+                        n_);
 }
 
 void PathLight::add_later(const PathRecord& record, const PathVertex& vertex) {
-  float *sum = row(kSum), *throughput = row(kThroughput);
+  float *sum = spectrum(kSum), *throughput = spectrum(kThroughput);
   if (vertex.emission_weight == 1.0f) {
-    if (const float* emitted = emission(record, vertex)) rows::add_product(sum, throughput, emitted, n_);
+    if (const float* emitted = emission(record, vertex)) spectra::add_product(sum, throughput, emitted, n_);
   } else if (vertex.emission_weight > 0.0f) {
     if (const float* emitted = emission(record, vertex))
-      rows::add_scaled_product(sum, throughput, emitted, vertex.emission_weight, n_);
+      spectra::add_scaled_product(sum, throughput, emitted, vertex.emission_weight, n_);
   }
   if (vertex.sought_weight > 0.0f) add_sought(record, vertex, throughput);
   if (vertex.mirrored != PathVertex::kNone) add_mirrored(record, vertex, throughput);
-  const bool goes_on = vertex.bounce_weight > 0.0f;
+  const bool goes_on = vertex.continuation_weight > 0.0f;
   const float* factor = nullptr;
   if (vertex.sun_weight > 0.0f) {
     factor = sun_factor(record, vertex);
-    const float* sun = scene_.sun_irradiance(vertex.height_m, row(kSun));
-    if (goes_on && vertex.sun_through == vertex.bounce_through && !is_directional(record, vertex)) {
-      rows::add_and_scale(sum, throughput, factor, sun, vertex.sun_weight, vertex.bounce_weight, n_);
+    const float* sun = scene_.sun_irradiance(vertex.height_m, spectrum(kSun));
+    if (goes_on && vertex.sun_transmitted == vertex.continuation_transmitted &&
+        !is_directional(record, vertex)) {
+      spectra::add_and_scale(sum, throughput, factor, sun, vertex.sun_weight, vertex.continuation_weight, n_);
       return;
     }
-    rows::add_scaled_product(sum, throughput, factor, sun, vertex.sun_weight, n_);
+    spectra::add_scaled_product(sum, throughput, factor, sun, vertex.sun_weight, n_);
   }
-  if (goes_on) rows::scale(throughput, bounce_factor(record, vertex, factor), vertex.bounce_weight, n_);
+  if (goes_on)
+    spectra::scale(throughput, continuation_factor(record, vertex, factor), vertex.continuation_weight, n_);
 }
 
 /// `throughput` null: 1.
@@ -83,17 +86,17 @@ void PathLight::add_sought(const PathRecord& record, const PathVertex& vertex, c
   const float* factor = vertex.sought_factor;
   if (vertex.mixed != PathVertex::kNone) {
     const PathRecord::Mixed& mixed = record.mixed[vertex.mixed];
-    factor = lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.sought_through,
+    factor = lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.sought_transmitted,
                          mixed.events == PathVertex::kNone ? nullptr : &record.events[mixed.events].sought,
-                         row(kSoughtFactor), row(kWork));
+                         spectrum(kSoughtFactor), spectrum(kWork));
   }
   const float* emitted = vertex.sought_emission;
   if (vertex.sought_mixed != PathVertex::kNone) emitted = emission(record.mixed[vertex.sought_mixed]);
   if (emitted == nullptr) return;
   if (throughput != nullptr)
-    rows::add_scaled_product(row(kSum), throughput, factor, emitted, vertex.sought_weight, n_);
+    spectra::add_scaled_product(spectrum(kSum), throughput, factor, emitted, vertex.sought_weight, n_);
   else
-    rows::add_scaled_product(row(kSum), factor, emitted, vertex.sought_weight, n_);
+    spectra::add_scaled_product(spectrum(kSum), factor, emitted, vertex.sought_weight, n_);
 }
 
 const float* PathLight::emission(const PathRecord& record, const PathVertex& vertex) {
@@ -103,36 +106,38 @@ const float* PathLight::emission(const PathRecord& record, const PathVertex& ver
 
 const float* PathLight::emission(const PathRecord::Mixed& mixed) {
   static_assert(kEmissionPart == kEmission + 1 &&
-                kEmissionWork == kEmission + 2);  // which rows are worked out in
-  return scene_.emission(mixed.surface, mixed.outgoing, row(kEmission));
+                kEmissionWork == kEmission + 2);  // which spectra are worked out in
+  return scene_.emission(mixed.surface, mixed.outgoing, spectrum(kEmission));
 }
 
 const float* PathLight::sun_factor(const PathRecord& record, const PathVertex& vertex) {
   if (vertex.mixed == PathVertex::kNone) return vertex.sun_factor;
   const PathRecord::Mixed& mixed = record.mixed[vertex.mixed];
-  return lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.sun_through,
+  return lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.sun_transmitted,
                      mixed.events == PathVertex::kNone ? nullptr : &record.events[mixed.events].sun,
-                     row(kSunFactor), row(kWork));
+                     spectrum(kSunFactor), spectrum(kWork));
 }
 
-const float* PathLight::bounce_factor(const PathRecord& record, const PathVertex& vertex, const float* sun) {
-  if (vertex.mixed == PathVertex::kNone) return vertex.bounce_factor;
+const float* PathLight::continuation_factor(const PathRecord& record, const PathVertex& vertex,
+                                            const float* sun) {
+  if (vertex.mixed == PathVertex::kNone) return vertex.continuation_factor;
   const PathRecord::Mixed& mixed = record.mixed[vertex.mixed];
   const bool directional = mixed.events != PathVertex::kNone;
-  if (sun != nullptr && vertex.sun_through == vertex.bounce_through && !directional) return sun;
-  return lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.bounce_through,
-                     directional ? &record.events[mixed.events].bounce : nullptr, row(kBounceFactor),
-                     row(kWork));
+  if (sun != nullptr && vertex.sun_transmitted == vertex.continuation_transmitted && !directional) return sun;
+  return lobe_factor(scene_, mixed.surface, mixed.lobe, vertex.continuation_transmitted,
+                     directional ? &record.events[mixed.events].continuation : nullptr,
+                     spectrum(kContinuationFactor), spectrum(kWork));
 }
 
 void PathLight::add_mirrored(const PathRecord& record, const PathVertex& vertex, const float* throughput) {
-  float* way = row(kWay);
-  const auto times = [&](const PathRecord::Mirrored::Factor& factor, bool through) {
-    const float* values = factor.row;
+  float* way = spectrum(kMirrored);
+  const auto times = [&](const PathRecord::Mirrored::Factor& factor, bool transmitted) {
+    const float* values = factor.spectrum;
     if (values == nullptr) {
       const PathRecord::Mixed& mixed = record.mixed[factor.mixed];
       const LobeEvent* event = factor.event == PathVertex::kNone ? nullptr : &record.way_events[factor.event];
-      values = lobe_factor(scene_, mixed.surface, mixed.lobe, through, event, row(kDimmed), row(kWork));
+      values = lobe_factor(scene_, mixed.surface, mixed.lobe, transmitted, event, spectrum(kDimmed),
+                           spectrum(kWork));
     }
     for (std::size_t i = 0; i < n_; ++i) way[i] *= values[i];
   };
@@ -140,43 +145,43 @@ void PathLight::add_mirrored(const PathRecord& record, const PathVertex& vertex,
     const PathRecord::Mirrored& light = record.mirrored[k];
     const float* source = nullptr;
     if (!light.emitted)
-      source = scene_.sun_irradiance(light.height_m, row(kSkyShare));
+      source = scene_.sun_irradiance(light.height_m, spectrum(kSkyShare));
     else
       source = light.emission_mixed == PathVertex::kNone ? light.emission
                                                          : emission(record.mixed[light.emission_mixed]);
     if (source == nullptr) continue;
-    rows::set_scaled(way, source, light.weight, n_);
-    times(light.surface, light.through);
+    spectra::set_scaled(way, source, light.weight, n_);
+    times(light.surface, light.transmitted);
     for (std::size_t m = 0; m < light.count; ++m) times(light.mirrors[m], false);
     if (throughput != nullptr)
-      rows::add_product(row(kSum), throughput, way, n_);
+      spectra::add_product(spectrum(kSum), throughput, way, n_);
     else
-      rows::add_scaled(row(kSum), way, 1.0f, n_);
+      spectra::add_scaled(spectrum(kSum), way, 1.0f, n_);
   }
 }
 
 void PathLight::add_escaped(const PathRecord::Path& path) {
   const bool direct = path.first == PathVertex::kNone;
   const math::Vec3 direction = path.escaped_direction;
-  float *sum = row(kSum), *throughput = row(kThroughput);
+  float *sum = spectrum(kSum), *throughput = spectrum(kThroughput);
   const SkyDome* dome = scene_.sky_dome();
   if (dome != nullptr && direction.z >= 0.0) {
     const SkyDome::Corners sky = dome->at(direction);
     if (direct) {
-      rows::sum_of_scaled(sum, sky.row.data(), sky.weight.data(), n_);
+      spectra::sum_of_scaled(sum, sky.spectrum.data(), sky.weight.data(), n_);
     } else if (scene_.light_by_height()) {
-      const float* share = scene_.sky_share(path.escaped_from_m, row(kSkyShare));
-      rows::set_product(row(kDimmed), throughput, share, n_);
-      rows::add_product_of_scaled(sum, row(kDimmed), sky.row.data(), sky.weight.data(), n_);
+      const float* share = scene_.sky_share(path.escaped_from_m, spectrum(kSkyShare));
+      spectra::set_product(spectrum(kDimmed), throughput, share, n_);
+      spectra::add_product_of_scaled(sum, spectrum(kDimmed), sky.spectrum.data(), sky.weight.data(), n_);
     } else {
-      rows::add_product_of_scaled(sum, throughput, sky.row.data(), sky.weight.data(), n_);
+      spectra::add_product_of_scaled(sum, throughput, sky.spectrum.data(), sky.weight.data(), n_);
     }
   } else {
     const float* light = direction.z < 0.0 ? scene_.surroundings_radiance() : scene_.sky_radiance();
     if (direct)
       std::memcpy(sum, light, n_ * sizeof(float));
     else
-      rows::add_product(sum, throughput, light, n_);
+      spectra::add_product(sum, throughput, light, n_);
   }
   const auto& disc = scene_.scene().sun;
   if (path.escaped_sees_sun && disc && disc->half_angle_rad > 0.0 && direction.z > 0.0 &&
@@ -185,9 +190,9 @@ void PathLight::add_escaped(const PathRecord::Path& path) {
     const double sine = std::sin(disc->half_angle_rad);
     const float per_irradiance = static_cast<float>(1.0 / (std::numbers::pi * sine * sine));
     if (direct)
-      rows::add_scaled(sum, scene_.sun_irradiance(), per_irradiance, n_);
+      spectra::add_scaled(sum, scene_.sun_irradiance(), per_irradiance, n_);
     else
-      rows::add_scaled_product(sum, throughput, scene_.sun_irradiance(), per_irradiance, n_);
+      spectra::add_scaled_product(sum, throughput, scene_.sun_irradiance(), per_irradiance, n_);
   }
 }
 

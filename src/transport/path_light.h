@@ -7,7 +7,7 @@ namespace ifov::transport {
 
 class SpectralScene;
 
-/// The light of recorded paths, one whole path after the other: its own rows stay in the first-level cache.
+/// The light of recorded paths, one whole path after the other: its own spectra stay in the first-level cache.
 /// An object serves one thread.
 class PathLight {
  public:
@@ -15,28 +15,28 @@ class PathLight {
   explicit PathLight(const SpectralScene& scene);
 
   /// Radiance that path k brings to where its first segment ends, in nodes: what the surface there sends, or the sky,
-  /// before the air of that segment (ViewAir). The row is the caller's until the next call.
+  /// before the air of that segment (ViewAtmosphere). The spectrum is the caller's until the next call.
   float* radiance(const PathRecord& record, std::size_t k);
 
  private:
-  enum Row {
+  enum Work {
     kSum,
     kThroughput,
     kEmission,
     kEmissionPart,
     kEmissionWork,
     kSunFactor,
-    kBounceFactor,
+    kContinuationFactor,
     kSun,
     kSkyShare,
     kDimmed,
     kSoughtFactor,
-    kWay,
+    kMirrored,
     kWork,
     kMoreWork,
-    kRows
+    kSpectra
   };
-  float* row(Row r) { return rows_.row(r); }
+  float* spectrum(Work w) { return spectra_.row(w); }
   void add_first(const PathRecord& record, const PathVertex& vertex);
   void add_later(const PathRecord& record, const PathVertex& vertex);
   const float* emission(const PathRecord& record, const PathVertex& vertex);
@@ -46,7 +46,7 @@ class PathLight {
   }
   const float* sun_factor(const PathRecord& record, const PathVertex& vertex);
   /// `sun` the vertex's sun_factor() if that is known, else null.
-  const float* bounce_factor(const PathRecord& record, const PathVertex& vertex, const float* sun);
+  const float* continuation_factor(const PathRecord& record, const PathVertex& vertex, const float* sun);
   void add_sought(const PathRecord& record, const PathVertex& vertex, const float* throughput);
   void add_escaped(const PathRecord::Path& path);
   /// Sunlight by way of mirrors; `throughput` null: 1.
@@ -54,7 +54,7 @@ class PathLight {
 
   const SpectralScene& scene_;
   std::size_t n_;
-  radiometry::SpectrumBlock rows_;
+  radiometry::SpectrumBlock spectra_;
 };
 
 }  // namespace ifov::transport

@@ -10,19 +10,19 @@
 
 namespace ifov::transport {
 
-/// A surface that a path met, as far as its light is concerned. Rows are in spectral nodes.
+/// A surface that a path met, as far as its light is concerned. Spectra are in spectral nodes.
 struct PathVertex {
   static constexpr std::uint32_t kNone = 0xffffffffu;
   std::uint32_t next = kNone;         ///< the next of the same path
-  std::uint32_t mixed = kNone;        ///< index into PathRecord::mixed, whose rows have to be computed
+  std::uint32_t mixed = kNone;        ///< index into PathRecord::mixed, whose spectra have to be computed
   const float* emission = nullptr;    ///< null: nothing, or that of `mixed`
   const float* sun_factor = nullptr;  ///< what is made of sunlight; null: of `mixed`
   /// What is made of the light of the path's next segment; null: of `mixed`.
-  const float* bounce_factor = nullptr;
-  float sun_weight = 0.0f;     ///< of factor times solar irradiance; 0: none arrives
-  float bounce_weight = 0.0f;  ///< of the factor, chances included; 0: the path ends here
-  bool sun_through = false, bounce_through = false;  ///< transmitted, not reflected
-  bool sought_through = false;
+  const float* continuation_factor = nullptr;
+  float sun_weight = 0.0f;           ///< of factor times solar irradiance; 0: none arrives
+  float continuation_weight = 0.0f;  ///< of the factor, probabilities included; 0: the path ends here
+  bool sun_transmitted = false, continuation_transmitted = false;  ///< transmitted, not reflected
+  bool sought_transmitted = false;
   /// Share of its own emission that the ray which came here counts; the rest was sought.
   float emission_weight = 1.0f;
   /// Of factor times emission of an emitter that was sought from here; 0: none was seen.
@@ -34,7 +34,7 @@ struct PathVertex {
   double height_m = 0.0;
 };
 
-/// What paths did between the sensor and the light, without a spectrum: all that rays and chance decide.
+/// What paths did between the sensor and the light, without a spectrum: all that rays and random numbers decide.
 struct PathRecord {
   struct Path {
     std::uint32_t first = PathVertex::kNone, last = PathVertex::kNone;  ///< of its vertices
@@ -51,7 +51,7 @@ struct PathRecord {
     /// Of the Sun's irradiance, 1/sr: what may come by ways that are not sought (WideSun).
     float unseen = 0.0f;
   };
-  /// A surface whose rows are not kept: materials side by side, a temperature from a map, or a model that depends on
+  /// A surface whose spectra are not kept: materials side by side, a temperature from a map, or a model that depends on
   /// direction.
   struct Mixed {
     scene::ResolvedSurface surface;
@@ -62,17 +62,17 @@ struct PathRecord {
   };
   /// Of one surface, by what light met it.
   struct Events {
-    LobeEvent sun, sought, bounce;
+    LobeEvent sun, sought, continuation;
   };
   /// Light that reached a vertex by way of mirrors: the Sun's, or an emitter's.
   struct Mirrored {
     static constexpr std::size_t kMost = 8;
     std::uint32_t next = PathVertex::kNone;  ///< of the same vertex
-    float weight = 0.0f;     ///< of the factors' product with the Sun's irradiance, or the emission
-    bool through = false;    ///< transmitted by the vertex, not reflected
-    std::uint8_t count = 0;  ///< of mirrors
+    float weight = 0.0f;       ///< of the factors' product with the Sun's irradiance, or the emission
+    bool transmitted = false;  ///< transmitted by the vertex, not reflected
+    std::uint8_t count = 0;    ///< of mirrors
     struct Factor {
-      const float* row = nullptr;  ///< null: of `mixed`
+      const float* spectrum = nullptr;  ///< null: of `mixed`
       std::uint32_t mixed = PathVertex::kNone;
       std::uint32_t event = PathVertex::kNone;  ///< index into PathRecord::way_events
     };

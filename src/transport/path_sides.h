@@ -23,17 +23,17 @@ struct PathTracer::Sides {
   double time_s;        // of the path
   math::Vec3 outward;   // geometric normal
   math::Normal3 shading;
-  bool bent = false;  // the two differ
+  bool perturbed = false;  // the two differ
 
   /// An event towards the viewer, without the direction that light comes from.
-  materials::BsdfEvent view(const SurfaceLobe& lobe, bool through) const {
+  materials::BsdfEvent view(const SurfaceLobe& lobe, bool transmitted) const {
     materials::BsdfEvent event{
-        outgoing, {}, shading, {}, through ? materials::Side::transmitted : materials::Side::reflected};
+        outgoing, {}, shading, {}, transmitted ? materials::Side::transmitted : materials::Side::reflected};
     if (!lobe.isotropic) event.tangent = tangent();
     return event;
   }
-  materials::BsdfEvent event(const SurfaceLobe& lobe, bool through, math::Vec3 incoming) const {
-    materials::BsdfEvent event = view(lobe, through);
+  materials::BsdfEvent event(const SurfaceLobe& lobe, bool transmitted, math::Vec3 incoming) const {
+    materials::BsdfEvent event = view(lobe, transmitted);
     event.incoming = incoming;
     return event;
   }
@@ -55,8 +55,8 @@ struct PathTracer::Sides {
         outward((hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector()),
         shading(hit.front ? shading_normal : -shading_normal) {
     const math::Vec3 s = shading.as_vector();
-    bent = s.x != outward.x || s.y != outward.y || s.z != outward.z;
-    if (!bent) return;
+    perturbed = s.x != outward.x || s.y != outward.y || s.z != outward.z;
+    if (!perturbed) return;
     const double seen = math::dot(s, outgoing);
     if (seen < kLeastCosine) {
       const double along = std::max(1e-9, math::dot(outward, outgoing));

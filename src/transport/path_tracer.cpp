@@ -32,7 +32,7 @@ const PathRecord& PathTracer::trace(std::span<const math::Ray> rays, std::span<c
   record_.start(rays.size());
   paths_.resize(rays.size());
   for (std::size_t k = 0; k < rays.size(); ++k)
-    paths_[k] = {rays[k], keys[k], static_cast<std::uint32_t>(k), true, {}, {}, ImagesApart::kNone};
+    paths_[k] = {rays[k], keys[k], static_cast<std::uint32_t>(k), true, {}, {}, SeparateImages::kNone};
   for (int depth = 0; !paths_.empty(); ++depth) {
     trace_segment(counts, depth);
     if (depth == 0) {
@@ -55,11 +55,11 @@ void PathTracer::trace_segment(sampling::RayCounts& counts, int depth) {
   hits_.resize(paths_.size());
   for (std::size_t k = 0; k < paths_.size(); ++k) rays_[k] = paths_[k].ray;
   scene_.scene().world->intersect(rays_, hits_);
-  if (depth > 0) counts.bounce += rays_.size();
+  if (depth > 0) counts.continuation += rays_.size();
 }
 
 void PathTracer::advance(int depth, sampling::RayCounts& counts) {
-  scatters_.clear();
+  events_.clear();
   shadow_rays_.clear();
   seeks_.clear();
   seek_rays_.clear();
@@ -86,19 +86,19 @@ void PathTracer::advance(int depth, sampling::RayCounts& counts) {
 
   next_paths_.clear();
   next_paths_.swap(passing_);
-  for (Scatter& event : scatters_) {
+  for (SurfaceEvent& event : events_) {
     const Path& path = paths_[event.path];
     if (event.shadow == kNone || blocked_[event.shadow] != 0) event.vertex.sun_weight = 0.0f;
     record_.add(path.number, event.vertex);
-    if (event.vertex.bounce_weight > 0.0f)
+    if (event.vertex.continuation_weight > 0.0f)
       next_paths_.push_back({event.next, path.key, path.number, event.next_sees_sun, event.left,
-                             event.next_way, event.next_mirror});
+                             event.next_chain, event.next_mirror});
   }
   paths_.swap(next_paths_);
 }
 
 bool PathTracer::passes(const Path& path, const geometry::SurfacePoint& hit) const {
-  return path.mirror != ImagesApart::kNone && options_.images_apart->holds(path.mirror, hit);
+  return path.mirror != SeparateImages::kNone && options_.separate_images->holds(path.mirror, hit);
 }
 
 void PathTracer::pass(const Path& path, const geometry::SurfacePoint& hit) {

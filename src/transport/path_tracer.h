@@ -10,10 +10,10 @@
 #include "sampling/field.h"
 #include "sampling/warp.h"
 #include "transport/emitters.h"
-#include "transport/images_apart.h"
-#include "transport/mirrors/mirror_ways.h"
+#include "transport/mirrors/mirror_paths.h"
 #include "transport/mirrors/sun_mirrors.h"
 #include "transport/path_record.h"
+#include "transport/separate_images.h"
 #include "transport/surface_lobe.h"
 #include "transport/transport_options.h"
 
@@ -29,7 +29,7 @@ struct PathKey {
   std::uint32_t index = 0;
 };
 
-/// Finds paths, breadth first: a batch advances together, one bounce at a time, so that the ray tracer sees large
+/// Finds paths, breadth first: a batch advances together, one surface at a time, so that the ray tracer sees large
 /// batches. Next-event estimation to the Sun (uniform in projected solid angle of its disc) and to what outshines the
 /// scene (Emitters), scattering for sky and other emission; the estimate is unbiased (Kajiya 1986). No decision needs a spectrum, only the highest factors of a
 /// surface: what a path met is recorded, and PathLight makes radiance of it in all spectral nodes.
@@ -45,7 +45,7 @@ class PathTracer {
   const SunImages& sun_images() const { return images_; }
 
   /// The paths of rays from the sensor; the record holds until the next call. `first_hits` receives what each ray met.
-  /// Adds shadow and bounce rays to `counts`.
+  /// Adds shadow and continuation rays to `counts`.
   const PathRecord& trace(std::span<const math::Ray> rays, std::span<const PathKey> keys,
                           std::span<geometry::SurfacePoint> first_hits, sampling::RayCounts& counts);
 
@@ -57,12 +57,12 @@ class PathTracer {
   /// What next-event estimation to emitters has to know of a scattered ray.
   struct Departure {
     Receiver receiver;
-    double density = 0.0;         // of the ray's direction, 1/sr, choice of the side included
-    double seek_chance = 0.0;     // that emitters were sought on this side; 0: they were not
-    double mirror_chance = 0.0;   // that they were sought by way of a certain plane of mirrors
-    bool unfolded = false;        // the receiver stands behind the mirror that the path has come by
-    bool by_rounds = false;       // they were sought by way of round mirrors
-    std::uint32_t round = kNone;  // that the path has come by, with the coefficients of its image
+    double density = 0.0;             // of the ray's direction, 1/sr, choice of the side included
+    double seek_probability = 0.0;    // that emitters were sought on this side; 0: they were not
+    double mirror_probability = 0.0;  // that they were sought by way of a certain plane of mirrors
+    bool unfolded = false;            // the receiver stands behind the mirror that the path has come by
+    bool by_rounds = false;           // they were sought by way of round mirrors
+    std::uint32_t round = kNone;      // that the path has come by, with the coefficients of its image
     std::array<double, 3> widens{};
   };
   /// The mirrors that a path came by since the sensor or the last surface where sunlight was sought.
@@ -71,7 +71,7 @@ class PathTracer {
     std::uint8_t reflections = 0;
     bool from_sensor = true;
     bool flat = true;     // all of them have a facing
-    bool unseen = false;  // sunlight by this way is found by chance alone
+    bool unseen = false;  // sunlight by this way is found by random paths alone
   };
   struct Path {
     math::Ray ray;
@@ -80,9 +80,9 @@ class PathTracer {
     bool sees_sun = true;      // no next-event estimation was made for this segment
     Departure left;            // where it left the surface before
     Way way;
-    ImagesApart::Mirror mirror = ImagesApart::kNone;  // that it came by straight from the sensor
+    SeparateImages::Mirror mirror = SeparateImages::kNone;  // that it came by straight from the sensor
   };
-  struct Scatter {  // a path that scatters at this depth
+  struct SurfaceEvent {  // a path that scatters at this depth
     std::uint32_t path = 0;
     std::uint32_t shadow = kNone;  // index of its shadow ray
     PathVertex vertex;             // sunlight as if nothing blocked it
@@ -90,10 +90,10 @@ class PathTracer {
     bool next_sees_sun = false;
     Departure left;
     std::uint32_t seek = kNone;  // index of its ray to an emitter
-    // Chance that one was sought for what is reflected; below 0: none was sought.
+    // Probability that one was sought for what is reflected; below 0: none was sought.
     double seek_reflected = -1.0;
-    Way next_way;
-    ImagesApart::Mirror next_mirror = ImagesApart::kNone;
+    Way next_chain;
+    SeparateImages::Mirror next_mirror = SeparateImages::kNone;
   };
   struct Seek {  // a ray that was sent to an emitter
     Emitters::Aim aim;
@@ -113,10 +113,10 @@ class PathTracer {
   struct SunRay {
     math::Ray ray;
     double weight = 0.0;  // 0: none
-    bool through = false;
+    bool transmitted = false;
   };
-  struct MirrorRay : MirrorWay {
-    std::uint32_t event = 0;  // index into scatters_
+  struct MirrorRay : MirrorPath {
+    std::uint32_t event = 0;  // index into events_
     PathRecord::Mirrored light;
   };
   /// A ray towards mirrors by way of which no sunlight is sought.
@@ -128,11 +128,11 @@ class PathTracer {
   void trace_segment(sampling::RayCounts& counts, int depth);
   void advance(int depth, sampling::RayCounts& counts);
   void escape(const Path& path);
-  /// Whether what a path met is added apart where it is seen by this way: then it goes on as if nothing were there.
+  /// Whether what a path met is added separately where it is seen by this way: then it goes on as if nothing were there.
   bool passes(const Path& path, const geometry::SurfacePoint& hit) const;
   void pass(const Path& path, const geometry::SurfacePoint& hit);
   PathVertex vertex_of(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, math::Vec3 outgoing);
-  /// Index of a surface whose rows are not kept.
+  /// Index of a surface whose spectra are not kept.
   std::uint32_t add_mixed(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
                           math::Vec3 outgoing);
   /// Where a vertex keeps its events; null where its lobe is separable.
@@ -140,7 +140,7 @@ class PathTracer {
   /// What becomes of a path at a surface: an event is added, of no weights where it ends there without sunlight.
   void scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface, int depth);
   void send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
-                   sampling::Point2 u, Scatter& event);
+                   sampling::Point2 u, SurfaceEvent& event);
   /// `towards_sun` the middle of the disc, or of an image of it.
   SunRay sun_ray(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
                  math::Vec3 towards_sun, sampling::Point2 u) const;
@@ -158,22 +158,22 @@ class PathTracer {
   void send_to_unseen(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
                       const geometry::SurfacePoint& hit, int depth);
   /// Along which mirrors the path goes on, and whether it may meet the Sun there.
-  void note_way(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
-                const geometry::SurfacePoint& hit, Scatter& event);
+  void note_chain(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
+                  const geometry::SurfacePoint& hit, SurfaceEvent& event);
   void trace_mirror_rays(sampling::RayCounts& counts);
   void trace_unseen_rays(sampling::RayCounts& counts);
   /// Direction, side and weight of the continued path, before any roulette; false where it ends.
-  bool bounce(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
-              sampling::Point2 u, Scatter& event);
+  bool continue_path(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
+                     sampling::Point2 u, SurfaceEvent& event);
   /// Sends a ray to an emitter.
   void seek(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
-            const PathKey& key, int depth, Scatter& event);
+            const PathKey& key, int depth, SurfaceEvent& event);
   void trace_seeks(sampling::RayCounts& counts);
   /// The same by way of one mirror (path_tracer_mirror_seek.cpp).
   void seek_by_planes(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, const Sides& sides,
-                      const geometry::SurfacePoint& hit, const PathKey& key, int depth, Scatter& event);
+                      const geometry::SurfacePoint& hit, const PathKey& key, int depth, SurfaceEvent& event);
   void seek_by_rounds(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe, const Sides& sides,
-                      const geometry::SurfacePoint& hit, const PathKey& key, int depth, Scatter& event);
+                      const geometry::SurfacePoint& hit, const PathKey& key, int depth, SurfaceEvent& event);
   void trace_mirror_seeks(sampling::RayCounts& counts);
   bool reflects(MirrorSeek& seek, const geometry::SurfacePoint& hit, const scene::ResolvedSurface& surface);
   /// A path that came straight from where emitters were sought meets a mirror: what is known of what it meets next.
@@ -184,26 +184,29 @@ class PathTracer {
   PathRecord::Mirrored::Factor mirror_factor(const scene::ResolvedSurface& surface);
   /// What the surface of an event makes of light that reaches it by way of mirrors.
   PathRecord::Mirrored::Factor surface_factor(const scene::ResolvedSurface& surface, const PathVertex& vertex,
-                                              const LobeEvent& event, bool through);
-  /// The chance of one plane to be sought by from one surface.
-  double mirror_chance() const;
-  /// Notes how the next ray leaves: by reflection or not, sides chosen with a chance.
-  void leave(const SurfaceLobe& lobe, const Sides& sides, bool through, double chance, Scatter& event) const;
+                                              const LobeEvent& event, bool transmitted);
+  /// The probability of one plane to be sought by from one surface.
+  double mirror_probability() const;
+  /// Notes how the next ray leaves: by reflection or not, the side chosen at random with a probability.
+  void leave(const SurfaceLobe& lobe, const Sides& sides, bool transmitted, double probability,
+             SurfaceEvent& event) const;
   /// Share of what a path's ray met that is not sought from where it comes from: all or nothing, by the maximum heuristic.
   float unsought(const Path& path, const geometry::SurfacePoint& hit) const;
   /// The event of light from a direction that reaches a surface geometrically: of irradiance on the shading normal's
   /// plane, or of radiance, weighed by cosines.
-  static LobeEvent arriving(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through);
+  static LobeEvent arriving(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction,
+                            bool transmitted);
   static LobeEvent scattering(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction,
-                              bool through);
+                              bool transmitted);
   /// Scattered by the lobe from a direction on a side, shape times cosine (1 of a directional one, whose event holds the
-  /// cosine); and the density with which bounce() takes it, the choice of the side not included.
-  static double scattered(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction, bool through);
-  double bounce_density(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction,
-                        bool through) const;
-  double sky_share(const materials::Bsdf& bsdf, const materials::BsdfEvent& view, bool bent) const;
-  materials::BsdfSample sample_bounce(const materials::Bsdf& bsdf, const materials::BsdfEvent& view,
-                                      bool bent, sampling::Point2 u) const;
+  /// cosine); and the density with which continue_path() takes it, the choice of the side not included.
+  static double scattered(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction,
+                          bool transmitted);
+  double continuation_density(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction,
+                              bool transmitted) const;
+  double sky_share(const materials::Bsdf& bsdf, const materials::BsdfEvent& view, bool perturbed) const;
+  materials::BsdfSample sample_continuation(const materials::Bsdf& bsdf, const materials::BsdfEvent& view,
+                                            bool perturbed, sampling::Point2 u) const;
   sampling::LightSample sample_sun(math::Vec3 towards_sun, math::Vec3 normal, bool either_side,
                                    sampling::Point2 u) const;
 
@@ -216,7 +219,7 @@ class PathTracer {
   std::vector<Path> paths_, next_paths_, passing_;
   std::vector<math::Ray> rays_, shadow_rays_;
   std::vector<geometry::SurfacePoint> hits_;
-  std::vector<Scatter> scatters_;
+  std::vector<SurfaceEvent> events_;
   std::vector<std::uint8_t> blocked_;
   std::vector<Seek> seeks_;
   std::vector<math::Ray> seek_rays_;

@@ -7,7 +7,7 @@
 #include "math/vec3.h"
 #include "sampling/sequence.h"
 #include "transport/mirrors/emitter_mirrors.h"
-#include "transport/mirrors/mirror_ways.h"
+#include "transport/mirrors/mirror_paths.h"
 #include "transport/path_sides.h"
 #include "transport/path_tracer.h"
 #include "transport/spectral_scene.h"
@@ -23,7 +23,7 @@ constexpr std::size_t kMostPlanes = 4, kMostRounds = 2;
 
 }  // namespace
 
-double PathTracer::mirror_chance() const {
+double PathTracer::mirror_probability() const {
   const std::size_t planes = emitter_mirrors_->count();
   return planes == 0 ? 0.0 : static_cast<double>(std::min(planes, kMostPlanes)) / static_cast<double>(planes);
 }
@@ -32,7 +32,7 @@ double PathTracer::mirror_chance() const {
 /// itself: light is sought for that.
 void PathTracer::seek_by_planes(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
                                 const Sides& sides, const geometry::SurfacePoint& hit, const PathKey& key,
-                                int depth, Scatter& event) {
+                                int depth, SurfaceEvent& event) {
   if (lobe.highest_transmittance > 0.0) return;
   const std::size_t planes = emitter_mirrors_->count(), rays = std::min(planes, kMostPlanes);
   const Receiver receiver{hit.position_m + hit.offset_m * sides.outward, sides.outward};
@@ -42,9 +42,9 @@ void PathTracer::seek_by_planes(const scene::ResolvedSurface& surface, const Sur
         2u * static_cast<std::uint32_t>(k);
     std::size_t picked = k;
     if (rays < planes) {
-      const double place = sampling::sequence_point(key.sequence, key.index, pair + 1u).x;
+      const double position = sampling::sequence_point(key.sequence, key.index, pair + 1u).x;
       picked = std::min(planes - 1,
-                        static_cast<std::size_t>((static_cast<double>(k) + place) *
+                        static_cast<std::size_t>((static_cast<double>(k) + position) *
                                                  static_cast<double>(planes) / static_cast<double>(rays)));
     }
     MirrorSeek seek;
@@ -56,11 +56,11 @@ void PathTracer::seek_by_planes(const scene::ResolvedSurface& surface, const Sur
     seek.onward = aim.direction;
     const math::Vec3 direction = emitter_mirrors_->mirrored(seek.plane, aim.direction);
     if (!(math::dot(direction, receiver.normal) > 0.0)) continue;
-    const double density = aim.density * mirror_chance();
-    if (!(density > bounce_density(lobe, sides, direction, false))) continue;
+    const double density = aim.density * mirror_probability();
+    if (!(density > continuation_density(lobe, sides, direction, false))) continue;
     seek.light.weight = static_cast<float>(scattered(lobe, sides, direction, false) / density);
     if (!(seek.light.weight > 0.0f)) continue;
-    seek.event = static_cast<std::uint32_t>(scatters_.size() - 1);
+    seek.event = static_cast<std::uint32_t>(events_.size() - 1);
     seek.ray = sides.leaving(receiver.at_m, direction);
     seek.light.surface =
         surface_factor(surface, event.vertex,
@@ -72,7 +72,7 @@ void PathTracer::seek_by_planes(const scene::ResolvedSurface& surface, const Sur
 /// In a round mirror an emitter's point has one image.
 void PathTracer::seek_by_rounds(const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
                                 const Sides& sides, const geometry::SurfacePoint& hit, const PathKey& key,
-                                int depth, Scatter& event) {
+                                int depth, SurfaceEvent& event) {
   const RoundMirrors& rounds = emitter_mirrors_->rounds();
   const std::uint32_t first =
       kRoundSeekPairs + static_cast<std::uint32_t>(2 * kMostRounds) * static_cast<std::uint32_t>(depth);
@@ -90,28 +90,30 @@ void PathTracer::seek_by_rounds(const scene::ResolvedSurface& surface, const Sur
         const std::optional<RoundMirror::Image> image = round.image_of(hit.position_m, point.at_m);
         if (!image) return;
         const double height = math::dot(image->direction, sides.outward);
-        const bool through = height < 0.0;
-        if (height == 0.0 || (through && !(lobe.highest_transmittance > 0.0))) return;
+        const bool transmitted = height < 0.0;
+        if (height == 0.0 || (transmitted && !(lobe.highest_transmittance > 0.0))) return;
         const double facing = std::max(kGrazing, std::abs(math::dot(point.normal, image->onward)));
         const double density =
             pick.expected * point.density * image->area_m2(math::length(point.at_m - image->at)) / facing;
-        if (!(density > (through ? 1.0 - reflected : reflected) *
-                            bounce_density(lobe, sides, image->direction, through)))
+        if (!(density > (transmitted ? 1.0 - reflected : reflected) *
+                            continuation_density(lobe, sides, image->direction, transmitted)))
           return;
         MirrorSeek seek;
-        seek.light.weight = static_cast<float>(scattered(lobe, sides, image->direction, through) / density);
+        seek.light.weight =
+            static_cast<float>(scattered(lobe, sides, image->direction, transmitted) / density);
         if (!(seek.light.weight > 0.0f)) return;
-        seek.light.through = through;
+        seek.light.transmitted = transmitted;
         seek.piece = point;
         seek.round = static_cast<std::uint32_t>(pick.round);
         seek.at = image->at;
         seek.light_at = point.at_m;
-        seek.event = static_cast<std::uint32_t>(scatters_.size() - 1);
-        seek.ray = sides.leaving(hit.position_m + (through ? -hit.offset_m : hit.offset_m) * sides.outward,
-                                 image->direction);
+        seek.event = static_cast<std::uint32_t>(events_.size() - 1);
+        seek.ray = sides.leaving(
+            hit.position_m + (transmitted ? -hit.offset_m : hit.offset_m) * sides.outward, image->direction);
         seek.light.surface = surface_factor(
             surface, event.vertex,
-            lobe.directional ? scattering(lobe, sides, image->direction, through) : LobeEvent{}, through);
+            lobe.directional ? scattering(lobe, sides, image->direction, transmitted) : LobeEvent{},
+            transmitted);
         mirror_seeks_.push_back(seek);
       });
 }
@@ -165,7 +167,7 @@ void PathTracer::trace_mirror_seeks(sampling::RayCounts& counts) {
       seek.light.emission_mixed = add_mixed(surface, SurfaceLobe{}, outgoing);
     else
       seek.light.emission = scene_.emission(surface, outgoing, nullptr);
-    PathVertex& vertex = scatters_[seek.event].vertex;
+    PathVertex& vertex = events_[seek.event].vertex;
     seek.light.next = vertex.mirrored;
     vertex.mirrored = static_cast<std::uint32_t>(record_.mirrored.size());
     record_.mirrored.push_back(seek.light);
@@ -175,13 +177,13 @@ void PathTracer::trace_mirror_seeks(sampling::RayCounts& counts) {
 PathTracer::Departure PathTracer::by_mirror(const Departure& left, const geometry::SurfacePoint& hit,
                                             const scene::ResolvedSurface& surface) const {
   Departure next;
-  if (left.mirror_chance > 0.0) {
+  if (left.mirror_probability > 0.0) {
     // The next segment is seen from behind the mirror.
     const std::uint32_t plane = emitter_mirrors_->plane_of(hit, surface.shading_normal.as_vector());
     if (plane != EmitterMirrors::kNone) {
       next.receiver = emitter_mirrors_->behind(plane, left.receiver);
       next.density = left.density;
-      next.seek_chance = left.mirror_chance;
+      next.seek_probability = left.mirror_probability;
       next.unfolded = true;
       return next;
     }
@@ -191,7 +193,7 @@ PathTracer::Departure PathTracer::by_mirror(const Departure& left, const geometr
   if (const std::optional<RoundMirrors::Met> met = rounds.met(left.receiver.at_m, hit)) {
     next.receiver = {rounds.all()[met->round].middle_m(), {}};
     next.density = left.density;
-    next.seek_chance = rounds.expected(left.receiver.at_m, kMostRounds, met->round);
+    next.seek_probability = rounds.expected(left.receiver.at_m, kMostRounds, met->round);
     next.round = static_cast<std::uint32_t>(met->round);
     std::copy_n(met->image.widens, 3, next.widens.begin());
   }
@@ -206,7 +208,7 @@ bool PathTracer::shows_mirror(const scene::ResolvedSurface& surface) const {
 PathRecord::Mirrored::Factor PathTracer::mirror_factor(const scene::ResolvedSurface& surface) {
   PathRecord::Mirrored::Factor factor;
   if (surface.count == 1) {
-    factor.row = scene_.materials().reflectance(surface.constituents[0].material);
+    factor.spectrum = scene_.materials().reflectance(surface.constituents[0].material);
   } else {
     SurfaceLobe lobe;
     lobe.bsdf = materials::Mirror::shared().get();
@@ -217,13 +219,13 @@ PathRecord::Mirrored::Factor PathTracer::mirror_factor(const scene::ResolvedSurf
 
 PathRecord::Mirrored::Factor PathTracer::surface_factor(const scene::ResolvedSurface& surface,
                                                         const PathVertex& vertex, const LobeEvent& event,
-                                                        bool through) {
+                                                        bool transmitted) {
   PathRecord::Mirrored::Factor factor;
   factor.mixed = vertex.mixed;
   if (vertex.mixed == PathVertex::kNone) {
     const std::uint32_t material = surface.constituents[0].material;
-    factor.row =
-        through ? scene_.materials().transmittance(material) : scene_.materials().reflectance(material);
+    factor.spectrum =
+        transmitted ? scene_.materials().transmittance(material) : scene_.materials().reflectance(material);
   } else if (record_.mixed[vertex.mixed].lobe.directional) {
     factor.event = static_cast<std::uint32_t>(record_.way_events.size());
     record_.way_events.push_back(event);

@@ -51,9 +51,9 @@ void PathTracer::send_to_images(const Path& path, const scene::ResolvedSurface& 
   for (std::size_t k = 0; k < rays; ++k) {
     std::size_t picked = k;
     if (rays < seen) {
-      const double place = (static_cast<double>(k) + choice(path.key, depth, kImageChoice, k)) *
-                           static_cast<double>(seen) / static_cast<double>(rays);
-      picked = std::min(seen - 1, static_cast<std::size_t>(place));
+      const double position = (static_cast<double>(k) + choice(path.key, depth, kImageChoice, k)) *
+                              static_cast<double>(seen) / static_cast<double>(rays);
+      picked = std::min(seen - 1, static_cast<std::size_t>(position));
     }
     MirrorRay way;
     way.image = seen_images_[picked];
@@ -98,14 +98,14 @@ void PathTracer::send_by_mirrors(MirrorRay way, const SunRay& light, double weig
                                  const scene::ResolvedSurface& surface, const SurfaceLobe& lobe,
                                  const Sides& sides) {
   if (light.weight <= 0.0) return;
-  way.event = static_cast<std::uint32_t>(scatters_.size() - 1);
+  way.event = static_cast<std::uint32_t>(events_.size() - 1);
   way.ray = light.ray;
   way.light.weight = static_cast<float>(light.weight * weight);
-  way.light.through = light.through;
+  way.light.transmitted = light.transmitted;
   way.light.surface = surface_factor(
-      surface, scatters_.back().vertex,
-      lobe.directional ? arriving(lobe, sides, light.ray.direction, light.through) : LobeEvent{},
-      light.through);
+      surface, events_.back().vertex,
+      lobe.directional ? arriving(lobe, sides, light.ray.direction, light.transmitted) : LobeEvent{},
+      light.transmitted);
   mirror_rays_.push_back(way);
 }
 
@@ -117,24 +117,26 @@ void PathTracer::trace_mirror_rays(sampling::RayCounts& counts) {
         way.light.height_m = hit.position_m.z;
       },
       [&](MirrorRay& way) {
-        PathVertex& vertex = scatters_[way.event].vertex;
+        PathVertex& vertex = events_[way.event].vertex;
         way.light.next = vertex.mirrored;
         vertex.mirrored = static_cast<std::uint32_t>(record_.mirrored.size());
         record_.mirrored.push_back(way.light);
       });
 }
 
-void PathTracer::note_way(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
-                          const geometry::SurfacePoint& hit, Scatter& event) {
-  const double highest = event.vertex.bounce_through ? lobe.highest_transmittance : lobe.highest_reflectance;
-  Way& way = event.next_way;
+void PathTracer::note_chain(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
+                            const geometry::SurfacePoint& hit, SurfaceEvent& event) {
+  const double highest =
+      event.vertex.continuation_transmitted ? lobe.highest_transmittance : lobe.highest_reflectance;
+  Way& way = event.next_chain;
   if (!lobe.bsdf->is_delta()) {
     way = {};
     way.from_sensor = false;
   } else {
     way = path.way;
-    const std::uint32_t facing =
-        event.vertex.bounce_through ? SunMirrors::kNone : mirrors_->facing_of(hit, sides.shading.as_vector());
+    const std::uint32_t facing = event.vertex.continuation_transmitted
+                                     ? SunMirrors::kNone
+                                     : mirrors_->facing_of(hit, sides.shading.as_vector());
     way.flat = way.flat && facing != SunMirrors::kNone;
     if (way.flat && way.reflections < way.facings.size())
       way.facings[way.reflections] = static_cast<std::uint16_t>(facing);
@@ -148,26 +150,26 @@ void PathTracer::note_way(const Path& path, const SurfaceLobe& lobe, const Sides
           way.flat ? way.reflections <= images_.reflections() &&
                          images_.image_of({way.facings.data(), way.reflections}) != SunMirrors::kNone
                    : way.reflections == 1 && options_.mirror_reflections > 0 &&
-                         !event.vertex.bounce_through && mirrors_->rounds().sought(hit);
+                         !event.vertex.continuation_transmitted && mirrors_->rounds().sought(hit);
       event.next_sees_sun = !sought && !options_.sought_only;
       // What bends and is met first is looked for by send_to_unseen.
       way.unseen = !sought && (way.unseen || way.flat || way.reflections > 1);
     }
   }
   record_.paths[path.number].brightest *=
-      static_cast<float>(highest * lobe.shape_scale()) * event.vertex.bounce_weight;
+      static_cast<float>(highest * lobe.shape_scale()) * event.vertex.continuation_weight;
 }
 
 void PathTracer::send_to_unseen(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
                                 const geometry::SurfacePoint& hit, int depth) {
   const std::span<const geometry::SurfaceSurvey::Ball> groups = mirrors_->groups();
   if (groups.empty()) return;
-  std::array<double, SunMirrors::kMostGroups> chance{};
+  std::array<double, SunMirrors::kMostGroups> probability{};
   double all = 0.0;
   for (std::size_t k = 0; k < groups.size(); ++k) {
     const double apart = math::length(groups[k].centre_m - hit.position_m), radius = groups[k].radius_m;
-    chance[k] = apart > radius ? radius * radius / (apart * apart) : 1.0;
-    all += chance[k];
+    probability[k] = apart > radius ? radius * radius / (apart * apart) : 1.0;
+    all += probability[k];
   }
   if (all <= 0.0) return;
   const std::uint64_t rays = path.way.from_sensor ? kUnseenRays : 1;
@@ -175,27 +177,27 @@ void PathTracer::send_to_unseen(const Path& path, const SurfaceLobe& lobe, const
     const auto random = [&](std::uint64_t number) {
       return choice(path.key, depth, kUnseenChoice, 3 * k + number);
     };
-    double place = random(0) * all;
+    double position = random(0) * all;
     std::size_t picked = 0;
-    while (picked + 1 < groups.size() && place >= chance[picked]) place -= chance[picked++];
+    while (picked + 1 < groups.size() && position >= probability[picked]) position -= probability[picked++];
     const math::Vec3 towards = groups[picked].centre_m - hit.position_m;
     const double apart = math::length(towards), sine = groups[picked].radius_m / std::max(apart, 1e-300);
     const bool inside = sine >= 1.0;
     const sampling::UniformCone cone(inside ? 0.5 * std::numbers::pi : std::asin(sine));
     const math::Vec3 direction =
         cone.sample(inside ? sides.outward : towards / apart, {random(1), random(2)});
-    const bool through = math::dot(direction, sides.outward) < 0.0;
-    const double highest = through ? lobe.highest_transmittance : lobe.highest_reflectance;
-    const math::Vec3 normal = through ? -sides.shading.as_vector() : sides.shading.as_vector();
+    const bool transmitted = math::dot(direction, sides.outward) < 0.0;
+    const double highest = transmitted ? lobe.highest_transmittance : lobe.highest_reflectance;
+    const math::Vec3 normal = transmitted ? -sides.shading.as_vector() : sides.shading.as_vector();
     const double cosine = math::dot(normal, direction);
     if (highest <= 0.0 || cosine <= 0.0) continue;
-    const double weight = lobe.bsdf->shape(sides.event(lobe, through, direction)) * lobe.shape_scale() *
-                          cosine * cone.solid_angle_sr() * all / chance[picked] * highest *
+    const double weight = lobe.bsdf->shape(sides.event(lobe, transmitted, direction)) * lobe.shape_scale() *
+                          cosine * cone.solid_angle_sr() * all / probability[picked] * highest *
                           static_cast<double>(record_.paths[path.number].brightest) /
                           static_cast<double>(rays);
     if (!(weight > kNegligible)) continue;
-    const math::Vec3 outward = through ? -sides.outward : sides.outward;
-    unseen_rays_.push_back({static_cast<std::uint32_t>(scatters_.size() - 1), static_cast<float>(weight),
+    const math::Vec3 outward = transmitted ? -sides.outward : sides.outward;
+    unseen_rays_.push_back({static_cast<std::uint32_t>(events_.size() - 1), static_cast<float>(weight),
                             sides.leaving(hit.position_m + hit.offset_m * outward, direction)});
   }
 }
@@ -233,7 +235,7 @@ void PathTracer::trace_unseen_rays(sampling::RayCounts& counts) {
   counts.shadow += rays_.size();
   for (std::size_t k = 0; k < kept; ++k)
     if (hidden_[k] == 0)
-      record_.paths[paths_[scatters_[unseen_rays_[k].event].path].number].unseen += unseen_rays_[k].weight;
+      record_.paths[paths_[events_[unseen_rays_[k].event].path].number].unseen += unseen_rays_[k].weight;
 }
 
 }  // namespace ifov::transport

@@ -61,11 +61,11 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
           : 0.0;
   const SurfaceLobe lobe = surface_lobe(scene_, surface, choice);
   const geometry::SurfacePoint& hit = hits_[path_index];
-  Scatter& event = scatters_.emplace_back();
+  SurfaceEvent& event = events_.emplace_back();
   event.path = path_index;
   event.vertex = vertex_of(surface, lobe, -path.ray.direction);
   event.vertex.height_m = hit.position_m.z;
-  if (path.left.seek_chance > 0.0) event.vertex.emission_weight = unsought(path, hit);
+  if (path.left.seek_probability > 0.0) event.vertex.emission_weight = unsought(path, hit);
   if (depth == options_.maximum_scatterings || lobe.highest_reflectance + lobe.highest_transmittance <= 0.0)
     return;
 
@@ -90,44 +90,48 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
     seek_by_rounds(surface, lobe, sides, hit, path.key, depth, event);
   }
   if (depth + 1 != options_.maximum_scatterings &&
-      bounce(lobe, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair + 1u),
-             event) &&
+      continue_path(lobe, sides, hit, sampling::sequence_point(path.key.sequence, path.key.index, pair + 1u),
+                    event) &&
       depth + 1 >= kCertainScatterings) {
-    const double highest = vertex.bounce_through ? lobe.highest_transmittance : lobe.highest_reflectance;
-    const double chance = std::min(1.0, highest * vertex.bounce_weight * lobe.shape_scale());
+    const double highest =
+        vertex.continuation_transmitted ? lobe.highest_transmittance : lobe.highest_reflectance;
+    const double probability = std::min(1.0, highest * vertex.continuation_weight * lobe.shape_scale());
     const bool survives =
-        sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth)) < chance;
-    vertex.bounce_weight = survives ? static_cast<float>(vertex.bounce_weight / chance) : 0.0f;
+        sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth)) < probability;
+    vertex.continuation_weight =
+        survives ? static_cast<float>(vertex.continuation_weight / probability) : 0.0f;
   }
-  if (by_mirrors && vertex.bounce_weight > 0.0f) {
+  if (by_mirrors && vertex.continuation_weight > 0.0f) {
     if (!lobe.bsdf->is_delta()) {
-      event.left.mirror_chance = lobe.highest_transmittance > 0.0 ? 0.0 : mirror_chance();
+      event.left.mirror_probability = lobe.highest_transmittance > 0.0 ? 0.0 : mirror_probability();
       event.left.by_rounds = !emitter_mirrors_->rounds().all().empty();
-    } else if (!vertex.bounce_through) {
+    } else if (!vertex.continuation_transmitted) {
       event.left = by_mirror(path.left, hit, surface);
     }
   }
-  if (options_.images_apart != nullptr && depth == 0 && lobe.bsdf->is_delta() && !vertex.bounce_through)
-    event.next_mirror = options_.images_apart->mirror_of(hit, surface.shading_normal.as_vector());
-  if (mirrors_ != nullptr && vertex.bounce_weight > 0.0f) note_way(path, lobe, sides, hit, event);
+  if (options_.separate_images != nullptr && depth == 0 && lobe.bsdf->is_delta() &&
+      !vertex.continuation_transmitted)
+    event.next_mirror = options_.separate_images->mirror_of(hit, surface.shading_normal.as_vector());
+  if (mirrors_ != nullptr && vertex.continuation_weight > 0.0f) note_chain(path, lobe, sides, hit, event);
   if (vertex.mixed != PathVertex::kNone) return;
   const std::uint32_t material = surface.constituents[0].material;
-  const auto factor = [&](bool through) {
-    return through ? scene_.materials().transmittance(material) : scene_.materials().reflectance(material);
+  const auto factor = [&](bool transmitted) {
+    return transmitted ? scene_.materials().transmittance(material)
+                       : scene_.materials().reflectance(material);
   };
-  vertex.sun_factor = factor(vertex.sun_through);
-  vertex.sought_factor = factor(vertex.sought_through);
-  vertex.bounce_factor = factor(vertex.bounce_through);
+  vertex.sun_factor = factor(vertex.sun_transmitted);
+  vertex.sought_factor = factor(vertex.sought_transmitted);
+  vertex.continuation_factor = factor(vertex.continuation_transmitted);
 }
 
 void PathTracer::send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
-                             sampling::Point2 u, Scatter& event) {
+                             sampling::Point2 u, SurfaceEvent& event) {
   const SunRay light = sun_ray(lobe, sides, hit, scene_.scene().sun->direction, u);
   if (light.weight <= 0.0) return;
   if (PathRecord::Events* events = events_of(event.vertex))
-    events->sun = arriving(lobe, sides, light.ray.direction, light.through);
+    events->sun = arriving(lobe, sides, light.ray.direction, light.transmitted);
   event.vertex.sun_weight = static_cast<float>(light.weight);
-  event.vertex.sun_through = light.through;
+  event.vertex.sun_transmitted = light.transmitted;
   event.shadow = static_cast<std::uint32_t>(shadow_rays_.size());
   shadow_rays_.push_back(light.ray);
 }
@@ -138,7 +142,7 @@ PathTracer::SunRay PathTracer::sun_ray(const SurfaceLobe& lobe, const Sides& sid
   const bool transmits = lobe.highest_transmittance > 0.0;
   const bool behind = transmits && math::dot(sides.outward, towards_sun) < 0.0;
   const math::Vec3 lit_side = behind ? -sides.shading.as_vector() : sides.shading.as_vector();
-  const sampling::LightSample light = sample_sun(towards_sun, lit_side, transmits && !sides.bent, u);
+  const sampling::LightSample light = sample_sun(towards_sun, lit_side, transmits && !sides.perturbed, u);
   return light_ray(lobe, sides, hit, light.direction, light.weight_sr);
 }
 
@@ -146,76 +150,78 @@ PathTracer::SunRay PathTracer::light_ray(const SurfaceLobe& lobe, const Sides& s
                                          const geometry::SurfacePoint& hit, math::Vec3 direction,
                                          double weight_sr) const {
   const double height = math::dot(direction, sides.outward);
-  const bool through = lobe.highest_transmittance > 0.0 && height < 0.0;
-  if (weight_sr <= 0.0 || (through ? height >= 0.0 : height <= 0.0)) return {};
+  const bool transmitted = lobe.highest_transmittance > 0.0 && height < 0.0;
+  if (weight_sr <= 0.0 || (transmitted ? height >= 0.0 : height <= 0.0)) return {};
 
   // Light that a bent normal would take from below the surface comes mirrored from above it.
-  materials::BsdfEvent event = sides.event(lobe, through, direction);
+  materials::BsdfEvent event = sides.event(lobe, transmitted, direction);
   double weight = weight_sr * lobe.bsdf->shape(event);
-  if (sides.bent && !lobe.directional) {
+  if (sides.perturbed && !lobe.directional) {
     const double own = event.incoming_cosine();
     event.incoming = mirrored(direction, sides.outward);
     const double below = event.incoming_cosine();
     if (own > 0.0 && below > 0.0) weight += weight_sr * lobe.bsdf->shape(event) * below / own;
   }
-  return {sides.leaving(hit.position_m + (through ? -hit.offset_m : hit.offset_m) * sides.outward, direction),
-          weight, through};
+  return {
+      sides.leaving(hit.position_m + (transmitted ? -hit.offset_m : hit.offset_m) * sides.outward, direction),
+      weight, transmitted};
 }
 
 LobeEvent PathTracer::arriving(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction,
-                               bool through) {
-  LobeEvent event = scattering(lobe, sides, direction, through);
+                               bool transmitted) {
+  LobeEvent event = scattering(lobe, sides, direction, transmitted);
   event.image_weight = event.weight > 0.0f ? event.image_weight / event.weight : 0.0f;
   event.weight = 1.0f;
   return event;
 }
 
 LobeEvent PathTracer::scattering(const SurfaceLobe& lobe, const Sides& sides, math::Vec3 direction,
-                                 bool through) {
-  LobeEvent event{sides.event(lobe, through, direction), {}, 0.0f, 0.0f};
+                                 bool transmitted) {
+  LobeEvent event{sides.event(lobe, transmitted, direction), {}, 0.0f, 0.0f};
   event.weight = static_cast<float>(std::max(0.0, event.event.incoming_cosine()));
-  if (!sides.bent) return event;
+  if (!sides.perturbed) return event;
   materials::BsdfEvent other = event.event;
   event.image = other.incoming = mirrored(direction, sides.outward);
   event.image_weight = static_cast<float>(std::max(0.0, other.incoming_cosine()));
   return event;
 }
 
-bool PathTracer::bounce(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
-                        sampling::Point2 u, Scatter& event) {
+bool PathTracer::continue_path(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
+                               sampling::Point2 u, SurfaceEvent& event) {
   // The side is chosen so that no node's weight outgrows the sum of the two highest factors.
-  double chance = 1.0;
-  bool through = false;
+  double probability = 1.0;
+  bool transmitted = false;
   if (lobe.highest_transmittance > 0.0) {
-    chance = lobe.highest_reflectance / (lobe.highest_reflectance + lobe.highest_transmittance);
-    through = !(u.x < chance);
-    u.x = through ? (u.x - chance) / (1.0 - chance) : u.x / chance;
-    if (through) chance = 1.0 - chance;
+    probability = lobe.highest_reflectance / (lobe.highest_reflectance + lobe.highest_transmittance);
+    transmitted = !(u.x < probability);
+    u.x = transmitted ? (u.x - probability) / (1.0 - probability) : u.x / probability;
+    if (transmitted) probability = 1.0 - probability;
   }
-  const math::Vec3 outward = through ? -sides.outward : sides.outward;
-  const materials::BsdfEvent view = sides.view(lobe, through);
-  materials::BsdfSample sample = sample_bounce(*lobe.bsdf, view, sides.bent, u);
+  const math::Vec3 outward = transmitted ? -sides.outward : sides.outward;
+  const materials::BsdfEvent view = sides.view(lobe, transmitted);
+  materials::BsdfSample sample = sample_continuation(*lobe.bsdf, view, sides.perturbed, u);
   if (PathRecord::Events* events = events_of(event.vertex)) {
-    events->bounce.event = view;
-    events->bounce.event.incoming = sample.incoming;
+    events->continuation.event = view;
+    events->continuation.event.incoming = sample.incoming;
   }
-  if (sides.bent && math::dot(sample.incoming, outward) < 0.0)
+  if (sides.perturbed && math::dot(sample.incoming, outward) < 0.0)
     sample.incoming = mirrored(sample.incoming, outward);
   if (!(sample.weight > 0.0) || !(math::dot(sample.incoming, outward) > 0.0)) return false;
-  event.vertex.bounce_weight = static_cast<float>(sample.weight / chance);
-  event.vertex.bounce_through = through;
+  event.vertex.continuation_weight = static_cast<float>(sample.weight / probability);
+  event.vertex.continuation_transmitted = transmitted;
   event.next = sides.leaving(hit.position_m + hit.offset_m * outward, sample.incoming);
   event.next_sees_sun = lobe.bsdf->is_delta();
-  if (emitters_ != nullptr) leave(lobe, sides, through, chance, event);
+  if (emitters_ != nullptr) leave(lobe, sides, transmitted, probability, event);
   return true;
 }
 
 /// Under a sky that is brighter here than there, some directions are drawn from the sky and all weigh by the
 /// density of both (Veach and Guibas 1995, one sample, balance heuristic): those that see the sky weigh
 /// almost alike.
-materials::BsdfSample PathTracer::sample_bounce(const materials::Bsdf& bsdf, const materials::BsdfEvent& view,
-                                                bool bent, sampling::Point2 u) const {
-  const double share = sky_share(bsdf, view, bent);
+materials::BsdfSample PathTracer::sample_continuation(const materials::Bsdf& bsdf,
+                                                      const materials::BsdfEvent& view, bool perturbed,
+                                                      sampling::Point2 u) const {
+  const double share = sky_share(bsdf, view, perturbed);
   if (share == 0.0) return bsdf.sample(view, u.x, u.y);
   materials::BsdfSample sample;
   if (u.x < share)
@@ -230,10 +236,11 @@ materials::BsdfSample PathTracer::sample_bounce(const materials::Bsdf& bsdf, con
   return sample;
 }
 
-double PathTracer::sky_share(const materials::Bsdf& bsdf, const materials::BsdfEvent& view, bool bent) const {
+double PathTracer::sky_share(const materials::Bsdf& bsdf, const materials::BsdfEvent& view,
+                             bool perturbed) const {
   const double height = view.side == materials::Side::reflected ? view.normal.z : -view.normal.z;
-  return sky_ == nullptr || bent || bsdf.is_delta() || height <= 0.0 ? 0.0
-                                                                     : kMostSkySamples * height * height;
+  return sky_ == nullptr || perturbed || bsdf.is_delta() || height <= 0.0 ? 0.0
+                                                                          : kMostSkySamples * height * height;
 }
 
 sampling::LightSample PathTracer::sample_sun(math::Vec3 towards_sun, math::Vec3 normal, bool either_side,

@@ -115,13 +115,13 @@ void SpectralScene::light_heights(const atmosphere::SensorAtmosphere& air) {
   const std::vector<double>& heights_km = air.lines_of_sight().height().known();
   if (heights_km.size() < 2) return;
   for (const double height : heights_km) heights_m_.push_back(1e3 * height);
-  sun_rows_.resize(heights_km.size(), node_count());
-  sky_rows_.resize(heights_km.size(), node_count());
+  sun_spectra_.resize(heights_km.size(), node_count());
+  sky_spectra_.resize(heights_km.size(), node_count());
   for (std::size_t h = 0; h < heights_km.size(); ++h)
     for (std::size_t n = 0; n < node_count(); ++n) {
       const double ground = air.sky_at_height(0)[n];
-      sun_rows_.row(h)[n] = static_cast<float>(air.sun_at_height(h)[n]);
-      sky_rows_.row(h)[n] = ground > 0.0 ? static_cast<float>(air.sky_at_height(h)[n] / ground) : 1.0f;
+      sun_spectra_.row(h)[n] = static_cast<float>(air.sun_at_height(h)[n]);
+      sky_spectra_.row(h)[n] = ground > 0.0 ? static_cast<float>(air.sky_at_height(h)[n] / ground) : 1.0f;
     }
 }
 
@@ -137,11 +137,11 @@ const float* SpectralScene::between_heights(const radiometry::SpectrumBlock& row
 }
 
 const float* SpectralScene::sun_irradiance(double height_m, float* scratch) const {
-  return heights_m_.empty() ? sun_irradiance() : between_heights(sun_rows_, height_m, scratch);
+  return heights_m_.empty() ? sun_irradiance() : between_heights(sun_spectra_, height_m, scratch);
 }
 
 const float* SpectralScene::sky_share(double height_m, float* scratch) const {
-  return between_heights(sky_rows_, height_m, scratch);
+  return between_heights(sky_spectra_, height_m, scratch);
 }
 
 void SpectralScene::sky_of_scene() {
@@ -151,12 +151,12 @@ void SpectralScene::sky_of_scene() {
     nodes_.planck(*scene_.sky.temperature_k, light_.values(kSky));
 }
 
-void SpectralScene::emit(const scene::SurfaceState& state, float* row) const {
+void SpectralScene::emit(const scene::SurfaceState& state, float* spectrum) const {
   if (state.temperature_k <= 0.0) return;
   std::vector<float> planck(node_count());
   nodes_.planck(state.temperature_k, std::span<float>(planck));
   const float* emissivity = materials_.emissivity(state.material);
-  for (std::size_t n = 0; n < planck.size(); ++n) row[n] = emissivity[n] * planck[n];
+  for (std::size_t n = 0; n < planck.size(); ++n) spectrum[n] = emissivity[n] * planck[n];
 }
 
 void SpectralScene::find_emitters() {
@@ -228,13 +228,13 @@ const float* SpectralScene::emission(const scene::ResolvedSurface& surface, math
   if (surface.count == 1) return emission(surface.constituents[0], cosine, scratch, work);
   bool any = false;
   for (const scene::Constituent& constituent : surface) {
-    const float* row = emission(constituent, cosine, part, work);
-    if (row == nullptr) continue;
+    const float* spectrum = emission(constituent, cosine, part, work);
+    if (spectrum == nullptr) continue;
     const float weight = static_cast<float>(constituent.weight);
     if (any)
-      for (std::size_t n = 0; n < stride(); ++n) scratch[n] += weight * row[n];
+      for (std::size_t n = 0; n < stride(); ++n) scratch[n] += weight * spectrum[n];
     else
-      for (std::size_t n = 0; n < stride(); ++n) scratch[n] = weight * row[n];
+      for (std::size_t n = 0; n < stride(); ++n) scratch[n] = weight * spectrum[n];
     any = true;
   }
   return any ? scratch : nullptr;

@@ -25,7 +25,7 @@ class SkyDome;
 class SunMirrors;
 class ViewTable;
 
-/// The scene's spectra as rows over the spectral nodes of a sensor: what a path multiplies and adds.
+/// The scene's spectra in the spectral nodes of a sensor: what a path multiplies and adds.
 class SpectralScene {
  public:
   /// Keeps references to both; they must outlive this.
@@ -51,7 +51,7 @@ class SpectralScene {
     return materials_.maximum_reflectance(material) + materials_.maximum_transmittance(material);
   }
 
-  /// Whether the rows of a surface have to be computed: materials side by side, a temperature from a map, or a model that
+  /// Whether the spectra of a surface have to be computed: materials side by side, a temperature from a map, or a model that
   /// depends on direction.
   bool is_mixed(const scene::ResolvedSurface& surface) const {
     return surface.count > 1 || surface.constituents[0].mapped_temperature_k > 0.0 ||
@@ -99,7 +99,7 @@ class SpectralScene {
   void emit_surfaces();
   void find_emitters();
   void find_mirrors();
-  void emit(const scene::SurfaceState& state, float* row) const;
+  void emit(const scene::SurfaceState& state, float* spectrum) const;
   void light_surroundings();
   void light_heights(const atmosphere::SensorAtmosphere& air);
   const float* between_heights(const radiometry::SpectrumBlock& rows, double height_m, float* scratch) const;
@@ -120,8 +120,8 @@ class SpectralScene {
   std::unique_ptr<radiometry::PlanckTable> planck_;  // only where a temperature map needs it
   std::unique_ptr<const SkyDome> dome_;
   std::unique_ptr<const ViewTable> view_table_, single_view_;
-  std::vector<double> heights_m_;                  // rising from 0; empty: all is as at the ground
-  radiometry::SpectrumBlock sun_rows_, sky_rows_;  // by height
+  std::vector<double> heights_m_;                        // rising from 0; empty: all is as at the ground
+  radiometry::SpectrumBlock sun_spectra_, sky_spectra_;  // by height
   bool has_view_path_ = false;
   std::shared_ptr<const Emitters> emitters_;
   std::shared_ptr<const EmitterMirrors> emitter_mirrors_;

@@ -18,7 +18,7 @@ void describe(const SpectralScene& scene, std::uint32_t material, SurfaceLobe& l
   lobe.isotropic = !lobe.directional || lobe.bsdf->is_isotropic();
 }
 
-/// The model of the constituent that the choice falls on, and the chance of all constituents of that model.
+/// The model of the constituent that the choice falls on, and the probability of all constituents of that model.
 void choose_model(const SpectralScene& scene, const scene::ResolvedSurface& surface, double whole,
                   double choice, SurfaceLobe& lobe) {
   double passed = 0.0;
@@ -31,33 +31,33 @@ void choose_model(const SpectralScene& scene, const scene::ResolvedSurface& surf
     if (choice * whole < passed) break;
   }
   describe(scene, chosen->material, lobe);
-  lobe.chance = 0.0;
+  lobe.probability = 0.0;
   bool alone = true;
   for (const scene::Constituent& c : surface) {
     if (bsdf_of(scene, c) == lobe.bsdf)
-      lobe.chance += c.weight * scene.brightest(c.material) / whole;
+      lobe.probability += c.weight * scene.brightest(c.material) / whole;
     else
       alone = alone && scene.brightest(c.material) <= 0.0;
   }
-  if (alone) lobe.chance = 1.0;
+  if (alone) lobe.probability = 1.0;
 }
 
 const float* directional_row(const materials::NodeBsdf& model, const LobeEvent& event, std::size_t n,
-                             float* row, float* other) {
+                             float* spectrum, float* other) {
   materials::BsdfEvent one = event.event;
   if (event.weight > 0.0f) {
-    model.evaluate(one, row);
+    model.evaluate(one, spectrum);
     if (event.weight != 1.0f)
-      for (std::size_t k = 0; k < n; ++k) row[k] *= event.weight;
+      for (std::size_t k = 0; k < n; ++k) spectrum[k] *= event.weight;
   } else {
-    std::fill_n(row, n, 0.0f);
+    std::fill_n(spectrum, n, 0.0f);
   }
   if (event.image_weight > 0.0f) {
     one.incoming = event.image;
     model.evaluate(one, other);
-    for (std::size_t k = 0; k < n; ++k) row[k] += event.image_weight * other[k];
+    for (std::size_t k = 0; k < n; ++k) spectrum[k] += event.image_weight * other[k];
   }
-  return row;
+  return spectrum;
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ SurfaceLobe surface_lobe(const SpectralScene& scene, const scene::ResolvedSurfac
   choose_model(scene, surface, whole, choice, lobe);
   for (const scene::Constituent& c : surface) {
     if (bsdf_of(scene, c) != lobe.bsdf) continue;
-    const double weight = c.weight / lobe.chance;
+    const double weight = c.weight / lobe.probability;
     lobe.highest_reflectance += weight * materials.maximum_reflectance(c.material);
     lobe.highest_transmittance += weight * materials.maximum_transmittance(c.material);
   }
@@ -86,22 +86,22 @@ SurfaceLobe surface_lobe(const SpectralScene& scene, const scene::ResolvedSurfac
 }
 
 const float* lobe_factor(const SpectralScene& scene, const scene::ResolvedSurface& surface,
-                         const SurfaceLobe& lobe, bool through, const LobeEvent* event, float* scratch,
+                         const SurfaceLobe& lobe, bool transmitted, const LobeEvent* event, float* scratch,
                          float* work) {
   const materials::SpectralMaterials& materials = scene.materials();
   const std::size_t n = scene.stride();
-  const auto row = [&](std::uint32_t material, float* own, float* other) -> const float* {
+  const auto spectrum = [&](std::uint32_t material, float* own, float* other) -> const float* {
     if (const materials::NodeBsdf* model = materials.directional(material))
       return directional_row(*model, *event, n, own, other);
-    return through ? materials.transmittance(material) : materials.reflectance(material);
+    return transmitted ? materials.transmittance(material) : materials.reflectance(material);
   };
-  if (surface.count == 1) return row(surface.constituents[0].material, scratch, work);
+  if (surface.count == 1) return spectrum(surface.constituents[0].material, scratch, work);
   bool any = false;
   for (const scene::Constituent& c : surface) {
     if (bsdf_of(scene, c) != lobe.bsdf) continue;
-    if (through && materials.maximum_transmittance(c.material) <= 0.0f) continue;
-    const float w = static_cast<float>(c.weight / lobe.chance);
-    const float* __restrict from = row(c.material, work, work + n);
+    if (transmitted && materials.maximum_transmittance(c.material) <= 0.0f) continue;
+    const float w = static_cast<float>(c.weight / lobe.probability);
+    const float* __restrict from = spectrum(c.material, work, work + n);
     if (any)
       for (std::size_t k = 0; k < n; ++k) scratch[k] += w * from[k];
     else

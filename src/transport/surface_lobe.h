@@ -14,21 +14,21 @@ struct SurfaceLobe {
   const materials::Bsdf* bsdf = nullptr;
   bool directional = false;            ///< the model is not separable: events are kept
   bool isotropic = true;               ///< the model has no direction: events need no tangent
-  double chance = 1.0;                 ///< of that model; its factors are divided by it
+  double probability = 1.0;            ///< of that model; its factors are divided by it
   double highest_reflectance = 0.0;    ///< at least the largest factor in any node
   double highest_transmittance = 0.0;  ///< 0: opaque
 
-  /// What weights of a directional lobe, whose shape is 1, are multiplied by where chances are made of them without a row:
+  /// What weights of a directional lobe, whose shape is 1, are multiplied by where probabilities are made of them without a spectrum:
   /// as if it were Lambertian.
   double shape_scale() const { return directional ? std::numbers::inv_pi : 1.0; }
 };
 
-/// Constituents whose model is the same object are added up, weighed by area: no chance is in it. Where they have unlike
+/// Constituents whose model is the same object are added up, weighed by area: nothing random is in it. Where they have unlike
 /// models (a mirror in a meadow), `choice` in [0, 1) picks one in proportion to weight and brightness, and its factors
-/// are divided by that chance: right in the mean, and never above 1 in sum.
+/// are divided by that probability: right in the mean, and never above 1 in sum.
 SurfaceLobe surface_lobe(const SpectralScene& scene, const scene::ResolvedSurface& surface, double choice);
 
-/// An event at a surface as a path keeps it where rows depend on direction. Under a shading normal light may have come
+/// An event at a surface as a path keeps it where spectra depend on direction. Under a shading normal light may have come
 /// from either of two directions, one of which is the other mirrored by the surface: their BSDFs add up with weights.
 struct LobeEvent {
   materials::BsdfEvent event;
@@ -38,9 +38,9 @@ struct LobeEvent {
 
 /// The lobe's spectral factor, reflectance or (`through`) transmittance, or the BSDF of an event where the model is not
 /// separable; `event` is null where none was kept, and then the lobe's model is separable. In `scratch` (stride()
-/// floats, 64-byte aligned) where the row is not kept; `work` has twice as many.
+/// floats, 64-byte aligned) where the spectrum is not kept; `work` has twice as many.
 const float* lobe_factor(const SpectralScene& scene, const scene::ResolvedSurface& surface,
-                         const SurfaceLobe& lobe, bool through, const LobeEvent* event, float* scratch,
+                         const SurfaceLobe& lobe, bool transmitted, const LobeEvent* event, float* scratch,
                          float* work);
 
 }  // namespace ifov::transport

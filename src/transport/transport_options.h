@@ -2,7 +2,7 @@
 
 namespace ifov::transport {
 
-class ImagesApart;
+class SeparateImages;
 
 struct TransportOptions {
   /// Surfaces a path may scatter at: 0 emission and sky only, 1 adds direct sun; negative: no limit, paths end by
@@ -13,11 +13,11 @@ struct TransportOptions {
   /// Sunlight is sought by way of so many flat mirrors in turn, at most SunImages::kMostReflections; 0: none.
   int mirror_reflections = 8;
   /// Two kinds of sunlight are left out that paths otherwise find by chance, seldom and bright: glints on curved mirrors
-  /// that the sensor sees directly, which are added apart (Glints), and what reaches a surface that scatters by mirrors
+  /// that the sensor sees directly, which are added separately (Glints), and what reaches a surface that scatters by mirrors
   /// that are not sought, which is marked (UnseenLight).
   bool sought_only = false;
-  /// Images in mirrors that are added apart: paths see through what they show; null: none.
-  const ImagesApart* images_apart = nullptr;
+  /// Images in mirrors that are added separately: paths see through what they show; null: none.
+  const SeparateImages* separate_images = nullptr;
 };
 
 }  // namespace ifov::transport

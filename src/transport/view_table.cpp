@@ -100,18 +100,18 @@ void ViewTable::polarize(const atmosphere::SensorAtmosphere& atmosphere,
 radiometry::PolarizationFrame ViewTable::stokes(math::Vec3 towards_sensor, double height_m,
                                                 double sensor_height_m,
                                                 std::span<radiometry::StokesVector> nodes) const {
-  const Place place = at(towards_sensor, height_m, sensor_height_m);
+  const Weights weights = at(towards_sensor, height_m, sensor_height_m);
   const radiometry::PolarizationFrame upright{{0.0, 0.0, 1.0}, {sun_x_, sun_y_, 0.0}},
       frame = radiometry::meridional_frame(towards_sensor);
   const radiometry::MuellerMatrix turn = turned(radiometry::carried(upright, towards_sensor), frame);
   const double side = dot(towards_sensor, upright.y()) < 0.0 ? -1.0 : 1.0;
   std::fill(nodes.begin(), nodes.end(), radiometry::StokesVector{});
-  for (std::size_t k = 0; k < place.count; ++k) {
+  for (std::size_t k = 0; k < weights.count; ++k) {
     const std::size_t row =
-        static_cast<std::size_t>(place.radiance[k] - radiance_.row(0)) / radiance_.stride();
-    const double weight = static_cast<double>(place.weight[k]);
+        static_cast<std::size_t>(weights.radiance[k] - radiance_.row(0)) / radiance_.stride();
+    const double weight = static_cast<double>(weights.weight[k]);
     for (std::size_t n = 0; n < nodes.size(); ++n)
-      nodes[n] += weight * radiometry::StokesVector{static_cast<double>(place.radiance[k][n]),
+      nodes[n] += weight * radiometry::StokesVector{static_cast<double>(weights.radiance[k][n]),
                                                     static_cast<double>(q_.row(row)[n]),
                                                     side * static_cast<double>(u_.row(row)[n]), 0.0};
   }
@@ -119,7 +119,7 @@ radiometry::PolarizationFrame ViewTable::stokes(math::Vec3 towards_sensor, doubl
   return frame;
 }
 
-ViewTable::Place ViewTable::at(math::Vec3 towards_sensor, double height_m, double sensor_height_m) const {
+ViewTable::Weights ViewTable::at(math::Vec3 towards_sensor, double height_m, double sensor_height_m) const {
   const double rise = std::max(towards_sensor.z, kLeastRise);
   const std::array<double, 4> wanted{1e-3 * sensor_height_m, 1e-3 * height_m,
                                      (towards_sensor.x * sun_x_ + towards_sensor.y * sun_y_) / rise,
@@ -130,13 +130,14 @@ ViewTable::Place ViewTable::at(math::Vec3 towards_sensor, double height_m, doubl
   std::array<std::pair<double, std::size_t>, 4> ahead;
   std::size_t active = 0, corner = 0;
   for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
-    const std::vector<double>& places = axes_[axis];
-    if (places.size() == 1) continue;
-    const auto above = std::upper_bound(places.begin() + 1, places.end() - 1, wanted[axis]);
-    const std::size_t low = static_cast<std::size_t>(above - places.begin()) - 1;
+    const std::vector<double>& positions = axes_[axis];
+    if (positions.size() == 1) continue;
+    const auto above = std::upper_bound(positions.begin() + 1, positions.end() - 1, wanted[axis]);
+    const std::size_t low = static_cast<std::size_t>(above - positions.begin()) - 1;
     corner += low * stride[axis];
-    ahead[active++] = {std::clamp((wanted[axis] - places[low]) / (places[low + 1] - places[low]), 0.0, 1.0),
-                       stride[axis]};
+    ahead[active++] = {
+        std::clamp((wanted[axis] - positions[low]) / (positions[low + 1] - positions[low]), 0.0, 1.0),
+        stride[axis]};
   }
   // Four at most: the farthest ahead first.
   const auto order = [&](std::size_t a, std::size_t b) {
@@ -150,18 +151,18 @@ ViewTable::Place ViewTable::at(math::Vec3 towards_sensor, double height_m, doubl
     order(1, 2);
     order(0, 1);
   }
-  Place place;
+  Weights weights;
   double left = 1.0;
   for (std::size_t k = 0; k <= active; ++k) {
     const double next = k < active ? ahead[k].first : 0.0;
-    place.transmittance[k] = transmittance_.row(corner);
-    place.radiance[k] = radiance_.row(corner);
-    place.weight[k] = static_cast<float>(left - next);
+    weights.transmittance[k] = transmittance_.row(corner);
+    weights.radiance[k] = radiance_.row(corner);
+    weights.weight[k] = static_cast<float>(left - next);
     left = next;
     if (k < active) corner += ahead[k].second;
   }
-  place.count = active + 1;
-  return place;
+  weights.count = active + 1;
+  return weights;
 }
 
 }  // namespace ifov::transport

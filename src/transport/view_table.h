@@ -17,21 +17,21 @@ namespace ifov::transport {
 
 /// What the air between surfaces and the sensor does, by height of the sensor, line of sight and height of the
 /// surface, in spectral nodes: linear in the simplices of a fine grid of heights and slopes (Kuhn's division of each
-/// cell), which takes 2 to 4 rows, and 5 where the sensor has more than one height.
+/// cell), which takes 2 to 4 spectra, and 5 where the sensor has more than one height.
 class ViewTable {
  public:
   /// `ground_radiance`: of the ground around the scene, by node, whose light the air scatters into the path.
   ViewTable(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towards_sun,
             const std::vector<double>& ground_radiance);
 
-  struct Place {
+  struct Weights {
     std::size_t count = 0;
     std::array<const float*, 5> transmittance{}, radiance{};
     std::array<float, 5> weight{};
   };
   /// `towards_sensor` is a unit vector that points up; heights of surface and sensor are z of the scene, and the
   /// sensor's does not matter where it has one alone. Beyond the table its rim holds.
-  Place at(math::Vec3 towards_sensor, double height_m, double sensor_height_m) const;
+  Weights at(math::Vec3 towards_sensor, double height_m, double sensor_height_m) const;
 
   /// Whether the atmosphere's tables are: stokes() is then there.
   bool polarized() const { return q_.rows() > 0; }

@@ -77,7 +77,7 @@ inline void expect_same(const sampling::TileResult& a, const sampling::TileResul
   EXPECT_EQ(a.halo_samples, b.halo_samples);
   EXPECT_EQ(a.rays.primary, b.rays.primary);
   EXPECT_EQ(a.rays.shadow, b.rays.shadow);
-  EXPECT_EQ(a.rays.bounce, b.rays.bounce);
+  EXPECT_EQ(a.rays.continuation, b.rays.continuation);
 }
 
 }  // namespace ifov::test

@@ -53,7 +53,7 @@ TEST(TileRecord, HoldsAllOfATile) {
   for (const bool with_errors : {true, false}) {
     sampling::TileResult tile = kImage.tile(grid[7]);
     if (!with_errors) tile.variance_geometry = tile.variance_path = tile.half_width = {};
-    tile.pilot_samples = 3, tile.probe_samples = 4, tile.rays.bounce = 5;
+    tile.pilot_samples = 3, tile.probe_samples = 4, tile.rays.continuation = 5;
     const auto record = encode_tile(tile, {7, 11, plan.key(), 2.5});
     TileHeader header;
     std::memcpy(&header, record.data(), sizeof header);

@@ -208,7 +208,7 @@ TEST(SmallImages, PathsSeeThroughWhatIsAddedApart) {
   EXPECT_FALSE(images->apart().empty());
   const math::Ray ray{{kInFlat.x, kInFlat.y, 50.0}, {0.0, 0.0, -1.0}};
   transport::TransportOptions apart;
-  apart.images_apart = &images->apart();
+  apart.separate_images = &images->apart();
   EXPECT_NEAR(small.radiance(ray, 4).mean, kMirror * planck(kHot_k) + (1.0 - kMirror) * planck(kWarm_k),
               1e-3 * planck(kHot_k));
   EXPECT_NEAR(small.radiance(ray, 4, 1, apart).mean, planck(kWarm_k), 1e-3 * planck(kWarm_k));

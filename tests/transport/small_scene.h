@@ -9,7 +9,7 @@
 #include "scene/scene.h"
 #include "transport/path_light.h"
 #include "transport/path_tracer.h"
-#include "transport/view_air.h"
+#include "transport/view_atmosphere.h"
 
 namespace ifov::test {
 
@@ -104,7 +104,7 @@ class SmallScene {
     std::vector<geometry::SurfacePoint> hits(count);
     sampling::RayCounts counts;
     transport::PathLight light(*spectral_);
-    const transport::ViewAir air(*spectral_);
+    const transport::ViewAtmosphere air(*spectral_);
     const transport::PathRecord& paths = tracer.trace(rays, keys, hits, counts);
     std::vector<double> values;
     for (std::uint32_t k = 0; k < count; ++k) {

@@ -165,28 +165,28 @@ TEST(DirectionalModels, FurnaceOfLandReturnsPlanck) {
 /// Rough when its emissivity is worked out, and smoother when it scatters.
 class Inconsistent final : public materials::Bsdf {
  public:
-  Inconsistent(double slope_rad, std::shared_ptr<const bool> scatters)
+  Inconsistent(double slope_rad, std::shared_ptr<const bool> events)
       : rough_(Spectrum::constant(0.8), slope_rad),
         smooth_(Spectrum::constant(0.8), 0.9 * slope_rad),
-        scatters_(std::move(scatters)) {}
+        events_(std::move(events)) {}
   std::span<const Spectrum> spectra() const override { return rough_.spectra(); }
   void evaluate(const materials::BsdfEvent& event, materials::ParameterSpectra rows, std::size_t count,
                 float* bsdf) const override {
-    (*scatters_ ? smooth_ : rough_).evaluate(event, rows, count, bsdf);
+    (*events_ ? smooth_ : rough_).evaluate(event, rows, count, bsdf);
   }
 
  private:
   materials::OrenNayar rough_, smooth_;
-  std::shared_ptr<const bool> scatters_;
+  std::shared_ptr<const bool> events_;
 };
 
 TEST(DirectionalModels, PlantedFaultOtherEmissivityFailsTheFurnace) {
   SmallScene scene;
-  const auto scatters = std::make_shared<bool>(false);
+  const auto events = std::make_shared<bool>(false);
   scene.place(geometry::Box{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}},
-              scene.material(0.7, 300.0, std::make_shared<Inconsistent>(0.5, scatters)));
+              scene.material(0.7, 300.0, std::make_shared<Inconsistent>(0.5, events)));
   scene.build();
-  *scatters = true;
+  *events = true;
   const double expected = radiometry::planck_w_m2_sr_um(SmallScene::kWavelength_um, 300.0);
   const auto estimate = scene.radiance({{0.1, -0.2, 0.3}, math::normalized({0.3, 0.5, -0.7})}, 1 << 17);
   EXPECT_GT(std::abs(estimate.mean - expected), 3.0 * estimate.standard_error + 3e-4 * expected);

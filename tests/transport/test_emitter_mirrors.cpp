@@ -42,9 +42,9 @@ SmallScene::Estimate among_walls(bool by_mirrors, std::uint32_t paths, math::Ray
 
 TEST(EmitterMirrors, NothingIsCountedTwice) {
   for (const math::Ray& ray : {down_on(0.5, 2.0), down_on(1.0, -1.0), down_on(2.5, 0.7), down_on(3.5, 3.5)}) {
-    const auto by_chance = among_walls(false, 1 << 17, ray), sought = among_walls(true, 1 << 15, ray);
-    const double error = std::hypot(by_chance.standard_error, sought.standard_error);
-    EXPECT_NEAR(sought.mean, by_chance.mean, 4.0 * error);
+    const auto at_random = among_walls(false, 1 << 17, ray), sought = among_walls(true, 1 << 15, ray);
+    const double error = std::hypot(at_random.standard_error, sought.standard_error);
+    EXPECT_NEAR(sought.mean, at_random.mean, 4.0 * error);
     EXPECT_LT(error, 0.01 * sought.mean);
   }
 }
@@ -100,9 +100,9 @@ SmallScene::Estimate among_balls(bool by_mirrors, std::uint32_t paths, math::Ray
 TEST(EmitterMirrors, ByRoundMirrorsNothingIsCountedTwice) {
   for (const math::Ray& ray :
        {down_on(0.5, 0.9), down_on(-0.9, 0.3), down_on(1.9, 0.6), down_on(0.9, -1.2)}) {
-    const auto by_chance = among_balls(false, 1 << 18, ray), sought = among_balls(true, 1 << 16, ray);
-    const double error = std::hypot(by_chance.standard_error, sought.standard_error);
-    EXPECT_NEAR(sought.mean, by_chance.mean, 4.0 * error);
+    const auto at_random = among_balls(false, 1 << 18, ray), sought = among_balls(true, 1 << 16, ray);
+    const double error = std::hypot(at_random.standard_error, sought.standard_error);
+    EXPECT_NEAR(sought.mean, at_random.mean, 4.0 * error);
     EXPECT_LT(error, 0.01 * sought.mean);
   }
 }

@@ -180,7 +180,7 @@ std::vector<transport::Emitter> scattered_emitters(int count, std::mt19937& rand
   return emitters;
 }
 
-TEST(EmitterTree, ChancesAreThoseOfTheChoiceAndAddUpToOne) {
+TEST(EmitterTree, ProbabilitiesAreThoseOfTheChoiceAndAddUpToOne) {
   std::mt19937 random(11);
   for (const int count : {1, 5, 7, 300}) {
     const std::vector<transport::Emitter> emitters = scattered_emitters(count, random);
@@ -191,18 +191,19 @@ TEST(EmitterTree, ChancesAreThoseOfTheChoiceAndAddUpToOne) {
       double none = 0.0;
       for (int k = 0; k < kDraws; ++k) {
         const auto choice = tree.choose(receiver, (k + 0.5) / kDraws);
-        if (choice.chance > 0.0) {
+        if (choice.probability > 0.0) {
           measured[choice.emitter] += 1.0 / kDraws;
-          ASSERT_NEAR(choice.chance, tree.chance(receiver, choice.emitter), 1e-12 * choice.chance);
+          ASSERT_NEAR(choice.probability, tree.probability(receiver, choice.emitter),
+                      1e-12 * choice.probability);
         } else {
           none += 1.0 / kDraws;
         }
       }
       double sum = none;
       for (std::uint32_t e = 0; e < emitters.size(); ++e) {
-        const double chance = tree.chance(receiver, e);
-        EXPECT_NEAR(measured[e], chance, 4e-3 * std::sqrt(chance) + 5e-5);
-        sum += chance;
+        const double probability = tree.probability(receiver, e);
+        EXPECT_NEAR(measured[e], probability, 4e-3 * std::sqrt(probability) + 5e-5);
+        sum += probability;
       }
       EXPECT_NEAR(sum, 1.0, 2e-4);
     }
@@ -218,10 +219,10 @@ TEST(EmitterTree, SeldomMissesWhatMatters) {
   for (std::uint32_t e = 0; e < emitters.size(); ++e) {
     const double reach = emitters[e].radiance * emitters[e].shape.reach_sr(kLevel);
     if (reach <= 0.0) continue;
-    const double chance = tree.chance(kLevel, e);
-    ASSERT_GT(chance, 0.0);
+    const double probability = tree.probability(kLevel, e);
+    ASSERT_GT(probability, 0.0);
     sum += reach;
-    square += reach * reach / chance;
+    square += reach * reach / probability;
   }
   EXPECT_LT(square / (sum * sum), 2.0);
 }

@@ -240,7 +240,7 @@ int caught(const Tamper& tamper) {
   return count;
 }
 
-TEST(Emitters, PlantedFaultEmissionCountedOnTheBounceToo) {
+TEST(Emitters, PlantedFaultEmissionCountedOnTheContinuationToo) {
   EXPECT_GT(caught([](transport::PathVertex& v) { v.emission_weight = 1.0f; }), 8);
 }
 

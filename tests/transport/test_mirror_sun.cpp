@@ -53,7 +53,7 @@ TEST(MirrorSun, FacadeLightsTheGroundBeforeIt) {
 }
 
 // Images of the Sun in flat mirrors are known; chance looks for it in what bends, an egg.
-TEST(MirrorSun, ChanceIsLeftToWhatHasNoImage) {
+TEST(MirrorSun, RandomPathsAreLeftToWhatHasNoImage) {
   for (const bool egg : {false, true}) {
     SmallScene scene;
     scene.place(wall(0.0, -5.0, 5.0, 10.0), scene.material(kMirror, 0.0, kMirrorKind));
@@ -129,9 +129,9 @@ TEST(MirrorSun, NothingIsCountedTwice) {
   for (const math::Ray& ray :
        {down_on(1.0, 0.5), down_on(2.6, 0.0), math::Ray{{1.8, 0.1, 5.0}, {0.0, 0.0, -1.0}},
         math::Ray{{1.0, 0.0, 0.4}, math::normalized({-1.0, 0.2, -0.1})}}) {
-    const auto by_chance = wide_sun(0, 1 << 17, ray), sought = wide_sun(2, 1 << 15, ray);
-    const double error = std::hypot(by_chance.standard_error, sought.standard_error);
-    EXPECT_NEAR(sought.mean, by_chance.mean, 4.0 * error + 1e-6 * sought.mean);
+    const auto at_random = wide_sun(0, 1 << 17, ray), sought = wide_sun(2, 1 << 15, ray);
+    const double error = std::hypot(at_random.standard_error, sought.standard_error);
+    EXPECT_NEAR(sought.mean, at_random.mean, 4.0 * error + 1e-6 * sought.mean);
     EXPECT_LT(error, 0.01 * sought.mean);
   }
 }
@@ -163,7 +163,7 @@ TEST(MirrorSun, ManyPanesOfOneNormalAreOneImage) {
   EXPECT_NEAR(between, direct(), 1e-4 * between);
 }
 
-TEST(MirrorSun, FacesOfManyNormalsArePickedByChance) {
+TEST(MirrorSun, FacesOfManyNormalsArePickedAtRandom) {
   // Facets about a point, each sending the Sun to it: more images than rays. By chance or one by one, the sum is one.
   SmallScene scene;
   scene.place(geometry::Plane{}, scene.material(kGround));

@@ -100,7 +100,7 @@ TEST_F(PolarizedLight, OfTheSkyBetweenTheTablesDirections) {
       const SkyDome::Corners corners = dome.at(direction(zenith * kDegree, away));
       double i = 0.0;
       for (std::size_t k = 0; k < 4; ++k)
-        i += static_cast<double>(corners.weight[k]) * static_cast<double>(corners.row[k][0]);
+        i += static_cast<double>(corners.weight[k]) * static_cast<double>(corners.spectrum[k][0]);
       EXPECT_NEAR(light[0].i, i, 1e-6 * i);
     }
   RecordProperty("worst", std::to_string(worst));
@@ -212,7 +212,7 @@ TEST_F(PolarizedLight, NotAskedForIsNotThere) {
     const SkyDome::Corners a = dome.at(direction(zenith * kDegree, 1.0)),
                            b = polarized.at(direction(zenith * kDegree, 1.0));
     for (std::size_t k = 0; k < 4; ++k) {
-      EXPECT_EQ(a.row[k][0], b.row[k][0]);
+      EXPECT_EQ(a.spectrum[k][0], b.spectrum[k][0]);
       EXPECT_EQ(a.weight[k], b.weight[k]);
     }
   }

@@ -222,20 +222,20 @@ math::Ray down_on(double x, double y) { return {{x, y, 0.5}, {0.0, 0.0, -1.0}}; 
 TEST(RoundMirrors, NothingIsCountedTwice) {
   for (const math::Ray& ray : {down_on(-0.2, 0.3), down_on(-1.4, 1.2), down_on(0.7, -0.5), down_on(2.6, 0.0),
                                math::Ray{{0.3, 0.2, 5.0}, {0.0, 0.0, -1.0}}}) {
-    const auto by_chance = among_rounds(0, 1 << 17, ray), sought = among_rounds(2, 1 << 15, ray);
-    const double error = std::hypot(by_chance.standard_error, sought.standard_error);
-    EXPECT_NEAR(sought.mean, by_chance.mean, 4.0 * error + 1e-6 * sought.mean);
+    const auto at_random = among_rounds(0, 1 << 17, ray), sought = among_rounds(2, 1 << 15, ray);
+    const double error = std::hypot(at_random.standard_error, sought.standard_error);
+    EXPECT_NEAR(sought.mean, at_random.mean, 4.0 * error + 1e-6 * sought.mean);
     EXPECT_LT(error, 0.01 * sought.mean);
   }
 }
 
-TEST(RoundMirrors, ANarrowSunIsFoundAndChanceDoesNotFindIt) {
+TEST(RoundMirrors, ANarrowSunIsFoundAndRandomPathsDoNotFindIt) {
   // The planted fault: not sought, the ball's light is found by next to no path.
   const math::Ray ray = down_on(-0.2, 0.3);
   const auto sought = among_rounds(2, 1 << 12, ray, 1e-4), wide = among_rounds(2, 1 << 14, ray, 0.05),
-             by_chance = among_rounds(0, 1 << 12, ray, 1e-4);
+             at_random = among_rounds(0, 1 << 12, ray, 1e-4);
   EXPECT_NEAR(sought.mean, wide.mean, 0.03 * wide.mean);
-  EXPECT_LT(by_chance.mean, 0.95 * sought.mean);
+  EXPECT_LT(at_random.mean, 0.95 * sought.mean);
   EXPECT_LT(sought.standard_error, 0.01 * sought.mean);
 }
 

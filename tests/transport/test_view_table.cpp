@@ -46,7 +46,7 @@ class ViewTableByHeight : public testing::Test {
     double through = 0.0, added = 0.0;
   };
   static Seen seen(const ViewTable& table, std::size_t node, Vec3 towards, double height_m, double sensor_m) {
-    const ViewTable::Place place = table.at(towards, height_m, sensor_m);
+    const ViewTable::Weights place = table.at(towards, height_m, sensor_m);
     Seen sum;
     for (std::size_t k = 0; k < place.count; ++k) {
       sum.through += static_cast<double>(place.weight[k]) * static_cast<double>(place.transmittance[k][node]);
@@ -159,7 +159,7 @@ TEST_F(ViewTableByHeight, PathsTakeTheAirOfTheirOwnSensor) {
     const PathRecord& paths = tracer.trace({&ray, 1}, {&key, 1}, {&hit, 1}, counts);
     PathLight light(spectral);
     float* nodes = light.radiance(paths, 0);
-    ViewAir(spectral).apply(paths.paths[0], nodes);
+    ViewAtmosphere(spectral).apply(paths.paths[0], nodes);
     return std::vector<float>(nodes, nodes + spectral.node_count());
   };
   const std::vector<float> from_low = radiance(both, 1e3 * kLow_km),

@@ -16,7 +16,7 @@ STEPS = [
     ("transport", "where the path goes on", "ω′ drawn, density p; roulette", "Bsdf", "materials/bsdf/bsdf.h"),
     ("transport", "record", "what was met, without a spectrum", "PathRecord  of  PathVertex", "transport/path_record.h"),
     ("transport", "the spectrum", "L = Σ β (ε B + ρ f w E + …) + β L_sky", "PathLight, SpectralScene", "transport/path_light.cpp"),
-    ("transport", "the air before it", "L ← τ L + L_path", "ViewAir, ViewTable", "transport/view_air.cpp"),
+    ("transport", "the air before it", "L ← τ L + L_path", "ViewAir, ViewTable", "transport/view_atmosphere.cpp"),
     ("radiometry", "channels", "L_c = Σ w_i L_i over nodes i", "SpectralNodes", "radiometry/spectral_nodes.h"),
     ("sampling", "moments by stratum", "mean, variance of 2 × 2 blocks", "Radiance, BlockSums", "sampling/accuracy/radiance.h"),
     ("sampling", "half-width against the limit", "H = √(z² V_g + t² V_p)", "TileWork, AccuracyTolerance", "sampling/accuracy/tile_work.h"),

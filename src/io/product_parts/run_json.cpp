@@ -66,7 +66,7 @@ void write_cost(JsonWriter& json, const RunRecord& record) {
   const auto& s = record.statistics;
   json.member("elapsed_s", record.outcome.elapsed_s);
   json.object("rays", [&] {
-    json.member("bounce", s.rays.bounce);
+    json.member("bounce", s.rays.continuation);
     json.member("primary", s.rays.primary);
     json.member("shadow", s.rays.shadow);
     json.member("total", s.rays.total());

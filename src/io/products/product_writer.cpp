@@ -34,7 +34,7 @@ void add(ImageStatistics& s, const sampling::TileResult& tile) {
   s.probe_samples += tile.probe_samples;
   s.rays.primary += tile.rays.primary;
   s.rays.shadow += tile.rays.shadow;
-  s.rays.bounce += tile.rays.bounce;
+  s.rays.continuation += tile.rays.continuation;
 }
 
 }  // namespace

@@ -227,7 +227,7 @@ class Page {
     html += "</tbody></table></section><section><h2>Rays</h2><table><tbody>";
     row("From the camera", s.rays.primary);
     row("To the Sun", s.rays.shadow);
-    row("Leaving surfaces", s.rays.bounce);
+    row("Leaving surfaces", s.rays.continuation);
     row("All", s.rays.total());
     const double time = record_.outcome.elapsed_s;
     html += format("<tr><td>Wall time</td><td>{}</td></tr><tr><td>Threads</td><td>{}</td></tr>",

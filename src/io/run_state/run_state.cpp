@@ -28,7 +28,8 @@ class Survey {
     result_.pixels += header.rect().count();
     result_.converged += header.converged;
     for (std::size_t r = 0; r < result_.reasons.size(); ++r) result_.reasons[r] += header.reasons[r];
-    result_.rays += static_cast<std::int64_t>(header.primary_rays + header.shadow_rays + header.bounce_rays);
+    result_.rays +=
+        static_cast<std::int64_t>(header.primary_rays + header.shadow_rays + header.continuation_rays);
     result_.worst_ratio = std::max<double>(result_.worst_ratio, header.worst_ratio);
     return true;
   }

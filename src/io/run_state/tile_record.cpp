@@ -156,7 +156,7 @@ std::vector<std::byte> encode_tile(const sampling::TileResult& tile, const TileS
   header.probe_samples = tile.probe_samples;
   header.primary_rays = tile.rays.primary;
   header.shadow_rays = tile.rays.shadow;
-  header.bounce_rays = tile.rays.bounce;
+  header.continuation_rays = tile.rays.continuation;
   header.start = stamp.start;
   header.elapsed_s = stamp.elapsed_s;
   header.converged = static_cast<std::uint32_t>(tile.converged_count());
@@ -246,7 +246,7 @@ std::string decode_tile(const TileHeader& header, std::span<const std::byte> pay
   tile.halo_samples = header.halo_samples;
   tile.pilot_samples = header.pilot_samples;
   tile.probe_samples = header.probe_samples;
-  tile.rays = {header.primary_rays, header.shadow_rays, header.bounce_rays};
+  tile.rays = {header.primary_rays, header.shadow_rays, header.continuation_rays};
   return {};
 }
 

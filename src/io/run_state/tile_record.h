@@ -26,7 +26,7 @@ struct TileHeader {
   std::uint32_t values_in_cubes;
   std::uint64_t payload_bytes;
   std::uint64_t halo_samples, pilot_samples, probe_samples;
-  std::uint64_t primary_rays, shadow_rays, bounce_rays;
+  std::uint64_t primary_rays, shadow_rays, continuation_rays;
   std::uint64_t start;      ///< tells the starts of a run apart
   double elapsed_s;         ///< since that start
   std::uint32_t converged;  ///< pixels

@@ -12,11 +12,11 @@
 #include "sampling/random.h"
 #include "transport/path_light.h"
 #include "transport/spectral_scene.h"
-#include "transport/view_air.h"
+#include "transport/view_atmosphere.h"
 
 namespace ifov::render {
 
-using transport::ImagesApart;
+using transport::SeparateImages;
 using transport::ShiningParts;
 
 namespace {
@@ -57,7 +57,7 @@ std::unique_ptr<const MirrorImages> MirrorImages::find(const transport::Spectral
     found[at] = images->look(pairs[at], margin_px, key(k));
   });
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const ImagesApart::Mirror mirror = images->mirrors_[pairs[k].mirror].name;
+    const SeparateImages::Mirror mirror = images->mirrors_[pairs[k].mirror].name;
     const std::uint32_t object = images->parts_.parts()[pairs[k].first].object;
     if (found[k].outcome == Outcome::given_up) {
       images->all_settled_ = false;
@@ -87,27 +87,27 @@ MirrorImages::MirrorImages(const transport::SpectralScene& scene, const sensor::
       apart_(scene.scene(), parts_),
       lights_(scene.nodes().channel_count()) {}
 
-bool MirrorImages::settled(ImagesApart::Mirror mirror, std::uint32_t object) const {
+bool MirrorImages::settled(SeparateImages::Mirror mirror, std::uint32_t object) const {
   return std::binary_search(settled_.begin(), settled_.end(), Name{mirror, object});
 }
 
 void MirrorImages::list_mirrors() {
   if (!apart_.any()) return;
   const geometry::SurfaceSurvey& survey = *scene_.scene().world->survey();
-  std::map<std::uint32_t, Mirror> bent;  // by object
-  for (std::size_t k = 0; k < survey.rounds.size(); ++k) bent[survey.rounds[k].object].rounds.push_back(k);
+  std::map<std::uint32_t, Mirror> curved;  // by object
+  for (std::size_t k = 0; k < survey.rounds.size(); ++k) curved[survey.rounds[k].object].rounds.push_back(k);
   for (std::size_t k = 0; k < survey.smooths.size(); ++k) {
-    Mirror& mirror = bent[survey.smooths[k].object];
+    Mirror& mirror = curved[survey.smooths[k].object];
     mirror.smooths.push_back(k);
     mirror.triangles += survey.smooths[k].triangles.size();
   }
-  for (auto& [object, mirror] : bent) {
-    mirror.name = ImagesApart::bent(object);
+  for (auto& [object, mirror] : curved) {
+    mirror.name = SeparateImages::curved(object);
     mirrors_.push_back(std::move(mirror));
   }
   for (std::size_t k = 0; k < apart_.planes().size(); ++k) {
     mirrors_.emplace_back();
-    mirrors_.back().name = ImagesApart::flat(k);
+    mirrors_.back().name = SeparateImages::flat(k);
   }
 }
 
@@ -183,7 +183,8 @@ MirrorImages::Found MirrorImages::look(const Pair& pair, double margin_px, std::
     for (const std::size_t k : mirror.rounds) search.search(survey.rounds[k], p, keep);
     for (const std::size_t k : mirror.smooths) search.search(survey.smooths[k], p, keep);
     if (mirror.rounds.empty() && mirror.smooths.empty()) {
-      const ImagesApart::Plane& plane = apart_.planes()[static_cast<std::size_t>(mirror.name & 0xffffffffu)];
+      const SeparateImages::Plane& plane =
+          apart_.planes()[static_cast<std::size_t>(mirror.name & 0xffffffffu)];
       search.search(plane.normal, plane.offset_m, p, keep);
     }
     trace(mirror, static_cast<std::uint32_t>(p), points, seen);
@@ -235,12 +236,12 @@ FocalLights MirrorImages::weigh(transport::TransportOptions transport, std::uint
                                 const std::vector<ImageRow>& rows) const {
   const std::size_t channels = scene_.nodes().channel_count();
   FocalLights lights(channels);
-  transport.images_apart = nullptr;
+  transport.separate_images = nullptr;
   transport::PathTracer all(scene_, transport);
-  transport.images_apart = &apart_;
+  transport.separate_images = &apart_;
   transport::PathTracer through(scene_, transport);
   transport::PathLight light(scene_);
-  const transport::ViewAir air(scene_);
+  const transport::ViewAtmosphere air(scene_);
   struct Sum {
     double area = 0.0;
     std::vector<double> of;

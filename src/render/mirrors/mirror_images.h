@@ -9,8 +9,8 @@
 #include "render/mirrors/glint_search.h"
 #include "render/mirrors/image_rows.h"
 #include "sensor/camera.h"
-#include "transport/images_apart.h"
 #include "transport/path_tracer.h"
+#include "transport/separate_images.h"
 #include "transport/shining_parts.h"
 #include "transport/spectral_scene.h"
 
@@ -32,10 +32,10 @@ class MirrorImages {
                                                   const CancelToken* cancel = nullptr);
 
   /// For transport::TransportOptions.
-  const transport::ImagesApart& apart() const { return apart_; }
+  const transport::SeparateImages& apart() const { return apart_; }
   const transport::ShiningParts& parts() const { return parts_; }
   /// Whether a thing is looked for in a mirror, or its image left to paths because they meet it.
-  bool settled(transport::ImagesApart::Mirror mirror, std::uint32_t object) const;
+  bool settled(transport::SeparateImages::Mirror mirror, std::uint32_t object) const;
 
   /// Whether all that may matter is settled.
   bool all_settled() const { return all_settled_ && parts_.complete(); }
@@ -60,7 +60,7 @@ class MirrorImages {
  private:
   MirrorImages(const transport::SpectralScene& scene, const sensor::Camera& camera);
   struct Mirror {
-    transport::ImagesApart::Mirror name = 0;
+    transport::SeparateImages::Mirror name = 0;
     std::vector<std::size_t> rounds, smooths;  // of the survey
     std::size_t triangles = 0;
   };
@@ -73,7 +73,7 @@ class MirrorImages {
   enum class Outcome : std::uint8_t { apart, met, given_up };
   struct Found {
     Outcome outcome = Outcome::apart;
-    std::vector<ImageRow> rows;  // of images that are added apart
+    std::vector<ImageRow> rows;  // of images that are added separately
   };
   void list_mirrors();
   /// Those that may matter; others are settled.
@@ -84,17 +84,17 @@ class MirrorImages {
   void trace(const Mirror& mirror, std::uint32_t part, std::vector<GlintPoint>& points,
              std::vector<FocalLights::Light>& seen) const;
   bool met_by_paths(const std::vector<FocalLights::Light>& seen) const;
-  /// Their radiance: what paths find less what they find where they see through what is added apart.
+  /// Their radiance: what paths find less what they find where they see through what is added separately.
   FocalLights weigh(transport::TransportOptions transport, std::uint64_t key,
                     const std::vector<ImageRow>& rows) const;
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
   transport::ShiningParts parts_;
-  transport::ImagesApart apart_;
+  transport::SeparateImages apart_;
   std::vector<Mirror> mirrors_;
   struct Name {
-    transport::ImagesApart::Mirror mirror;
+    transport::SeparateImages::Mirror mirror;
     std::uint32_t object;
     friend auto operator<=>(const Name&, const Name&) = default;
   };

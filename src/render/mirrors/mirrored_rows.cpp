@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "transport/mirrors/mirror_ways.h"
+#include "transport/mirrors/mirror_paths.h"
 #include "transport/mirrors/sun_mirrors.h"
 #include "transport/view_table.h"
 
@@ -23,14 +23,15 @@ std::span<const float> MirroredRows::channels(const scene::ResolvedSurface& surf
       for (std::size_t n = 0; n < share_.size(); ++n)
         share_[n] += part.weight * scene_.materials().reflectance(part.material)[n];
   const transport::ViewTable* table = scene_.view_table();
-  std::optional<transport::ViewTable::Place> place;
-  if (table != nullptr) place = table->at(-seen.direction, height_m, seen.origin_m.z);
+  std::optional<transport::ViewTable::Weights> weights;
+  if (table != nullptr) weights = table->at(-seen.direction, height_m, seen.origin_m.z);
   float* reflected = work_.row(0);
   for (std::size_t n = 0; n < share_.size(); ++n) {
     double through = scene_.has_view_path() ? scene_.view_transmittance()[n] : 1.0;
-    if (place) {
+    if (weights) {
       through = 0.0;
-      for (std::size_t k = 0; k < place->count; ++k) through += place->weight[k] * place->transmittance[k][n];
+      for (std::size_t k = 0; k < weights->count; ++k)
+        through += weights->weight[k] * weights->transmittance[k][n];
     }
     reflected[n] = static_cast<float>(share_[n] * light[n] * through);
   }

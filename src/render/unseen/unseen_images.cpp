@@ -8,14 +8,14 @@
 #include "render/unseen/widen_unseen.h"
 #include "sampling/random.h"
 #include "transport/mirrors/emitter_mirrors.h"
-#include "transport/mirrors/mirror_ways.h"
+#include "transport/mirrors/mirror_paths.h"
 #include "transport/mirrors/sun_mirrors.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {
 
 using math::Vec3;
-using transport::ImagesApart;
+using transport::SeparateImages;
 
 namespace {
 
@@ -99,7 +99,7 @@ std::vector<std::vector<UnseenImages::Leaving>> UnseenImages::follow(
   for (std::size_t level = 0; level < kMostMirrors && !rays.empty(); ++level) {
     hits.resize(rays.size());
     scene.world->intersect(rays, hits);
-    if (level > 0) counts.bounce += rays.size();
+    if (level > 0) counts.continuation += rays.size();
     std::vector<Leaving> leaving(points.size());
     std::size_t kept = 0;
     for (std::size_t k = 0; k < rays.size(); ++k) {
@@ -209,7 +209,7 @@ void UnseenImages::look(const Leaving* const (&corner)[3], double area_px2, doub
       return dot(to, from.outward) > -radius;
     };
     const auto add = [&](const Leaving& from, double spread, double wide, double area) {
-      if (from.only != ImagesApart::kNone && images_.settled(from.only, target.part.object)) return;
+      if (from.only != SeparateImages::kNone && images_.settled(from.only, target.part.object)) return;
       const double filled = std::pow(std::sin(std::min(wide, 0.5 * std::numbers::pi)), 2) * target.part.fill;
       // pi of both cancels; an equilateral triangle has 0.43 of its squared side.
       if (area_px2 * std::numbers::pi * filled > kMet_px2 * 0.43 * spread * spread) return;

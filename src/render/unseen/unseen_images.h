@@ -43,8 +43,9 @@ class UnseenImages {
     double time_s = 0.0;
     math::Vec3 direction, outward;
     std::uint64_t way = 0;  ///< equal for rays that met the same mirrors in turn
-    transport::ImagesApart::Mirror only = transport::ImagesApart::kNone;  ///< the mirror, if it is one alone
-    double brightness = 0.0;                                              ///< what is left of light, at most
+    transport::SeparateImages::Mirror only =
+        transport::SeparateImages::kNone;           ///< the mirror, if it is one alone
+    double brightness = 0.0;                        ///< what is left of light, at most
     const Leaving* beside[2] = {nullptr, nullptr};  ///< that came the same way, across and along the lattice
   };
   static constexpr std::size_t kMostMirrors = 6;

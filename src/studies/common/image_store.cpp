@@ -55,7 +55,7 @@ ImageStore::Cost& ImageStore::Cost::operator+=(const Cost& other) {
   radiance += other.radiance;
   rays.primary += other.rays.primary;
   rays.shadow += other.rays.shadow;
-  rays.bounce += other.rays.bounce;
+  rays.continuation += other.rays.continuation;
   return *this;
 }
 

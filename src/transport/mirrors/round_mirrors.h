@@ -50,8 +50,8 @@ class RoundMirrors {
     double passed = 0.0;
     std::size_t picked = 0;
     for (std::size_t k = 0; k < most; ++k) {
-      const double place = (static_cast<double>(k) + random(k)) * all / static_cast<double>(most);
-      while (picked + 1 < rounds_.size() && place >= passed + rounds_[picked].share_of_view(from))
+      const double position = (static_cast<double>(k) + random(k)) * all / static_cast<double>(most);
+      while (picked + 1 < rounds_.size() && position >= passed + rounds_[picked].share_of_view(from))
         passed += rounds_[picked++].share_of_view(from);
       use(Pick{picked, static_cast<double>(most) * rounds_[picked].share_of_view(from) / all});
     }

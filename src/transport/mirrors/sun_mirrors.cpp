@@ -118,15 +118,15 @@ SunImages::SunImages(const SunMirrors& mirrors, Vec3 towards_sun, int reflection
         const SunMirrors::Facing& facing = mirrors.facings()[first];
         if (way.first == first && facing.one_plane) continue;
         const Vec3 image = mirrored(way.image, facing.normal);
-        const std::uint32_t place = place_of(image, facing.bounds);
+        const std::uint32_t index = index_of(image, facing.bounds);
         if (images_.size() > (length > 2 ? kMostOfLongWays : kMost)) {
           images_ = before;
           return;
         }
         known.resize(images_.size(), std::vector<bool>(normals_.size()));
-        if (known[place][first]) continue;
-        known[place][first] = true;
-        longer.push_back({images_[place].direction, first});
+        if (known[index][first]) continue;
+        known[index][first] = true;
+        longer.push_back({images_[index].direction, first});
       }
     ways = std::move(longer);
     reflections_ = length;
@@ -140,7 +140,7 @@ std::uint32_t SunImages::find(Vec3 direction) const {
   return SunMirrors::kNone;
 }
 
-std::uint32_t SunImages::place_of(Vec3 direction, const geometry::World::Bounds& first) {
+std::uint32_t SunImages::index_of(Vec3 direction, const geometry::World::Bounds& first) {
   const std::uint32_t known = find(direction);
   if (known == SunMirrors::kNone) {
     images_.push_back({normalized(direction), first});

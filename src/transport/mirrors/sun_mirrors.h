@@ -54,7 +54,7 @@ class SunMirrors {
  private:
   const geometry::SurfaceSurvey& survey_;
   std::vector<Facing> facings_;
-  bool by_shape_ = true;  // copies of a periodic scene, and faces that pass for bent ones, are not searched
+  bool by_shape_ = true;  // copies of a periodic scene, and faces that pass for curved ones, are not searched
   std::vector<bool> bends_;  // by surface assignment: a relief tilts its normals
   RoundMirrors rounds_;
   std::vector<geometry::SurfaceSurvey::Ball> groups_;
@@ -87,7 +87,7 @@ class SunImages {
 
  private:
   std::uint32_t find(math::Vec3 direction) const;
-  std::uint32_t place_of(math::Vec3 direction, const geometry::World::Bounds& first);
+  std::uint32_t index_of(math::Vec3 direction, const geometry::World::Bounds& first);
   math::Vec3 towards_sun_{};
   std::vector<math::Vec3> normals_;  // by facing
   int reflections_ = 0;

@@ -266,7 +266,7 @@ struct HeightsInAngles {
 };
 
 /// Area vector of a tube's surface per radian and unit of height.
-Vec3 tube_area(const math::Transform& map, double azimuth) {
+Vec3 band_area(const math::Transform& map, double azimuth) {
   return math::cross(map.column_y() * std::cos(azimuth) - map.column_x() * std::sin(azimuth), map.column_z());
 }
 
@@ -284,7 +284,7 @@ AimedDirection EmitterShape::aim_at_cylinder(const Receiver& receiver, Point2 u)
   aimed.direction = to / distance;
   aimed.density =
       distance * distance * heights.density(height) /
-      (2.0 * facing.half * std::abs(math::dot(tube_area(scene_from_unit_, azimuth), aimed.direction)));
+      (2.0 * facing.half * std::abs(math::dot(band_area(scene_from_unit_, azimuth), aimed.direction)));
   if (!std::isfinite(aimed.density)) aimed.density = 0.0;
   return aimed;
 }
@@ -298,7 +298,7 @@ double EmitterShape::density_of_cylinder(const Receiver& receiver, Vec3 directio
     return 0.0;
   const double density =
       distance_m * distance_m * HeightsInAngles(scene_from_unit_, from).density(met.z) /
-      (2.0 * facing.half * std::abs(math::dot(tube_area(scene_from_unit_, azimuth), direction)));
+      (2.0 * facing.half * std::abs(math::dot(band_area(scene_from_unit_, azimuth), direction)));
   return std::isfinite(density) ? density : 0.0;
 }
 
@@ -323,7 +323,7 @@ SurfaceSample EmitterShape::point(Point2 u) const {
     }
     case Kind::open_cylinder: {
       const double azimuth = 2.0 * pi * u.x;
-      const Vec3 area = tube_area(scene_from_unit_, azimuth);
+      const Vec3 area = band_area(scene_from_unit_, azimuth);
       return {scene_from_unit_(Point3{std::cos(azimuth), std::sin(azimuth), u.y}), math::normalized(area),
               1.0 / (2.0 * pi * math::length(area))};
     }
@@ -344,7 +344,7 @@ double EmitterShape::point_density(Point3 at_m) const {
     case Kind::ball:
     case Kind::hemisphere: return ball_point(Point3{} + math::normalized(unit - Point3{})).density;
     case Kind::open_cylinder:
-      return 1.0 / (2.0 * pi * math::length(tube_area(scene_from_unit_, std::atan2(unit.y, unit.x))));
+      return 1.0 / (2.0 * pi * math::length(band_area(scene_from_unit_, std::atan2(unit.y, unit.x))));
     case Kind::disk:
     case Kind::triangle:
     case Kind::parallelogram: return 1.0 / area_m2_;

@@ -10,7 +10,7 @@ namespace ifov::transport {
 namespace {
 
 /// Index of the interval that holds x, and the share of its upper end.
-std::pair<std::size_t, double> place(const std::vector<double>& nodes, double x) {
+std::pair<std::size_t, double> bracket(const std::vector<double>& nodes, double x) {
   const auto above = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, x);
   const std::size_t low = static_cast<std::size_t>(above - nodes.begin()) - 1;
   return {low, std::clamp((x - nodes[low]) / (nodes[low + 1] - nodes[low]), 0.0, 1.0)};
@@ -23,17 +23,17 @@ SkyDome::SkyDome(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towa
     : towards_sun_(towards_sun),
       zenith_rad_(atmosphere.sky_directions().zenith_rad),
       azimuth_rad_(atmosphere.sky_directions().azimuth_rad),
-      rows_(zenith_rad_.size() * azimuth_rad_.size(), atmosphere.node_count()) {
+      spectra_(zenith_rad_.size() * azimuth_rad_.size(), atmosphere.node_count()) {
   for (std::size_t z = 0; z < zenith_rad_.size(); ++z)
     for (std::size_t a = 0; a < azimuth_rad_.size(); ++a)
       for (std::size_t n = 0; n < atmosphere.node_count(); ++n)
-        rows_.row(z * azimuth_rad_.size() + a)[n] =
+        spectra_.row(z * azimuth_rad_.size() + a)[n] =
             static_cast<float>(atmosphere.sky(z, a, n) + ground_radiance[n] * atmosphere.groundlit_sky(z, n));
   make_sampler(atmosphere.node_count());
   if (!atmosphere.polarized()) return;
-  q_.resize(rows_.rows(), atmosphere.node_count());
-  u_.resize(rows_.rows(), atmosphere.node_count());
-  for (std::size_t r = 0; r < rows_.rows(); ++r) {
+  q_.resize(spectra_.rows(), atmosphere.node_count());
+  u_.resize(spectra_.rows(), atmosphere.node_count());
+  for (std::size_t r = 0; r < spectra_.rows(); ++r) {
     const std::size_t z = r / azimuth_rad_.size(), a = r % azimuth_rad_.size();
     for (std::size_t n = 0; n < atmosphere.node_count(); ++n) {
       const radiometry::StokesVector light =
@@ -49,7 +49,8 @@ SkyDome::SkyDome(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towa
 void SkyDome::make_sampler(std::size_t nodes) {
   const std::size_t rings = zenith_rad_.size() - 1, azimuths = azimuth_rad_.size() - 1;
   const auto corners = [&](std::size_t z, std::size_t a, std::size_t n) {
-    return 0.25 * (row(z, a)[n] + row(z, a + 1)[n] + row(z + 1, a)[n] + row(z + 1, a + 1)[n]);
+    return 0.25 *
+           (spectrum(z, a)[n] + spectrum(z, a + 1)[n] + spectrum(z + 1, a)[n] + spectrum(z + 1, a + 1)[n]);
   };
   std::vector<double> brightness(rings * azimuths, 0.0);
   for (std::size_t n = 0; n < nodes; ++n) {
@@ -71,9 +72,9 @@ SkyDome::Corners SkyDome::at(math::Vec3 direction) const {
   const double along = direction.x * towards_sun_.x + direction.y * towards_sun_.y;
   const double across = direction.x * towards_sun_.y - direction.y * towards_sun_.x;
   const double azimuth = std::atan2(std::abs(across), along);
-  const auto [z, above] = place(zenith_rad_, zenith);
-  const auto [a, beyond] = place(azimuth_rad_, azimuth);
-  return {{row(z, a), row(z, a + 1), row(z + 1, a), row(z + 1, a + 1)},
+  const auto [z, above] = bracket(zenith_rad_, zenith);
+  const auto [a, beyond] = bracket(azimuth_rad_, azimuth);
+  return {{spectrum(z, a), spectrum(z, a + 1), spectrum(z + 1, a), spectrum(z + 1, a + 1)},
           {static_cast<float>((1.0 - above) * (1.0 - beyond)), static_cast<float>((1.0 - above) * beyond),
            static_cast<float>(above * (1.0 - beyond)), static_cast<float>(above * beyond)}};
 }
@@ -90,10 +91,10 @@ radiometry::PolarizationFrame SkyDome::stokes(math::Vec3 direction,
   const double own =
       vertical ? std::atan2(towards_sun_.y, towards_sun_.x) : std::atan2(direction.y, direction.x);
   std::fill(nodes.begin(), nodes.end(), radiometry::StokesVector{});
-  for (std::size_t k = 0; k < corners.row.size(); ++k) {
+  for (std::size_t k = 0; k < corners.spectrum.size(); ++k) {
     const double weight = static_cast<double>(corners.weight[k]);
     if (weight == 0.0) continue;
-    const std::size_t r = static_cast<std::size_t>(corners.row[k] - rows_.row(0)) / rows_.stride();
+    const std::size_t r = static_cast<std::size_t>(corners.spectrum[k] - spectra_.row(0)) / spectra_.stride();
     const double zenith = zenith_rad_[r / azimuth_rad_.size()],
                  azimuth = azimuth_rad_[r % azimuth_rad_.size()];
     const radiometry::PolarizationFrame there =
@@ -101,7 +102,7 @@ radiometry::PolarizationFrame SkyDome::stokes(math::Vec3 direction,
     const radiometry::MuellerMatrix turn =
         weight * turned(radiometry::carried(there, frame.direction), frame);
     for (std::size_t n = 0; n < nodes.size(); ++n)
-      nodes[n] += turn * radiometry::StokesVector{static_cast<double>(corners.row[k][n]),
+      nodes[n] += turn * radiometry::StokesVector{static_cast<double>(corners.spectrum[k][n]),
                                                   static_cast<double>(q_.row(r)[n]),
                                                   side * static_cast<double>(u_.row(r)[n]), 0.0};
   }

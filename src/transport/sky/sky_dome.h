@@ -24,9 +24,9 @@ class SkyDome {
   SkyDome(const atmosphere::SensorAtmosphere& atmosphere, math::Vec3 towards_sun,
           const std::vector<double>& ground_radiance);
 
-  /// The rows that a direction (unit, at or above the horizon) lies between.
+  /// The spectra that a direction (unit, at or above the horizon) lies between.
   struct Corners {
-    std::array<const float*, 4> row;
+    std::array<const float*, 4> spectrum;
     std::array<float, 4> weight;
   };
   Corners at(math::Vec3 direction) const;
@@ -43,13 +43,13 @@ class SkyDome {
 
  private:
   void make_sampler(std::size_t nodes);
-  const float* row(std::size_t zenith, std::size_t azimuth) const {
-    return rows_.row(zenith * azimuth_rad_.size() + azimuth);
+  const float* spectrum(std::size_t zenith, std::size_t azimuth) const {
+    return spectra_.row(zenith * azimuth_rad_.size() + azimuth);
   }
   math::Vec3 towards_sun_;
   std::vector<double> zenith_rad_, azimuth_rad_;
-  radiometry::SpectrumBlock rows_;
-  radiometry::SpectrumBlock q_, u_;  // as rows_, of counterclockwise azimuths; empty where not asked for
+  radiometry::SpectrumBlock spectra_;
+  radiometry::SpectrumBlock q_, u_;  // as spectra_, of counterclockwise azimuths; empty where not asked for
   SkySampler sampler_;
 };
 

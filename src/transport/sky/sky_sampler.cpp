@@ -37,7 +37,7 @@ SkySampler::SkySampler(std::vector<double> zenith_rad, std::vector<double> azimu
       cells_[z * azimuths() + a] = area * brightness[z * azimuths() + a];
       total += cells_[z * azimuths() + a];
     }
-  for (double& chance : cells_) chance /= total;
+  for (double& probability : cells_) probability /= total;
   rows_ = {0.0};
   for (std::size_t z = 0; z < rings; ++z) {
     double ring = 0.0;

@@ -31,9 +31,9 @@ class SkySampler {
   std::vector<double> zenith_rad_, azimuth_rad_;
   std::vector<double> sine_squared_;  // of the zenith angles
   double sun_x_ = 0.0, sun_y_ = 1.0;  // horizontal direction of the Sun, unit
-  std::vector<double> cells_;         // chance of a cell and its mirror image, [zenith][azimuth]
-  std::vector<double> rows_;          // cumulative chance of rings, from 0 to 1
-  std::vector<double> columns_;       // cumulative chance within a ring, from 0 to 1, [zenith][azimuth + 1]
+  std::vector<double> cells_;         // probability of a cell and its mirror image, [zenith][azimuth]
+  std::vector<double> rows_;          // cumulative probability of rings, from 0 to 1
+  std::vector<double> columns_;  // cumulative probability within a ring, from 0 to 1, [zenith][azimuth + 1]
 };
 
 }  // namespace ifov::transport

@@ -7,10 +7,10 @@ namespace ifov::transport {
 class SpectralScene;
 
 /// What the air between a sensor and what its rays meet makes of the light of their paths.
-class ViewAir {
+class ViewAtmosphere {
  public:
   /// Keeps a reference to the scene, which must outlive this.
-  explicit ViewAir(const SpectralScene& scene) : scene_(scene) {}
+  explicit ViewAtmosphere(const SpectralScene& scene) : scene_(scene) {}
 
   /// Turns radiance at the far end of the first segment, in nodes (stride() floats), into radiance at the sensor. What
   /// comes from the sky of an atmosphere is left as it is: it holds the air already.

@@ -13,7 +13,7 @@
 namespace ifov::transport {
 
 /// A ray towards an image of the Sun, on its way from mirror to mirror.
-struct MirrorWay {
+struct MirrorPath {
   static constexpr std::uint32_t kRound = SunMirrors::kNone;
   std::uint32_t image = kRound;  ///< in flat mirrors; kRound: in a round one
   std::uint32_t object = 0;      ///< that round one
@@ -25,13 +25,13 @@ struct MirrorWay {
 };
 
 /// Whether a ray met a place that it was sent to, by the accuracy of a ray tracer.
-inline bool is_at(const geometry::SurfacePoint& hit, math::Point3 place) {
-  constexpr double kSamePlace = 1e-6;  // in parts of the way there
-  return math::length(hit.position_m - place) <= kSamePlace * (1.0 + hit.distance_m);
+inline bool is_at(const geometry::SurfacePoint& hit, math::Point3 position) {
+  constexpr double kSamePosition = 1e-6;  // in parts of the way there
+  return math::length(hit.position_m - position) <= kSamePosition * (1.0 + hit.distance_m);
 }
 
 /// Whether a ray that met this surface is reflected as it was meant to be; then it goes on from there.
-bool reflect(MirrorWay& way, const SunMirrors& mirrors, const geometry::SurfacePoint& hit,
+bool reflect(MirrorPath& way, const SunMirrors& mirrors, const geometry::SurfacePoint& hit,
              const scene::ResolvedSurface& surface);
 
 /// Whether a constituent reflects as a mirror.
@@ -45,7 +45,7 @@ class MirrorTracer {
   MirrorTracer(const scene::Scene& scene, const SunMirrors& mirrors, const SunImages& images)
       : scene_(scene), mirrors_(mirrors), images_(images) {}
 
-  /// `ways`: of a type derived from MirrorWay; used up. `met(way, hit, surface)`: at each mirror that a way is reflected
+  /// `ways`: of a type derived from MirrorPath; used up. `met(way, hit, surface)`: at each mirror that a way is reflected
   /// by; `reached(way)`: at those that come to the Sun.
   template <class Way, class Met, class Reached>
   void trace(std::vector<Way>& ways, sampling::RayCounts& counts, const Met& met, const Reached& reached) {
@@ -77,7 +77,7 @@ class MirrorTracer {
 
  private:
   bool mirrors_at(const scene::ResolvedSurface& surface) const;
-  bool is_image(const MirrorWay& way) const;
+  bool is_image(const MirrorPath& way) const;
 
   const scene::Scene& scene_;
   const SunMirrors& mirrors_;

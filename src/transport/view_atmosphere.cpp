@@ -1,7 +1,7 @@
-#include "transport/view_air.h"
+#include "transport/view_atmosphere.h"
 
-#include "transport/row_arithmetic.h"
 #include "transport/spectral_scene.h"
+#include "transport/spectrum_arithmetic.h"
 #include "transport/view_table.h"
 
 namespace ifov::transport {
@@ -9,7 +9,7 @@ namespace ifov::transport {
 namespace {
 
 /// Light of a surface after the air before it, from 2 to 5 rows of the table.
-void see_through(float* __restrict light, const ViewTable::Place& at, std::size_t n) {
+void see_through(float* __restrict light, const ViewTable::Weights& at, std::size_t n) {
   const auto *t = at.transmittance.data(), *l = at.radiance.data();
   const float* w = at.weight.data();
   switch (at.count) {
@@ -38,14 +38,14 @@ void see_through(float* __restrict light, const ViewTable::Place& at, std::size_
 
 }  // namespace
 
-void ViewAir::apply(const PathRecord::Path& path, float* radiance) const {
+void ViewAtmosphere::apply(const PathRecord::Path& path, float* radiance) const {
   const std::size_t n = scene_.stride();
   if (const ViewTable* table = scene_.view_table()) {
     if (!path.met && path.towards_sensor.z <= 0.0) return;  // the sky itself
     see_through(radiance, table->at(path.towards_sensor, path.seen_height_m, path.sensor_height_m), n);
   } else if (scene_.has_view_path()) {
-    rows::scale(radiance, scene_.view_transmittance(), n);
-    rows::add_scaled(radiance, scene_.view_radiance(), 1.0f, n);
+    spectra::scale(radiance, scene_.view_transmittance(), n);
+    spectra::add_scaled(radiance, scene_.view_radiance(), 1.0f, n);
   }
 }
 

@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
-/// Arithmetic over the n values of spectral rows, which never overlap: one pass over memory for each step of
+/// Arithmetic over the n values of spectra, which never overlap: one pass over memory for each step of
 /// a path.
-namespace ifov::transport::rows {
+namespace ifov::transport::spectra {
 
 inline void add_scaled(float* __restrict sum, const float* __restrict a, float s, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) sum[i] += a[i] * s;
@@ -30,16 +30,16 @@ inline void sum_of_scaled_product(float* __restrict sum, const float* __restrict
                                   std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) sum[i] = first[i] + a[i] * (b[i] * s);
 }
-/// Of four rows.
-inline void sum_of_scaled(float* __restrict out, const float* const* rows, const float* weight,
+/// Of four spectra.
+inline void sum_of_scaled(float* __restrict out, const float* const* spectra, const float* weight,
                           std::size_t n) {
-  const float* __restrict a = rows[0], * __restrict b = rows[1], * __restrict c = rows[2], * __restrict d = rows[3];
+  const float* __restrict a = spectra[0], * __restrict b = spectra[1], * __restrict c = spectra[2], * __restrict d = spectra[3];
   const float p = weight[0], q = weight[1], r = weight[2], s = weight[3];
   for (std::size_t i = 0; i < n; ++i) out[i] = (a[i] * p + b[i] * q) + (c[i] * r + d[i] * s);
 }
 inline void add_product_of_scaled(float* __restrict sum, const float* __restrict factor,
-                                  const float* const* rows, const float* weight, std::size_t n) {
-  const float* __restrict a = rows[0], * __restrict b = rows[1], * __restrict c = rows[2], * __restrict d = rows[3];
+                                  const float* const* spectra, const float* weight, std::size_t n) {
+  const float* __restrict a = spectra[0], * __restrict b = spectra[1], * __restrict c = spectra[2], * __restrict d = spectra[3];
   const float p = weight[0], q = weight[1], r = weight[2], s = weight[3];
   for (std::size_t i = 0; i < n; ++i) sum[i] += factor[i] * ((a[i] * p + b[i] * q) + (c[i] * r + d[i] * s));
 }
@@ -66,4 +66,4 @@ inline void set_scaled(float* __restrict out, const float* __restrict a, float s
   for (std::size_t i = 0; i < n; ++i) out[i] = a[i] * s;
 }
 
-}  // namespace ifov::transport::rows
+}  // namespace ifov::transport::spectra

@@ -15,10 +15,10 @@ namespace ifov::transport {
 
 class ShiningParts;
 
-/// Images of what shines in mirrors that the sensor sees directly, and that are added to it apart: whoever meets such a
+/// Images of what shines in mirrors that the sensor sees directly, and that are added to it separately: whoever meets such a
 /// thing by way of such a mirror goes on as if it were not there. Mirrors are told apart by object where they bend and by
 /// plane where they are flat.
-class ImagesApart {
+class SeparateImages {
  public:
   using Mirror = std::uint64_t;
   static constexpr Mirror kNone = ~Mirror{0};
@@ -30,12 +30,12 @@ class ImagesApart {
     double offset_m = 0.0;  ///< normal . p
   };
 
-  ImagesApart(const scene::Scene& scene, const ShiningParts& parts);
+  SeparateImages(const scene::Scene& scene, const ShiningParts& parts);
 
   std::span<const Plane> planes() const { return planes_; }
   /// Whether any mirror is told from others: not so in a world that repeats.
   bool any() const { return any_; }
-  static constexpr Mirror bent(std::uint32_t object) { return object; }
+  static constexpr Mirror curved(std::uint32_t object) { return object; }
   static constexpr Mirror flat(std::size_t plane) { return (Mirror{1} << 32) | plane; }
   /// The mirror that a point belongs to, by the normal that it reflects about; kNone where it has a relief, is a height
   /// field, or one too many.
@@ -46,7 +46,7 @@ class ImagesApart {
   void finish();
   bool empty() const { return pairs_.empty(); }
 
-  /// Whether the image of what was met is added apart where it is seen in a mirror.
+  /// Whether the image of what was met is added separately where it is seen in a mirror.
   bool holds(Mirror mirror, const geometry::SurfacePoint& met) const;
 
  private:

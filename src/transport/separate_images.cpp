@@ -1,4 +1,4 @@
-#include "transport/images_apart.h"
+#include "transport/separate_images.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr double kNear_m = 1e-4, kNear = 1e-9, kSameNormal = 1e-9;
 
 }  // namespace
 
-ImagesApart::ImagesApart(const scene::Scene& scene, const ShiningParts& parts) : parts_(parts) {
+SeparateImages::SeparateImages(const scene::Scene& scene, const ShiningParts& parts) : parts_(parts) {
   const geometry::SurfaceSurvey* survey = scene.world != nullptr ? scene.world->survey() : nullptr;
   if (survey == nullptr || scene.world->period()) return;
   any_ = true;
@@ -37,13 +37,13 @@ ImagesApart::ImagesApart(const scene::Scene& scene, const ShiningParts& parts) :
     for (const double offset : flat.planes_m) planes_.push_back({flat.normal, offset});
 }
 
-ImagesApart::Mirror ImagesApart::mirror_of(const geometry::SurfacePoint& hit, math::Vec3 normal) const {
+SeparateImages::Mirror SeparateImages::mirror_of(const geometry::SurfacePoint& hit, math::Vec3 normal) const {
   if (!any_ || hit.bend == geometry::Bend::field || bends_[hit.material]) return kNone;
-  if (hit.bend == geometry::Bend::round) return bent(hit.instance);
+  if (hit.bend == geometry::Bend::round) return curved(hit.instance);
   const auto along = [&](math::Vec3 other) { return 1.0 - std::abs(dot(other, normal)) < kSameNormal; };
   if (hit.bend == geometry::Bend::smooth) {
     if (!smooth_) return kNone;
-    if (std::none_of(normals_.begin(), normals_.end(), along)) return bent(hit.instance);
+    if (std::none_of(normals_.begin(), normals_.end(), along)) return curved(hit.instance);
   }
   const math::Vec3 at = hit.position_m - math::Point3{};
   for (std::size_t k = 0; k < planes_.size(); ++k)
@@ -53,9 +53,9 @@ ImagesApart::Mirror ImagesApart::mirror_of(const geometry::SurfacePoint& hit, ma
   return kNone;
 }
 
-void ImagesApart::finish() { std::sort(pairs_.begin(), pairs_.end()); }
+void SeparateImages::finish() { std::sort(pairs_.begin(), pairs_.end()); }
 
-bool ImagesApart::holds(Mirror mirror, const geometry::SurfacePoint& met) const {
+bool SeparateImages::holds(Mirror mirror, const geometry::SurfacePoint& met) const {
   return mirror != kNone && met.hit() && parts_.shines(met) &&
          std::binary_search(pairs_.begin(), pairs_.end(), Pair{mirror, met.instance});
 }

@@ -1,13 +1,13 @@
-#include "transport/mirrors/mirror_ways.h"
+#include "transport/mirrors/mirror_paths.h"
 
 #include <algorithm>
 
 namespace ifov::transport {
 
-bool reflect(MirrorWay& way, const SunMirrors& mirrors, const geometry::SurfacePoint& hit,
+bool reflect(MirrorPath& way, const SunMirrors& mirrors, const geometry::SurfacePoint& hit,
              const scene::ResolvedSurface& surface) {
   math::Vec3 next = way.towards_sun;
-  if (way.image == MirrorWay::kRound) {
+  if (way.image == MirrorPath::kRound) {
     // The first reflection must be that which was meant: a ray that misses it is hidden or past an edge.
     if (way.count > 0 || hit.instance != way.object || !mirrors.rounds().sought(hit) || !is_at(hit, way.at))
       return false;
@@ -30,9 +30,9 @@ bool MirrorTracer::mirrors_at(const scene::ResolvedSurface& surface) const {
                      [&](const scene::Constituent& part) { return is_mirror(scene_, part); });
 }
 
-bool MirrorTracer::is_image(const MirrorWay& way) const {
-  return way.image == MirrorWay::kRound ? way.count > 0
-                                        : images_.image_of({way.facings.data(), way.count}) == way.image;
+bool MirrorTracer::is_image(const MirrorPath& way) const {
+  return way.image == MirrorPath::kRound ? way.count > 0
+                                         : images_.image_of({way.facings.data(), way.count}) == way.image;
 }
 
 }  // namespace ifov::transport
