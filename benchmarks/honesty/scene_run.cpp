@@ -55,7 +55,7 @@ class Trial {
     job.label_detail = which_.sun_state ? plan.label_detail : render::LabelDetail::material;
     job.seed = seed;
     job.tile_px = plan.tile_px;
-    job.seed_objects = plan.seed_objects;
+    job.pilot_rays = plan.pilot_rays;
     job.steering_channels = plan.steering_channels;
     return render_tile(job);
   }

@@ -11,10 +11,10 @@
 #include "core/parallel.h"
 #include "render/mirrors/glints.h"
 #include "render/mirrors/mirror_images.h"
-#include "render/object_seeds.h"
+#include "render/pilot_rays.h"
 #include "render/scene_field.h"
 #include "render/tile_grid.h"
-#include "render/tolerance/air_budget.h"
+#include "render/tolerance/atmosphere_budget.h"
 #include "render/tolerance/node_budget.h"
 #include "render/truth_layers.h"
 #include "render/unseen/unseen_emitters.h"
@@ -59,9 +59,9 @@ class TilesInOrder final : public TileSource {
   TilesInOrder(std::span<const int> order, std::size_t count)
       : order_(order), count_(order.empty() ? count : order.size()) {}
   std::optional<int> next() override {
-    const std::size_t place = taken_++;
-    if (place >= count_) return std::nullopt;
-    return order_.empty() ? static_cast<int>(place) : order_[place];
+    const std::size_t index = taken_++;
+    if (index >= count_) return std::nullopt;
+    return order_.empty() ? static_cast<int>(index) : order_[index];
   }
 
  private:
@@ -94,10 +94,10 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   const int width = job.camera.width_px(), height = job.camera.height_px();
   const std::vector<sampling::PixelRect> tiles = tile_grid(width, height, job.tile_px);
   const double margin_px = job.sampler.halo_px() + job.footprint.half_width_px();
-  std::optional<ObjectSeeds> seeds;
-  if (job.seed_objects) {
+  std::optional<PilotRays> pilot_rays;
+  if (job.pilot_rays) {
     const scene::Scene& scene = job.scene.scene();
-    seeds.emplace(*scene.world, scene.assignments.size(), job.camera, margin_px);
+    pilot_rays.emplace(*scene.world, scene.assignments.size(), job.camera, margin_px);
   }
 
   std::int64_t pixels = 0;
@@ -130,7 +130,8 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   Tally tally(pixels, control.progress);
   const auto render_tile = [&](std::size_t index) {
     if (control.cancel != nullptr && control.cancel->cancelled()) throw Cancelled();
-    const ObjectSeeds::Near tile_seeds = seeds ? seeds->near(tiles[index], margin_px) : ObjectSeeds::Near{};
+    const PilotRays::Near tile_pilot_rays =
+        pilot_rays ? pilot_rays->near(tiles[index], margin_px) : PilotRays::Near{};
     sampling::TileProblem problem;
     problem.tile = tiles[index];
     problem.image = {0, 0, width, height};
@@ -138,8 +139,8 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     problem.footprint = &job.footprint;
     problem.tolerance = job.tolerance;
     problem.steering_channels = steering_channels;
-    problem.pilot_points = tile_seeds.points;
-    problem.pilot_objects = tile_seeds.objects;
+    problem.pilot_points = tile_pilot_rays.points;
+    problem.pilot_objects = tile_pilot_rays.objects;
     problem.cancel = control.cancel;
     problem.keep_memory = job.keep_memory;
     sampling::TileResult before;

@@ -8,7 +8,7 @@
 #include "render/label_detail.h"
 #include "render/tile_sink.h"
 #include "render/tile_source.h"
-#include "render/tolerance/air_half_width.h"
+#include "render/tolerance/atmosphere_half_width.h"
 #include "render/tolerance/node_half_width.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/tile.h"
@@ -40,11 +40,11 @@ struct RenderJob {
   LabelDetail label_detail = LabelDetail::sun_state;
   std::uint64_t seed = 1;
   int tile_px = 64;
-  bool seed_objects = true;                 ///< send a ray at each compact object smaller than a pixel
-  std::vector<int> steering_channels{};     ///< channels that steer the sampler
-  std::span<const AirHalfWidth> air{};      ///< by channel; empty: the air has no error that is known
-  std::span<const NodeHalfWidth> nodes{};   ///< by channel; empty: not known, or in those of the air
-  const sensor::PsfWings* wings = nullptr;  ///< of the footprint's PSF; null: it has none
+  bool pilot_rays = true;                      ///< send a ray at each compact object smaller than a pixel
+  std::vector<int> steering_channels{};        ///< channels that steer the sampler
+  std::span<const AtmosphereHalfWidth> air{};  ///< by channel; empty: the air has no error that is known
+  std::span<const NodeHalfWidth> nodes{};      ///< by channel; empty: not known, or in those of the air
+  const sensor::PsfWings* wings = nullptr;     ///< of the footprint's PSF; null: it has none
   double cut = 0.0;            ///< share of the PSF's energy that is cut off and stands in no wings
   bool keep_memory = false;    ///< tiles carry what a run at a tighter tolerance can go on from
   bool keep_variances = true;  ///< else tiles have half-widths alone, unless they are to be gone on from

@@ -25,11 +25,11 @@ constexpr double kMostCells = 4096.0;
 /// Of a cell so much of which lies in the pixel the middle of that is as good as any other's.
 constexpr double kMuch = 0.5;
 
-struct Place {
+struct MapCell {
   double a = 0.0, b = 0.0;  // in cells: to the right and down
 };
 
-Place place_of(const materials::MapGrid& grid, const geometry::SurfacePoint& hit) {
+MapCell cell_of(const materials::MapGrid& grid, const geometry::SurfacePoint& hit) {
   const bool by_position = grid.by == materials::MapBy::position;
   return {((by_position ? hit.position_m.x : hit.u) - grid.west_m) / grid.cell_width_m,
           (grid.north_m - (by_position ? hit.position_m.y : hit.v)) / grid.cell_height_m};
@@ -44,7 +44,7 @@ materials::MapPosition middle_of(const materials::MapGrid& grid, double a, doubl
 
 /// Map coordinates over a pixel, linear in the offset from its corner: what a pixel sees of one surface is nearly flat.
 struct MapDetail::Window {
-  Place at, per_x, per_y;
+  MapCell at, per_x, per_y;
   double determinant() const { return per_x.a * per_y.b - per_x.b * per_y.a; }
   sampling::FocalPoint offset(double a, double b) const {
     const double da = a - at.a, db = b - at.b, d = determinant();
@@ -58,7 +58,7 @@ struct MapDetail::Window {
   };
   Seen seen(double a, double b) const {
     sampling::Polygon cell;
-    for (const Place p : {Place{-0.5, -0.5}, Place{0.5, -0.5}, Place{0.5, 0.5}, Place{-0.5, 0.5}}) {
+    for (const MapCell p : {MapCell{-0.5, -0.5}, MapCell{0.5, -0.5}, MapCell{0.5, 0.5}, MapCell{-0.5, 0.5}}) {
       const sampling::FocalPoint corner = offset(a + p.a, b + p.b);
       cell.add({corner.x_px, corner.y_px});
     }
@@ -122,7 +122,7 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
   const scene::SurfaceAssignment& assignment = scene_.assignments[corners[first].material];
   if (assignment.classes == nullptr) return;
   const materials::MapGrid& grid = assignment.classes->grid();
-  std::array<Place, 4> at;
+  std::array<MapCell, 4> at;
   std::array<bool, 4> seen{};
   for (std::size_t k = 0; k < 4; ++k) {
     seen[k] = corners[k].hit() && corners[k].material == corners[first].material &&
@@ -132,19 +132,19 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
     if (const auto period = scene_.world->period())
       own.position_m =
           own.position_m - math::Vec3{own.copy_column * period->x_m, own.copy_row * period->y_m, 0.0};
-    at[k] = place_of(grid, own);
+    at[k] = cell_of(grid, own);
   }
-  const auto minus = [](Place p, Place q) { return Place{p.a - q.a, p.b - q.b}; };
-  const auto plus = [](Place p, Place q) { return Place{p.a + q.a, p.b + q.b}; };
+  const auto minus = [](MapCell p, MapCell q) { return MapCell{p.a - q.a, p.b - q.b}; };
+  const auto plus = [](MapCell p, MapCell q) { return MapCell{p.a + q.a, p.b + q.b}; };
   Window window;
   window.per_x = seen[0] && seen[1] ? minus(at[1], at[0]) : minus(at[3], at[2]);
   window.per_y = seen[0] && seen[2] ? minus(at[2], at[0]) : minus(at[3], at[1]);
   window.at = seen[0] ? at[0] : minus(minus(at[3], window.per_x), window.per_y);
   if (!(std::abs(window.determinant()) > 0.0) || !std::isfinite(window.determinant())) return;
 
-  Place low = window.at, high = window.at;
-  for (const Place p : {plus(window.at, window.per_x), plus(window.at, window.per_y),
-                        plus(plus(window.at, window.per_x), window.per_y)}) {
+  MapCell low = window.at, high = window.at;
+  for (const MapCell p : {plus(window.at, window.per_x), plus(window.at, window.per_y),
+                          plus(plus(window.at, window.per_x), window.per_y)}) {
     low = {std::min(low.a, p.a), std::min(low.b, p.b)};
     high = {std::max(high.a, p.a), std::max(high.b, p.b)};
   }
@@ -163,16 +163,16 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
   classes_.assign(columns * rows, kOutside);
   std::uint16_t any_class = kOutside;
   bool mixed = false;
-  const auto place_in_map = [&](std::size_t cell) {
-    return Place{low.a + (static_cast<double>(cell % columns) + 0.5) * step,
-                 low.b + (static_cast<double>(cell / columns) + 0.5) * step};
+  const auto position_in_map = [&](std::size_t cell) {
+    return MapCell{low.a + (static_cast<double>(cell % columns) + 0.5) * step,
+                   low.b + (static_cast<double>(cell / columns) + 0.5) * step};
   };
   for (std::size_t cell = 0; cell < classes_.size(); ++cell) {
-    const Place place = place_in_map(cell);
-    const sampling::FocalPoint o = window.offset(place.a, place.b);
+    const MapCell position = position_in_map(cell);
+    const sampling::FocalPoint o = window.offset(position.a, position.b);
     if (o.x_px <= -reach_x || o.x_px >= 1.0 + reach_x || o.y_px <= -reach_y || o.y_px >= 1.0 + reach_y)
       continue;
-    const std::uint16_t number = assignment.classes->at(middle_of(grid, place.a, place.b));
+    const std::uint16_t number = assignment.classes->at(middle_of(grid, position.a, position.b));
     classes_[cell] = number;
     mixed = mixed || (any_class != kOutside && assignment.states[number] != assignment.states[any_class]);
     any_class = number;
@@ -226,8 +226,8 @@ void MapDetail::find_in_pixel(std::span<const geometry::SurfacePoint> corners, s
     std::swap(part_.front(), part_[part_.size() / 2]);
     Window::Seen most;
     for (std::size_t k = 0; k < part_.size() && most.area < kMuch / d; ++k) {
-      const Place place = place_in_map(part_[k]);
-      const Window::Seen part = window.seen(place.a, place.b);
+      const MapCell position = position_in_map(part_[k]);
+      const Window::Seen part = window.seen(position.a, position.b);
       if (part.area > most.area) most = part;
     }
     if (most.area == 0.0) continue;

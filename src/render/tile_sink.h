@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/tolerance/air_half_width.h"
+#include "render/tolerance/atmosphere_half_width.h"
 #include "sampling/tile.h"
 
 namespace ifov::render {
@@ -15,7 +15,7 @@ struct ChannelInfo {
   std::string name;
   double centre_um = 0.0;
   double fwhm_um = 0.0;
-  std::optional<AirHalfWidth> air = {};  ///< where the atmosphere knows its error
+  std::optional<AtmosphereHalfWidth> air = {};  ///< where the atmosphere knows its error
 };
 
 /// What every product says of itself.

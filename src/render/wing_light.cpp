@@ -19,7 +19,8 @@ namespace {
 using sampling::PixelRect;
 using sensor::PsfWings;
 
-constexpr std::uint64_t kWingPaths = 0x77696e67ull, kWingPlace = 0x706c6163ull;  // purposes of random numbers
+constexpr std::uint64_t kWingPaths = 0x77696e67ull,
+                        kWingPosition = 0x706c6163ull;  // purposes of random numbers
 constexpr double kRounding = 1e-5;
 
 int floor_div(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
@@ -43,7 +44,7 @@ class Cells {
         field, cancel, 4 * count,
         [&](std::size_t k) {
           const int quarter = static_cast<int>(k % 4), x = cell_x(k / 4), y = cell_y(k / 4);
-          const std::uint64_t key = sampling::hash(seed, side_, x, y, kWingPlace, quarter);
+          const std::uint64_t key = sampling::hash(seed, side_, x, y, kWingPosition, quarter);
           const double u = 0.5 * (quarter % 2 + sampling::unit_double(key)),
                        v = 0.5 * (quarter / 2 + sampling::unit_double(key + 1));
           return sampling::PathRequest{{x + side_ * u, y + side_ * v},

@@ -22,9 +22,9 @@ std::string in_units(const render::AccuracyRequest& request, double error) {
 
 }  // namespace
 
-std::string air_error_note(std::span<const render::AirHalfWidth> air) {
+std::string air_error_note(std::span<const render::AtmosphereHalfWidth> air) {
   double low = 1e300, high = 0.0;
-  for (const render::AirHalfWidth& channel : air) {
+  for (const render::AtmosphereHalfWidth& channel : air) {
     const double share = channel.of(channel.grey_radiance) / channel.grey_radiance;
     low = std::min(low, share);
     high = std::max(high, share);
@@ -43,7 +43,7 @@ void warn_of_air_errors(const Parts& parts, LogSink& log) {
   std::string names;
   for (std::size_t c = 0; c < parts.air.size(); ++c) {
     if (!parts.tolerance->judged(static_cast<int>(c))) continue;
-    const double share = parts.tolerance->air_share(c, parts.air[c].grey_radiance);
+    const double share = parts.tolerance->atmosphere_share(c, parts.air[c].grey_radiance);
     if (share <= 1.0 - render::AccuracyTolerance::kLeastShare) continue;
     if (count++ < kNamed) names += format("{}'{}'", names.empty() ? "" : ", ", parts.channels[c].name);
     worst = std::max(worst, share);

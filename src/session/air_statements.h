@@ -4,14 +4,14 @@
 #include <string>
 
 #include "core/run_control.h"
-#include "render/tolerance/air_half_width.h"
+#include "render/tolerance/atmosphere_half_width.h"
 
 namespace ifov::session {
 
 struct Parts;
 
 /// One line: how far the channels may be off because of how the air is computed.
-std::string air_error_note(std::span<const render::AirHalfWidth> air);
+std::string air_error_note(std::span<const render::AtmosphereHalfWidth> air);
 
 /// Says which judged channels the air leaves too little of what is asked for, and what may be asked for
 /// instead.

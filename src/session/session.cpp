@@ -9,7 +9,7 @@
 #include "io/scene_cache/scene_cache.h"
 #include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
-#include "render/tolerance/air_budget.h"
+#include "render/tolerance/atmosphere_budget.h"
 #include "render/tolerance/channel_brightness.h"
 #include "render/tolerance/node_budget.h"
 #include "sampling/region_interval.h"
@@ -130,7 +130,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
                      100.0 * p.nodes->worst_error()));
   warn_of_light_left_out(p, *log);
   p.brightness = std::make_unique<render::ChannelBrightness>(*p.nodes);
-  if (p.atmosphere) p.air = render::air_half_widths(*p.spectral_scene, *p.atmosphere);
+  if (p.atmosphere) p.air = render::atmosphere_half_widths(*p.spectral_scene, *p.atmosphere);
   if (!p.atmosphere) p.node_errors = render::node_half_widths(*p.spectral_scene);
   p.tolerance = p.tolerance_of(p.plan);
   warn_of_air_errors(p, *log);

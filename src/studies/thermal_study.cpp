@@ -24,17 +24,17 @@ io::SamplingDocument asked(double error_c, bool seeds = true) {
   });
 }
 
-constexpr bool kNoSeeds = false;
+constexpr bool kNoPilotRays = false;
 
 std::vector<TrialSeries> all_series() {
   return {{"dome, 0.1 °C", Family::dome, asked(0.1)},
           {"dome, 0.01 °C", Family::dome, asked(0.01)},
           {"square, 0.1 °C", Family::square, asked(0.1)},
           {"rod, 0.1 °C", Family::rod, asked(0.1)},
-          {"rod without seeds, 0.1 °C", Family::rod, asked(0.1, kNoSeeds)},
+          {"rod without seeds, 0.1 °C", Family::rod, asked(0.1, kNoPilotRays)},
           {"textured dome, 0.1 °C", Family::textured_dome, asked(0.1)},
           {"0.5 % target, 0.1 °C", Family::small_target, asked(0.1)},
-          {"0.5 % target without seeds, 0.1 °C", Family::small_target, asked(0.1, kNoSeeds)},
+          {"0.5 % target without seeds, 0.1 °C", Family::small_target, asked(0.1, kNoPilotRays)},
           {"5 % target, 0.1 °C", Family::large_target, asked(0.1)},
           {"dome, grid 28 x 28", Family::dome, grid_sampling(28)},
           {"dome, adaptive N = 20", Family::dome, paper_adaptive(20)},

@@ -18,7 +18,7 @@ struct EmitterChoice {
 
   explicit EmitterChoice(const SpectralScene& scene) : EmitterChoice(scene, kContrast, true) {}
 
-  /// The same for what is looked for in mirrors: of another contrast, whatever else would show of it.
+  /// The same for what is sought in mirrors: of another contrast, whatever else would show of it.
   struct InMirrors {
     double contrast;
   };

@@ -16,7 +16,7 @@ namespace {
 
 /// Rays towards mirrors by way of which nothing is sought, from the first surface that scatters; others send one.
 constexpr std::uint64_t kUnseenRays = 4;
-/// What cannot bring more than this, in parts of the Sun's irradiance per steradian, is not looked for.
+/// What cannot bring more than this, in parts of the Sun's irradiance per steradian, is not sought.
 constexpr double kNegligible = 1e-6;
 
 /// Rays that a surface sends to the Sun's images in flat mirrors, and to those in round ones; where there are more

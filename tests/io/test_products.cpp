@@ -294,7 +294,7 @@ TEST(ProductWriter, HalfWidthsAreSaidByWhatMakesThem) {
   ProductWriter writer(options_in(folder.path()), image.identity());
   render::ImageInfo info = image.info();
   // 0.1 of the path and 0.2 % of surfaces above a path radiance of 2; of it, 0.04 and 0.1 % by the nodes.
-  info.channels[1].air = render::AirHalfWidth{0.1, 0.002, 0.0, 2.0, 0.0, 0.0, 0.04, 0.001, 0.0};
+  info.channels[1].air = render::AtmosphereHalfWidth{0.1, 0.002, 0.0, 2.0, 0.0, 0.0, 0.04, 0.001, 0.0};
   writer.begin(info);
   writer.write(image.tile({0, 0, 8, 8}));
   const RunRecord record = writer.finish(image.outcome());

@@ -93,7 +93,7 @@ TEST(QuantitySet, UsualOnesLeaveOutWhatTheMapTells) {
 
 TEST(QuantitySet, OnlyWhatThereIsSomethingForIsPossible) {
   render::ImageInfo image = SyntheticImage{4, 4, 2}.info();
-  EXPECT_FALSE(possible_quantities(QuantitySet::all(), image).has(quantities::kAirHalfWidth));
+  EXPECT_FALSE(possible_quantities(QuantitySet::all(), image).has(quantities::kAtmosphereHalfWidth));
   image.channels[1].air.emplace();
   EXPECT_EQ(possible_quantities(QuantitySet::all(), image).size(), all_quantities().size());
   image.materials.clear();

@@ -28,7 +28,7 @@ void write_accuracy(JsonWriter& json, const RunRecord& record) {
   json.member("worst_ratio", s.worst_ratio);
 }
 
-void write_air(JsonWriter& json, const render::AirHalfWidth& air) {
+void write_air(JsonWriter& json, const render::AtmosphereHalfWidth& air) {
   json.object("nodes", [&] {
     json.member("path", air.nodes_path);
     json.member("sky", air.nodes_sky);

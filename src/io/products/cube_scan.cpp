@@ -23,7 +23,7 @@ bool all_finite(std::span<const float> values) {
   return others == 0;
 }
 
-std::optional<HalfWidthParts> parts_of(const std::optional<render::AirHalfWidth>& air,
+std::optional<HalfWidthParts> parts_of(const std::optional<render::AtmosphereHalfWidth>& air,
                                        const ChannelStatistics& s) {
   if (!air || !std::isfinite(s.mean) || !std::isfinite(s.mean_half_width)) return std::nullopt;
   HalfWidthParts parts;

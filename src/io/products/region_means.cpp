@@ -23,7 +23,7 @@ std::optional<EnviReader> open_if_there(const std::filesystem::path& path) {
 
 RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& region,
                          const sampling::RegionRule& rule,
-                         const std::vector<std::optional<render::AirHalfWidth>>& air) {
+                         const std::vector<std::optional<render::AtmosphereHalfWidth>>& air) {
   const EnviReader radiance(cube(stem, "_radiance.img")), reasons(cube(stem, "_reasons.img")),
       quality(cube(stem, "_quality.img"));
   const std::optional<EnviReader> half_width = open_if_there(cube(stem, "_half_width.img"));

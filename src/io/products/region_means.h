@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/products/image_region.h"
-#include "render/tolerance/air_half_width.h"
+#include "render/tolerance/atmosphere_half_width.h"
 #include "sampling/reason_words.h"
 #include "sampling/region_interval.h"
 
@@ -28,6 +28,6 @@ struct RegionMeans {
 /// `air` by channel, where the atmosphere knew its error; may be empty.
 RegionMeans region_means(const std::filesystem::path& stem, const ImageRegion& region,
                          const sampling::RegionRule& rule,
-                         const std::vector<std::optional<render::AirHalfWidth>>& air = {});
+                         const std::vector<std::optional<render::AtmosphereHalfWidth>>& air = {});
 
 }  // namespace ifov::io

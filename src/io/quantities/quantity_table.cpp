@@ -10,7 +10,7 @@ namespace ifov::io {
 namespace {
 
 constexpr std::array kQuantities{&quantities::kRadiance,  &quantities::kStandardError,
-                                 &quantities::kHalfWidth, &quantities::kAirHalfWidth,
+                                 &quantities::kHalfWidth, &quantities::kAtmosphereHalfWidth,
                                  &quantities::kSamples,   &quantities::kQuality,
                                  &quantities::kReasons,   &quantities::kQualityClass,
                                  &quantities::kAbundance, &quantities::kAbundanceHalfWidth,

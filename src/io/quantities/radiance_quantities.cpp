@@ -19,7 +19,7 @@ void put_standard_error(const FinishedTile& of, ValueSink& sink) {
 
 void put_half_width(const FinishedTile& of, ValueSink& sink) { sink.put(of.tile.half_width); }
 
-void put_air_half_width(const FinishedTile& of, ValueSink& sink) {
+void put_atmosphere_half_width(const FinishedTile& of, ValueSink& sink) {
   const auto& channels = of.image.channels;
   std::vector<float> air(of.tile.mean.size(), 0.0f);
   for (std::size_t i = 0; i < air.size(); ++i)
@@ -64,15 +64,16 @@ constinit const Quantity kHalfWidth{.name = "half_width",
                                     .needs = {.errors = true},
                                     .values = put_half_width};
 
-constinit const Quantity kAirHalfWidth{.name = "air_half_width",
-                                       .what = "part of the half-width that the air's computation adds",
-                                       .unit = "",
-                                       .role = Quantity::Role::error,
-                                       .statistic = Quantity::Statistic::half_width,
-                                       .type = EnviType::float32,
-                                       .bands = Quantity::Bands::channels,
-                                       .band_names = {},
-                                       .needs = {.errors = true, .air = true},
-                                       .values = put_air_half_width};
+constinit const Quantity kAtmosphereHalfWidth{
+    .name = "air_half_width",
+    .what = "part of the half-width that the air's computation adds",
+    .unit = "",
+    .role = Quantity::Role::error,
+    .statistic = Quantity::Statistic::half_width,
+    .type = EnviType::float32,
+    .bands = Quantity::Bands::channels,
+    .band_names = {},
+    .needs = {.errors = true, .air = true},
+    .values = put_atmosphere_half_width};
 
 }  // namespace ifov::io::quantities

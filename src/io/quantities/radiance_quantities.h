@@ -7,6 +7,6 @@ namespace ifov::io::quantities {
 /// By channel, in the radiance unit.
 extern const Quantity kRadiance, kStandardError, kHalfWidth;
 /// The part of the half-width that the air's computation adds.
-extern const Quantity kAirHalfWidth;
+extern const Quantity kAtmosphereHalfWidth;
 
 }  // namespace ifov::io::quantities

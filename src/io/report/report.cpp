@@ -221,7 +221,7 @@ class Page {
     row("Most in a pixel", s.most_samples);
     row("Label rays", s.label_rays);
     row("Radiance evaluations", s.radiance_evaluations);
-    row("Seeds of small objects", s.pilot_samples);
+    row("Pilot rays at small objects", s.pilot_samples);
     row("Probes", s.probe_samples);
     row("In halos of tiles", s.halo_samples);
     html += "</tbody></table></section><section><h2>Rays</h2><table><tbody>";

@@ -24,16 +24,16 @@ std::string checksum_of(const std::string& compact) {
   return sum.digest();
 }
 
-constexpr std::pair<const char*, double render::AirHalfWidth::*> kAirKeys[] = {
-    {"path", &render::AirHalfWidth::path},
-    {"surface", &render::AirHalfWidth::surface},
-    {"sky", &render::AirHalfWidth::sky},
-    {"path_radiance", &render::AirHalfWidth::path_radiance},
-    {"white_in_sky", &render::AirHalfWidth::white_in_sky},
-    {"nodes_path", &render::AirHalfWidth::nodes_path},
-    {"nodes_surface", &render::AirHalfWidth::nodes_surface},
-    {"nodes_sky", &render::AirHalfWidth::nodes_sky},
-    {"grey_radiance", &render::AirHalfWidth::grey_radiance}};
+constexpr std::pair<const char*, double render::AtmosphereHalfWidth::*> kAirKeys[] = {
+    {"path", &render::AtmosphereHalfWidth::path},
+    {"surface", &render::AtmosphereHalfWidth::surface},
+    {"sky", &render::AtmosphereHalfWidth::sky},
+    {"path_radiance", &render::AtmosphereHalfWidth::path_radiance},
+    {"white_in_sky", &render::AtmosphereHalfWidth::white_in_sky},
+    {"nodes_path", &render::AtmosphereHalfWidth::nodes_path},
+    {"nodes_surface", &render::AtmosphereHalfWidth::nodes_surface},
+    {"nodes_sky", &render::AtmosphereHalfWidth::nodes_sky},
+    {"grey_radiance", &render::AtmosphereHalfWidth::grey_radiance}};
 
 void write_members(JsonWriter& json, const render::ImageInfo& image) {
   json.member("width_px", image.width_px);
@@ -72,7 +72,7 @@ render::ImageInfo image_of(const JsonView& v) {
   for (const JsonView& c : v["channels"].items()) {
     image.channels.push_back({c["name"].text(), c["centre_um"].number(), c["fwhm_um"].number()});
     if (!c["air"].is_there()) continue;
-    render::AirHalfWidth& air = image.channels.back().air.emplace();
+    render::AtmosphereHalfWidth& air = image.channels.back().air.emplace();
     for (const auto& [key, member] : kAirKeys) air.*member = c["air"][key].number();
   }
   for (const JsonView& name : v["materials"].items()) image.materials.push_back(name.text());

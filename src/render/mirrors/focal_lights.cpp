@@ -7,17 +7,18 @@
 
 namespace ifov::render {
 
-std::uint32_t FocalLights::add_row(std::span<const float> channels) {
-  const auto row = static_cast<std::uint32_t>(rows_.size() / channels_);
-  rows_.insert(rows_.end(), channels.begin(), channels.begin() + static_cast<std::ptrdiff_t>(channels_));
-  return row;
+std::uint32_t FocalLights::add_spectrum(std::span<const float> channels) {
+  const auto spectrum = static_cast<std::uint32_t>(spectra_.size() / channels_);
+  spectra_.insert(spectra_.end(), channels.begin(),
+                  channels.begin() + static_cast<std::ptrdiff_t>(channels_));
+  return spectrum;
 }
 
 void FocalLights::append(const FocalLights& other) {
-  const auto first = static_cast<std::uint32_t>(rows_.size() / channels_);
-  rows_.insert(rows_.end(), other.rows_.begin(), other.rows_.end());
+  const auto first = static_cast<std::uint32_t>(spectra_.size() / channels_);
+  spectra_.insert(spectra_.end(), other.spectra_.begin(), other.spectra_.end());
   for (Light light : other.lights_) {
-    light.row += first;
+    light.spectrum += first;
     lights_.push_back(light);
   }
 }
@@ -52,7 +53,7 @@ void FocalLights::add_to(const sampling::PixelFootprint& footprint, const sampli
         if (sum.empty()) sum.assign(kReplicates * channels_, 0.0);
         for (std::size_t c = 0; c < channels_; ++c)
           sum[light->replicate * channels_ + c] +=
-              weight * static_cast<double>(rows_[light->row * channels_ + c]);
+              weight * static_cast<double>(spectra_[light->spectrum * channels_ + c]);
       }
   }
   std::vector<double> mean(channels_), limit(channels_);

@@ -18,15 +18,15 @@ class FocalLights {
   static constexpr std::uint32_t kReplicates = 8;
   struct Light {
     sampling::FocalPoint at;
-    float per_radiance = 0.0f;  ///< px2; times its row
-    std::uint32_t row = 0;
+    float per_radiance = 0.0f;  ///< px2; times its spectrum
+    std::uint32_t spectrum = 0;
     std::uint32_t replicate = 0;
   };
 
   explicit FocalLights(std::size_t channels) : channels_(channels) {}
 
   /// Radiance by channel; returns its number.
-  std::uint32_t add_row(std::span<const float> channels);
+  std::uint32_t add_spectrum(std::span<const float> channels);
   void add(const Light& light) { lights_.push_back(light); }
   void append(const FocalLights& other);
   /// Before add_to.
@@ -41,8 +41,8 @@ class FocalLights {
 
  private:
   std::size_t channels_;
-  std::vector<Light> lights_;  // by row of the image
-  std::vector<float> rows_;    // [row][channel]
+  std::vector<Light> lights_;   // by row of the image
+  std::vector<float> spectra_;  // [spectrum][channel]
 };
 
 }  // namespace ifov::render

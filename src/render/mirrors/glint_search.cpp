@@ -74,19 +74,19 @@ void GlintSearch::search(const geometry::SurfaceSurvey::Round& round, std::uint6
                          const Found& found) {
   solved_.clear();
   const math::Transform& map = round.scene_from_unit;
-  const auto place = [&map](Point3 unit, Vec3 normal, Point3& at, Vec3& out) {
+  const auto locate = [&map](Point3 unit, Vec3 normal, Point3& at, Vec3& out) {
     at = map(unit);
     out = map(math::as_normal(normal)).as_vector();
   };
   if (round.kind == UnitKind::open_cylinder || round.kind == UnitKind::cylinder) {
     const Surface side = [&](double u, double v, Point3& at, Vec3& normal) {
       const double turn = 2.0 * std::numbers::pi * u;
-      place({std::cos(turn), std::sin(turn), v}, {std::cos(turn), std::sin(turn), 0.0}, at, normal);
+      locate({std::cos(turn), std::sin(turn), v}, {std::cos(turn), std::sin(turn), 0.0}, at, normal);
     };
     for (int k = 0; k < 8; ++k) divide_quad(side, k / 8.0, 0.0, (k + 1) / 8.0, 1.0, number, found);
     return;
   }
-  // The faces of a cube blown up to the sphere; of a dome, what is above its rim.
+  // The faces of a cube blown up to the sphere; of a hemisphere, what is above its rim.
   for (int face = 0; face < 6; ++face) {
     const int axis = face % 3;
     const double side = face < 3 ? 1.0 : -1.0;
@@ -98,7 +98,7 @@ void GlintSearch::search(const geometry::SurfaceSurvey::Round& round, std::uint6
       const Vec3 d = normalized(axis == 0   ? Vec3{side, a, b}
                                 : axis == 1 ? Vec3{a, side, b}
                                             : Vec3{a, b, side});
-      place(Point3{} + d, d, at, normal);
+      locate(Point3{} + d, d, at, normal);
     };
     divide_quad(part, -1.0, half && axis != 2 ? 0.0 : -1.0, 1.0, 1.0, number, found);
   }

@@ -11,7 +11,7 @@
 
 namespace ifov::render {
 
-/// A point of a mirror that may show the Sun, or what is looked for, to the sensor, before anything is known of what stands between.
+/// A point of a mirror that may show the Sun, or what is sought, to the sensor, before anything is known of what stands between.
 struct GlintPoint {
   math::Point3 at_m;
   sampling::FocalPoint image;
@@ -56,7 +56,7 @@ class GlintSearch {
     math::Point3 at;
     math::Vec3 from;    ///< where light comes from that the surface reflects to the sensor
     math::Vec3 off;     ///< the same, relative to the ball's centre
-    double wide = 0.0;  ///< half-angle of what is looked for, rad
+    double wide = 0.0;  ///< half-angle of what is sought, rad
     sampling::FocalPoint image;
     bool seen = false;
   };

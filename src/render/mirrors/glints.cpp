@@ -63,7 +63,7 @@ void Glints::trace(std::vector<GlintPoint>& points) {
 
   struct Leg {
     std::size_t point;
-    std::uint32_t row;
+    std::uint32_t spectrum;
   };
   std::vector<Leg> legs;
   std::vector<math::Ray> to_sun;
@@ -91,7 +91,7 @@ void Glints::trace(std::vector<GlintPoint>& points) {
   for (std::size_t k = 0; k < legs.size(); ++k) {
     if (blocked[k] != 0) continue;
     const GlintPoint& point = points[legs[k].point];
-    lights_.add({point.image, static_cast<float>(point.area / disc_sr), legs[k].row, point.replicate});
+    lights_.add({point.image, static_cast<float>(point.area / disc_sr), legs[k].spectrum, point.replicate});
   }
   points.clear();
 }
@@ -103,7 +103,7 @@ std::uint32_t Glints::row_of(const geometry::SurfacePoint& hit, const scene::Res
   last_material_ = surface.count == 1 ? surface.constituents[0].material : ~0u;
   radiometry::SpectrumBlock work(1, scene_.node_count());
   const float* sun = scene_.sun_irradiance(hit.position_m.z, work.row(0));
-  last_row_ = lights_.add_row(mirrored_.channels(surface, hit.position_m.z, seen, sun));
+  last_row_ = lights_.add_spectrum(mirrored_.channels(surface, hit.position_m.z, seen, sun));
   return last_row_;
 }
 

@@ -5,7 +5,7 @@
 
 #include "render/mirrors/focal_lights.h"
 #include "render/mirrors/glint_search.h"
-#include "render/mirrors/mirrored_rows.h"
+#include "render/mirrors/mirrored_spectra.h"
 #include "sampling/tile.h"
 #include "scene/resolved_surface.h"
 #include "sensor/camera.h"
@@ -45,7 +45,7 @@ class Glints {
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
-  MirroredRows mirrored_;
+  MirroredSpectra mirrored_;
   FocalLights lights_;  // radiance of the Sun's disc, reflected, at the sensor
   std::uint32_t last_material_ = ~0u, last_row_ = 0;
 };

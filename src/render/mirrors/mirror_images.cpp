@@ -23,11 +23,11 @@ namespace {
 
 /// Points traced together.
 constexpr std::size_t kBatch = 4096;
-/// Steps across the half-angle of what is looked for.
+/// Steps across the half-angle of what is sought.
 constexpr double kSteps = 16.0, kFewestSteps = 4.0;
 /// About how many places of a mirror are looked at for a part at so many steps, beside those of a mesh.
 constexpr double kUsualWork = 2e4;
-/// Where there are more images they are looked at more coarsely.
+/// Where there are more images they are searched more coarsely.
 constexpr double kManyImages = 500.0;
 constexpr std::uint64_t kImages = 0x6d6972726f72ull;
 
@@ -54,7 +54,7 @@ std::unique_ptr<const MirrorImages> MirrorImages::find(const transport::Spectral
   parallel_for(count, threads, [&](std::int64_t k) {
     if (cancel != nullptr && cancel->cancelled()) throw Cancelled();
     const auto at = static_cast<std::size_t>(k);
-    found[at] = images->look(pairs[at], margin_px, key(k));
+    found[at] = images->search(pairs[at], margin_px, key(k));
   });
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const SeparateImages::Mirror mirror = images->mirrors_[pairs[k].mirror].name;
@@ -167,7 +167,7 @@ bool MirrorImages::may_matter(const Mirror& mirror, const ShiningParts::Part& pa
   return kPerspective * area_px2 * part.contrast > kNegligible;
 }
 
-MirrorImages::Found MirrorImages::look(const Pair& pair, double margin_px, std::uint64_t key) const {
+MirrorImages::Found MirrorImages::search(const Pair& pair, double margin_px, std::uint64_t key) const {
   Found found;
   const Mirror& mirror = mirrors_[pair.mirror];
   const geometry::SurfaceSurvey& survey = *scene_.scene().world->survey();
@@ -195,7 +195,7 @@ MirrorImages::Found MirrorImages::look(const Pair& pair, double margin_px, std::
   if (met_by_paths(seen))
     found.outcome = Outcome::met;
   else
-    found.rows = image_rows(seen, key);
+    found.rows = image_spectra(seen, key);
   return found;
 }
 
@@ -233,13 +233,13 @@ void MirrorImages::trace(const Mirror& mirror, std::uint32_t part, std::vector<G
 }
 
 FocalLights MirrorImages::weigh(transport::TransportOptions transport, std::uint64_t key,
-                                const std::vector<ImageRow>& rows) const {
+                                const std::vector<ImageSpectrum>& rows) const {
   const std::size_t channels = scene_.nodes().channel_count();
   FocalLights lights(channels);
   transport.separate_images = nullptr;
   transport::PathTracer all(scene_, transport);
   transport.separate_images = &apart_;
-  transport::PathTracer through(scene_, transport);
+  transport::PathTracer without_images(scene_, transport);
   transport::PathLight light(scene_);
   const transport::ViewAtmosphere air(scene_);
   struct Sum {
@@ -270,7 +270,7 @@ FocalLights MirrorImages::weigh(transport::TransportOptions transport, std::uint
       keys[k] = {key, static_cast<std::uint32_t>(first + k)};
     }
     camera_.rays(images, rays);
-    for (transport::PathTracer* tracer : {&all, &through}) {
+    for (transport::PathTracer* tracer : {&all, &without_images}) {
       const double sign = tracer == &all ? 1.0 : -1.0;
       const transport::PathRecord& paths = tracer->trace(rays, keys, hits, counts);
       for (std::size_t k = 0; k < count; ++k) {
@@ -286,9 +286,9 @@ FocalLights MirrorImages::weigh(transport::TransportOptions transport, std::uint
   }
   for (std::size_t r = 0; r < rows.size(); ++r) {
     for (std::size_t c = 0; c < channels; ++c) row[c] = static_cast<float>(sums[r].of[c] / sums[r].area);
-    const std::uint32_t number = lights.add_row(row);
+    const std::uint32_t number = lights.add_spectrum(row);
     for (FocalLights::Light point : rows[r].lights) {
-      point.row = number;
+      point.spectrum = number;
       lights.add(point);
     }
   }

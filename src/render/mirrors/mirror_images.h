@@ -7,7 +7,7 @@
 #include "core/run_control.h"
 #include "render/mirrors/focal_lights.h"
 #include "render/mirrors/glint_search.h"
-#include "render/mirrors/image_rows.h"
+#include "render/mirrors/image_spectra.h"
 #include "sensor/camera.h"
 #include "transport/path_tracer.h"
 #include "transport/separate_images.h"
@@ -34,7 +34,7 @@ class MirrorImages {
   /// For transport::TransportOptions.
   const transport::SeparateImages& apart() const { return apart_; }
   const transport::ShiningParts& parts() const { return parts_; }
-  /// Whether a thing is looked for in a mirror, or its image left to paths because they meet it.
+  /// Whether a thing is sought in a mirror, or its image left to paths because they meet it.
   bool settled(transport::SeparateImages::Mirror mirror, std::uint32_t object) const;
 
   /// Whether all that may matter is settled.
@@ -54,7 +54,7 @@ class MirrorImages {
   static constexpr std::size_t kMostTriangles = 1 << 16;
   /// Places of mirrors that are looked at for all images together, about.
   static constexpr double kMostWork = 1e8;
-  /// An image that, were it in view whole, brought less than this share of the usual radiance is not looked for.
+  /// An image that, were it in view whole, brought less than this share of the usual radiance is not sought.
   static constexpr double kNegligible = 1e-4;
 
  private:
@@ -73,20 +73,20 @@ class MirrorImages {
   enum class Outcome : std::uint8_t { apart, met, given_up };
   struct Found {
     Outcome outcome = Outcome::apart;
-    std::vector<ImageRow> rows;  // of images that are added separately
+    std::vector<ImageSpectrum> rows;  // of images that are added separately
   };
   void list_mirrors();
   /// Those that may matter; others are settled.
   std::vector<Pair> pairs();
   bool may_matter(const Mirror& mirror, const transport::ShiningParts::Part& part) const;
-  Found look(const Pair& pair, double margin_px, std::uint64_t key) const;
+  Found search(const Pair& pair, double margin_px, std::uint64_t key) const;
   /// Traces points at which a part may be seen in a mirror; keeps those where it is, with their areas, as lights.
   void trace(const Mirror& mirror, std::uint32_t part, std::vector<GlintPoint>& points,
              std::vector<FocalLights::Light>& seen) const;
   bool met_by_paths(const std::vector<FocalLights::Light>& seen) const;
   /// Their radiance: what paths find less what they find where they see through what is added separately.
   FocalLights weigh(transport::TransportOptions transport, std::uint64_t key,
-                    const std::vector<ImageRow>& rows) const;
+                    const std::vector<ImageSpectrum>& rows) const;
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;

@@ -19,7 +19,7 @@ constexpr double kSeen = 0.01;
 AccuracyTolerance::AccuracyTolerance(AccuracyRequest request, const ChannelBrightness& brightness,
                                      std::vector<double> white_reflected_w_m2_sr_um, std::int64_t pixel_count,
                                      const std::vector<double>& path_radiance_w_m2_sr_um,
-                                     std::vector<AirHalfWidth> air)
+                                     std::vector<AtmosphereHalfWidth> air)
     : request_(std::move(request)),
       brightness_(brightness),
       white_(std::move(white_reflected_w_m2_sr_um)),
@@ -61,7 +61,7 @@ void AccuracyTolerance::limits(std::span<const double> mean, std::span<double> l
   }
 }
 
-double AccuracyTolerance::air_share(std::size_t channel, double radiance) const {
+double AccuracyTolerance::atmosphere_share(std::size_t channel, double radiance) const {
   std::vector<double> mean(white_.size(), 0.0), limit(white_.size());
   mean[channel] = radiance;
   asked(mean, limit);

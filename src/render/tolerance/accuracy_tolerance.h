@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "render/tolerance/air_half_width.h"
+#include "render/tolerance/atmosphere_half_width.h"
 #include "render/tolerance/channel_brightness.h"
 #include "render/tolerance/node_half_width.h"
 #include "sampling/tolerance.h"
@@ -40,7 +40,7 @@ class AccuracyTolerance final : public sampling::Tolerance {
   AccuracyTolerance(AccuracyRequest request, const ChannelBrightness& brightness,
                     std::vector<double> white_reflected_w_m2_sr_um, std::int64_t pixel_count,
                     const std::vector<double>& path_radiance_w_m2_sr_um = {},
-                    std::vector<AirHalfWidth> air = {});
+                    std::vector<AtmosphereHalfWidth> air = {});
 
   /// What nodes may be wrong by, by channel, and the share of what is asked for that is kept for what a PSF's cut leaves
   /// out. Before the first tile.
@@ -56,7 +56,7 @@ class AccuracyTolerance final : public sampling::Tolerance {
   void asked(std::span<const double> mean, std::span<double> limit) const;
   static constexpr double kLeastShare = 0.5;
   /// What the air may be wrong by over what is asked for, in a judged channel: up to 1 - kLeastShare it can be reached.
-  double air_share(std::size_t channel, double radiance) const;
+  double atmosphere_share(std::size_t channel, double radiance) const;
   double confidence() const override { return confidence_; }
 
   bool judged(int channel) const { return judged_[static_cast<std::size_t>(channel)] != 0; }
@@ -68,8 +68,8 @@ class AccuracyTolerance final : public sampling::Tolerance {
   AccuracyRequest request_;
   const ChannelBrightness& brightness_;
   std::vector<double> white_;
-  std::vector<AirHalfWidth> air_;     // by channel; empty: none
-  std::vector<NodeHalfWidth> nodes_;  // likewise
+  std::vector<AtmosphereHalfWidth> air_;  // by channel; empty: none
+  std::vector<NodeHalfWidth> nodes_;      // likewise
   double cut_share_ = 0.0;
   std::vector<double> floor_;
   std::vector<char> judged_;

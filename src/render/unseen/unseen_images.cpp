@@ -191,8 +191,8 @@ void UnseenImages::add_thrown(const Lit& lit, double weight, double* unseen,
   }
 }
 
-void UnseenImages::look(const Leaving* const (&corner)[3], double area_px2, double* unseen,
-                        sampling::RayCounts& counts) const {
+void UnseenImages::search(const Leaving* const (&corner)[3], double area_px2, double* unseen,
+                          sampling::RayCounts& counts) const {
   const bool alike = corner[0]->any && corner[1]->any && corner[2]->any && corner[0]->way == corner[1]->way &&
                      corner[0]->way == corner[2]->way;
   const auto period = scene_.scene().world->period();
@@ -299,8 +299,8 @@ void UnseenImages::settle(const AccuracyTolerance* tolerance, sampling::TileResu
                       *c = &level[at + static_cast<std::size_t>(columns)], *d = c + 1;
         if (!a->any && !b->any && !c->any && !d->any) continue;
         double* here = &unseen[static_cast<std::size_t>((j / kAcross) * width + i / kAcross) * channels];
-        look({a, b, d}, kCell_px2, here, tile.rays);
-        look({a, d, c}, kCell_px2, here, tile.rays);
+        search({a, b, d}, kCell_px2, here, tile.rays);
+        search({a, d, c}, kCell_px2, here, tile.rays);
         if (!images_.parts().complete())
           tile.set(static_cast<std::size_t>((j / kAcross) * width + i / kAcross),
                    sampling::Reason::unseen_light);

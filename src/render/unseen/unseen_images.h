@@ -11,7 +11,7 @@
 
 namespace ifov::render {
 
-/// Images of what shines by ways that MirrorImages does not look for: by several mirrors in turn, by reliefs, height fields
+/// Images of what shines by ways that MirrorImages does not seek: by several mirrors in turn, by reliefs, height fields
 /// and the mirrors of a world that repeats, and where there are too many. Rays on a lattice of each pixel are followed from
 /// mirror to mirror. Where the directions of three that came the same way may hold a thing between them, it is taken to
 /// be there with the share of them that it fills. And light of such things that round mirrors throw on other surfaces, as
@@ -74,8 +74,8 @@ class UnseenImages {
   void add_thrown(const Lit& lit, double weight, double* unseen, sampling::RayCounts& counts) const;
   static void find_neighbours(std::vector<Leaving>& level, int columns);
   /// Adds what may be seen within a triangle of an area of the focal plane, by channel.
-  void look(const Leaving* const (&corner)[3], double area_px2, double* unseen,
-            sampling::RayCounts& counts) const;
+  void search(const Leaving* const (&corner)[3], double area_px2, double* unseen,
+              sampling::RayCounts& counts) const;
   /// Whether nothing stands between a point and a ball.
   bool is_free(math::Point3 from, double time_s, math::Point3 centre_m, double radius_m,
                sampling::RayCounts& counts) const;

@@ -34,8 +34,8 @@ sampling::RegionRule rule_of(const Record& run) {
              : sampling::RegionRule::all_common();
 }
 
-std::vector<std::optional<render::AirHalfWidth>> air_of(const Record& run) {
-  std::vector<std::optional<render::AirHalfWidth>> air;
+std::vector<std::optional<render::AtmosphereHalfWidth>> air_of(const Record& run) {
+  std::vector<std::optional<render::AtmosphereHalfWidth>> air;
   for (const Record& channel : run["channels"].items()) {
     const Record known = channel["air_half_width"];
     air.emplace_back();

@@ -34,7 +34,7 @@ render::RenderJob Parts::job(const SamplingPlan& sampling, const render::Accurac
   job.label_detail = sampling.request ? render::LabelDetail::sun_state : render::LabelDetail::material;
   job.seed = document.seed;
   job.tile_px = document.sampling.tile_px;
-  job.seed_objects = sampling.seed_objects;
+  job.pilot_rays = sampling.pilot_rays;
   job.steering_channels = sampling.steering_channels;
   return job;
 }

@@ -9,7 +9,7 @@
 #include "io/scene_cache/file_stamp.h"
 #include "radiometry/channel.h"
 #include "render/tile_sink.h"
-#include "render/tolerance/air_half_width.h"
+#include "render/tolerance/atmosphere_half_width.h"
 #include "render/tolerance/node_half_width.h"
 #include "sampling/pixel_footprint.h"
 #include "scene/scene.h"
@@ -63,7 +63,7 @@ struct Parts {
   double psf_cut = 0.0;  ///< share of its energy that stands neither in the footprint nor in wings
   std::unique_ptr<transport::SpectralScene> spectral_scene;
   std::unique_ptr<render::ChannelBrightness> brightness;
-  std::vector<render::AirHalfWidth> air;  ///< by channel; empty without a modelled atmosphere
+  std::vector<render::AtmosphereHalfWidth> air;  ///< by channel; empty without a modelled atmosphere
   /// By channel; empty with a modelled one, whose error holds that.
   std::vector<render::NodeHalfWidth> node_errors;
   SamplingPlan plan;

@@ -130,7 +130,7 @@ double SceneRenderer::render_abundances(int n, const Choices& choices, render::T
   const render::RenderJob own = parts.job();
   render::RenderJob job{own.scene, own.camera, own.footprint, sampler, nullptr, own.transport};
   job.label_detail = render::LabelDetail::material;
-  job.seed_objects = false;
+  job.pilot_rays = false;
   job.tile_px = choices.tile_px;
   return timed_render(job, choices, parts.info, image);
 }

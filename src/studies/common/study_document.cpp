@@ -100,7 +100,7 @@ RenderTimes render_document(const std::string& text, const std::filesystem::path
                         own.label_detail,
                         own.seed,
                         own.tile_px,
-                        own.seed_objects,
+                        own.pilot_rays,
                         own.steering_channels,
                         own.air};
   job.nodes = own.nodes;

@@ -21,7 +21,7 @@ struct SamplingPlan {
   std::optional<render::AccuracyRequest> request;  ///< only where an accuracy is asked for
   std::string method;                              ///< for people: "grid 10 x 10"
   std::string accuracy_asked;  ///< for people: "0.1 K in channel 'B10', at 95 %"; may be empty
-  bool seed_objects = false;
+  bool pilot_rays = false;
   bool knows_errors = true;  ///< false for single rays
   std::vector<int> steering_channels;
 };

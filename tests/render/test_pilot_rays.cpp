@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/world/world_builder.h"
-#include "render/object_seeds.h"
+#include "render/pilot_rays.h"
 #include "sampling/random.h"
 #include "sensor/orthographic_camera.h"
 
@@ -27,7 +27,7 @@ void place(geometry::WorldBuilder& builder, geometry::Shape shape, math::Point3 
                 std::vector<std::uint32_t>(builder.slot_count(id), 0));
 }
 
-TEST(ObjectSeeds, TilesGetThoseOfTheirOwnAndOfTheirMargin) {
+TEST(PilotRays, TilesGetThoseOfTheirOwnAndOfTheirMargin) {
   geometry::WorldBuilder builder;
   std::vector<sampling::FocalPoint> images;
   for (std::uint64_t k = 0; k < 200; ++k) {
@@ -37,7 +37,7 @@ TEST(ObjectSeeds, TilesGetThoseOfTheirOwnAndOfTheirMargin) {
     images.push_back({x, y});
   }
   const auto world = builder.build(1);
-  const render::ObjectSeeds seeds(*world, 1, camera(), 1.5);
+  const render::PilotRays pilot_rays(*world, 1, camera(), 1.5);
   for (const sampling::PixelRect tile :
        {sampling::PixelRect{0, 0, 8, 8}, {8, 16, 24, 20}, {30, 30, 32, 32}}) {
     std::vector<std::uint32_t> expected;
@@ -45,7 +45,7 @@ TEST(ObjectSeeds, TilesGetThoseOfTheirOwnAndOfTheirMargin) {
       if (images[k].x_px >= tile.x0 - 1.5 && images[k].x_px < tile.x1 + 1.5 &&
           images[k].y_px >= tile.y0 - 1.5 && images[k].y_px < tile.y1 + 1.5)
         expected.push_back(k);
-    const render::ObjectSeeds::Near near = seeds.near(tile, 1.5);
+    const render::PilotRays::Near near = pilot_rays.near(tile, 1.5);
     std::vector<std::uint32_t> found = near.objects;
     std::sort(found.begin(), found.end());
     EXPECT_EQ(found, expected);
@@ -55,7 +55,7 @@ TEST(ObjectSeeds, TilesGetThoseOfTheirOwnAndOfTheirMargin) {
 }
 
 /// Points in a band across the image, 20 m long, that was cut into strips of 0.1 m and these into two triangles each.
-std::size_t seeds_in_band(int strips) {
+std::size_t pilot_rays_in_band(int strips) {
   geometry::TriangleMesh mesh;
   for (int k = 0; k <= strips; ++k) {
     mesh.vertices_m.push_back({-10.0, 0.1 * k, 0.0});
@@ -68,16 +68,16 @@ std::size_t seeds_in_band(int strips) {
   geometry::WorldBuilder builder;
   place(builder, std::move(mesh), {0.3, 0.1, 1.0});
   const auto world = builder.build(1);
-  const render::ObjectSeeds::Near near =
-      render::ObjectSeeds(*world, 1, camera(), 1.5).near({0, 0, kSide, kSide}, 1.5);
+  const render::PilotRays::Near near =
+      render::PilotRays(*world, 1, camera(), 1.5).near({0, 0, kSide, kSide}, 1.5);
   return static_cast<std::size_t>(
       std::count(near.objects.begin(), near.objects.end(), sampling::Field::kNoObject));
 }
 
 // A strip is sought all along, three times in a pixel; what only was cut into strips meets the lattice anyway.
-TEST(ObjectSeeds, StripsAreSoughtAndWhatWasCutIntoThemIsNot) {
-  EXPECT_GE(seeds_in_band(1), 2u * 57u);
-  EXPECT_EQ(seeds_in_band(8), 0u);
+TEST(PilotRays, StripsAreSoughtAndWhatWasCutIntoThemIsNot) {
+  EXPECT_GE(pilot_rays_in_band(1), 2u * 57u);
+  EXPECT_EQ(pilot_rays_in_band(8), 0u);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "render/tolerance/air_budget.h"
+#include "render/tolerance/atmosphere_budget.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 
 namespace ifov::render {
 
-std::vector<AirHalfWidth> air_half_widths(const transport::SpectralScene& scene,
-                                          const atmosphere::SensorAtmosphere& atmosphere) {
-  std::vector<AirHalfWidth> all;
+std::vector<AtmosphereHalfWidth> atmosphere_half_widths(const transport::SpectralScene& scene,
+                                                        const atmosphere::SensorAtmosphere& atmosphere) {
+  std::vector<AtmosphereHalfWidth> all;
   constexpr double kGrey = 0.2, kGrey_k = 288.15;
   const radiometry::SpectralNodes& nodes = scene.nodes();
   const std::vector<double> white = scene.white_reflected(), path = scene.path_radiance();
@@ -21,7 +21,7 @@ std::vector<AirHalfWidth> air_half_widths(const transport::SpectralScene& scene,
   for (std::size_t c = 0; c < atmosphere.errors().size(); ++c) {
     const atmosphere::AtmosphereError error = atmosphere.errors()[c].total(),
                                       &by_nodes = atmosphere.errors()[c].nodes;
-    AirHalfWidth& air = all.emplace_back();
+    AtmosphereHalfWidth& air = all.emplace_back();
     air.path = error.path, air.surface = error.surface, air.sky = error.sky;
     air.path_radiance = path[c];
     air.nodes_path = by_nodes.path, air.nodes_surface = by_nodes.surface, air.nodes_sky = by_nodes.sky;
@@ -34,7 +34,7 @@ std::vector<AirHalfWidth> air_half_widths(const transport::SpectralScene& scene,
   return all;
 }
 
-void widen(std::span<const AirHalfWidth> air, const AccuracyTolerance* tolerance,
+void widen(std::span<const AtmosphereHalfWidth> air, const AccuracyTolerance* tolerance,
            sampling::TileResult& tile) {
   if (air.empty() || !tile.has_errors()) return;
   const std::size_t columns = static_cast<std::size_t>(tile.columns);

@@ -8,9 +8,9 @@
 namespace ifov::render {
 
 /// Light that a mirror sends to the sensor, by channel. An object serves one thread.
-class MirroredRows {
+class MirroredSpectra {
  public:
-  explicit MirroredRows(const transport::SpectralScene& scene);
+  explicit MirroredSpectra(const transport::SpectralScene& scene);
 
   /// `light`: radiance in nodes that meets a surface at a height; its mirror parts reflect it, and the air takes its
   /// share on the way back along `seen`, a ray from the sensor. By channel, until the next call.

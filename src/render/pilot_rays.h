@@ -8,14 +8,14 @@
 
 namespace ifov::render {
 
-/// Where to look for objects that the detection lattice could miss: the image of the seed point of every compact
+/// Where to look for objects that the detection lattice could miss: the image of the pilot point of every compact
 /// object that is smaller than a pixel in some direction, by pixel. Objects that are longer than a pixel but thinner
 /// get a point for each part of their length; so do the long thin faces of meshes, which may be strips that no object tells of.
-class ObjectSeeds {
+class PilotRays {
  public:
   /// `materials`: number of the scene's surface assignments.
-  ObjectSeeds(const geometry::World& world, std::size_t materials, const sensor::Camera& camera,
-              double margin_px);
+  PilotRays(const geometry::World& world, std::size_t materials, const sensor::Camera& camera,
+            double margin_px);
 
   struct Near {
     std::vector<sampling::FocalPoint> points;
@@ -26,11 +26,11 @@ class ObjectSeeds {
   std::size_t count() const { return points_.size(); }
 
  private:
-  struct Seed {
+  struct Target {
     sampling::FocalPoint point;
     std::uint32_t object;
   };
-  std::vector<Seed> points_;               // sorted by row, then object
+  std::vector<Target> points_;             // sorted by row, then object
   std::vector<std::size_t> first_of_row_;  // rows from lowest_row_
   int lowest_row_ = 0;
 };

@@ -7,13 +7,13 @@
 #include "radiometry/channel.h"
 #include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
-#include "render/tolerance/air_budget.h"
+#include "render/tolerance/atmosphere_budget.h"
 
 namespace ifov::render {
 namespace {
 
 /// Two channels; the first is judged to 2 %.
-class AirBudget : public testing::Test {
+class AtmosphereBudget : public testing::Test {
  protected:
   static constexpr double kWhite = 100.0;
   AccuracyTolerance tolerance(double error) const {
@@ -38,11 +38,11 @@ class AirBudget : public testing::Test {
   }
   ChannelBrightness brightness_{nodes()};
   // 0.1 of the path, 0.5 % of surfaces, 1 % of skylight; path 10, white under the sky 20.
-  AirHalfWidth one_{0.1, 0.005, 0.01, 10.0, 20.0, 30.0, 0.04, 0.002, 0.001};
-  std::vector<AirHalfWidth> air_{one_, one_};
+  AtmosphereHalfWidth one_{0.1, 0.005, 0.01, 10.0, 20.0, 30.0, 0.04, 0.002, 0.001};
+  std::vector<AtmosphereHalfWidth> air_{one_, one_};
 };
 
-TEST_F(AirBudget, IsThePathAndWhatSurfacesSend) {
+TEST_F(AtmosphereBudget, IsThePathAndWhatSurfacesSend) {
   EXPECT_DOUBLE_EQ(one_.of(5.0), 0.1);
   EXPECT_DOUBLE_EQ(one_.of(20.0), 0.1 + 0.05 + 0.1);
   EXPECT_DOUBLE_EQ(one_.of(110.0), 0.1 + 0.5 + 0.2);  // no surface reflects more of the sky than a white one
@@ -50,7 +50,7 @@ TEST_F(AirBudget, IsThePathAndWhatSurfacesSend) {
   EXPECT_DOUBLE_EQ(one_.of_nodes(110.0), 0.04 + 0.2 + 0.02);
 }
 
-TEST_F(AirBudget, LeavesTheRestToTheSampler) {
+TEST_F(AtmosphereBudget, LeavesTheRestToTheSampler) {
   const AccuracyTolerance limits = tolerance(0.02);
   std::vector<double> mean{60.0, 60.0}, limit(2);
   limits.asked(mean, limit);
@@ -64,7 +64,7 @@ TEST_F(AirBudget, LeavesTheRestToTheSampler) {
   EXPECT_DOUBLE_EQ(limit[0], 0.15);
 }
 
-TEST_F(AirBudget, WidensIntervalsByTheWholeOfIt) {
+TEST_F(AtmosphereBudget, WidensIntervalsByTheWholeOfIt) {
   const AccuracyTolerance limits = tolerance(0.02);
   sampling::TileResult result = tile(60.0f, 0.6f);
   widen(air_, &limits, result);
@@ -76,7 +76,7 @@ TEST_F(AirBudget, WidensIntervalsByTheWholeOfIt) {
 
 // A mean that is off by the whole error of the air, always to the same side, stays in the interval; with the
 // air added as if it were one more independent error it would not.
-TEST_F(AirBudget, HoldsABiasThatNothingAveragesOut) {
+TEST_F(AtmosphereBudget, HoldsABiasThatNothingAveragesOut) {
   const double bias = one_.of(60.0), statistical = 0.6;
   sampling::TileResult result = tile(60.0f, static_cast<float>(statistical));
   widen(air_, nullptr, result);
@@ -85,16 +85,16 @@ TEST_F(AirBudget, HoldsABiasThatNothingAveragesOut) {
   EXPECT_LT(std::hypot(bias, statistical), worst_luck);
 }
 
-TEST_F(AirBudget, SaysWhereTheAirIsTooCoarse) {
+TEST_F(AtmosphereBudget, SaysWhereTheAirIsTooCoarse) {
   const AccuracyTolerance limits = tolerance(0.005);
   sampling::TileResult result = tile(60.0f, 0.14f);
   widen(air_, &limits, result);
   EXPECT_GT(result.worst_ratio[0], 1.0f);
   EXPECT_EQ(result.reasons[0], sampling::bit(sampling::Reason::air));
-  EXPECT_NEAR(limits.air_share(0, 60.0), one_.of(60.0) / 0.3, 1e-12);
+  EXPECT_NEAR(limits.atmosphere_share(0, 60.0), one_.of(60.0) / 0.3, 1e-12);
 }
 
-TEST_F(AirBudget, IsNotBlamedForWhatTheSamplerDidNotReach) {
+TEST_F(AtmosphereBudget, IsNotBlamedForWhatTheSamplerDidNotReach) {
   const AccuracyTolerance limits = tolerance(0.02);
   sampling::TileResult result = tile(60.0f, 2.0f);
   result.reasons = {sampling::bit(sampling::Reason::samples)};
@@ -107,9 +107,9 @@ TEST_F(AirBudget, IsNotBlamedForWhatTheSamplerDidNotReach) {
             sampling::bit(sampling::Reason::samples) | sampling::bit(sampling::Reason::air));
 }
 
-TEST_F(AirBudget, WithoutErrorsNothingChanges) {
+TEST_F(AtmosphereBudget, WithoutErrorsNothingChanges) {
   sampling::TileResult result = tile(60.0f, 0.6f);
-  widen(std::span<const AirHalfWidth>(), nullptr, result);
+  widen(std::span<const AtmosphereHalfWidth>(), nullptr, result);
   EXPECT_FLOAT_EQ(result.half_width[0], 0.6f);
   sampling::TileResult single;
   single.reset({0, 0, 1, 1}, 2, false);

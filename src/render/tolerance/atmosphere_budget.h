@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "render/tolerance/air_half_width.h"
+#include "render/tolerance/atmosphere_half_width.h"
 #include "sampling/tile.h"
 
 namespace ifov::atmosphere {
@@ -18,13 +18,14 @@ namespace ifov::render {
 class AccuracyTolerance;
 
 /// By channel; empty where the atmosphere does not know its errors.
-std::vector<AirHalfWidth> air_half_widths(const transport::SpectralScene& scene,
-                                          const atmosphere::SensorAtmosphere& atmosphere);
+std::vector<AtmosphereHalfWidth> atmosphere_half_widths(const transport::SpectralScene& scene,
+                                                        const atmosphere::SensorAtmosphere& atmosphere);
 
 /// Widens a tile's intervals by what the air may be wrong by, and judges its pixels anew by what was asked
 /// for. An error that is the same in all pixels and for all rays neither averages out nor is independent of
 /// anything: the interval holds the true value for sure only if it grows by the whole of it on both sides.
 /// `tolerance` may be null.
-void widen(std::span<const AirHalfWidth> air, const AccuracyTolerance* tolerance, sampling::TileResult& tile);
+void widen(std::span<const AtmosphereHalfWidth> air, const AccuracyTolerance* tolerance,
+           sampling::TileResult& tile);
 
 }  // namespace ifov::render

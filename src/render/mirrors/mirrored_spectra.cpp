@@ -1,4 +1,4 @@
-#include "render/mirrors/mirrored_rows.h"
+#include "render/mirrors/mirrored_spectra.h"
 
 #include <algorithm>
 #include <optional>
@@ -9,14 +9,14 @@
 
 namespace ifov::render {
 
-MirroredRows::MirroredRows(const transport::SpectralScene& scene)
+MirroredSpectra::MirroredSpectra(const transport::SpectralScene& scene)
     : scene_(scene),
       work_(1, scene.node_count()),
       share_(scene.node_count()),
       channels_(std::max(scene.nodes().channel_count(), scene.stride())) {}
 
-std::span<const float> MirroredRows::channels(const scene::ResolvedSurface& surface, double height_m,
-                                              const math::Ray& seen, const float* light) {
+std::span<const float> MirroredSpectra::channels(const scene::ResolvedSurface& surface, double height_m,
+                                                 const math::Ray& seen, const float* light) {
   std::fill(share_.begin(), share_.end(), 0.0);
   for (const scene::Constituent& part : surface)
     if (transport::is_mirror(scene_.scene(), part))
@@ -27,13 +27,13 @@ std::span<const float> MirroredRows::channels(const scene::ResolvedSurface& surf
   if (table != nullptr) weights = table->at(-seen.direction, height_m, seen.origin_m.z);
   float* reflected = work_.row(0);
   for (std::size_t n = 0; n < share_.size(); ++n) {
-    double through = scene_.has_view_path() ? scene_.view_transmittance()[n] : 1.0;
+    double transmittance = scene_.has_view_path() ? scene_.view_transmittance()[n] : 1.0;
     if (weights) {
-      through = 0.0;
+      transmittance = 0.0;
       for (std::size_t k = 0; k < weights->count; ++k)
-        through += weights->weight[k] * weights->transmittance[k][n];
+        transmittance += weights->weight[k] * weights->transmittance[k][n];
     }
-    reflected[n] = static_cast<float>(share_[n] * light[n] * through);
+    reflected[n] = static_cast<float>(share_[n] * light[n] * transmittance);
   }
   scene_.nodes().to_channels(reflected, channels_.data());
   return {channels_.data(), scene_.nodes().channel_count()};

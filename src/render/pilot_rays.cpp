@@ -1,4 +1,4 @@
-#include "render/object_seeds.h"
+#include "render/pilot_rays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,14 +10,14 @@ namespace ifov::render {
 
 namespace {
 
-/// Parts of a long object get a seed each, this far apart or as far as it is wide: well below a pixel, so that a
+/// Parts of a long object get a pilot ray each, this far apart or as far as it is wide: well below a pixel, so that a
 /// following trace of its edges meets the next.
 constexpr double kSpacing_px = 0.35;
 
 /// An object whose image is wider than this in every direction meets the detection lattice anyway.
 constexpr double kSeeded_px = 1.0;
 
-/// However long an object is, it has no more seeds than this.
+/// However long an object is, it has no more pilot rays than this.
 constexpr double kMostParts = 1e5;
 
 /// Faces of meshes are looked through one by one, copies too, while there are no more of them than this.
@@ -160,8 +160,8 @@ void points_along(const ThinFace& face, const Add& add) {
 
 }  // namespace
 
-ObjectSeeds::ObjectSeeds(const geometry::World& world, std::size_t materials, const sensor::Camera& camera,
-                         double margin_px) {
+PilotRays::PilotRays(const geometry::World& world, std::size_t materials, const sensor::Camera& camera,
+                     double margin_px) {
   auto add_point = [&](sampling::FocalPoint point, std::uint32_t object) {
     if (point.x_px < -margin_px || point.y_px < -margin_px || point.x_px > camera.width_px() + margin_px ||
         point.y_px > camera.height_px() + margin_px)
@@ -226,7 +226,7 @@ ObjectSeeds::ObjectSeeds(const geometry::World& world, std::size_t materials, co
     first_of_row_[row] = std::min(first_of_row_[row], first_of_row_[row + 1]);
 }
 
-ObjectSeeds::Near ObjectSeeds::near(sampling::PixelRect tile, double margin_px) const {
+PilotRays::Near PilotRays::near(sampling::PixelRect tile, double margin_px) const {
   Near found;
   const int last = static_cast<int>(first_of_row_.size()) - 1;
   const int low = std::clamp(static_cast<int>(std::floor(tile.y0 - margin_px)) - lowest_row_, 0, last);

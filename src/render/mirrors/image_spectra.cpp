@@ -1,4 +1,4 @@
-#include "render/mirrors/image_rows.h"
+#include "render/mirrors/image_spectra.h"
 
 #include <algorithm>
 #include <array>
@@ -36,25 +36,25 @@ std::vector<Light> together(const std::vector<Light>& points) {
 
 /// Evenly among the points in their order.
 std::vector<Light> some(const std::vector<Light>& points, std::uint64_t key) {
-  if (points.size() <= ImageRow::kPaths) return points;
+  if (points.size() <= ImageSpectrum::kPaths) return points;
   std::vector<Light> chosen;
-  const double step = static_cast<double>(points.size()) / ImageRow::kPaths;
-  for (std::size_t k = 0; k < ImageRow::kPaths; ++k) {
-    const double place = (static_cast<double>(k) + sampling::unit_double(sampling::hash(key, k))) * step;
-    chosen.push_back(points[std::min(static_cast<std::size_t>(place), points.size() - 1)]);
+  const double step = static_cast<double>(points.size()) / ImageSpectrum::kPaths;
+  for (std::size_t k = 0; k < ImageSpectrum::kPaths; ++k) {
+    const double position = (static_cast<double>(k) + sampling::unit_double(sampling::hash(key, k))) * step;
+    chosen.push_back(points[std::min(static_cast<std::size_t>(position), points.size() - 1)]);
   }
   return chosen;
 }
 
 }  // namespace
 
-std::vector<ImageRow> image_rows(std::span<const Light> seen, std::uint64_t key) {
+std::vector<ImageSpectrum> image_spectra(std::span<const Light> seen, std::uint64_t key) {
   std::map<std::array<int, 3>, std::vector<Light>> by_pixel;
   for (const Light& point : seen)
     by_pixel[{static_cast<int>(std::floor(point.at.x_px)), static_cast<int>(std::floor(point.at.y_px)),
               static_cast<int>(point.replicate)}]
         .push_back(point);
-  std::vector<ImageRow> rows;
+  std::vector<ImageSpectrum> rows;
   for (const auto& [name, points] : by_pixel)
     rows.push_back({some(points, sampling::hash(key, rows.size())), together(points)});
   return rows;

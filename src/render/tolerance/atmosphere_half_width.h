@@ -6,7 +6,7 @@ namespace ifov::render {
 
 /// How far a channel's radiance may be off because of how the air was computed: the same for every path and
 /// every ray, so no number of rays makes it smaller. W m-2 sr-1 um-1.
-struct AirHalfWidth {
+struct AtmosphereHalfWidth {
   double path = 0.0;           ///< of the light that the path adds
   double surface = 0.0;        ///< of light from surfaces, relative
   double sky = 0.0;            ///< of skylight that they reflect, relative
