@@ -33,7 +33,7 @@ double since(Clock::time_point begin) { return std::chrono::duration<double>(Clo
 
 /// `content` writes one value.
 void print(auto&& content) {
-  io::JsonWriter json(io::JsonWriter::Look::compact);
+  io::JsonWriter json(io::JsonWriter::Layout::compact);
   content(json);
   std::printf("%s\n", json.written().c_str());
 }

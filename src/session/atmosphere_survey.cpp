@@ -148,7 +148,7 @@ std::size_t sky_channel(const std::vector<radiometry::Channel>& channels, const 
 
 }  // namespace
 
-io::AirReport survey_atmosphere(const io::Document& original, const AtmosphereQuestion& question) {
+io::AtmosphereReport survey_atmosphere(const io::Document& original, const AtmosphereQuestion& question) {
   if (!original.atmosphere.modelled)
     throw io::document_error(original, original.atmosphere.position,
                              "there is no modelled atmosphere to look at: 'atmosphere' has no 'profile'");
@@ -157,7 +157,7 @@ io::AirReport survey_atmosphere(const io::Document& original, const AtmosphereQu
     const Stage stage(document);
     check_channels(document, stage.channels);
     const atmosphere::AtmosphereColumn column = assemble_column(document);
-    io::AirReport report;
+    io::AtmosphereReport report;
     report.geometry =
         sensor_geometry(document, *stage.camera, stage.scene.sun, column.levels().altitude_km.front());
     if (stage.scene.sun) {

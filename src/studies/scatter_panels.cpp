@@ -56,7 +56,7 @@ std::string codes_of(const std::vector<float>& scores, const std::vector<Scale>&
 
 /// For the script; no text in it ends the element that holds it.
 std::string meta_of(const std::vector<ScatterImage>& images, const std::vector<std::string>& materials) {
-  io::JsonWriter json(io::JsonWriter::Look::compact);
+  io::JsonWriter json(io::JsonWriter::Layout::compact);
   std::vector<std::string> names;
   for (const ScatterImage& image : images) names.push_back(image.name);
   json.object([&] {

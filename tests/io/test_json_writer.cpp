@@ -13,7 +13,7 @@
 namespace ifov::io {
 namespace {
 
-using Look = JsonWriter::Look;
+using Look = JsonWriter::Layout;
 
 std::string one(const auto& value) {
   JsonWriter json(Look::compact);

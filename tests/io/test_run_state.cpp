@@ -106,7 +106,7 @@ TEST(RunPlan, KeepsWhatProductsSayOfTheAcquisition) {
   a.camera.model = "frame";
   a.camera.focal_length_m = 0.05;
   a.camera.position_m = {1.0, 2.0, 3.0};
-  a.footprint = {std::nullopt, Acquisition::Corner{{4.0, 5.0, 6.0}, Acquisition::Place{49.0, 8.0}}};
+  a.footprint = {std::nullopt, Acquisition::Corner{{4.0, 5.0, 6.0}, Acquisition::Position{49.0, 8.0}}};
   const RunPlan back = plan_in(to_json(plan), "state.json");
   EXPECT_EQ(to_json(back), to_json(plan));
   EXPECT_EQ(back.identity.acquisition.camera.position_m->z, 3.0);
@@ -114,7 +114,7 @@ TEST(RunPlan, KeepsWhatProductsSayOfTheAcquisition) {
   EXPECT_TRUE(back.cubes == plan.cubes);
   EXPECT_EQ(back.identity.acquisition.light->azimuth_deg, 140.0);
   EXPECT_FALSE(back.identity.acquisition.footprint[0]);
-  EXPECT_EQ(back.identity.acquisition.footprint[1]->place->longitude_deg, 8.0);
+  EXPECT_EQ(back.identity.acquisition.footprint[1]->position->longitude_deg, 8.0);
 }
 
 TEST(TileRecord, ListsThatPromiseTooMuchAreRefused) {

@@ -143,7 +143,7 @@ TEST(Document, TransformsAndTemperatures) {
   EXPECT_EQ(std::get<TemperatureMap>(object.temperature->value).offset_k, 273.15);
   EXPECT_FALSE(std::get<TemperatureMap>(object.temperature->value).raster.placement);
   EXPECT_EQ(object.seed, false);
-  EXPECT_FALSE(whole().scene.objects[0].seed);
+  EXPECT_FALSE(whole().scene.objects[0].pilot_ray);
 }
 
 TEST(Document, MapOriginIsAnOffset) {

@@ -22,9 +22,9 @@ std::string message(const std::string& keys, const std::string& beside = "") {
   return all.substr(0, all.find('\n'));
 }
 
-TEST(DocumentScatter, IsRead) {
+TEST(DocumentRandomPlacement, IsRead) {
   const Document document = scattered(R"("of": "tree", "density": "250 ha-1", )" + kArea);
-  const auto& plain = std::get<ScatterShape>(document.scene.objects.at(2).shape);
+  const auto& plain = std::get<RandomPlacement>(document.scene.objects.at(2).shape);
   ASSERT_EQ(plain.of.size(), 1u);
   EXPECT_EQ(plain.of[0].prototype.name, "tree");
   EXPECT_DOUBLE_EQ(std::get<double>(plain.density_m2), 0.025);
@@ -40,7 +40,7 @@ TEST(DocumentScatter, IsRead) {
       R"("of": [{"prototype": "tree", "weight": 3}, {"prototype": "tree"}], "density": {"file": "cover.tif", "band": 2,
       "unit": "0.2 per m2"}, "minimum_distance": "3 m", "on": "ball", "scale": [0.8, 1.2], "turn": false, "seed": 9, )" +
       kArea);
-  const auto& full = std::get<ScatterShape>(full_document.scene.objects.at(2).shape);
+  const auto& full = std::get<RandomPlacement>(full_document.scene.objects.at(2).shape);
   ASSERT_EQ(full.of.size(), 2u);
   EXPECT_EQ(full.of[0].weight, 3.0);
   EXPECT_EQ(full.of[1].weight, 1.0);
@@ -55,17 +55,17 @@ TEST(DocumentScatter, IsRead) {
   EXPECT_EQ(full.seed, 9u);
 }
 
-TEST(DocumentScatter, UnitsOfDensityAreOneAnother) {
+TEST(DocumentRandomPlacement, UnitsOfDensityAreOneAnother) {
   for (const std::string text :
        {"0.02 m-2", "0.02 per m2", "0.02 /m2", "200 ha-1", "200 per ha", "20000 km-2"}) {
     const Document document = scattered(R"("of": "tree", "density": ")" + text + "\", " + kArea);
-    EXPECT_NEAR(std::get<double>(std::get<ScatterShape>(document.scene.objects.at(2).shape).density_m2), 0.02,
-                1e-15)
+    EXPECT_NEAR(std::get<double>(std::get<RandomPlacement>(document.scene.objects.at(2).shape).density_m2),
+                0.02, 1e-15)
         << text;
   }
 }
 
-TEST(DocumentScatter, Messages) {
+TEST(DocumentRandomPlacement, Messages) {
   const std::string tree = R"("of": "tree", )", density = R"("density": "1 m-2", )";
   EXPECT_EQ(
       message(tree + R"("density": "3", )" + kArea),
@@ -94,7 +94,7 @@ TEST(DocumentScatter, Messages) {
             "folder/a.json:25:72: a density map lies by place");
 }
 
-TEST(DocumentScatter, WrongKeysAreNamed) {
+TEST(DocumentRandomPlacement, WrongKeysAreNamed) {
   const std::string tree = R"("of": "tree", "density": "1 m-2", )";
   const auto expect_in = [](const std::string& part, const std::string& text) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
@@ -107,12 +107,12 @@ TEST(DocumentScatter, WrongKeysAreNamed) {
   expect_in("'material'", message(tree + kArea, R"(, "material": "leaf")"));
 }
 
-TEST(DocumentScatter, IsReadUnderItsFormerName) {
+TEST(DocumentRandomPlacement, IsReadUnderItsFormerName) {
   const std::string keys = R"({"of": "tree", "density": "250 ha-1", )" + kArea;
   const Document document = test::parsed_with(kInstances, R"({"scatter": )" + keys + R"(}, "seed": false})");
-  const auto& scatter = std::get<ScatterShape>(document.scene.objects.at(2).shape);
+  const auto& scatter = std::get<RandomPlacement>(document.scene.objects.at(2).shape);
   EXPECT_DOUBLE_EQ(std::get<double>(scatter.density_m2), 0.025);
-  EXPECT_EQ(document.scene.objects.at(2).seed, false);
+  EXPECT_EQ(document.scene.objects.at(2).pilot_ray, false);
   ASSERT_EQ(document.former_keys.size(), 2u);
   EXPECT_EQ(document.former_keys[0].former, "scatter");
   EXPECT_EQ(document.former_keys[0].name, "random_placement");
@@ -134,7 +134,7 @@ TEST(DocumentScatter, IsReadUnderItsFormerName) {
   EXPECT_TRUE(test::parsed_with(kInstances, R"({"random_placement": )" + keys + "}}").former_keys.empty());
 }
 
-TEST(DocumentScatter, StandsInTheSceneOnly) {
+TEST(DocumentRandomPlacement, StandsInTheSceneOnly) {
   const std::string text = test::message_with(
       R"("tree": [{)",
       R"("wood": [{"random_placement": {"of": "tree", "density": "1 m-2", )" + kArea + R"(}}], "tree": [{)");

@@ -132,7 +132,7 @@ TEST(QuantityText, IsShortAndExact) {
 struct Pair {
   double a = 0.0, b = 1.0;
 };
-Kind<Pair> pair_kind(bool lies) {
+SchemaType<Pair> pair_type(bool lies) {
   Record<Pair> record("pair", "Two numbers.");
   record.required("a", &Pair::a, number(), "one")
       .with_default(
@@ -142,14 +142,14 @@ Kind<Pair> pair_kind(bool lies) {
 }
 
 TEST(Record, WritesWhatItReads) {
-  const auto text = [](const Kind<Pair>& kind, const Pair& pair, bool all = false) {
+  const auto text = [](const SchemaType<Pair>& kind, const Pair& pair, bool all = false) {
     Writing writing{.folder = "", .all_keys = all};
     return kind.write(pair, writing)->on_one_line(100).value();
   };
-  EXPECT_EQ(text(pair_kind(false), {2.0, 1.0}), R"({"a": 2})");
-  EXPECT_EQ(text(pair_kind(false), {2.0, 1.0}, true), R"({"a": 2, "b": 1})");
-  EXPECT_EQ(text(pair_kind(false), {2.0, 3.0}), R"({"a": 2, "b": 3})");
-  EXPECT_EQ(text(pair_kind(true), {2.0, 3.0}), R"({"a": 2, "b": 2})");
+  EXPECT_EQ(text(pair_type(false), {2.0, 1.0}), R"({"a": 2})");
+  EXPECT_EQ(text(pair_type(false), {2.0, 1.0}, true), R"({"a": 2, "b": 1})");
+  EXPECT_EQ(text(pair_type(false), {2.0, 3.0}), R"({"a": 2, "b": 3})");
+  EXPECT_EQ(text(pair_type(true), {2.0, 3.0}), R"({"a": 2, "b": 2})");
 }
 
 }  // namespace

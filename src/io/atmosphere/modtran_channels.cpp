@@ -20,7 +20,7 @@ constexpr double kPerSquareMetre = 1e4;
 // Columns that are used, from 0.
 enum Column : std::size_t {
   kMoment = 0,
-  kSight = 1,
+  kLineOfSight = 1,
   kChannel = 2,
   kRadiance = 6,
   kWidth = 8,
@@ -134,7 +134,7 @@ class Reader {
       file_.fail(number, 1, format("found a wavelength of {:g}; expected one above 0", values[kMoment]));
     if (!(values[kWidth] > 0.0))
       file_.fail(number, 1, format("found a channel width of {:g}; expected one above 0", values[kWidth]));
-    Rows& rows = lines_of_sight[values[kSight]];
+    Rows& rows = lines_of_sight[values[kLineOfSight]];
     rows.values.push_back(values);
     rows.lines.push_back(number);
   }

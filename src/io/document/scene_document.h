@@ -89,12 +89,12 @@ struct DensityMap {
   double density_of_one_m2 = 1.0;  ///< what the number 1 of the raster means
 };
 /// Copies of prototypes at random.
-struct ScatterShape {
-  struct Kin {
+struct RandomPlacement {
+  struct Weighted {
     DocumentName prototype;
     double weight = 1.0;
   };
-  std::vector<Kin> of;                          ///< one or more; weights above zero
+  std::vector<Weighted> of;                     ///< one or more; weights above zero
   std::variant<double, DensityMap> density_m2;  ///< copies per square metre
   SourcePosition density_position;
   double minimum_distance_m = 0.0;          ///< of copies from each other, on the map
@@ -107,7 +107,7 @@ struct ScatterShape {
 };
 
 using ShapeDocument = std::variant<PrimitiveShape, MeshShape, CityShape, TerrainShape, InstanceShape,
-                                   InstancesShape, ScatterShape>;
+                                   InstancesShape, RandomPlacement>;
 
 /// Scene from object: first scale, then rotate (right-handed about `axis`), then translate.
 struct TransformDocument {
@@ -124,7 +124,7 @@ struct ObjectDocument {
   std::optional<TemperatureDocument> temperature;  ///< instead of the material's
   TransformDocument transform;
   /// Send a ray at it where it is smaller than a pixel; absent: decided by its shape.
-  std::optional<bool> seed;
+  std::optional<bool> pilot_ray;
   SourcePosition position;
   SourcePosition shape_position;
 };

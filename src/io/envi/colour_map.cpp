@@ -58,8 +58,8 @@ ColourMap make(const Path& path) {
   ColourMap map;
   for (std::size_t k = 0; k < map.size(); ++k) {
     const double wanted = distance.back() * static_cast<double>(k) / static_cast<double>(map.size() - 1);
-    const auto place = std::lower_bound(distance.begin(), distance.end(), wanted) - distance.begin();
-    const auto rgb = linear_rgb(colours[std::min<std::size_t>(static_cast<std::size_t>(place), kFine)]);
+    const auto index = std::lower_bound(distance.begin(), distance.end(), wanted) - distance.begin();
+    const auto rgb = linear_rgb(colours[std::min<std::size_t>(static_cast<std::size_t>(index), kFine)]);
     map[k] = {srgb_code(rgb[0]), srgb_code(rgb[1]), srgb_code(rgb[2])};
   }
   return map;

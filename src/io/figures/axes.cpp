@@ -20,7 +20,7 @@ std::string raised(int power) {
 
 }  // namespace
 
-double Axis::place(double value) const {
+double Axis::position(double value) const {
   return logarithmic ? std::log(value / first) / std::log(last / first) : (value - first) / (last - first);
 }
 

@@ -13,7 +13,7 @@ struct Axis {
   double first = 0.0, last = 1.0;
   bool logarithmic = false;
   /// Share of the way from first to last, 0 to 1 between them.
-  double place(double value) const;
+  double position(double value) const;
   /// Values with a number beside them: 1, 2 or 5 times a power of ten, or powers of ten alone on long logarithmic axes;
   /// about `most` of them.
   std::vector<double> ticks(int most) const;
@@ -28,8 +28,8 @@ struct Plot {
   double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
   Axis across, up;
   std::string label;  ///< of the upright axis
-  double to_x(double value) const { return x + width * across.place(value); }
-  double to_y(double value) const { return y + height * (1.0 - up.place(value)); }
+  double to_x(double value) const { return x + width * across.position(value); }
+  double to_y(double value) const { return y + height * (1.0 - up.position(value)); }
 };
 
 /// Grid, frame and numbers; those of the horizontal axis only where `numbers_below`.

@@ -179,7 +179,7 @@ class Gatherer {
   std::size_t bytes_ = 0;
 };
 
-bool is_json_by_its_look(std::string_view value) {
+bool is_json_text(std::string_view value) {
   if (value.front() == '{' || value.front() == '[' || value.front() == '"') return true;
   if (value == "true" || value == "false" || value == "null") return true;
   return value.find_first_not_of("0123456789+-.eE") == std::string_view::npos;
@@ -204,7 +204,7 @@ DocumentParts put_together(std::string text, const std::string& file_name,
   std::vector<DocumentTree> values;
   std::vector<NodeMerger::Override> replacing;
   for (const DocumentOverride& one : overrides) {
-    const std::string json = is_json_by_its_look(one.value) ? one.value : json_string(one.value);
+    const std::string json = is_json_text(one.value) ? one.value : json_string(one.value);
     values.push_back(parse_json(json, format("--set {}", one.path)));
     replacing.push_back({&one, values.back().root.get()});
     parts.sources.push_back(values.back().source);

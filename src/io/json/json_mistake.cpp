@@ -56,7 +56,7 @@ class Explanation {
   [[noreturn]] void fail_at_end(std::size_t begin, std::string_view what, const std::string& closing) const {
     const std::string around = read_.still_open(closing);
     read_.fail(text_.size(),
-               format("the file ends here, within a {} that begins at {}{}", what, read_.place(begin),
+               format("the file ends here, within a {} that begins at {}{}", what, read_.position_text(begin),
                       around.empty() ? format("; still to close: {}", closing) : " in " + around));
   }
 

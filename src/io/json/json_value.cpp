@@ -33,7 +33,7 @@ bool add(const JsonValue& value, std::size_t most, std::string& text) {
   if (const auto* items = std::get_if<JsonValue::List>(&value.any())) return add_all(*items, most, text);
   if (const auto* members = std::get_if<JsonValue::Members>(&value.any()))
     return add_all(*members, most, text);
-  JsonWriter writer(JsonWriter::Look::compact);
+  JsonWriter writer(JsonWriter::Layout::compact);
   writer.value(value);
   text += writer.written();
   return text.size() <= most;

@@ -14,7 +14,7 @@ struct JsonWriter::Writers {
   using Compact = rapidjson::Writer<rapidjson::StringBuffer>;
   using Indented = rapidjson::PrettyWriter<rapidjson::StringBuffer>;
 
-  explicit Writers(Look look) : is_indented(look == Look::indented) { indented.SetIndent(' ', 2); }
+  explicit Writers(Layout layout) : is_indented(layout == Layout::indented) { indented.SetIndent(' ', 2); }
 
   /// The two of the library share their names alone.
   void with(auto&& call) {
@@ -50,7 +50,7 @@ std::string digits_of(Number value) {
 
 }  // namespace
 
-JsonWriter::JsonWriter(Look look) : writers_(std::make_unique<Writers>(look)) {}
+JsonWriter::JsonWriter(Layout layout) : writers_(std::make_unique<Writers>(layout)) {}
 JsonWriter::~JsonWriter() = default;
 
 void JsonWriter::null() {
@@ -161,7 +161,7 @@ std::string JsonWriter::written() const {
 }
 
 std::string json_string(std::string_view text) {
-  JsonWriter writer(JsonWriter::Look::compact);
+  JsonWriter writer(JsonWriter::Layout::compact);
   writer.value(text);
   return writer.written();
 }

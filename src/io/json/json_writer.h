@@ -19,9 +19,9 @@ namespace ifov::io {
 class JsonWriter {
  public:
   /// Without white space; or two spaces a level, lists of plain values and what else is short on one line, and a line end.
-  enum class Look { compact, indented };
+  enum class Layout { compact, indented };
 
-  explicit JsonWriter(Look look);
+  explicit JsonWriter(Layout layout);
   ~JsonWriter();
 
   /// A text, a number, true or false, or a range of such.

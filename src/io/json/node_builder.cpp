@@ -115,10 +115,11 @@ std::string NodeBuilder::still_open(std::string closing) const {
   if (path.starts_with('.')) path.erase(0, 1);
   for (auto node = open_.rbegin(); node != open_.rend(); ++node) closing += is_list(*node) ? ']' : '}';
   return format("the {}{} that begins at {}; still to close: {}", is_list(open_.back()) ? "list" : "object",
-                path.empty() ? "" : format(" '{}'", path), place(nodes_[open_.back()].offset_), closing);
+                path.empty() ? "" : format(" '{}'", path), position_text(nodes_[open_.back()].offset_),
+                closing);
 }
 
-std::string NodeBuilder::place(std::size_t offset) const {
+std::string NodeBuilder::position_text(std::size_t offset) const {
   const SourcePosition position = source_.position(offset);
   return format("{}:{}", position.line, position.column);
 }

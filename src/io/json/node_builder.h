@@ -29,7 +29,7 @@ class NodeBuilder {
   /// closed before.
   std::string still_open(std::string closing = {}) const;
 
-  std::string place(std::size_t offset) const;  ///< "line:column"
+  std::string position_text(std::size_t offset) const;  ///< "line:column"
   [[noreturn]] void fail(std::size_t offset, std::string_view message) const;
 
  private:

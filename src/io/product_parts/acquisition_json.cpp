@@ -14,14 +14,14 @@ Vector vector_of(const JsonView& view) {
   return {parts[0].number(), parts[1].number(), parts[2].number()};
 }
 
-void write_members(JsonWriter& json, const Acquisition::Place& place) {
-  json.member("latitude_deg", place.latitude_deg);
-  json.member("longitude_deg", place.longitude_deg);
+void write_members(JsonWriter& json, const Acquisition::Position& position) {
+  json.member("latitude_deg", position.latitude_deg);
+  json.member("longitude_deg", position.longitude_deg);
 }
 
-std::optional<Acquisition::Place> place_of(const JsonView& view) {
+std::optional<Acquisition::Position> position_of(const JsonView& view) {
   if (!view["latitude_deg"].is_there()) return std::nullopt;
-  return Acquisition::Place{view["latitude_deg"].number(), view["longitude_deg"].number()};
+  return Acquisition::Position{view["latitude_deg"].number(), view["longitude_deg"].number()};
 }
 
 void write_members(JsonWriter& json, const Acquisition::Camera& camera) {
@@ -59,7 +59,7 @@ void write_members(JsonWriter& json, const Acquisition& a) {
         continue;
       }
       json.object([&] {
-        if (corner->place) write_members(json, *corner->place);
+        if (corner->position) write_members(json, *corner->position);
         json.member("map_m", list(corner->position_m));
       });
     }
@@ -86,13 +86,14 @@ Acquisition acquisition_of(const JsonView& view) {
   for (const char* const name : {"sun", "moon"})
     if (view[name].is_there())
       a.light = {view[name]["zenith_deg"].number(), view[name]["azimuth_deg"].number(), name[0] == 'm'};
-  a.origin = place_of(view["origin"]);
+  a.origin = position_of(view["origin"]);
   a.origin_height_m = view["origin"]["height_m"].number();
   a.origin_on_map_m = vector_of<math::Point3>(view["origin"]["map_m"]);
   a.camera = camera_of(view["camera"]);
   for (const JsonView& corner : view["footprint"].items()) {
     a.footprint.emplace_back();
-    if (corner.is_there()) a.footprint.back() = {vector_of<math::Point3>(corner["map_m"]), place_of(corner)};
+    if (corner.is_there())
+      a.footprint.back() = {vector_of<math::Point3>(corner["map_m"]), position_of(corner)};
   }
   return a;
 }

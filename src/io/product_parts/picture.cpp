@@ -38,10 +38,10 @@ Range percentiles(const Layer& layer, double low, double high) {
     if (std::isfinite(value)) sorted.push_back(value);
   if (sorted.empty()) return {};
   const auto at = [&](double share) {
-    const auto place =
+    const auto position =
         sorted.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
-    std::nth_element(sorted.begin(), place, sorted.end());
-    return static_cast<double>(*place);
+    std::nth_element(sorted.begin(), position, sorted.end());
+    return static_cast<double>(*position);
   };
   Range range{at(low), at(high)};
   if (range.high > range.low) return range;

@@ -22,9 +22,9 @@ void add_corners(EnviHeader& header, const Acquisition& acquisition) {
   std::string points;
   for (std::size_t k = 0; k < acquisition.footprint.size() && k < 4; ++k) {
     const auto& corner = acquisition.footprint[k];
-    if (!corner || !corner->place) return;
+    if (!corner || !corner->position) return;
     points += format("{}{:g}, {:g}, {:.9f}, {:.9f}", k > 0 ? ", " : "", corners[k][0], corners[k][1],
-                     corner->place->latitude_deg, corner->place->longitude_deg);
+                     corner->position->latitude_deg, corner->position->longitude_deg);
   }
   if (!points.empty()) header.other["geo points"] = points;
 }

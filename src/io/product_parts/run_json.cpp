@@ -66,7 +66,7 @@ void write_cost(JsonWriter& json, const RunRecord& record) {
   const auto& s = record.statistics;
   json.member("elapsed_s", record.outcome.elapsed_s);
   json.object("rays", [&] {
-    json.member("bounce", s.rays.continuation);
+    json.member("continuation", s.rays.continuation);
     json.member("primary", s.rays.primary);
     json.member("shadow", s.rays.shadow);
     json.member("total", s.rays.total());
@@ -78,7 +78,7 @@ void write_cost(JsonWriter& json, const RunRecord& record) {
     json.member("most_in_a_pixel", s.most_samples);
     json.member("probes", s.probe_samples);
     json.member("radiance_evaluations", s.radiance_evaluations);
-    json.member("seeds", s.pilot_samples);
+    json.member("pilot_rays", s.pilot_samples);
     json.member("total", s.samples);
   });
   json.member("threads", record.outcome.threads);
@@ -127,7 +127,7 @@ void write_files(JsonWriter& json, const RunRecord& record) {
 
 std::string to_json(const RunRecord& record) {
   const RunIdentity& identity = record.identity;
-  JsonWriter json(JsonWriter::Look::indented);
+  JsonWriter json(JsonWriter::Layout::indented);
   json.object([&] {
     json.object("accuracy", [&] { write_accuracy(json, record); });
     json.object("acquisition", [&] { write_members(json, identity.acquisition); });

@@ -11,7 +11,7 @@ namespace ifov::io {
 /// When, from where and in which light an image was taken. Lengths in metres, positions in map coordinates (those of the
 /// scene where it has none), directions east-north-up, azimuths clockwise from north.
 struct Acquisition {
-  struct Place {
+  struct Position {
     double latitude_deg = 0.0, longitude_deg = 0.0;  ///< WGS 84
   };
   struct Light {
@@ -29,12 +29,12 @@ struct Acquisition {
   /// Where the ray through a corner of the image meets the scene.
   struct Corner {
     math::Point3 position_m;
-    std::optional<Place> place;
+    std::optional<Position> position;
   };
 
-  std::string time;             ///< UTC, ISO 8601; empty: the document states none
-  std::optional<Light> light;   ///< the Sun or the Moon
-  std::optional<Place> origin;  ///< of the scene
+  std::string time;                ///< UTC, ISO 8601; empty: the document states none
+  std::optional<Light> light;      ///< the Sun or the Moon
+  std::optional<Position> origin;  ///< of the scene
   double origin_height_m = 0.0;
   math::Point3 origin_on_map_m;
   Camera camera;

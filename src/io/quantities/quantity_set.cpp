@@ -36,10 +36,10 @@ bool QuantitySet::has(const Quantity& quantity) const {
 
 void QuantitySet::add(const Quantity& quantity) {
   if (has(quantity)) return;
-  const auto place = std::find_if(chosen_.begin(), chosen_.end(), [&](const Quantity* other) {
+  const auto index = std::find_if(chosen_.begin(), chosen_.end(), [&](const Quantity* other) {
     return order_of(other) > order_of(&quantity);
   });
-  chosen_.insert(place, &quantity);
+  chosen_.insert(index, &quantity);
 }
 
 QuantitySet usual_quantities(bool map_tells) {

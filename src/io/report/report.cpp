@@ -263,7 +263,7 @@ class Page {
 
   std::string data() const {
     std::string elements;
-    JsonWriter json(JsonWriter::Look::compact);
+    JsonWriter json(JsonWriter::Layout::compact);
     json.object([&] { write_members(json, elements); });
     return format("<script type=\"application/json\" id=\"meta\">{}</script>\n", embedded(json.written())) +
            elements + colour_element("colours-seq", sequential_colours()) +

@@ -24,7 +24,7 @@ std::string checksum_of(const std::string& compact) {
   return sum.digest();
 }
 
-constexpr std::pair<const char*, double render::AtmosphereHalfWidth::*> kAirKeys[] = {
+constexpr std::pair<const char*, double render::AtmosphereHalfWidth::*> kAtmosphereKeys[] = {
     {"path", &render::AtmosphereHalfWidth::path},
     {"surface", &render::AtmosphereHalfWidth::surface},
     {"sky", &render::AtmosphereHalfWidth::sky},
@@ -48,7 +48,7 @@ void write_members(JsonWriter& json, const render::ImageInfo& image) {
         json.member("fwhm_um", channel.fwhm_um);
         if (channel.air)
           json.object("air", [&] {
-            for (const auto& [key, member] : kAirKeys) json.member(key, (*channel.air).*member);
+            for (const auto& [key, member] : kAtmosphereKeys) json.member(key, (*channel.air).*member);
           });
       });
   });
@@ -73,7 +73,7 @@ render::ImageInfo image_of(const JsonView& v) {
     image.channels.push_back({c["name"].text(), c["centre_um"].number(), c["fwhm_um"].number()});
     if (!c["air"].is_there()) continue;
     render::AtmosphereHalfWidth& air = image.channels.back().air.emplace();
-    for (const auto& [key, member] : kAirKeys) air.*member = c["air"][key].number();
+    for (const auto& [key, member] : kAtmosphereKeys) air.*member = c["air"][key].number();
   }
   for (const JsonView& name : v["materials"].items()) image.materials.push_back(name.text());
   if (const JsonView map = v["map"]; map.is_there()) {
@@ -146,7 +146,7 @@ void write_members(JsonWriter& json, const RunPlan& plan) {
 }
 
 std::string compact_state(const RunPlan& plan) {
-  JsonWriter json(JsonWriter::Look::compact);
+  JsonWriter json(JsonWriter::Layout::compact);
   json.object([&] { write_members(json, plan); });
   return json.written();
 }
@@ -201,7 +201,7 @@ bool is_sound(const RunPlan& plan) {
 }  // namespace
 
 std::string to_json(const RunPlan& plan) {
-  JsonWriter json(JsonWriter::Look::indented);
+  JsonWriter json(JsonWriter::Layout::indented);
   json.object([&] {
     json.member("format", kFormat);
     json.member("sha256", checksum_of(compact_state(plan)));
@@ -229,7 +229,7 @@ RunPlan plan_in(const std::string& text, const std::string& name) {
     const DocumentNode* state =
         tree.root->type() == DocumentNode::Type::object ? tree.root->find("state") : nullptr;
     if (state == nullptr) throw damaged;
-    JsonWriter compact(JsonWriter::Look::compact);
+    JsonWriter compact(JsonWriter::Layout::compact);
     compact.node(*state);
     if (root["sha256"].text() != checksum_of(compact.written())) throw damaged;
     const RunPlan plan = plan_of(root["state"]);

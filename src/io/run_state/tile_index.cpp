@@ -13,13 +13,13 @@ TileIndex::TileIndex(const RunPlan& plan)
     : run_(plan.key()),
       columns_(static_cast<int>(plan.image.channels.size())),
       grid_(plan.grid()),
-      places_(grid_.size()) {}
+      positions_(grid_.size()) {}
 
 void TileIndex::add(const std::filesystem::path& pack, const std::function<void(const TileHeader&)>& seen) {
   std::uint64_t offset = 0;
   read_headers(pack, {run_, columns_, grid_}, [&](const TileHeader& header) {
-    Place& place = places_[header.index];
-    if (place.bytes == 0) place = {packs_.size(), offset, header.record_bytes()};
+    Position& position = positions_[header.index];
+    if (position.bytes == 0) position = {packs_.size(), offset, header.record_bytes()};
     offset += header.record_bytes();
     if (seen) seen(header);
   });
@@ -28,12 +28,12 @@ void TileIndex::add(const std::filesystem::path& pack, const std::function<void(
 
 std::string TileIndex::read(std::size_t index, const ReadValues& read_values,
                             sampling::TileResult& tile) const {
-  const Place& place = places_[index];
-  if (place.bytes < sizeof(TileHeader)) return format("there is no tile {}", index);
-  const std::filesystem::path& pack = packs_[place.pack];
-  std::vector<std::byte> record(place.bytes);
+  const Position& position = positions_[index];
+  if (position.bytes < sizeof(TileHeader)) return format("there is no tile {}", index);
+  const std::filesystem::path& pack = packs_[position.pack];
+  std::vector<std::byte> record(position.bytes);
   std::ifstream file(pack, std::ios::binary);
-  file.seekg(static_cast<std::streamoff>(place.offset));
+  file.seekg(static_cast<std::streamoff>(position.offset));
   file.read(reinterpret_cast<char*>(record.data()), static_cast<std::streamsize>(record.size()));
   if (!file) return format("{}: tile {} cannot be read", pack.string(), index);
   TileHeader header;

@@ -20,13 +20,13 @@ class TileIndex {
   /// `seen` (may be empty) gets each header. Throws SystemError where the pack cannot be read.
   void add(const std::filesystem::path& pack, const std::function<void(const TileHeader&)>& seen = {});
 
-  bool has(std::size_t index) const { return places_[index].bytes > 0; }
+  bool has(std::size_t index) const { return positions_[index].bytes > 0; }
 
   /// From any thread. What is wrong with the tile, in words; empty where it is whole.
   std::string read(std::size_t index, const ReadValues& read_values, sampling::TileResult& tile) const;
 
  private:
-  struct Place {
+  struct Position {
     std::size_t pack = 0;
     std::uint64_t offset = 0, bytes = 0;  // none: 0 bytes
   };
@@ -34,7 +34,7 @@ class TileIndex {
   int columns_;
   std::vector<sampling::PixelRect> grid_;
   std::vector<std::filesystem::path> packs_;
-  std::vector<Place> places_;
+  std::vector<Position> positions_;
 };
 
 }  // namespace ifov::io

@@ -122,13 +122,13 @@ void* make_room(const ArrayEntry& entry, sampling::TileResult& tile) {
                            std::vector<std::byte>(entry.bytes())});
     return tile.layers.back().bytes.data();
   }
-  void* place = nullptr;
+  void* position = nullptr;
   sampling::TileResult::visit_arrays(tile, [&](const sampling::TileArray& array, auto& values) {
     if (array.name != entry.shown_name() || sizeof(values[0]) != entry.value_bytes) return;
     values.resize(entry.count);
-    place = values.data();
+    position = values.data();
   });
-  return place;
+  return position;
 }
 
 std::uint64_t hash_of_values(const sampling::TileResult& tile) {
@@ -201,9 +201,9 @@ std::string fault_of(const TileHeader& header, const TileDemands& demands) {
   if (header.format != kFormat) return "it is of another format";
   if (header.run != demands.run) return "it belongs to another run";
   const bool in_grid = header.index < demands.grid.size();
-  const sampling::PixelRect place = in_grid ? demands.grid[header.index] : sampling::PixelRect{};
-  if (!in_grid || header.x0 != place.x0 || header.y0 != place.y0 || header.x1 != place.x1 ||
-      header.y1 != place.y1 || header.columns != demands.columns)
+  const sampling::PixelRect position = in_grid ? demands.grid[header.index] : sampling::PixelRect{};
+  if (!in_grid || header.x0 != position.x0 || header.y0 != position.y0 || header.x1 != position.x1 ||
+      header.y1 != position.y1 || header.columns != demands.columns)
     return "it does not fit the image";
   return {};
 }

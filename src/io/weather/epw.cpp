@@ -39,15 +39,15 @@ Header read_header(const TextFile& file) {
   Header header;
   if (file.line_count() == 0 || !file.line(1).starts_with("LOCATION,"))
     file.fail(file.line_count() > 0 ? 1 : 0, 0, "found no line 'LOCATION,...'; expected an EPW file");
-  const std::vector<Field> place = split(file.line(1), ',');
-  const double latitude = weather_number(file, 1, place, 6, "a latitude (degrees)");
-  const double longitude = weather_number(file, 1, place, 7, "a longitude (degrees)");
-  header.zone_h = weather_number(file, 1, place, 8, "a time zone (hours)");
+  const std::vector<Field> station = split(file.line(1), ',');
+  const double latitude = weather_number(file, 1, station, 6, "a latitude (degrees)");
+  const double longitude = weather_number(file, 1, station, 7, "a longitude (degrees)");
+  header.zone_h = weather_number(file, 1, station, 8, "a time zone (hours)");
   if (std::abs(latitude) > 90.0 || std::abs(longitude) > 180.0 || std::abs(header.zone_h) > 14.0)
     file.fail(1, 0,
               "found no place on Earth; expected degrees of latitude and longitude and a zone in hours");
-  header.site = {std::string(place[1].text), latitude * kDegree, longitude * kDegree,
-                 weather_number(file, 1, place, 9, "an altitude (m)")};
+  header.site = {std::string(station[1].text), latitude * kDegree, longitude * kDegree,
+                 weather_number(file, 1, station, 9, "an altitude (m)")};
   for (int number = 2; number <= file.line_count(); ++number) {
     if (!file.line(number).starts_with("DATA PERIODS,")) continue;
     const std::vector<Field> periods = split(file.line(number), ',');

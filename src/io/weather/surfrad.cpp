@@ -33,16 +33,16 @@ const std::vector<WeatherColumn> kColumns{
 atmosphere::WeatherSeries parse_surfrad(const TextFile& file, const WeatherOptions& options) {
   if (file.line_count() < 3)
     file.fail(0, 0, "found less than 3 lines; expected a daily file of SURFRAD (.dat)");
-  const std::vector<Field> place = split(file.line(2), ' ');
-  const double latitude = weather_number(file, 2, place, 0, "a latitude (degrees)");
-  const double longitude = weather_number(file, 2, place, 1, "a longitude (degrees)");
+  const std::vector<Field> station = split(file.line(2), ' ');
+  const double latitude = weather_number(file, 2, station, 0, "a latitude (degrees)");
+  const double longitude = weather_number(file, 2, station, 1, "a longitude (degrees)");
   if (std::abs(latitude) > 90.0 || std::abs(longitude) > 180.0)
     file.fail(2, 0, "found no place on Earth; expected degrees of latitude and longitude");
   const std::vector<Field> words = split(file.line(1), ',');
   // All stations are in the United States; some files write their western longitudes without a sign.
   const atmosphere::WeatherSite site{words.empty() ? std::string() : std::string(words[0].text),
                                      latitude * kDegree, -std::abs(longitude) * kDegree,
-                                     weather_number(file, 2, place, 2, "an altitude (m)")};
+                                     weather_number(file, 2, station, 2, "an altitude (m)")};
   WeatherRows rows(file, kColumns);
   for (int number = 3; number <= file.line_count(); ++number) {
     if (is_blank(file.line(number))) continue;

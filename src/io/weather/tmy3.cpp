@@ -64,15 +64,15 @@ int digits(std::string_view text, std::size_t first, std::size_t count) {
 atmosphere::WeatherSeries parse_tmy3(const TextFile& file, const WeatherOptions& options) {
   if (file.line_count() < 2 || !file.line(2).starts_with("Date (MM/DD/YYYY),"))
     file.fail(file.line_count() < 2 ? 0 : 2, 0, "found no heading 'Date (MM/DD/YYYY)'; expected a TMY3 file");
-  const std::vector<Field> place = split(file.line(1), ',');
-  const double zone_h = weather_number(file, 1, place, 3, "a time zone (hours)");
-  const double latitude = weather_number(file, 1, place, 4, "a latitude (degrees)");
-  const double longitude = weather_number(file, 1, place, 5, "a longitude (degrees)");
+  const std::vector<Field> station = split(file.line(1), ',');
+  const double zone_h = weather_number(file, 1, station, 3, "a time zone (hours)");
+  const double latitude = weather_number(file, 1, station, 4, "a latitude (degrees)");
+  const double longitude = weather_number(file, 1, station, 5, "a longitude (degrees)");
   if (std::abs(latitude) > 90.0 || std::abs(longitude) > 180.0 || std::abs(zone_h) > 14.0)
     file.fail(1, 0,
               "found no place on Earth; expected degrees of latitude and longitude and a zone in hours");
-  const atmosphere::WeatherSite site{std::string(place[1].text), latitude * kDegree, longitude * kDegree,
-                                     weather_number(file, 1, place, 6, "an altitude (m)")};
+  const atmosphere::WeatherSite site{std::string(station[1].text), latitude * kDegree, longitude * kDegree,
+                                     weather_number(file, 1, station, 6, "an altitude (m)")};
   WeatherRows rows(file, columns_of(file));
   for (int number = 3; number <= file.line_count(); ++number) {
     if (is_blank(file.line(number))) continue;

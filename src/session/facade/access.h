@@ -8,7 +8,7 @@
 #include "ifov/atmosphere.h"
 #include "ifov/document.h"
 #include "ifov/runs.h"
-#include "io/air/air_report.h"
+#include "io/atmosphere_report/atmosphere_report.h"
 #include "io/document/document.h"
 #include "io/files/inputs.h"
 #include "session/runs/coordinator.h"
@@ -25,7 +25,7 @@ struct Assets::Inside {
 };
 
 struct AtmosphereReport::Inside {
-  io::AirReport report;
+  io::AtmosphereReport report;
 };
 
 struct Ranks::Inside {
@@ -43,7 +43,7 @@ struct FacadeAccess {
   static session::Coordinator* coordinator(const Ranks* ranks) {
     return ranks != nullptr && ranks->inside_->coordinator ? &*ranks->inside_->coordinator : nullptr;
   }
-  static void set(AtmosphereReport& report, io::AirReport inside) {
+  static void set(AtmosphereReport& report, io::AtmosphereReport inside) {
     report.inside_ = std::make_shared<const AtmosphereReport::Inside>(std::move(inside));
   }
 };

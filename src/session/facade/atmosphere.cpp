@@ -20,7 +20,7 @@ AtmosphereEffects light_of(const atmosphere::AtmosphereEffects& light) {
           .spherical_albedo = light.spherical_albedo};
 }
 
-SkyLight sky_of(const io::AirReport& report) {
+SkyLight sky_of(const io::AtmosphereReport& report) {
   SkyLight sky;
   sky.channel = report.sky_channel;
   sky.wavelength_um = report.sky->wavelength_um;
@@ -42,14 +42,14 @@ AtmosphereReport survey_atmosphere(const Document& document, const AtmosphereQue
   const auto& source = FacadeAccess::inside(document);
   const Call call{source.inputs, question.cancel};
   const CallScope scope(call);
-  io::AirReport found = session::survey_atmosphere(source.document, question);
+  io::AtmosphereReport found = session::survey_atmosphere(source.document, question);
   AtmosphereReport report;
   report.description = found.description;
   report.sun_zenith_rad = found.geometry.sun_zenith_rad;
   report.sun_azimuth_rad = found.sun_azimuth_rad;
   report.view_zenith_rad = found.geometry.view_zenith_rad;
   report.sensor_altitude_km = found.geometry.sensor_altitude_km;
-  for (const io::AirReport::Channel& channel : found.channels)
+  for (const io::AtmosphereReport::Channel& channel : found.channels)
     report.channels.push_back({channel.name, channel.first_um, channel.last_um, light_of(channel.light)});
   for (const atmosphere::AtmosphereEffects& step : found.spectrum) report.spectrum.push_back(light_of(step));
   report.step_cm1 = found.step_cm1;
@@ -58,12 +58,12 @@ AtmosphereReport survey_atmosphere(const Document& document, const AtmosphereQue
   return report;
 }
 
-std::string AtmosphereReport::table() const { return io::air_table(inside_->report); }
+std::string AtmosphereReport::table() const { return io::atmosphere_report_text(inside_->report); }
 
-std::string AtmosphereReport::csv() const { return io::air_csv(inside_->report); }
+std::string AtmosphereReport::csv() const { return io::atmosphere_report_csv(inside_->report); }
 
 std::string AtmosphereReport::sky_csv() const { return io::sky_csv(inside_->report); }
 
-std::string AtmosphereReport::figure() const { return io::air_figure(inside_->report); }
+std::string AtmosphereReport::figure() const { return io::atmosphere_report_figure(inside_->report); }
 
 }  // namespace ifov

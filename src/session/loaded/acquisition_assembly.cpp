@@ -45,11 +45,11 @@ class Degrees {
   explicit Degrees(const std::string& system) {
     if (system != "Arbitrary") transform_.emplace(io::MapReference(system), io::MapReference("EPSG:4326"));
   }
-  std::optional<io::Acquisition::Place> operator()(math::Point3 place_m) const {
+  std::optional<io::Acquisition::Position> operator()(math::Point3 place_m) const {
     if (!transform_) return std::nullopt;
     try {
       const io::MapPoint p = (*transform_)({place_m.x, place_m.y});
-      return io::Acquisition::Place{p.y, p.x};
+      return io::Acquisition::Position{p.y, p.x};
     } catch (const InputError&) {  // a place far outside of the projection
       return std::nullopt;
     }
@@ -61,7 +61,8 @@ class Degrees {
 
 }  // namespace
 
-std::optional<io::Acquisition::Place> geographic_place(const std::string& map_system, math::Point3 on_map_m) {
+std::optional<io::Acquisition::Position> geographic_place(const std::string& map_system,
+                                                          math::Point3 on_map_m) {
   return Degrees(map_system)(on_map_m);
 }
 
@@ -74,7 +75,8 @@ io::Acquisition assemble_acquisition(const Parts& parts) {
   result.origin_on_map_m = math::Point3{} + parts.map_offset_m;
   result.origin_height_m = document.scene.origin.height_m;
   if (const auto& place = document.scene.origin.geographic)
-    result.origin = io::Acquisition::Place{place->latitude_rad * kDegrees, place->longitude_rad * kDegrees};
+    result.origin =
+        io::Acquisition::Position{place->latitude_rad * kDegrees, place->longitude_rad * kDegrees};
   else
     result.origin = degrees(result.origin_on_map_m);
   result.camera = camera_of(parts);

@@ -45,7 +45,7 @@ std::string verdict(const Figure& figure) { return !figure.ok ? "" : *figure.ok 
 }  // namespace
 
 std::string FigureTable::json() const {
-  io::JsonWriter json(io::JsonWriter::Look::indented);
+  io::JsonWriter json(io::JsonWriter::Layout::indented);
   json.object([&] {
     for (const Figure& f : figures_)
       json.object(f.name, [&] {

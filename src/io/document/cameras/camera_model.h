@@ -10,21 +10,21 @@
 namespace ifov::io {
 
 template <class V>
-struct Kind;
+struct SchemaType;
 
 /// A kind of camera, by its key in sensor.camera.
 struct CameraModel {
   std::string_view key;   ///< "frame"
   std::string_view what;  ///< for the reference page: "a perspective camera"
   /// The table of its keys.
-  Kind<std::shared_ptr<const CameraSettings>> (*kind)() = nullptr;
+  SchemaType<std::shared_ptr<const CameraSettings>> (*type)() = nullptr;
 };
 
 /// Settings of any kind read as such.
 template <class Settings, class Base = CameraSettings>
-Kind<std::shared_ptr<const Base>> settings_kind(const Kind<Settings>& kind) {
+SchemaType<std::shared_ptr<const Base>> settings_type(const SchemaType<Settings>& type) {
   return converted<std::shared_ptr<const Base>>(
-      kind, [](Settings settings) { return std::make_shared<const Settings>(std::move(settings)); },
+      type, [](Settings settings) { return std::make_shared<const Settings>(std::move(settings)); },
       [](const std::shared_ptr<const Base>& settings) {
         const auto* own = dynamic_cast<const Settings*>(settings.get());
         return own != nullptr ? std::optional(*own) : std::nullopt;

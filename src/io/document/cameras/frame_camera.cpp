@@ -11,7 +11,7 @@
 namespace ifov::io {
 namespace {
 
-Kind<geodesy::Attitude> attitude_kind() {
+SchemaType<geodesy::Attitude> attitude_type() {
   Record<geodesy::Attitude> record(
       "attitude",
       "Attitude of the aircraft that the camera hangs below, its axis along the body's down and the "
@@ -23,7 +23,7 @@ Kind<geodesy::Attitude> attitude_kind() {
       .with_default("pitch", &geodesy::Attitude::pitch_rad,
                     quantity(kAngle, Range::between(-90.0, 90.0, "deg")), "\"0 deg\"", "nose up")
       .with_default("roll", &geodesy::Attitude::roll_rad, quantity(kAngle), "\"0 deg\"", "right wing down");
-  return record.kind();
+  return record.type();
 }
 
 struct Axes {
@@ -47,15 +47,15 @@ struct FrameEntry {
   std::optional<math::Vec3> up;
 };
 
-Kind<std::shared_ptr<const CameraSettings>> frame_kind() {
-  const Kind<double> length = quantity(kLength, Range::above(0.0, "m"));
+SchemaType<std::shared_ptr<const CameraSettings>> frame_type() {
+  const SchemaType<double> length = quantity(kLength, Range::above(0.0, "m"));
   Record<FrameEntry> record("frame camera", "A pinhole with a frame of detector elements behind it.");
   record
       .required("focal_length", path(&FrameEntry::camera, &FrameCamera::focal_length_m), length,
                 "focal length")
       .required("pitch", path(&FrameEntry::camera, &FrameCamera::pitch_m), length,
                 "distance between detector elements")
-      .required("pixels", path(&FrameEntry::camera, &FrameCamera::size), image_size_kind(),
+      .required("pixels", path(&FrameEntry::camera, &FrameCamera::size), image_size_type(),
                 "columns and rows")
       .required("position", path(&FrameEntry::camera, &FrameCamera::position_m), point(),
                 "where the camera is")
@@ -70,7 +70,7 @@ Kind<std::shared_ptr<const CameraSettings>> frame_kind() {
                  return look_at != nullptr ? &look_at->target_m : nullptr;
                }),
            point(), "point at the image's centre")
-      .one("attitude", path(&FrameEntry::camera, &FrameCamera::orientation), attitude_kind(),
+      .one("attitude", path(&FrameEntry::camera, &FrameCamera::orientation), attitude_type(),
            "instead: angles")
       .optional("up", &FrameEntry::up, direction(),
                 "direction that is up in the image; +z if not given, or north where the camera looks along z")
@@ -82,8 +82,8 @@ Kind<std::shared_ptr<const CameraSettings>> frame_kind() {
               format("{} is where the camera itself is", node.given("look_at").title()));
         }
       });
-  return settings_kind(converted<FrameCamera>(
-      record.kind(),
+  return settings_type(converted<FrameCamera>(
+      record.type(),
       [](FrameEntry entry) {
         if (auto* look_at = std::get_if<LookAt>(&entry.camera.orientation)) look_at->up = entry.up;
         return std::move(entry.camera);
@@ -96,7 +96,7 @@ Kind<std::shared_ptr<const CameraSettings>> frame_kind() {
 
 }  // namespace
 
-constinit const CameraModel FrameCamera::kModel{"frame", "a perspective camera", frame_kind};
+constinit const CameraModel FrameCamera::kModel{"frame", "a perspective camera", frame_type};
 
 std::unique_ptr<sensor::Camera> FrameCamera::build(const CameraSite& site) const {
   sensor::FrameCamera::Settings settings;

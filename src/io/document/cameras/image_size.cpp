@@ -13,7 +13,7 @@ constexpr std::int64_t kMostPixels = 1000000000;
 
 }  // namespace
 
-Kind<ImageSize> image_size_kind() {
+SchemaType<ImageSize> image_size_type() {
   const auto pair = tuple<int, 2>(integer(1, kMostPixelsASide));
   return {pair.description,
           [read = pair.read](const DocumentNode& node) {

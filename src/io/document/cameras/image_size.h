@@ -6,7 +6,7 @@
 namespace ifov::io {
 
 template <class V>
-struct Kind;
+struct SchemaType;
 
 /// Columns and rows of an image.
 struct ImageSize {
@@ -23,6 +23,6 @@ struct ImageSize {
 };
 
 /// [columns, rows], as many as an image may have.
-Kind<ImageSize> image_size_kind();
+SchemaType<ImageSize> image_size_type();
 
 }  // namespace ifov::io

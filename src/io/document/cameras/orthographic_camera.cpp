@@ -9,13 +9,13 @@
 namespace ifov::io {
 namespace {
 
-Kind<std::shared_ptr<const CameraSettings>> orthographic_kind() {
+SchemaType<std::shared_ptr<const CameraSettings>> orthographic_type() {
   Record<OrthographicCamera> record("orthographic camera",
                                     "Looks down with parallel rays; pixels are squares of the plane z = 0.");
   record
       .required("gsd", &OrthographicCamera::gsd_m, quantity(kLength, Range::above(0.0, "m")),
                 "ground sample distance")
-      .required("pixels", &OrthographicCamera::size, image_size_kind(), "columns and rows")
+      .required("pixels", &OrthographicCamera::size, image_size_type(), "columns and rows")
       .optional("center", &OrthographicCamera::centre_m, tuple<double, 2>(quantity(kLength)),
                 "ground point at the image's centre; the scene's origin if not given")
       .with_default("rotation", &OrthographicCamera::rotation_rad, quantity(kAngle), "\"0 deg\"",
@@ -27,13 +27,13 @@ Kind<std::shared_ptr<const CameraSettings>> orthographic_kind() {
                     "angle between the vertical and the direction from the ground to the sensor")
       .with_default("view_azimuth", &OrthographicCamera::view_azimuth_rad, quantity(kAngle), "\"0 deg\"",
                     "azimuth, clockwise from north, of the direction from the ground to the sensor");
-  return settings_kind(record.kind());
+  return settings_type(record.type());
 }
 
 }  // namespace
 
 constinit const CameraModel OrthographicCamera::kModel{"orthographic", "looks down with parallel rays",
-                                                       orthographic_kind};
+                                                       orthographic_type};
 
 std::unique_ptr<sensor::Camera> OrthographicCamera::build(const CameraSite& site) const {
   sensor::OrthographicCamera::Settings settings;

@@ -38,7 +38,7 @@ class ReferenceCheck {
         check(object);
         if (std::holds_alternative<CityShape>(object.shape))
           throw document_error(document_, object.shape_position, "a prototype cannot hold a city");
-        if (std::holds_alternative<ScatterShape>(object.shape))
+        if (std::holds_alternative<RandomPlacement>(object.shape))
           throw document_error(document_, object.shape_position,
                                "a prototype cannot hold a random placement");
       }
@@ -68,7 +68,7 @@ class ReferenceCheck {
 
   void check(const ObjectDocument& object) const {
     if (const DocumentName* of = copied_by(object)) require("prototype", *of, prototypes_);
-    if (const auto* scatter = std::get_if<ScatterShape>(&object.shape)) check(*scatter);
+    if (const auto* placement = std::get_if<RandomPlacement>(&object.shape)) check(*placement);
     if (!object.material) return;
     const auto known = [&](const DocumentName& material) { require("material", material, materials_); };
     std::visit(
@@ -91,15 +91,16 @@ class ReferenceCheck {
         object.material->value);
   }
 
-  void check(const ScatterShape& scatter) const {
-    for (const ScatterShape::Kin& kin : scatter.of) require("prototype", kin.prototype, prototypes_);
-    if (!scatter.on) return;
+  void check(const RandomPlacement& placement) const {
+    for (const RandomPlacement::Weighted& weighted : placement.of)
+      require("prototype", weighted.prototype, prototypes_);
+    if (!placement.on) return;
     std::vector<std::string> grounds;
     for (const ObjectDocument& object : document_.scene.objects)
       if (!object.name.empty() && object.material &&
           std::find(grounds.begin(), grounds.end(), object.name) == grounds.end())
         grounds.push_back(object.name);
-    require("object with a shape of its own", *scatter.on, grounds);
+    require("object with a shape of its own", *placement.on, grounds);
   }
 
   /// No prototype may hold itself: depth first, each prototype once.

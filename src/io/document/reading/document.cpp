@@ -10,7 +10,7 @@ namespace ifov::io {
 namespace {
 
 /// A section that was not written stands where the document begins.
-void place_defaults(Document& document, const SourcePosition& root) {
+void position_defaults(Document& document, const SourcePosition& root) {
   for (SourcePosition* position :
        {&document.light.position, &document.atmosphere.position, &document.sampling.position,
         &document.output.position, &document.scene.origin.position, &document.sensor.psf_position}) {
@@ -30,9 +30,9 @@ void gather_former_keys(const DocumentNode& node, std::vector<FormerKey>& keys) 
 
 }  // namespace
 
-const Kind<Document>& whole_document_kind() {
-  static const Kind<Document> kind = document_kind();
-  return kind;
+const SchemaType<Document>& whole_document_type() {
+  static const SchemaType<Document> type = document_type();
+  return type;
 }
 
 std::string usual_output_folder(const std::string& file_name) {
@@ -46,10 +46,10 @@ std::string usual_output_folder(const std::string& file_name) {
 Document parse_document(std::string text, const std::string& file_name,
                         std::span<const DocumentOverride> overrides) {
   const DocumentParts parts = put_together(std::move(text), file_name, overrides);
-  Document document = whole_document_kind().read(*parts.root);
+  Document document = whole_document_type().read(*parts.root);
   reject_unread(*parts.root);
   gather_former_keys(*parts.root, document.former_keys);
-  place_defaults(document, parts.root->position());
+  position_defaults(document, parts.root->position());
   document.file_name = file_name;
   document.sources = parts.sources;
   const auto names = file_names(*parts.root);

@@ -35,7 +35,7 @@ std::string document_text(const Document& document, const std::string& file_name
   std::string& folder = told.output.folder;
   if (folder == usual_output_folder(document.file_name) || !can_be_named(file_from(writing.folder, folder)))
     folder.clear();
-  const Written written = whole_document_kind().write(told, writing);
+  const Written written = whole_document_type().write(told, writing);
   if (!written)
     throw InputError(format("the document cannot be written as '{}': '{}' is missing or cannot be told",
                             file_name, writing.fault));
@@ -43,7 +43,7 @@ std::string document_text(const Document& document, const std::string& file_name
   if (how.include.size() == 1) members.insert(members.begin() + 1, {"include", how.include.front()});
   if (how.include.size() > 1)
     members.insert(members.begin() + 1, {"include", JsonValue::List(how.include.begin(), how.include.end())});
-  JsonWriter json(JsonWriter::Look::indented);
+  JsonWriter json(JsonWriter::Layout::indented);
   json.object([&] {
     for (const auto& [key, value] : members) json.member(key, value);
   });

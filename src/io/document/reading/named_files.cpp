@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "io/document/reading/record_walk.h"
-#include "io/document/schema/kind.h"
+#include "io/document/schema/schema_type.h"
 #include "io/files/inputs.h"
 #include "io/json/json_writer.h"
 
@@ -16,9 +16,9 @@ using Type = DocumentNode::Type;
 using FileNames = std::map<const DocumentNode*, std::string>;
 
 void visit(const DocumentNode& node, const ValueDescription& description, FileNames& names) {
-  static const std::string file_kind = file().description->short_name;
+  static const std::string file_type = file().description->short_name;
   for (const ValueDescriptionPtr& one : description.alternatives) visit(node, *one, names);
-  if (description.form == Form::text && node.type() == Type::text && description.short_name == file_kind)
+  if (description.form == Form::text && node.type() == Type::text && description.short_name == file_type)
     names[&node] = is_asset_name(node.text()) ? node.text() : node.source().resolve(node.text());
   if (description.form == Form::list && node.type() == Type::list)
     for (const DocumentNode& item : node.items()) visit(item, *description.items, names);
@@ -63,7 +63,7 @@ std::vector<std::string> existing_files(const FileNames& names) {
 
 std::string whole_text(const DocumentNode& root, const std::string& file_name, const FileNames& names) {
   const std::filesystem::path folder = std::filesystem::path(file_name).parent_path();
-  JsonWriter json(JsonWriter::Look::indented);
+  JsonWriter json(JsonWriter::Layout::indented);
   json.node(root, [&](const DocumentNode& node) { return name_of(node, names, folder); });
   return json.written();
 }

@@ -22,7 +22,7 @@ void visit(const ValueDescription& value, std::vector<const ValueDescription*>& 
 }  // namespace
 
 const ValueDescription& document_description() {
-  static const ValueDescriptionPtr description = document_kind().description;
+  static const ValueDescriptionPtr description = document_type().description;
   return *description;
 }
 

@@ -150,7 +150,7 @@ void write_definition(JsonWriter& json, const ValueDescription& record) {
 
 std::string schema_json() {
   const ValueDescription& document = document_description();
-  JsonWriter json(JsonWriter::Look::indented);
+  JsonWriter json(JsonWriter::Layout::indented);
   json.object([&] {
     json.member("$schema", "http://json-schema.org/draft-07/schema#");
     json.member("title", "ifov document");

@@ -10,13 +10,13 @@ namespace {
 
 constexpr std::int64_t kMostSamples = 1000000000;
 
-Kind<std::shared_ptr<const SamplerSettings>> accuracy_kind() {
+SchemaType<std::shared_ptr<const SamplerSettings>> accuracy_type() {
   Record<AccuracySampling> record("accuracy sampling",
                                   "Rays go where they are needed until the error is as asked.");
   record
       .with_default(
           "error", &AccuracySampling::error,
-          error_size_kind({{ErrorSize::Unit::kelvin, &kTemperatureDifference},
+          error_size_type({{ErrorSize::Unit::kelvin, &kTemperatureDifference},
                            {ErrorSize::Unit::fraction, &kPercent},
                            {ErrorSize::Unit::radiance, &kRadiance},
                            {ErrorSize::Unit::reflectance, &kReflectance},
@@ -35,7 +35,7 @@ Kind<std::shared_ptr<const SamplerSettings>> accuracy_kind() {
                 "cells of the detection lattice along a side of a pixel; chosen if not given")
       .with_default("probes", &AccuracySampling::probes, integer(0, 10000), "9",
                     "probing rays in a flagged pixel and round")
-      .with_default("pilot_rays", &AccuracySampling::seeds, boolean(), "true",
+      .with_default("pilot_rays", &AccuracySampling::pilot_rays, boolean(), "true",
                     "one ray for each known object smaller than a pixel")
       .formerly("seeds")
       .with_default("thinnest", &AccuracySampling::thinnest_px, quantity(kPixels, Range::above(0.0, "px")),
@@ -48,19 +48,19 @@ Kind<std::shared_ptr<const SamplerSettings>> accuracy_kind() {
                     "taken to be no colder than one of radiance floor x W")
       .with_default("clutter", &AccuracySampling::clutter, boolean(), "true",
                     "stratified samples instead of edges where there are too many edges");
-  return sampler_kind(record.kind());
+  return sampler_type(record.type());
 }
 
 }  // namespace
 
 constinit const SamplerModel AccuracySampling::kModel{"accuracy", "as many rays as an accuracy needs",
-                                                      accuracy_kind};
+                                                      accuracy_type};
 
 std::unique_ptr<sampling::PixelSampler> AccuracySampling::build() const {
   sampling::AccuracyOptions options;
   if (lattice) options.lattice = *lattice;
   options.probes_per_side = static_cast<int>(std::lround(std::sqrt(probes)));
-  options.pilot_rays = seeds;
+  options.pilot_rays = pilot_rays;
   options.thinnest_px = thinnest_px;
   options.max_samples_per_pixel = static_cast<std::uint32_t>(max_samples);
   options.clutter_switch = clutter;

@@ -18,7 +18,7 @@ struct AccuracySampling final : SamplerSettings {
   bool simultaneous = false;    ///< confidence for all channels of a pixel at once
   std::optional<int> lattice;   ///< detection lattice cells per pixel side; absent: the sampler's choice
   int probes = 9;               ///< probing rays a flagged pixel and round
-  bool seeds = true;            ///< one ray per known object smaller than a pixel
+  bool pilot_rays = true;       ///< one ray per known object smaller than a pixel
   double thinnest_px = 0.0125;  ///< thinnest feature that is tracked
   std::int64_t max_samples = 100000;  ///< per pixel
   double floor = 0.001;  ///< of a white Lambertian surface's radiance: no limit in percent is lower, and in K

@@ -16,7 +16,7 @@ std::string text_of(const ErrorSize& error) {
   return {};
 }
 
-Kind<ErrorSize> error_size_kind(const std::vector<ErrorUnit>& allowed) {
+SchemaType<ErrorSize> error_size_type(const std::vector<ErrorUnit>& allowed) {
   ValueDescription d;
   d.form = ValueDescription::Form::alternatives;
   std::string examples, units;

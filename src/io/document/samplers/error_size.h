@@ -7,7 +7,7 @@ namespace ifov::io {
 
 struct Dimension;
 template <class V>
-struct Kind;
+struct SchemaType;
 
 /// A size of error or difference, in the unit the user thinks in.
 struct ErrorSize {
@@ -30,6 +30,6 @@ struct ErrorUnit {
   ErrorSize::Unit unit;
   const Dimension* dimension;
 };
-Kind<ErrorSize> error_size_kind(const std::vector<ErrorUnit>& allowed);
+SchemaType<ErrorSize> error_size_type(const std::vector<ErrorUnit>& allowed);
 
 }  // namespace ifov::io

@@ -11,14 +11,14 @@ namespace {
 
 constexpr int kMostElements = 1000;
 
-Kind<std::shared_ptr<const SamplerSettings>> single_kind() {
-  return sampler_kind(
-      Record<SingleSampling>("single sampling", "One ray through the centre of each pixel.").kind());
+SchemaType<std::shared_ptr<const SamplerSettings>> single_type() {
+  return sampler_type(
+      Record<SingleSampling>("single sampling", "One ray through the centre of each pixel.").type());
 }
 
-Kind<std::array<int, 2>> elements_kind() { return tuple<int, 2>(integer(1, kMostElements)); }
+SchemaType<std::array<int, 2>> elements_type() { return tuple<int, 2>(integer(1, kMostElements)); }
 
-Kind<std::shared_ptr<const SamplerSettings>> grid_kind() {
+SchemaType<std::shared_ptr<const SamplerSettings>> grid_type() {
   Record<GridSampling> record("grid sampling", "Rays through the centres of equal cells of each pixel.");
   record.required("elements",
                   via(
@@ -29,11 +29,11 @@ Kind<std::shared_ptr<const SamplerSettings>> grid_kind() {
                       [](const GridSampling& grid) {
                         return std::array{grid.columns, grid.rows};
                       }),
-                  elements_kind(), "cells across and down");
-  return sampler_kind(record.kind());
+                  elements_type(), "cells across and down");
+  return sampler_type(record.type());
 }
 
-Kind<std::shared_ptr<const SamplerSettings>> adaptive_kind() {
+SchemaType<std::shared_ptr<const SamplerSettings>> adaptive_type() {
   Record<AdaptiveSampling> record(
       "adaptive sampling", "Sub-elements of a pixel that differ from their neighbours get more samples.");
   record
@@ -46,23 +46,23 @@ Kind<std::shared_ptr<const SamplerSettings>> adaptive_kind() {
                     [](const AdaptiveSampling& a) {
                       return std::array{a.sub_columns, a.sub_rows};
                     }),
-                elements_kind(), "sub-elements across and down")
+                elements_type(), "sub-elements across and down")
       .required(
           "allowed_difference", &AdaptiveSampling::allowed_difference,
-          error_size_kind({{ErrorSize::Unit::radiance, &kRadiance}, {ErrorSize::Unit::fraction, &kPercent}}),
+          error_size_type({{ErrorSize::Unit::radiance, &kRadiance}, {ErrorSize::Unit::fraction, &kPercent}}),
           "between a new sample and the average so far")
       .with_default("max_samples", &AdaptiveSampling::max_samples, integer(1, 1000000), "100", "per pixel")
       .optional("channel", &AdaptiveSampling::channel, name_of("a channel"),
                 "that is compared; without it the channel that differs most");
-  return sampler_kind(record.kind());
+  return sampler_type(record.type());
 }
 
 }  // namespace
 
-constinit const SamplerModel SingleSampling::kModel{"single", "one ray a pixel", single_kind};
-constinit const SamplerModel GridSampling::kModel{"grid", "the same rays in every pixel", grid_kind};
+constinit const SamplerModel SingleSampling::kModel{"single", "one ray a pixel", single_type};
+constinit const SamplerModel GridSampling::kModel{"grid", "the same rays in every pixel", grid_type};
 constinit const SamplerModel AdaptiveSampling::kModel{"adaptive", "more rays where samples differ",
-                                                      adaptive_kind};
+                                                      adaptive_type};
 
 std::unique_ptr<sampling::PixelSampler> SingleSampling::build() const {
   return std::make_unique<sampling::SingleSampler>();

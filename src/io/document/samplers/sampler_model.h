@@ -10,21 +10,21 @@
 namespace ifov::io {
 
 template <class V>
-struct Kind;
+struct SchemaType;
 
 /// A kind of sampler, by its key in `sampling`.
 struct SamplerModel {
   std::string_view key;   ///< "grid"
   std::string_view what;  ///< for the reference page: "the same rays in every pixel"
   /// The table of its keys.
-  Kind<std::shared_ptr<const SamplerSettings>> (*kind)() = nullptr;
+  SchemaType<std::shared_ptr<const SamplerSettings>> (*type)() = nullptr;
 };
 
 /// Settings of any kind read as such.
 template <class Settings, class Base = SamplerSettings>
-Kind<std::shared_ptr<const Base>> sampler_kind(const Kind<Settings>& kind) {
+SchemaType<std::shared_ptr<const Base>> sampler_type(const SchemaType<Settings>& type) {
   return converted<std::shared_ptr<const Base>>(
-      kind, [](Settings settings) { return std::make_shared<const Settings>(std::move(settings)); },
+      type, [](Settings settings) { return std::make_shared<const Settings>(std::move(settings)); },
       [](const std::shared_ptr<const Base>& settings) {
         const auto* own = dynamic_cast<const Settings*>(settings.get());
         return own != nullptr ? std::optional(*own) : std::nullopt;

@@ -2,7 +2,7 @@
 
 #include "core/format.h"
 #include "core/names.h"
-#include "io/document/schema/kind.h"
+#include "io/document/schema/schema_type.h"
 
 namespace ifov::io {
 namespace {

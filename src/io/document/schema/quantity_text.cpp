@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "core/format.h"
-#include "io/document/schema/kind.h"
+#include "io/document/schema/schema_type.h"
 
 namespace ifov::io {
 namespace {

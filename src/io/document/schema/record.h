@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/document/schema/kind.h"
+#include "io/document/schema/schema_type.h"
 #include "io/document/schema/target.h"
 #include "io/json/json_adapter.h"
 
@@ -50,26 +50,26 @@ class Record {
 
   /// Where a value goes and comes from is said by its target (target.h).
   template <class V, class Target>
-  Record& required(std::string key, Target target, const Kind<V>& kind, std::string doc) {
-    return add({std::move(key), std::move(doc), kind.description, true, {}, -1}, target, kind);
+  Record& required(std::string key, Target target, const SchemaType<V>& type, std::string doc) {
+    return add({std::move(key), std::move(doc), type.description, true, {}, -1}, target, type);
   }
 
   template <class V, class Target>
-  Record& optional(std::string key, Target target, const Kind<V>& kind, std::string doc) {
-    set_unwritten<V>(target, kind);
-    return add({std::move(key), std::move(doc), kind.description, false, {}, -1}, target, kind);
+  Record& optional(std::string key, Target target, const SchemaType<V>& type, std::string doc) {
+    set_unwritten<V>(target, type);
+    return add({std::move(key), std::move(doc), type.description, false, {}, -1}, target, type);
   }
 
   /// Without the key, the value is what this JSON text would have given.
   template <class V, class Target>
-  Record& with_default(std::string key, Target target, const Kind<V>& kind, std::string json,
+  Record& with_default(std::string key, Target target, const SchemaType<V>& type, std::string json,
                        std::string doc) {
     const DocumentTree tree = parse_json(json, "default of " + key);
-    const V value = kind.read(*tree.root);
+    const V value = type.read(*tree.root);
     defaults_.push_back([target, value](T& record) { store(record, target, value); });
     Writing writing;
-    unwritten_ = kind.write(value, writing);
-    return add({std::move(key), std::move(doc), kind.description, false, std::move(json), -1}, target, kind);
+    unwritten_ = type.write(value, writing);
+    return add({std::move(key), std::move(doc), type.description, false, std::move(json), -1}, target, type);
   }
 
   /// The cases that follow exclude each other: exactly one of them is given (at most one).
@@ -77,10 +77,10 @@ class Record {
   Record& at_most_one() { return group(false); }
 
   template <class V, class Target>
-  Record& one(std::string key, Target target, const Kind<V>& kind, std::string doc) {
+  Record& one(std::string key, Target target, const SchemaType<V>& type, std::string doc) {
     const int group = static_cast<int>(description_.group_required.size()) - 1;
-    if (!description_.group_required.back()) set_unwritten<V>(target, kind);
-    return add({std::move(key), std::move(doc), kind.description, false, {}, group}, target, kind);
+    if (!description_.group_required.back()) set_unwritten<V>(target, type);
+    return add({std::move(key), std::move(doc), type.description, false, {}, group}, target, type);
   }
 
   /// The key above was called `name` and is still read under it (docs/developer/versions.md says how long).
@@ -101,7 +101,7 @@ class Record {
     return *this;
   }
 
-  Kind<T> kind() const {
+  SchemaType<T> type() const {
     auto description = std::make_shared<const ValueDescription>(description_);
     return {
         description,
@@ -132,10 +132,10 @@ class Record {
  private:
   /// Without its key, a row says what a T has anyway: what that is needs no writing.
   template <class V, class Target>
-  void set_unwritten(const Target& target, const Kind<V>& kind) {
+  void set_unwritten(const Target& target, const SchemaType<V>& type) {
     const std::optional<V> value = load<V>(T{}, target);
     Writing writing;
-    if (value) unwritten_ = kind.write(*value, writing);
+    if (value) unwritten_ = type.write(*value, writing);
   }
 
   template <class V>
@@ -148,14 +148,14 @@ class Record {
   }
 
   template <class Target, class V>
-  Record& add(FieldDescription field, Target target, const Kind<V>& kind) {
+  Record& add(FieldDescription field, Target target, const SchemaType<V>& type) {
     const bool has_default = !field.default_json.empty(), is_required = field.required;
     description_.fields.push_back(std::move(field));
-    readers_.push_back([target, read = kind.read](T& record, const DocumentNode& node) {
+    readers_.push_back([target, read = type.read](T& record, const DocumentNode& node) {
       store(record, target, read(node));
     });
     writers_.push_back(
-        [target, write = kind.write, has_default, is_required,
+        [target, write = type.write, has_default, is_required,
          unwritten = std::exchange(unwritten_, std::nullopt)](const T& record, Writing& writing) {
           const std::optional<V> value = load<V>(record, target);
           if (!value || (!is_required && !has_default && is_nothing(*value))) return WrittenMember{};
@@ -184,7 +184,7 @@ bool has_form(const DocumentNode& node, const ValueDescription& description);
 
 /// A value that may be written in forms of different JSON types, chosen by the type found.
 template <class W>
-Kind<W> either(const Kind<W>& first, const Kind<W>& second) {
+SchemaType<W> either(const SchemaType<W>& first, const SchemaType<W>& second) {
   auto description = cases_description({first.description, second.description});
   return {description,
           [description, first, second](const DocumentNode& node) {
@@ -201,11 +201,12 @@ Kind<W> either(const Kind<W>& first, const Kind<W>& second) {
 
 /// One of several objects, told apart by the keys (tags) that only they have.
 template <class W>
-Kind<W> tagged(const std::vector<std::pair<std::vector<std::string>, Kind<W>>>& cases, int fallback = -1) {
+SchemaType<W> tagged(const std::vector<std::pair<std::vector<std::string>, SchemaType<W>>>& cases,
+                     int fallback = -1) {
   std::vector<ValueDescriptionPtr> descriptions;
   std::vector<std::vector<std::string>> tags;
-  for (const auto& [keys, kind] : cases) {
-    descriptions.push_back(kind.description);
+  for (const auto& [keys, type] : cases) {
+    descriptions.push_back(type.description);
     tags.push_back(keys);
   }
   auto description = cases_description(std::move(descriptions));

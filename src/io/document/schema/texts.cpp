@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "core/format.h"
-#include "io/document/schema/kind.h"
+#include "io/document/schema/schema_type.h"
 #include "io/files/inputs.h"
 
 namespace ifov::io {
@@ -36,7 +36,7 @@ std::string file_from(const std::string& folder, const std::string& path) {
   return relative.empty() ? fs::absolute(named).string() : relative;
 }
 
-Kind<std::string> label() {
+SchemaType<std::string> label() {
   ValueDescription d;
   d.expected = format("a text of 1 to {} bytes", kLongestLabel);
   d.short_name = "text";
@@ -54,7 +54,7 @@ Kind<std::string> label() {
           [](const std::string& text, Writing&) { return written_text(text, kLongestLabel); }};
 }
 
-Kind<std::string> text_like(std::string pattern, std::string expected, std::string short_name) {
+SchemaType<std::string> text_like(std::string pattern, std::string expected, std::string short_name) {
   ValueDescription d;
   d.expected = std::move(expected);
   d.short_name = std::move(short_name);
@@ -64,7 +64,7 @@ Kind<std::string> text_like(std::string pattern, std::string expected, std::stri
           [](const std::string& text, Writing&) { return Written(text); }};
 }
 
-Kind<DocumentName> name_of(const std::string& what) {
+SchemaType<DocumentName> name_of(const std::string& what) {
   ValueDescription d;
   d.expected = format("the name of {}", what);
   d.short_name = d.expected.substr(4);
@@ -76,7 +76,7 @@ Kind<DocumentName> name_of(const std::string& what) {
           [](const DocumentName& name, Writing&) { return Written(name.name); }};
 }
 
-Kind<DocumentFile> file() {
+SchemaType<DocumentFile> file() {
   ValueDescription d;
   d.expected = "the name of a file, relative to the document";
   d.short_name = "file name";

@@ -6,7 +6,7 @@
 namespace ifov::io {
 namespace {
 
-Kind<std::shared_ptr<const PrimitiveSettings>> box_kind() {
+SchemaType<std::shared_ptr<const PrimitiveSettings>> box_type() {
   Record<BoxPrimitive> record("box", "A box along the axes.");
   record.required("low", &BoxPrimitive::low_m, point(), "corner with the lowest coordinates")
       .required("high", &BoxPrimitive::high_m, point(), "the opposite corner")
@@ -17,11 +17,11 @@ Kind<std::shared_ptr<const PrimitiveSettings>> box_kind() {
               format("{} is not above 'low' in every coordinate", node.given("high").title()));
         }
       });
-  return primitive_kind(record.kind());
+  return primitive_type(record.type());
 }
 
 }  // namespace
 
-constinit const PrimitiveModel BoxPrimitive::kModel{"box", box_kind};
+constinit const PrimitiveModel BoxPrimitive::kModel{"box", box_type};
 
 }  // namespace ifov::io

@@ -42,21 +42,21 @@ void check_polygon(const PolygonPrimitive& polygon, const DocumentNode& node) {
   }
 }
 
-Kind<std::shared_ptr<const PrimitiveSettings>> plane_kind() {
+SchemaType<std::shared_ptr<const PrimitiveSettings>> plane_type() {
   Record<PlanePrimitive> record("plane", "A horizontal plane without end, facing up.");
   record.with_default("height", &PlanePrimitive::height_m, quantity(kLength), "\"0 m\"", "its z");
-  return primitive_kind(record.kind());
+  return primitive_type(record.type());
 }
 
-Kind<std::shared_ptr<const PrimitiveSettings>> disk_kind() {
+SchemaType<std::shared_ptr<const PrimitiveSettings>> disk_type() {
   Record<DiskPrimitive> record("disk", "A flat disk.");
   record.required("center", &DiskPrimitive::centre_m, point(), "its centre")
       .required("normal", &DiskPrimitive::normal, direction(), "direction that its front faces, any length")
       .required("radius", &DiskPrimitive::radius_m, positive_length(), "its radius");
-  return primitive_kind(record.kind());
+  return primitive_type(record.type());
 }
 
-Kind<std::shared_ptr<const PrimitiveSettings>> polygon_kind() {
+SchemaType<std::shared_ptr<const PrimitiveSettings>> polygon_type() {
   Record<PolygonPrimitive> record(
       "polygon",
       "A flat polygon, which may be concave; its front is where the vertices run counter-clockwise.");
@@ -64,14 +64,14 @@ Kind<std::shared_ptr<const PrimitiveSettings>> polygon_kind() {
       .required("vertices", &PolygonPrimitive::vertices_m, list(point(), 3, kMostVertices),
                 "its corners in order")
       .check(check_polygon);
-  return primitive_kind(record.kind());
+  return primitive_type(record.type());
 }
 
 }  // namespace
 
-constinit const PrimitiveModel PlanePrimitive::kModel{"plane", plane_kind};
-constinit const PrimitiveModel DiskPrimitive::kModel{"disk", disk_kind};
-constinit const PrimitiveModel PolygonPrimitive::kModel{"polygon", polygon_kind};
+constinit const PrimitiveModel PlanePrimitive::kModel{"plane", plane_type};
+constinit const PrimitiveModel DiskPrimitive::kModel{"disk", disk_type};
+constinit const PrimitiveModel PolygonPrimitive::kModel{"polygon", polygon_type};
 
 PrimitiveSettings::Built DiskPrimitive::build() const {
   return {geometry::Disk{{}, radius_m}, upright_to(centre_m, normal)};

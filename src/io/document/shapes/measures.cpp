@@ -17,10 +17,10 @@ math::Transform turn_z_to(math::Vec3 axis) {
 
 }  // namespace
 
-Kind<double> positive_length() { return quantity(kLength, Range::above(0.0, "m")); }
+SchemaType<double> positive_length() { return quantity(kLength, Range::above(0.0, "m")); }
 
-math::Transform upright_to(math::Point3 place_m, math::Vec3 direction) {
-  return math::Transform::translation({place_m.x, place_m.y, place_m.z}) * turn_z_to(direction);
+math::Transform upright_to(math::Point3 position_m, math::Vec3 direction) {
+  return math::Transform::translation({position_m.x, position_m.y, position_m.z}) * turn_z_to(direction);
 }
 
 }  // namespace ifov::io

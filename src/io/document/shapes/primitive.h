@@ -12,7 +12,7 @@
 namespace ifov::io {
 
 template <class V>
-struct Kind;
+struct SchemaType;
 
 /// What a document says of a shape that a few measures tell, from no file.
 class PrimitiveSettings {
@@ -31,14 +31,14 @@ class PrimitiveSettings {
 struct PrimitiveModel {
   std::string_view key;  ///< "sphere"
   /// The table of its keys, which says what it is.
-  Kind<std::shared_ptr<const PrimitiveSettings>> (*kind)() = nullptr;
+  SchemaType<std::shared_ptr<const PrimitiveSettings>> (*type)() = nullptr;
 };
 
 /// Settings of any kind read as such.
 template <class Settings, class Base = PrimitiveSettings>
-Kind<std::shared_ptr<const Base>> primitive_kind(const Kind<Settings>& kind) {
+SchemaType<std::shared_ptr<const Base>> primitive_type(const SchemaType<Settings>& type) {
   return converted<std::shared_ptr<const Base>>(
-      kind, [](Settings settings) { return std::make_shared<const Settings>(std::move(settings)); },
+      type, [](Settings settings) { return std::make_shared<const Settings>(std::move(settings)); },
       [](const std::shared_ptr<const Base>& settings) {
         const auto* own = dynamic_cast<const Settings*>(settings.get());
         return own != nullptr ? std::optional(*own) : std::nullopt;

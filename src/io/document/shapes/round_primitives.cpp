@@ -8,26 +8,27 @@ namespace ifov::io {
 namespace {
 
 template <class T>
-Kind<std::shared_ptr<const PrimitiveSettings>> ball_kind(const std::string& name, const std::string& doc) {
+SchemaType<std::shared_ptr<const PrimitiveSettings>> ball_type(const std::string& name,
+                                                               const std::string& doc) {
   Record<T> record(name, doc);
   record.required("center", &T::centre_m, point(), "its centre")
       .required("radius", &T::radius_m, positive_length(), "its radius");
-  return primitive_kind(record.kind());
+  return primitive_type(record.type());
 }
 
-Kind<std::shared_ptr<const PrimitiveSettings>> sphere_kind() {
-  return ball_kind<SpherePrimitive>("sphere", "A sphere.");
+SchemaType<std::shared_ptr<const PrimitiveSettings>> sphere_type() {
+  return ball_type<SpherePrimitive>("sphere", "A sphere.");
 }
 
-Kind<std::shared_ptr<const PrimitiveSettings>> hemisphere_kind() {
-  return ball_kind<HemispherePrimitive>("hemisphere", "The upper half of a sphere, without a floor.");
+SchemaType<std::shared_ptr<const PrimitiveSettings>> hemisphere_type() {
+  return ball_type<HemispherePrimitive>("hemisphere", "The upper half of a sphere, without a floor.");
 }
 
 bool is_upright(const CylinderPrimitive& cylinder) {
   return cylinder.axis_m.x == 0.0 && cylinder.axis_m.y == 0.0 && cylinder.axis_m.z > 0.0;
 }
 
-Kind<std::shared_ptr<const PrimitiveSettings>> cylinder_kind() {
+SchemaType<std::shared_ptr<const PrimitiveSettings>> cylinder_type() {
   Record<CylinderPrimitive> record("cylinder", "A circular cylinder.");
   record.required("base", &CylinderPrimitive::base_m, point(), "centre of its base")
       .required("radius", &CylinderPrimitive::radius_m, positive_length(), "its radius")
@@ -49,14 +50,14 @@ Kind<std::shared_ptr<const PrimitiveSettings>> cylinder_kind() {
           node.given("axis").fail(format("{} has no length", node.given("axis").title()));
         }
       });
-  return primitive_kind(record.kind());
+  return primitive_type(record.type());
 }
 
 }  // namespace
 
-constinit const PrimitiveModel SpherePrimitive::kModel{"sphere", sphere_kind};
-constinit const PrimitiveModel HemispherePrimitive::kModel{"hemisphere", hemisphere_kind};
-constinit const PrimitiveModel CylinderPrimitive::kModel{"cylinder", cylinder_kind};
+constinit const PrimitiveModel SpherePrimitive::kModel{"sphere", sphere_type};
+constinit const PrimitiveModel HemispherePrimitive::kModel{"hemisphere", hemisphere_type};
+constinit const PrimitiveModel CylinderPrimitive::kModel{"cylinder", cylinder_type};
 
 PrimitiveSettings::Built CylinderPrimitive::build() const {
   return {geometry::Cylinder{{}, radius_m, math::length(axis_m), capped}, upright_to(base_m, axis_m)};

@@ -9,37 +9,37 @@ using atmosphere::AerosolDescription;
 using atmosphere::ProfileDescription;
 using atmosphere::UserLevel;
 
-Kind<std::string> word(const std::vector<std::string>& words) {
+SchemaType<std::string> word(const std::vector<std::string>& words) {
   std::vector<std::pair<std::string, std::string>> choices;
   for (const std::string& w : words) choices.push_back({w, w});
   return choice<std::string>(choices);
 }
 
-Kind<TabulatedAtmosphere> tabulated_kind() {
-  const Kind<SpectrumDocument> transmittance = spectrum_kind(SpectrumOf::fraction);
+SchemaType<TabulatedAtmosphere> tabulated_type() {
+  const SchemaType<SpectrumDocument> transmittance = spectrum_type(SpectrumOf::fraction);
   Record<TabulatedAtmosphere> record("tabulated atmosphere", "An atmosphere given by its spectra.");
   record
       .optional("transmittance", &TabulatedAtmosphere::transmittance, transmittance,
                 "from the scene to the camera")
-      .optional("path_radiance", &TabulatedAtmosphere::path_radiance, spectrum_kind(SpectrumOf::radiance),
+      .optional("path_radiance", &TabulatedAtmosphere::path_radiance, spectrum_type(SpectrumOf::radiance),
                 "added on the way from the scene to the camera")
       .optional("sun_transmittance", &TabulatedAtmosphere::sun_transmittance, transmittance,
                 "from the Sun to the scene");
-  return record.kind();
+  return record.type();
 }
 
-Kind<SimpleAtmosphere> simple_kind() {
+SchemaType<SimpleAtmosphere> simple_type() {
   Record<SimpleAtmosphere> record(
       "simple atmosphere",
       "A Sun of 5800 K that gives 1000 W m-2 across its beam, a black sky that glows, and "
       "air that neither absorbs nor shines.");
   record.required("sky_temperature", &SimpleAtmosphere::sky_temperature_k,
                   quantity(kTemperature, Range::at_least(0.0, "K")), "of the sky as a blackbody");
-  return record.kind();
+  return record.type();
 }
 
-Kind<UniformAtmosphere> uniform_kind() {
-  const Kind<double> irradiance = quantity(kIrradiance, Range::at_least(0.0, "W m-2 um-1"));
+SchemaType<UniformAtmosphere> uniform_type() {
+  const SchemaType<double> irradiance = quantity(kIrradiance, Range::at_least(0.0, "W m-2 um-1"));
   Record<UniformAtmosphere> record(
       "uniform atmosphere", "The same light at all wavelengths, and air that neither absorbs nor shines.");
   record
@@ -47,30 +47,30 @@ Kind<UniformAtmosphere> uniform_kind() {
                 "of the Sun at the ground, across its beam")
       .required("diffuse", &UniformAtmosphere::diffuse_w_m2_um, irradiance,
                 "of the sky, the same in every direction, on level ground");
-  return record.kind();
+  return record.type();
 }
 
-Kind<FourCurveAtmosphere> four_curve_kind() {
+SchemaType<FourCurveAtmosphere> four_curve_type() {
   Record<FourCurveAtmosphere> record(
       "four-curve atmosphere",
       "Light at the ground, and air that is the same all along the path to the camera.");
   record
-      .required("direct", &FourCurveAtmosphere::direct, spectrum_kind(SpectrumOf::irradiance),
+      .required("direct", &FourCurveAtmosphere::direct, spectrum_type(SpectrumOf::irradiance),
                 "of the Sun at the ground, across its beam")
-      .required("diffuse", &FourCurveAtmosphere::diffuse, spectrum_kind(SpectrumOf::irradiance),
+      .required("diffuse", &FourCurveAtmosphere::diffuse, spectrum_type(SpectrumOf::irradiance),
                 "of the sky, the same in every direction, on level ground")
-      .required("transmittance", &FourCurveAtmosphere::transmittance, spectrum_kind(SpectrumOf::fraction),
+      .required("transmittance", &FourCurveAtmosphere::transmittance, spectrum_type(SpectrumOf::fraction),
                 "of a length of path")
-      .required("path_radiance", &FourCurveAtmosphere::path_radiance, spectrum_kind(SpectrumOf::radiance),
+      .required("path_radiance", &FourCurveAtmosphere::path_radiance, spectrum_type(SpectrumOf::radiance),
                 "that a length of path adds")
       .with_default("length", &FourCurveAtmosphere::length_m, quantity(kLength, Range::above(0.0, "m")),
                     "\"1 m\"", "the length that transmittance and path radiance are for")
       .required("distance", &FourCurveAtmosphere::distance_m, quantity(kLength, Range::at_least(0.0, "m")),
                 "from the scene to the camera, the same for all pixels");
-  return record.kind();
+  return record.type();
 }
 
-Kind<AerosolDescription> aerosol_kind() {
+SchemaType<AerosolDescription> aerosol_type() {
   Record<AerosolDescription> record("aerosol", "Haze and dust (Shettle and Fenn 1979).");
   record
       .with_default("type", &AerosolDescription::type, word(atmosphere::aerosol_types()), "\"rural\"",
@@ -84,10 +84,10 @@ Kind<AerosolDescription> aerosol_kind() {
                 "of the air above 2 km; without it that of the profile")
       .with_default("stratosphere", &AerosolDescription::stratosphere,
                     word(atmosphere::stratosphere_states()), "\"background\"", "aerosol from 10 to 30 km");
-  return record.kind();
+  return record.type();
 }
 
-Kind<UserLevel> level_kind() {
+SchemaType<UserLevel> level_type() {
   Record<UserLevel> record("level", "The air at one altitude, as a radiosonde tells it.");
   record.required("altitude", &UserLevel::altitude_km, quantity(kLength, {}, 1e-3), "above mean sea level")
       .required("pressure", &UserLevel::pressure_hPa, quantity(kPressure, Range::above(0.0, "hPa")),
@@ -99,7 +99,7 @@ Kind<UserLevel> level_kind() {
            quantity(kPercent, Range::between(0.0, 100.0, "%"), 100.0), "relative, over liquid water")
       .one("mixing_ratio", &UserLevel::mixing_ratio_g_kg,
            quantity(kMixingRatio, Range::at_least(0.0, "g/kg")), "water vapour to dry air, by mass");
-  return record.kind();
+  return record.type();
 }
 
 /// Where a level of a profile stands on another, or weighs more than it.
@@ -131,22 +131,22 @@ auto profile(Member member) {
 
 }  // namespace
 
-Kind<AtmosphereDocument> atmosphere_kind() {
+SchemaType<AtmosphereDocument> atmosphere_type() {
   Record<AtmosphereDocument> record("atmosphere", "What lies between Sun, scene and camera.");
   record.at_most_one()
-      .one("tabulated", &AtmosphereDocument::tabulated, tabulated_kind(),
+      .one("tabulated", &AtmosphereDocument::tabulated, tabulated_type(),
            "spectra; those not given change nothing")
-      .one("imported", &AtmosphereDocument::imported, imported_kind(),
+      .one("imported", &AtmosphereDocument::imported, imported_type(),
            "output of MODTRAN, libRadtran or any other code")
-      .one("simple", &AtmosphereDocument::simple, simple_kind(), "no air, a Sun like a blackbody")
-      .one("uniform", &AtmosphereDocument::uniform, uniform_kind(), "no air, light without colour")
-      .one("four_curve", &AtmosphereDocument::four_curve, four_curve_kind(),
+      .one("simple", &AtmosphereDocument::simple, simple_type(), "no air, a Sun like a blackbody")
+      .one("uniform", &AtmosphereDocument::uniform, uniform_type(), "no air, light without colour")
+      .one("four_curve", &AtmosphereDocument::four_curve, four_curve_type(),
            "four spectra, the same for every path")
       .one(
           "profile", profile(&ProfileDescription::model), word(atmosphere::model_atmosphere_names()),
           "the model atmosphere (Anderson et al. 1986) that gives pressure, temperature and gases where the keys "
           "below say nothing else")
-      .optional("levels", profile(&ProfileDescription::levels), list(level_kind(), 2, 1000),
+      .optional("levels", profile(&ProfileDescription::levels), list(level_type(), 2, 1000),
                 "a profile of your own, from the ground up; the model atmosphere continues it")
       .optional("ground_altitude", profile(&ProfileDescription::ground_altitude_km),
                 quantity(kLength, {}, 1e-3),
@@ -166,7 +166,7 @@ Kind<AtmosphereDocument> atmosphere_kind() {
                     "nitrous oxide at the ground")
       .optional("aerosol",
                 modelled(&ModelledAtmosphere::description, &atmosphere::AtmosphereDescription::aerosol),
-                aerosol_kind(), "haze and dust; without it rural aerosol of 23 km visibility")
+                aerosol_type(), "haze and dust; without it rural aerosol of 23 km visibility")
       .optional(
           "sensor_altitude", modelled(&ModelledAtmosphere::sensor_altitude_km),
           quantity(kLength, Range::above(0.0, "m"), 1e-3),
@@ -174,10 +174,10 @@ Kind<AtmosphereDocument> atmosphere_kind() {
   for (const char* key : {"levels", "ground_altitude", "water_vapour", "ozone", "co2", "ch4", "n2o",
                           "aerosol", "sensor_altitude"})
     record.needs(key, "profile");
-  Kind<AtmosphereDocument> kind = record.kind();
-  return {kind.description,
-          [kind](const DocumentNode& node) {
-            AtmosphereDocument document = kind.read(node);
+  SchemaType<AtmosphereDocument> type = record.type();
+  return {type.description,
+          [type](const DocumentNode& node) {
+            AtmosphereDocument document = type.read(node);
             // Defaults of the model's keys stand for nothing without a profile.
             if (node.find("profile") == nullptr) document.modelled.reset();
             if (document.modelled) {
@@ -191,7 +191,7 @@ Kind<AtmosphereDocument> atmosphere_kind() {
             }
             return document;
           },
-          kind.write};
+          type.write};
 }
 
 }  // namespace ifov::io

@@ -4,7 +4,7 @@
 
 namespace ifov::io {
 
-Kind<CameraDocument> camera_kind() {
+SchemaType<CameraDocument> camera_type() {
   Record<CameraDocument> record("camera", "Where the rays of pixels go.");
   record.exactly_one();
   for (const CameraModel* model : camera_models())
@@ -15,8 +15,8 @@ Kind<CameraDocument> camera_kind() {
                      camera.settings = std::move(settings);
                    },
                    [](const CameraDocument& camera) { return camera.settings; }),
-               model->kind(), std::string(model->what));
-  return record.kind();
+               model->type(), std::string(model->what));
+  return record.type();
 }
 
 }  // namespace ifov::io

@@ -24,45 +24,45 @@ struct ChannelEntry {
   std::optional<double> noise_k;
 };
 
-Kind<double> wavelength() { return quantity(kWavelength, Range::above(0.0, "um")); }
+SchemaType<double> wavelength() { return quantity(kWavelength, Range::above(0.0, "um")); }
 
-Kind<GaussianChannel> gaussian_kind() {
+SchemaType<GaussianChannel> gaussian_type() {
   Record<GaussianChannel> record("Gaussian channel", "A response in the shape of a bell.");
   record.required("center", &GaussianChannel::centre_um, wavelength(), "its centre")
       .required("fwhm", &GaussianChannel::fwhm_um, wavelength(), "full width at half maximum");
-  return record.kind();
+  return record.type();
 }
 
 void check_rising(const DocumentNode& node, double from, double to) {
   if (!(to > from)) node.given("to").fail(format("{} is not above 'from'", node.given("to").title()));
 }
 
-Kind<TopHatChannel> top_hat_kind() {
+SchemaType<TopHatChannel> top_hat_type() {
   Record<TopHatChannel> record("top-hat channel", "The same response from one wavelength to another.");
   record.required("from", &TopHatChannel::from_um, wavelength(), "where it begins")
       .required("to", &TopHatChannel::to_um, wavelength(), "where it ends")
       .check(
           [](const TopHatChannel& c, const DocumentNode& node) { check_rising(node, c.from_um, c.to_um); });
-  return record.kind();
+  return record.type();
 }
 
-Kind<MonochromaticChannel> monochromatic_kind() {
+SchemaType<MonochromaticChannel> monochromatic_type() {
   Record<MonochromaticChannel> record("monochromatic channel", "Spectral radiance at one wavelength.");
   record.required("at", &MonochromaticChannel::at_um, wavelength(), "the wavelength");
-  return record.kind();
+  return record.type();
 }
 
-Kind<TabulatedChannel> tabulated_kind() {
+SchemaType<TabulatedChannel> tabulated_type() {
   Record<TabulatedChannel> record(
       "tabulated channel", "A relative response from a file: columns of numbers with the wavelength first.");
   record.required("file", &TabulatedChannel::file, file(), "the file")
-      .required("wavelength_unit", &TabulatedChannel::um_per_unit, um_per_unit_kind(),
+      .required("wavelength_unit", &TabulatedChannel::um_per_unit, um_per_unit_type(),
                 "unit of the wavelength column")
       .with_default("column", &TabulatedChannel::column, integer(2, 100000), "2",
                     "column of the response, counted from 1")
       .optional("band", &TabulatedChannel::band, label(),
                 "which block of a file with several, named in lines such as ';; BAND 1'");
-  return record.kind();
+  return record.type();
 }
 
 struct GaussianSeries {
@@ -102,7 +102,7 @@ std::optional<GaussianSeries> series_of(const std::vector<Response>& channels) {
   return std::nullopt;
 }
 
-Kind<std::vector<Response>> series_kind() {
+SchemaType<std::vector<Response>> series_type() {
   Record<GaussianSeries> gaussian("Gaussian series", "Channels with centres at equal distances.");
   gaussian.required("from", &GaussianSeries::from_um, wavelength(), "centre of the first")
       .required("to", &GaussianSeries::to_um, wavelength(), "centre of the last")
@@ -110,14 +110,14 @@ Kind<std::vector<Response>> series_kind() {
       .required("fwhm", &GaussianSeries::fwhm_um, wavelength(), "full width at half maximum of each")
       .check(
           [](const GaussianSeries& s, const DocumentNode& node) { check_rising(node, s.from_um, s.to_um); });
-  const auto spread = converted<std::vector<Response>>(gaussian.kind(), channels_of, series_of);
+  const auto spread = converted<std::vector<Response>>(gaussian.type(), channels_of, series_of);
   struct Holder {
     std::vector<Response> channels;
   };
   Record<Holder> record("channel series", "Many channels in one entry.");
   record.exactly_one().one("gaussian", &Holder::channels, spread, "Gaussian channels");
   return converted<std::vector<Response>>(
-      record.kind(), [](Holder holder) { return std::move(holder.channels); },
+      record.type(), [](Holder holder) { return std::move(holder.channels); },
       [](const std::vector<Response>& channels) { return Holder{channels}; });
 }
 
@@ -130,25 +130,25 @@ auto response_of() {
              });
 }
 
-Kind<ChannelEntry> entry_kind() {
+SchemaType<ChannelEntry> entry_type() {
   Record<ChannelEntry> record("channel", "A channel, or a series of channels.");
   record
       .optional("name", &ChannelEntry::name, label(),
                 "its name; of a series, the beginning of the names. Without it the wavelength")
       .exactly_one()
-      .one("gaussian", response_of<GaussianChannel>(), gaussian_kind(), "a bell")
-      .one("top_hat", response_of<TopHatChannel>(), top_hat_kind(), "a rectangle")
-      .one("tabulated", response_of<TabulatedChannel>(), tabulated_kind(), "from a file")
-      .one("monochromatic", response_of<MonochromaticChannel>(), monochromatic_kind(), "one wavelength")
-      .one("series", &ChannelEntry::responses, series_kind(), "many at once")
+      .one("gaussian", response_of<GaussianChannel>(), gaussian_type(), "a bell")
+      .one("top_hat", response_of<TopHatChannel>(), top_hat_type(), "a rectangle")
+      .one("tabulated", response_of<TabulatedChannel>(), tabulated_type(), "from a file")
+      .one("monochromatic", response_of<MonochromaticChannel>(), monochromatic_type(), "one wavelength")
+      .one("series", &ChannelEntry::responses, series_type(), "many at once")
       .at_most_one()
       .one(
-          "noise", &ChannelEntry::noise, spectrum_kind(SpectrumOf::radiance),
+          "noise", &ChannelEntry::noise, spectrum_type(SpectrumOf::radiance),
           "standard deviation of the sensor's noise as a radiance at the centre of the channel (NEdL); for errors stated in its unit")
       .one("noise_temperature", &ChannelEntry::noise_k,
            quantity(kTemperatureDifference, Range::above(0.0, "K")),
            "the same as a temperature difference of a black surface of 300 K (NEdT)");
-  return record.kind();
+  return record.type();
 }
 
 std::string wavelength_text(double um) {
@@ -185,7 +185,7 @@ std::string name_in_series(const ChannelDocument& channel) {
 class ChannelEntries {
  public:
   ChannelEntries(const std::vector<ChannelDocument>& channels, Writing& writing) : channels_(channels) {
-    const Kind<SpectrumDocument> noise = spectrum_kind(SpectrumOf::radiance);
+    const SchemaType<SpectrumDocument> noise = spectrum_type(SpectrumOf::radiance);
     for (const ChannelDocument& channel : channels)
       noises_.push_back(channel.noise ? noise.write(*channel.noise, writing) : std::nullopt);
   }
@@ -241,8 +241,8 @@ class ChannelEntries {
 
 }  // namespace
 
-Kind<std::vector<ChannelDocument>> channels_kind() {
-  const Kind<ChannelEntry> entry_of = entry_kind();
+SchemaType<std::vector<ChannelDocument>> channels_type() {
+  const SchemaType<ChannelEntry> entry_of = entry_type();
   const auto entries = list(entry_of, 1, kMostChannels);
   return {entries.description,
           [description = entries.description, read = entry_of.read](const DocumentNode& node) {

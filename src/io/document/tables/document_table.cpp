@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::int64_t kLargestSeed = 9007199254740991;  // what every JSON reader keeps exactly
 
-Kind<int> version_kind() {
-  const Kind<int> plain = integer(kDocumentVersion, kDocumentVersion);
+SchemaType<int> version_type() {
+  const SchemaType<int> plain = integer(kDocumentVersion, kDocumentVersion);
   ValueDescription d = *plain.description;
   d.expected = format("{}, the version of the format that this program reads", kDocumentVersion);
   d.short_name = format("{}", kDocumentVersion);
@@ -24,7 +24,7 @@ Kind<int> version_kind() {
           plain.write};
 }
 
-Kind<geodesy::UtcTime> time_kind() {
+SchemaType<geodesy::UtcTime> time_type() {
   const auto text = text_like(
       "^[0-9]{4}-[0-9]{2}-[0-9]{2}(T[0-9]{2}:[0-9]{2}:[0-9]{2}(\\.[0-9]+)?(Z|[+-][0-9]{2}:[0-9]{2}))?$",
       "a time such as \"2026-06-21T17:00:00Z\"", "time, ISO 8601");
@@ -41,8 +41,8 @@ Kind<geodesy::UtcTime> time_kind() {
 }
 
 /// Documents are put together before this table is read (put_together).
-Kind<std::vector<DocumentFile>> included_kind() {
-  const Kind<DocumentFile> one = file();
+SchemaType<std::vector<DocumentFile>> included_type() {
+  const SchemaType<DocumentFile> one = file();
   return either(converted<std::vector<DocumentFile>>(
                     one, [](DocumentFile f) { return std::vector{std::move(f)}; },
                     [](const std::vector<DocumentFile>& files) { return files.front(); }),
@@ -51,13 +51,13 @@ Kind<std::vector<DocumentFile>> included_kind() {
 
 }  // namespace
 
-Kind<Document> document_kind() {
+SchemaType<Document> document_type() {
   Record<Document> record("document", "A scene, its light, the sensor that looks at it and how accurately.");
-  record.required("ifov", &Document::version, version_kind(), "version of this format")
+  record.required("ifov", &Document::version, version_type(), "version of this format")
       .optional("$schema", only_read([](Document&, const std::string&) {}), label(),
                 "for editors: where the schema is")
       .optional(
-          "include", only_read([](Document&, const std::vector<DocumentFile>&) {}), included_kind(),
+          "include", only_read([](Document&, const std::vector<DocumentFile>&) {}), included_type(),
           "documents whose values count where this one has none: objects are put together key by key, and a null takes a "
           "key away; of several the last counts most")
       .with_default("seed",
@@ -65,16 +65,16 @@ Kind<Document> document_kind() {
                         [](const Document& d) { return static_cast<std::int64_t>(d.seed); }),
                     long_integer(0, kLargestSeed), "1",
                     "of all random numbers: the same seed gives the same result")
-      .optional("time", &Document::time, time_kind(), "when the image is taken")
-      .required("scene", &Document::scene, scene_kind(), "geometry and materials")
-      .with_default("light", &Document::light, light_kind(), "{}", "Sun and sky")
-      .with_default("atmosphere", &Document::atmosphere, atmosphere_kind(), "{}", "air")
-      .optional("weather", &Document::weather, weather_kind(), "air at the ground over time")
-      .required("sensor", &Document::sensor, sensor_kind(), "camera and channels")
-      .with_default("sampling", &Document::sampling, sampling_kind(), "{}", "rays")
-      .with_default("output", &Document::output, output_kind(), "{}", "products");
-  const Kind<Document> kind = record.kind();
-  return {kind.description, kind.read, [record](const Document& document, Writing& writing) {
+      .optional("time", &Document::time, time_type(), "when the image is taken")
+      .required("scene", &Document::scene, scene_type(), "geometry and materials")
+      .with_default("light", &Document::light, light_type(), "{}", "Sun and sky")
+      .with_default("atmosphere", &Document::atmosphere, atmosphere_type(), "{}", "air")
+      .optional("weather", &Document::weather, weather_type(), "air at the ground over time")
+      .required("sensor", &Document::sensor, sensor_type(), "camera and channels")
+      .with_default("sampling", &Document::sampling, sampling_type(), "{}", "rays")
+      .with_default("output", &Document::output, output_type(), "{}", "products");
+  const SchemaType<Document> type = record.type();
+  return {type.description, type.read, [record](const Document& document, Writing& writing) {
             return record.written(document, writing, writing.sections);
           }};
 }

@@ -4,7 +4,7 @@
 
 namespace ifov::io {
 
-Kind<ImportedDocument> imported_kind() {
+SchemaType<ImportedDocument> imported_type() {
   constexpr std::size_t kMostFiles = 8, kMostRuns = 3;
   Record<ImportedDocument> record("imported atmosphere",
                                   "Output of another radiative transfer code for this Sun and this line of "
@@ -29,7 +29,7 @@ Kind<ImportedDocument> imported_kind() {
               ->fail(format("{} has {} files for {} outputs of uvspec; expected one for each", node.title(),
                             imported.uvspec_inputs.size(), imported.files.size()));
       });
-  return record.kind();
+  return record.type();
 }
 
 }  // namespace ifov::io

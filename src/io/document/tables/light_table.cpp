@@ -24,12 +24,12 @@ Record<SunDocument> sun_record(const std::string& name, const std::string& doc) 
   record
       .optional("distance", &SunDocument::distance_au, quantity(kSunDistance, Range::between(0.5, 2.0, "au")),
                 "of the Sun; without it from the document's time, else 1 au")
-      .optional("spectrum", &SunDocument::irradiance, spectrum_kind(SpectrumOf::irradiance),
+      .optional("spectrum", &SunDocument::irradiance, spectrum_type(SpectrumOf::irradiance),
                 "irradiance at 1 au; without it a built-in solar spectrum");
   return record;
 }
 
-Kind<SunDocument> sun_kind() {
+SchemaType<SunDocument> sun_type() {
   Record<SunDocument> disc =
       sun_record("disc sun", "The Sun as a disc of uniform brightness; shadows have penumbrae.");
   disc.with_default("diameter", &SunDocument::diameter_rad,
@@ -43,12 +43,12 @@ Kind<SunDocument> sun_kind() {
                });
   };
   record.exactly_one()
-      .one("disc", where(false), disc.kind(), "the Sun as a disc")
-      .one("point", where(true), point.kind(), "the Sun as a point");
-  return record.kind();
+      .one("disc", where(false), disc.type(), "the Sun as a disc")
+      .one("point", where(true), point.type(), "the Sun as a point");
+  return record.type();
 }
 
-Kind<MoonDocument> moon_kind() {
+SchemaType<MoonDocument> moon_type() {
   Record<MoonDocument> record(
       "moon",
       "Moonlight, where the Sun is below the horizon or left out: the solar spectrum, dimmed by phase and "
@@ -57,7 +57,7 @@ Kind<MoonDocument> moon_kind() {
   record.optional(
       "phase_angle", &MoonDocument::phase_angle_rad, quantity(kAngle, Range::between(0.0, 180.0, "deg")),
       "at the Moon, between Sun and scene: 0 is full, 90 half; without it from the document's time");
-  return record.kind();
+  return record.type();
 }
 
 struct SkyEntry {
@@ -65,10 +65,10 @@ struct SkyEntry {
   SourcePosition position;
 };
 
-Kind<SkyEntry> sky_kind() {
+SchemaType<SkyEntry> sky_type() {
   Record<SkyEntry> record("sky", "The same in every direction above the horizon.");
   record.exactly_one()
-      .one("none", &SkyEntry::sky, Record<NoSky>("no sky", "No light from the sky.").kind(), "a black sky")
+      .one("none", &SkyEntry::sky, Record<NoSky>("no sky", "No light from the sky.").type(), "a black sky")
       .one("temperature",
            via([](SkyEntry& e, double k) { e.sky = SkyTemperature{k}; },
                [](const SkyEntry& e) {
@@ -82,11 +82,11 @@ Kind<SkyEntry> sky_kind() {
                  const auto* sky = std::get_if<SkyRadiance>(&e.sky);
                  return sky != nullptr ? &sky->radiance : nullptr;
                }),
-           spectrum_kind(SpectrumOf::radiance), "spectral radiance");
-  return record.kind();
+           spectrum_type(SpectrumOf::radiance), "spectral radiance");
+  return record.type();
 }
 
-Kind<SurroundingsDocument> surroundings_kind() {
+SchemaType<SurroundingsDocument> surroundings_type() {
   const auto store = [](bool is_emissivity) {
     return via(
         [is_emissivity](SurroundingsDocument& s, SpectrumDocument spectrum) {
@@ -102,19 +102,19 @@ Kind<SurroundingsDocument> surroundings_kind() {
       "What rays meet that leave the scene below the horizon: a Lambertian surface "
       "lit by Sun and sky.");
   record.exactly_one()
-      .one("reflectance", store(false), spectrum_kind(SpectrumOf::reflectance), "spectral reflectance")
-      .one("emissivity", store(true), spectrum_kind(SpectrumOf::emissivity), "spectral emissivity")
+      .one("reflectance", store(false), spectrum_type(SpectrumOf::reflectance), "spectral reflectance")
+      .one("emissivity", store(true), spectrum_type(SpectrumOf::emissivity), "spectral emissivity")
       .optional("temperature", &SurroundingsDocument::temperature_k,
                 quantity(kTemperature, Range::at_least(0.0, "K")), "without one they emit nothing");
-  return record.kind();
+  return record.type();
 }
 
 }  // namespace
 
-Kind<LightDocument> light_kind() {
+SchemaType<LightDocument> light_type() {
   Record<LightDocument> record("light", "What shines on the scene. Warm surfaces always emit.");
-  record.optional("sun", &LightDocument::sun, sun_kind(), "without it no sunlight")
-      .optional("moon", &LightDocument::moon, moon_kind(), "without it no moonlight")
+  record.optional("sun", &LightDocument::sun, sun_type(), "without it no sunlight")
+      .optional("moon", &LightDocument::moon, moon_type(), "without it no moonlight")
       .optional("sky",
                 via(
                     [](LightDocument& light, SkyEntry entry) {
@@ -125,12 +125,12 @@ Kind<LightDocument> light_kind() {
                       return std::holds_alternative<NoSky>(light.sky) ? std::optional<SkyEntry>()
                                                                       : SkyEntry{light.sky, {}};
                     }),
-                sky_kind(), "without it a black sky")
+                sky_type(), "without it a black sky")
       .optional(
-          "surroundings", &LightDocument::surroundings, surroundings_kind(),
+          "surroundings", &LightDocument::surroundings, surroundings_type(),
           "without them the mean of the ground in the picture where an atmosphere is modelled or imported, else "
           "black and cold");
-  return record.kind();
+  return record.type();
 }
 
 }  // namespace ifov::io

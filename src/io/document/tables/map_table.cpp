@@ -13,7 +13,7 @@ constexpr std::size_t kMostClasses = 65536;
 constexpr std::size_t kMostImages = 16;
 constexpr int kMostBands = 65535;
 
-Kind<std::vector<std::pair<std::int64_t, DocumentName>>> classes_kind() {
+SchemaType<std::vector<std::pair<std::int64_t, DocumentName>>> classes_type() {
   const auto named = map_of(name_of("a material"), "materials by class number", kMostClasses);
   auto description = *named.description;
   description.pattern = "^(0|-?[1-9][0-9]{0,17})$";
@@ -42,7 +42,7 @@ Kind<std::vector<std::pair<std::int64_t, DocumentName>>> classes_kind() {
           }};
 }
 
-Kind<TextureImage> texture_image_kind() {
+SchemaType<TextureImage> texture_image_type() {
   Record<TextureImage> record(
       "texture image",
       "A picture of the material, or of another like it; brighter cells take brighter curves.");
@@ -58,37 +58,37 @@ Kind<TextureImage> texture_image_kind() {
         if (!(image.from_um < image.to_um))
           node.given("to").fail_at_key("'to' must be a longer wavelength than 'from'");
       });
-  return record.kind();
+  return record.type();
 }
 
 }  // namespace
 
-Kind<TemperatureMap> temperature_map_kind() {
+SchemaType<TemperatureMap> temperature_map_type() {
   Record<TemperatureMap> record("temperature map", "Temperatures from a raster, bilinear between its cells.");
   add_raster_keys(record);
   record.required("unit", &TemperatureMap::offset_k, choice<double>({{"K", 0.0}, {"degC", 273.15}}),
                   "unit of the raster's numbers");
-  return record.kind();
+  return record.type();
 }
 
-Kind<TextureDocument> texture_kind() {
+SchemaType<TextureDocument> texture_type() {
   Record<TextureDocument> record(
       "texture",
       "Picks the curve of a material with several of them from images, by matching statistics: a cell that lies so many "
       "standard deviations above its image's mean takes the curve that lies as many above the mean of the curves, or a "
       "mixture of two.");
   record
-      .required("images", &TextureDocument::images, list(texture_image_kind(), 1, kMostImages),
+      .required("images", &TextureDocument::images, list(texture_image_type(), 1, kMostImages),
                 "one or more images, each of a spectral range")
       .with_default(
           "matching", &TextureDocument::covariance, choice<bool>({{"plain", false}, {"covariance", true}}),
           "\"plain\"",
           "how distances in several ranges add up: equally, or by Mahalanobis's distance, in which ranges that "
           "go together count once");
-  return record.kind();
+  return record.type();
 }
 
-Kind<ReliefDocument> relief_kind() {
+SchemaType<ReliefDocument> relief_type() {
   Record<HeightRelief> heights("relief of heights", "Heights above the surface, draped from above.");
   add_raster_keys(heights);
   heights.required("unit", &HeightRelief::unit_m, quantity(kLength, Range::above(0.0, "m")),
@@ -114,13 +114,13 @@ Kind<ReliefDocument> relief_kind() {
   Record<ReliefDocument> record(
       "relief", "Relief finer than the geometry: tilts the surface for light, and moves nothing.");
   record.exactly_one()
-      .one("heights", &ReliefDocument::value, heights.kind(), "from heights")
-      .one("normals", &ReliefDocument::value, normals.kind(), "from normals");
-  return record.kind();
+      .one("heights", &ReliefDocument::value, heights.type(), "from heights")
+      .one("normals", &ReliefDocument::value, normals.type(), "from normals");
+  return record.type();
 }
 
-Kind<MaterialBinding> binding_kind() {
-  const Kind<DocumentName> name = name_of("a material");
+SchemaType<MaterialBinding> binding_type() {
+  const SchemaType<DocumentName> name = name_of("a material");
   const auto direct = located<MaterialBinding>(
       name,
       [](DocumentName material, const DocumentNode& node) {
@@ -129,7 +129,7 @@ Kind<MaterialBinding> binding_kind() {
       [](const MaterialBinding& binding) { return target::as<DocumentName>(binding.value); });
   Record<MaterialMap> map("material map", "Materials by the class numbers of a raster.");
   add_raster_keys(map);
-  map.required("classes", &MaterialMap::classes, classes_kind(), "material of each class number");
+  map.required("classes", &MaterialMap::classes, classes_type(), "material of each class number");
   Record<MixtureDocument> mixture(
       "mixture map",
       "Fractions of materials from the bands of a raster. What does not sum to 1 is rescaled, and the log says so; of a "
@@ -144,13 +144,13 @@ Kind<MaterialBinding> binding_kind() {
       [](const MaterialSlots& named) { return named.slots; });
   Record<MaterialBinding> several("materials of an object", "More than one material on an object.");
   several.exactly_one()
-      .one("map", &MaterialBinding::value, map.kind(), "by place")
-      .one("mixture", &MaterialBinding::value, mixture.kind(), "side by side in every place")
+      .one("map", &MaterialBinding::value, map.type(), "by place")
+      .one("mixture", &MaterialBinding::value, mixture.type(), "side by side in every place")
       .one("slots", &MaterialBinding::value, slots, "by the names that a mesh file uses (usemtl)");
-  return either(direct, several.kind());
+  return either(direct, several.type());
 }
 
-Kind<TerrainShape> terrain_kind() {
+SchemaType<TerrainShape> terrain_type() {
   Record<TerrainShape> record(
       "terrain",
       "A digital elevation model, placed by its georeference; a height stands for the middle of "
@@ -179,7 +179,7 @@ Kind<TerrainShape> terrain_kind() {
           "a mesh of triangles, or the raster itself with every height (`detail` 0 and the scene's own `crs`): "
           "4 bytes a cell and nothing to build; without it the raster itself, where that is possible and it has "
           "more than a million cells");
-  return record.kind();
+  return record.type();
 }
 
 }  // namespace ifov::io

@@ -1,15 +1,15 @@
 #pragma once
 
 #include "io/document/map_document.h"
-#include "io/document/schema/kind.h"
+#include "io/document/schema/schema_type.h"
 
 namespace ifov::io {
 
 /// The tables of keys of what lies on surfaces.
-Kind<TemperatureMap> temperature_map_kind();
-Kind<TextureDocument> texture_kind();
-Kind<ReliefDocument> relief_kind();
-Kind<MaterialBinding> binding_kind();
-Kind<TerrainShape> terrain_kind();
+SchemaType<TemperatureMap> temperature_map_type();
+SchemaType<TextureDocument> texture_type();
+SchemaType<ReliefDocument> relief_type();
+SchemaType<MaterialBinding> binding_type();
+SchemaType<TerrainShape> terrain_type();
 
 }  // namespace ifov::io

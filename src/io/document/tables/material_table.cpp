@@ -11,8 +11,8 @@ constexpr std::size_t kMostCurves = 100000;
 
 }  // namespace
 
-Kind<TemperatureDocument> temperature_kind() {
-  const Kind<double> constant = quantity(kTemperature, Range::at_least(0.0, "K"));
+SchemaType<TemperatureDocument> temperature_type() {
+  const SchemaType<double> constant = quantity(kTemperature, Range::at_least(0.0, "K"));
   const auto uniform = located<TemperatureDocument>(
       constant,
       [](double kelvin, const DocumentNode& node) {
@@ -20,13 +20,13 @@ Kind<TemperatureDocument> temperature_kind() {
       },
       [](const TemperatureDocument& temperature) { return target::as<double>(temperature.value); });
   Record<TemperatureDocument> mapped("mapped temperature", "A temperature that differs from place to place.");
-  mapped.required("map", &TemperatureDocument::value, temperature_map_kind(), "the raster");
-  return either(uniform, mapped.kind());
+  mapped.required("map", &TemperatureDocument::value, temperature_map_type(), "the raster");
+  return either(uniform, mapped.type());
 }
 
-Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind() {
+SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type() {
   const auto curves = [](SpectrumOf quantity) {
-    const Kind<SpectrumDocument> spectrum = spectrum_kind(quantity);
+    const SchemaType<SpectrumDocument> spectrum = spectrum_type(quantity);
     return either(
         converted<std::vector<SpectrumDocument>>(
             spectrum, [](SpectrumDocument one) { return std::vector<SpectrumDocument>{std::move(one)}; },
@@ -55,14 +55,14 @@ Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind() {
       .one("reflectance", store(false), curves(SpectrumOf::reflectance),
            "spectral reflectance, or several curves for a texture to pick from")
       .one("emissivity", store(true), curves(SpectrumOf::emissivity), "spectral emissivity, likewise")
-      .optional("temperature", &MaterialDocument::temperature, temperature_kind(),
+      .optional("temperature", &MaterialDocument::temperature, temperature_type(),
                 "without one, here or on the object, a surface emits nothing")
-      .with_default("scattering", &MaterialDocument::scattering, scattering_kind(), "\"lambertian\"",
+      .with_default("scattering", &MaterialDocument::scattering, scattering_type(), "\"lambertian\"",
                     "how the surface reflects: a model by its name or, with its parameters, as an object")
-      .optional("texture", &MaterialDocument::texture, texture_kind(), "picks among several curves")
-      .optional("relief", &MaterialDocument::relief, relief_kind(), "bumps that light sees")
+      .optional("texture", &MaterialDocument::texture, texture_type(), "picks among several curves")
+      .optional("relief", &MaterialDocument::relief, relief_type(), "bumps that light sees")
       .optional(
-          "transmittance", &MaterialDocument::transmittance, spectrum_kind(SpectrumOf::transmittance),
+          "transmittance", &MaterialDocument::transmittance, spectrum_type(SpectrumOf::transmittance),
           "of a thin leaf, the same from both sides: what leaves the other side, spread as Lambert's law says; "
           "emissivity is then 1 - reflectance - transmittance")
       .check([](const MaterialDocument& material, const DocumentNode& node) {
@@ -78,7 +78,7 @@ Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind() {
           node.given("texture").fail_at_key(
               format("a texture picks among several curves; give a list of them as '{}'", key));
       });
-  return map_of(record.kind(), "materials", kMostMaterials);
+  return map_of(record.type(), "materials", kMostMaterials);
 }
 
 }  // namespace ifov::io

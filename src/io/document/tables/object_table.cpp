@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kMostObjects = 1000000;
 
-Kind<TransformDocument> transform_kind() {
+SchemaType<TransformDocument> transform_type() {
   struct Rotation {
     math::Vec3 axis;
     double angle_rad = 0.0;
@@ -18,7 +18,7 @@ Kind<TransformDocument> transform_kind() {
   Record<Rotation> rotation("rotation", "Right-handed, about an axis through the object's origin.");
   rotation.with_default("axis", &Rotation::axis, direction(), "[0, 0, 1]", "its axis, any length")
       .required("angle", &Rotation::angle_rad, quantity(kAngle), "its angle");
-  const Kind<double> factor = number(Range::above(0.0));
+  const SchemaType<double> factor = number(Range::above(0.0));
   const auto uniform = converted<math::Vec3>(
       factor,
       [](double s) {
@@ -47,30 +47,30 @@ Kind<TransformDocument> transform_kind() {
                       return t.rotation_rad != 0.0 ? std::optional(Rotation{t.rotation_axis, t.rotation_rad})
                                                    : std::nullopt;
                     }),
-                rotation.kind(), "rotation")
+                rotation.type(), "rotation")
       .with_default("scale", &TransformDocument::scale, either(uniform, by_axis), "1",
                     "factor on all coordinates, or on each");
-  return record.kind();
+  return record.type();
 }
 
 void add_keys_of_all(Record<ObjectDocument>& record) {
   record.optional("name", &ObjectDocument::name, label(), "for messages and reports")
-      .optional("temperature", &ObjectDocument::temperature, temperature_kind(), "instead of the material's")
-      .optional("pilot_ray", &ObjectDocument::seed, boolean(),
+      .optional("temperature", &ObjectDocument::temperature, temperature_type(), "instead of the material's")
+      .optional("pilot_ray", &ObjectDocument::pilot_ray, boolean(),
                 "send a ray at it where it is smaller than a pixel; decided by its shape if not given")
       .formerly("seed");
 }
 
 void add_common_keys(Record<ObjectDocument>& record) {
-  record.optional("transform", &ObjectDocument::transform, transform_kind(), "where the shape goes");
+  record.optional("transform", &ObjectDocument::transform, transform_type(), "where the shape goes");
   add_keys_of_all(record);
 }
 
 template <class Shape>
-void add_shape(Record<ObjectDocument>& record, const std::string& key, const Kind<Shape>& kind) {
+void add_shape(Record<ObjectDocument>& record, const std::string& key, const SchemaType<Shape>& type) {
   using Placed = std::pair<Shape, SourcePosition>;
   const auto placed = located<Placed>(
-      kind,
+      type,
       [](Shape shape, const DocumentNode& node) { return Placed(std::move(shape), node.key_position()); },
       [](const Placed& shape) { return shape.first; });
   record.one(key,
@@ -83,53 +83,53 @@ void add_shape(Record<ObjectDocument>& record, const std::string& key, const Kin
                    const Shape* shape = std::get_if<Shape>(&object.shape);
                    return shape != nullptr ? std::optional(Placed(*shape, {})) : std::nullopt;
                  }),
-             placed, kind.description->doc);
+             placed, type.description->doc);
 }
 
-Kind<ObjectDocument> shape_object_kind() {
+SchemaType<ObjectDocument> shape_object_type() {
   Record<ObjectDocument> record("object", "A shape with a material.");
   record.exactly_one();
   for (const PrimitiveModel* model : primitive_models())
     add_shape(record, std::string(model->key),
               converted<PrimitiveShape>(
-                  model->kind(),
+                  model->type(),
                   [model](std::shared_ptr<const PrimitiveSettings> settings) {
                     return PrimitiveShape{std::string(model->key), std::move(settings)};
                   },
                   [](const PrimitiveShape& shape) { return shape.settings; }));
-  add_shape(record, "mesh", mesh_kind());
-  add_shape(record, "city", city_kind());
-  add_shape(record, "terrain", terrain_kind());
-  record.required("material", &ObjectDocument::material, binding_kind(), "what it is made of");
+  add_shape(record, "mesh", mesh_type());
+  add_shape(record, "city", city_type());
+  add_shape(record, "terrain", terrain_type());
+  record.required("material", &ObjectDocument::material, binding_type(), "what it is made of");
   add_common_keys(record);
-  return record.kind();
+  return record.type();
 }
 
-Kind<ObjectDocument> instance_object_kind() {
+SchemaType<ObjectDocument> instance_object_type() {
   Record<ObjectDocument> record("copies", "Copies of a prototype, whose objects bring their materials.");
   record.exactly_one();
-  add_shape(record, "instance", instance_kind());
-  add_shape(record, "instances", instances_kind());
+  add_shape(record, "instance", instance_type());
+  add_shape(record, "instances", instances_type());
   add_common_keys(record);
-  return record.kind();
+  return record.type();
 }
 
-Kind<ObjectDocument> scatter_object_kind() {
+SchemaType<ObjectDocument> random_copies_type() {
   Record<ObjectDocument> record("random copies", "Copies of prototypes at random places of the scene.");
   record.exactly_one();
-  add_shape(record, "random_placement", scatter_kind());
+  add_shape(record, "random_placement", random_placement_type());
   record.formerly("scatter");
   add_keys_of_all(record);
-  return record.kind();
+  return record.type();
 }
 
 }  // namespace
 
-Kind<std::vector<ObjectDocument>> objects_kind() {
-  const Kind<ObjectDocument> shape = shape_object_kind();
+SchemaType<std::vector<ObjectDocument>> objects_type() {
+  const SchemaType<ObjectDocument> shape = shape_object_type();
   const int without_tag = 2;
-  const auto any = tagged<ObjectDocument>({{{"instance", "instances"}, instance_object_kind()},
-                                           {{"random_placement"}, scatter_object_kind()},
+  const auto any = tagged<ObjectDocument>({{{"instance", "instances"}, instance_object_type()},
+                                           {{"random_placement"}, random_copies_type()},
                                            {{}, shape}},
                                           without_tag);
   return list(any, 1, kMostObjects);

@@ -16,8 +16,8 @@ struct Quicklook {
 
 /// A document from somewhere else must not choose where on this machine files appear: only who starts the program may.
 /// The name as written: it lies beside the document that is rendered, whichever of those that it includes gives it.
-Kind<std::string> folder_kind() {
-  const Kind<DocumentFile> any = file();
+SchemaType<std::string> folder_type() {
+  const SchemaType<DocumentFile> any = file();
   ValueDescription d = *any.description;
   d.expected =
       "the name of a folder beside the document or below it; 'ifov render --output FOLDER' writes anywhere";
@@ -38,23 +38,23 @@ Kind<std::string> folder_kind() {
           any_folder};
 }
 
-Kind<std::vector<std::string>> formats_kind() {
+SchemaType<std::vector<std::string>> formats_type() {
   std::vector<std::pair<std::string, std::string>> words;
   for (const std::string_view word : product_words()) words.emplace_back(word, word);
-  const Kind<std::vector<std::string>> kind = list(choice<std::string>(words), 1, words.size());
-  return {kind.description,
-          [read = kind.read](const DocumentNode& node) {
+  const SchemaType<std::vector<std::string>> type = list(choice<std::string>(words), 1, words.size());
+  return {type.description,
+          [read = type.read](const DocumentNode& node) {
             std::vector<std::string> chosen = read(node);
             for (const std::string& word : chosen)
               if (const std::string why = why_not_built(word); !why.empty())
                 node.fail(format("'{}': {}", word, why));
             return chosen;
           },
-          kind.write};
+          type.write};
 }
 
 /// Only what is a good file name everywhere.
-Kind<std::string> name_kind() {
+SchemaType<std::string> name_type() {
   ValueDescription d;
   d.expected = "letters, digits, '-' and '_', of which the first is no '-', at most 100";
   d.short_name = "name of files";
@@ -76,7 +76,7 @@ Kind<std::string> name_kind() {
 }
 
 /// Cubes by their names; "all" for every one.
-Kind<QuantitySet> products_kind() {
+SchemaType<QuantitySet> products_type() {
   const auto all = all_quantities();
   std::vector<std::pair<std::string, int>> words;
   for (std::size_t k = 0; k < all.size(); ++k) words.emplace_back(all[k]->name, static_cast<int>(k));
@@ -101,7 +101,7 @@ Kind<QuantitySet> products_kind() {
       });
 }
 
-Kind<Quicklook> quicklook_kind() {
+SchemaType<Quicklook> quicklook_type() {
   Record<Quicklook> record("quick-look", "The picture for the eye.");
   record
       .required("channels", &Quicklook::channels, list(name_of("a channel"), 1, 3),
@@ -113,23 +113,23 @@ Kind<Quicklook> quicklook_kind() {
                             node.given("channels").title()));
         }
       });
-  return record.kind();
+  return record.type();
 }
 
 }  // namespace
 
-Kind<OutputDocument> output_kind() {
+SchemaType<OutputDocument> output_type() {
   Record<OutputDocument> record("output", "What is written, and where.");
   record
       .optional(
-          "folder", &OutputDocument::folder, folder_kind(),
+          "folder", &OutputDocument::folder, folder_type(),
           "folder of the products, relative to the document; the document's name with '.out' if not given")
-      .with_default("name", &OutputDocument::name, name_kind(), "\"image\"",
+      .with_default("name", &OutputDocument::name, name_type(), "\"image\"",
                     "begins the name of every product")
-      .with_default("formats", &OutputDocument::formats, formats_kind(), "[\"envi\", \"png\", \"html\"]",
+      .with_default("formats", &OutputDocument::formats, formats_type(), "[\"envi\", \"png\", \"html\"]",
                     "kinds of products; the ENVI cubes and the run record are always written")
       .optional(
-          "products", &OutputDocument::products, products_kind(),
+          "products", &OutputDocument::products, products_type(),
           "ENVI cubes beside the radiance, which is always written; if not given, those of the samples, the quality, the "
           "abundances and half_width, and of frame cameras location")
       .optional("quicklook",
@@ -139,8 +139,8 @@ Kind<OutputDocument> output_kind() {
                       const bool chosen = !output.quicklook_channels.empty();
                       return chosen ? std::optional(Quicklook{output.quicklook_channels}) : std::nullopt;
                     }),
-                quicklook_kind(), "channels of the picture; chosen if not given");
-  return record.kind();
+                quicklook_type(), "channels of the picture; chosen if not given");
+  return record.type();
 }
 
 }  // namespace ifov::io

@@ -3,12 +3,12 @@
 #include "io/document/tables/tables.h"
 
 namespace ifov::io {
-Kind<SamplingDocument> sampling_kind() {
+SchemaType<SamplingDocument> sampling_type() {
   Record<SamplingDocument> record("sampling",
                                   "How many rays, and where; accuracy sampling if none is given.");
   record.at_most_one();
   for (const SamplerModel* model : sampler_models())
-    record.one(std::string(model->key), &SamplingDocument::method, model->kind(), std::string(model->what));
+    record.one(std::string(model->key), &SamplingDocument::method, model->type(), std::string(model->what));
   record
       .with_default("tile", &SamplingDocument::tile_px, integer(1, 4096), "64",
                     "pixels along a side of the tiles that are computed at once")
@@ -20,7 +20,7 @@ Kind<SamplingDocument> sampling_kind() {
       .optional(
           "max_depth", &SamplingDocument::max_depth, integer(1, 10000),
           "surfaces a path may meet, for light that is cut short on purpose; without it no light is lost");
-  return record.kind();
+  return record.type();
 }
 
 }  // namespace ifov::io

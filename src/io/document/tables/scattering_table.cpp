@@ -12,7 +12,7 @@ using materials::BsdfModel;
 using materials::BsdfParameter;
 
 template <class V>
-void add(Record<ScatteringDocument>& record, const BsdfParameter& parameter, const Kind<V>& kind) {
+void add(Record<ScatteringDocument>& record, const BsdfParameter& parameter, const SchemaType<V>& type) {
   const std::string key(parameter.key), doc(parameter.doc), fallback(parameter.default_json);
   const auto place = via(
       [key](ScatteringDocument& to, V value) {
@@ -25,14 +25,14 @@ void add(Record<ScatteringDocument>& record, const BsdfParameter& parameter, con
         return nullptr;
       });
   if (parameter.optional)
-    record.optional(key, place, kind, doc);
+    record.optional(key, place, type, doc);
   else if (fallback.empty())
-    record.required(key, place, kind, doc);
+    record.required(key, place, type, doc);
   else
-    record.with_default(key, place, kind, fallback, doc);
+    record.with_default(key, place, type, fallback, doc);
 }
 
-Kind<ScatteringDocument> parameters_kind(const BsdfModel& model) {
+SchemaType<ScatteringDocument> parameters_type(const BsdfModel& model) {
   Record<ScatteringDocument> record(std::string(model.key), std::string(model.doc) + ".");
   for (const BsdfParameter& parameter : model.parameters) switch (parameter.form) {
       case BsdfParameter::Form::number:
@@ -41,21 +41,21 @@ Kind<ScatteringDocument> parameters_kind(const BsdfModel& model) {
       case BsdfParameter::Form::angle:
         add(record, parameter, quantity(kAngle, Range::between(parameter.low, parameter.high, "deg")));
         break;
-      case BsdfParameter::Form::spectrum: add(record, parameter, spectrum_kind(SpectrumOf::fraction)); break;
+      case BsdfParameter::Form::spectrum: add(record, parameter, spectrum_type(SpectrumOf::fraction)); break;
     }
-  return record.kind();
+  return record.type();
 }
 
 /// A model by its name alone: none of its parameters has to be given, or is written where all are what they are then.
-Kind<ScatteringDocument> named_kind() {
+SchemaType<ScatteringDocument> named_type() {
   std::vector<std::pair<std::string, std::string>> words;
-  std::map<std::string, Kind<ScatteringDocument>> parameters;
+  std::map<std::string, SchemaType<ScatteringDocument>> parameters;
   for (const BsdfModel* model : materials::bsdf_models()) {
     if (model->needs_parameters()) continue;
     words.emplace_back(model->key, model->key);
-    parameters.emplace(model->key, parameters_kind(*model));
+    parameters.emplace(model->key, parameters_type(*model));
   }
-  const Kind<std::string> named = choice<std::string>(words);
+  const SchemaType<std::string> named = choice<std::string>(words);
   const auto read = [named, parameters](const DocumentNode& node) {
     for (const BsdfModel* model : materials::bsdf_models())
       if (model->needs_parameters() && node.type() == DocumentNode::Type::text && node.text() == model->key)
@@ -76,7 +76,7 @@ Kind<ScatteringDocument> named_kind() {
 
 }  // namespace
 
-Kind<ScatteringDocument> scattering_kind() {
+SchemaType<ScatteringDocument> scattering_type() {
   Record<ScatteringDocument> with_parameters("scattering", "A model with its parameters, under its name.");
   with_parameters.exactly_one();
   bool any = false;
@@ -91,9 +91,9 @@ Kind<ScatteringDocument> scattering_kind() {
               to = {key, std::move(with.values)};
             },
             [key](const ScatteringDocument& from) { return from.model == key ? &from : nullptr; }),
-        parameters_kind(*model), std::string(model->doc));
+        parameters_type(*model), std::string(model->doc));
   }
-  return any ? either(named_kind(), with_parameters.kind()) : named_kind();
+  return any ? either(named_type(), with_parameters.type()) : named_type();
 }
 
 }  // namespace ifov::io

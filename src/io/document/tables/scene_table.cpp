@@ -6,7 +6,7 @@ namespace {
 
 constexpr std::size_t kMostPrototypes = 10000;
 
-Kind<std::pair<std::string, SourcePosition>> located_text() {
+SchemaType<std::pair<std::string, SourcePosition>> located_text() {
   using Text = std::pair<std::string, SourcePosition>;
   return located<Text>(
       label(),
@@ -14,7 +14,7 @@ Kind<std::pair<std::string, SourcePosition>> located_text() {
       [](const Text& text) { return text.first; });
 }
 
-Kind<OriginDocument> origin_kind() {
+SchemaType<OriginDocument> origin_type() {
   using Geographic = OriginDocument::Geographic;
   // Northing is given beside easting.
   const auto map_offset = [](double math::Vec3::*part) {
@@ -61,7 +61,7 @@ Kind<OriginDocument> origin_kind() {
               "with 'crs', give 'easting' and 'northing', or 'latitude' and 'longitude'");
       });
   return converted<OriginDocument>(
-      record.kind(),
+      record.type(),
       [](OriginDocument origin) {
         if (origin.has_map_offset) origin.offset_m.z = origin.height_m;
         return origin;
@@ -69,7 +69,7 @@ Kind<OriginDocument> origin_kind() {
       [](const OriginDocument& origin) { return origin; });
 }
 
-Kind<PeriodicDocument> periodic_kind() {
+SchemaType<PeriodicDocument> periodic_type() {
   Record<PeriodicDocument> record("periodic scene", "The cell that repeats without end to all sides.");
   record
       .required("size",
@@ -86,14 +86,14 @@ Kind<PeriodicDocument> periodic_kind() {
       .optional(
           "low_left", &PeriodicDocument::low_left_m, tuple<double, 2>(quantity(kLength)),
           "lower left corner of the cell, as it is drawn; without it the cell is centred on the origin");
-  const Kind<PeriodicDocument> kind = record.kind();
-  return {kind.description,
-          [read = kind.read](const DocumentNode& node) {
+  const SchemaType<PeriodicDocument> type = record.type();
+  return {type.description,
+          [read = type.read](const DocumentNode& node) {
             PeriodicDocument periodic = read(node);
             periodic.position = node.position();
             return periodic;
           },
-          kind.write};
+          type.write};
 }
 
 template <class T>
@@ -118,8 +118,8 @@ auto by_name(std::vector<T> SceneDocument::*member) {
              });
 }
 
-Kind<std::vector<std::pair<std::string, PrototypeDocument>>> prototypes_kind() {
-  const auto objects = objects_kind();
+SchemaType<std::vector<std::pair<std::string, PrototypeDocument>>> prototypes_type() {
+  const auto objects = objects_type();
   const auto prototype = located<PrototypeDocument>(
       objects,
       [](std::vector<ObjectDocument> all, const DocumentNode& node) {
@@ -131,17 +131,17 @@ Kind<std::vector<std::pair<std::string, PrototypeDocument>>> prototypes_kind() {
 
 }  // namespace
 
-Kind<SceneDocument> scene_kind() {
+SchemaType<SceneDocument> scene_type() {
   Record<SceneDocument> record("scene", "Coordinates are metres east, north and up.");
-  record.optional("origin", &SceneDocument::origin, origin_kind(), "where the scene stands")
-      .optional("periodic", &SceneDocument::periodic, periodic_kind(),
+  record.optional("origin", &SceneDocument::origin, origin_type(), "where the scene stands")
+      .optional("periodic", &SceneDocument::periodic, periodic_type(),
                 "makes the scene a cell that repeats without end")
-      .required("materials", by_name(&SceneDocument::materials), materials_kind(),
+      .required("materials", by_name(&SceneDocument::materials), materials_type(),
                 "what surfaces are made of")
-      .optional("prototypes", by_name(&SceneDocument::prototypes), prototypes_kind(),
+      .optional("prototypes", by_name(&SceneDocument::prototypes), prototypes_type(),
                 "objects that are copied, in coordinates of their own")
-      .required("objects", &SceneDocument::objects, objects_kind(), "what stands in the scene");
-  return record.kind();
+      .required("objects", &SceneDocument::objects, objects_type(), "what stands in the scene");
+  return record.type();
 }
 
 }  // namespace ifov::io

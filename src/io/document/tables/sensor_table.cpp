@@ -9,7 +9,7 @@ struct PsfEntry {
   SourcePosition position;
 };
 
-Kind<PsfEntry> psf_kind() {
+SchemaType<PsfEntry> psf_type() {
   const Range positive_px = Range::above(0.0, "px");
   Record<GaussianPsf> gaussian("Gaussian PSF", "A bell.");
   gaussian.required("sigma", &GaussianPsf::sigma_px, quantity(kPixels, positive_px),
@@ -24,19 +24,19 @@ Kind<PsfEntry> psf_kind() {
                 "samples of the image along one side of a pixel");
   Record<PsfEntry> record("PSF", "Point spread function of the optics.");
   record.exactly_one()
-      .one("none", &PsfEntry::psf, Record<NoPsf>("no PSF", "Optics without blur.").kind(), "no blur")
-      .one("gaussian", &PsfEntry::psf, gaussian.kind(), "a bell")
-      .one("airy", &PsfEntry::psf, airy.kind(), "diffraction")
-      .one("kernel", &PsfEntry::psf, kernel.kind(), "from an image");
-  return record.kind();
+      .one("none", &PsfEntry::psf, Record<NoPsf>("no PSF", "Optics without blur.").type(), "no blur")
+      .one("gaussian", &PsfEntry::psf, gaussian.type(), "a bell")
+      .one("airy", &PsfEntry::psf, airy.type(), "diffraction")
+      .one("kernel", &PsfEntry::psf, kernel.type(), "from an image");
+  return record.type();
 }
 
 }  // namespace
 
-Kind<SensorDocument> sensor_kind() {
+SchemaType<SensorDocument> sensor_type() {
   Record<SensorDocument> record("sensor", "What measures.");
-  record.required("camera", &SensorDocument::camera, camera_kind(), "geometry of the image")
-      .required("channels", &SensorDocument::channels, channels_kind(), "spectral channels")
+  record.required("camera", &SensorDocument::camera, camera_type(), "geometry of the image")
+      .required("channels", &SensorDocument::channels, channels_type(), "spectral channels")
       .optional("psf",
                 via(
                     [](SensorDocument& sensor, PsfEntry entry) {
@@ -48,10 +48,10 @@ Kind<SensorDocument> sensor_kind() {
                                  ? std::nullopt
                                  : std::optional(PsfEntry{sensor.psf, {}});
                     }),
-                psf_kind(), "blur of the optics; none if not given")
+                psf_type(), "blur of the optics; none if not given")
       .with_default("fill_factor", &SensorDocument::fill_factor, fraction({0.0, 1.0, true, false, {}}), "1",
                     "sensitive share of a detector element's area, a centred square");
-  return record.kind();
+  return record.type();
 }
 
 }  // namespace ifov::io

@@ -10,7 +10,7 @@ constexpr std::size_t kMostTypes = 100;
 
 }  // namespace
 
-Kind<MeshShape> mesh_kind() {
+SchemaType<MeshShape> mesh_type() {
   std::vector<std::pair<std::string, double>> units;
   for (const Unit& unit : kLength.units) units.emplace_back(unit.spelling, unit.factor);
   Record<MeshShape> record("mesh", "A triangle mesh from a file.");
@@ -21,10 +21,10 @@ Kind<MeshShape> mesh_kind() {
       .optional(
           "up", &MeshShape::y_is_up, choice<bool>({{"z", false}, {"y", true}}),
           "which of its axes points up, if not y for glTF and z for the others; with y, its z points south");
-  return record.kind();
+  return record.type();
 }
 
-Kind<CityShape> city_kind() {
+SchemaType<CityShape> city_type() {
   Record<CityShape> record("city",
                            "The objects of a city model, each of them placed and counted on its own.");
   record
@@ -43,16 +43,16 @@ Kind<CityShape> city_kind() {
                           (lod.size() == 3 && digit(0) && lod[1] == '.' && digit(2));
         if (!good) node.given("lod").fail_expected("a level of detail such as \"2\" or \"2.2\"");
       });
-  return record.kind();
+  return record.type();
 }
 
-Kind<InstanceShape> instance_kind() {
+SchemaType<InstanceShape> instance_type() {
   Record<InstanceShape> record("instance", "One copy of a prototype.");
   record.required("of", &InstanceShape::of, name_of("a prototype"), "what is copied");
-  return record.kind();
+  return record.type();
 }
 
-Kind<InstancesShape> instances_kind() {
+SchemaType<InstancesShape> instances_type() {
   Record<InstancesShape> record("instances", "Many copies of a prototype.");
   record.required("of", &InstancesShape::of, name_of("a prototype"), "what is copied")
       .exactly_one()
@@ -62,7 +62,7 @@ Kind<InstancesShape> instances_kind() {
           "rows of x, y, z in metres, rotation about z in degrees (counter-clockwise from above), scale, pitch "
           "and roll in degrees; the last two or four may be left out")
       .one("binary", &InstancesShape::binary, file(), "a binary instance list (`.ifovinst`)");
-  return record.kind();
+  return record.type();
 }
 
 }  // namespace ifov::io

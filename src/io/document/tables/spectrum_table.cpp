@@ -20,13 +20,13 @@ struct Entry {
 
 /// The key that all tables share, and the entry as a spectrum.
 template <class Source>
-Kind<SpectrumDocument> finished(Record<Entry<Source>>& record, SpectrumOf quantity_of) {
+SchemaType<SpectrumDocument> finished(Record<Entry<Source>>& record, SpectrumOf quantity_of) {
   record.with_default(
       "outside", &Entry<Source>::outside,
       choice<OutsideRange>({{"error", OutsideRange::error}, {"extend", OutsideRange::extend}}), "\"error\"",
       "wavelengths beyond the table: an error, or the end values repeated");
   return converted<SpectrumDocument>(
-      record.kind(),
+      record.type(),
       [quantity_of](Entry<Source> entry) {
         return SpectrumDocument{std::move(entry.source), quantity_of, entry.range_um, entry.outside,
                                 std::move(entry.position)};
@@ -40,7 +40,7 @@ Kind<SpectrumDocument> finished(Record<Entry<Source>>& record, SpectrumOf quanti
 
 /// The same for what is read from a file.
 template <class Source>
-Kind<SpectrumDocument> finished_file(Record<Entry<Source>>& record, SpectrumOf quantity_of) {
+SchemaType<SpectrumDocument> finished_file(Record<Entry<Source>>& record, SpectrumOf quantity_of) {
   record
       .optional("range", &Entry<Source>::range_um,
                 tuple<double, 2>(quantity(kWavelength, Range::above(0.0, "um"))),
@@ -77,13 +77,13 @@ std::string name_for(std::string_view form, SpectrumOf quantity) {
   return std::string(form);
 }
 
-Kind<double> value_kind(SpectrumOf quantity_of) {
+SchemaType<double> value_type(SpectrumOf quantity_of) {
   const Dimension* dimension = dimension_of(quantity_of);
   if (dimension == nullptr) return number(Range::between(0.0, 1.0));
   return quantity(*dimension, Range::at_least(0.0, dimension->units[0].spelling));
 }
 
-Kind<double> unit_factor_kind(const Dimension& dimension) {
+SchemaType<double> unit_factor_type(const Dimension& dimension) {
   std::vector<std::pair<std::string, double>> words;
   for (const Unit& unit : dimension.units) words.emplace_back(unit.spelling, unit.factor);
   return choice<double>(words);
@@ -95,8 +95,8 @@ bool is_unit(const Dimension* dimension, double factor) {
                                              [&](const Unit& unit) { return unit.factor == factor; });
 }
 
-Kind<SpectrumDocument> constant_kind(SpectrumOf quantity_of) {
-  const Kind<double> value = value_kind(quantity_of);
+SchemaType<SpectrumDocument> constant_type(SpectrumOf quantity_of) {
+  const SchemaType<double> value = value_type(quantity_of);
   return located<SpectrumDocument>(
       value,
       [quantity_of](double constant, const DocumentNode& node) {
@@ -109,7 +109,7 @@ Kind<SpectrumDocument> constant_kind(SpectrumOf quantity_of) {
       });
 }
 
-Kind<SpectrumDocument> csv_kind(SpectrumOf quantity_of) {
+SchemaType<SpectrumDocument> csv_type(SpectrumOf quantity_of) {
   using Csv = Entry<CsvSpectrum>;
   const Dimension* dimension = dimension_of(quantity_of);
   Record<Csv> record(
@@ -117,7 +117,7 @@ Kind<SpectrumDocument> csv_kind(SpectrumOf quantity_of) {
       "Columns of numbers with the wavelength first; separators and lines of text at the top are "
       "recognised.");
   record.required("csv", path(&Csv::source, &CsvSpectrum::file), file(), "the file")
-      .required("wavelength_unit", path(&Csv::source, &CsvSpectrum::um_per_unit), um_per_unit_kind(),
+      .required("wavelength_unit", path(&Csv::source, &CsvSpectrum::um_per_unit), um_per_unit_type(),
                 "unit of the wavelength column")
       .with_default("column", path(&Csv::source, &CsvSpectrum::column), integer(2, 100000), "2",
                     "column of the values, counted from 1")
@@ -132,12 +132,12 @@ Kind<SpectrumDocument> csv_kind(SpectrumOf quantity_of) {
         "unit",
         via([](Csv& e, double factor) { e.source.scale *= factor; },
             [dimension](const Csv& e) { return is_unit(dimension, e.source.scale) ? e.source.scale : 1.0; }),
-        unit_factor_kind(*dimension), "unit of the values");
+        unit_factor_type(*dimension), "unit of the values");
   }
   return finished_file(record, quantity_of);
 }
 
-Kind<SpectrumDocument> ecostress_kind(SpectrumOf quantity_of) {
+SchemaType<SpectrumDocument> ecostress_type(SpectrumOf quantity_of) {
   using Ecostress = Entry<EcostressSpectrum>;
   const auto one = converted<std::vector<DocumentFile>>(
       file(), [](DocumentFile f) { return std::vector<DocumentFile>{std::move(f)}; },
@@ -152,7 +152,7 @@ Kind<SpectrumDocument> ecostress_kind(SpectrumOf quantity_of) {
   return finished_file(record, quantity_of);
 }
 
-Kind<SpectrumDocument> usgs_kind(SpectrumOf quantity_of) {
+SchemaType<SpectrumDocument> usgs_type(SpectrumOf quantity_of) {
   using Usgs = Entry<UsgsSpectrum>;
   Record<Usgs> record("USGS spectrum",
                       "A spectrum file of the USGS spectral library, version 6 (.asc) or 7.");
@@ -162,7 +162,7 @@ Kind<SpectrumDocument> usgs_kind(SpectrumOf quantity_of) {
   return finished_file(record, quantity_of);
 }
 
-Kind<SpectrumDocument> asd_kind(SpectrumOf quantity_of) {
+SchemaType<SpectrumDocument> asd_type(SpectrumOf quantity_of) {
   using Asd = Entry<AsdSpectrum>;
   Record<Asd> record("ASD spectrum",
                      "A file of an ASD field spectrometer: reflectance, or counts with a white reference.");
@@ -173,7 +173,7 @@ Kind<SpectrumDocument> asd_kind(SpectrumOf quantity_of) {
 using Selector = std::variant<int, std::string>;
 
 /// A number that counts from 1, or a name.
-Kind<Selector> selector() {
+SchemaType<Selector> selector() {
   return either(converted<Selector>(
                     integer(1, 1000000), [](int n) { return Selector(n); },
                     [](const Selector& which) { return target::as<int>(which); }),
@@ -182,7 +182,7 @@ Kind<Selector> selector() {
                     [](const Selector& which) { return target::as<std::string>(which); }));
 }
 
-Kind<SpectrumDocument> sli_kind(SpectrumOf quantity_of) {
+SchemaType<SpectrumDocument> sli_type(SpectrumOf quantity_of) {
   using Sli = Entry<SliSpectrum>;
   Record<Sli> record("ENVI library spectrum",
                      "A spectrum of an ENVI spectral library, in the quantity that is asked for.");
@@ -196,7 +196,7 @@ Kind<SpectrumDocument> sli_kind(SpectrumOf quantity_of) {
   return finished_file(record, quantity_of);
 }
 
-Kind<SpectrumDocument> ems_kind(SpectrumOf quantity_of) {
+SchemaType<SpectrumDocument> ems_type(SpectrumOf quantity_of) {
   using Ems = Entry<EmsSpectrum>;
   Record<Ems> record("DIRSIG spectrum",
                      "A curve of a DIRSIG emissivity file; its weights by angle are not used.");
@@ -216,7 +216,7 @@ auto at_node(const DocumentNode& node, const Find& find) {
   }
 }
 
-Kind<SpectrumDocument> library_kind(SpectrumOf quantity_of) {
+SchemaType<SpectrumDocument> library_type(SpectrumOf quantity_of) {
   using Library = Entry<LibrarySource>;
   Record<Library> record(
       "library spectrum",
@@ -228,7 +228,7 @@ Kind<SpectrumDocument> library_kind(SpectrumOf quantity_of) {
                     via([](Library&, const Selector&) {},
                         [](const Library& e) { return Selector(static_cast<int>(e.source.curve) + 1); }),
                     selector(), "1", "which of its curves: a number that counts from 1, or a name");
-  const Kind<SpectrumDocument> entry = finished(record, quantity_of);
+  const SchemaType<SpectrumDocument> entry = finished(record, quantity_of);
   return {entry.description,
           [entry, quantity_of](const DocumentNode& node) {
             SpectrumDocument spectrum = entry.read(node);
@@ -250,13 +250,13 @@ Kind<SpectrumDocument> library_kind(SpectrumOf quantity_of) {
           entry.write};
 }
 
-Kind<TableSpectrum> table_kind(SpectrumOf quantity_of) {
+SchemaType<TableSpectrum> table_type(SpectrumOf quantity_of) {
   Record<TableSpectrum> record(name_for("table of a spectrum", quantity_of),
                                "As many values as wavelengths, linear in between.");
   record
       .required("wavelength", &TableSpectrum::wavelength_um,
                 list(quantity(kWavelength, Range::above(0.0, "um")), 1, kMostTableRows), "rising wavelengths")
-      .required("values", &TableSpectrum::values, list(value_kind(quantity_of), 1, kMostTableRows),
+      .required("values", &TableSpectrum::values, list(value_type(quantity_of), 1, kMostTableRows),
                 "one value for each wavelength")
       .check([](const TableSpectrum& table, const DocumentNode& node) {
         if (table.values.size() != table.wavelength_um.size()) {
@@ -269,17 +269,17 @@ Kind<TableSpectrum> table_kind(SpectrumOf quantity_of) {
           late.fail(format("{} does not rise above the wavelength before it", late.title()));
         }
       });
-  return record.kind();
+  return record.type();
 }
 
-Kind<SpectrumDocument> written_table_kind(SpectrumOf quantity_of) {
+SchemaType<SpectrumDocument> written_table_type(SpectrumOf quantity_of) {
   using Table = Entry<TableSpectrum>;
   Record<Table> record(name_for("table spectrum", quantity_of), "A spectrum written in the document.");
-  record.required("table", &Table::source, table_kind(quantity_of), "wavelengths and values");
+  record.required("table", &Table::source, table_type(quantity_of), "wavelengths and values");
   return finished(record, quantity_of);
 }
 
-Kind<SpectrumDocument> joined_kind(const Kind<SpectrumDocument>& part, SpectrumOf quantity_of) {
+SchemaType<SpectrumDocument> joined_type(const SchemaType<SpectrumDocument>& part, SpectrumOf quantity_of) {
   using Joined = Entry<JoinedSpectrum>;
   Record<Joined> record(
       "joined spectrum",
@@ -291,22 +291,22 @@ Kind<SpectrumDocument> joined_kind(const Kind<SpectrumDocument>& part, SpectrumO
 
 }  // namespace
 
-Kind<double> um_per_unit_kind() { return choice<double>({{"um", 1.0}, {"nm", 1e-3}}); }
+SchemaType<double> um_per_unit_type() { return choice<double>({{"um", 1.0}, {"nm", 1e-3}}); }
 
-Kind<SpectrumDocument> spectrum_kind(SpectrumOf quantity_of) {
-  using Case = std::pair<std::vector<std::string>, Kind<SpectrumDocument>>;
+SchemaType<SpectrumDocument> spectrum_type(SpectrumOf quantity_of) {
+  using Case = std::pair<std::vector<std::string>, SchemaType<SpectrumDocument>>;
   const bool of_samples = quantity_of == SpectrumOf::reflectance || quantity_of == SpectrumOf::emissivity ||
                           quantity_of == SpectrumOf::transmittance;
-  std::vector<Case> cases{{{"csv"}, csv_kind(quantity_of)}, {{"table"}, written_table_kind(quantity_of)}};
+  std::vector<Case> cases{{{"csv"}, csv_type(quantity_of)}, {{"table"}, written_table_type(quantity_of)}};
   if (of_samples) {
-    cases.insert(cases.end(), {Case{{"ecostress"}, ecostress_kind(quantity_of)},
-                               Case{{"usgs"}, usgs_kind(quantity_of)}, Case{{"asd"}, asd_kind(quantity_of)},
-                               Case{{"sli"}, sli_kind(quantity_of)}, Case{{"ems"}, ems_kind(quantity_of)}});
-    const Kind<SpectrumDocument> joined = joined_kind(tagged(cases), quantity_of);
+    cases.insert(cases.end(), {Case{{"ecostress"}, ecostress_type(quantity_of)},
+                               Case{{"usgs"}, usgs_type(quantity_of)}, Case{{"asd"}, asd_type(quantity_of)},
+                               Case{{"sli"}, sli_type(quantity_of)}, Case{{"ems"}, ems_type(quantity_of)}});
+    const SchemaType<SpectrumDocument> joined = joined_type(tagged(cases), quantity_of);
     cases.push_back({{"join"}, joined});
-    cases.push_back({{"library"}, library_kind(quantity_of)});
+    cases.push_back({{"library"}, library_type(quantity_of)});
   }
-  return either(constant_kind(quantity_of), tagged(cases));
+  return either(constant_type(quantity_of), tagged(cases));
 }
 
 }  // namespace ifov::io

@@ -1,30 +1,30 @@
 #pragma once
 
 #include "io/document/document.h"
-#include "io/document/schema/kind.h"
+#include "io/document/schema/schema_type.h"
 
 namespace ifov::io {
 
 /// The tables of keys, one function for each section of a document and for each part that sections share.
 
-Kind<SpectrumDocument> spectrum_kind(SpectrumOf quantity);
-Kind<double> um_per_unit_kind();  ///< "um" or "nm", as micrometres per unit
+SchemaType<SpectrumDocument> spectrum_type(SpectrumOf quantity);
+SchemaType<double> um_per_unit_type();  ///< "um" or "nm", as micrometres per unit
 
-Kind<std::vector<std::pair<std::string, MaterialDocument>>> materials_kind();
-Kind<TemperatureDocument> temperature_kind();
-Kind<ScatteringDocument> scattering_kind();
-Kind<std::vector<ObjectDocument>> objects_kind();
-Kind<SceneDocument> scene_kind();
+SchemaType<std::vector<std::pair<std::string, MaterialDocument>>> materials_type();
+SchemaType<TemperatureDocument> temperature_type();
+SchemaType<ScatteringDocument> scattering_type();
+SchemaType<std::vector<ObjectDocument>> objects_type();
+SchemaType<SceneDocument> scene_type();
 
-Kind<LightDocument> light_kind();
-Kind<AtmosphereDocument> atmosphere_kind();
-Kind<ImportedDocument> imported_kind();
-Kind<WeatherDocument> weather_kind();
-Kind<CameraDocument> camera_kind();
-Kind<std::vector<ChannelDocument>> channels_kind();
-Kind<SensorDocument> sensor_kind();
-Kind<SamplingDocument> sampling_kind();
-Kind<OutputDocument> output_kind();
-Kind<Document> document_kind();
+SchemaType<LightDocument> light_type();
+SchemaType<AtmosphereDocument> atmosphere_type();
+SchemaType<ImportedDocument> imported_type();
+SchemaType<WeatherDocument> weather_type();
+SchemaType<CameraDocument> camera_type();
+SchemaType<std::vector<ChannelDocument>> channels_type();
+SchemaType<SensorDocument> sensor_type();
+SchemaType<SamplingDocument> sampling_type();
+SchemaType<OutputDocument> output_type();
+SchemaType<Document> document_type();
 
 }  // namespace ifov::io

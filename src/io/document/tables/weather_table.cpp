@@ -3,7 +3,7 @@
 
 namespace ifov::io {
 
-Kind<WeatherDocument> weather_kind() {
+SchemaType<WeatherDocument> weather_type() {
   Record<WeatherDocument> record(
       "weather",
       "Air at the ground, from a file or the same at all times. It changes nothing of the 'atmosphere'.");
@@ -31,7 +31,7 @@ Kind<WeatherDocument> weather_kind() {
   for (const char* key : {"date", "typical_year"}) record.needs(key, "file");
   for (const char* key : {"humidity", "wind_speed", "wind_direction", "pressure", "cloud"})
     record.needs(key, "air_temperature");
-  return record.kind();
+  return record.type();
 }
 
 }  // namespace ifov::io

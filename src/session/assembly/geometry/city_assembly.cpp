@@ -189,10 +189,10 @@ void place_city(const io::Document& document, const io::ObjectDocument& object,
   for (io::CityObject& thing : model.objects) {
     const std::vector<std::uint32_t> materials = materials_of(object, thing, document, assignments);
     // Roads, lawns and water are parts of the ground, not things that a sensor may miss.
-    const bool seed = object.seed.value_or(thing.type.starts_with("Building"));
+    const bool pilot_ray = object.pilot_ray.value_or(thing.type.starts_with("Building"));
     const math::Transform scene_from_thing =
         scene_from_map * math::Transform::translation(thing.origin - math::Point3{});
-    builder.place(builder.add_shape(std::move(thing.mesh)), scene_from_thing, materials, seed);
+    builder.place(builder.add_shape(std::move(thing.mesh)), scene_from_thing, materials, pilot_ray);
   }
 }
 

@@ -80,7 +80,7 @@ class GeometryAssembly {
       place_copies(object, prototype(of->name), scene_from_object);
     } else if (std::holds_alternative<io::CityShape>(object.shape)) {
       place_city(document_, object, scene_from_object, frame_, assignments_, builder_, log_);
-    } else if (const auto* scatter = std::get_if<io::ScatterShape>(&object.shape)) {
+    } else if (const auto* scatter = std::get_if<io::RandomPlacement>(&object.shape)) {
       place_scatter(object, *scatter, scene_from_document);
     } else {
       const BuiltShape shape = shapes_.build(object, ShapeAssembly::Use::object);
@@ -88,18 +88,18 @@ class GeometryAssembly {
       for (const std::string& slot : shape.slot_names)
         materials.push_back(assignments_.assignment(*object.material, slot, object.temperature));
       builder_.place(shape.id, scene_from_object * shape.object_from_shape, materials,
-                     object.seed.value_or(true));
+                     object.pilot_ray.value_or(true));
     }
   }
 
   void place_copies(const io::ObjectDocument& object, const BuiltPrototype& built,
                     const math::Transform& scene_from_object) {
     const std::vector<std::uint32_t> materials = materials_of(object, built);
-    const bool seed = object.seed.value_or(true);
+    const bool pilot_ray = object.pilot_ray.value_or(true);
     if (const auto list = list_of(object))
-      builder_.place_many(built.id, scene_from_object, list, materials, seed);
+      builder_.place_many(built.id, scene_from_object, list, materials, pilot_ray);
     else
-      builder_.place(built.id, scene_from_object, materials, seed);
+      builder_.place(built.id, scene_from_object, materials, pilot_ray);
   }
 
   std::vector<std::uint32_t> materials_of(const io::ObjectDocument& object, const BuiltPrototype& built) {
@@ -110,7 +110,7 @@ class GeometryAssembly {
     return materials;
   }
 
-  void place_scatter(const io::ObjectDocument& object, const io::ScatterShape& scatter,
+  void place_scatter(const io::ObjectDocument& object, const io::RandomPlacement& scatter,
                      const math::Transform& scene_from_document) {
     const geometry::World* carrier = scatter.on ? &ground(scatter.on->name, scene_from_document) : nullptr;
     std::vector<std::vector<io::Instance>> copies = scatter_copies(document_, scatter, frame_, carrier, log_);
@@ -119,7 +119,7 @@ class GeometryAssembly {
       const BuiltPrototype& built = prototype(scatter.of[k].prototype.name);
       builder_.place_many(built.id, scene_from_document,
                           std::make_shared<io::InstanceList>(std::move(copies[k])),
-                          materials_of(object, built), object.seed.value_or(true));
+                          materials_of(object, built), object.pilot_ray.value_or(true));
     }
   }
 

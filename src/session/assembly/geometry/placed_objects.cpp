@@ -15,7 +15,7 @@ struct KindOfShape {
   std::string operator()(const io::TerrainShape&) const { return "terrain"; }
   std::string operator()(const io::InstanceShape&) const { return "instance"; }
   std::string operator()(const io::InstancesShape&) const { return "list of instances"; }
-  std::string operator()(const io::ScatterShape&) const { return "random placement"; }
+  std::string operator()(const io::RandomPlacement&) const { return "random placement"; }
 };
 
 }  // namespace

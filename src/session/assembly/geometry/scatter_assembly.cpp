@@ -17,7 +17,7 @@ namespace {
 
 using sampling::Point2;
 
-enum class Purpose { kin, turn, scale };
+enum class Purpose { prototype, turn, scale };
 
 constexpr double kPer_ha = 1e4;
 constexpr double kAbove_m = 1e5;  ///< rays start so far above the scene's origin
@@ -92,15 +92,16 @@ Asked asked_of(const Density& density, const sampling::PlacementArea& area, doub
   return asked;
 }
 
-std::string names_of(const io::ScatterShape& source) {
+std::string names_of(const io::RandomPlacement& source) {
   std::string names;
-  for (const auto& kin : source.of) names += format("{}'{}'", names.empty() ? "" : ", ", kin.prototype.name);
+  for (const auto& weighted : source.of)
+    names += format("{}'{}'", names.empty() ? "" : ", ", weighted.prototype.name);
   return names;
 }
 
-std::size_t pick(const io::ScatterShape& source, double u) {
+std::size_t pick(const io::RandomPlacement& source, double u) {
   double total = 0.0;
-  for (const auto& kin : source.of) total += kin.weight;
+  for (const auto& weighted : source.of) total += weighted.weight;
   double rest = u * total;
   for (std::size_t k = 0; k + 1 < source.of.size(); ++k) {
     rest -= source.of[k].weight;
@@ -128,8 +129,9 @@ std::vector<std::optional<double>> heights_of(const std::vector<sampling::Random
 }  // namespace
 
 std::vector<std::vector<io::Instance>> scatter_copies(const io::Document& document,
-                                                      const io::ScatterShape& source, const MapFrame& frame,
-                                                      const geometry::World* ground, LogSink* log) {
+                                                      const io::RandomPlacement& source,
+                                                      const MapFrame& frame, const geometry::World* ground,
+                                                      LogSink* log) {
   const sampling::PlacementArea area{source.low_m[0], source.low_m[1], source.high_m[0], source.high_m[1]};
   return with_position(document, source.density_position, [&] {
     const Density density =
@@ -155,7 +157,7 @@ std::vector<std::vector<io::Instance>> scatter_copies(const io::Document& docume
         copy.quaternion = io::quaternion_of(2.0 * std::numbers::pi * draw(Purpose::turn), 0.0, 0.0);
       const double scale = source.scale[0] + (source.scale[1] - source.scale[0]) * draw(Purpose::scale);
       copy.scale = {scale, scale, scale};
-      copies[pick(source, draw(Purpose::kin))].push_back(copy);
+      copies[pick(source, draw(Purpose::prototype))].push_back(copy);
       ++placed;
     }
     if (log == nullptr) return copies;

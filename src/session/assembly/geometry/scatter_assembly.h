@@ -19,7 +19,8 @@ namespace ifov::session {
 /// how dense they stand; warns where the minimum distance does not allow the density that is asked for, and
 /// of places without ground.
 std::vector<std::vector<io::Instance>> scatter_copies(const io::Document& document,
-                                                      const io::ScatterShape& source, const MapFrame& frame,
-                                                      const geometry::World* ground, LogSink* log);
+                                                      const io::RandomPlacement& source,
+                                                      const MapFrame& frame, const geometry::World* ground,
+                                                      LogSink* log);
 
 }  // namespace ifov::session

@@ -81,7 +81,7 @@ BuiltShape ShapeAssembly::shape(const io::InstancesShape&) {
   throw InputError("copies of a prototype are not a shape");
 }
 
-BuiltShape ShapeAssembly::shape(const io::ScatterShape&) {
+BuiltShape ShapeAssembly::shape(const io::RandomPlacement&) {
   throw InputError("copies of prototypes are not a shape");
 }
 

@@ -42,7 +42,7 @@ class ShapeAssembly {
   BuiltShape shape(const io::CityShape&);
   BuiltShape shape(const io::InstanceShape&);
   BuiltShape shape(const io::InstancesShape&);
-  BuiltShape shape(const io::ScatterShape&);
+  BuiltShape shape(const io::RandomPlacement&);
 
   const io::Document& document_;
   const MapFrame& frame_;

@@ -60,7 +60,7 @@ struct Plan {
 
   /// What accuracy sampling has to reach.
   void ask(const io::AccuracySampling& source, SamplingPlan& plan) const {
-    plan.pilot_rays = source.seeds;
+    plan.pilot_rays = source.pilot_rays;
     render::AccuracyRequest request;
     request.unit = unit_of(source.error.unit);
     request.error = source.error.value;

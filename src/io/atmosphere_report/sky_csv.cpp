@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "core/format.h"
-#include "io/air/air_report.h"
+#include "io/atmosphere_report/atmosphere_report.h"
 
 namespace ifov::io {
 namespace {
@@ -20,7 +20,7 @@ void add_row(std::string& text, double zenith_rad, double azimuth_rad,
 
 }  // namespace
 
-std::string sky_csv(const AirReport& report) {
+std::string sky_csv(const AtmosphereReport& report) {
   const atmosphere::SkyView& sky = *report.sky;
   std::string text;
   for (const std::string& line : report.description) text += "# " + line + "\n";

@@ -11,7 +11,7 @@
 namespace ifov::io {
 
 /// What there is to tell of a document's atmosphere.
-struct AirReport {
+struct AtmosphereReport {
   struct Channel {
     std::string name;
     double first_um = 0.0, last_um = 0.0;  ///< where the response is above half of its maximum
@@ -32,16 +32,16 @@ struct AirReport {
 };
 
 /// The table of channels, for a terminal: at most 110 columns.
-std::string air_table(const AirReport& report);
+std::string atmosphere_report_text(const AtmosphereReport& report);
 
 /// The spectrum as a table of paths (docs/formats/atmosphere_import.md), described in its comments.
-std::string air_csv(const AirReport& report);
+std::string atmosphere_report_csv(const AtmosphereReport& report);
 
 /// The sky by direction, with its polarization, described in its comments. The report has a sky.
-std::string sky_csv(const AirReport& report);
+std::string sky_csv(const AtmosphereReport& report);
 
 /// Transmittance, path radiance and irradiance over wavelength, and the sky above, as PNG. The report has a
 /// spectrum and a sky. Throws SystemError where it cannot be drawn.
-std::string air_figure(const AirReport& report);
+std::string atmosphere_report_figure(const AtmosphereReport& report);
 
 }  // namespace ifov::io

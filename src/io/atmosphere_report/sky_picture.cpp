@@ -1,4 +1,4 @@
-#include "io/air/sky_picture.h"
+#include "io/atmosphere_report/sky_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,26 +18,26 @@ using atmosphere::SkyView;
 using radiometry::StokesVector;
 
 /// Index of the interval that holds x, and the share of its upper end.
-std::pair<std::size_t, double> place(const std::vector<double>& nodes, double x) {
+std::pair<std::size_t, double> bracket(const std::vector<double>& nodes, double x) {
   const auto above = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, x);
   const std::size_t low = static_cast<std::size_t>(above - nodes.begin()) - 1;
   return {low, std::clamp((x - nodes[low]) / (nodes[low + 1] - nodes[low]), 0.0, 1.0)};
 }
 
 StokesVector light_at(const SkyView& sky, double zenith_rad, double azimuth_rad) {
-  const auto [z, up] = place(sky.zenith_rad, zenith_rad);
-  const auto [a, on] = place(sky.azimuth_rad, azimuth_rad);
+  const auto [z, up] = bracket(sky.zenith_rad, zenith_rad);
+  const auto [a, on] = bracket(sky.azimuth_rad, azimuth_rad);
   return (1.0 - up) * ((1.0 - on) * sky.at(z, a) + on * sky.at(z, a + 1)) +
          up * ((1.0 - on) * sky.at(z + 1, a) + on * sky.at(z + 1, a + 1));
 }
 
-double shown(const AirReport& report, const StokesVector& light, SkyQuantity quantity) {
+double shown(const AtmosphereReport& report, const StokesVector& light, SkyQuantity quantity) {
   if (quantity == SkyQuantity::polarization) return 100.0 * radiometry::degree_of_linear_polarization(light);
   if (report.sky_is_thermal) return radiometry::brightness_temperature_k(report.sky->wavelength_um, light.i);
   return light.i;
 }
 
-Axis scale_of(const AirReport& report, SkyQuantity quantity) {
+Axis scale_of(const AtmosphereReport& report, SkyQuantity quantity) {
   std::vector<double> values;
   for (const StokesVector& light : report.sky->light) values.push_back(shown(report, light, quantity));
   std::sort(values.begin(), values.end());
@@ -49,7 +49,7 @@ Axis scale_of(const AirReport& report, SkyQuantity quantity) {
   return {low, std::max(values.back(), low + 1.0), false};
 }
 
-const ColourMap& colours_of(const AirReport& report, SkyQuantity quantity) {
+const ColourMap& colours_of(const AtmosphereReport& report, SkyQuantity quantity) {
   return quantity == SkyQuantity::polarization || report.sky_is_thermal ? heat_colours()
                                                                         : sequential_colours();
 }
@@ -59,7 +59,7 @@ Rgb colour_at(const ColourMap& colours, double share) {
 }
 
 /// Azimuth from north of the table's zero.
-double sun_azimuth(const AirReport& report) { return report.sun_azimuth_rad.value_or(0.0); }
+double sun_azimuth(const AtmosphereReport& report) { return report.sun_azimuth_rad.value_or(0.0); }
 
 /// North is up and east on the left.
 CanvasPoint on_disc(CanvasPoint centre, double radius, double zenith_rad, double azimuth_rad) {
@@ -67,7 +67,7 @@ CanvasPoint on_disc(CanvasPoint centre, double radius, double zenith_rad, double
   return {centre.x - r * std::sin(azimuth_rad), centre.y - r * std::cos(azimuth_rad)};
 }
 
-void draw_disc(Canvas& canvas, const AirReport& report, CanvasPoint centre, double radius,
+void draw_disc(Canvas& canvas, const AtmosphereReport& report, CanvasPoint centre, double radius,
                SkyQuantity quantity, const Axis& scale) {
   const ColourMap& colours = colours_of(report, quantity);
   std::vector<Canvas::Pixel> pixels(static_cast<std::size_t>(kSide) * kSide);
@@ -81,12 +81,12 @@ void draw_disc(Canvas& canvas, const AirReport& report, CanvasPoint centre, doub
       const double value =
           shown(report, light_at(*report.sky, 0.5 * std::numbers::pi * distance, azimuth), quantity);
       pixels[static_cast<std::size_t>(row) * kSide + static_cast<std::size_t>(column)] = {
-          colour_at(colours, scale.place(value)), true};
+          colour_at(colours, scale.position(value)), true};
     }
   canvas.picture(centre.x - radius, centre.y - radius, 2.0 * radius / kSide, kSide, kSide, pixels);
 }
 
-void draw_marks(Canvas& canvas, const AirReport& report, CanvasPoint centre, double radius) {
+void draw_marks(Canvas& canvas, const AtmosphereReport& report, CanvasPoint centre, double radius) {
   const Ink pale{1.0, 1.0, 1.0, 0.45};
   for (const double share : {1.0 / 3.0, 2.0 / 3.0}) canvas.circle(centre, share * radius, pale, 0.8);
   canvas.circle(centre, radius, kBlackInk, 1.0);
@@ -101,7 +101,7 @@ void draw_marks(Canvas& canvas, const AirReport& report, CanvasPoint centre, dou
   canvas.circle(sun, 5.0, kBlackInk, 1.0);
 }
 
-void draw_neutral_points(Canvas& canvas, const AirReport& report, CanvasPoint centre, double radius) {
+void draw_neutral_points(Canvas& canvas, const AtmosphereReport& report, CanvasPoint centre, double radius) {
   constexpr double kArm = 4.5, kWidth = 1.4;
   const Ink white{1.0, 1.0, 1.0};
   for (const atmosphere::NeutralPoint& point : report.neutral_points) {
@@ -120,7 +120,7 @@ void draw_scale(Canvas& canvas, const ColourMap& colours, const Axis& scale, dou
                           {c.r / 255.0, c.g / 255.0, c.b / 255.0});
   }
   for (const double tick : scale.ticks(5)) {
-    const double at = y + height * (1.0 - scale.place(tick));
+    const double at = y + height * (1.0 - scale.position(tick));
     canvas.fill_rectangle(x + kBarWidth, at - 0.5, 5.0, 1.0, kBlackInk);
     canvas.text({x + kBarWidth + 8.0, at + 4.5}, tick_label(tick, scale), 12.0);
   }
@@ -128,7 +128,7 @@ void draw_scale(Canvas& canvas, const ColourMap& colours, const Axis& scale, dou
 
 }  // namespace
 
-void draw_sky(Canvas& canvas, const AirReport& report, CanvasPoint centre, double radius,
+void draw_sky(Canvas& canvas, const AtmosphereReport& report, CanvasPoint centre, double radius,
               SkyQuantity quantity) {
   const Axis scale = scale_of(report, quantity);
   draw_disc(canvas, report, centre, radius, quantity, scale);

@@ -21,7 +21,7 @@ namespace ifov::io {
 /// How a value of a document is described, read as a V and written. `read` throws InputError. What `write` gives is read
 /// as the same value; it gives nothing for a value that no text of this kind gives.
 template <class V>
-struct Kind {
+struct SchemaType {
   using Read = std::function<V(const DocumentNode&)>;
   using Write = std::function<Written(const V&, Writing&)>;
 
@@ -47,31 +47,31 @@ struct Range {
   }
 };
 
-Kind<bool> boolean();
-Kind<std::int64_t> long_integer(std::int64_t least, std::int64_t most);
-Kind<int> integer(int least, int most);
-Kind<double> number(const Range& range = {});
+SchemaType<bool> boolean();
+SchemaType<std::int64_t> long_integer(std::int64_t least, std::int64_t most);
+SchemaType<int> integer(int least, int most);
+SchemaType<double> number(const Range& range = {});
 
 /// A text such as "1 m"; the result is in the unit that the dimension's comment names, times `factor`.
-Kind<double> quantity(const Dimension& dimension, const Range& range = {}, double factor = 1.0);
+SchemaType<double> quantity(const Dimension& dimension, const Range& range = {}, double factor = 1.0);
 
 /// A number such as 0.002, or a text such as "0.2 %".
-Kind<double> fraction(const Range& range);
+SchemaType<double> fraction(const Range& range);
 
 /// Any text that is not empty, at most 200 bytes, without control characters.
-Kind<std::string> label();
-Kind<std::string> text_like(std::string pattern, std::string expected, std::string short_name);
+SchemaType<std::string> label();
+SchemaType<std::string> text_like(std::string pattern, std::string expected, std::string short_name);
 
 /// A name of something declared elsewhere in the document: "a material".
-Kind<DocumentName> name_of(const std::string& what);
-Kind<DocumentFile> file();
+SchemaType<DocumentName> name_of(const std::string& what);
+SchemaType<DocumentFile> file();
 
 /// Three coordinates with units; displacements likewise.
-Kind<math::Point3> point();
-Kind<math::Vec3> displacement();
+SchemaType<math::Point3> point();
+SchemaType<math::Vec3> displacement();
 
 /// Three plain numbers, not all zero.
-Kind<math::Vec3> direction();
+SchemaType<math::Vec3> direction();
 
 /// The text of a node that must be one; fails with what the description expects.
 const std::string& text_of(const DocumentNode& node, const ValueDescription& description);
@@ -105,7 +105,7 @@ std::size_t choice_index(const DocumentNode& node, const ValueDescription& descr
 
 /// One of a few words.
 template <class E>
-Kind<E> choice(const std::vector<std::pair<std::string, E>>& words) {
+SchemaType<E> choice(const std::vector<std::pair<std::string, E>>& words) {
   std::vector<std::string> names;
   std::vector<E> values;
   for (const auto& [name, value] : words) {
@@ -125,7 +125,7 @@ Kind<E> choice(const std::vector<std::pair<std::string, E>>& words) {
 
 /// Writes the items of a list, all or none.
 template <class Items, class V>
-Written written_list(const Items& items, const Kind<V>& item, Writing& writing) {
+Written written_list(const Items& items, const SchemaType<V>& item, Writing& writing) {
   JsonValue::List list;
   for (const V& value : items) {
     Written one = item.write(value, writing);
@@ -139,7 +139,7 @@ Written written_list(const Items& items, const Kind<V>& item, Writing& writing) 
 }
 
 template <class V>
-Kind<std::vector<V>> list(const Kind<V>& item, std::size_t least, std::size_t most) {
+SchemaType<std::vector<V>> list(const SchemaType<V>& item, std::size_t least, std::size_t most) {
   auto description = list_description(item.description, least, most);
   return {description,
           [description, read = item.read](const DocumentNode& node) {
@@ -156,7 +156,7 @@ Kind<std::vector<V>> list(const Kind<V>& item, std::size_t least, std::size_t mo
 }
 
 template <class V, std::size_t N>
-Kind<std::array<V, N>> tuple(const Kind<V>& item) {
+SchemaType<std::array<V, N>> tuple(const SchemaType<V>& item) {
   auto description = list_description(item.description, N, N);
   return {description,
           [description, read = item.read](const DocumentNode& node) {
@@ -172,8 +172,8 @@ Kind<std::array<V, N>> tuple(const Kind<V>& item) {
 
 /// An object whose keys the user chooses; `of_what` names them: "materials".
 template <class V>
-Kind<std::vector<std::pair<std::string, V>>> map_of(const Kind<V>& item, const std::string& of_what,
-                                                    std::size_t most) {
+SchemaType<std::vector<std::pair<std::string, V>>> map_of(const SchemaType<V>& item,
+                                                          const std::string& of_what, std::size_t most) {
   auto description = map_description(item.description, of_what, most);
   return {
       description,
@@ -204,10 +204,10 @@ Kind<std::vector<std::pair<std::string, V>>> map_of(const Kind<V>& item, const s
 /// The same value read as another type. `back` gives what is written, or an optional of it: nothing for what this cannot
 /// tell.
 template <class W, class V, class Convert, class Back>
-Kind<W> converted(const Kind<V>& kind, Convert convert, Back back) {
-  return {kind.description,
-          [read = kind.read, convert](const DocumentNode& node) -> W { return convert(read(node)); },
-          [write = kind.write, back](const W& value, Writing& writing) -> Written {
+SchemaType<W> converted(const SchemaType<V>& type, Convert convert, Back back) {
+  return {type.description,
+          [read = type.read, convert](const DocumentNode& node) -> W { return convert(read(node)); },
+          [write = type.write, back](const W& value, Writing& writing) -> Written {
             const std::optional<V> from = back(value);
             return from ? write(*from, writing) : std::nullopt;
           }};
@@ -215,10 +215,10 @@ Kind<W> converted(const Kind<V>& kind, Convert convert, Back back) {
 
 /// The same value, whose position is kept: made by `make(V, node)`, of which `back` gives the value or an optional of it.
 template <class W, class V, class Make, class Back>
-Kind<W> located(const Kind<V>& kind, Make make, Back back) {
-  return {kind.description,
-          [read = kind.read, make](const DocumentNode& node) -> W { return make(read(node), node); },
-          [write = kind.write, back](const W& value, Writing& writing) -> Written {
+SchemaType<W> located(const SchemaType<V>& type, Make make, Back back) {
+  return {type.description,
+          [read = type.read, make](const DocumentNode& node) -> W { return make(read(node), node); },
+          [write = type.write, back](const W& value, Writing& writing) -> Written {
             const std::optional<V> from = back(value);
             return from ? write(*from, writing) : std::nullopt;
           }};

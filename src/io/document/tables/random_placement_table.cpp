@@ -6,29 +6,30 @@
 namespace ifov::io {
 namespace {
 
-constexpr std::size_t kMostKin = 1000;
+constexpr std::size_t kMostPrototypes = 1000;
 constexpr int kMostBands = 65535;
 constexpr std::int64_t kLargestSeed = 9007199254740991;
 constexpr double kFarthest_m = 1e8;
 
-Kind<std::vector<ScatterShape::Kin>> kin_kind() {
-  const Kind<DocumentName> name = name_of("a prototype");
-  Record<ScatterShape::Kin> kin("scattered prototype", "One of several prototypes that stand mixed.");
-  kin.required("prototype", &ScatterShape::Kin::prototype, name, "what is copied")
-      .with_default("weight", &ScatterShape::Kin::weight, number(Range::above(0.0)), "1",
+SchemaType<std::vector<RandomPlacement::Weighted>> prototypes_type() {
+  const SchemaType<DocumentName> name = name_of("a prototype");
+  Record<RandomPlacement::Weighted> weighted("weighted prototype",
+                                             "One of several prototypes that stand mixed.");
+  weighted.required("prototype", &RandomPlacement::Weighted::prototype, name, "what is copied")
+      .with_default("weight", &RandomPlacement::Weighted::weight, number(Range::above(0.0)), "1",
                     "how often it comes, beside the weights of the others");
-  const auto one = converted<std::vector<ScatterShape::Kin>>(
+  const auto one = converted<std::vector<RandomPlacement::Weighted>>(
       name,
       [](DocumentName n) {
-        return std::vector<ScatterShape::Kin>{{std::move(n), 1.0}};
+        return std::vector<RandomPlacement::Weighted>{{std::move(n), 1.0}};
       },
-      [](const std::vector<ScatterShape::Kin>& of) {
+      [](const std::vector<RandomPlacement::Weighted>& of) {
         return of.size() == 1 && of[0].weight == 1.0 ? std::optional(of[0].prototype) : std::nullopt;
       });
-  return either(one, list(kin.kind(), 1, kMostKin));
+  return either(one, list(weighted.type(), 1, kMostPrototypes));
 }
 
-Kind<std::variant<double, DensityMap>> density_kind() {
+SchemaType<std::variant<double, DensityMap>> density_type() {
   using Density = std::variant<double, DensityMap>;
   Record<DensityMap> map(
       "density map",
@@ -45,7 +46,7 @@ Kind<std::variant<double, DensityMap>> density_kind() {
       quantity(kDensity, Range::above(0.0, "m-2")), [](double d) { return Density(d); },
       [](const Density& density) { return target::as<double>(density); });
   return either(fixed, converted<Density>(
-                           map.kind(), [](DensityMap m) { return Density(std::move(m)); },
+                           map.type(), [](DensityMap m) { return Density(std::move(m)); },
                            [](const Density& density) { return target::as<DensityMap>(density); }));
 }
 
@@ -53,7 +54,7 @@ struct Area {
   std::array<double, 2> low_m{}, high_m{};
 };
 
-Kind<Area> area_kind() {
+SchemaType<Area> area_type() {
   const auto corner = tuple<double, 2>(quantity(kLength, Range::between(-kFarthest_m, kFarthest_m, "m")));
   Record<Area> area("area", "A rectangle on the map.");
   area.required("low", &Area::low_m, corner, "x and y of its lower left corner")
@@ -63,11 +64,11 @@ Kind<Area> area_kind() {
           node.given("high").fail(
               format("{} is not above 'low' in both coordinates", node.given("high").title()));
       });
-  return area.kind();
+  return area.type();
 }
 
-Kind<std::array<double, 2>> scale_kind() {
-  const Kind<double> factor = number(Range::above(0.0));
+SchemaType<std::array<double, 2>> scale_type() {
+  const SchemaType<double> factor = number(Range::above(0.0));
   const auto fixed = converted<std::array<double, 2>>(
       factor,
       [](double s) {
@@ -77,7 +78,7 @@ Kind<std::array<double, 2>> scale_kind() {
         return scale[0] == scale[1] ? std::optional(scale[0]) : std::nullopt;
       });
   const auto pair = tuple<double, 2>(factor);
-  const Kind<std::array<double, 2>> range{
+  const SchemaType<std::array<double, 2>> range{
       pair.description,
       [read = pair.read](const DocumentNode& node) {
         const std::array<double, 2> scale = read(node);
@@ -90,47 +91,47 @@ Kind<std::array<double, 2>> scale_kind() {
 
 }  // namespace
 
-Kind<ScatterShape> scatter_kind() {
-  Record<ScatterShape> record("random placement",
-                              "Copies of prototypes at random, with a density and a minimum distance.");
-  const Kind<std::variant<double, DensityMap>> density = density_kind();
-  record.required("of", &ScatterShape::of, kin_kind(), "what is copied")
-      .required("density", &ScatterShape::density_m2, density,
+SchemaType<RandomPlacement> random_placement_type() {
+  Record<RandomPlacement> record("random placement",
+                                 "Copies of prototypes at random, with a density and a minimum distance.");
+  const SchemaType<std::variant<double, DensityMap>> density = density_type();
+  record.required("of", &RandomPlacement::of, prototypes_type(), "what is copied")
+      .required("density", &RandomPlacement::density_m2, density,
                 "copies per area, everywhere the same or from a map")
-      .with_default("minimum_distance", &ScatterShape::minimum_distance_m,
+      .with_default("minimum_distance", &RandomPlacement::minimum_distance_m,
                     quantity(kLength, Range::at_least(0.0, "m")), "\"0 m\"",
                     "of copies from each other, on the map")
       .required("area",
                 via(
-                    [](ScatterShape& s, const Area& area) {
+                    [](RandomPlacement& s, const Area& area) {
                       s.low_m = area.low_m;
                       s.high_m = area.high_m;
                     },
-                    [](const ScatterShape& s) {
+                    [](const RandomPlacement& s) {
                       return Area{s.low_m, s.high_m};
                     }),
-                area_kind(), "where they stand")
+                area_type(), "where they stand")
       .at_most_one()
-      .one("on", &ScatterShape::on, name_of("an object"),
+      .one("on", &RandomPlacement::on, name_of("an object"),
            "the objects of this name carry them: each stands on the topmost surface of its place, and where "
            "there is "
            "none, none stands")
-      .one("height", &ScatterShape::height_m, quantity(kLength), "z of all; 0 m without it and 'on'")
-      .with_default("scale", &ScatterShape::scale, scale_kind(), "1",
+      .one("height", &RandomPlacement::height_m, quantity(kLength), "z of all; 0 m without it and 'on'")
+      .with_default("scale", &RandomPlacement::scale, scale_type(), "1",
                     "factor, or the lowest and the highest of random ones")
-      .with_default("turn", &ScatterShape::turn, boolean(), "true", "turned at random about the vertical")
+      .with_default("turn", &RandomPlacement::turn, boolean(), "true", "turned at random about the vertical")
       .with_default("seed",
-                    via([](ScatterShape& s, std::int64_t n) { s.seed = static_cast<std::uint64_t>(n); },
-                        [](const ScatterShape& s) { return static_cast<std::int64_t>(s.seed); }),
+                    via([](RandomPlacement& s, std::int64_t n) { s.seed = static_cast<std::uint64_t>(n); },
+                        [](const RandomPlacement& s) { return static_cast<std::int64_t>(s.seed); }),
                     long_integer(0, kLargestSeed), "0", "another one gives other places");
-  const Kind<ScatterShape> kind = record.kind();
-  return {kind.description,
-          [read = kind.read](const DocumentNode& node) {
-            ScatterShape scatter = read(node);
-            scatter.density_position = node.given("density").position();
-            return scatter;
+  const SchemaType<RandomPlacement> type = record.type();
+  return {type.description,
+          [read = type.read](const DocumentNode& node) {
+            RandomPlacement placement = read(node);
+            placement.density_position = node.given("density").position();
+            return placement;
           },
-          kind.write};
+          type.write};
 }
 
 }  // namespace ifov::io

@@ -3,7 +3,7 @@
 
 #include "core/format.h"
 #include "core/names.h"
-#include "io/document/schema/kind.h"
+#include "io/document/schema/schema_type.h"
 
 namespace ifov::io {
 namespace {
@@ -122,7 +122,7 @@ double read_quantity(const DocumentNode& node, const Dimension& dimension, const
   return value;
 }
 
-Kind<bool> boolean() {
+SchemaType<bool> boolean() {
   ValueDescription d;
   d.form = Form::boolean;
   d.expected = "true or false";
@@ -136,7 +136,7 @@ Kind<bool> boolean() {
           [](bool value, Writing&) { return JsonValue(value); }};
 }
 
-Kind<std::int64_t> long_integer(std::int64_t least, std::int64_t most) {
+SchemaType<std::int64_t> long_integer(std::int64_t least, std::int64_t most) {
   ValueDescription d;
   d.form = Form::integer;
   d.expected = format("an integer between {} and {}", least, most);
@@ -155,13 +155,13 @@ Kind<std::int64_t> long_integer(std::int64_t least, std::int64_t most) {
           }};
 }
 
-Kind<int> integer(int least, int most) {
+SchemaType<int> integer(int least, int most) {
   return converted<int>(
       long_integer(least, most), [](std::int64_t value) { return static_cast<int>(value); },
       [](int value) { return std::int64_t{value}; });
 }
 
-Kind<double> number(const Range& range) {
+SchemaType<double> number(const Range& range) {
   ValueDescription d;
   d.form = Form::number;
   d.expected = format("a number{}", range_text(range));
@@ -189,7 +189,7 @@ Kind<double> number(const Range& range) {
           }};
 }
 
-Kind<double> quantity(const Dimension& dimension, const Range& range, double factor) {
+SchemaType<double> quantity(const Dimension& dimension, const Range& range, double factor) {
   ValueDescription d;
   d.form = Form::text;
   d.expected = format("{}{}, such as \"{}\" (units: {})", dimension.name, range_text(range),
@@ -206,8 +206,8 @@ Kind<double> quantity(const Dimension& dimension, const Range& range, double fac
           }};
 }
 
-Kind<double> fraction(const Range& range) {
-  const Kind<double> plain = number(range);
+SchemaType<double> fraction(const Range& range) {
+  const SchemaType<double> plain = number(range);
   ValueDescription percent;
   percent.form = Form::text;
   percent.expected = "a percentage";
@@ -230,7 +230,7 @@ Kind<double> fraction(const Range& range) {
       [range](double value, Writing&) { return is_within(value, range) ? Written(value) : std::nullopt; }};
 }
 
-Kind<math::Point3> point() {
+SchemaType<math::Point3> point() {
   return converted<math::Point3>(
       tuple<double, 3>(quantity(kLength)),
       [](const std::array<double, 3>& c) {
@@ -241,7 +241,7 @@ Kind<math::Point3> point() {
       });
 }
 
-Kind<math::Vec3> displacement() {
+SchemaType<math::Vec3> displacement() {
   return converted<math::Vec3>(
       tuple<double, 3>(quantity(kLength)),
       [](const std::array<double, 3>& c) {
@@ -252,8 +252,8 @@ Kind<math::Vec3> displacement() {
       });
 }
 
-Kind<math::Vec3> direction() {
-  const Kind<std::array<double, 3>> numbers = tuple<double, 3>(number());
+SchemaType<math::Vec3> direction() {
+  const SchemaType<std::array<double, 3>> numbers = tuple<double, 3>(number());
   return {numbers.description,
           [read = numbers.read](const DocumentNode& node) {
             const std::array<double, 3> c = read(node);

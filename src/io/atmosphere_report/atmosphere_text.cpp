@@ -3,8 +3,8 @@
 
 #include "atmosphere/imported_path.h"
 #include "core/format.h"
-#include "io/air/air_report.h"
 #include "io/atmosphere/path_csv.h"
+#include "io/atmosphere_report/atmosphere_report.h"
 #include "radiometry/planck.h"
 
 namespace ifov::io {
@@ -27,9 +27,9 @@ std::string fitted(const std::string& name) {
 
 }  // namespace
 
-std::string air_table(const AirReport& report) {
+std::string atmosphere_report_text(const AtmosphereReport& report) {
   std::size_t widest = 7;
-  for (const AirReport::Channel& channel : report.channels)
+  for (const AtmosphereReport::Channel& channel : report.channels)
     widest = std::max(widest, fitted(channel.name).size());
   const bool day = report.geometry.sun_zenith_rad.has_value();
   std::string text;
@@ -38,7 +38,7 @@ std::string air_table(const AirReport& report) {
                  "path radiance");
   text += format("{:<{}}  {:>7}  {:>7} {:>7}  {:>8} {:>8}  {:>8} {:>8}  {:>6}  {:>5}\n", "channel", widest,
                  "um", report.body, "sensor", "solar", "thermal", "direct", "diffuse", "albedo", "sky K");
-  for (const AirReport::Channel& channel : report.channels) {
+  for (const AtmosphereReport::Channel& channel : report.channels) {
     const atmosphere::AtmosphereEffects& of = channel.light;
     const double sky = of.solar_sky + of.thermal_sky;
     const std::string kelvin =
@@ -72,7 +72,7 @@ std::string air_table(const AirReport& report) {
          "bright.\n";
 }
 
-std::string air_csv(const AirReport& report) {
+std::string atmosphere_report_csv(const AtmosphereReport& report) {
   using atmosphere::PathQuantity;
   std::vector<double> wavelength_um;
   for (const atmosphere::AtmosphereEffects& step : report.spectrum)

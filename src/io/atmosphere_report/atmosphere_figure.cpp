@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/air/air_report.h"
-#include "io/air/sky_picture.h"
+#include "io/atmosphere_report/atmosphere_report.h"
+#include "io/atmosphere_report/sky_picture.h"
 #include "io/figures/axes.h"
 
 namespace ifov::io {
@@ -33,7 +33,7 @@ std::vector<double> wavelength_ticks(const Axis& axis) {
                             2.5, 3.0,  4.0, 5.0,  6.0, 8.0, 10.0, 12.0, 14.0, 20.0, 30.0, 50.0}) {
     if (tick < axis.first || tick > axis.last) continue;
     constexpr double kLeastDistance = 0.045;
-    if (last > 0.0 && axis.place(tick) - axis.place(last) < kLeastDistance) continue;
+    if (last > 0.0 && axis.position(tick) - axis.position(last) < kLeastDistance) continue;
     found.push_back(tick);
     last = tick;
   }
@@ -53,11 +53,11 @@ Axis logarithmic_axis(const std::vector<Curve>& curves) {
 }
 
 /// Where the channels are, behind the curves.
-void draw_channels(Canvas& canvas, const AirReport& report, const Plot& plot) {
+void draw_channels(Canvas& canvas, const AtmosphereReport& report, const Plot& plot) {
   constexpr std::size_t kMost = 24;
   if (report.channels.size() > kMost) return;
   canvas.begin_clip(plot.x, plot.y, plot.width, plot.height);
-  for (const AirReport::Channel& channel : report.channels) {
+  for (const AtmosphereReport::Channel& channel : report.channels) {
     const double left = plot.to_x(channel.first_um), right = plot.to_x(channel.last_um);
     canvas.fill_rectangle(left, plot.y, std::max(1.0, right - left), plot.height, {0.55, 0.6, 0.75, 0.16});
   }
@@ -66,7 +66,7 @@ void draw_channels(Canvas& canvas, const AirReport& report, const Plot& plot) {
 
 }  // namespace
 
-std::string air_figure(const AirReport& report) {
+std::string atmosphere_report_figure(const AtmosphereReport& report) {
   const std::vector<AtmosphereEffects>& spectrum = report.spectrum;
   const bool day = report.geometry.sun_zenith_rad.has_value();
   const double top = kTitle + 20.0 * static_cast<double>(report.description.size()) + 44.0;
