@@ -5,7 +5,7 @@
 
 namespace ifov::cluster {
 
-/// How long to sleep between two looks for messages. Each look takes some 20 us from a core on which tiles are rendered, so
+/// How long to sleep between two polls for messages. Each poll takes some 20 us from a core on which tiles are rendered, so
 /// they must be few; and what has been asked must not wait for long. So pauses are short after a message and double from
 /// there: while messages keep coming, one waits for less than the time since the last.
 class Backoff {

@@ -79,9 +79,9 @@ Communicator::Communicator() : mpi_(std::make_unique<Mpi>()) {
   int on_node = 0;
   MPI_Comm_rank(node, &on_node);
   MPI_Comm_free(&node);
-  std::vector<int> places(static_cast<std::size_t>(ranks));
-  MPI_Allgather(&on_node, 1, MPI_INT, places.data(), 1, MPI_INT, MPI_COMM_WORLD);
-  for (const int place : places) first_on_node_.push_back(place == 0);
+  std::vector<int> on_nodes(static_cast<std::size_t>(ranks));
+  MPI_Allgather(&on_node, 1, MPI_INT, on_nodes.data(), 1, MPI_INT, MPI_COMM_WORLD);
+  for (const int rank_on_node : on_nodes) first_on_node_.push_back(rank_on_node == 0);
 }
 
 Communicator::~Communicator() {

@@ -8,7 +8,7 @@
 namespace ifov::cluster {
 namespace {
 
-/// Between two looks for messages, where a thread waits for tiles; where more are on their way; and where only the end of
+/// Between two polls for messages, where a thread waits for tiles; where more are on their way; and where only the end of
 /// the run may come.
 constexpr std::chrono::milliseconds kBackoffIdle{1}, kBackoffAsked{5}, kBackoffAtWork{20};
 constexpr auto kReportEvery = std::chrono::milliseconds(500);

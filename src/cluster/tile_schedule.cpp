@@ -24,42 +24,42 @@ TileSchedule::TileSchedule(const std::vector<int>& tiles, int columns, int threa
     rows_ = std::max(rows_, order_.back().y + 1);
   }
   scouts_ = static_cast<std::size_t>(
-      std::stable_partition(order_.begin(), order_.end(), [](const Place& p) { return is_scout(p.x, p.y); }) -
+      std::stable_partition(order_.begin(), order_.end(), [](const Entry& p) { return is_scout(p.x, p.y); }) -
       order_.begin());
   // Neighbours are alike, and are not to end up in one hand.
-  const auto spread = [](const Place& p) { return static_cast<std::uint32_t>(p.tile) * 2654435769u; };
+  const auto spread = [](const Entry& p) { return static_cast<std::uint32_t>(p.tile) * 2654435769u; };
   std::sort(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(scouts_),
-            [&](const Place& a, const Place& b) { return spread(a) < spread(b); });
+            [&](const Entry& a, const Entry& b) { return spread(a) < spread(b); });
   cells_.assign(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_), {});
   for (std::size_t k = 0; k < scouts_; ++k)
     cells_[static_cast<std::size_t>(order_[k].tile)].is_awaited = true;
 }
 
 void TileSchedule::finished(const TileCost& cost) {
-  const auto place = static_cast<std::size_t>(cost.tile);
-  if (place >= cells_.size() || cells_[place].took_s >= 0.0f) return;
-  cells_[place] = {static_cast<float>(cost.seconds), false};
-  dearest_s_ = std::max(dearest_s_, cells_[place].took_s);
+  const auto entry = static_cast<std::size_t>(cost.tile);
+  if (entry >= cells_.size() || cells_[entry].took_s >= 0.0f) return;
+  cells_[entry] = {static_cast<float>(cost.seconds), false};
+  longest_s_ = std::max(longest_s_, cells_[entry].took_s);
   ++known_;
 }
 
-float TileSchedule::guess_s(const Place& place) const {
+float TileSchedule::guess_s(const Entry& entry) const {
   float most = kUnknown;
-  for (int y = std::max(0, place.y - kReach); y <= std::min(rows_ - 1, place.y + kReach); ++y)
-    for (int x = std::max(0, place.x - kReach); x <= std::min(columns_ - 1, place.x + kReach); ++x) {
+  for (int y = std::max(0, entry.y - kReach); y <= std::min(rows_ - 1, entry.y + kReach); ++y)
+    for (int x = std::max(0, entry.x - kReach); x <= std::min(columns_ - 1, entry.x + kReach); ++x) {
       const Cell& cell = cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
                                 static_cast<std::size_t>(x)];
       if (cell.is_awaited) return kAwaited_s;
       most = std::max(most, cell.took_s);
     }
-  return most >= 0.0f ? most : dearest_s_;
+  return most >= 0.0f ? most : longest_s_;
 }
 
 void TileSchedule::sort_rest() {
   if (next_ < scouts_ || known_ < sort_at_ || known_ == 0) return;
   const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(next_);
-  for (auto place = begin; place != order_.end(); ++place) place->guess_s = guess_s(*place);
-  std::stable_sort(begin, order_.end(), [](const Place& a, const Place& b) { return a.guess_s > b.guess_s; });
+  for (auto entry = begin; entry != order_.end(); ++entry) entry->guess_s = guess_s(*entry);
+  std::stable_sort(begin, order_.end(), [](const Entry& a, const Entry& b) { return a.guess_s > b.guess_s; });
   sort_at_ = known_ + order_.size() / kSorts + 1;
 }
 
@@ -69,7 +69,7 @@ std::vector<int> TileSchedule::take(int idle, int threads) {
   sort_rest();
   const auto expected_s = [&](std::size_t k) {
     if (k >= scouts_) return static_cast<double>(order_[k].guess_s);
-    return known_ > 0 ? static_cast<double>(dearest_s_) : kGroup_s;
+    return known_ > 0 ? static_cast<double>(longest_s_) : kGroup_s;
   };
   const double enough_s = kGroup_s * std::max(threads, 1);
   if (idle == 0 && (left() <= 2 * threads_ || expected_s(next_) >= kGroup_s)) return group;

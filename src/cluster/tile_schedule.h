@@ -13,8 +13,8 @@ struct TileCost {
 };
 
 /// Decides which tiles are rendered next, and by how many at a time they are handed out. First come scouts, one in 16,
-/// spread over the image; then, by what those and all later tiles took, the dearest of the rest: a tile is taken to be as
-/// dear as the dearest finished one around it, and dearer than all while a scout near it is at work. So the image
+/// spread over the image; then, by what those and all later tiles took, the most expensive of the rest: a tile is taken to
+/// cost as much as the most expensive finished one around it, and more than all while a scout near it is at work. So the image
 /// ends with cheap tiles, and nobody waits for long (longest processing time first: Graham 1969, "Bounds on
 /// multiprocessing timing anomalies"). Serves one thread at a time; what comes out of a tile does not depend on any of
 /// this.
@@ -36,7 +36,7 @@ class TileSchedule {
   std::size_t left() const { return order_.size() - next_; }
 
  private:
-  struct Place {
+  struct Entry {
     int tile = -1, x = 0, y = 0;
     float guess_s = 0.0f;  ///< 0: none
   };
@@ -44,16 +44,16 @@ class TileSchedule {
     float took_s = -1.0f;     ///< below 0: not known
     bool is_awaited = false;  ///< a scout that is not done
   };
-  float guess_s(const Place& place) const;
+  float guess_s(const Entry& entry) const;
   void sort_rest();
 
   int columns_, rows_ = 0;
   std::size_t threads_;
-  std::vector<Place> order_;  ///< up to next_ they are handed out; scouts come first
+  std::vector<Entry> order_;  ///< up to next_ they are handed out; scouts come first
   std::size_t next_ = 0, scouts_ = 0;
   std::vector<Cell> cells_;  ///< by place in the grid
   std::size_t known_ = 0, sort_at_ = 0;
-  float dearest_s_ = 0.0f;
+  float longest_s_ = 0.0f;
 };
 
 }  // namespace ifov::cluster

@@ -63,19 +63,19 @@ Progress TileServer::others() const {
   return sum;
 }
 
-std::map<int, Farewell> TileServer::finish(const std::function<void()>& look) {
+std::map<int, FinalReport> TileServer::finish(const std::function<void()>& wait) {
   std::unique_lock lock(mutex_);
   std::optional<Clock::time_point> end;
   while (!all_gone() && (!end || Clock::now() < *end)) {
     if (user_ != nullptr && user_->cancelled() && !end) end = Clock::now() + kPatience;
     wake_.wait_for(lock, std::chrono::milliseconds(100));
     lock.unlock();
-    look();
+    wait();
     lock.lock();
   }
   if (user_ != nullptr && user_->cancelled()) throw Cancelled();
-  if (failed_) raise(farewells_[*failed_].fault, communicator_.name(*failed_));
-  return farewells_;
+  if (failed_) raise(final_reports_[*failed_].fault, communicator_.name(*failed_));
+  return final_reports_;
 }
 
 void TileServer::serve() {
@@ -99,12 +99,12 @@ void TileServer::answer(Message message) {
   const std::unique_lock lock(mutex_);
   Payload& payload = message.payload;
   if (message.tag == Tag::farewell) {
-    Farewell farewell;
+    FinalReport farewell;
     farewell.fault = take_fault(payload);
     farewell.packs = payload.take<int>();
     farewell.warnings = payload.take<std::vector<std::string>>();
     progress_[message.rank] = payload.take<Progress>();
-    farewells_[message.rank] = farewell;
+    final_reports_[message.rank] = farewell;
     if (farewell.fault) {
       if (!failed_ && !stopped_) failed_ = message.rank;
       stop_all();
@@ -132,12 +132,12 @@ void TileServer::stop_all() {
   token_.cancel();
   std::vector<int> at_work;
   for (int rank = 1; rank < communicator_.size(); ++rank)
-    if (!farewells_.contains(rank)) at_work.push_back(rank);
+    if (!final_reports_.contains(rank)) at_work.push_back(rank);
   communicator_.send_all(at_work, Tag::stop, {});
 }
 
 bool TileServer::all_gone() const {
-  return farewells_.size() + 1 == static_cast<std::size_t>(communicator_.size());
+  return final_reports_.size() + 1 == static_cast<std::size_t>(communicator_.size());
 }
 
 }  // namespace ifov::cluster

@@ -17,7 +17,7 @@
 namespace ifov::cluster {
 
 /// How a rank ended its part.
-struct Farewell {
+struct FinalReport {
   Fault fault;
   int packs = 0;  ///< files of tiles that it has written
   std::vector<std::string> warnings;
@@ -42,9 +42,9 @@ class TileServer final : public render::TileSource {
   /// What the other ranks have done so far.
   Progress others() const;
 
-  /// After this rank's own tiles: waits until all others have put theirs on disk, and calls `look` now and then. Throws
+  /// After this rank's own tiles: waits until all others have put theirs on disk, and calls `wait` now and then. Throws
   /// what keeps a rank from it; Cancelled where the user stopped the run.
-  std::map<int, Farewell> finish(const std::function<void()>& look);
+  std::map<int, FinalReport> finish(const std::function<void()>& wait);
 
  private:
   void serve();
@@ -60,7 +60,7 @@ class TileServer final : public render::TileSource {
   TileSchedule schedule_;
   std::map<std::thread::id, TileCost> own_;  ///< tiles and when they were begun
   std::map<int, Progress> progress_;         ///< of the others
-  std::map<int, Farewell> farewells_;
+  std::map<int, FinalReport> final_reports_;
   std::optional<int> failed_;  ///< the first rank that could not go on
   bool stopped_ = false, leaving_ = false;
   std::thread thread_;

@@ -17,7 +17,7 @@ std::vector<int> all_tiles() {
   return tiles;
 }
 
-/// Dear in the lower right corner, which comes last row by row.
+/// Expensive in the lower right corner, which comes last row by row.
 double cost_s(int tile) {
   const int x = tile % kColumns, y = tile / kColumns;
   return x > kColumns / 2 && y > 2 * kRows / 3 ? 1.0 : 0.02;
@@ -49,14 +49,14 @@ TEST(TileSchedule, SpreadsTheFirstTilesAndThenTakesTheDearest) {
       order.push_back(tile);
       schedule.finished({tile, cost_s(tile)});
     }
-  const auto is_dear = [](int tile) { return cost_s(tile) > 0.5; };
-  const auto dear = std::count_if(order.begin(), order.end(), is_dear);
+  const auto is_expensive = [](int tile) { return cost_s(tile) > 0.5; };
+  const auto expensive = std::count_if(order.begin(), order.end(), is_expensive);
   const std::size_t first = kColumns / 4 * kRows / 4;
-  const auto end = order.begin() + static_cast<std::ptrdiff_t>(first) + dear + dear / 4;
-  EXPECT_GT(std::count_if(order.begin(), end, is_dear), 95 * dear / 100);
+  const auto end = order.begin() + static_cast<std::ptrdiff_t>(first) + expensive + expensive / 4;
+  EXPECT_GT(std::count_if(order.begin(), end, is_expensive), 95 * expensive / 100);
   // What row by row would do, which is what must not be.
   const std::vector<int> rows = all_tiles();
-  EXPECT_EQ(std::count_if(rows.begin(), rows.begin() + (end - order.begin()), is_dear), 0);
+  EXPECT_EQ(std::count_if(rows.begin(), rows.begin() + (end - order.begin()), is_expensive), 0);
 }
 
 TEST(TileSchedule, GroupsOfCheapTilesShrinkTowardsTheEnd) {

@@ -53,7 +53,7 @@ io::RunPlan plan_of(const Parts& parts, const RunRequest& request, const std::fi
 }
 
 /// What pieces took while they were at work, for tiles that are, with their margins, so many times as wide: between as much,
-/// where the dearest piece of a tile makes it, and as many times as much as pieces fit into a tile, where all are alike.
+/// where the most expensive piece of a tile makes it, and as many times as much as pieces fit into a tile, where all are alike.
 std::uint64_t work_of_tiles(std::uint64_t piece_bytes, double width_ratio) {
   return static_cast<std::uint64_t>(std::max(1.0, width_ratio) * static_cast<double>(piece_bytes));
 }

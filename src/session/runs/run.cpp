@@ -230,7 +230,7 @@ class Run {
       stopped = !limit.reached();
       if (stopped && !server) throw;
     }
-    std::map<int, cluster::Farewell> farewells;
+    std::map<int, cluster::FinalReport> farewells;
     if (server) farewells = server->finish([&] { progress.report_others(); });
     if (stopped) throw Cancelled();
     totals_ = progress.last();

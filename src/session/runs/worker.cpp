@@ -107,7 +107,7 @@ class Worker {
     int packs = 0;
     Fault fault;
     try {
-      packs = render(shared_run_in(parcel_), tiles, warnings);
+      packs = render(shared_run_in(payload_), tiles, warnings);
     } catch (...) {
       fault = cluster::current_fault();
     }
@@ -119,7 +119,7 @@ class Worker {
   bool wait_for(Tag tag) {
     while (true) {
       cluster::Message message = communicator_.receive(nullptr);
-      parcel_ = std::move(message.payload);
+      payload_ = std::move(message.payload);
       if (message.tag == tag) return true;
       if (message.tag == Tag::end) return false;
     }
@@ -161,7 +161,7 @@ class Worker {
   int threads_;
   std::optional<Session> session_;
   io::RunPlan plan_;
-  cluster::Payload parcel_;
+  cluster::Payload payload_;
 };
 
 }  // namespace
