@@ -45,7 +45,7 @@ ExitCode preview(const PreviewArguments& arguments) {
                                                               .log = &console});
     patience.over();
     if (arguments.strict) require_no_warnings(simulation.warnings().size());
-    console.phase("first look");
+    console.phase("preview");
     const Preview picture =
         simulation.preview({.seconds = arguments.seconds, .threads = arguments.threads, .cancel = &cancel});
     console.finish();

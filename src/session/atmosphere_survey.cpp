@@ -10,7 +10,7 @@
 #include "geometry/world/world_builder.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
-#include "session/assembly/air/atmosphere_assembly.h"
+#include "session/assembly/atmosphere/atmosphere_assembly.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/whole/light_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"

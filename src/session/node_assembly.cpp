@@ -8,9 +8,9 @@
 #include "io/document/document.h"
 #include "materials/bsdf/hemisphere.h"
 #include "radiometry/spectral_nodes.h"
-#include "session/assembly/air/atmosphere_assembly.h"
-#include "session/assembly/air/imported_assembly.h"
-#include "session/assembly/air/node_tolerance.h"
+#include "session/assembly/atmosphere/atmosphere_assembly.h"
+#include "session/assembly/atmosphere/imported_assembly.h"
+#include "session/assembly/atmosphere/node_tolerance.h"
 #include "session/loaded/parts.h"
 #include "transport/spectral_scene.h"
 
@@ -59,7 +59,7 @@ void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmo
   if (scene.view_path.transmittance) surfaces.push_back(*scene.view_path.transmittance);
 
   const render::AccuracyRequest* request = parts.plan.request ? &*parts.plan.request : nullptr;
-  const AirSubject subject{parts.document, scene, *parts.camera, parts.channels, request};
+  const AtmosphereSubject subject{parts.document, scene, *parts.camera, parts.channels, request};
   radiometry::NodeDemands demands;
   demands.tolerance = node_tolerance(scene, parts.channels, request, demands.tolerance);
   if (const std::optional<int>& depth = parts.document.sampling.max_depth)

@@ -79,7 +79,7 @@ class Painter {
   std::string statement() const {
     const auto [least, most] = std::minmax_element(paths_.begin(), paths_.end());
     const std::string count = *least == *most ? format("{}", *least) : format("{} to {}", *least, *most);
-    return format("A first look: {} path{} at each pixel. It promises no accuracy.", count,
+    return format("A preview: {} path{} at each pixel. It promises no accuracy.", count,
                   *most == 1 ? "" : "s");
   }
 

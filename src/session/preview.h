@@ -9,7 +9,7 @@ struct Document;
 
 namespace ifov::session {
 
-/// The document for a first look: the channels of its picture alone, at most `longest_px` pixels a side over the same
+/// The document of a preview: the channels of its picture alone, at most `longest_px` pixels a side over the same
 /// field of view, perfect optics, and no accuracy asked for.
 io::Document for_preview(io::Document document, int longest_px);
 

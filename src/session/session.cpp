@@ -14,18 +14,18 @@
 #include "render/tolerance/node_budget.h"
 #include "sampling/region_interval.h"
 #include "sensor/psf_wings.h"
-#include "session/air_statements.h"
-#include "session/assembly/air/atmosphere_cache.h"
-#include "session/assembly/air/weather_assembly.h"
+#include "session/assembly/atmosphere/atmosphere_cache.h"
+#include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/whole/scene_assembly.h"
 #include "session/assembly/whole/sensor_assembly.h"
 #include "session/assembly/whole/surroundings_assembly.h"
+#include "session/atmosphere_messages.h"
 #include "session/loaded/parts.h"
+#include "session/messages.h"
 #include "session/node_assembly.h"
-#include "session/sense/light_warnings.h"
-#include "session/sense/sense.h"
-#include "session/statements.h"
+#include "session/plausibility/light_warnings.h"
+#include "session/plausibility/plausibility.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::session {
@@ -36,7 +36,7 @@ namespace {
 constexpr double kChannelError = 1e-3;
 
 /// The footprint of a pixel, and what of its PSF lies beyond.
-void place_response(Parts& parts) {
+void set_response(Parts& parts) {
   const std::unique_ptr<sensor::Psf> psf = assemble_psf(parts.document);
   const double fill_factor = parts.document.sensor.fill_factor;
   parts.footprint =
@@ -106,7 +106,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   p.plan = assemble_sampling(document, p.channels);
   p.assumed_surroundings = assume_surroundings(document, *p.camera, p.scene).value_or("");
   if (!p.assumed_surroundings.empty()) log->info(p.assumed_surroundings);
-  with_position(document, document.sensor.psf_position, [&] { place_response(p); });
+  with_position(document, document.sensor.psf_position, [&] { set_response(p); });
   std::optional<AtmosphereCache> solutions;
   if (cache && document.atmosphere.modelled) solutions.emplace(*cache);
   const auto save = [&] {
@@ -133,15 +133,15 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   if (p.atmosphere) p.air = render::atmosphere_half_widths(*p.spectral_scene, *p.atmosphere);
   if (!p.atmosphere) p.node_errors = render::node_half_widths(*p.spectral_scene);
   p.tolerance = p.tolerance_of(p.plan);
-  warn_of_air_errors(p, *log);
+  warn_of_atmosphere_errors(p, *log);
   p.info = image_info(document, *p.camera, p.channels, p.scene, p.map_offset_m);
   p.info.footprint_px = sampling::response_area_px(*p.footprint);
   for (std::size_t c = 0; c < p.air.size(); ++c) p.info.channels[c].air = p.air[c];
   tell_of_emitters(*p.spectral_scene, *log);
   log->info(format("sensor: {} x {} pixels, {} channels in {} spectral nodes", p.info.width_px,
                    p.info.height_px, p.channels.size(), p.nodes->node_count()));
-  phase("first look");
-  make_sense(p, *log);
+  phase("plausibility");
+  check_plausibility(p, *log);
   return Session(std::move(parts));
 }
 

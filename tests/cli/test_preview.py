@@ -1,4 +1,4 @@
-"""A first look: a picture in seconds, with what is said of the scene."""
+"""A preview: a picture in seconds, with what is said of the scene."""
 
 import os
 import pty
@@ -20,7 +20,7 @@ class Preview(unittest.TestCase):
             done = run("preview", "dome.json", "--seconds", "0.2", cwd=folder)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn("in view:", done.stdout)
-            self.assertRegex(done.stdout, r"A first look: [\d to]+ paths? at each pixel\. It promises no accuracy\.")
+            self.assertRegex(done.stdout, r"A preview: [\d to]+ paths? at each pixel\. It promises no accuracy\.")
             self.assertGreater(size_of(folder / "dome.preview.png")[0], 100)
             self.assertFalse((folder / "dome.out").exists())
             self.assertNotIn("\x1b", done.stdout)

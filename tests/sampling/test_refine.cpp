@@ -136,7 +136,7 @@ TEST(RefineUnderAPsf, GoesOnWhereItWas) {
 }
 
 /// Normal values, an end at `first` times the tolerance and then at the tolerance: share of the intervals
-/// that hold. `remembered`: the second run's looks follow the first one's; else it takes its first look for
+/// that hold. `remembered`: the second run's tests follow the first one's; else it takes its first test for
 /// its only one.
 double coverage(double first, bool remembered) {
   constexpr int kTrials = 6000, kReplicates = 12;

@@ -26,12 +26,12 @@ class Words final : public LogSink {
   std::string text;
 };
 
-class AirErrorOfImages : public testing::Test {
+class AtmosphereErrorOfImages : public testing::Test {
  protected:
-  AirErrorOfImages() : folder_(fs::temp_directory_path() / format("ifov_air_error_{}", getpid())) {
+  AtmosphereErrorOfImages() : folder_(fs::temp_directory_path() / format("ifov_air_error_{}", getpid())) {
     fs::create_directories(folder_);
   }
-  ~AirErrorOfImages() override { fs::remove_all(folder_); }
+  ~AtmosphereErrorOfImages() override { fs::remove_all(folder_); }
 
   io::Document document(const std::string& error, bool air = true) const {
     return io::parse_document(
@@ -59,7 +59,7 @@ class AirErrorOfImages : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(AirErrorOfImages, IsInTheHalfWidthAndByItself) {
+TEST_F(AtmosphereErrorOfImages, IsInTheHalfWidthAndByItself) {
   Words words;
   const RunSummary summary = render(document("3 %"), words);
   EXPECT_EQ(words.text, "");
@@ -77,7 +77,7 @@ TEST_F(AirErrorOfImages, IsInTheHalfWidthAndByItself) {
   EXPECT_NE(text.find("air_half_width"), std::string::npos);
 }
 
-TEST_F(AirErrorOfImages, FinerThanTheAirIsToldBeforehandAndEnds) {
+TEST_F(AtmosphereErrorOfImages, FinerThanTheAirIsToldBeforehandAndEnds) {
   Words words;
   const RunSummary summary = render(document("0.01 W m-2 sr-1 um-1"), words);
   EXPECT_NE(words.text.find(
@@ -95,7 +95,7 @@ TEST_F(AirErrorOfImages, FinerThanTheAirIsToldBeforehandAndEnds) {
   EXPECT_GT(summary.totals.worst_error_ratio, 1.0);
 }
 
-TEST_F(AirErrorOfImages, WithoutAModelledAtmosphereThereIsNone) {
+TEST_F(AtmosphereErrorOfImages, WithoutAModelledAtmosphereThereIsNone) {
   Words words;
   render(document("3 %", false), words);
   EXPECT_FALSE(fs::exists(folder_ / "out" / "image_air_half_width.img"));

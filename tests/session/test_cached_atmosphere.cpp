@@ -10,7 +10,7 @@
 #include "core/format.h"
 #include "core/run_control.h"
 #include "io/document/document.h"
-#include "session/assembly/air/atmosphere_cache.h"
+#include "session/assembly/atmosphere/atmosphere_cache.h"
 #include "session/session.h"
 
 namespace ifov::session {

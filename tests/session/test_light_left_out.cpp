@@ -10,8 +10,8 @@
 #include "io/document/document.h"
 #include "radiometry/planck.h"
 #include "session/loaded/parts.h"
+#include "session/messages.h"
 #include "session/session.h"
-#include "session/statements.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::session {

@@ -13,8 +13,8 @@
 #include "io/document/document.h"
 #include "math/ray.h"
 #include "session/loaded/parts.h"
+#include "session/messages.h"
 #include "session/session.h"
-#include "session/statements.h"
 #include "support/truth_data.h"
 
 namespace ifov::session {

@@ -28,7 +28,7 @@ void expect_in(const std::string& part, const std::string& text) {
   EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
-class Scattered : public testing::Test {
+class RandomPlacementTest : public testing::Test {
  protected:
   void SetUp() override {
     folder_ = std::filesystem::temp_directory_path() / format("ifov_scattered_{}", getpid());
@@ -78,7 +78,7 @@ const std::string kArea = R"("area": {"low": ["1010 m", "2010 m"], "high": ["107
 const std::string kSlope = "100 105 110 115\n100 105 110 115\n100 105 110 115\n100 105 110 115";
 const std::string kGround = R"({"name": "ground", "terrain": {"file": "slope.asc"}, "material": "soil"})";
 
-TEST_F(Scattered, StandsOnATerrain) {
+TEST_F(RandomPlacementTest, StandsOnATerrain) {
   write_grid("slope.asc", 4, 4, kSlope);
   const Session session = load(
       kGround + R"(, {"random_placement": {"of": "tree", "density": "0.05 m-2", "minimum_distance": "2 m",
@@ -109,7 +109,7 @@ TEST_F(Scattered, StandsOnATerrain) {
   EXPECT_EQ(log_.text.find("warning: random placement"), std::string::npos) << log_.text;
 }
 
-TEST_F(Scattered, LeavesOutPlacesWithoutGround) {
+TEST_F(RandomPlacementTest, LeavesOutPlacesWithoutGround) {
   write_grid("slope.asc", 4, 4,
              "100 100 -9999 -9999\n100 100 -9999 -9999\n100 100 -9999 -9999\n100 100 -9999 -9999");
   const Session session =
@@ -121,7 +121,7 @@ TEST_F(Scattered, LeavesOutPlacesWithoutGround) {
   expect_in("places have nothing of 'ground' under them and stay empty", log_.text);
 }
 
-TEST_F(Scattered, StandsOnAPlaneOrAtAHeight) {
+TEST_F(RandomPlacementTest, StandsOnAPlaneOrAtAHeight) {
   const Session plane =
       load(R"({"name": "lawn", "plane": {"height": "103 m"}, "material": "soil"}, {"random_placement":
     {"of": "tree", "density": "0.05 m-2", "on": "lawn", )" +
@@ -138,7 +138,7 @@ TEST_F(Scattered, StandsOnAPlaneOrAtAHeight) {
   }
 }
 
-TEST_F(Scattered, FollowsADensityMap) {
+TEST_F(RandomPlacementTest, FollowsADensityMap) {
   // From the north: nothing, then 1 (a density of 0.1 m-2), a cell without a number, 0.25.
   write_grid("cover.asc", 2, 2, "0 1\n-9999 0.25");
   const Session session = load(R"({"plane": {"height": "100 m"}, "material": "soil"}, {"random_placement":
@@ -165,7 +165,7 @@ TEST_F(Scattered, FollowsADensityMap) {
   }
 }
 
-TEST_F(Scattered, SaysWhereDistanceAndDensityContradict) {
+TEST_F(RandomPlacementTest, SaysWhereDistanceAndDensityContradict) {
   const Session session = load(R"({"plane": {"height": "100 m"}, "material": "soil"}, {"random_placement":
     {"of": "tree", "density": "900 ha-1", "minimum_distance": "4 m", )" +
                                kArea + "}}");
@@ -177,7 +177,7 @@ TEST_F(Scattered, SaysWhereDistanceAndDensityContradict) {
   EXPECT_NEAR(static_cast<double>(copies(session).size()), 141.0, 12.0);
 }
 
-TEST_F(Scattered, MixesPrototypesByWeight) {
+TEST_F(RandomPlacementTest, MixesPrototypesByWeight) {
   const Session session = load(R"({"plane": {"height": "100 m"}, "material": "soil"}, {"random_placement":
     {"of": [{"prototype": "tree", "weight": 3}, {"prototype": "post"}], "density": "0.2 m-2", )" +
                                kArea + "}}");
@@ -188,7 +188,7 @@ TEST_F(Scattered, MixesPrototypesByWeight) {
   EXPECT_NEAR(trees / all, 0.75, 4.0 * std::sqrt(0.75 * 0.25 / all));
 }
 
-TEST_F(Scattered, FormerNameIsReadAndWarnedOf) {
+TEST_F(RandomPlacementTest, FormerNameIsReadAndWarnedOf) {
   const Session now = load(R"({"plane": {"height": "100 m"}, "material": "soil"}, {"random_placement":
     {"of": "tree", "density": "0.05 m-2", )" +
                            kArea + "}}");

@@ -149,8 +149,7 @@ TEST(SoughtEmitters, AreToldOf) {
   EXPECT_EQ(left.text.find("emitters:"), std::string::npos) << left.text;
   EXPECT_NE(
       left.text.find(
-          "warning: light of some surfaces that outshine the scene is found by chance alone: it is not sought "
-          "from planes and terrain, nor from more than 1048576 faces; of those beyond that number, pixels are "
+          "warning: light of some surfaces that outshine the scene is found by random paths alone: it is not sought from planes and terrain, nor from more than 1048576 faces; of those beyond that number, pixels are "
           "marked that they may light\n"),
       std::string::npos)
       << left.text;

@@ -11,7 +11,7 @@
 #include "core/format.h"
 #include "io/document/document.h"
 #include "radiometry/planck.h"
-#include "session/assembly/air/atmosphere_assembly.h"
+#include "session/assembly/atmosphere/atmosphere_assembly.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
 #include "transport/spectral_scene.h"

@@ -13,7 +13,7 @@
 #include "io/document/document.h"
 #include "render/mirrors/glints.h"
 #include "sensor/sinking_scanner.h"
-#include "session/assembly/air/atmosphere_assembly.h"
+#include "session/assembly/atmosphere/atmosphere_assembly.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
 #include "transport/spectral_scene.h"

@@ -13,9 +13,9 @@
 #include "sampling/reason_words.h"
 #include "session/assembly/whole/sampling_assembly.h"
 #include "session/loaded/parts.h"
+#include "session/messages.h"
 #include "session/runs/plan_assembly.h"
 #include "session/runs/time_limit.h"
-#include "session/statements.h"
 
 namespace ifov::session {
 namespace {

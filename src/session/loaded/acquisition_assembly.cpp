@@ -19,7 +19,7 @@ io::Acquisition::Light light_of(const scene::Sun& sun) {
 }
 
 /// What a ray of the camera meets.
-std::optional<math::Point3> place_of(const Parts& parts, const math::Ray& ray) {
+std::optional<math::Point3> ground_position(const Parts& parts, const math::Ray& ray) {
   geometry::SurfacePoint hit;
   parts.scene.world->intersect({&ray, 1}, {&hit, 1});
   return hit.hit() ? std::optional(hit.position_m) : std::nullopt;
@@ -34,7 +34,7 @@ io::Acquisition::Camera camera_of(const Parts& parts) {
   if (pose.position_m) camera.position_m = *pose.position_m + parts.map_offset_m;
   if (const auto grid = parts.camera->ground_grid())
     camera.ground_sample_m = grid->gsd_m;
-  else if (const auto middle = place_of(parts, parts.camera->middle_ray()))
+  else if (const auto middle = ground_position(parts, parts.camera->middle_ray()))
     camera.ground_sample_m = parts.camera->gsd_m(*middle);
   return camera;
 }
@@ -45,10 +45,10 @@ class Degrees {
   explicit Degrees(const std::string& system) {
     if (system != "Arbitrary") transform_.emplace(io::MapReference(system), io::MapReference("EPSG:4326"));
   }
-  std::optional<io::Acquisition::Position> operator()(math::Point3 place_m) const {
+  std::optional<io::Acquisition::Position> operator()(math::Point3 position_m) const {
     if (!transform_) return std::nullopt;
     try {
-      const io::MapPoint p = (*transform_)({place_m.x, place_m.y});
+      const io::MapPoint p = (*transform_)({position_m.x, position_m.y});
       return io::Acquisition::Position{p.y, p.x};
     } catch (const InputError&) {  // a place far outside of the projection
       return std::nullopt;
@@ -61,8 +61,8 @@ class Degrees {
 
 }  // namespace
 
-std::optional<io::Acquisition::Position> geographic_place(const std::string& map_system,
-                                                          math::Point3 on_map_m) {
+std::optional<io::Acquisition::Position> geographic_position(const std::string& map_system,
+                                                             math::Point3 on_map_m) {
   return Degrees(map_system)(on_map_m);
 }
 
@@ -74,9 +74,9 @@ io::Acquisition assemble_acquisition(const Parts& parts) {
   const Degrees degrees(parts.info.map_projection);
   result.origin_on_map_m = math::Point3{} + parts.map_offset_m;
   result.origin_height_m = document.scene.origin.height_m;
-  if (const auto& place = document.scene.origin.geographic)
+  if (const auto& position = document.scene.origin.geographic)
     result.origin =
-        io::Acquisition::Position{place->latitude_rad * kDegrees, place->longitude_rad * kDegrees};
+        io::Acquisition::Position{position->latitude_rad * kDegrees, position->longitude_rad * kDegrees};
   else
     result.origin = degrees(result.origin_on_map_m);
   result.camera = camera_of(parts);
@@ -84,8 +84,8 @@ io::Acquisition assemble_acquisition(const Parts& parts) {
   const double corners[][2] = {{0.0, 0.0}, {width, 0.0}, {width, height}, {0.0, height}};
   for (const auto& [x, y] : corners) {
     result.footprint.emplace_back();
-    if (const auto place = place_of(parts, parts.camera->ray({x, y}))) {
-      const math::Point3 on_map = *place + parts.map_offset_m;
+    if (const auto position = ground_position(parts, parts.camera->ray({x, y}))) {
+      const math::Point3 on_map = *position + parts.map_offset_m;
       result.footprint.back() = {on_map, degrees(on_map)};
     }
   }

@@ -69,8 +69,8 @@ struct Parts {
   SamplingPlan plan;
   std::unique_ptr<render::AccuracyTolerance> tolerance;  ///< null where no accuracy is asked for
   render::ImageInfo info;
-  std::vector<std::string> places;    ///< where things are and what some rays see, lines for people
-  std::vector<std::string> warnings;  ///< all that were given while the document was loaded
+  std::vector<std::string> locations;  ///< where things are and what some rays see, lines for people
+  std::vector<std::string> warnings;   ///< all that were given while the document was loaded
 
   /// Whether light comes from above the horizon beside the Sun's: of the scene's own sky, or of its air.
   bool has_sky() const;

@@ -11,10 +11,10 @@
 #include "render/image_renderer.h"
 #include "session/loaded/parts.h"
 #include "session/runs/coordinator.h"
-#include "session/runs/needs.h"
 #include "session/runs/plan_assembly.h"
 #include "session/runs/probing.h"
 #include "session/runs/refinement.h"
+#include "session/runs/resource_check.h"
 #include "session/session.h"
 #include "transport/spectral_scene.h"
 

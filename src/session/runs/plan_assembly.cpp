@@ -11,7 +11,7 @@
 #include "sensor/camera.h"
 #include "session/loaded/acquisition_assembly.h"
 #include "session/loaded/parts.h"
-#include "session/statements.h"
+#include "session/messages.h"
 
 namespace ifov::session {
 namespace {
@@ -54,7 +54,7 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
   plan.judged = parts.tolerance != nullptr;
   plan.knows_errors = parts.plan.knows_errors;
   for (const std::string& warning : parts.warnings) plan.notes.push_back("warning: " + warning);
-  for (const std::string& line : parts.places) plan.notes.push_back(line);
+  for (const std::string& line : parts.locations) plan.notes.push_back(line);
   for (const std::string& note : notes(parts)) plan.notes.push_back(note);
   for (const io::FileStamp& stamp : plan.files)
     if (io::is_asset_name(stamp.path))

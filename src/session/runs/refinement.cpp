@@ -65,7 +65,7 @@ void plan_refinement(const std::filesystem::path& folder, const Parts& parts, io
   plan.refined_from = was.refined_from;
   plan.refined_from.push_back(was.identity.accuracy_asked);
   plan.notes.push_back(
-      format("refined from: {}; rays and looks of all runs count", plan.refined_from.back()));
+      format("refined from: {}; rays and tests of all runs count", plan.refined_from.back()));
 }
 
 void resume_refinement(const std::filesystem::path& folder, io::RunPlan& plan) {

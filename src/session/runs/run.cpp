@@ -13,9 +13,9 @@
 #include "render/image_renderer.h"
 #include "session/loaded/parts.h"
 #include "session/runs/coordinator.h"
-#include "session/runs/needs.h"
 #include "session/runs/plan_assembly.h"
 #include "session/runs/refinement.h"
+#include "session/runs/resource_check.h"
 #include "session/runs/run_products.h"
 #include "session/runs/tile_assembly.h"
 #include "session/runs/time_limit.h"
@@ -73,17 +73,17 @@ class LastProgress final : public ProgressSink {
     const std::scoped_lock lock(mutex_);
     last_ = before_;
     add_work(last_, progress);
-    look();
+    check();
   }
   /// Where nothing new is known of this process.
   void report_others() {
     const std::scoped_lock lock(mutex_);
-    look();
+    check();
   }
   const Progress& last() const { return last_; }
 
  private:
-  void look() {
+  void check() {
     last_.elapsed_s =
         before_.elapsed_s + std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
     if (next_ == nullptr) return;

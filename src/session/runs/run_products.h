@@ -4,8 +4,8 @@
 
 #include "io/products/product_writer.h"
 #include "io/run_state/run_plan.h"
+#include "session/messages.h"
 #include "session/session.h"
-#include "session/statements.h"
 
 namespace ifov::session {
 

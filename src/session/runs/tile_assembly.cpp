@@ -37,12 +37,12 @@ void TileAssembly::write(std::size_t index, const sampling::TileResult& tile) {
 
 std::size_t TileAssembly::finish(std::vector<bool> kept, int threads, sampling::Reason reason) {
   kept_ = std::move(kept);
-  std::atomic<std::size_t> place{0}, unread{0};
+  std::atomic<std::size_t> taken{0}, unread{0};
   std::atomic<bool> failed{false};
   const int workers = threads > 0 ? threads : usual_threads();
   parallel_for(workers, threads, [&](std::int64_t) {
     try {
-      for (std::size_t index; !failed && (index = place++) < grid_.size();) {
+      for (std::size_t index; !failed && (index = taken++) < grid_.size();) {
         if (written_[index] != 0 || (kept_[index] && take(index))) continue;
         if (kept_[index]) ++unread;
         products_->write_missing(grid_[index], reason);

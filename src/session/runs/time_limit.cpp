@@ -5,7 +5,7 @@
 namespace ifov::session {
 namespace {
 
-constexpr auto kLookEvery = std::chrono::milliseconds(20);
+constexpr auto kCheckEvery = std::chrono::milliseconds(20);
 
 }  // namespace
 
@@ -35,7 +35,7 @@ void TimeLimit::watch(Clock::time_point end) {
     if (stopped || reached_)
       own_.cancel();
     else
-      wake_.wait_until(lock, std::min<Clock::time_point>(end, Clock::now() + kLookEvery));
+      wake_.wait_until(lock, std::min<Clock::time_point>(end, Clock::now() + kCheckEvery));
   }
 }
 

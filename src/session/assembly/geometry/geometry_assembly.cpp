@@ -14,7 +14,7 @@
 #include "io/scene_cache/scene_cache.h"
 #include "session/assembly/geometry/city_assembly.h"
 #include "session/assembly/geometry/mesh_cache.h"
-#include "session/assembly/geometry/scatter_assembly.h"
+#include "session/assembly/geometry/random_placement_assembly.h"
 #include "session/assembly/geometry/shape_assembly.h"
 #include "session/assembly/shared/with_position.h"
 
@@ -80,8 +80,8 @@ class GeometryAssembly {
       place_copies(object, prototype(of->name), scene_from_object);
     } else if (std::holds_alternative<io::CityShape>(object.shape)) {
       place_city(document_, object, scene_from_object, frame_, assignments_, builder_, log_);
-    } else if (const auto* scatter = std::get_if<io::RandomPlacement>(&object.shape)) {
-      place_scatter(object, *scatter, scene_from_document);
+    } else if (const auto* placement = std::get_if<io::RandomPlacement>(&object.shape)) {
+      place_at_random(object, *placement, scene_from_document);
     } else {
       const BuiltShape shape = shapes_.build(object, ShapeAssembly::Use::object);
       std::vector<std::uint32_t> materials;
@@ -110,13 +110,15 @@ class GeometryAssembly {
     return materials;
   }
 
-  void place_scatter(const io::ObjectDocument& object, const io::RandomPlacement& scatter,
-                     const math::Transform& scene_from_document) {
-    const geometry::World* carrier = scatter.on ? &ground(scatter.on->name, scene_from_document) : nullptr;
-    std::vector<std::vector<io::Instance>> copies = scatter_copies(document_, scatter, frame_, carrier, log_);
+  void place_at_random(const io::ObjectDocument& object, const io::RandomPlacement& placement,
+                       const math::Transform& scene_from_document) {
+    const geometry::World* carrier =
+        placement.on ? &ground(placement.on->name, scene_from_document) : nullptr;
+    std::vector<std::vector<io::Instance>> copies =
+        random_copies(document_, placement, frame_, carrier, log_);
     for (std::size_t k = 0; k < copies.size(); ++k) {
       if (copies[k].empty()) continue;
-      const BuiltPrototype& built = prototype(scatter.of[k].prototype.name);
+      const BuiltPrototype& built = prototype(placement.of[k].prototype.name);
       builder_.place_many(built.id, scene_from_document,
                           std::make_shared<io::InstanceList>(std::move(copies[k])),
                           materials_of(object, built), object.pilot_ray.value_or(true));

@@ -18,9 +18,9 @@ namespace {
 /// The file's georeference, or the one that the document gives instead, as Raster::geotransform.
 std::array<double, 6> georeference(const io::TerrainShape& source, const io::Elevation& elevation) {
   if (source.placement) {
-    const io::RasterDocument::Placement& place = *source.placement;
-    return {place.x_m, place.width_m / elevation.width,   0.0, place.y_m + place.height_m,
-            0.0,       -place.height_m / elevation.height};
+    const io::RasterDocument::Placement& placement = *source.placement;
+    return {placement.x_m, placement.width_m / elevation.width,   0.0, placement.y_m + placement.height_m,
+            0.0,           -placement.height_m / elevation.height};
   }
   if (elevation.geotransform) return *elevation.geotransform;
   throw InputError(format("the raster '{}' has no georeference; give low_left and size", source.file.path));

@@ -25,9 +25,9 @@ MapFrame::MapFrame(const io::Document& document) {
                               reference_->name()));
     if (origin.has_map_offset) return;
     const io::MapTransform project(io::MapReference("EPSG:4326"), *reference_);
-    const io::MapPoint place =
+    const io::MapPoint position =
         project({origin.geographic->longitude_rad * kDegrees, origin.geographic->latitude_rad * kDegrees});
-    offset_m_ = {place.x, place.y, origin.height_m};
+    offset_m_ = {position.x, position.y, origin.height_m};
   });
 }
 

@@ -32,11 +32,11 @@ materials::MapGrid grid_of(const io::RasterDocument& source, const io::Raster& r
     return grid;
   }
   if (source.placement) {
-    const io::RasterDocument::Placement& place = *source.placement;
-    grid.cell_width_m = place.width_m / raster.width;
-    grid.cell_height_m = place.height_m / raster.height;
-    grid.west_m = place.x_m;
-    grid.north_m = place.y_m + place.height_m;
+    const io::RasterDocument::Placement& placement = *source.placement;
+    grid.cell_width_m = placement.width_m / raster.width;
+    grid.cell_height_m = placement.height_m / raster.height;
+    grid.west_m = placement.x_m;
+    grid.north_m = placement.y_m + placement.height_m;
   } else if (raster.geotransform) {
     const std::array<double, 6>& t = *raster.geotransform;
     if (t[2] != 0.0 || t[4] != 0.0 || t[1] <= 0.0 || t[5] >= 0.0)

@@ -43,8 +43,8 @@ std::optional<radiometry::Spectrum> sunlight_at_ground(const io::Document& docum
 
 /// On the equator at Greenwich where the document names no place.
 geodesy::Geodetic place_of(const io::OriginDocument& origin) {
-  const auto place = origin.geographic.value_or(io::OriginDocument::Geographic());
-  return {place.latitude_rad, place.longitude_rad, origin.height_m};
+  const auto geographic = origin.geographic.value_or(io::OriginDocument::Geographic());
+  return {geographic.latitude_rad, geographic.longitude_rad, origin.height_m};
 }
 
 math::Vec3 towards(const io::CelestialDirection& direction) {

@@ -1,4 +1,4 @@
-#include "session/air_statements.h"
+#include "session/atmosphere_messages.h"
 
 #include <algorithm>
 
@@ -22,7 +22,7 @@ std::string in_units(const render::AccuracyRequest& request, double error) {
 
 }  // namespace
 
-std::string air_error_note(std::span<const render::AtmosphereHalfWidth> air) {
+std::string atmosphere_error_note(std::span<const render::AtmosphereHalfWidth> air) {
   double low = 1e300, high = 0.0;
   for (const render::AtmosphereHalfWidth& channel : air) {
     const double share = channel.of(channel.grey_radiance) / channel.grey_radiance;
@@ -35,7 +35,7 @@ std::string air_error_note(std::span<const render::AtmosphereHalfWidth> air) {
       100.0 * low, 100.0 * high);
 }
 
-void warn_of_air_errors(const Parts& parts, LogSink& log) {
+void warn_of_atmosphere_errors(const Parts& parts, LogSink& log) {
   if (parts.air.empty() || !parts.tolerance) return;
   constexpr std::size_t kNamed = 4;
   std::size_t count = 0;

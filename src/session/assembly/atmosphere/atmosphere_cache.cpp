@@ -1,4 +1,4 @@
-#include "session/assembly/air/atmosphere_cache.h"
+#include "session/assembly/atmosphere/atmosphere_cache.h"
 
 #include <cmath>
 #include <cstring>

@@ -10,7 +10,7 @@
 
 #include "core/run_control.h"
 #include "radiometry/spectral_nodes.h"
-#include "session/assembly/air/air_subject.h"
+#include "session/assembly/atmosphere/atmosphere_subject.h"
 
 namespace ifov::atmosphere {
 class AtmosphereColumn;
@@ -65,7 +65,7 @@ struct AtmosphereWork {
 /// The document's modelled atmosphere as the channels of its sensor see it from its camera. `surfaces` and `demands`
 /// as for radiometry::SpectralNodes::build. Throws InputError, at the place in the document.
 std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
-    const AirSubject& subject, std::span<const radiometry::Spectrum> surfaces,
+    const AtmosphereSubject& subject, std::span<const radiometry::Spectrum> surfaces,
     radiometry::NodeDemands demands, const AtmosphereWork& work);
 
 }  // namespace ifov::session

@@ -4,7 +4,7 @@
 
 #include "core/run_control.h"
 #include "radiometry/spectral_nodes.h"
-#include "session/assembly/air/air_subject.h"
+#include "session/assembly/atmosphere/atmosphere_subject.h"
 
 namespace ifov::atmosphere {
 class ImportedAtmosphere;
@@ -15,7 +15,7 @@ namespace ifov::session {
 /// The document's imported runs as the channels of its sensor see them. `surfaces` and `demands` as for
 /// radiometry::SpectralNodes::build. Throws InputError, at the place in the document.
 std::unique_ptr<atmosphere::ImportedAtmosphere> assemble_imported(
-    const AirSubject& subject, std::span<const radiometry::Spectrum> surfaces,
+    const AtmosphereSubject& subject, std::span<const radiometry::Spectrum> surfaces,
     radiometry::NodeDemands demands, LogSink* log);
 
 }  // namespace ifov::session

@@ -1,4 +1,4 @@
-#include "session/assembly/air/atmosphere_assembly.h"
+#include "session/assembly/atmosphere/atmosphere_assembly.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "io/document/document.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
-#include "session/assembly/air/node_tolerance.h"
+#include "session/assembly/atmosphere/node_tolerance.h"
 #include "session/assembly/shared/with_position.h"
 
 namespace ifov::session {
@@ -27,7 +27,7 @@ double sensor_altitude_km(const io::Document& document, const sensor::Camera& ca
   return altitude_m ? ground_km + 1e-3 * *altitude_m : atmosphere::kTopOfAtmosphereKm;
 }
 
-void warn(const AirSubject& subject, const atmosphere::AtmosphereColumn& column,
+void warn(const AtmosphereSubject& subject, const atmosphere::AtmosphereColumn& column,
           const atmosphere::SensorAtmosphere& air, LogSink& log) {
   for (const std::string& remark : column.remarks()) log.warn(format("atmosphere: {}", remark));
   const std::string narrow = narrow_channels(subject.channels, air.unresolved_channels());
@@ -145,7 +145,7 @@ std::string narrow_channels(std::span<const radiometry::Channel> channels,
 }
 
 std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
-    const AirSubject& subject, std::span<const radiometry::Spectrum> surfaces,
+    const AtmosphereSubject& subject, std::span<const radiometry::Spectrum> surfaces,
     radiometry::NodeDemands demands, const AtmosphereWork& work) {
   const io::Document& document = subject.document;
   check_channels(document, subject.channels);

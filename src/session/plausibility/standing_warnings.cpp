@@ -6,7 +6,7 @@
 #include "io/document/document.h"
 #include "io/document/shapes/flat_primitives.h"
 #include "session/loaded/parts.h"
-#include "session/sense/sense_warnings.h"
+#include "session/plausibility/plausibility_warnings.h"
 
 namespace ifov::session {
 namespace {
@@ -15,7 +15,7 @@ constexpr double kStep_m = 0.3;  // from here the ray down starts, above what a 
 constexpr double kGap_m = 0.5, kGapOfHeight = 0.1;
 constexpr double kGapOfCopies = 1.0;     // of their height: crowns are placed without their trunks
 constexpr double kGapOfCities_m = 5.0;   // streets of a model in space stand above a plane below them all
-constexpr std::uint32_t kLookedAt = 64;  // copies of an object
+constexpr std::uint32_t kSurveyed = 64;  // copies of an object
 constexpr int kMostLayers = 64;
 
 bool is_copied(const io::ObjectDocument& object) {
@@ -42,7 +42,7 @@ struct Standing {
   std::optional<double> under_m;  ///< by so much ground lies above its highest point
 };
 
-Standing look_about(const Parts& parts, std::uint32_t placed) {
+Standing survey_around(const Parts& parts, std::uint32_t placed) {
   const geometry::World& world = *parts.scene.world;
   const geometry::World::PlacedObject object = world.object(placed);
   double half_m = 0.0;
@@ -78,15 +78,15 @@ void warn_of_standing(const Parts& parts, LogSink& log) {
   if (!has_ground) return;
   for (std::size_t d = 0; d < parts.placed.document_objects(); ++d) {
     if (!stands(parts.document.scene.objects[d])) continue;
-    const std::uint32_t count = parts.placed.count(d), step = count / kLookedAt + 1;
-    std::uint32_t looked_at = 0, floating = 0, buried = 0;
+    const std::uint32_t count = parts.placed.count(d), step = count / kSurveyed + 1;
+    std::uint32_t surveyed = 0, floating = 0, buried = 0;
     double widest_m = 0.0, deepest_m = 0.0;
     const bool is_city = std::holds_alternative<io::CityShape>(parts.document.scene.objects[d].shape);
     const double least_gap_m = is_city ? kGapOfCities_m : kGap_m;
     const double gap_of_height = is_copied(parts.document.scene.objects[d]) ? kGapOfCopies : kGapOfHeight;
     for (std::uint32_t k = 0; k < count; k += step) {
-      const Standing one = look_about(parts, parts.placed.first(d) + k);
-      ++looked_at;
+      const Standing one = survey_around(parts, parts.placed.first(d) + k);
+      ++surveyed;
       if (one.gap_m && *one.gap_m > std::max(least_gap_m, gap_of_height * one.height_m))
         ++floating, widest_m = std::max(widest_m, *one.gap_m);
       if (one.under_m) ++buried, deepest_m = std::max(deepest_m, *one.under_m);
@@ -94,12 +94,12 @@ void warn_of_standing(const Parts& parts, LogSink& log) {
     const auto which = [&](std::uint32_t some) {
       return count == 1 ? title_of(parts.document, d)
                         : format("{}: {} of {} copies that were looked at", title_of(parts.document, d), some,
-                                 looked_at);
+                                 surveyed);
     };
-    if (2 * floating > looked_at)
+    if (2 * floating > surveyed)
       log.warn(format("{} float{} up to {:.3g} m above what is below: is the height right?", which(floating),
                       count == 1 ? "s" : "", widest_m));
-    if (2 * buried > looked_at)
+    if (2 * buried > surveyed)
       log.warn(format("{} lie{} under the ground, up to {:.3g} m deep: is the height right?", which(buried),
                       count == 1 ? "s" : "", deepest_m));
   }

@@ -1,4 +1,4 @@
-#include "session/assembly/air/weather_assembly.h"
+#include "session/assembly/atmosphere/weather_assembly.h"
 
 #include <numbers>
 

@@ -1,4 +1,4 @@
-#include "session/assembly/air/imported_assembly.h"
+#include "session/assembly/atmosphere/imported_assembly.h"
 
 #include <algorithm>
 #include <cmath>
@@ -131,7 +131,7 @@ void check_light(const io::Document& document, const atmosphere::ImportedLight& 
                              "the sky's irradiance follows from the imported runs: leave out 'sky'");
 }
 
-void warn(const AirSubject& subject, const atmosphere::ImportedRuns& runs,
+void warn(const AtmosphereSubject& subject, const atmosphere::ImportedRuns& runs,
           const atmosphere::ImportedLight& light, const atmosphere::ImportedAtmosphere& air, LogSink& log) {
   for (const std::string& remark : light.remarks) log.warn(remark);
   if (light.sky.empty() && std::holds_alternative<io::NoSky>(subject.document.light.sky))
@@ -160,7 +160,7 @@ void warn(const AirSubject& subject, const atmosphere::ImportedRuns& runs,
 }  // namespace
 
 std::unique_ptr<atmosphere::ImportedAtmosphere> assemble_imported(
-    const AirSubject& subject, std::span<const radiometry::Spectrum> surfaces,
+    const AtmosphereSubject& subject, std::span<const radiometry::Spectrum> surfaces,
     radiometry::NodeDemands demands, LogSink* log) {
   const io::Document& document = subject.document;
   return with_position(document, document.atmosphere.imported->position, [&] {

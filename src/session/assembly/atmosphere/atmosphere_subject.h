@@ -21,7 +21,7 @@ struct Document;
 namespace ifov::session {
 
 /// What the air is worked out for: a sensor over a scene, and how exactly.
-struct AirSubject {
+struct AtmosphereSubject {
   const io::Document& document;
   const scene::Scene& scene;
   const sensor::Camera& camera;

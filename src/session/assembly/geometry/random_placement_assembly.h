@@ -18,9 +18,8 @@ namespace ifov::session {
 /// is what they stand on, in those of the scene; null: they stand at the document's height. Says in the log
 /// how dense they stand; warns where the minimum distance does not allow the density that is asked for, and
 /// of places without ground.
-std::vector<std::vector<io::Instance>> scatter_copies(const io::Document& document,
-                                                      const io::RandomPlacement& source,
-                                                      const MapFrame& frame, const geometry::World* ground,
-                                                      LogSink* log);
+std::vector<std::vector<io::Instance>> random_copies(const io::Document& document,
+                                                     const io::RandomPlacement& source, const MapFrame& frame,
+                                                     const geometry::World* ground, LogSink* log);
 
 }  // namespace ifov::session

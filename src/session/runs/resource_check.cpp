@@ -1,4 +1,4 @@
-#include "session/runs/needs.h"
+#include "session/runs/resource_check.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "session/sense/scene_look.h"
+#include "session/plausibility/scene_survey.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,11 +19,11 @@ namespace {
 
 constexpr int kAcross = 48;
 constexpr int kAcrossChunks = 8;              // where each place that is met has a tree of its own to be made
-constexpr std::size_t kMostLookedAt = 20000;  // copies of an object
-constexpr double kOnePlace =
+constexpr std::size_t kMostSurveyed = 20000;  // copies of an object
+constexpr double kOneLocation =
     1e-5;  // of a pixel: nearer surfaces of unlike objects are taken to be meant as one
 
-void include(SceneLook::Range& range, double value) {
+void include(SceneSurvey::Range& range, double value) {
   range.low = std::min(range.low, value), range.high = std::max(range.high, value);
 }
 
@@ -31,7 +31,7 @@ std::vector<sampling::FocalPoint> grid_of(const sensor::Camera& camera, int acro
   return sensor::grid_over(camera, std::min(across, camera.width_px()), std::min(across, camera.height_px()));
 }
 
-void see(const Parts& parts, std::span<const sampling::FocalPoint> points, SceneLook& look) {
+void see(const Parts& parts, std::span<const sampling::FocalPoint> points, SceneSurvey& survey) {
   const geometry::World& world = *parts.scene.world;
   std::vector<math::Ray> rays(points.size());
   parts.camera->rays(points, rays);
@@ -42,17 +42,17 @@ void see(const Parts& parts, std::span<const sampling::FocalPoint> points, Scene
   for (std::size_t k = 0; k < points.size(); ++k) {
     onward[k].t_max_m = hits[k].hit() ? hits[k].distance_m : 0.0;
     if (!hits[k].hit()) {
-      look.sky_share += each;
-      if (rays[k].direction.z < 0.0) look.down_share += each;
+      survey.sky_share += each;
+      if (rays[k].direction.z < 0.0) survey.down_share += each;
       continue;
     }
     const math::Point3 p = hits[k].position_m;
     const double gsd_m = parts.camera->gsd_m(p);
-    include(look.distance_m, hits[k].distance_m), include(look.gsd_m, gsd_m);
-    include(look.x_m, p.x), include(look.y_m, p.y);
+    include(survey.distance_m, hits[k].distance_m), include(survey.gsd_m, gsd_m);
+    include(survey.x_m, p.x), include(survey.y_m, p.y);
     // What lies in the same place but for rounding, and what a reader of heights would call the same place.
-    onward[k].t_min_m = hits[k].distance_m + kOnePlace * gsd_m * 1e-3;
-    onward[k].t_max_m = hits[k].distance_m + kOnePlace * gsd_m;
+    onward[k].t_min_m = hits[k].distance_m + kOneLocation * gsd_m * 1e-3;
+    onward[k].t_max_m = hits[k].distance_m + kOneLocation * gsd_m;
   }
   world.intersect(onward, behind);
   std::map<std::pair<std::size_t, std::size_t>, double> pairs;
@@ -66,10 +66,10 @@ void see(const Parts& parts, std::span<const sampling::FocalPoint> points, Scene
       hidden = parts.placed.of(behind[k].instance);
     if (hidden < parts.placed.document_objects() && hidden != seen) pairs[{seen, hidden}] += each;
   }
-  for (const auto& [pair, share] : pairs) look.shared.push_back({pair.first, pair.second, share});
+  for (const auto& [pair, share] : pairs) survey.shared.push_back({pair.first, pair.second, share});
 }
 
-void measure(const Parts& parts, std::span<const sampling::FocalPoint> points, SceneLook& look) {
+void measure(const Parts& parts, std::span<const sampling::FocalPoint> points, SceneSurvey& survey) {
   const auto field = render::make_field(*parts.spectral_scene, *parts.camera, parts.job().transport,
                                         render::LabelDetail::material);
   std::vector<sampling::PathRequest> requests;
@@ -79,12 +79,12 @@ void measure(const Parts& parts, std::span<const sampling::FocalPoint> points, S
   std::vector<float> values(points.size() * static_cast<std::size_t>(field->stride()));
   field->values(requests, labels, values);
   for (std::size_t k = 0; k < points.size(); ++k)
-    for (std::size_t c = 0; c < look.radiance.size(); ++c)
-      include(look.radiance[c],
+    for (std::size_t c = 0; c < survey.radiance.size(); ++c)
+      include(survey.radiance[c],
               static_cast<double>(values[k * static_cast<std::size_t>(field->stride()) + c]));
 }
 
-void light(const Parts& parts, SceneLook& look) {
+void light(const Parts& parts, SceneSurvey& survey) {
   const radiometry::SpectralNodes& nodes = *parts.nodes;
   const double sine = parts.scene.sun ? std::max(0.0, parts.scene.sun->direction.z) : 0.0;
   for (std::size_t c = 0; c < nodes.channel_count(); ++c) {
@@ -94,7 +94,7 @@ void light(const Parts& parts, SceneLook& look) {
       sky += nodes.node_weight(n) * std::numbers::pi *
              static_cast<double>(parts.spectral_scene->sky_radiance()[n]);
     }
-    look.sun.push_back({sun, sun}), look.sky.push_back({sky, sky});
+    survey.sun.push_back({sun, sun}), survey.sky.push_back({sky, sky});
   }
 }
 
@@ -108,36 +108,36 @@ bool in_frame(const sensor::Camera& camera, const geometry::World::PlacedObject&
          point.y_px + reach_px > 0.0 && point.y_px - reach_px < camera.height_px();
 }
 
-void count(const Parts& parts, SceneLook& look) {
+void count(const Parts& parts, SceneSurvey& survey) {
   const geometry::World& world = *parts.scene.world;
-  look.objects = world.object_count();
+  survey.objects = world.object_count();
   for (std::size_t d = 0; d < parts.placed.document_objects(); ++d) {
     const std::size_t copies = parts.placed.count(d);
-    const std::size_t step = copies / kMostLookedAt + 1;
-    std::size_t inside = 0, looked_at = 0;
-    for (std::size_t k = 0; k < copies; k += step, ++looked_at)
+    const std::size_t step = copies / kMostSurveyed + 1;
+    std::size_t inside = 0, surveyed = 0;
+    for (std::size_t k = 0; k < copies; k += step, ++surveyed)
       inside += world.period() || in_frame(*parts.camera, world.object(parts.placed.first(d) + k));
-    look.in_frame.push_back(inside), look.looked_at.push_back(looked_at);
+    survey.in_frame.push_back(inside), survey.surveyed.push_back(surveyed);
   }
 }
 
 }  // namespace
 
-SceneLook look_at(const Parts& parts) {
+SceneSurvey survey_scene(const Parts& parts) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  constexpr SceneLook::Range kEmpty{kInfinity, -kInfinity};
-  SceneLook look;
-  look.radiance.assign(parts.channels.size(), kEmpty);
-  look.distance_m = look.gsd_m = look.x_m = look.y_m = kEmpty;
+  constexpr SceneSurvey::Range kEmpty{kInfinity, -kInfinity};
+  SceneSurvey survey;
+  survey.radiance.assign(parts.channels.size(), kEmpty);
+  survey.distance_m = survey.gsd_m = survey.x_m = survey.y_m = kEmpty;
   // Rays would make the trees of large meshes, which belongs to rendering.
   const std::vector<sampling::FocalPoint> points =
       grid_of(*parts.camera, parts.scene.world->storage().chunks > 0 ? kAcrossChunks : kAcross);
-  look.rays = points.size();
-  see(parts, points, look);
-  measure(parts, points, look);
-  light(parts, look);
-  count(parts, look);
-  return look;
+  survey.rays = points.size();
+  see(parts, points, survey);
+  measure(parts, points, survey);
+  light(parts, survey);
+  count(parts, survey);
+  return survey;
 }
 
 }  // namespace ifov::session

@@ -12,8 +12,8 @@
 #include "sensor/camera.h"
 #include "session/loaded/acquisition_assembly.h"
 #include "session/loaded/parts.h"
-#include "session/sense/place_lines.h"
-#include "session/sense/sense_warnings.h"
+#include "session/plausibility/location_lines.h"
+#include "session/plausibility/plausibility_warnings.h"
 
 namespace ifov::session {
 namespace {
@@ -21,13 +21,13 @@ namespace {
 constexpr std::size_t kNamed = 3;
 
 /// The share of directions in which a place sees the back of a surface before anything else.
-double backs_about(const geometry::World& world, math::Point3 place) {
+double backs_about(const geometry::World& world, math::Point3 position) {
   std::vector<math::Ray> rays;
   constexpr int kAround = 12;
   for (const double z : {-0.9, -0.5, 0.0, 0.5, 0.9})
     for (int k = 0; k < kAround; ++k) {
       const double turn = 2.0 * std::numbers::pi * (k + 0.37) / kAround, r = std::sqrt(1.0 - z * z);
-      rays.push_back({place, {r * std::cos(turn), r * std::sin(turn), z}});
+      rays.push_back({position, {r * std::cos(turn), r * std::sin(turn), z}});
     }
   std::vector<geometry::SurfacePoint> hits(rays.size());
   world.intersect(rays, hits);
@@ -36,7 +36,7 @@ double backs_about(const geometry::World& world, math::Point3 place) {
          static_cast<double>(hits.size());
 }
 
-void warn_of_camera(const Parts& parts, const SceneLook& look, LogSink& log) {
+void warn_of_camera(const Parts& parts, const SceneSurvey& survey, LogSink& log) {
   const geometry::World& world = *parts.scene.world;
   const double top_m = world.heights().high_m;
   const math::Vec3 offset_m = parts.document.scene.origin.offset_m;
@@ -46,13 +46,13 @@ void warn_of_camera(const Parts& parts, const SceneLook& look, LogSink& log) {
         "the camera's 'height' of {:g} m lies below the top of the scene at {:g} m: what is above it is not seen. "
         "Leave 'height' out, and rays start above everything",
         *height_m, top_m + offset_m.z));
-  const std::optional<math::Point3> place = parts.camera->pose(parts.camera->middle_line_px()).position_m;
-  if (place && world.object_count() > 0) {
+  const std::optional<math::Point3> position = parts.camera->pose(parts.camera->middle_line_px()).position_m;
+  if (position && world.object_count() > 0) {
     constexpr double kInside = 0.9;
-    const math::Ray up{*place, {0.0, 0.0, 1.0}};
+    const math::Ray up{*position, {0.0, 0.0, 1.0}};
     geometry::SurfacePoint above;
     world.intersect({&up, 1}, {&above, 1});
-    const double backs = backs_about(world, *place);
+    const double backs = backs_about(world, *position);
     if (backs >= kInside)
       log.warn(format(
           "the camera is inside of {}: it sees the backs of surfaces all around. Move its 'position'",
@@ -61,47 +61,48 @@ void warn_of_camera(const Parts& parts, const SceneLook& look, LogSink& log) {
       log.warn(format("the camera is under the ground: {} lies {:.4g} m above it. Raise its 'position'",
                       title_of(parts.document, parts.placed.of(above.instance)), above.distance_m));
   }
-  if (look.sky_share < 1.0) return;
+  if (survey.sky_share < 1.0) return;
   if (world.object_count() == 0)
     return log.warn("the scene holds no objects: the picture shows nothing but sky");
   const geometry::World::Bounds b = world.bounds();
   log.warn(format(
       "the camera sees nothing of the scene, which lies at {}: all of {} rays meet nothing. Look at its {}",
-      area_text(parts, {b.low_m.x, b.high_m.x}, {b.low_m.y, b.high_m.y}), look.rays,
-      place ? "'position' and where it looks" : "'center'"));
+      area_text(parts, {b.low_m.x, b.high_m.x}, {b.low_m.y, b.high_m.y}), survey.rays,
+      position ? "'position' and where it looks" : "'center'"));
 }
 
-void warn_of_objects_out_of_view(const Parts& parts, const SceneLook& look, LogSink& log) {
-  if (look.sky_share >= 1.0) return;
+void warn_of_objects_out_of_view(const Parts& parts, const SceneSurvey& survey, LogSink& log) {
+  if (survey.sky_share >= 1.0) return;
   std::size_t whole = 0;
   std::string names;
-  for (std::size_t d = 0; d < look.in_frame.size(); ++d) {
-    if (look.looked_at[d] == 0 || look.in_frame[d] > 0) continue;
+  for (std::size_t d = 0; d < survey.in_frame.size(); ++d) {
+    if (survey.surveyed[d] == 0 || survey.in_frame[d] > 0) continue;
     if (whole++ < kNamed) names += (names.empty() ? "" : ", ") + title_of(parts.document, d);
   }
   // Of a landscape around the picture much is out of view, and that is meant; the line "in view" counts it.
-  if (whole == 0 || 2 * whole < look.in_frame.size()) return;
+  if (whole == 0 || 2 * whole < survey.in_frame.size()) return;
   if (whole > kNamed) names += format(" and {} more", whole - kNamed);
   log.warn(format("{} of {} objects of the document {} wholly out of the picture: {}{}", whole,
-                  look.in_frame.size(), whole == 1 ? "is" : "are", names,
+                  survey.in_frame.size(), whole == 1 ? "is" : "are", names,
                   parts.document.scene.origin.has_map_offset
                       ? "; with 'easting' and 'northing', positions are map coordinates"
                       : ""));
 }
 
 /// Copies so far away that their coordinates must be of another frame.
-void warn_of_far_objects(const Parts& parts, const SceneLook& look, LogSink& log) {
+void warn_of_far_objects(const Parts& parts, const SceneSurvey& survey, LogSink& log) {
   const geometry::World& world = *parts.scene.world;
-  if (look.x_m.low > look.x_m.high) return;
-  const math::Point3 middle{0.5 * (look.x_m.low + look.x_m.high), 0.5 * (look.y_m.low + look.y_m.high), 0.0};
-  const double across_m = std::max({look.x_m.high - look.x_m.low, look.y_m.high - look.y_m.low, 1.0});
+  if (survey.x_m.low > survey.x_m.high) return;
+  const math::Point3 middle{0.5 * (survey.x_m.low + survey.x_m.high),
+                            0.5 * (survey.y_m.low + survey.y_m.high), 0.0};
+  const double across_m = std::max({survey.x_m.high - survey.x_m.low, survey.y_m.high - survey.y_m.low, 1.0});
   constexpr double kFar_m = 20e3, kFarAcross = 100.0;
-  constexpr std::uint32_t kLookedAt = 2000;
+  constexpr std::uint32_t kSurveyed = 2000;
   for (std::size_t d = 0; d < parts.placed.document_objects(); ++d) {
-    const std::uint32_t count = parts.placed.count(d), step = count / kLookedAt + 1;
-    std::uint32_t far = 0, looked_at = 0;
+    const std::uint32_t count = parts.placed.count(d), step = count / kSurveyed + 1;
+    std::uint32_t far = 0, surveyed = 0;
     double furthest_m = 0.0;
-    for (std::uint32_t k = 0; k < count; k += step, ++looked_at) {
+    for (std::uint32_t k = 0; k < count; k += step, ++surveyed) {
       const geometry::World::PlacedObject object = world.object(parts.placed.first(d) + k);
       if (!std::isfinite(object.radius_m)) continue;
       const double distance_m =
@@ -115,7 +116,7 @@ void warn_of_far_objects(const Parts& parts, const SceneLook& look, LogSink& log
         "{}: {} lie{} up to {:.0f} km from the picture: are {} coordinates of another frame? {}",
         title_of(parts.document, d),
         count == 1 ? std::string("it")
-                   : format("{} of {} copies", static_cast<double>(far) / looked_at * count, count),
+                   : format("{} of {} copies", static_cast<double>(far) / surveyed * count, count),
         count == 1 ? "s" : "", furthest_m / 1000.0, count == 1 ? "its" : "their",
         origin.has_map_offset || !origin.crs.empty()
             ? "The scene's are map coordinates, since its 'origin' has some"
@@ -124,11 +125,11 @@ void warn_of_far_objects(const Parts& parts, const SceneLook& look, LogSink& log
   }
 }
 
-void warn_of_sizes(const Parts& parts, const SceneLook& look, LogSink& log) {
-  if (look.x_m.low > look.x_m.high) return;
+void warn_of_sizes(const Parts& parts, const SceneSurvey& survey, LogSink& log) {
+  if (survey.x_m.low > survey.x_m.high) return;
   constexpr double kMuchLarger = 100.0, kMuchSmaller = 0.02, kKilometre_m = 1000.0;
   const double across_m =
-      std::max({look.x_m.high - look.x_m.low, look.y_m.high - look.y_m.low, look.gsd_m.high});
+      std::max({survey.x_m.high - survey.x_m.low, survey.y_m.high - survey.y_m.low, survey.gsd_m.high});
   for (std::size_t d = 0; d < parts.placed.document_objects(); ++d) {
     const io::ShapeDocument& shape = parts.document.scene.objects[d].shape;
     const bool from_file = std::holds_alternative<io::MeshShape>(shape) ||
@@ -143,20 +144,20 @@ void warn_of_sizes(const Parts& parts, const SceneLook& look, LogSink& log) {
           "{} is {:.4g} m across, the picture {:.4g} m: are the mesh's coordinates millimetres? Then say "
           "\"unit\": \"mm\"",
           title_of(parts.document, d), size_m, across_m));
-    if (size_m < kMuchSmaller * look.gsd_m.low)
+    if (size_m < kMuchSmaller * survey.gsd_m.low)
       log.warn(format("{} is {:.3g} m across, less than a fiftieth of a pixel of {:.4g} m: are {} meant?",
-                      title_of(parts.document, d), size_m, look.gsd_m.low,
+                      title_of(parts.document, d), size_m, survey.gsd_m.low,
                       from_file ? "its coordinates of another unit, and is such a pixel"
                                 : "such a size and such a pixel"));
   }
 }
 
-void warn_of_shared_places(const Parts& parts, const SceneLook& look, LogSink& log) {
+void warn_of_shared_locations(const Parts& parts, const SceneSurvey& survey, LogSink& log) {
   constexpr double kNoticed = 0.001;
-  std::vector<SceneLook::Shared> shared = look.shared;
+  std::vector<SceneSurvey::Shared> shared = survey.shared;
   std::sort(shared.begin(), shared.end(), [](const auto& a, const auto& b) { return a.share > b.share; });
   std::size_t named = 0;
-  for (const SceneLook::Shared& one : shared) {
+  for (const SceneSurvey::Shared& one : shared) {
     if (one.share < kNoticed || named++ >= kNamed) break;
     log.warn(format(
         "surfaces of {} and {} lie in one place in {:.2g} % of the picture: {} is seen there, {}. Lift one by a "
@@ -169,9 +170,9 @@ void warn_of_shared_places(const Parts& parts, const SceneLook& look, LogSink& l
 }
 
 /// Maps that lie where nothing is: their outermost cells would cover everything.
-void warn_of_maps(const Parts& parts, const SceneLook& look, LogSink& log) {
-  if (look.x_m.low > look.x_m.high) return;
-  SceneLook::Range x = look.x_m, y = look.y_m;
+void warn_of_maps(const Parts& parts, const SceneSurvey& survey, LogSink& log) {
+  if (survey.x_m.low > survey.x_m.high) return;
+  SceneSurvey::Range x = survey.x_m, y = survey.y_m;
   const geometry::World::Bounds b = parts.scene.world->bounds();
   x = {std::min(x.low, b.low_m.x), std::max(x.high, b.high_m.x)};
   y = {std::min(y.low, b.low_m.y), std::max(y.high, b.high_m.y)};
@@ -203,7 +204,7 @@ void warn_of_two_origins(const Parts& parts, LogSink& log) {
   constexpr double kNoticed_m = 5000.0, kDegree = std::numbers::pi / 180.0;
   const io::OriginDocument& origin = parts.document.scene.origin;
   if (!origin.geographic || !origin.has_map_offset) return;
-  const auto on_map = geographic_place(parts.info.map_projection, math::Point3{} + parts.map_offset_m);
+  const auto on_map = geographic_position(parts.info.map_projection, math::Point3{} + parts.map_offset_m);
   if (!on_map) return;
   const double latitude = origin.geographic->latitude_rad, longitude = origin.geographic->longitude_rad;
   const double apart_m =
@@ -220,15 +221,15 @@ void warn_of_two_origins(const Parts& parts, LogSink& log) {
 
 }  // namespace
 
-void warn_of_places(const Parts& parts, const SceneLook& look, LogSink& log) {
+void warn_of_locations(const Parts& parts, const SceneSurvey& survey, LogSink& log) {
   warn_of_degrees(parts, log);
   warn_of_two_origins(parts, log);
-  warn_of_camera(parts, look, log);
-  warn_of_far_objects(parts, look, log);
-  warn_of_objects_out_of_view(parts, look, log);
-  warn_of_sizes(parts, look, log);
-  warn_of_maps(parts, look, log);
-  warn_of_shared_places(parts, look, log);
+  warn_of_camera(parts, survey, log);
+  warn_of_far_objects(parts, survey, log);
+  warn_of_objects_out_of_view(parts, survey, log);
+  warn_of_sizes(parts, survey, log);
+  warn_of_maps(parts, survey, log);
+  warn_of_shared_locations(parts, survey, log);
 }
 
 }  // namespace ifov::session

@@ -1,10 +1,10 @@
-#include "session/sense/sense.h"
+#include "session/plausibility/plausibility.h"
 
 #include "core/format.h"
 #include "session/loaded/parts.h"
-#include "session/sense/light_warnings.h"
-#include "session/sense/place_lines.h"
-#include "session/sense/sense_warnings.h"
+#include "session/plausibility/light_warnings.h"
+#include "session/plausibility/location_lines.h"
+#include "session/plausibility/plausibility_warnings.h"
 #include "transport/emitters.h"
 #include "transport/mirrors/emitter_mirrors.h"
 #include "transport/spectral_scene.h"
@@ -19,7 +19,7 @@ void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log) {
         format("emitters: faces that outshine the scene and whose light is sought: {}", emitters->count()));
   if (emitters->leaves_some())
     log.warn(format(
-        "light of some surfaces that outshine the scene is found by chance alone: it is not sought from planes and "
+        "light of some surfaces that outshine the scene is found by random paths alone: it is not sought from planes and "
         "terrain, nor from more than {} faces; of those beyond that number, pixels are marked that they may light",
         transport::Emitters::kMost));
   if (emitters->count() > 0 && transport::EmitterMirrors::leave_some(scene.scene()))
@@ -29,14 +29,14 @@ void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log) {
         "alone, and pixels near them may be less sure than they say");
 }
 
-void make_sense(Parts& parts, LogSink& log) {
-  const SceneLook look = look_at(parts);
-  parts.places = place_lines(parts, look);
-  for (const std::string& line : parts.places) log.info(line);
-  require_light(parts, look);
-  warn_of_places(parts, look, log);
+void check_plausibility(Parts& parts, LogSink& log) {
+  const SceneSurvey survey = survey_scene(parts);
+  parts.locations = location_lines(parts, survey);
+  for (const std::string& line : parts.locations) log.info(line);
+  require_light(parts, survey);
+  warn_of_locations(parts, survey, log);
   warn_of_standing(parts, log);
-  warn_of_values(parts, look, log);
+  warn_of_values(parts, survey, log);
 }
 
 }  // namespace ifov::session

@@ -1,4 +1,4 @@
-#include "session/sense/place_lines.h"
+#include "session/plausibility/location_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,30 +64,30 @@ std::string camera_line(const Parts& parts) {
       to_scene, on_map(parts) ? "east, north, height" : "x, y, z");
 }
 
-std::string sees_line(const Parts& parts, const SceneLook& look) {
-  if (look.distance_m.low > look.distance_m.high) return "nothing but sky";
-  std::string text = area_text(parts, look.x_m, look.y_m);
-  text += format("; a pixel covers {}", range_text(look.gsd_m.low, look.gsd_m.high, "m"));
+std::string sees_line(const Parts& parts, const SceneSurvey& survey) {
+  if (survey.distance_m.low > survey.distance_m.high) return "nothing but sky";
+  std::string text = area_text(parts, survey.x_m, survey.y_m);
+  text += format("; a pixel covers {}", range_text(survey.gsd_m.low, survey.gsd_m.high, "m"));
   if (parts.camera->pose(parts.camera->middle_line_px()).position_m)
-    text += format(", {} away", range_text(look.distance_m.low, look.distance_m.high, "m"));
-  if (look.sky_share > 0.0) text += format("; {:.2g} % sees no surface", 100.0 * look.sky_share);
+    text += format(", {} away", range_text(survey.distance_m.low, survey.distance_m.high, "m"));
+  if (survey.sky_share > 0.0) text += format("; {:.2g} % sees no surface", 100.0 * survey.sky_share);
   return text;
 }
 
-std::string in_view_line(const SceneLook& look) {
+std::string in_view_line(const SceneSurvey& survey) {
   double inside = 0.0;
   bool all = true;
-  for (std::size_t d = 0; d < look.in_frame.size(); ++d) {
-    if (look.looked_at[d] == 0) continue;
-    inside += static_cast<double>(look.in_frame[d]);
-    all = all && look.in_frame[d] == look.looked_at[d];
+  for (std::size_t d = 0; d < survey.in_frame.size(); ++d) {
+    if (survey.surveyed[d] == 0) continue;
+    inside += static_cast<double>(survey.in_frame[d]);
+    all = all && survey.in_frame[d] == survey.surveyed[d];
   }
-  if (all) return format("all {} objects", look.objects);
+  if (all) return format("all {} objects", survey.objects);
   double of = 0.0;
-  for (const std::size_t n : look.looked_at) of += static_cast<double>(n);
+  for (const std::size_t n : survey.surveyed) of += static_cast<double>(n);
   return format("{}{:.0f} of {} objects, by their places",
-                of < static_cast<double>(look.objects) ? "about " : "",
-                inside / of * static_cast<double>(look.objects), look.objects);
+                of < static_cast<double>(survey.objects) ? "about " : "",
+                inside / of * static_cast<double>(survey.objects), survey.objects);
 }
 
 std::string sun_line(const Parts& parts) {
@@ -115,7 +115,7 @@ std::string by_channel(const Parts& parts, Text text) {
 
 }  // namespace
 
-std::string area_text(const Parts& parts, SceneLook::Range x_m, SceneLook::Range y_m) {
+std::string area_text(const Parts& parts, SceneSurvey::Range x_m, SceneSurvey::Range y_m) {
   if (!on_map(parts))
     return format("x {} to {} m, y {} to {} m", metres(x_m.low), metres(x_m.high), metres(y_m.low),
                   metres(y_m.high));
@@ -124,29 +124,29 @@ std::string area_text(const Parts& parts, SceneLook::Range x_m, SceneLook::Range
                 y_m.low + o.y, y_m.high + o.y);
 }
 
-std::vector<std::string> place_lines(const Parts& parts, const SceneLook& look) {
+std::vector<std::string> location_lines(const Parts& parts, const SceneSurvey& survey) {
   std::vector<std::string> lines;
   lines.push_back(line("extent:", scene_line(parts)));
   lines.push_back(line("camera:", camera_line(parts)));
-  lines.push_back(line("sees:", sees_line(parts, look)));
-  lines.push_back(line("in view:", in_view_line(look)));
+  lines.push_back(line("sees:", sees_line(parts, survey)));
+  lines.push_back(line("in view:", in_view_line(survey)));
   lines.push_back(line(parts.scene.sun && parts.scene.sun->is_moon ? "Moon:" : "Sun:", sun_line(parts)));
   lines.push_back(line("on ground:", by_channel(parts, [&](std::size_t c) {
                                        const auto light = [](double irradiance) {
                                          return irradiance < 1e-15 ? 0.0 : irradiance;
                                        };
-                                       return format("Sun {:.3g}, sky {:.3g}", light(look.sun[c].low),
-                                                     light(look.sky[c].low));
+                                       return format("Sun {:.3g}, sky {:.3g}", light(survey.sun[c].low),
+                                                     light(survey.sky[c].low));
                                      }) + " W m-2 um-1"));
   lines.push_back(line("radiance:", by_channel(parts, [&](std::size_t c) {
-                                      const SceneLook::Range& r = look.radiance[c];
+                                      const SceneSurvey::Range& r = survey.radiance[c];
                                       if (parts.channels[c].centre_um < kBrightness_um || !(r.low > 0.0))
                                         return range_text(r.low, r.high, "W m-2 sr-1 um-1");
                                       const int channel = static_cast<int>(c);
                                       return format("{:.1f} to {:.1f} K",
                                                     parts.brightness->temperature_k(channel, r.low),
                                                     parts.brightness->temperature_k(channel, r.high));
-                                    }) + format(" ({} paths)", look.rays)));
+                                    }) + format(" ({} paths)", survey.rays)));
   return lines;
 }
 

@@ -1,4 +1,4 @@
-#include "session/sense/light_warnings.h"
+#include "session/plausibility/light_warnings.h"
 
 #include <algorithm>
 #include <cmath>

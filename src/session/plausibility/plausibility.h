@@ -12,7 +12,7 @@ struct Parts;
 
 /// Whether the document can mean what was loaded: says where things are, and warns of what is most likely not meant. Throws
 /// InputError where nothing shines in any channel.
-void make_sense(Parts& parts, LogSink& log);
+void check_plausibility(Parts& parts, LogSink& log);
 
 /// What is sought of the light of what outshines the scene, and what is not.
 void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log);

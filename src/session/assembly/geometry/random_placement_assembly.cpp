@@ -1,4 +1,4 @@
-#include "session/assembly/geometry/scatter_assembly.h"
+#include "session/assembly/geometry/random_placement_assembly.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,12 +112,13 @@ std::size_t pick(const io::RandomPlacement& source, double u) {
 
 /// Heights of the topmost surface below the sky, in the coordinates of the document; none: there is no
 /// surface.
-std::vector<std::optional<double>> heights_of(const std::vector<sampling::RandomPosition>& places,
+std::vector<std::optional<double>> heights_of(const std::vector<sampling::RandomPosition>& positions,
                                               const geometry::World& ground, math::Vec3 offset_m) {
   std::vector<math::Ray> rays;
-  rays.reserve(places.size());
-  for (const auto& place : places)
-    rays.push_back({{place.at_m.x - offset_m.x, place.at_m.y - offset_m.y, kAbove_m}, {0.0, 0.0, -1.0}});
+  rays.reserve(positions.size());
+  for (const auto& position : positions)
+    rays.push_back(
+        {{position.at_m.x - offset_m.x, position.at_m.y - offset_m.y, kAbove_m}, {0.0, 0.0, -1.0}});
   std::vector<geometry::SurfacePoint> hits(rays.size());
   ground.intersect(rays, hits);
   std::vector<std::optional<double>> heights;
@@ -128,10 +129,9 @@ std::vector<std::optional<double>> heights_of(const std::vector<sampling::Random
 
 }  // namespace
 
-std::vector<std::vector<io::Instance>> scatter_copies(const io::Document& document,
-                                                      const io::RandomPlacement& source,
-                                                      const MapFrame& frame, const geometry::World* ground,
-                                                      LogSink* log) {
+std::vector<std::vector<io::Instance>> random_copies(const io::Document& document,
+                                                     const io::RandomPlacement& source, const MapFrame& frame,
+                                                     const geometry::World* ground, LogSink* log) {
   const sampling::PlacementArea area{source.low_m[0], source.low_m[1], source.high_m[0], source.high_m[1]};
   return with_position(document, source.density_position, [&] {
     const Density density =
@@ -140,19 +140,19 @@ std::vector<std::vector<io::Instance>> scatter_copies(const io::Document& docume
                               },
                               [&](const io::DensityMap& map) { return density_from(map, area, frame); }},
                    source.density_m2);
-    const std::vector<sampling::RandomPosition> places = sampling::random_positions(
+    const std::vector<sampling::RandomPosition> positions = sampling::random_positions(
         {area, source.minimum_distance_m, density.peak_m2, density.at_m2, source.seed});
-    std::vector<std::optional<double>> heights(places.size(), source.height_m);
-    if (ground != nullptr) heights = heights_of(places, *ground, frame.offset_m());
+    std::vector<std::optional<double>> heights(positions.size(), source.height_m);
+    if (ground != nullptr) heights = heights_of(positions, *ground, frame.offset_m());
 
     std::vector<std::vector<io::Instance>> copies(source.of.size());
     std::size_t placed = 0;
-    for (std::size_t k = 0; k < places.size(); ++k) {
+    for (std::size_t k = 0; k < positions.size(); ++k) {
       if (!heights[k]) continue;
       const auto draw = [&](Purpose what) {
-        return sampling::unit_double(sampling::extend(places[k].key, what));
+        return sampling::unit_double(sampling::extend(positions[k].key, what));
       };
-      io::Instance copy{{places[k].at_m.x, places[k].at_m.y, *heights[k]}};
+      io::Instance copy{{positions[k].at_m.x, positions[k].at_m.y, *heights[k]}};
       if (source.turn)
         copy.quaternion = io::quaternion_of(2.0 * std::numbers::pi * draw(Purpose::turn), 0.0, 0.0);
       const double scale = source.scale[0] + (source.scale[1] - source.scale[0]) * draw(Purpose::scale);
@@ -172,15 +172,15 @@ std::vector<std::vector<io::Instance>> scatter_copies(const io::Document& docume
           "{:.3g} % of the area; lower 'density' or 'minimum_distance'",
           names, source.minimum_distance_m, most_m2 * kPer_ha, density.peak_m2 * kPer_ha,
           100.0 * asked.share_above));
-    if (places.empty())
+    if (positions.empty())
       log->warn(format(
           "random placement of {}: no copies stand there, {:.3g} are expected on its {:.4g} m2: is 'density' or 'area' of another "
           "unit?",
           names, asked.mean_m2 * area.square_metres(), area.square_metres()));
-    if (placed < places.size())
+    if (placed < positions.size())
       log->warn(
           format("random placement of {}: {} of {} places have nothing of '{}' under them and stay empty",
-                 names, places.size() - placed, places.size(), source.on->name));
+                 names, positions.size() - placed, positions.size(), source.on->name));
     return copies;
   });
 }

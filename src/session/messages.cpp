@@ -1,4 +1,4 @@
-#include "session/statements.h"
+#include "session/messages.h"
 
 #include <algorithm>
 #include <bit>
@@ -8,8 +8,8 @@
 #include "io/document/document.h"
 #include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
-#include "session/air_statements.h"
-#include "session/assembly/air/weather_assembly.h"
+#include "session/assembly/atmosphere/weather_assembly.h"
+#include "session/atmosphere_messages.h"
 #include "session/loaded/parts.h"
 
 namespace ifov::session {
@@ -30,7 +30,7 @@ std::string describe(const Parts& parts) {
                  parts.info.height_px, parts.channels.size(), parts.nodes->node_count());
   text += format("sampling: {}\n",
                  parts.plan.accuracy_asked.empty() ? parts.plan.method : parts.plan.accuracy_asked);
-  for (const std::string& line : parts.places) text += line + "\n";
+  for (const std::string& line : parts.locations) text += line + "\n";
   for (const std::string& note : notes(parts)) text += note + "\n";
   return text;
 }
@@ -74,7 +74,7 @@ std::vector<std::string> notes(const Parts& parts) {
         format("floor of the accuracy: {:g} of a white surface's radiance, {:.3g} to {:.3g} W m-2 sr-1 um-1",
                parts.plan.request->floor, low, high));
   }
-  if (!parts.air.empty()) lines.push_back(air_error_note(parts.air));
+  if (!parts.air.empty()) lines.push_back(atmosphere_error_note(parts.air));
   for (const std::string& line :
        scale_statements(parts.map_scales, ground_sample_m(*parts.camera, *parts.scene.world)))
     lines.push_back(line);

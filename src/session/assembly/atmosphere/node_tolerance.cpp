@@ -1,4 +1,4 @@
-#include "session/assembly/air/node_tolerance.h"
+#include "session/assembly/atmosphere/node_tolerance.h"
 
 #include <algorithm>
 #include <cmath>

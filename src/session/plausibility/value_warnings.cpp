@@ -7,7 +7,7 @@
 #include "render/tolerance/channel_brightness.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/loaded/parts.h"
-#include "session/sense/sense_warnings.h"
+#include "session/plausibility/plausibility_warnings.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::session {
@@ -35,28 +35,28 @@ std::vector<std::string> channels_that(const Parts& parts, Is is) {
   return names;
 }
 
-bool dark(const Parts& parts, const SceneLook& look, std::size_t c) {
+bool dark(const Parts& parts, const SceneSurvey& survey, std::size_t c) {
   const std::vector<double> path = parts.spectral_scene->path_radiance();
-  return !(look.sun[c].high > kNothing) && !(look.sky[c].high > kNothing) &&
-         !(look.radiance[c].high > kNothing) && !(path[c] > kNothing);
+  return !(survey.sun[c].high > kNothing) && !(survey.sky[c].high > kNothing) &&
+         !(survey.radiance[c].high > kNothing) && !(path[c] > kNothing);
 }
 
-void warn_of_dark_channels(const Parts& parts, const SceneLook& look, LogSink& log) {
+void warn_of_dark_channels(const Parts& parts, const SceneSurvey& survey, LogSink& log) {
   const std::vector<std::string> names =
-      channels_that(parts, [&](std::size_t c) { return dark(parts, look, c); });
+      channels_that(parts, [&](std::size_t c) { return dark(parts, survey, c); });
   if (!names.empty())
     log.warn(format(
         "nothing shines in {}: neither Sun nor sky has light there, and nothing that is seen emits; the radiance will be 0",
         named(names)));
 }
 
-void warn_of_hot_sky(const Parts& parts, const SceneLook& look, LogSink& log) {
+void warn_of_hot_sky(const Parts& parts, const SceneSurvey& survey, LogSink& log) {
   constexpr double kHot_k = 325.0, kPi = 3.14159265358979323846;
   if (!parts.scene.sky.radiance || parts.atmosphere) return;
   double hottest_k = 0.0;
   const std::vector<std::string> names = channels_that(parts, [&](std::size_t c) {
     if (parts.channels[c].centre_um < kThermal_um) return false;
-    const double sky_k = parts.brightness->temperature_k(static_cast<int>(c), look.sky[c].high / kPi);
+    const double sky_k = parts.brightness->temperature_k(static_cast<int>(c), survey.sky[c].high / kPi);
     hottest_k = std::max(hottest_k, sky_k);
     return sky_k > kHot_k;
   });
@@ -69,16 +69,16 @@ void warn_of_hot_sky(const Parts& parts, const SceneLook& look, LogSink& log) {
 
 void warn_of_temperatures(const Parts& parts, LogSink& log) {
   constexpr double kCold_k = 150.0;
-  const auto look = [&](const std::optional<io::TemperatureDocument>& source, const std::string& of) {
+  const auto check = [&](const std::optional<io::TemperatureDocument>& source, const std::string& of) {
     const double* fixed_k = source ? std::get_if<double>(&source->value) : nullptr;
     if (fixed_k == nullptr || !(*fixed_k > 0.0) || *fixed_k >= kCold_k) return;
     log.warn(format("line {}: the temperature of {} is {:g} K, which is {:.0f} degC: is \"{:g} degC\" meant?",
                     source->position.line, of, *fixed_k, *fixed_k - 273.15, *fixed_k));
   };
   for (const io::MaterialDocument& material : parts.document.scene.materials)
-    look(material.temperature, format("the material '{}'", material.name));
+    check(material.temperature, format("the material '{}'", material.name));
   for (std::size_t d = 0; d < parts.document.scene.objects.size(); ++d)
-    look(parts.document.scene.objects[d].temperature, title_of(parts.document, d));
+    check(parts.document.scene.objects[d].temperature, title_of(parts.document, d));
   if (const auto mapped = parts.scene.mapped_temperatures(); mapped && mapped->hottest_k < kCold_k)
     log.warn(format(
         "the temperature maps hold {:g} to {:g} K: are their numbers degC? Then say \"unit\": \"degC\"",
@@ -131,21 +131,21 @@ void warn_of_air(const Parts& parts, LogSink& log) {
 
 }  // namespace
 
-void require_light(const Parts& parts, const SceneLook& look) {
+void require_light(const Parts& parts, const SceneSurvey& survey) {
   const io::LightDocument& light = parts.document.light;
   // Who writes "sky": {"none": {}} means a dark scene.
   if (light.sky_position.line > 0) return;
   for (std::size_t c = 0; c < parts.channels.size(); ++c)
-    if (!dark(parts, look, c)) return;
+    if (!dark(parts, survey, c)) return;
   throw io::document_error(
       parts.document, light.position.line > 0 ? light.position : parts.document.sensor.position,
       "nothing shines: no Sun above the horizon, no sky, and nothing that is seen has a temperature in these channels. Give "
       "'light' a 'sun' and a 'sky', the document an 'atmosphere', or materials a 'temperature'");
 }
 
-void warn_of_values(const Parts& parts, const SceneLook& look, LogSink& log) {
-  warn_of_dark_channels(parts, look, log);
-  warn_of_hot_sky(parts, look, log);
+void warn_of_values(const Parts& parts, const SceneSurvey& survey, LogSink& log) {
+  warn_of_dark_channels(parts, survey, log);
+  warn_of_hot_sky(parts, survey, log);
   warn_of_temperatures(parts, log);
   warn_of_wavelengths(parts, log);
   warn_of_kelvins(parts, log);
