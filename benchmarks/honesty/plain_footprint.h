@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "honesty/chance.h"
+#include "honesty/random_stream.h"
 #include "io/document/sensor_document.h"
 #include "sampling/field.h"
 

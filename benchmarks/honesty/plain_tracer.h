@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "honesty/chance.h"
 #include "honesty/plain_footprint.h"
 #include "honesty/plain_spectra.h"
+#include "honesty/random_stream.h"
 #include "math/ray.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"

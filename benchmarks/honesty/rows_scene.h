@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "honesty/chance.h"
+#include "honesty/random_stream.h"
 
 namespace ifov::benchmarks {
 

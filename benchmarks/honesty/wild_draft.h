@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "honesty/chance.h"
+#include "honesty/random_stream.h"
 #include "honesty/wild_scene.h"
 
 namespace ifov::benchmarks {

@@ -3,8 +3,8 @@
 
 #include "core/format.h"
 #include "landscape/landscapes.h"
-#include "landscape/shapes/chance.h"
 #include "landscape/shapes/mesh_builder.h"
+#include "landscape/shapes/random_stream.h"
 #include "landscape/shapes/region.h"
 #include "landscape/things/car.h"
 #include "landscape/things/harbour_things.h"
@@ -25,7 +25,7 @@ constexpr std::array kPaints{"container paint, red", "container paint, blue", "c
                              "wall paint, white", "crane paint, yellow"};
 
 /// Small waves, as facets half a metre across near the quay.
-geometry::TriangleMesh water_mesh(double half_m, const Chance& chance) {
+geometry::TriangleMesh water_mesh(double half_m, const RandomStream& random) {
   geometry::TriangleMesh mesh;
   const double cell = half_m > 200.0 ? 2.0 : 0.6;
   const int columns = static_cast<int>(std::ceil(2.0 * half_m / cell)),
@@ -34,7 +34,7 @@ geometry::TriangleMesh water_mesh(double half_m, const Chance& chance) {
   for (int row = 0; row <= rows; ++row)
     for (int column = 0; column <= columns; ++column) {
       const double x = -half_m + column * dx, y = kEdge_y - 0.5 + row * dy;
-      mesh.vertices_m.push_back({x, y, 0.12 * (fractal_noise(chance, x, 1.7 * y, 3.0, 3) - 0.5)});
+      mesh.vertices_m.push_back({x, y, 0.12 * (fractal_noise(random, x, 1.7 * y, 3.0, 3) - 0.5)});
     }
   const auto index = [&](int column, int row) {
     return static_cast<std::uint32_t>(row * (columns + 1) + column);
@@ -106,7 +106,7 @@ struct Yard {
   SceneMaker& scene;
   std::size_t count = 0;
 
-  void stack(Vec2 at, double floor_m, int high, const Chance& draw) {
+  void stack(Vec2 at, double floor_m, int high, const RandomStream& draw) {
     for (int level = 0; level < high; ++level, ++count)
       scene.object(moved(
           mesh_object("container", container,
@@ -120,17 +120,17 @@ struct Yard {
 
 MadeScene make_harbour(const MakeOptions& options) {
   check_size(options.size_m);
-  const Chance chance(sampling::hash(options.seed, std::uint64_t{0x486172626f7572}));
+  const RandomStream random(sampling::hash(options.seed, std::uint64_t{0x486172626f7572}));
   SceneFolder folder(options.folder, options.replace);
   SceneMaker scene(folder);
   const double half = 0.5 * options.size_m + kRim_m;
 
   scene.object(mesh_object("water",
-                           folder.add_large_mesh("water", water_mesh(half, chance.of(Purpose::waves))),
+                           folder.add_large_mesh("water", water_mesh(half, random.of(Purpose::waves))),
                            scene.only("water, harbour")));
   add_quay(half, folder, scene);
 
-  const Chance draw = chance.of(Purpose::ships);
+  const RandomStream draw = random.of(Purpose::ships);
   const double ship = std::min(1.15 * half, 118.0), beam = ship / 6.2;
   const Vec2 berth{draw.between(-0.12, 0.12, 0) * half, kEdge_y + 0.9 + 0.5 * beam};
   add_ship("cargo_ship", ship, beam, berth, "hull paint, black", folder, scene);
@@ -142,16 +142,16 @@ MadeScene make_harbour(const MakeOptions& options) {
   const double hold = berth.x - 0.5 * ship + 0.05 * ship + std::min(0.13 * ship, 14.0) + 4.0;
   for (double x = hold + 3.3; x + 3.3 < berth.x + 0.34 * ship; x += 7.5)
     for (double y = -0.36 * beam + 1.3; y + 1.2 < 0.36 * beam; y += 2.55) {
-      const Chance own =
-          chance.of(Purpose::stacks, 1, static_cast<int>(10.0 * x), static_cast<int>(10.0 * y));
+      const RandomStream own =
+          random.of(Purpose::stacks, 1, static_cast<int>(10.0 * x), static_cast<int>(10.0 * y));
       if (static_cast<int>((x - hold) / 15.0) * 15.0 + hold + 13.0 < berth.x + 0.36 * ship &&
           std::fmod(x - hold, 15.0) < 10.0)
         yard.stack({x, berth.y + y}, 0.055 * ship + 1.3, own.pick(4, 40), own);
     }
   for (double y = kYard_y; y > -0.42 * half; y -= 2.7)
     for (double x = -0.9 * half; x < 0.9 * half; x += 6.6) {
-      const Chance own =
-          chance.of(Purpose::stacks, 2, static_cast<int>(10.0 * x), static_cast<int>(10.0 * y));
+      const RandomStream own =
+          random.of(Purpose::stacks, 2, static_cast<int>(10.0 * x), static_cast<int>(10.0 * y));
       // Lanes for vehicles between blocks of five rows and of eight columns.
       const int row = static_cast<int>((kYard_y - y) / 2.7),
                 column = static_cast<int>((x + 0.9 * half) / 6.6);
@@ -184,7 +184,7 @@ MadeScene make_harbour(const MakeOptions& options) {
               {x, road - 9.0 - 4.0 - 0.5 * shed_width, kQuay_m}));
   const std::string lorry = folder.add_mesh("lorry", lorry_mesh());
   for (double x = -half + 12.0; x < half - 8.0; x += 24.0) {
-    const Chance own = chance.of(Purpose::traffic, static_cast<int>(x));
+    const RandomStream own = random.of(Purpose::traffic, static_cast<int>(x));
     if (own.happens(0.35, 0)) continue;
     const bool east = own.happens(0.5, 1);
     const Vec2 at{x + own.between(-4.0, 4.0, 2), road - (east ? 6.7 : 2.3)};

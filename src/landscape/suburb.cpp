@@ -27,11 +27,11 @@ constexpr std::array kWalls{"brick, red", "brick, weathered", "wall paint, white
 constexpr std::array kDoors{"door, green", "door, red", "timber, weathered"};
 
 template <std::size_t N>
-const char* one_of(const std::array<const char*, N>& choices, const Chance& draw, int index) {
+const char* one_of(const std::array<const char*, N>& choices, const RandomStream& draw, int index) {
   return choices[static_cast<std::size_t>(draw.pick(static_cast<int>(N), index))];
 }
 
-void add_houses(const PlotPlan& plots, const Chance& chance, SceneFolder& folder, SceneMaker& scene) {
+void add_houses(const PlotPlan& plots, const RandomStream& random, SceneFolder& folder, SceneMaker& scene) {
   std::vector<std::string> files(plots.designs.size());
   for (const Plot& plot : plots.plots) {
     const auto design = static_cast<std::size_t>(plot.design);
@@ -40,7 +40,7 @@ void add_houses(const PlotPlan& plots, const Chance& chance, SceneFolder& folder
       files[design] = folder.add_mesh(
           format("house_{:02}_{}", plot.design + 1, plan.roof == RoofKind::gabled ? "gabled" : "hipped"),
           house_mesh(plan));
-    const Chance draw = chance.of(plot.number);
+    const RandomStream draw = random.of(plot.number);
     scene.object(standing(
         mesh_object(format("house {}", plot.number), files[design],
                     scene.slots({{"roof", one_of(kRoofs, draw, 0)},
@@ -89,16 +89,16 @@ void add_power_line(const PowerLine& line, SceneFolder& folder, SceneMaker& scen
 
 MadeScene make_suburb(const MakeOptions& options) {
   check_size(options.size_m);
-  const Chance chance(sampling::hash(options.seed, std::uint64_t{0x5375627572626961}));
+  const RandomStream random(sampling::hash(options.seed, std::uint64_t{0x5375627572626961}));
   SceneFolder folder(options.folder, options.replace);
   SceneMaker scene(folder);
 
-  const StreetPlan streets = plan_streets(0.5 * options.size_m + kRim_m, chance.of(Purpose::streets));
-  const PlotPlan plots = plan_plots(streets, chance.of(Purpose::plots));
+  const StreetPlan streets = plan_streets(0.5 * options.size_m + kRim_m, random.of(Purpose::streets));
+  const PlotPlan plots = plan_plots(streets, random.of(Purpose::plots));
   const PowerLine line = plan_power_line(streets.mains[plots.court_street], plots.plots, streets.half_m);
-  const std::vector<ParkedCar> cars = plan_cars(streets, plots, chance.of(Purpose::cars));
+  const std::vector<ParkedCar> cars = plan_cars(streets, plots, random.of(Purpose::cars));
 
-  lay_ground(streets, plots, chance.of(Purpose::ground), folder, scene);
+  lay_ground(streets, plots, random.of(Purpose::ground), folder, scene);
   scene.object(standing(mesh_object("tennis court", folder.add_mesh("court", court_mesh()),
                                     scene.slots({{"surround", "court, green"},
                                                  {"court", "court, red"},
@@ -107,23 +107,23 @@ MadeScene make_suburb(const MakeOptions& options) {
                                                  {"net", "net"},
                                                  {"concrete", "concrete, slab"}})),
                         plots.court_stand, kLand_m));
-  add_houses(plots, chance.of(Purpose::colours), folder, scene);
+  add_houses(plots, random.of(Purpose::colours), folder, scene);
   add_cars(cars, folder, scene);
   add_power_line(line, folder, scene);
 
   std::vector<int> leaves;
-  std::vector<Stock> trees = add_trees(3, chance.of(Purpose::trees), folder, scene, &leaves);
-  plant_trees(trees, {streets, plots, line}, chance.of(Purpose::planting));
+  std::vector<Stock> trees = add_trees(3, random.of(Purpose::trees), folder, scene, &leaves);
+  plant_trees(trees, {streets, plots, line}, random.of(Purpose::planting));
   std::vector<Stock> hedges, shrubs;
   for (int k = 1; k <= 2; ++k) {
-    hedges.push_back(add_plant(format("hedge_{}", k), grow_hedge(chance.of(Purpose::hedges, k)), true,
+    hedges.push_back(add_plant(format("hedge_{}", k), grow_hedge(random.of(Purpose::hedges, k)), true,
                                "leaf, hedge", "bark", folder, scene));
     shrubs.push_back(add_plant(format("shrub_{}", k),
-                               grow_shrub(0.5, 0.75 + 0.2 * k, 2600, 0.05, chance.of(Purpose::shrubs, k)),
+                               grow_shrub(0.5, 0.75 + 0.2 * k, 2600, 0.05, random.of(Purpose::shrubs, k)),
                                true, "leaf, shrub", "bark", folder, scene));
   }
-  plant_hedges(hedges, trees, {streets, plots, line}, chance.of(Purpose::hedges));
-  plant_shrubs(shrubs, {streets, plots, line}, chance.of(Purpose::shrubs));
+  plant_hedges(hedges, trees, {streets, plots, line}, random.of(Purpose::hedges));
+  plant_shrubs(shrubs, {streets, plots, line}, random.of(Purpose::shrubs));
   for (const auto* stocks : {&trees, &hedges, &shrubs})
     place_plants(
         *stocks, [](Vec2) { return kLand_m; }, folder, scene);

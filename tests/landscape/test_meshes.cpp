@@ -90,7 +90,7 @@ TEST(Court, FollowsTheRulesOfTennis) {
 
 TEST(House, StandsOnItsGroundAndWithinItsFootprint) {
   for (int k = 0; k < 40; ++k) {
-    const HousePlan plan = draw_house(Chance(static_cast<std::uint64_t>(k) + 1));
+    const HousePlan plan = draw_house(RandomStream(static_cast<std::uint64_t>(k) + 1));
     const geometry::TriangleMesh mesh = house_mesh(plan);
     const Bounds all = bounds_of(mesh), roof = bounds_of(mesh, "roof");
     const Footprint footprint = plan.footprint({});

@@ -12,7 +12,8 @@ struct Plan {
   StreetPlan streets;
   PlotPlan plots;
   Plan(double half_m, std::uint64_t seed)
-      : streets(plan_streets(half_m, Chance(seed))), plots(plan_plots(streets, Chance(seed).of(1))) {}
+      : streets(plan_streets(half_m, RandomStream(seed))),
+        plots(plan_plots(streets, RandomStream(seed).of(1))) {}
 };
 
 TEST(Plots, HousesKeepApartAndOffTheStreets) {
@@ -48,7 +49,7 @@ TEST(Plots, BothRoofKindsAreBuilt) {
 
 TEST(Plots, CarsKeepApart) {
   const Plan plan(120.0, 7);
-  const std::vector<ParkedCar> cars = plan_cars(plan.streets, plan.plots, Chance(5));
+  const std::vector<ParkedCar> cars = plan_cars(plan.streets, plan.plots, RandomStream(5));
   EXPECT_GT(cars.size(), 20u);
   for (std::size_t a = 0; a < cars.size(); ++a) {
     const Footprint own = car_footprint(cars[a].stand);
@@ -63,7 +64,7 @@ TEST(Plots, TreesKeepClearOfHousesAndWires) {
       plan_power_line(plan.streets.mains[plan.plots.court_street], plan.plots.plots, 120.0);
   ASSERT_GT(line.poles.size(), 3u);
   std::vector<Stock> stocks{{"a", 4.0, false, {}}, {"b", 2.0, true, {}}};
-  plant_trees(stocks, {plan.streets, plan.plots, line}, Chance(3));
+  plant_trees(stocks, {plan.streets, plan.plots, line}, RandomStream(3));
   std::size_t count = 0;
   for (const Stock& stock : stocks)
     for (const Planted& tree : stock.copies) {
@@ -81,10 +82,10 @@ TEST(Plots, TreesKeepClearOfHousesAndWires) {
 
 /// Separating axes against areas: rectangles at random.
 TEST(Plane, OverlapIsArea) {
-  const Chance chance(11);
+  const RandomStream random(11);
   int touching = 0;
   for (int k = 0; k < 400; ++k) {
-    const Chance draw = chance.of(k);
+    const RandomStream draw = random.of(k);
     const auto rectangle = [&](int n) {
       const double angle = draw.between(0.0, 6.28, n);
       return Footprint{{{draw.between(-5.0, 5.0, n + 1), draw.between(-5.0, 5.0, n + 2)},

@@ -116,24 +116,24 @@ Footprint HousePlan::footprint(const Stand& stand) const {
   return {stand, -0.5 * width - eaves, 0.5 * width + eaves, -garage_depth - eaves, depth + eaves};
 }
 
-HousePlan draw_house(const Chance& chance) {
+HousePlan draw_house(const RandomStream& random) {
   HousePlan plan;
-  plan.roof = chance.happens(0.45, 0) ? RoofKind::hipped : RoofKind::gabled;
-  const bool two_storeys = chance.happens(0.3, 1);
-  plan.width = two_storeys ? chance.between(11.0, 13.0, 2) : chance.between(12.5, 15.5, 2);
-  plan.depth = two_storeys ? chance.between(7.5, 9.0, 3) : chance.between(8.5, 10.5, 3);
-  plan.wall_height = two_storeys ? chance.between(5.2, 5.6, 4) : chance.between(2.6, 2.9, 4);
-  plan.slope = std::tan(chance.between(22.0, 38.0, 5) * M_PI / 180.0);
-  plan.eaves = chance.between(0.4, 0.65, 6);
-  plan.garage_side = chance.happens(0.5, 7) ? 1 : -1;
-  plan.garage_width = chance.between(5.6, 6.4, 8);
-  plan.garage_depth = chance.between(3.0, 5.5, 9);
+  plan.roof = random.happens(0.45, 0) ? RoofKind::hipped : RoofKind::gabled;
+  const bool two_storeys = random.happens(0.3, 1);
+  plan.width = two_storeys ? random.between(11.0, 13.0, 2) : random.between(12.5, 15.5, 2);
+  plan.depth = two_storeys ? random.between(7.5, 9.0, 3) : random.between(8.5, 10.5, 3);
+  plan.wall_height = two_storeys ? random.between(5.2, 5.6, 4) : random.between(2.6, 2.9, 4);
+  plan.slope = std::tan(random.between(22.0, 38.0, 5) * M_PI / 180.0);
+  plan.eaves = random.between(0.4, 0.65, 6);
+  plan.garage_side = random.happens(0.5, 7) ? 1 : -1;
+  plan.garage_width = random.between(5.6, 6.4, 8);
+  plan.garage_depth = random.between(3.0, 5.5, 9);
   // The roof of the garage stays below the windows over it, and below the main ridge.
   if (two_storeys) plan.slope = std::min(plan.slope, 0.55);
   const double free_middle = -plan.garage_side * 0.5 * plan.garage_width;
   plan.door_x = free_middle + plan.garage_side * (0.5 * (plan.width - plan.garage_width) - 1.2);
-  plan.chimney = chance.happens(0.7, 10);
-  plan.chimney_x = -plan.garage_side * chance.between(0.0, 0.12, 11) * plan.width;
+  plan.chimney = random.happens(0.7, 10);
+  plan.chimney_x = -plan.garage_side * random.between(0.0, 0.12, 11) * plan.width;
   return plan;
 }
 

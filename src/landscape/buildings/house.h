@@ -1,8 +1,8 @@
 #pragma once
 
 #include "geometry/triangle_mesh.h"
-#include "landscape/shapes/chance.h"
 #include "landscape/shapes/plane.h"
+#include "landscape/shapes/random_stream.h"
 
 namespace ifov::landscape {
 
@@ -33,7 +33,7 @@ struct HousePlan {
 };
 
 /// One of the designs that suburbs are built from: sizes, pitch and details by chance.
-HousePlan draw_house(const Chance& chance);
+HousePlan draw_house(const RandomStream& random);
 
 /// Slots: roof, wall, trim, window, door, garage door, brick, concrete.
 geometry::TriangleMesh house_mesh(const HousePlan& plan);

@@ -8,14 +8,14 @@ namespace {
 
 constexpr double kGoldenAngle_rad = 2.399963;
 
-Vec3 any_direction(const Chance& chance, int index) {
-  const double z = chance.between(-1.0, 1.0, index), angle = chance.between(0.0, 2.0 * M_PI, index + 1);
+Vec3 any_direction(const RandomStream& random, int index) {
+  const double z = random.between(-1.0, 1.0, index), angle = random.between(0.0, 2.0 * M_PI, index + 1);
   const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
   return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
 int add_shoot(MeshBuilder& wood, MeshBuilder& leaves, const Foliage& foliage, Point3 base, Vec3 direction,
-              int count, const Chance& chance) {
+              int count, const RandomStream& random) {
   const double spacing = std::max(0.35 * foliage.leaf.length, 0.02), length = spacing * count;
   const Vec3 sag{0.0, 0.0, -foliage.droop};
   const Point3 middle = base + direction * (0.5 * length) + sag * (0.12 * length);
@@ -27,11 +27,11 @@ int add_shoot(MeshBuilder& wood, MeshBuilder& leaves, const Foliage& foliage, Po
       math::normalized(math::cross(direction, std::abs(direction.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
   const Vec3 other = math::cross(direction, across);
   for (int k = 0; k < count; ++k) {
-    const double t = (k + 0.5) / count, angle = kGoldenAngle_rad * k + chance.between(0.0, 6.28, 0);
+    const double t = (k + 0.5) / count, angle = kGoldenAngle_rad * k + random.between(0.0, 6.28, 0);
     const Point3 at =
         t < 0.5 ? base + (middle - base) * (2.0 * t) : middle + (end - middle) * (2.0 * t - 1.0);
     const Vec3 side = across * std::cos(angle) + other * std::sin(angle);
-    const Chance draw = chance.of(k);
+    const RandomStream draw = random.of(k);
     const Vec3 tip = math::normalized(side + direction * 0.6 + Vec3{0.0, 0.0, -0.15 - foliage.droop} +
                                       any_direction(draw, 0) * 0.35);
     const Vec3 face = math::normalized(Vec3{0.0, 0.0, 1.0} + any_direction(draw, 2) * 0.75);
@@ -82,7 +82,7 @@ void add_branches(MeshBuilder& mesh, const std::vector<Joint>& joints) {
 }
 
 int add_foliage(MeshBuilder& wood, MeshBuilder& leaves, const std::vector<Joint>& joints,
-                const Foliage& foliage, const Chance& chance) {
+                const Foliage& foliage, const RandomStream& random) {
   std::vector<std::size_t> twigs;
   for (std::size_t k = 1; k < joints.size(); ++k)
     if (joints[k].tips <= 3 && joints[k].at.z > foliage.lowest_m) twigs.push_back(k);
@@ -94,7 +94,7 @@ int add_foliage(MeshBuilder& wood, MeshBuilder& leaves, const std::vector<Joint>
     const Vec3 along = math::normalized(joint.at - joints[static_cast<std::size_t>(joint.parent)].at);
     const int shoots = std::clamp(share / 8, 1, 4);
     for (int s = 0; s < shoots; ++s) {
-      const Chance draw = chance.of(static_cast<int>(twigs[n]), s, 3);
+      const RandomStream draw = random.of(static_cast<int>(twigs[n]), s, 3);
       const int size = s + 1 == shoots ? share - (shoots - 1) * (share / shoots) : share / shoots;
       if (size < 1) continue;
       const Vec3 direction = math::normalized(along * 0.5 + any_direction(draw, 0) + Vec3{0.0, 0.0, 0.25});

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "landscape/plants/tree_skeleton.h"
-#include "landscape/shapes/chance.h"
 #include "landscape/shapes/mesh_builder.h"
+#include "landscape/shapes/random_stream.h"
 
 namespace ifov::landscape {
 
@@ -29,6 +29,6 @@ struct Foliage {
 
 /// Shoots with leaves in spirals on all twigs: about `count` leaves, the number of which is returned.
 int add_foliage(MeshBuilder& wood, MeshBuilder& leaves, const std::vector<Joint>& joints,
-                const Foliage& foliage, const Chance& chance);
+                const Foliage& foliage, const RandomStream& random);
 
 }  // namespace ifov::landscape

@@ -16,14 +16,14 @@ Stock add_plant(const std::string& name, const Tree& plant, bool low_branches,
   return {name, plant.crown_radius_m, low_branches, {}};
 }
 
-std::vector<Stock> add_trees(int individuals, const Chance& chance, SceneFolder& folder, SceneMaker& scene,
-                             std::vector<int>* leaf_counts) {
+std::vector<Stock> add_trees(int individuals, const RandomStream& random, SceneFolder& folder,
+                             SceneMaker& scene, std::vector<int>* leaf_counts) {
   std::vector<Stock> stocks;
   int number = 0;
   for (const Species& species : tree_species())
     for (int k = 0; k < individuals; ++k) {
       const Tree tree =
-          grow_tree(species, sampling::hash(std::uint64_t{17}, chance.of(++number).pick(1 << 30, 0)));
+          grow_tree(species, sampling::hash(std::uint64_t{17}, random.of(++number).pick(1 << 30, 0)));
       if (leaf_counts != nullptr) leaf_counts->push_back(tree.leaf_count);
       const std::string name(species.name);
       stocks.push_back(add_plant(format("{}_{}", name, k + 1), tree, species.low_branches, "leaf, " + name,

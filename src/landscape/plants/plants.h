@@ -17,8 +17,8 @@ Stock add_plant(const std::string& name, const Tree& plant, bool low_branches,
                 SceneMaker& scene);
 
 /// All individuals of all tree species: `individuals` of each, named "oak_1", ...
-std::vector<Stock> add_trees(int individuals, const Chance& chance, SceneFolder& folder, SceneMaker& scene,
-                             std::vector<int>* leaf_counts);
+std::vector<Stock> add_trees(int individuals, const RandomStream& random, SceneFolder& folder,
+                             SceneMaker& scene, std::vector<int>* leaf_counts);
 
 /// Writes the copies of each stock as an instance list and names it in the document. Copies stand on the ground whose
 /// height is given.

@@ -48,17 +48,17 @@ double profile(const Habit& habit, double t) {
   return std::sqrt(std::max(0.0, 1.0 - 0.8 * std::pow(s, habit.lower)));
 }
 
-Tree grow_broadleaf(const Species& species, const Chance& chance) {
+Tree grow_broadleaf(const Species& species, const RandomStream& random) {
   const Habit habit = habit_of(species.name);
-  const double size = chance.between(0.88, 1.12, 0);
+  const double size = random.between(0.88, 1.12, 0);
   CrownShape crown;
   crown.height = species.height_m * size;
   crown.base = crown.height * habit.base_share;
-  crown.radius = species.crown_radius_m * size * chance.between(0.94, 1.06, 1) * 0.92;
+  crown.radius = species.crown_radius_m * size * random.between(0.94, 1.06, 1) * 0.92;
   crown.profile = [&](double t) { return profile(habit, t); };
   crown.trunk_radius = habit.trunk_radius_share * crown.height;
   crown.attractors = habit.attractors;
-  const std::vector<Joint> joints = grow_skeleton(crown, chance);
+  const std::vector<Joint> joints = grow_skeleton(crown, random);
 
   Tree tree;
   MeshBuilder wood;
@@ -66,9 +66,9 @@ Tree grow_broadleaf(const Species& species, const Chance& chance) {
   add_branches(wood, joints);
   MeshBuilder leaves;
   leaves.slot("leaf");
-  const int wanted = static_cast<int>(habit.leaf_count * chance.between(0.92, 1.08, 2));
+  const int wanted = static_cast<int>(habit.leaf_count * random.between(0.92, 1.08, 2));
   tree.leaf_count =
-      add_foliage(wood, leaves, joints, {habit.leaf, wanted, habit.droop, 0.7 * crown.base}, chance);
+      add_foliage(wood, leaves, joints, {habit.leaf, wanted, habit.droop, 0.7 * crown.base}, random);
   tree.wood = wood.take();
   tree.leaves = leaves.take();
   return tree;
@@ -79,8 +79,8 @@ Tree grow_broadleaf(const Species& species, const Chance& chance) {
 std::span<const Species> tree_species() { return kSpecies; }
 
 Tree grow_tree(const Species& species, std::uint64_t seed) {
-  const Chance chance(seed);
-  Tree tree = species.name == "spruce" ? grow_conifer(species, chance) : grow_broadleaf(species, chance);
+  const RandomStream random(seed);
+  Tree tree = species.name == "spruce" ? grow_conifer(species, random) : grow_broadleaf(species, random);
   for (const geometry::TriangleMesh* part : {&tree.wood, &tree.leaves})
     for (const math::Point3& p : part->vertices_m) {
       tree.height_m = std::max(tree.height_m, p.z);

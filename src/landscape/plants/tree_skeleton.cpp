@@ -9,11 +9,11 @@ namespace {
 
 enum class Draw { attractor, trunk };
 
-std::vector<Point3> scatter_attractors(const CrownShape& crown, const Chance& chance) {
+std::vector<Point3> scatter_attractors(const CrownShape& crown, const RandomStream& random) {
   std::vector<Point3> points;
-  const Chance clumps = chance.of(7);
+  const RandomStream clumps = random.of(7);
   for (int k = 0; static_cast<int>(points.size()) < crown.attractors; ++k) {
-    const Chance draw = chance.of(Draw::attractor, k);
+    const RandomStream draw = random.of(Draw::attractor, k);
     const double t = draw.unit(0), x = draw.between(-1.0, 1.0, 1), y = draw.between(-1.0, 1.0, 2);
     const double r = std::hypot(x, y), limit = crown.profile(t);
     if (r > limit) continue;
@@ -29,9 +29,9 @@ std::vector<Point3> scatter_attractors(const CrownShape& crown, const Chance& ch
 }
 
 /// The trunk up to two thirds of the crown, with a slight sweep.
-std::vector<Joint> raise_trunk(const CrownShape& crown, double step, const Chance& chance) {
+std::vector<Joint> raise_trunk(const CrownShape& crown, double step, const RandomStream& random) {
   std::vector<Joint> joints{{{0.0, 0.0, -0.3}, -1, 0.0, 0}};
-  const Chance draw = chance.of(Draw::trunk);
+  const RandomStream draw = random.of(Draw::trunk);
   const double top = crown.base + 0.55 * (crown.height - crown.base);
   const double lean = draw.between(0.0, 0.06, 0), towards = draw.between(0.0, 2.0 * M_PI, 1);
   for (double z = -0.3 + step; z < top; z += step) {
@@ -64,10 +64,10 @@ void set_radii(std::vector<Joint>& joints, double trunk_radius_m, double tip_rad
   }
 }
 
-std::vector<Joint> grow_skeleton(const CrownShape& crown, const Chance& chance) {
+std::vector<Joint> grow_skeleton(const CrownShape& crown, const RandomStream& random) {
   const double step = 0.22 * std::sqrt(crown.radius / 3.5), reach = 20.0 * step, kill = 1.6 * step;
-  const std::vector<Point3> attractors = scatter_attractors(crown, chance);
-  std::vector<Joint> joints = raise_trunk(crown, step, chance);
+  const std::vector<Point3> attractors = scatter_attractors(crown, random);
+  std::vector<Joint> joints = raise_trunk(crown, step, random);
 
   struct Pull {
     int nearest = -1;
@@ -95,7 +95,7 @@ std::vector<Joint> grow_skeleton(const CrownShape& crown, const Chance& chance) 
     for (std::size_t k = 0; k < count; ++k) {
       if (math::length(direction[k]) < 1e-6) continue;
       // Branches bend upwards a little, and jitter keeps two pulls from holding each other up.
-      const Chance jitter = chance.of(round, static_cast<int>(k));
+      const RandomStream jitter = random.of(round, static_cast<int>(k));
       const Vec3 bend{jitter.between(-0.18, 0.18, 0), jitter.between(-0.18, 0.18, 1),
                       jitter.between(-0.05, 0.2, 2)};
       const Vec3 grow = math::normalized(math::normalized(direction[k]) + bend);

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "landscape/shapes/chance.h"
+#include "landscape/shapes/random_stream.h"
 #include "math/vec3.h"
 
 namespace ifov::landscape {
@@ -32,7 +32,7 @@ struct CrownShape {
 /// Branches that grow towards points scattered in the crown until every point is reached (space colonisation:
 /// Runions, Lane and Prusinkiewicz 2007), with radii such that cross-sections follow the number of twigs (pipe
 /// model) from 4 mm at the tips to the trunk's.
-std::vector<Joint> grow_skeleton(const CrownShape& crown, const Chance& chance);
+std::vector<Joint> grow_skeleton(const CrownShape& crown, const RandomStream& random);
 
 /// Radii and numbers of twigs of a skeleton whose joints are placed.
 void set_radii(std::vector<Joint>& joints, double trunk_radius_m, double tip_radius_m);

@@ -44,7 +44,7 @@ class Planting {
   Planting(std::vector<Stock>& stocks, const Obstacles& obstacles) : stocks_(stocks), obstacles_(obstacles) {}
 
   /// Whether the tree stands.
-  bool try_to_plant(Vec2 at, const Chance& draw, bool in_verge) {
+  bool try_to_plant(Vec2 at, const RandomStream& draw, bool in_verge) {
     const auto choice = static_cast<std::size_t>(draw.pick(static_cast<int>(stocks_.size()), 50));
     Stock& stock = stocks_[choice];
     if (in_verge && stock.low_branches) return false;
@@ -75,14 +75,14 @@ class Planting {
 
 }  // namespace
 
-void plant_trees(std::vector<Stock>& species, const Obstacles& o, const Chance& chance) {
+void plant_trees(std::vector<Stock>& species, const Obstacles& o, const RandomStream& random) {
   Planting planting(species, o);
   for (std::size_t s = 0; s < o.streets.mains.size(); ++s) {
     const Street& street = o.streets.mains[s];
     const double total = street.length_m();
     for (const int side : {1, -1})
       for (double along = 6.0; along < total; along += 3.0) {
-        const Chance draw = chance.of(1, s, side, static_cast<int>(along));
+        const RandomStream draw = random.of(1, s, side, static_cast<int>(along));
         if (!draw.happens(0.3, 0)) continue;
         const double off = 0.5 * street.width + Section::kKerb + 0.5 * Section::kVerge;
         const Vec2 at = street.at(along) + left_of(street.direction(along)) * (side * off);
@@ -97,16 +97,16 @@ void plant_trees(std::vector<Stock>& species, const Obstacles& o, const Chance& 
   // Around the court, beyond its fence.
   const Footprint& park = o.plots.court_park;
   for (int k = 0; k < 40; ++k) {
-    const Chance draw = chance.of(2, k);
+    const RandomStream draw = random.of(2, k);
     planting.try_to_plant(
         park.stand.at(draw.between(park.x0, park.x1, 0), draw.between(park.y0, park.y1 + 2.0, 1)), draw,
         false);
   }
   for (const Plot& plot : o.plots.plots) {
-    const int wanted = 3 + chance.of(3, plot.number).pick(4, 0);
+    const int wanted = 3 + random.of(3, plot.number).pick(4, 0);
     int standing = 0;
     for (int k = 0; k < 40 && standing < wanted; ++k) {
-      const Chance draw = chance.of(3, plot.number, k);
+      const RandomStream draw = random.of(3, plot.number, k);
       const double x = draw.between(-0.5, 0.5, 0) * plot.width, y = draw.between(1.0, plot.depth + 1.0, 1);
       standing += planting.try_to_plant(plot.stand.at(x, y), draw, false);
     }
@@ -114,12 +114,12 @@ void plant_trees(std::vector<Stock>& species, const Obstacles& o, const Chance& 
 }
 
 void plant_hedges(std::vector<Stock>& segments, const std::vector<Stock>& trees, const Obstacles& o,
-                  const Chance& chance) {
+                  const RandomStream& random) {
   std::vector<Vec2> trunks;
   for (const Stock& stock : trees)
     for (const Planted& tree : stock.copies) trunks.push_back(tree.at);
   std::vector<Vec2> placed;
-  const auto plant = [&](const Stand& stand, const Chance& draw) {
+  const auto plant = [&](const Stand& stand, const RandomStream& draw) {
     const Footprint taken{stand, -0.5, 0.5, -0.45, 0.45};
     const Vec2 at = stand.origin;
     if (distance_to_houses(o, at) < 0.9 || !on_soil(o, at, 0.75) || !o.streets.is_clear(taken)) return;
@@ -135,7 +135,7 @@ void plant_hedges(std::vector<Stock>& segments, const std::vector<Stock>& trees,
     stock.copies.push_back({at, stand.rotation_rad() + (turned ? M_PI : 0.0), draw.between(0.94, 1.0, 2)});
   };
   for (const Plot& plot : o.plots.plots) {
-    const Chance draw = chance.of(plot.number);
+    const RandomStream draw = random.of(plot.number);
     const Stand& stand = plot.stand;
     for (const double side : {-1.0, 1.0}) {
       if (!draw.happens(0.4, side > 0.0)) continue;
@@ -158,12 +158,12 @@ Footprint front_bed(const Plot& plot, const HousePlan& design) {
   return {plot.house, std::min(corner, door), std::max(corner, door), -1.5, 0.0};
 }
 
-void plant_shrubs(std::vector<Stock>& shrubs, const Obstacles& o, const Chance& chance) {
+void plant_shrubs(std::vector<Stock>& shrubs, const Obstacles& o, const RandomStream& random) {
   for (const Plot& plot : o.plots.plots) {
     const Footprint bed = front_bed(plot, o.plots.designs[static_cast<std::size_t>(plot.design)]);
     int number = 0;
     for (double x = bed.x0 + 0.7; x < bed.x1 - 0.5; x += 1.25, ++number) {
-      const Chance draw = chance.of(plot.number, number);
+      const RandomStream draw = random.of(plot.number, number);
       if (draw.happens(0.2, 0)) continue;
       Stock& stock = shrubs[static_cast<std::size_t>(draw.pick(static_cast<int>(shrubs.size()), 1))];
       stock.copies.push_back(

@@ -32,14 +32,14 @@ struct Obstacles {
 
 /// Trees in gardens, along the verge opposite the power line, and around the tennis court. Crowns keep clear of
 /// houses, wires and, mostly, of each other.
-void plant_trees(std::vector<Stock>& species, const Obstacles& obstacles, const Chance& chance);
+void plant_trees(std::vector<Stock>& species, const Obstacles& obstacles, const RandomStream& random);
 
 /// Hedges along the sides of some back gardens, in segments of 1 m.
 void plant_hedges(std::vector<Stock>& segments, const std::vector<Stock>& trees, const Obstacles& obstacles,
-                  const Chance& chance);
+                  const RandomStream& random);
 
 /// Shrubs before the front walls of houses.
-void plant_shrubs(std::vector<Stock>& shrubs, const Obstacles& obstacles, const Chance& chance);
+void plant_shrubs(std::vector<Stock>& shrubs, const Obstacles& obstacles, const RandomStream& random);
 
 /// The bed before a house in which its shrubs stand.
 Footprint front_bed(const Plot& plot, const HousePlan& design);

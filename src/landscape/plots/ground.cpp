@@ -35,14 +35,14 @@ void add(MeshBuilder& mesh, const char* slot, const Region& region, double heigh
 }
 
 /// Repairs and manholes in the asphalt.
-void plan_repairs(const StreetPlan& streets, const Chance& chance, std::vector<Region>& patches,
+void plan_repairs(const StreetPlan& streets, const RandomStream& random, std::vector<Region>& patches,
                   std::vector<Region>& covers) {
   int number = 0;
   for (const auto* kind : {&streets.mains, &streets.sides})
     for (const Street& street : *kind) {
       const double total = street.length_m();
       for (double along = 8.0; along < total - 8.0; along += 14.0) {
-        const Chance draw = chance.of(++number);
+        const RandomStream draw = random.of(++number);
         const double at = along + draw.between(-5.0, 5.0, 0);
         const Stand stand{street.at(at) + left_of(street.direction(at)) * draw.between(-2.3, 2.3, 1),
                           street.direction(at)};
@@ -56,9 +56,9 @@ void plan_repairs(const StreetPlan& streets, const Chance& chance, std::vector<R
     }
 }
 
-void lay_streets(MeshBuilder& mesh, const StreetPlan& streets, const Chance& chance) {
+void lay_streets(MeshBuilder& mesh, const StreetPlan& streets, const RandomStream& random) {
   std::vector<Region> patches, covers;
-  plan_repairs(streets, chance, patches, covers);
+  plan_repairs(streets, random, patches, covers);
   const Region cover = Region::all_of(covers) & streets.asphalt;
   const Region patch = (Region::all_of(patches) & streets.asphalt) - cover;
   add(mesh, "asphalt", streets.asphalt - patch - cover, 0.0, 0.0);
@@ -87,8 +87,8 @@ void lay_aprons(MeshBuilder& mesh, const PlotPlan& plots, const Region& verge_an
 
 }  // namespace
 
-void lay_ground(const StreetPlan& streets, const PlotPlan& plots, const Chance& chance, SceneFolder& folder,
-                SceneMaker& scene) {
+void lay_ground(const StreetPlan& streets, const PlotPlan& plots, const RandomStream& random,
+                SceneFolder& folder, SceneMaker& scene) {
   const Region land = streets.domain - streets.asphalt;
   const Region to_kerb = streets.asphalt.grown(Section::kKerb) & streets.domain;
   const Region to_verge = streets.asphalt.grown(Section::kKerb + Section::kVerge) & streets.domain;
@@ -112,7 +112,7 @@ void lay_ground(const StreetPlan& streets, const PlotPlan& plots, const Chance& 
   walks.push_back(court_path);
 
   MeshBuilder mesh;
-  lay_streets(mesh, streets, chance.of(1));
+  lay_streets(mesh, streets, random.of(1));
   const Region kerb_and_verge = to_verge & land;
   add(mesh, "kerb", (to_kerb & land) - drives, Section::kLand, 0.0);
   lay_aprons(mesh, plots, kerb_and_verge);
@@ -156,7 +156,7 @@ void lay_ground(const StreetPlan& streets, const PlotPlan& plots, const Chance& 
   const Region verges = (kerb_and_verge - to_kerb) - drives;
   add(lawn, "lawn", free + verges, Section::kLand, 0.0);
   const std::string lawn_file = folder.add_mesh("lawn", lawn.take());
-  scene.object(mesh_object("lawns", lawn_file, lawn_material(streets, plots, chance.of(2), folder, scene)));
+  scene.object(mesh_object("lawns", lawn_file, lawn_material(streets, plots, random.of(2), folder, scene)));
   io::PolygonPrimitive subsoil;
   const double half = to_millimetre(streets.half_m), below = -0.05;
   subsoil.vertices_m = {

@@ -29,30 +29,30 @@ bool inside(const Footprint& footprint, double half_m) {
 }
 
 /// Where a house with its garden goes on a plot.
-void furnish(Plot& plot, const HousePlan& design, const Chance& chance) {
-  const double setback = chance.between(6.0, 8.0, 0) + design.garage_depth;
+void furnish(Plot& plot, const HousePlan& design, const RandomStream& random) {
+  const double setback = random.between(6.0, 8.0, 0) + design.garage_depth;
   const double room = 0.5 * (plot.width - design.width) - 1.6;
-  plot.house = {plot.stand.at(std::clamp(chance.between(-1.0, 1.0, 1), -room, room), setback),
+  plot.house = {plot.stand.at(std::clamp(random.between(-1.0, 1.0, 1), -room, room), setback),
                 plot.stand.inward};
   plot.house_footprint = design.footprint(plot.house);
   const double garage = design.garage_middle(), reach = setback + Section::kCorridor + 1.0;
   plot.driveway = {plot.house, garage - 2.7, garage + 2.7, -reach, -design.garage_depth};
   plot.front_walk = {plot.house, design.door_x - 0.6, design.door_x + 0.6, -setback, -1.2};
-  plot.patio = {plot.house, -0.5 * design.width + 0.5, chance.between(0.0, 3.0, 2), design.depth,
-                design.depth + chance.between(3.0, 4.5, 3)};
-  plot.paved_driveway = chance.happens(0.65, 4);
-  plot.has_pool = chance.happens(0.22, 5);
-  const double pool_y = design.depth + chance.between(6.8, 7.5, 6);
-  const double pool_x = chance.between(-3.0, -1.0, 7), length = chance.between(7.0, 9.0, 8);
+  plot.patio = {plot.house, -0.5 * design.width + 0.5, random.between(0.0, 3.0, 2), design.depth,
+                design.depth + random.between(3.0, 4.5, 3)};
+  plot.paved_driveway = random.happens(0.65, 4);
+  plot.has_pool = random.happens(0.22, 5);
+  const double pool_y = design.depth + random.between(6.8, 7.5, 6);
+  const double pool_x = random.between(-3.0, -1.0, 7), length = random.between(7.0, 9.0, 8);
   plot.pool = {plot.house, pool_x, pool_x + length, pool_y, pool_y + 3.8};
   plot.pool_deck = plot.pool.grown(0.9);
 }
 
 }  // namespace
 
-PlotPlan plan_plots(const StreetPlan& streets, const Chance& chance) {
+PlotPlan plan_plots(const StreetPlan& streets, const RandomStream& random) {
   PlotPlan plan;
-  for (int k = 0; k < kDesigns; ++k) plan.designs.push_back(draw_house(chance.of(1, k)));
+  for (int k = 0; k < kDesigns; ++k) plan.designs.push_back(draw_house(random.of(1, k)));
   plan.designs[0].roof = RoofKind::gabled;
   plan.designs[1].roof = RoofKind::hipped;
 
@@ -80,9 +80,9 @@ PlotPlan plan_plots(const StreetPlan& streets, const Chance& chance) {
     for (const int side : {1, -1}) {
       const Street& street = streets.mains[s];
       const double total = street.length_m();
-      double along = 8.0 + chance.of(2, s, side).between(0.0, 6.0, 0);
+      double along = 8.0 + random.of(2, s, side).between(0.0, 6.0, 0);
       while (along < total) {
-        const Chance draw = chance.of(3, s, side, static_cast<int>(along));
+        const RandomStream draw = random.of(3, s, side, static_cast<int>(along));
         Plot plot;
         plot.width = draw.between(19.0, 22.5, 0);
         plot.depth = kPlotDepth_m;

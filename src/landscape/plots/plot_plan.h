@@ -35,6 +35,6 @@ struct PlotPlan {
 
 /// Plots on both sides of the main streets; a plot whose house would stand in a street, or within 3 m of another
 /// house, is left out. One lot, as near to the origin as can be, holds the court.
-PlotPlan plan_plots(const StreetPlan& streets, const Chance& chance);
+PlotPlan plan_plots(const StreetPlan& streets, const RandomStream& random);
 
 }  // namespace ifov::landscape

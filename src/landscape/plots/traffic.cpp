@@ -16,7 +16,7 @@ class Traffic {
  public:
   Traffic(const StreetPlan& streets, const PlotPlan& plots) : streets_(streets), plots_(plots) {}
 
-  void try_to_park(Vec2 at, Vec2 heading, double ground_m, const Chance& draw) {
+  void try_to_park(Vec2 at, Vec2 heading, double ground_m, const RandomStream& draw) {
     // A stand's `inward` is what lies left of its `along`.
     const Stand stand{at, left_of(heading)};
     const Footprint taken = car_footprint(stand);
@@ -53,14 +53,15 @@ class Traffic {
 
 Footprint car_footprint(const Stand& stand) { return {stand, -2.5, 2.5, -1.0, 1.0}; }
 
-std::vector<ParkedCar> plan_cars(const StreetPlan& streets, const PlotPlan& plots, const Chance& chance) {
+std::vector<ParkedCar> plan_cars(const StreetPlan& streets, const PlotPlan& plots,
+                                 const RandomStream& random) {
   Traffic traffic(streets, plots);
   for (const Plot& plot : plots.plots) {
-    const Chance draw = chance.of(1, plot.number);
+    const RandomStream draw = random.of(1, plot.number);
     const HousePlan& house = plots.designs[static_cast<std::size_t>(plot.design)];
     for (const int side : {-1, 1}) {
       if (!draw.happens(0.42, side)) continue;
-      const Chance own = draw.of(side);
+      const RandomStream own = draw.of(side);
       const Vec2 at =
           plot.house.at(house.garage_middle() + side * 1.32, -house.garage_depth - own.between(3.2, 3.45, 0));
       traffic.try_to_park(at, plot.house.inward * (own.happens(0.7, 1) ? 1.0 : -1.0), Section::kLand, own);
@@ -71,7 +72,7 @@ std::vector<ParkedCar> plan_cars(const StreetPlan& streets, const PlotPlan& plot
     const double total = street.length_m();
     for (const int side : {-1, 1})
       for (double along = 6.0; along < total - 6.0; along += 6.5) {
-        const Chance draw = chance.of(2, s, side, static_cast<int>(along));
+        const RandomStream draw = random.of(2, s, side, static_cast<int>(along));
         const Vec2 way = street.direction(along) * (side > 0 ? -1.0 : 1.0);
         const Vec2 left = left_of(street.direction(along)) * side;
         const Vec2 kerb = street.at(along) + left * (0.5 * street.width - 1.15);

@@ -17,7 +17,8 @@ struct ParkedCar {
 };
 
 /// Cars before garages, at kerbs and in the lanes; none touches another.
-std::vector<ParkedCar> plan_cars(const StreetPlan& streets, const PlotPlan& plots, const Chance& chance);
+std::vector<ParkedCar> plan_cars(const StreetPlan& streets, const PlotPlan& plots,
+                                 const RandomStream& random);
 
 /// The rectangle that a car takes up.
 Footprint car_footprint(const Stand& stand);

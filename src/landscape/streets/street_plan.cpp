@@ -44,14 +44,14 @@ bool StreetPlan::is_clear(const Footprint& footprint) const {
   return true;
 }
 
-StreetPlan plan_streets(double half_m, const Chance& chance) {
+StreetPlan plan_streets(double half_m, const RandomStream& random) {
   StreetPlan plan;
   plan.half_m = half_m;
   const Stand centre;
   plan.domain = Region::rectangle({centre, -half_m, half_m, -half_m, half_m});
   const int mains = std::max(1, static_cast<int>(std::lround(2.0 * half_m / kMainSpacing_m)));
-  const double wave = chance.between(190.0, 260.0, 0), phase = chance.between(0.0, 2.0 * M_PI, 1);
-  const double sway = chance.between(4.0, 7.0, 2), shift = chance.between(-8.0, 8.0, 3);
+  const double wave = random.between(190.0, 260.0, 0), phase = random.between(0.0, 2.0 * M_PI, 1);
+  const double sway = random.between(4.0, 7.0, 2), shift = random.between(-8.0, 8.0, 3);
   // All bend alike, so that the blocks between them keep their depth.
   const auto main_x = [&](int k, double y) {
     return (k - 0.5 * (mains - 1)) * kMainSpacing_m + shift + sway * std::sin(2.0 * M_PI * y / wave + phase);
@@ -63,7 +63,7 @@ StreetPlan plan_streets(double half_m, const Chance& chance) {
     plan.mains.push_back(std::move(street));
   }
   for (int gap = 0; gap <= mains; ++gap) {
-    const Chance draw = chance.of(gap);
+    const RandomStream draw = random.of(gap);
     // Junctions of neighbouring gaps are staggered.
     const double first = -half_m + (gap % 2 == 0 ? 0.35 : 0.85) * kSideSpacing_m + draw.between(-9.0, 9.0, 0);
     for (double y = first; y < half_m - 15.0; y += kSideSpacing_m) {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "landscape/shapes/chance.h"
 #include "landscape/shapes/plane.h"
+#include "landscape/shapes/random_stream.h"
 #include "landscape/shapes/region.h"
 
 namespace ifov::landscape {
@@ -38,6 +38,6 @@ struct StreetPlan {
   bool is_clear(const Footprint& footprint) const;
 };
 
-StreetPlan plan_streets(double half_m, const Chance& chance);
+StreetPlan plan_streets(double half_m, const RandomStream& random);
 
 }  // namespace ifov::landscape

@@ -8,14 +8,14 @@
 namespace ifov::landscape {
 
 /// Random choices keyed by what they are for: the same key gives the same choice, whatever was chosen before.
-class Chance {
+class RandomStream {
  public:
-  explicit constexpr Chance(std::uint64_t key) : key_(key) {}
+  explicit constexpr RandomStream(std::uint64_t key) : key_(key) {}
 
-  /// The choices of a part: chance.of(Purpose::tree, 12).
+  /// The choices of a part: random.of(Purpose::tree, 12).
   template <class... What>
-  constexpr Chance of(What... what) const {
-    return Chance(sampling::hash(key_, what...));
+  constexpr RandomStream of(What... what) const {
+    return RandomStream(sampling::hash(key_, what...));
   }
 
   /// In [0, 1); `index` tells the choices of one part from each other.
@@ -33,6 +33,6 @@ class Chance {
 
 /// Smooth noise between 0 and 1 that varies over `scale_m`, the sum of `octaves` of value noise, each half as
 /// large and half as strong as the one before (fractal noise).
-double fractal_noise(const Chance& chance, double x_m, double y_m, double scale_m, int octaves);
+double fractal_noise(const RandomStream& random, double x_m, double y_m, double scale_m, int octaves);
 
 }  // namespace ifov::landscape
