@@ -63,12 +63,12 @@ std::vector<ChannelHonesty> IntervalStatistics::summary() const {
     channel.reference_to_half_width = std::sqrt(sums.reference_variance / n) / channel.mean_half_width;
     channel.small_misses = sums.small_misses;
 
-    double mean = 0.0, scatter = 0.0;
+    double mean = 0.0, squares = 0.0;
     for (const double error : sums.image_error) mean += error / seeds;
-    for (const double error : sums.image_error) scatter += (error - mean) * (error - mean);
+    for (const double error : sums.image_error) squares += (error - mean) * (error - mean);
     // The same reference serves every seed: its error does not average out over seeds, only over pixels.
     const double reference_variance = sums.reference_variance / n / static_cast<double>(pixels_.size());
-    channel.bias = mean / std::sqrt(scatter / (seeds - 1.0) / seeds + reference_variance);
+    channel.bias = mean / std::sqrt(squares / (seeds - 1.0) / seeds + reference_variance);
     channels.push_back(channel);
   }
   return channels;

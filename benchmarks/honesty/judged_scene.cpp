@@ -38,14 +38,14 @@ std::vector<PixelIndex> chosen_pixels(const PlainTruth* truth, int width, int he
   if (count > 0 && static_cast<std::size_t>(count) < order.size()) {
     const auto half = static_cast<std::size_t>(count / 2);
     if (truth != nullptr) {
-      const std::vector<double> scatter = truth->scatter(key);
+      const std::vector<double> spread = truth->spread(key);
       std::stable_sort(order.begin(), order.end(),
-                       [&](std::size_t a, std::size_t b) { return scatter[a] > scatter[b]; });
+                       [&](std::size_t a, std::size_t b) { return spread[a] > spread[b]; });
     }
-    Chance chance(key, 0x706978656c73);
+    RandomStream random(key, 0x706978656c73);
     const std::size_t first = truth != nullptr ? half : 0;
     for (std::size_t k = first; k < static_cast<std::size_t>(count); ++k)
-      std::swap(order[k], order[k + chance.index(order.size() - k)]);
+      std::swap(order[k], order[k + random.index(order.size() - k)]);
     order.resize(static_cast<std::size_t>(count));
     std::sort(order.begin(), order.end());
   }
@@ -61,7 +61,7 @@ double error_of(const Value& value, const PlainTruthPixel& truth, std::size_t ch
   return error > kPrecision * low ? error : 0.0;
 }
 
-bool looks_like_a_lie(const Value& value, const PlainTruthPixel& truth, std::size_t channel) {
+bool is_confidently_wrong(const Value& value, const PlainTruthPixel& truth, std::size_t channel) {
   const double error = error_of(value, truth, channel), reference = truth.error[channel];
   return value.converged && error > 5.0 * value.half_width && error > 5.0 * reference;
 }
@@ -132,7 +132,7 @@ JudgedScene judge_scene(const WildScene& scene, const std::filesystem::path& fol
     for (std::size_t p = 0; p < pixels.size(); ++p)
       for (const auto& result : results)
         for (std::size_t c = 0; c < channels; ++c)
-          if (looks_like_a_lie(value_of(result, pixels[p], c), truth[p], c) &&
+          if (is_confidently_wrong(value_of(result, pixels[p], c), truth[p], c) &&
               (places.empty() || places.back() != p)) {
             places.push_back(p);
             again.push_back(pixels[p]);
@@ -166,7 +166,7 @@ JudgedScene judge_scene(const WildScene& scene, const std::filesystem::path& fol
                          pixels[p].y, c, value.mean, truth[p].mean[c], reference, truth[p].above[c],
                          value.half_width, value.sigma,
                          results[s].reasons[static_cast<std::size_t>(pixels[p].y * width + pixels[p].x)]);
-        const bool lie = looks_like_a_lie(value, truth[p], c);
+        const bool lie = is_confidently_wrong(value, truth[p], c);
         const double bound = std::max(value.half_width, kFloor * truth[p].mean[c]) / 3.0;
         // A little more than what was aimed at is borne.
         if (value.converged && !lie && (reference > 1.2 * bound || truth[p].above[c] > bound)) {

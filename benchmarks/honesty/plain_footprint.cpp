@@ -88,11 +88,11 @@ double PlainFootprint::quantile(double u) const {
   return x;
 }
 
-sampling::FocalPoint PlainFootprint::draw(double u1, double u2, Chance& chance) const {
+sampling::FocalPoint PlainFootprint::draw(double u1, double u2, RandomStream& random) const {
   if (airy_q_px_ > 0.0) {
     const double radius = airy_q_px_ * airy_radius(u1), angle = 2.0 * std::numbers::pi * u2;
-    return {radius * std::cos(angle) + side_px_ * (chance.uniform() - 0.5),
-            radius * std::sin(angle) + side_px_ * (chance.uniform() - 0.5)};
+    return {radius * std::cos(angle) + side_px_ * (random.uniform() - 0.5),
+            radius * std::sin(angle) + side_px_ * (random.uniform() - 0.5)};
   }
   if (sigma_px_ > 0.0) return {quantile(u1), quantile(u2)};
   return {side_px_ * (u1 - 0.5), side_px_ * (u2 - 0.5)};

@@ -14,9 +14,9 @@ class PlainFootprint {
   /// Throws std::runtime_error for a PSF given as an image.
   explicit PlainFootprint(const io::SensorDocument& sensor);
 
-  /// An offset from the pixel's centre, px. The two numbers in [0, 1) place it, for draws in strata; `chance` gives
+  /// An offset from the pixel's centre, px. The two numbers in [0, 1) place it, for draws in strata; `random` gives
   /// what else is needed.
-  sampling::FocalPoint draw(double u1, double u2, Chance& chance) const;
+  sampling::FocalPoint draw(double u1, double u2, RandomStream& random) const;
 
   /// Of offsets, px^-2; not for an Airy pattern.
   double density(double dx_px, double dy_px) const;

@@ -21,8 +21,8 @@ geometry::SurfacePoint nearest(const scene::Scene& scene, const math::Ray& ray) 
   return hit;
 }
 
-const scene::Constituent& pick_constituent(const scene::ResolvedSurface& surface, Chance& chance) {
-  double left = chance.uniform();
+const scene::Constituent& pick_constituent(const scene::ResolvedSurface& surface, RandomStream& random) {
+  double left = random.uniform();
   for (const scene::Constituent& part : surface)
     if ((left -= part.weight) < 0.0) return part;
   return surface.constituents[surface.count - 1];
@@ -44,15 +44,15 @@ math::Vec3 about(math::Vec3 axis, double cosine, double angle) {
 
 }  // namespace
 
-math::Vec3 cosine_direction(math::Vec3 axis, Chance& chance) {
-  const double cosine = std::sqrt(1.0 - chance.uniform());
-  return about(axis, cosine, 2.0 * std::numbers::pi * chance.uniform());
+math::Vec3 cosine_direction(math::Vec3 axis, RandomStream& random) {
+  const double cosine = std::sqrt(1.0 - random.uniform());
+  return about(axis, cosine, 2.0 * std::numbers::pi * random.uniform());
 }
 
-math::Vec3 cone_direction(math::Vec3 axis, double half_angle_rad, Chance& chance) {
+math::Vec3 cone_direction(math::Vec3 axis, double half_angle_rad, RandomStream& random) {
   const double half_sine = std::sin(0.5 * half_angle_rad);
-  const double cosine = 1.0 - 2.0 * half_sine * half_sine * chance.uniform();
-  return about(axis, cosine, 2.0 * std::numbers::pi * chance.uniform());
+  const double cosine = 1.0 - 2.0 * half_sine * half_sine * random.uniform();
+  return about(axis, cosine, 2.0 * std::numbers::pi * random.uniform());
 }
 
 PlainTracer::PlainTracer(const scene::Scene& scene, const PlainSpectra& spectra, const sensor::Camera& camera,
@@ -85,9 +85,9 @@ PlainTracer::PlainTracer(const scene::Scene& scene, const PlainSpectra& spectra,
   }
 }
 
-math::Vec3 PlainTracer::sun_direction(Chance& chance) const {
+math::Vec3 PlainTracer::sun_direction(RandomStream& random) const {
   return scene_.sun->half_angle_rad > 0.0
-             ? cone_direction(scene_.sun->direction, scene_.sun->half_angle_rad, chance)
+             ? cone_direction(scene_.sun->direction, scene_.sun->half_angle_rad, random)
              : scene_.sun->direction;
 }
 
@@ -99,8 +99,9 @@ bool PlainTracer::blocked(math::Point3 from_m, math::Vec3 direction, double leng
 }
 
 void PlainTracer::add_sun(const geometry::SurfacePoint& hit, math::Vec3 side, std::uint32_t material,
-                          std::span<const double> throughput, Chance& chance, std::span<double> sum) const {
-  const math::Vec3 direction = sun_direction(chance);
+                          std::span<const double> throughput, RandomStream& random,
+                          std::span<double> sum) const {
+  const math::Vec3 direction = sun_direction(random);
   const double cosine = math::dot(direction, side);
   if (direction.z <= 0.0) return;
   const std::vector<double>& factor =
@@ -116,9 +117,10 @@ void PlainTracer::add_sun(const geometry::SurfacePoint& hit, math::Vec3 side, st
 }
 
 void PlainTracer::add_lamps(const geometry::SurfacePoint& hit, math::Vec3 side, std::uint32_t material,
-                            std::span<const double> throughput, Chance& chance, std::span<double> sum) const {
+                            std::span<const double> throughput, RandomStream& random,
+                            std::span<double> sum) const {
   for (const PlainHints::Ball& lamp : hints_.lamps) {
-    const double height = 2.0 * chance.uniform() - 1.0, angle = 2.0 * std::numbers::pi * chance.uniform();
+    const double height = 2.0 * random.uniform() - 1.0, angle = 2.0 * std::numbers::pi * random.uniform();
     const double around = std::sqrt(1.0 - height * height);
     const math::Vec3 normal{around * std::cos(angle), around * std::sin(angle), height};
     const math::Vec3 way = lamp.centre_m + lamp.radius_m * normal - hit.position_m;
@@ -137,7 +139,7 @@ void PlainTracer::add_lamps(const geometry::SurfacePoint& hit, math::Vec3 side, 
   }
 }
 
-void PlainTracer::trace(math::Ray ray, double weight, Chance& chance, Light& light) const {
+void PlainTracer::trace(math::Ray ray, double weight, RandomStream& random, Light& light) const {
   const std::size_t columns = spectra_.columns();
   std::vector<double> throughput(columns, weight);
   bool only_mirrors = true,
@@ -165,7 +167,7 @@ void PlainTracer::trace(math::Ray ray, double weight, Chance& chance, Light& lig
                                                               : scene_.states[part.state].temperature_k,
                               part.weight, throughput, light.sum);
 
-    const scene::Constituent& part = pick_constituent(surface, chance);
+    const scene::Constituent& part = pick_constituent(surface, random);
     const std::vector<double>&reflectance = spectra_.reflectance(part.material),
           &transmittance = spectra_.transmittance(part.material);
     const math::Vec3 side = (hit.front ? hit.geometric_normal : -hit.geometric_normal).as_vector();
@@ -178,23 +180,24 @@ void PlainTracer::trace(math::Ray ray, double weight, Chance& chance, Light& lig
       ray = {hit.position_m + hit.offset_m * side, mirror_image(ray.direction, side)};
       mirror_before = true;
     } else {
-      if (scene_.sun) add_sun(hit, side, part.material, throughput, chance, light.sum);
-      add_lamps(hit, side, part.material, throughput, chance, light.sum);
+      if (scene_.sun) add_sun(hit, side, part.material, throughput, random, light.sum);
+      add_lamps(hit, side, part.material, throughput, random, light.sum);
       if (only_mirrors && surfaces > 0 && scene_.sun)
         for (std::size_t c = 0; c < columns; ++c)
           light.above[c] += throughput[c] * (reflectance[c] + transmittance[c]) * spectra_.sun()[c] /
                             std::numbers::pi * static_cast<double>(hints_.around_mirrors.size());
-      const double chance_back = most_reflected / (most_reflected + most_let_through);
-      const bool back = chance.uniform() < chance_back;
+      const double reflected_probability = most_reflected / (most_reflected + most_let_through);
+      const bool back = random.uniform() < reflected_probability;
       const math::Vec3 axis = back ? side : -side;
       for (std::size_t c = 0; c < columns; ++c)
-        throughput[c] *= back ? reflectance[c] / chance_back : transmittance[c] / (1.0 - chance_back);
-      ray = {hit.position_m + hit.offset_m * axis, cosine_direction(axis, chance)};
+        throughput[c] *=
+            back ? reflectance[c] / reflected_probability : transmittance[c] / (1.0 - reflected_probability);
+      ray = {hit.position_m + hit.offset_m * axis, cosine_direction(axis, random)};
       only_mirrors = mirror_before = false;
     }
     if (surfaces < kCertainSurfaces) continue;
     const double survival = std::min(0.95, most_reflected + most_let_through);
-    if (chance.uniform() >= survival) return;
+    if (random.uniform() >= survival) return;
     for (double& factor : throughput) factor /= survival;
   }
 }
@@ -220,20 +223,20 @@ PlainMean PlainTracer::pixel(int x, int y, int side, std::uint64_t key) const {
                    std::vector<double>(channels)};
   std::vector<double> squares(channels);
   for (int replicate = 0; replicate < kReplicates; ++replicate) {
-    Chance chance(key, static_cast<std::uint64_t>(replicate));
+    RandomStream random(key, static_cast<std::uint64_t>(replicate));
     Light light{std::vector<double>(spectra_.columns()), std::vector<double>(spectra_.columns())};
     const double each = 1.0 / (static_cast<double>(side) * side);
     const auto look = [&](double x_px, double y_px, double weight) {
       const sampling::FocalPoint point{x_px, y_px};
       math::Ray ray;
       camera_.rays({&point, 1}, {&ray, 1});
-      trace(ray, weight, chance, light);
+      trace(ray, weight, random, light);
       ++result.paths;
     };
     for (int j = 0; j < side; ++j)
       for (int i = 0; i < side; ++i) {
-        const double u = (i + chance.uniform()) / side, v = (j + chance.uniform()) / side;
-        const sampling::FocalPoint offset = footprint_.draw(u, v, chance);
+        const double u = (i + random.uniform()) / side, v = (j + random.uniform()) / side;
+        const sampling::FocalPoint offset = footprint_.draw(u, v, random);
         const double px = centre_x + offset.x_px, py = centre_y + offset.y_px;
         if (windows.empty()) {
           look(px, py, each);
@@ -242,7 +245,7 @@ PlainMean PlainTracer::pixel(int x, int y, int side, std::uint64_t key) const {
         // Both ways of drawing a point weigh it by the sum of their densities.
         const double own = footprint_.density(offset.x_px, offset.y_px);
         look(px, py, each * own / (own + window_density(windows, px, py)));
-        const Window& window = windows[chance.index(windows.size())];
+        const Window& window = windows[random.index(windows.size())];
         const double wx = window.x_px + window.half_px * (2.0 * u - 1.0);
         const double wy = window.y_px + window.half_px * (2.0 * v - 1.0);
         const double there = footprint_.density(wx - centre_x, wy - centre_y);

@@ -58,13 +58,13 @@ class PlainTracer {
   struct Light {
     std::vector<double> sum, above;
   };
-  void trace(math::Ray ray, double weight, Chance& chance, Light& light) const;
+  void trace(math::Ray ray, double weight, RandomStream& random, Light& light) const;
   void add_sun(const geometry::SurfacePoint& hit, math::Vec3 side, std::uint32_t material,
-               std::span<const double> throughput, Chance& chance, std::span<double> sum) const;
+               std::span<const double> throughput, RandomStream& random, std::span<double> sum) const;
   void add_lamps(const geometry::SurfacePoint& hit, math::Vec3 side, std::uint32_t material,
-                 std::span<const double> throughput, Chance& chance, std::span<double> sum) const;
+                 std::span<const double> throughput, RandomStream& random, std::span<double> sum) const;
   bool blocked(math::Point3 from_m, math::Vec3 direction, double length_m) const;
-  math::Vec3 sun_direction(Chance& chance) const;
+  math::Vec3 sun_direction(RandomStream& random) const;
   double window_density(const std::vector<Window>& windows, double x_px, double y_px) const;
 
   const scene::Scene& scene_;
@@ -81,13 +81,13 @@ class PlainTracer {
 geometry::SurfacePoint nearest(const scene::Scene& scene, const math::Ray& ray);
 
 /// One of a surface's constituents, by chance as their shares are.
-const scene::Constituent& pick_constituent(const scene::ResolvedSurface& surface, Chance& chance);
+const scene::Constituent& pick_constituent(const scene::ResolvedSurface& surface, RandomStream& random);
 
 /// About a unit vector: density cosine / pi.
-math::Vec3 cosine_direction(math::Vec3 axis, Chance& chance);
+math::Vec3 cosine_direction(math::Vec3 axis, RandomStream& random);
 
 /// Uniform in a cone about a unit vector.
-math::Vec3 cone_direction(math::Vec3 axis, double half_angle_rad, Chance& chance);
+math::Vec3 cone_direction(math::Vec3 axis, double half_angle_rad, RandomStream& random);
 
 math::Vec3 mirror_image(math::Vec3 direction, math::Vec3 normal);
 

@@ -10,7 +10,7 @@ namespace ifov::benchmarks {
 
 namespace {
 
-constexpr int kFirstSide = 16, kScatterSide = 2, kFirstPhotonSide = 128;
+constexpr int kFirstSide = 16, kSpreadSide = 2, kFirstPhotonSide = 128;
 
 /// The larger part of the variance that is wanted may be the photons'.
 constexpr double kPhotonShare = 0.8;
@@ -33,17 +33,17 @@ PlainTruth::PlainTruth(const session::Session& session, PlainHints hints)
     photons_ = std::make_unique<SunPhotons>(parts_.scene, spectra_, *parts_.camera, footprint_, hints_);
 }
 
-std::vector<double> PlainTruth::scatter(std::uint64_t key) const {
-  std::vector<double> scatter;
+std::vector<double> PlainTruth::spread(std::uint64_t key) const {
+  std::vector<double> spread;
   for (int y = 0; y < parts_.camera->height_px(); ++y)
     for (int x = 0; x < parts_.camera->width_px(); ++x) {
-      const PlainMean mean = tracer_.pixel(x, y, kScatterSide, key + scatter.size());
+      const PlainMean mean = tracer_.pixel(x, y, kSpreadSide, key + spread.size());
       double most = 0.0;
       for (std::size_t c = 0; c < mean.mean.size(); ++c)
         most = std::max(most, mean.mean[c] > 0.0 ? mean.error[c] / mean.mean[c] : 0.0);
-      scatter.push_back(most);
+      spread.push_back(most);
     }
-  return scatter;
+  return spread;
 }
 
 std::vector<PlainTruthPixel> PlainTruth::pixels(std::span<const PixelIndex> pixels, const Wanted& wanted,

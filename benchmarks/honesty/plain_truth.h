@@ -28,7 +28,7 @@ class PlainTruth {
 
   /// How much the pixels' radiance scatters about its mean (relative, the channel where it is most), from few
   /// paths: where to look.
-  std::vector<double> scatter(std::uint64_t key) const;
+  std::vector<double> spread(std::uint64_t key) const;
 
   /// Goes on until every channel's standard error is at most what `wanted(pixel index in `pixels`, means so far)`
   /// says, or a pixel has taken `most_paths`, or all have taken as many photons each as `most_photons` says.

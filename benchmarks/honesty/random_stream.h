@@ -10,9 +10,9 @@ namespace ifov::benchmarks {
 
 /// Random numbers of the benchmarks' own (splitmix64), so that none is shared with the samplers. All that follows
 /// depends on the two keys alone.
-class Chance {
+class RandomStream {
  public:
-  explicit Chance(std::uint64_t key, std::uint64_t second_key = 0)
+  explicit RandomStream(std::uint64_t key, std::uint64_t second_key = 0)
       : state_(key * 0x632be59bd9b4e019ull ^ second_key * 0xd1342543de82ef95ull) {
     bits();
   }

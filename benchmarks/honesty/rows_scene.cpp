@@ -214,35 +214,35 @@ std::vector<double> RowsScene::radiance() const {
   return radiance;
 }
 
-RowsScene rows_by_chance(RowsScene::Form form, double pitch_px, Chance& chance) {
+RowsScene rows_at_random(RowsScene::Form form, double pitch_px, RandomStream& random) {
   RowsScene scene;
   scene.form = form;
   scene.gsd_m =
-      chance.with(0.5) ? chance.one_of({0.25, 0.5, 1.0, 2.0, 3.0, 10.0, 30.0}) : chance.magnitude(0.1, 60.0);
-  if (chance.with(0.5)) {
-    const double part = chance.one_of({1.0, 2.0, 3.0, 4.0, 6.0});
+      random.with(0.5) ? random.one_of({0.25, 0.5, 1.0, 2.0, 3.0, 10.0, 30.0}) : random.magnitude(0.1, 60.0);
+  if (random.with(0.5)) {
+    const double part = random.one_of({1.0, 2.0, 3.0, 4.0, 6.0});
     pitch_px = std::max(1.0, std::round(pitch_px * part)) / part;
   }
   scene.pitch_m = pitch_px * scene.gsd_m;
-  scene.duty = 0.05 * static_cast<double>(1 + chance.index(19));
-  scene.across_east = chance.with(0.5);
-  const double turned = chance.uniform();
+  scene.duty = 0.05 * static_cast<double>(1 + random.index(19));
+  scene.across_east = random.with(0.5);
+  const double turned = random.uniform();
   scene.angle_deg = turned < 1.0 / 3.0   ? 0.0
-                    : turned < 2.0 / 3.0 ? chance.magnitude(0.001, 2.0)
-                                         : chance.between(0.0, 2.0);
-  scene.phase_m = chance.with(0.5) ? 0.0 : chance.uniform() * scene.pitch_m;
-  if (chance.with(0.5))
-    for (double& centre : scene.centre_m) centre = chance.between(-100.0, 100.0);
-  scene.lit = form == RowsScene::Form::map ? chance.with(0.8) : chance.with(0.5);
+                    : turned < 2.0 / 3.0 ? random.magnitude(0.001, 2.0)
+                                         : random.between(0.0, 2.0);
+  scene.phase_m = random.with(0.5) ? 0.0 : random.uniform() * scene.pitch_m;
+  if (random.with(0.5))
+    for (double& centre : scene.centre_m) centre = random.between(-100.0, 100.0);
+  scene.lit = form == RowsScene::Form::map ? random.with(0.8) : random.with(0.5);
   if (scene.lit) {
-    scene.row = chance.between(0.02, 0.6);
-    scene.between = chance.between(0.02, 0.6);
+    scene.row = random.between(0.02, 0.6);
+    scene.between = random.between(0.02, 0.6);
   } else {
-    scene.row = chance.between(270.0, 340.0);
-    scene.between = chance.between(270.0, 340.0);
-    if (form != RowsScene::Form::map) scene.height_m = scene.gsd_m * chance.magnitude(0.01, 2.0);
+    scene.row = random.between(270.0, 340.0);
+    scene.between = random.between(270.0, 340.0);
+    if (form != RowsScene::Form::map) scene.height_m = scene.gsd_m * random.magnitude(0.01, 2.0);
   }
-  scene.tiled = form == RowsScene::Form::map && chance.with(0.5);
+  scene.tiled = form == RowsScene::Form::map && random.with(0.5);
   return scene;
 }
 

@@ -46,6 +46,6 @@ const char* name_of(RowsScene::Form form);
 /// Rows of about the given pitch, everything else by chance: half of them in simple ratios to the GSD, a third
 /// exactly along the pixels and a third nearly so, half of them beginning at the middle of the image, if that has not
 /// been moved a border of pixels.
-RowsScene rows_by_chance(RowsScene::Form form, double pitch_px, Chance& chance);
+RowsScene rows_at_random(RowsScene::Form form, double pitch_px, RandomStream& random);
 
 }  // namespace ifov::benchmarks

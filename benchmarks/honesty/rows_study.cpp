@@ -104,11 +104,12 @@ std::vector<RowsOutcome> run_rows_study(const RowsStudy& study) {
     std::vector<Judged> judged(static_cast<std::size_t>(study.steps));
     parallel_for(study.steps, study.threads, [&](std::int64_t k) {
       const double step = study.steps > 1 ? static_cast<double>(k) / (study.steps - 1) : 0.5;
-      Chance chance(study.first_seed, static_cast<std::uint64_t>(k) * 3 + static_cast<std::uint64_t>(form));
+      RandomStream random(study.first_seed,
+                          static_cast<std::uint64_t>(k) * 3 + static_cast<std::uint64_t>(form));
       const RowsScene scene =
-          rows_by_chance(form, kFirstPitch_px * std::pow(kLastPitch_px / kFirstPitch_px, step), chance);
+          rows_at_random(form, kFirstPitch_px * std::pow(kLastPitch_px / kFirstPitch_px, step), random);
       judged[static_cast<std::size_t>(k)] = judge(
-          scene, format("rows_{}_{}_{}", name_of(form), study.first_seed, k), chance.bits() >> 12, study);
+          scene, format("rows_{}_{}_{}", name_of(form), study.first_seed, k), random.bits() >> 12, study);
     });
     for (const Judged& scene : judged) rows << scene.rows;
     outcomes.push_back(summed(form, judged));

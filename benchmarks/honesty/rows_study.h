@@ -35,7 +35,7 @@ struct RowsOutcome {
   std::vector<Scene> worst;  ///< up to ten
 };
 
-/// Rows in step with the pixels and out of it (rows_by_chance), each scene rendered once as a document of default
+/// Rows in step with the pixels and out of it (rows_at_random), each scene rendered once as a document of default
 /// accuracy; every pixel is judged against its exact area shares. Errors below 1e-5 of the value, the precision of
 /// products, are none.
 std::vector<RowsOutcome> run_rows_study(const RowsStudy& study);

@@ -62,14 +62,14 @@ void SunPhotons::show(const geometry::SurfacePoint& hit, math::Vec3 side, std::u
     }
 }
 
-void SunPhotons::follow(math::Ray ray, std::size_t ball, double power, Chance& chance,
+void SunPhotons::follow(math::Ray ray, std::size_t ball, double power, RandomStream& random,
                         std::vector<double>& columns) const {
   std::vector<double> throughput = spectra_.sun();
   for (double& value : throughput) value *= power;
   for (int surfaces = 0;; ++surfaces) {
     const geometry::SurfacePoint hit = nearest(scene_, ray);
     if (!hit.hit()) return;
-    const scene::Constituent part = pick_constituent(scene_.resolve(hit), chance);
+    const scene::Constituent part = pick_constituent(scene_.resolve(hit), random);
     const bool mirror = scene_.materials[part.material].bsdf->is_delta();
     if (surfaces == 0) {
       // Each mirror belongs to the first ball that holds it.
@@ -88,16 +88,17 @@ void SunPhotons::follow(math::Ray ray, std::size_t ball, double power, Chance& c
       ray = {hit.position_m + hit.offset_m * side, mirror_image(ray.direction, side)};
     } else {
       show(hit, side, part.material, throughput, columns);
-      const double chance_back = most_reflected / (most_reflected + most_let_through);
-      const bool back = chance.uniform() < chance_back;
+      const double reflected_probability = most_reflected / (most_reflected + most_let_through);
+      const bool back = random.uniform() < reflected_probability;
       const math::Vec3 axis = back ? side : -side;
       for (std::size_t c = 0; c < throughput.size(); ++c)
-        throughput[c] *= back ? reflectance[c] / chance_back : transmittance[c] / (1.0 - chance_back);
-      ray = {hit.position_m + hit.offset_m * axis, cosine_direction(axis, chance)};
+        throughput[c] *=
+            back ? reflectance[c] / reflected_probability : transmittance[c] / (1.0 - reflected_probability);
+      ray = {hit.position_m + hit.offset_m * axis, cosine_direction(axis, random)};
     }
     if (surfaces < kCertainSurfaces) continue;
     const double survival = std::min(0.95, most_reflected + most_let_through);
-    if (chance.uniform() >= survival) return;
+    if (random.uniform() >= survival) return;
     for (double& factor : throughput) factor /= survival;
   }
 }
@@ -116,20 +117,20 @@ SunPhotons::Image SunPhotons::image(int side, std::uint64_t key) const {
   const geometry::World::Bounds bounds = scene_.world->bounds();
   const double away_m = 2.0 * math::length(bounds.high_m - bounds.low_m) + 1.0;
   for (int replicate = 0; replicate < kReplicates; ++replicate) {
-    Chance chance(key, static_cast<std::uint64_t>(replicate));
+    RandomStream random(key, static_cast<std::uint64_t>(replicate));
     std::vector<double> columns(pixels * spectra_.columns());
     for (std::size_t b = 0; b < hints_.around_mirrors.size(); ++b) {
       const PlainHints::Ball& ball = hints_.around_mirrors[b];
       const double power = 4.0 * ball.radius_m * ball.radius_m / (static_cast<double>(side) * side);
       for (int j = 0; j < side; ++j)
         for (int i = 0; i < side; ++i) {
-          const double u = 2.0 * (i + chance.uniform()) / side - 1.0,
-                       v = 2.0 * (j + chance.uniform()) / side - 1.0;
+          const double u = 2.0 * (i + random.uniform()) / side - 1.0,
+                       v = 2.0 * (j + random.uniform()) / side - 1.0;
           const math::Point3 aim = ball.centre_m + (u * ball.radius_m) * right + (v * ball.radius_m) * up;
           const math::Vec3 from = sun.half_angle_rad > 0.0
-                                      ? cone_direction(sun.direction, sun.half_angle_rad, chance)
+                                      ? cone_direction(sun.direction, sun.half_angle_rad, random)
                                       : sun.direction;
-          follow({aim + away_m * from, -from}, b, power, chance, columns);
+          follow({aim + away_m * from, -from}, b, power, random, columns);
           ++image.photons;
         }
     }

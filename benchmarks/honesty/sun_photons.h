@@ -28,7 +28,7 @@ class SunPhotons {
   Image image(int side, std::uint64_t key) const;
 
  private:
-  void follow(math::Ray ray, std::size_t ball, double power, Chance& chance,
+  void follow(math::Ray ray, std::size_t ball, double power, RandomStream& random,
               std::vector<double>& columns) const;
   void show(const geometry::SurfacePoint& hit, math::Vec3 side, std::uint32_t material,
             const std::vector<double>& throughput, std::vector<double>& columns) const;

@@ -9,54 +9,54 @@
 
 namespace ifov::benchmarks {
 
-WildDraft::WildDraft(Chance& random, Light which, std::string scene, std::filesystem::path into)
-    : chance(random), regime(which), name(std::move(scene)), folder(std::move(into)) {
+WildDraft::WildDraft(RandomStream& numbers, Light which, std::string scene, std::filesystem::path into)
+    : random(numbers), regime(which), name(std::move(scene)), folder(std::move(into)) {
   gsd_m =
-      chance.with(0.5) ? chance.one_of({0.25, 0.5, 1.0, 2.0, 3.0, 10.0, 30.0}) : chance.magnitude(0.1, 30.0);
-  size_px = static_cast<int>(12 + 2 * chance.index(4));
-  if (chance.with(0.5)) centre_m = {gsd_m * chance.between(-40.0, 40.0), gsd_m * chance.between(-40.0, 40.0)};
-  const double turned = chance.uniform();
+      random.with(0.5) ? random.one_of({0.25, 0.5, 1.0, 2.0, 3.0, 10.0, 30.0}) : random.magnitude(0.1, 30.0);
+  size_px = static_cast<int>(12 + 2 * random.index(4));
+  if (random.with(0.5)) centre_m = {gsd_m * random.between(-40.0, 40.0), gsd_m * random.between(-40.0, 40.0)};
+  const double turned = random.uniform();
   angle_deg = turned < 0.4   ? 0.0
-              : turned < 0.7 ? chance.magnitude(0.001, 2.0)
-              : turned < 0.9 ? chance.between(0.0, 2.0)
-                             : chance.between(0.0, 90.0);
+              : turned < 0.7 ? random.magnitude(0.001, 2.0)
+              : turned < 0.9 ? random.between(0.0, 2.0)
+                             : random.between(0.0, 90.0);
   camera = format(
       R"("camera": {{"orthographic": {{"gsd": "{} m", "pixels": [{}, {}], "center": ["{} m", "{} m"], "rotation": "{} deg"}}}})",
       gsd_m, size_px, size_px, centre_m[0], centre_m[1], angle_deg);
-  if (chance.with(0.35))
-    psf = format(R"("psf": {{"gaussian": {{"sigma": "{:.3f} px"}}}})", chance.between(0.25, 0.9));
-  const bool air = chance.with(0.25);
-  const double transmittance = chance.between(0.4, 0.95);
+  if (random.with(0.35))
+    psf = format(R"("psf": {{"gaussian": {{"sigma": "{:.3f} px"}}}})", random.between(0.25, 0.9));
+  const bool air = random.with(0.25);
+  const double transmittance = random.between(0.4, 0.95);
   if (regime == Light::solar) {
-    const double zenith = chance.between(15.0, 65.0), azimuth = chance.between(0.0, 360.0);
+    const double zenith = random.between(15.0, 65.0), azimuth = random.between(0.0, 360.0);
     const double sine = std::sin(zenith * std::numbers::pi / 180.0),
                  bearing = azimuth * std::numbers::pi / 180.0;
     towards_sun = {sine * std::sin(bearing), sine * std::cos(bearing),
                    std::cos(zenith * std::numbers::pi / 180.0)};
     light = format(
         R"("light": {{"sun": {{"{}": {{"zenith": "{} deg", "azimuth": "{} deg"}}}}, "sky": {{"radiance": "{:.1f} W m-2 sr-1 um-1"}}}})",
-        chance.with(0.8) ? "disc" : "point", zenith, azimuth, chance.between(20.0, 120.0));
+        random.with(0.8) ? "disc" : "point", zenith, azimuth, random.between(20.0, 120.0));
     channels =
-        chance.one_of({R"({"name": "red", "top_hat": {"from": "0.63 um", "to": "0.68 um"}})",
+        random.one_of({R"({"name": "red", "top_hat": {"from": "0.63 um", "to": "0.68 um"}})",
                        R"({"name": "infrared", "gaussian": {"center": "0.865 um", "fwhm": "0.02 um"}})",
                        R"({"name": "pan", "top_hat": {"from": "0.45 um", "to": "0.9 um"}})"});
     if (air)
       atmosphere = format(
           R"("atmosphere": {{"tabulated": {{"transmittance": {:.3f}, "path_radiance": "{:.2f} W m-2 sr-1 um-1"}}}})",
-          transmittance, chance.between(1.0, 30.0));
+          transmittance, random.between(1.0, 30.0));
   } else {
-    light = format(R"("light": {{"sky": {{"temperature": "{:.1f} K"}}}})", chance.between(200.0, 280.0));
-    channels = chance.one_of({R"({"name": "11 um", "top_hat": {"from": "10.5 um", "to": "11.5 um"}})",
+    light = format(R"("light": {{"sky": {{"temperature": "{:.1f} K"}}}})", random.between(200.0, 280.0));
+    channels = random.one_of({R"({"name": "11 um", "top_hat": {"from": "10.5 um", "to": "11.5 um"}})",
                               R"({"name": "8 to 12 um", "top_hat": {"from": "8 um", "to": "12 um"}})",
                               R"({"name": "4 um", "top_hat": {"from": "3.5 um", "to": "4.1 um"}})"});
     if (air)
       atmosphere = format(
           R"("atmosphere": {{"tabulated": {{"transmittance": {:.3f}, "path_radiance": "{:.3f} W m-2 sr-1 um-1"}}}})",
-          transmittance, chance.between(0.01, 1.0));
+          transmittance, random.between(0.01, 1.0));
   }
-  if (chance.with(0.3))
+  if (random.with(0.3))
     sampling = format(R"("sampling": {{"accuracy": {{"error": "{}"}}}})",
-                      chance.one_of({"0.5 %", "2 %", regime == Light::solar ? "5 %" : "0.2 K"}));
+                      random.one_of({"0.5 %", "2 %", regime == Light::solar ? "5 %" : "0.2 K"}));
 }
 
 std::string WildDraft::length(double px) const { return format("\"{} m\"", px * gsd_m); }
@@ -84,9 +84,9 @@ void WildDraft::warm(const std::string& what, double emissivity, double temperat
 
 void WildDraft::surface(const std::string& what) {
   if (regime == Light::solar)
-    grey(what, chance.between(0.02, 0.7));
+    grey(what, random.between(0.02, 0.7));
   else
-    warm(what, chance.one_of({1.0, chance.between(0.7, 1.0)}), chance.between(270.0, 330.0));
+    warm(what, random.one_of({1.0, random.between(0.7, 1.0)}), random.between(270.0, 330.0));
 }
 
 void WildDraft::ground() {
@@ -113,8 +113,8 @@ void WildDraft::polygon(const std::vector<std::array<double, 3>>& corners, const
 }
 
 double WildDraft::in_step(double px) {
-  if (chance.with(0.5)) return px;
-  const double part = chance.one_of({1.0, 2.0, 3.0, 6.0});
+  if (random.with(0.5)) return px;
+  const double part = random.one_of({1.0, 2.0, 3.0, 6.0});
   return std::max(1.0, std::round(px * part)) / part;
 }
 

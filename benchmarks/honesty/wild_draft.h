@@ -15,9 +15,9 @@ namespace ifov::benchmarks {
 struct WildDraft {
   enum class Light { solar, thermal };
 
-  WildDraft(Chance& chance, Light light, std::string name, std::filesystem::path folder);
+  WildDraft(RandomStream& random, Light light, std::string name, std::filesystem::path folder);
 
-  Chance& chance;
+  RandomStream& random;
   Light regime;
   std::string name;
   std::filesystem::path folder;

@@ -11,7 +11,7 @@ namespace {
 
 void mirror(WildDraft& draft) {
   draft.material("mirror",
-                 format(R"("reflectance": {:.3f}, "scattering": "mirror")", draft.chance.between(0.5, 0.95)));
+                 format(R"("reflectance": {:.3f}, "scattering": "mirror")", draft.random.between(0.5, 0.95)));
 }
 
 /// The ball about a box.
@@ -23,13 +23,13 @@ PlainHints::Ball around(const WildDraft& draft, std::array<double, 3> low, std::
 }  // namespace
 
 void make_facade(WildDraft& draft) {
-  Chance& chance = draft.chance;
+  RandomStream& random = draft.random;
   draft.ground();
   mirror(draft);
   draft.surface("house");
-  const double width = chance.between(3.0, 9.0), height = chance.between(2.0, 8.0),
-               foot = chance.one_of({0.0, 0.0, 1.0});
-  const double shift = chance.between(-2.0, 2.0), depth = 3.0, apart = 0.01;
+  const double width = random.between(3.0, 9.0), height = random.between(2.0, 8.0),
+               foot = random.one_of({0.0, 0.0, 1.0});
+  const double shift = random.between(-2.0, 2.0), depth = 3.0, apart = 0.01;
   // The mirror is on the side of the house that the Sun stands on.
   const bool east = std::abs(draft.towards_sun.x) > std::abs(draft.towards_sun.y);
   const double side = (east ? draft.towards_sun.x : draft.towards_sun.y) > 0.0 ? 1.0 : -1.0;
@@ -48,26 +48,26 @@ void make_facade(WildDraft& draft) {
 }
 
 void make_yard(WildDraft& draft) {
-  Chance& chance = draft.chance;
+  RandomStream& random = draft.random;
   draft.ground();
   mirror(draft);
-  const int count = chance.one_of({1, 2, 3});
+  const int count = random.one_of({1, 2, 3});
   for (int k = 0; k < count; ++k) {
-    const double x = -6.0 + 4.5 * k + chance.between(0.0, 1.0), y = chance.between(-5.0, 0.0);
+    const double x = -6.0 + 4.5 * k + random.between(0.0, 1.0), y = random.between(-5.0, 0.0);
     const std::array<double, 3> low{x, y, 0.0},
-        high{x + 2.0, y + chance.between(3.0, 6.0), chance.between(1.5, 3.0)};
+        high{x + 2.0, y + random.between(3.0, 6.0), random.between(1.5, 3.0)};
     draft.box(low, high, "mirror");
     draft.hints.around_mirrors.push_back(around(draft, low, high));
   }
 }
 
 void make_ball(WildDraft& draft) {
-  Chance& chance = draft.chance;
+  RandomStream& random = draft.random;
   draft.ground();
   mirror(draft);
-  const double radius = chance.magnitude(0.3, 3.0);
-  const double x = chance.between(-2.0, 2.0), y = chance.between(-2.0, 2.0),
-               z = radius + chance.one_of({0.0, 1.0}) + 0.01;
+  const double radius = random.magnitude(0.3, 3.0);
+  const double x = random.between(-2.0, 2.0), y = random.between(-2.0, 2.0),
+               z = radius + random.one_of({0.0, 1.0}) + 0.01;
   draft.sphere({x, y, z}, radius, "mirror");
   const PlainHints::Ball ball{draft.place(x, y, z), radius * draft.gsd_m};
   draft.hints.mirrors.push_back(ball);
@@ -75,11 +75,11 @@ void make_ball(WildDraft& draft) {
 }
 
 void make_hemisphere(WildDraft& draft) {
-  Chance& chance = draft.chance;
+  RandomStream& random = draft.random;
   draft.ground();
   mirror(draft);
-  const double radius = chance.magnitude(0.5, 4.0), x = chance.between(-2.0, 2.0),
-               y = chance.between(-2.0, 2.0);
+  const double radius = random.magnitude(0.5, 4.0), x = random.between(-2.0, 2.0),
+               y = random.between(-2.0, 2.0);
   draft.sphere({x, y, 0.0}, radius, "mirror", "hemisphere");
   const PlainHints::Ball ball{draft.place(x, y, 0.0), radius * draft.gsd_m};
   draft.hints.mirrors.push_back(ball);
@@ -87,31 +87,31 @@ void make_hemisphere(WildDraft& draft) {
 }
 
 void make_hot_sphere(WildDraft& draft) {
-  Chance& chance = draft.chance;
-  draft.warm("ground", chance.between(0.8, 0.98), chance.between(280.0, 300.0));
+  RandomStream& random = draft.random;
+  draft.warm("ground", random.between(0.8, 0.98), random.between(280.0, 300.0));
   draft.objects.push_back(R"({"plane": {}, "material": "ground"})");
-  draft.warm("lamp", 1.0, chance.between(900.0, 1300.0));
-  draft.channels = chance.one_of({R"({"name": "4 um", "top_hat": {"from": "3.5 um", "to": "4.1 um"}})",
+  draft.warm("lamp", 1.0, random.between(900.0, 1300.0));
+  draft.channels = random.one_of({R"({"name": "4 um", "top_hat": {"from": "3.5 um", "to": "4.1 um"}})",
                                   R"({"name": "11 um", "top_hat": {"from": "10.5 um", "to": "11.5 um"}})"});
-  const double radius = chance.magnitude(0.03, 0.6), height = chance.magnitude(1.0, 8.0) + radius;
-  const double x = chance.between(-4.0, 4.0), y = chance.between(-4.0, 4.0);
+  const double radius = random.magnitude(0.03, 0.6), height = random.magnitude(1.0, 8.0) + radius;
+  const double x = random.between(-4.0, 4.0), y = random.between(-4.0, 4.0);
   draft.sphere({x, y, height}, radius, "lamp");
   draft.hints.lamps.push_back({draft.place(x, y, height), radius * draft.gsd_m});
 }
 
 void make_lamps(WildDraft& draft) {
-  Chance& chance = draft.chance;
+  RandomStream& random = draft.random;
   draft.ground();
   draft.surface("house");
-  draft.warm("lamp", 1.0, chance.between(600.0, 1300.0));
-  const double street = chance.between(2.0, 6.0), height = chance.between(2.0, 6.0);
+  draft.warm("lamp", 1.0, random.between(600.0, 1300.0));
+  const double street = random.between(2.0, 6.0), height = random.between(2.0, 6.0);
   draft.box({-0.5 * street - 5.0, -20.0, 0.0}, {-0.5 * street, 20.0, height}, "house");
-  draft.box({0.5 * street, -20.0, 0.0}, {0.5 * street + 5.0, 20.0, height * chance.between(0.5, 1.0)},
+  draft.box({0.5 * street, -20.0, 0.0}, {0.5 * street + 5.0, 20.0, height * random.between(0.5, 1.0)},
             "house");
-  const int count = chance.one_of({1, 2, 3});
+  const int count = random.one_of({1, 2, 3});
   for (int k = 0; k < count; ++k) {
-    const double radius = chance.magnitude(0.02, 0.15), x = chance.between(-0.35, 0.35) * street;
-    const double y = chance.between(-6.0, 6.0), z = height * chance.between(0.3, 0.9);
+    const double radius = random.magnitude(0.02, 0.15), x = random.between(-0.35, 0.35) * street;
+    const double y = random.between(-6.0, 6.0), z = height * random.between(0.3, 0.9);
     draft.sphere({x, y, z}, radius, "lamp");
     draft.hints.lamps.push_back({draft.place(x, y, z), radius * draft.gsd_m});
   }

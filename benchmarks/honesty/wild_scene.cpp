@@ -22,21 +22,21 @@ constexpr std::array<Maker, 20> kMakers{
     make_ball,    make_wide,  make_panels,     make_texture,    nullptr,      make_yard,    make_lamps,
     make_colours, make_wires, make_hemisphere, make_blocks,     make_airy,    make_overhead};
 
-WildScene rows(RowsScene::Form form, Chance& chance, const std::string& name,
+WildScene rows(RowsScene::Form form, RandomStream& random, const std::string& name,
                const std::filesystem::path& folder) {
-  RowsScene made = rows_by_chance(form, chance.magnitude(0.2, 40.0), chance);
-  if (chance.with(0.35)) made.psf_sigma_px = chance.between(0.25, 0.9);
+  RowsScene made = rows_at_random(form, random.magnitude(0.2, 40.0), random);
+  if (random.with(0.35)) made.psf_sigma_px = random.between(0.25, 0.9);
   return {{}, name, made.write(folder, name), made.radiance(), {}};
 }
 
 /// Which light a kind is for; the others may have either.
-WildDraft::Light light_of(std::string_view kind, Chance& chance) {
+WildDraft::Light light_of(std::string_view kind, RandomStream& random) {
   if (kind == "facade" || kind == "yard" || kind == "ball" || kind == "hemisphere" || kind == "colours" ||
       kind == "airy" || kind == "overhead")
     return WildDraft::Light::solar;
   if (kind == "hot_sphere" || kind == "lamps" || kind == "mixture" || kind == "wide")
     return WildDraft::Light::thermal;
-  return chance.with(0.6) ? WildDraft::Light::solar : WildDraft::Light::thermal;
+  return random.with(0.6) ? WildDraft::Light::solar : WildDraft::Light::thermal;
 }
 
 }  // namespace
@@ -46,15 +46,15 @@ std::span<const std::string_view> wild_kinds() { return kKinds; }
 WildScene wild_scene(std::uint64_t number, const std::filesystem::path& folder) {
   const std::size_t kind = number % kKinds.size();
   const std::string name = format("wild_{}_{}", number, kKinds[kind]);
-  Chance chance(number, 0x77696c64);
+  RandomStream random(number, 0x77696c64);
   WildScene scene;
   if (kMakers[kind] == nullptr) {
     scene = rows(kKinds[kind] == "rows_map"     ? RowsScene::Form::map
                  : kKinds[kind] == "rows_boxes" ? RowsScene::Form::boxes
                                                 : RowsScene::Form::mesh,
-                 chance, name, folder);
+                 random, name, folder);
   } else {
-    WildDraft draft(chance, light_of(kKinds[kind], chance), name, folder);
+    WildDraft draft(random, light_of(kKinds[kind], random), name, folder);
     kMakers[kind](draft);
     scene = {{}, name, draft.text(std::string(kKinds[kind])), {}, draft.hints};
   }

@@ -121,16 +121,16 @@ double correlation(const Trials& trials, int dx, int dy) {
 }
 
 void print_pixels(const Trials& trials) {
-  double scatter = 0.0, variance = 0.0, common = 0.0, standard_errors = 0.0;
+  double spread = 0.0, variance = 0.0, common = 0.0, standard_errors = 0.0;
   for (std::size_t p = 0; p < trials.truth.size(); ++p) {
     if (!(trials.variance[p] > 0.0)) continue;
-    for (const Image& image : trials.images) scatter += std::pow(image.mean[p] - trials.mean[p], 2);
+    for (const Image& image : trials.images) spread += std::pow(image.mean[p] - trials.mean[p], 2);
     variance += trials.variance[p] * static_cast<double>(trials.images.size());
     common += trials.mean[p] - trials.truth[p];
     standard_errors += std::sqrt(trials.variance[p]);
   }
   std::printf("scatter over standard error %.2f; common to all pixels %+.2f standard errors\n",
-              std::sqrt(scatter / variance), common / standard_errors);
+              std::sqrt(spread / variance), common / standard_errors);
   std::printf("correlation of pixels at (1, 0) %.3f, (0, 1) %.3f, (1, 1) %.3f, (2, 0) %.3f, (0, 2) %.3f\n",
               correlation(trials, 1, 0), correlation(trials, 0, 1), correlation(trials, 1, 1),
               correlation(trials, 2, 0), correlation(trials, 0, 2));

@@ -144,24 +144,24 @@ ForestMesh forest_tree() {
   return mesh;
 }
 
-std::vector<ForestPlace> forest_places() {
+std::vector<TreePosition> tree_positions() {
   constexpr int kRows = 100;
   constexpr double kStep_m = kForestSide_m / kRows;
-  std::vector<ForestPlace> places;
+  std::vector<TreePosition> positions;
   for (int j = 0; j < kRows; ++j)
     for (int i = 0; i < kRows; ++i) {
-      const auto random = [index = places.size()](std::uint64_t which) {
+      const auto random = [index = positions.size()](std::uint64_t which) {
         return uniform(kPlace, index * 4 + which);
       };
-      ForestPlace place;
-      place.x_m = -kForestSide_m / 2 + (i + 0.1 + 0.8 * random(0)) * kStep_m;
-      place.y_m = -kForestSide_m / 2 + (j + 0.1 + 0.8 * random(1)) * kStep_m;
-      place.z_m = forest_terrain_height_m(place.x_m, place.y_m);
-      place.yaw_deg = 360.0 * random(2);
-      place.scale = 0.8 + 0.5 * random(3);
-      places.push_back(place);
+      TreePosition position;
+      position.x_m = -kForestSide_m / 2 + (i + 0.1 + 0.8 * random(0)) * kStep_m;
+      position.y_m = -kForestSide_m / 2 + (j + 0.1 + 0.8 * random(1)) * kStep_m;
+      position.z_m = forest_terrain_height_m(position.x_m, position.y_m);
+      position.yaw_deg = 360.0 * random(2);
+      position.scale = 0.8 + 0.5 * random(3);
+      positions.push_back(position);
     }
-  return places;
+  return positions;
 }
 
 double forest_reflectance(int material, int band) {
@@ -216,9 +216,9 @@ void write_forest(const std::filesystem::path& folder) {
   std::ofstream csv(folder / "trees.csv");
   csv << "x,y,z,rotation,scale\n";
   csv.precision(10);
-  for (const ForestPlace& place : forest_places())
-    csv << place.x_m << ',' << place.y_m << ',' << place.z_m << ',' << place.yaw_deg << ',' << place.scale
-        << '\n';
+  for (const TreePosition& position : tree_positions())
+    csv << position.x_m << ',' << position.y_m << ',' << position.z_m << ',' << position.yaw_deg << ','
+        << position.scale << '\n';
   csv.close();
   if (!csv) throw std::runtime_error("cannot write " + (folder / "trees.csv").string());
 }

@@ -16,7 +16,7 @@ struct ForestMesh {
   std::vector<std::uint32_t> slots;    ///< material per triangle
 };
 
-struct ForestPlace {
+struct TreePosition {
   double x_m = 0.0, y_m = 0.0, z_m = 0.0, yaw_deg = 0.0, scale = 1.0;
 };
 
@@ -26,7 +26,7 @@ inline constexpr int kForestGroundMaterials = 32;
 double forest_terrain_height_m(double x_m, double y_m);
 ForestMesh forest_terrain();
 ForestMesh forest_tree();  ///< slot 0: leaves, 1: bark
-std::vector<ForestPlace> forest_places();
+std::vector<TreePosition> tree_positions();
 
 /// Reflectance of material m (0 to 31 ground, 32 leaves, 33 bark) in band b: uniform random in [0.05, 0.55].
 double forest_reflectance(int material, int band);
