@@ -8,7 +8,7 @@
 #include "studies/common/html_page.h"
 #include "studies/common/report_plot.h"
 #include "studies/common/spectral_projection.h"
-#include "studies/scatter_panels.h"
+#include "studies/scatter_plots.h"
 
 namespace ifov::studies {
 
@@ -104,20 +104,20 @@ std::vector<std::uint8_t> dominant_materials(const ImageStore& image) {
   return dominant;
 }
 
-std::string scatter(const SceneResults& r) {
+std::string scatter_plot(const SceneResults& r) {
   const auto cube_of = [&](const ImageStore& image) {
     return CubeView{image.mean(), image.width(), image.height(), image.columns()};
   };
   const CubeView own = cube_of(*r.results[r.chosen].image);
-  const SpectralAxes principal = principal_axes(own, kScatterAxes);
-  const SpectralAxes noise_fraction = minimum_noise_axes(own, kScatterAxes);
-  std::vector<ScatterImage> images;
+  const SpectralAxes principal = principal_axes(own, kScatterPlotAxes);
+  const SpectralAxes noise_fraction = minimum_noise_axes(own, kScatterPlotAxes);
+  std::vector<ScatterPlotImage> images;
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}, r.chosen}) {
     const SceneResult& s = r.results[k];
     images.push_back({s.name, project(principal, cube_of(*s.image)),
                       project(noise_fraction, cube_of(*s.image)), dominant_materials(*s.image)});
   }
-  return scatter_panels(images, r.materials);
+  return scatter_plots(images, r.materials);
 }
 
 }  // namespace
@@ -147,7 +147,7 @@ std::string suburb_report(const SceneResults& r, ReportFigures& figures) {
       format(
           "<figcaption>Accuracy sampling took {:.2f} times the time of the grid 10 x 10.</figcaption></figure>\n",
           ours.seconds / ten.seconds) +
-      "<h2>All pixels in spectral space (figure 13 of the paper)</h2>\n" + scatter(r) +
+      "<h2>All pixels in spectral space (figure 13 of the paper)</h2>\n" + scatter_plot(r) +
       "<p>Drag to turn, wheel to zoom; all panels turn together. The axes are those of the image by stated "
       "accuracy, their scale that of all images but the first, so that the panels can be compared; what lies beyond is "
       "drawn at the rim. With one ray a pixel nothing mixes and the clusters "

@@ -75,15 +75,15 @@ std::string shift_table(const ThermalResults& r) {
         "class=\"n\">{:.4f}</td><td class=\"n\">{:.4f}</td><td class=\"n\">{:.3f}</td>",
         html_text(series.name), s.mean_samples, s.samples_95, s.seen, s.rms_c, s.error_95_c, s.coverage);
     const ImageStore::Cost& c = s.mean_cost_total;
-    for (std::uint64_t total : {c.halo, c.seed, c.probe, c.radiance, c.rays.shadow, c.rays.continuation})
+    for (std::uint64_t total : {c.halo, c.pilot, c.probe, c.radiance, c.rays.shadow, c.rays.continuation})
       rows += format("<td class=\"n\">{:.1f}</td>", mean(total));
     rows += "</tr>\n";
   }
   return "<table><tr><th>scene and sampling</th><th>samples, mean</th><th>95 %</th><th>target "
          "seen</th><th>RMS, °C</th>"
          "<th>95 % within, °C</th><th>intervals that "
-         "hold</th><th>halo</th><th>seed</th><th>probe</th><th>radiance</th>"
-         "<th>shadow rays</th><th>bounce rays</th></tr>\n" +
+         "hold</th><th>halo</th><th>pilot</th><th>probe</th><th>radiance</th>"
+         "<th>shadow rays</th><th>continuation rays</th></tr>\n" +
          rows + "</table>\n";
 }
 

@@ -31,10 +31,10 @@ std::vector<TrialSeries> all_series() {
           {"dome, 0.01 °C", Family::dome, asked(0.01)},
           {"square, 0.1 °C", Family::square, asked(0.1)},
           {"rod, 0.1 °C", Family::rod, asked(0.1)},
-          {"rod without seeds, 0.1 °C", Family::rod, asked(0.1, kNoPilotRays)},
+          {"rod without pilot rays, 0.1 °C", Family::rod, asked(0.1, kNoPilotRays)},
           {"textured dome, 0.1 °C", Family::textured_dome, asked(0.1)},
           {"0.5 % target, 0.1 °C", Family::small_target, asked(0.1)},
-          {"0.5 % target without seeds, 0.1 °C", Family::small_target, asked(0.1, kNoPilotRays)},
+          {"0.5 % target without pilot rays, 0.1 °C", Family::small_target, asked(0.1, kNoPilotRays)},
           {"5 % target, 0.1 °C", Family::large_target, asked(0.1)},
           {"dome, grid 28 x 28", Family::dome, grid_sampling(28)},
           {"dome, adaptive N = 20", Family::dome, paper_adaptive(20)},
@@ -75,18 +75,18 @@ void add_shift_figures(const ThermalResults& r, FigureTable& figures) {
   reached("dome_0p01", "dome, 0.01 °C", 0.01, 250, "dome");
   reached("square_0p1", "square, 0.1 °C", 0.1, 600, "rotated square");
   reached("rod_0p1", "rod, 0.1 °C", 0.1, 1300, "rod of 2 to 5 cm, seeded");
-  const TrialSummary& unseeded_rod = summary("rod without seeds, 0.1 °C");
-  figures.at_most("rod_unseeded_within", unseeded_rod.within(0.1), 0.9, "",
-                  "share of shifts within 0.1 C without seeds: must miss the mark");
+  const TrialSummary& rod_without_pilot = summary("rod without pilot rays, 0.1 °C");
+  figures.at_most("rod_unseeded_within", rod_without_pilot.within(0.1), 0.9, "",
+                  "share of shifts within 0.1 C without pilot rays: must miss the mark");
   reached("textured_0p1", "textured dome, 0.1 °C", 0.1, 3500, "dome and ground with texture");
 
   const TrialSummary &small = summary("0.5 % target, 0.1 °C"),
-                     &unseeded = summary("0.5 % target without seeds, 0.1 °C");
-  figures.at_least("small_target_found", small.seen, 1.0, "", "share of 0.5 % targets found with seeds");
+                     &without_pilot = summary("0.5 % target without pilot rays, 0.1 °C");
+  figures.at_least("small_target_found", small.seen, 1.0, "", "share of 0.5 % targets found with pilot rays");
   figures.at_most("small_target_samples_per_pixel", small.mean_samples / 9.0, 20.0, "samples",
                   "samples per pixel that this takes");
-  figures.at_most("small_target_found_unseeded", unseeded.seen, 0.9, "",
-                  "share found without seeds: must miss the mark");
+  figures.at_most("small_target_found_unseeded", without_pilot.seen, 0.9, "",
+                  "share found without pilot rays: must miss the mark");
 
   for (const auto& [key, name] : {std::pair{"dome", "dome, 0.1 °C"},
                                   {"square", "square, 0.1 °C"},

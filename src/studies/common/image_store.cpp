@@ -20,7 +20,7 @@ void ImageStore::begin(const render::ImageInfo& info) {
 void ImageStore::write(const sampling::TileResult& tile) {
   Cost cost;
   cost.halo = cost.samples = tile.halo_samples;
-  cost.seed = tile.pilot_samples;
+  cost.pilot = tile.pilot_samples;
   cost.probe = tile.probe_samples;
   cost.rays = tile.rays;
   const std::size_t columns = static_cast<std::size_t>(columns_);
@@ -50,7 +50,7 @@ void ImageStore::write(const sampling::TileResult& tile) {
 ImageStore::Cost& ImageStore::Cost::operator+=(const Cost& other) {
   samples += other.samples;
   halo += other.halo;
-  seed += other.seed;
+  pilot += other.pilot;
   probe += other.probe;
   radiance += other.radiance;
   rays.primary += other.rays.primary;

@@ -30,8 +30,8 @@ class ImageStore final : public render::TileSink {
 
   /// Points queried, by purpose, and rays, by kind.
   struct Cost {
-    std::uint64_t samples = 0;                                  ///< all points, the halo's included
-    std::uint64_t halo = 0, seed = 0, probe = 0, radiance = 0;  ///< of which
+    std::uint64_t samples = 0;                                   ///< all points, the halo's included
+    std::uint64_t halo = 0, pilot = 0, probe = 0, radiance = 0;  ///< of which
     sampling::RayCounts rays;
     Cost& operator+=(const Cost& other);
   };

@@ -1,8 +1,8 @@
-#include "studies/scatter_script.h"
+#include "studies/scatter_plot_script.h"
 
 namespace ifov::studies {
 
-const char* const kScatterScript = R"js(
+const char* const kScatterPlotScript = R"js(
 "use strict";
 (() => {
   const $ = id => document.getElementById(id);

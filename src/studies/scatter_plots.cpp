@@ -1,4 +1,4 @@
-#include "studies/scatter_panels.h"
+#include "studies/scatter_plots.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,13 +9,13 @@
 #include "io/json/json_writer.h"
 #include "io/report/report_data.h"
 #include "studies/common/html_page.h"
-#include "studies/scatter_script.h"
+#include "studies/scatter_plot_script.h"
 
 namespace ifov::studies {
 
 namespace {
 
-constexpr std::size_t kAxes = kScatterAxes;
+constexpr std::size_t kAxes = kScatterPlotAxes;
 constexpr double kCodes = 65535.0;
 
 /// One scale for all axes of a transform would squeeze the weaker ones to a line: each axis has its own, the
@@ -24,8 +24,8 @@ struct Scale {
   float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
 };
 
-std::vector<Scale> scales_of(const std::vector<ScatterImage>& images,
-                             std::vector<float> ScatterImage::*scores) {
+std::vector<Scale> scales_of(const std::vector<ScatterPlotImage>& images,
+                             std::vector<float> ScatterPlotImage::*scores) {
   std::vector<Scale> scales(kAxes);
   // Single rays scatter so far that they would squeeze the mixtures of the others.
   for (std::size_t i = images.size() > 1 ? 1 : 0; i < images.size(); ++i)
@@ -55,12 +55,12 @@ std::string codes_of(const std::vector<float>& scores, const std::vector<Scale>&
 }
 
 /// For the script; no text in it ends the element that holds it.
-std::string meta_of(const std::vector<ScatterImage>& images, const std::vector<std::string>& materials) {
+std::string meta_of(const std::vector<ScatterPlotImage>& images, const std::vector<std::string>& materials) {
   io::JsonWriter json(io::JsonWriter::Layout::compact);
   std::vector<std::string> names;
-  for (const ScatterImage& image : images) names.push_back(image.name);
+  for (const ScatterPlotImage& image : images) names.push_back(image.name);
   json.object([&] {
-    json.member("axes", kScatterAxes);
+    json.member("axes", kScatterPlotAxes);
     json.member("images", names);
     json.member("materials", materials);
   });
@@ -71,15 +71,15 @@ std::string meta_of(const std::vector<ScatterImage>& images, const std::vector<s
 
 std::string axis_choice(int axis) {
   std::string out = format("<select id=\"scatter-axis-{}\">", axis);
-  for (int k = 0; k < kScatterAxes; ++k)
+  for (int k = 0; k < kScatterPlotAxes; ++k)
     out += format("<option value=\"{}\"{}>component {}</option>", k, k == axis ? " selected" : "", k + 1);
   return out + "</select>\n";
 }
 
 }  // namespace
 
-std::string scatter_panels(const std::vector<ScatterImage>& images,
-                           const std::vector<std::string>& materials) {
+std::string scatter_plots(const std::vector<ScatterPlotImage>& images,
+                          const std::vector<std::string>& materials) {
   std::string out =
       "<style>.scatter { display: grid; grid-template-columns: repeat(4, 1fr); gap: .6em; }\n"
       ".scatter figure { margin: 0; } .scatter canvas { width: 100%; border: 1px solid #ccc; touch-action: none; cursor: "
@@ -99,15 +99,15 @@ std::string scatter_panels(const std::vector<ScatterImage>& images,
   out += "</div>\n<p id=\"scatter-legend\" hidden></p>\n";
   out += format("<script type=\"application/json\" id=\"scatter-meta\">{}</script>\n",
                 meta_of(images, materials));
-  const std::vector<Scale> principal = scales_of(images, &ScatterImage::principal);
-  const std::vector<Scale> noise_fraction = scales_of(images, &ScatterImage::noise_fraction);
+  const std::vector<Scale> principal = scales_of(images, &ScatterPlotImage::principal);
+  const std::vector<Scale> noise_fraction = scales_of(images, &ScatterPlotImage::noise_fraction);
   for (std::size_t k = 0; k < images.size(); ++k) {
     out += block(format("scatter-{}-principal", k), codes_of(images[k].principal, principal));
     out += block(format("scatter-{}-noise_fraction", k), codes_of(images[k].noise_fraction, noise_fraction));
     out += block(format("scatter-{}-dominant", k),
                  {reinterpret_cast<const char*>(images[k].dominant.data()), images[k].dominant.size()});
   }
-  return out + format("<script>{}</script>\n", kScatterScript);
+  return out + format("<script>{}</script>\n", kScatterPlotScript);
 }
 
 }  // namespace ifov::studies
