@@ -49,7 +49,7 @@ AtmosphereQuestion::Direction direction(const std::string& option, const std::st
   return {*zenith * kDegree, *azimuth * kDegree};
 }
 
-ExitCode look(const AtmosphereArguments& arguments) {
+ExitCode survey(const AtmosphereArguments& arguments) {
   Console console(arguments.quiet, "");
   AtmosphereQuestion question;
   if (arguments.sun == "none")
@@ -147,7 +147,7 @@ Command add_atmosphere_command(CLI::App& app) {
       "  ifov atmosphere scene.json --sun none");
   return {parser, [arguments, plot] {
             arguments->wants_plot = plot->count() > 0;
-            return look(*arguments);
+            return survey(*arguments);
           }};
 }
 

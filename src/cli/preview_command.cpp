@@ -7,10 +7,10 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "cli/cancel_watchdog.h"
 #include "cli/command.h"
 #include "cli/inputs_below.h"
 #include "cli/interrupt.h"
-#include "cli/patience.h"
 #include "cli/terminal/console.h"
 #include "cli/terminal/say.h"
 #include "cli/terminal/terminal_picture.h"
@@ -34,7 +34,7 @@ int columns_of_output() {
 
 ExitCode preview(const PreviewArguments& arguments) {
   CancelToken& cancel = cancel_on_interrupt();
-  Patience patience(cancel, "ifov: stopped on request; no picture was written");
+  CancelWatchdog watchdog(cancel, "ifov: stopped on request; no picture was written");
   Console console(arguments.quiet, "");
   try {
     const Document document = arguments.input.read(arguments.document).for_preview(arguments.pixels);
@@ -43,7 +43,7 @@ ExitCode preview(const PreviewArguments& arguments) {
                                                               .cancel = &cancel,
                                                               .progress = &console,
                                                               .log = &console});
-    patience.over();
+    watchdog.over();
     if (arguments.strict) require_no_warnings(simulation.warnings().size());
     console.phase("preview");
     const Preview picture =

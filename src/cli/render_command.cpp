@@ -2,12 +2,12 @@
 #include <chrono>
 #include <cstdio>
 
+#include "cli/cancel_watchdog.h"
 #include "cli/command.h"
 #include "cli/document_arguments.h"
 #include "cli/duration.h"
 #include "cli/inputs_below.h"
 #include "cli/interrupt.h"
-#include "cli/patience.h"
 #include "cli/preview_command.h"
 #include "cli/ranks.h"
 #include "cli/run_summary.h"
@@ -103,14 +103,14 @@ ExitCode render(const RenderArguments& arguments) {
         "ifov: stopped (Ctrl-C, or a rank ended: mpirun says which); unfinished products carry the ending "
         ".part, and --resume goes on with what is finished");
   }
-  std::optional<Patience> patience;  // mpirun ends ranks by itself
+  std::optional<CancelWatchdog> watchdog;  // mpirun ends ranks by itself
   if (ranks == nullptr)
-    patience.emplace(cancel,
+    watchdog.emplace(cancel,
                      format("ifov: stopped on request; unfinished products carry the ending .part{}",
                             arguments.no_state ? "" : ", and --resume goes on with what is finished"));
   const std::optional<std::chrono::steady_clock::time_point> deadline = deadline_of(arguments, begin);
-  if (patience && deadline)
-    patience->limit(*deadline, "ifov: the time limit came before the scene was loaded; nothing is rendered");
+  if (watchdog && deadline)
+    watchdog->limit(*deadline, "ifov: the time limit came before the scene was loaded; nothing is rendered");
   Console console(arguments.quiet, arguments.log);
   try {
     const Document document = arguments.input.read(arguments.document);
@@ -126,9 +126,9 @@ ExitCode render(const RenderArguments& arguments) {
     options.threads = arguments.threads;
     options.deadline = deadline;
     options.ranks = ranks;
-    if (patience) patience->over();
-    if (patience && deadline && !arguments.dry_run)
-      patience->limit(
+    if (watchdog) watchdog->over();
+    if (watchdog && deadline && !arguments.dry_run)
+      watchdog->limit(
           *deadline + kLastProducts,
           format("ifov: the time limit came before the products were whole; unfinished ones carry the ending "
                  ".part{}",

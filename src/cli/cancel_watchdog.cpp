@@ -1,4 +1,4 @@
-#include "cli/patience.h"
+#include "cli/cancel_watchdog.h"
 
 #include <unistd.h>
 
@@ -19,10 +19,10 @@ constexpr std::chrono::milliseconds kLook(20), kGrace(400);
 
 }  // namespace
 
-Patience::Patience(const CancelToken& cancel, std::string message)
+CancelWatchdog::CancelWatchdog(const CancelToken& cancel, std::string message)
     : cancel_(cancel), message_(std::move(message)), thread_([this] { watch(); }) {}
 
-Patience::~Patience() {
+CancelWatchdog::~CancelWatchdog() {
   {
     const std::scoped_lock lock(mutex_);
     leaving_ = true;
@@ -31,17 +31,17 @@ Patience::~Patience() {
   thread_.join();
 }
 
-void Patience::limit(Clock::time_point deadline, std::string message) {
+void CancelWatchdog::limit(Clock::time_point deadline, std::string message) {
   const std::scoped_lock lock(mutex_);
   deadline_ = deadline, limit_message_ = std::move(message);
 }
 
-void Patience::over() {
+void CancelWatchdog::over() {
   const std::scoped_lock lock(mutex_);
   deadline_.reset();
 }
 
-void Patience::watch() {
+void CancelWatchdog::watch() {
   std::optional<Clock::time_point> asked;
   std::unique_lock lock(mutex_);
   while (!leaving_) {

@@ -15,15 +15,15 @@ namespace ifov::cli {
 /// Where it has not stopped by itself in 0.4 s, this ends the process, which leaves time for the system to take its
 /// memory back within the second that is promised, also on a busy machine. Nothing is lost by that: files bear their
 /// names only when they are whole, and finished tiles are on disk.
-class Patience {
+class CancelWatchdog {
  public:
   using Clock = std::chrono::steady_clock;
 
   /// `message` is what is said then. The token must outlive this.
-  Patience(const CancelToken& cancel, std::string message);
-  ~Patience();
-  Patience(const Patience&) = delete;
-  Patience& operator=(const Patience&) = delete;
+  CancelWatchdog(const CancelToken& cancel, std::string message);
+  ~CancelWatchdog();
+  CancelWatchdog(const CancelWatchdog&) = delete;
+  CancelWatchdog& operator=(const CancelWatchdog&) = delete;
 
   /// Until over(), the process also ends at this moment, with ExitCode::unmet and `message`.
   void limit(Clock::time_point deadline, std::string message);
