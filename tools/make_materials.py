@@ -15,7 +15,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from material_tables import grid, indices, metals, models, prospect, samples  # noqa: E402
-from material_tables.catalogue import DRY, KIN, SOIL  # noqa: E402
+from material_tables.catalogue import DRY, DONORS, SOIL  # noqa: E402
 from material_tables.catalogue_built import CONSTRUCTION, METAL, ROOF  # noqa: E402
 from material_tables.catalogue_nature import SOIL_GROUP, VEGETATION, WATER  # noqa: E402
 from material_tables.sources import SOURCES  # noqa: E402
@@ -39,7 +39,7 @@ class Library:
         self.ice_index = indices.Index(index_folder / "H2O_Warren-2008.yml")
         self.glass_index = indices.Index(index_folder / "soda-lime_Rubin-clear.yml", index_folder / "soda-lime_Rubin-IR.yml")
         self.figure = samples.figure
-        self.kin = {name: recipe(self) for name, recipe in KIN.items()}
+        self.donor = {name: recipe(self) for name, recipe in DONORS.items()}
 
     def water(self):
         return models.computed(FINE_UM, indices.face(self.water_index.at(FINE_UM)), "water, one face", ("hale",))
@@ -93,8 +93,8 @@ def contents(parameters):
 def block(library, grid_um, curve):
     """The lines of one curve, and the keys of its sources."""
     sample = curve.recipe(library)
-    kin = library.kin[curve.kin] if curve.kin else None
-    x, y, ranges = grid.completed(grid_um, sample, kin)
+    donor = library.donor[curve.donor] if curve.donor else None
+    x, y, ranges = grid.completed(grid_um, sample, donor)
     figures = grid.on_grid(grid_um, x, y)
     notes, used = list(curve.notes), list(sample.sources)
     transmittance = getattr(sample, "transmittance", None)
@@ -107,8 +107,8 @@ def block(library, grid_um, curve):
     if transmittance is not None:
         transmittance = np.minimum(transmittance, 1.0 - figures)
         notes.append("transmittance 0 beyond 2.6 um, the value at 0.4 um below")
-    if kin is not None and any(kin.title in how for _, _, how in ranges):
-        used += [key for key in kin.sources if key not in used]
+    if donor is not None and any(donor.title in how for _, _, how in ranges):
+        used += [key for key in donor.sources if key not in used]
     error = grid.difference(grid_um, figures, sample)
     lines = [f"curve: {curve.name}", f"sample: {sample.title}", "source: " + " ".join(used),
              f"{'modelled' if sample.modelled else 'measured'}: {max(sample.first_um, grid_um[0]):.4g} "

@@ -1,5 +1,5 @@
 """What is in the library: every material with its curves. How a curve comes about is a recipe, a function of the
-`Library` of make_materials.py; `kin` names the sample that lends figures where a curve was not measured."""
+`Library` of make_materials.py; `donor` names the sample that lends figures where a curve was not measured."""
 from dataclasses import dataclass, field
 
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 class Curve:
     name: str
     recipe: object
-    kin: str = ""
+    donor: str = ""
     leaf: bool = False     # transmittance by a fit of PROSPECT-D to the measured reflectance
     notes: tuple = ()
 
@@ -21,25 +21,25 @@ class Material:
     instead_of: tuple = ()  # names of earlier libraries that a document may still hold
 
 
-def usgs(name, file, kin, **more):
-    return Curve(name, lambda library: library.usgs.sample(file), kin=kin, **more)
+def usgs(name, file, donor, **more):
+    return Curve(name, lambda library: library.usgs.sample(file), donor=donor, **more)
 
 
 def slum(*names, **more):
     return [Curve(name, lambda library, name=name: library.slum.sample(name), **more) for name in names]
 
 
-def mixed(name, *parts, kin):
-    return Curve(name, lambda library: library.mixture(parts), kin=kin)
+def mixed(name, *parts, donor):
+    return Curve(name, lambda library: library.mixture(parts), donor=donor)
 
 
-def prospect(name, *parameters, kin="leaf"):
+def prospect(name, *parameters, donor="leaf"):
     """Of a leaf: layers, then chlorophyll, carotenoids, anthocyanins (ug/cm2), brown pigments, water, dry matter (g/cm2)."""
-    return Curve(name, lambda library: library.leaf(parameters), kin=kin)
+    return Curve(name, lambda library: library.leaf(parameters), donor=donor)
 
 
-def canopy(name, leaf, area, shade, dry=0.1, kin="canopy"):
-    return Curve(name, lambda library: library.canopy(LEAVES[leaf], area, shade, dry), kin=kin)
+def canopy(name, leaf, area, shade, dry=0.1, donor="canopy"):
+    return Curve(name, lambda library: library.canopy(LEAVES[leaf], area, shade, dry), donor=donor)
 
 
 SOIL, DRY = "Rangeland_L02-045", "Grass_Golden_Dry_GDS480"
@@ -56,7 +56,7 @@ LEAVES = {
 }
 
 # Samples that lend their figures.
-KIN = {
+DONORS = {
     "leaf": lambda library: library.figure(0.02, "lopez", "the emissivity of leaves, 0.98 (8 to 14 um)", 2.7),
     "canopy": lambda library: library.figure(0.02, "sutherland", "the emissivity of grass, 0.98 (8 to 14 um)", 2.7),
     "dry grass": lambda library: library.figure(0.03, "sutherland", "the emissivity of grass, 0.97 (8 to 14 um)", 2.7),

@@ -77,7 +77,7 @@ ROOF = [
 
 METAL = [
     Material("aluminium, brushed", "aluminum metal roof bare car", SHEET + "brushed sheet; beyond 2.5 um towards clean metal.",
-             [Curve("sheet", lambda library: library.usgs.sample("Aluminum_brushed"), kin="aluminium")],
+             [Curve("sheet", lambda library: library.usgs.sample("Aluminum_brushed"), donor="aluminium")],
              instead_of=("aluminium, weathered",)),
     Material("aluminium, stucco", "aluminum metal roof sheet cladding", SHEET + "bare sheet with a stucco relief.", slum("Z002")),
     Material("aluminium, weathered, dull", "aluminum metal roof sheet cladding", "Weathered sheet, no longer bright in the thermal infrared.",

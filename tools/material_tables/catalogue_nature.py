@@ -18,7 +18,7 @@ VEGETATION = [
              instead_of=("meadow, clover and lucerne",)),
     Material("grass, blades, pile", "lawn clippings green blade", "Green lawn grass, probably Kentucky bluegrass, in a pile without "
              "gaps, twice as bright in the near infrared as a lawn from above.",
-             [usgs("GDS91", LAWN, "canopy"), mixed("GDS91, a quarter dry", (0.75, LAWN), (0.25, DRY), kin="canopy")],
+             [usgs("GDS91", LAWN, "canopy"), mixed("GDS91, a quarter dry", (0.75, LAWN), (0.25, DRY), donor="canopy")],
              instead_of=("grass, wild oat, green", "grass, ripgut brome, green")),
     Material("grass, dry", "straw meadow senescent yellow litter hay", "Golden dry grass (1), a field of cheatgrass (2) and of "
              "goatgrass (3).",
@@ -51,7 +51,7 @@ VEGETATION = [
              [prospect("mature", 1.5, 45, 9, 1, 0, 0.012, 0.006), prospect("young", 1.3, 25, 6, 2, 0, 0.014, 0.004),
               prospect("shade", 1.4, 60, 11, 1, 0, 0.009, 0.0035), prospect("yellow, autumn", 1.7, 3, 8, 1, 0.15, 0.010, 0.006),
               prospect("red, autumn", 1.7, 6, 6, 12, 0.1, 0.010, 0.006),
-              prospect("brown, dead", 2.4, 0.5, 1, 1, 1.5, 0.0005, 0.007, kin="dry grass")]),
+              prospect("brown, dead", 2.4, 0.5, 1, 1, 1.5, 0.0005, 0.007, donor="dry grass")]),
     Material("leaf, evergreen shrub, modelled", "bush chaparral foliage leathery prospect",
              "PROSPECT-D, no measurement: a thick leathery leaf of dry country.",
              [prospect("leathery", 2.0, 40, 9, 1, 0.1, 0.014, 0.018)], instead_of=("leaf, chamise",)),
@@ -69,7 +69,7 @@ VEGETATION = [
 SOIL_GROUP = [
     Material("soil, bare", "earth ground dirt loam field", "Brown rangeland with a twentieth of plants (1), and the same moist, by a "
              "model (2).",
-             [usgs("rangeland", SOIL, "clay"), Curve("rangeland, moist", lambda library: library.moist(SOIL), kin="muck")],
+             [usgs("rangeland", SOIL, "clay"), Curve("rangeland, moist", lambda library: library.moist(SOIL), donor="muck")],
              instead_of=("soil, bare, urban", "soil, brown sandy loam", "soil, brown silty loam", "soil, brown gravelly loam",
                          "soil, brown loamy sand", "soil, black loam", "cinder, red")),
     Material("soil, playa mud, pale", "earth ground dirt desert clay lake", "Dry mud of a playa, mean of 174 field spectra.",

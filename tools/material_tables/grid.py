@@ -41,50 +41,50 @@ def on_grid(grid_um, x, y):
     return np.clip(value, 0.0, 1.0)
 
 
-def completed(grid_um, sample, kin):
+def completed(grid_um, sample, donor):
     """The sample's points over the whole grid, and what was not measured as (first, last, how).
 
-    Gaps are bridged by straight lines. Beyond the ends the values come from `kin`, a sample of the same kind, times a
+    Gaps are bridged by straight lines. Beyond the ends the values come from `donor`, a sample of the same kind, times a
     factor that makes them meet: constant towards short wavelengths, and fading to 1 over FADE_UM towards long ones; where
-    kin has a gap, or begins only beyond, by a straight line. Without kin, the end value goes on."""
+    donor has a gap, or begins only beyond, by a straight line. Without donor, the end value goes on."""
     x, y = [sample.wavelength_um], [sample.reflectance]
     ranges = [(low, high, "straight line") for low, high in sample.gaps()]
 
     def ratio(at_um):
-        return float(np.clip(sample.at(at_um) / max(float(kin.at(at_um)), 1e-3), 0.05, 20.0))
+        return float(np.clip(sample.at(at_um) / max(float(donor.at(at_um)), 1e-3), 0.05, 20.0))
 
     first, last = grid_um[0], grid_um[-1]
     if sample.first_um > first + 1e-9:
-        reach = max(first, kin.first_um) if kin is not None else sample.first_um
+        reach = max(first, donor.first_um) if donor is not None else sample.first_um
         if reach < sample.first_um - 1e-9:
-            inner = np.union1d(kin.wavelength_um[(kin.wavelength_um > reach) & (kin.wavelength_um < sample.first_um)],
+            inner = np.union1d(donor.wavelength_um[(donor.wavelength_um > reach) & (donor.wavelength_um < sample.first_um)],
                                [reach])
             x.append(inner)
-            y.append(np.clip(kin.at(inner) * ratio(sample.first_um), 0, 1))
-            ranges.append((reach, sample.first_um, f"from {kin.title}, scaled to meet"))
+            y.append(np.clip(donor.at(inner) * ratio(sample.first_um), 0, 1))
+            ranges.append((reach, sample.first_um, f"from {donor.title}, scaled to meet"))
         else:
             reach = sample.first_um
         if reach > first + 1e-9:
             ranges.append((first, reach, "end value goes on"))
     if sample.last_um < last - 0.005:
-        if kin is not None and kin.last_um > sample.last_um:
-            inner = kin.wavelength_um[kin.wavelength_um > sample.last_um]
-            meets = kin.first_um < sample.last_um
+        if donor is not None and donor.last_um > sample.last_um:
+            inner = donor.wavelength_um[donor.wavelength_um > sample.last_um]
+            meets = donor.first_um < sample.last_um
             factor = np.interp(inner, [sample.last_um, sample.last_um + FADE_UM],
                                [ratio(sample.last_um) if meets else 1.0, 1.0])
             x.append(inner)
-            y.append(np.clip(kin.at(inner) * factor, 0, 1))
-            bridges = [(max(low, sample.last_um), high) for low, high in kin.gaps() if high > sample.last_um]
-            bridges = bridges if meets else [(sample.last_um, kin.first_um)]
+            y.append(np.clip(donor.at(inner) * factor, 0, 1))
+            bridges = [(max(low, sample.last_um), high) for low, high in donor.gaps() if high > sample.last_um]
+            bridges = bridges if meets else [(sample.last_um, donor.first_um)]
             start = sample.last_um
             for low, high in bridges:
                 if low > start + FADE_UM / 10:
-                    ranges.append((start, low, f"from {kin.title}, scaled to meet"))
+                    ranges.append((start, low, f"from {donor.title}, scaled to meet"))
                     ranges.append((low, high, "straight line"))
                 else:
                     ranges.append((start, high, "straight line"))
                 start = high
-            ranges.append((start, last, f"from {kin.title}"))
+            ranges.append((start, last, f"from {donor.title}"))
         else:
             ranges.append((sample.last_um, last, "end value goes on"))
     x, y = np.concatenate(x), np.concatenate(y)
