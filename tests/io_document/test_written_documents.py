@@ -240,7 +240,7 @@ class PlantedFaults(unittest.TestCase):
     """A row that is not written, or says another's value, is found."""
 
     GIVEN = {"scene": {"origin": {"latitude": "43 deg", "height": "0 m"}, "materials": {"a": {"reflectance": 0.3}}},
-             "sampling": {"accuracy": {"error": "1 %", "confidence": 0.9, "seeds": False}}, "channels": ["x", "y"]}
+             "sampling": {"accuracy": {"error": "1 %", "confidence": 0.9, "pilot_rays": False}}, "channels": ["x", "y"]}
 
     def change(self, *path, to=None):
         written = json.loads(json.dumps(self.GIVEN))
