@@ -15,13 +15,14 @@ std::vector<io::DocumentOverride> overrides_of(const std::vector<std::string>& s
 }  // namespace
 
 Document Document::read(const std::filesystem::path& file, const std::vector<std::string>& set) {
-  return Document(std::make_shared<const Inside>(io::read_document(file.string(), overrides_of(set))));
+  return Document(
+      std::make_shared<const Inside>(Inside{io::read_document(file.string(), overrides_of(set))}));
 }
 
 Document Document::parse(const std::string& text, const std::string& name,
                          const std::filesystem::path& folder, const std::vector<std::string>& set) {
-  return Document(
-      std::make_shared<const Inside>(io::parse_document(text, (folder / name).string(), overrides_of(set))));
+  return Document(std::make_shared<const Inside>(
+      Inside{io::parse_document(text, (folder / name).string(), overrides_of(set))}));
 }
 
 std::string Document::name() const { return inside_->document.file_name; }

@@ -40,8 +40,8 @@ Simulation Simulation::load(const Document& document, const LoadOptions& options
                                   .threads = options.threads,
                                   .cancel = options.cancel,
                                   .progress = options.progress};
-  return Simulation(
-      std::make_unique<const Inside>(session::Session::load(document.inside_->document, options.log, load)));
+  return Simulation(std::make_unique<const Inside>(
+      Inside{session::Session::load(document.inside_->document, options.log, load)}));
 }
 
 ImageDescription Simulation::image() const { return session::describe_image(inside_->session.parts().info); }
