@@ -69,7 +69,9 @@ std::string sample_table(const ThermalResults& r) {
 std::string shift_table(const ThermalResults& r) {
   std::string rows;
   for (const auto& [series, s] : r.series) {
-    const auto mean = [&](std::uint64_t total) { return static_cast<double>(total) / s.trials; };
+    const auto mean = [trials = s.trials](std::uint64_t total) {
+      return static_cast<double>(total) / trials;
+    };
     rows += format(
         "<tr><td>{}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{:.0f}</td><td class=\"n\">{:.3f}</td><td "
         "class=\"n\">{:.4f}</td><td class=\"n\">{:.4f}</td><td class=\"n\">{:.3f}</td>",
