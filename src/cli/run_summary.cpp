@@ -1,6 +1,7 @@
+#include "cli/run_summary.h"
+
 #include <algorithm>
 
-#include "cli/run_summary.h"
 #include "cli/terminal/progress_line.h"
 #include "cli/terminal/say.h"
 #include "core/format.h"

@@ -87,10 +87,11 @@ def adapter_of(header, adapters):
 
 
 def libraries_of(folder):
-    """The libraries that a room's CMakeLists.txt declares."""
+    """The libraries that a room's CMakeLists.txt declares; of a program the rooms that it sets as IFOV_<ROOM>_ROOMS."""
     file = folder / "CMakeLists.txt"
     text = re.sub(r"#[^\n]*", "", file.read_text()) if file.exists() else ""
-    found = []
+    found = [Library(folder.name, "", [], [], rooms.split(), [])
+             for rooms in re.findall(rf"\bset\(IFOV_{folder.name.upper()}_ROOMS ([^)]*)\)", text)]
     for kind, body in re.findall(r"\bifov_(room|part)\(([^)]*)\)", text):
         words, lists, key = [], {}, None
         for word in body.split():

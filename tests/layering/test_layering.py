@@ -12,10 +12,10 @@ sys.path.insert(0, str(HERE))
 
 from layering import (  # noqa: E402
     crowded_folders,
-    declared_rooms,
     emptiness_faults,
     folder_circles,
     folder_table_faults,
+    libraries_of,
     part_violations,
     public_violations,
     read_rules,
@@ -40,7 +40,8 @@ class SourceTree(unittest.TestCase):
         self.assertEqual(found, [], "\n" + "\n".join(found))
 
     def test_the_command_line_is_a_program_like_any_other(self):
-        self.assertEqual(sorted(declared_rooms(ROOT / "src/cli")), ["core", "landscape", "studies"])
+        (program,) = libraries_of(ROOT / "src/cli")
+        self.assertEqual(sorted(program.rooms), ["core", "landscape", "studies"])
     def test_parts_of_rooms_are_those_of_the_table(self):
         self.assertIn("io_document", RULES.parts)
         self.assertEqual(part_violations(ROOT / "src", RULES), [])

@@ -27,7 +27,7 @@ class ShapeField final : public sampling::Field {
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
               std::span<float> values) override {
     for (std::size_t k = 0; k < requests.size(); ++k) {
-      const auto [x, y] = requests[k].point;
+      const double x = requests[k].point.x_px, y = requests[k].point.y_px;
       labels[k] = label_at_(x, y);
       for (int c = 0; c < columns_; ++c)
         values[k * static_cast<std::size_t>(stride()) + static_cast<std::size_t>(c)] =

@@ -73,7 +73,7 @@ class SkyField final : public sampling::Field {
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
               std::span<float> values) override {
     for (std::size_t k = 0; k < requests.size(); ++k) {
-      const auto [x_px, y_px] = requests[k].point;
+      const double x_px = requests[k].point.x_px, y_px = requests[k].point.y_px;
       const std::uint64_t sequence = one_sequence_ ? sampling::hash(static_cast<int>(std::floor(x_px)),
                                                                     static_cast<int>(std::floor(y_px)))
                                                    : requests[k].sequence;

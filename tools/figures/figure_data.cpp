@@ -10,7 +10,7 @@ int main(int count, char** words) {
   constexpr std::pair<std::string_view, void (*)()> sets[] = {
       {"sampler", print_sampler_points},
       {"sequence", print_sequence},
-      {"scatter", print_scatter},
+      {"scatter", print_random_positions},
       {"bsdf", print_bsdf},
       {"footprint", print_footprint},
       {"nodes", print_nodes},

@@ -4,15 +4,15 @@
 /// first word of a line says what the line is.
 namespace ifov::figures {
 
-void print_sampler_points();  ///< points that the accuracy sampler asks for in a small picture
-void print_sequence();        ///< the first elements of one Owen-scrambled Sobol sequence
-void print_scatter();         ///< places at random, and densities by numbers of proposals
-void print_bsdf();            ///< pi f of the models in the principal plane
-void print_footprint();       ///< footprints and wings of point spread functions
-void print_nodes();           ///< products of reflectances in a channel, by nodes and by integration
-void print_fresnel();         ///< reflection by water
-void print_sun();             ///< the Sun's way over a day, and moonlight by phase
-void print_gases();           ///< vertical transmittance of gases
-void print_phase();           ///< scattering matrices
+void print_sampler_points();    ///< points that the accuracy sampler asks for in a small picture
+void print_sequence();          ///< the first elements of one Owen-scrambled Sobol sequence
+void print_random_positions();  ///< places at random, and densities by numbers of proposals
+void print_bsdf();              ///< pi f of the models in the principal plane
+void print_footprint();         ///< footprints and wings of point spread functions
+void print_nodes();             ///< products of reflectances in a channel, by nodes and by integration
+void print_fresnel();           ///< reflection by water
+void print_sun();               ///< the Sun's way over a day, and moonlight by phase
+void print_gases();             ///< vertical transmittance of gases
+void print_phase();             ///< scattering matrices
 
 }  // namespace ifov::figures

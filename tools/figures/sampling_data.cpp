@@ -6,9 +6,11 @@
 
 #include "figure_data.h"
 #include "sampling/accuracy/accuracy_sampler.h"
+#include "sampling/pixel_footprint.h"
 #include "sampling/random_placement.h"
 #include "sampling/sequence.h"
 #include "sampling/tile.h"
+#include "sampling/tolerance.h"
 
 namespace ifov::figures {
 
@@ -74,13 +76,13 @@ void print_sampler_points() {
   Picture picture;
   const Relative tolerance;
   const sampling::PixelFootprint footprint = sampling::PixelFootprint::box(1.0);
-  constexpr int kDrivers[] = {0};
+  constexpr int kSteering[] = {0};
   sampling::TileProblem problem;
   problem.tile = problem.image = {0, 0, 3, 3};
   problem.seed = 7;
   problem.footprint = &footprint;
   problem.tolerance = &tolerance;
-  problem.drivers = kDrivers;
+  problem.steering_channels = kSteering;
   sampling::TileResult result;
   sampling::AccuracySampler().sample(problem, picture, result);
   for (std::size_t k = 0; k < result.mean.size(); ++k)
@@ -95,27 +97,27 @@ void print_sequence() {
   }
 }
 
-void print_scatter() {
-  sampling::ScatterPlan plan;
+void print_random_positions() {
+  sampling::PlacementPlan plan;
   plan.minimum_distance_m = 1.0;
-  plan.peak_density_m2 = sampling::largest_scatter_density(1.0);
+  plan.peak_density_m2 = sampling::largest_placement_density(1.0);
   plan.seed = 3;
   plan.area = {0.0, 0.0, 12.0, 12.0};
-  for (const sampling::ScatteredPlace& place : sampling::scatter(plan))
-    std::printf("place %.4f %.4f\n", place.at_m.x, place.at_m.y);
+  for (const sampling::RandomPosition& position : sampling::random_positions(plan))
+    std::printf("place %.4f %.4f\n", position.at_m.x, position.at_m.y);
 
   const double highest = plan.peak_density_m2;
   for (int k = 0; k <= 100; ++k) {
     const double density = highest * k / 100.0;
-    std::printf("formula %.5f %.5f\n", sampling::scatter_proposals(density, 1.0) * std::numbers::pi / 4.0,
+    std::printf("formula %.5f %.5f\n", sampling::placement_proposals(density, 1.0) * std::numbers::pi / 4.0,
                 density * std::numbers::pi / 4.0);
   }
   plan.area = {0.0, 0.0, 300.0, 300.0};
   for (const double share : {0.1, 0.25, 0.4, 0.55, 0.7, 0.8, 0.9, 1.0}) {
     plan.peak_density_m2 = share * highest;
-    const auto count = static_cast<double>(sampling::scatter(plan).size());
+    const auto count = static_cast<double>(sampling::random_positions(plan).size());
     std::printf("measured %.5f %.5f\n",
-                sampling::scatter_proposals(plan.peak_density_m2, 1.0) * std::numbers::pi / 4.0,
+                sampling::placement_proposals(plan.peak_density_m2, 1.0) * std::numbers::pi / 4.0,
                 count / plan.area.square_metres() * std::numbers::pi / 4.0);
   }
 }

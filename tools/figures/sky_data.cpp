@@ -20,7 +20,7 @@ void print_sun() {
       char time[32];
       std::snprintf(time, sizeof time, "%sT%02d:%02d:00Z", day, minute / 60, minute % 60);
       const geodesy::SunPosition sun =
-          geodesy::sun_position(geodesy::parse_utc(time), 48.2 * kDegree, 16.4 * kDegree);
+          geodesy::sun_position(geodesy::parse_utc(time), {48.2 * kDegree, 16.4 * kDegree, 0.0});
       std::printf("sun %s %.4f %.4f %.4f\n", day, minute / 60.0, sun.azimuth_rad / kDegree,
                   sun.elevation_rad / kDegree);
     }

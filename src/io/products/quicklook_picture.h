@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/product_parts/colour_map.h"
+#include "io/envi/colour_map.h"
 #include "io/product_parts/picture.h"
 #include "io/product_parts/raster_view.h"
 #include "io/product_parts/run_record.h"

@@ -103,7 +103,7 @@ bool ClutterChoice::begin_rounds(bool doubt, Radiance& radiance, std::vector<Out
     }
     if (pixel.cluttered && pixel.rounds.empty() && !pixel.model.outputs.empty()) {
       radiance.clutter().plan(p, first_round(pixel));
-      for (int o : pixel.model.outputs) outputs[o].look = std::max(outputs[o].look, kClutterTest);
+      for (int o : pixel.model.outputs) outputs[o].test = std::max(outputs[o].test, kClutterTest);
       any = true;
     }
   }

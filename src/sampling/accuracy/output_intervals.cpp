@@ -114,7 +114,7 @@ double OutputIntervals::half_width(int output, std::size_t column) {
   const OutputSums::Row sum = sums_[output];
   const double path = sum.path[column].variance();
   const double t =
-      path > 0.0 ? stopping_.student(states_[output].look, sum.path[column].degrees_of_freedom()) : 0.0;
+      path > 0.0 ? stopping_.student(states_[output].test, sum.path[column].degrees_of_freedom()) : 0.0;
   return std::sqrt(stopping_.normal() * stopping_.normal() * sum.geometry[column] + t * t * path);
 }
 

@@ -30,7 +30,7 @@ class OutputIntervals {
   /// What was gathered last.
   OutputSums::Row sum(int output) { return sums_[output]; }
   std::span<const double> means(int output) const { return sums_.means(output); }
-  /// Of the interval at the output's look; `column` in the order of those gathered.
+  /// Of the interval at the output's test; `column` in the order of those gathered.
   double half_width(int output, std::size_t column);
 
  private:

@@ -59,7 +59,7 @@ std::vector<int> RandomLook::test_constant_labels(RayLedger& ledger, const Label
       continue;
     }
     for (const FocalPoint point : points(p)) {
-      look.points.push_back(point);
+      random.points.push_back(point);
       requests.push_back({point, hash(seed_, kRandomPointPath, requests.size()), 0});
     }
   }
@@ -71,18 +71,18 @@ std::vector<int> RandomLook::test_constant_labels(RayLedger& ledger, const Label
     std::vector<float> values(batch.size() * stride);
     std::vector<std::uint32_t> labels;
     ledger.first_values(batch, labels, values);
-    look.labels.insert(look.labels.end(), labels.begin(), labels.end());
+    random.labels.insert(random.labels.end(), labels.begin(), labels.end());
     for (std::size_t i = 0; i < batch.size(); ++i)
-      look.values.insert(look.values.end(), &values[i * stride], &values[i * stride + at.columns]);
+      random.values.insert(random.values.end(), &values[i * stride], &values[i * stride + at.columns]);
   }
   at.constant.resize(table.size(), 0);
   std::vector<const float*> first(table.size(), nullptr);
   for (std::size_t v = 0; v < at.labels.size(); ++v)
     if (first[at.labels[v]] == nullptr) first[at.labels[v]] = at.value(v);
-  for (std::size_t i = 0; i < look.labels.size(); ++i) {
-    const float* known = first[look.labels[i]];
-    const float* value = look.value(i, at.columns);
-    if (known != nullptr && !std::equal(value, value + at.columns, known)) at.constant[look.labels[i]] = 0;
+  for (std::size_t i = 0; i < random.labels.size(); ++i) {
+    const float* known = first[random.labels[i]];
+    const float* value = random.value(i, at.columns);
+    if (known != nullptr && !std::equal(value, value + at.columns, known)) at.constant[random.labels[i]] = 0;
   }
   return left;
 }

@@ -26,7 +26,7 @@ class RandomLook {
   std::vector<FocalPoint> points(int source) const;
 
   /// Labels whose values agree at all vertices draw no values in their pixels: whether they are alike elsewhere is looked
-  /// at here, with values, into at.look. Returns the other source pixels, whose points are to be asked for their labels
+  /// at here, with values, into at.random. Returns the other source pixels, whose points are to be asked for their labels
   /// when borders are traced.
   std::vector<int> test_constant_labels(RayLedger& ledger, const LabelTable& table, LatticeValues& at) const;
 

@@ -143,7 +143,7 @@ bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrat
   }
 
   bool any = false;
-  std::vector<std::uint8_t> looked(outputs_.size(), 0);
+  std::vector<std::uint8_t> tested(outputs_.size(), 0);
   StratumMoments moments;
   std::vector<ClutterRound::Moment> clutter;
   std::vector<double> deviation(n);
@@ -194,7 +194,7 @@ bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrat
           if (size == stratum.nets.size) continue;
           radiance.nets().plan(p, s, size);
           any = true;
-          for (int o : model.outputs) looked[o] = 1;
+          for (int o : model.outputs) tested[o] = 1;
           continue;
         }
         if (stratum.rounds.size() >= 2)
@@ -206,11 +206,11 @@ bool RoundPlanner::plan_round(Radiance& radiance, const LeafIntegrator& integrat
         radiance.rounds().plan(p, s, std::min(std::max(more, kFewest), room));
       }
       any = true;
-      for (int o : model.outputs) looked[o] = 1;
+      for (int o : model.outputs) tested[o] = 1;
     }
   }
-  for (std::size_t o = 0; o < looked.size(); ++o)
-    if (looked[o] && !outputs_[o].satisfied) ++outputs_[o].test;
+  for (std::size_t o = 0; o < tested.size(); ++o)
+    if (tested[o] && !outputs_[o].satisfied) ++outputs_[o].test;
   return any;
 }
 

@@ -43,7 +43,7 @@ TileRecall::TileRecall(const TileProblem& problem, int columns)
 
 TileRecall::~TileRecall() = default;
 
-void TileRecall::recall_looks(std::vector<OutputState>& outputs) const {
+void TileRecall::recall_tests(std::vector<OutputState>& outputs) const {
   if (!memory_) return;
   const std::vector<std::uint8_t>& tests = memory_->tests_before();
   for (std::size_t o = 0; o < tests.size() && o < outputs.size(); ++o) {

@@ -21,8 +21,8 @@ class TileRecall {
   /// Of the run before, where there is one; for the next, where it is to be kept; else null.
   TileMemory* memory() { return memory_.get(); }
 
-  /// Outputs go on with the looks at which the run before ended.
-  void recall_looks(std::vector<OutputState>& outputs) const;
+  /// Outputs go on with the tests at which the run before ended.
+  void recall_tests(std::vector<OutputState>& outputs) const;
   /// Takes up what is known of pixel number `pixel` of the group.
   void recall_values(Radiance& radiance, std::size_t pixel, std::vector<OutputState>& outputs) const;
   /// Of all pixels of the group.

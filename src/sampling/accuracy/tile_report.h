@@ -41,7 +41,7 @@ class TileReport {
   const LabelTable& table_;
   std::uint32_t most_samples_;
   TileResult& result_;
-  std::vector<RandomRays> looks_;  // per source pixel: values at random points
+  std::vector<RandomRays> random_rays_;  // per source pixel: values at random points
 };
 
 }  // namespace ifov::sampling

@@ -158,7 +158,7 @@ void TileTracing::probe_around() {
     const std::vector<FocalPoint> more = parts_->look.points(p);
     points.insert(points.end(), more.begin(), more.end());
   }
-  parts_->prober.probe_around(parts_->values.look.points, parts_->values.look.labels, points);
+  parts_->prober.probe_around(parts_->values.random.points, parts_->values.random.labels, points);
 }
 
 /// Where looks went on finding what the model did not have, there is more than they have found.

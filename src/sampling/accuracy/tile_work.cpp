@@ -37,7 +37,7 @@ TileWork::TileWork(const TileProblem& problem, Field& field, const AccuracyOptio
                  !problem.footprint->whole_pixel()),
       report_(tracing_.prober(), tracing_.ledger(), tracing_.table(), options.max_samples_per_pixel, result) {
   result.reset(problem.tile, columns_);
-  recall_.recall_looks(intervals_.states());
+  recall_.recall_tests(intervals_.states());
 }
 
 TileWork::~TileWork() = default;

@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "core/error.h"
+#include "io/figures/material_plot.h"
 #include "io/library/material_library.h"
-#include "io/library/material_plot.h"
 #include "io/library/material_text.h"
 
 namespace ifov {

@@ -80,7 +80,7 @@ Simulation Simulation::load(const Document& document, const LoadOptions& options
   session::Session session = coordinator != nullptr
                                  ? coordinator->load(source.document, options.log, load)
                                  : session::Session::load(source.document, options.log, load);
-  return Simulation(std::make_unique<const Inside>(std::move(session), source.inputs));
+  return Simulation(std::make_unique<const Inside>(Inside{std::move(session), source.inputs}));
 }
 
 ImageDescription Simulation::image() const { return session::describe_image(inside_->session.parts().info); }

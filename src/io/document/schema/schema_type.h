@@ -25,7 +25,7 @@ struct SchemaType {
   using Read = std::function<V(const DocumentNode&)>;
   using Write = std::function<Written(const V&, Writing&)>;
 
-  Kind(ValueDescriptionPtr what, Read reads, Write writes)
+  SchemaType(ValueDescriptionPtr what, Read reads, Write writes)
       : description(std::move(what)), read(std::move(reads)), write(std::move(writes)) {}
 
   ValueDescriptionPtr description;

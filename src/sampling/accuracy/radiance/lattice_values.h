@@ -21,12 +21,12 @@ struct LatticeValues {
   std::vector<std::uint32_t> only;     ///< by pixel: the label of all its vertices, or kMixed
 
   /// Jittered points, which the seed moves, of pixels whose vertices all have constant labels.
-  struct Look {
+  struct RandomPoints {
     std::vector<FocalPoint> points;
     std::vector<std::uint32_t> labels;
     std::vector<float> values;  ///< [point][column]
     const float* value(std::size_t point, std::size_t stride) const { return &values[point * stride]; }
-  } look;
+  } random;
 
   const float* value(std::size_t vertex) const { return &values[vertex * columns]; }
 

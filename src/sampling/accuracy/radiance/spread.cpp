@@ -107,7 +107,7 @@ LabelSpread::LabelSpread(const Lattice& lattice, const LabelTable& table, const 
   }
 }
 
-/// Values beside the lattice differ from what its four vertices around them make of the place.
+/// Values beside the lattice differ from what its four vertices around them make of the position.
 void LabelSpread::add_random_points(const Lattice& lattice, const LatticeValues& at,
                                     std::vector<double>& local_freedom) {
   const std::size_t row_length = static_cast<std::size_t>(lattice.columns()) + 1;
