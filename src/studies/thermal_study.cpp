@@ -17,10 +17,10 @@ constexpr double kMapSide_m = 8.0;
 
 /// All shapes of the study are larger than half a pixel or seeded, so that a lattice of two cells per pixel side
 /// meets them.
-io::SamplingDocument asked(double error_c, bool seeds = true) {
+io::SamplingDocument asked(double error_c, bool pilot_rays = true) {
   return accuracy_sampling(radiance_of_error(error_c), [&](io::AccuracySampling& accuracy) {
     accuracy.lattice = 2;
-    accuracy.seeds = seeds;
+    accuracy.pilot_rays = pilot_rays;
   });
 }
 

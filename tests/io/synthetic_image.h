@@ -41,10 +41,10 @@ inline std::string read_all(const std::filesystem::path& path) {
 }
 
 /// A layer with these values.
-inline sampling::TileLayer layer_of(std::string_view name, std::uint32_t bands,
-                                    std::span<const double> values) {
-  const auto bytes = std::as_bytes(values);
-  return {std::string(name), sizeof(double), bands, {bytes.begin(), bytes.end()}};
+template <class Value>
+sampling::TileLayer layer_of(std::string_view name, std::uint32_t bands, const std::vector<Value>& values) {
+  const auto bytes = std::as_bytes(std::span<const Value>(values));
+  return {std::string(name), sizeof(Value), bands, {bytes.begin(), bytes.end()}};
 }
 
 /// Every value of a synthetic image names its place: radiance, counts and fractions are functions of (x, y,

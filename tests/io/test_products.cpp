@@ -385,7 +385,8 @@ TEST(ProductWriter, PlacesAreWrittenInMapCoordinates) {
       for (int x = rect.x0; x < rect.x1; ++x) {
         positions.insert(positions.end(),
                          {x == 0 ? std::nan("") : x + 0.001953125, x == 0 ? std::nan("") : 500.0 * y, 0.0});
-        angles.insert(angles.end(), {x == 0 ? std::nanf("") : 45.0f + 0.25f * y, 180.25f - x});
+        angles.insert(angles.end(), {x == 0 ? std::nanf("") : 45.0f + 0.25f * static_cast<float>(y),
+                                     180.25f - static_cast<float>(x)});
       }
     tile.layers.push_back(test::layer_of(truth::kLocation.name, 3, positions));
     tile.layers.push_back(test::layer_of(truth::kViewAngles.name, 2, angles));

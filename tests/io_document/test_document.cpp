@@ -142,7 +142,7 @@ TEST(Document, TransformsAndTemperatures) {
   EXPECT_EQ(object.transform.translate_m.x, 1.0);
   EXPECT_EQ(std::get<TemperatureMap>(object.temperature->value).offset_k, 273.15);
   EXPECT_FALSE(std::get<TemperatureMap>(object.temperature->value).raster.placement);
-  EXPECT_EQ(object.seed, false);
+  EXPECT_EQ(object.pilot_ray, false);
   EXPECT_FALSE(whole().scene.objects[0].pilot_ray);
 }
 

@@ -138,7 +138,7 @@ SchemaType<Pair> pair_type(bool lies) {
       .with_default(
           "b", via([](Pair& p, double v) { p.b = v; }, [lies](const Pair& p) { return lies ? p.a : p.b; }),
           number(), "1", "another");
-  return record.kind();
+  return record.type();
 }
 
 TEST(Record, WritesWhatItReads) {

@@ -261,7 +261,7 @@ class PlantedFaults(unittest.TestCase):
         self.assertEqual(self.change("scene", "origin", "latitude", to="44 deg"), ["scene.origin.latitude: 43 deg became 44 deg"])
         self.assertEqual(self.change("scene", "materials", "a", to={"emissivity": 0.3}), ["scene.materials.a.reflectance: is not written"])
         self.assertEqual(self.change("sampling", "accuracy", "error", to="0.01 K"), ["sampling.accuracy.error: 1 % became 0.01 K"])
-        self.assertEqual(self.change("sampling", "accuracy", "seeds", to=True), ["sampling.accuracy.seeds: False became True"])
+        self.assertEqual(self.change("sampling", "accuracy", "pilot_rays", to=True), ["sampling.accuracy.pilot_rays: False became True"])
         self.assertEqual(self.change("channels", 0), ["channels: 2 became 1"])
         self.assertEqual(self.change("channels", 0, to="z"), ["channels[0]: x became z"])
 

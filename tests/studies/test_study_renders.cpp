@@ -69,7 +69,7 @@ TEST(StudyRenders, SeedsFindSmallTargetsAndNothingElseDoes) {
                                          kFolder, few(60), progress);
   const TrialSummary unseeded =
       run_series({"unseeded", Family::small_target,
-                  accuracy_sampling(error, [](io::AccuracySampling& a) { a.seeds = false; })},
+                  accuracy_sampling(error, [](io::AccuracySampling& a) { a.pilot_rays = false; })},
                  none, kFolder, few(60), progress);
   EXPECT_EQ(seeded.seen, 1.0);
   EXPECT_LT(unseeded.seen, 0.5);

@@ -43,7 +43,7 @@ TEST(ThermalScene, DocumentsAreValid) {
          {single_sampling(), grid_sampling(3),
           adaptive_sampling(3, 100, {0.01, io::ErrorSize::Unit::fraction}),
           accuracy_sampling({0.1, io::ErrorSize::Unit::kelvin},
-                            [](io::AccuracySampling& a) { a.seeds = false; })}) {
+                            [](io::AccuracySampling& a) { a.pilot_rays = false; })}) {
       const io::Document document = io::parse_document(study_text(scene.document(sampling, 7)), "study.json");
       EXPECT_EQ(document.seed, 7u);
       EXPECT_EQ(document.scene.objects.size(), 2u);
