@@ -109,8 +109,7 @@ TEST(DocumentRandomPlacement, WrongKeysAreNamed) {
 
 TEST(DocumentRandomPlacement, IsReadUnderItsFormerName) {
   const std::string keys = R"({"of": "tree", "density": "250 ha-1", )" + kArea;
-  const Document document =
-      test::parsed_with(kInstances, R"({"scatter": )" + keys + R"(}, "pilot_ray": false})");
+  const Document document = test::parsed_with(kInstances, R"({"scatter": )" + keys + R"(}, "seed": false})");
   const auto& scatter = std::get<RandomPlacement>(document.scene.objects.at(2).shape);
   EXPECT_DOUBLE_EQ(std::get<double>(scatter.density_m2), 0.025);
   EXPECT_EQ(document.scene.objects.at(2).pilot_ray, false);
@@ -128,7 +127,7 @@ TEST(DocumentRandomPlacement, IsReadUnderItsFormerName) {
   };
   EXPECT_EQ(error(R"({"scatter": )" + keys + R"(, "scale": [2, 1]}})").substr(0, 70),
             "folder/a.json:25:129: 'scene.objects[2].scatter.scale' falls: the smal");
-  EXPECT_EQ(error(R"({"scatter": )" + keys + R"(}, "pilot_ray": false, "pilot_ray": true})"),
+  EXPECT_EQ(error(R"({"scatter": )" + keys + R"(}, "seed": false, "pilot_ray": true})"),
             "folder/a.json:25:121: 'seed' is the former name of 'pilot_ray', which is there too");
   EXPECT_EQ(error(R"({"scatter": )" + keys + R"(}, "instances": {"of": "tree"}})"),
             "folder/a.json:25:121: 'instances' cannot stand beside 'scatter' in 'scene.objects[2]'");
