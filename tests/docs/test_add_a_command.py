@@ -13,6 +13,8 @@ class AddACommand(PageTest):
         box = {"box": {"low": ["0 m", "0 m", "0 m"], "high": ["1 m", "1 m", "1 m"]}, "material": "brick"}
         document = {"ifov": 1, "scene": {"materials": {"soil": {"reflectance": 0.3}, "brick": {"reflectance": 0.2}},
                                          "objects": [{"plane": {}, "material": "soil"}, box, box]},
+                    "light": {"sun": {"point": {"zenith": "30 deg", "azimuth": "140 deg"}}},
+                    "atmosphere": {"uniform": {"direct": "1200 W m-2 um-1", "diffuse": "150 W m-2 um-1"}},
                     "sensor": {"camera": {"orthographic": {"gsd": "1 m", "pixels": [2, 2]}},
                                "channels": [{"name": "red", "monochromatic": {"at": "0.65 um"}}]}}
         (self.folder / "scene.json").write_text(json.dumps(document))
