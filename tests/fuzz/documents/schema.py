@@ -32,11 +32,11 @@ class Schema:
         self.names = {id(node): name for name, node in self.definitions.items()}
 
     def resolved(self, node):
-        """The node that references lead to."""
+        """The node that references, and remarks beside a node, lead to."""
         while True:
             if "$ref" in node:
                 node = self.definitions[node["$ref"].rsplit("/", 1)[-1]]
-            elif "type" not in node and len(node.get("allOf", ())) == 1 and "$ref" in node["allOf"][0]:
+            elif "type" not in node and "properties" not in node and len(node.get("allOf", ())) == 1:
                 node = node["allOf"][0]
             else:
                 return node
