@@ -16,6 +16,8 @@ COMPILER :=
 CXX_clang = $(shell command -v clang++ || command -v clang++-14 || echo clang++)
 BUILD := build$(COMPILER:%=-%)$(patsubst %,-%,$(shell echo $(TYPE:Release=) | tr A-Z a-z))
 JOBS := $(shell nproc)
+# Each source alone, which shows that it includes what it needs, where nobody waits for the build.
+ALONE := $(if $(filter-out build,$(BUILD)),-DIFOV_JOIN_SOURCES=OFF)
 TOOLS := cmake --build $(BUILD) -j $(JOBS)
 
 all: program
@@ -24,7 +26,7 @@ packages:
 	@sh tools/install_packages.sh
 
 configure: packages
-	@test -f $(BUILD)/build.ninja || cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=$(TYPE) \
+	@test -f $(BUILD)/build.ninja || cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=$(TYPE) $(ALONE) \
 	  $(COMPILER:%=-DCMAKE_CXX_COMPILER=$(or $(CXX_$(COMPILER)),%))
 
 program: configure
@@ -47,8 +49,9 @@ SANITIZE := address
 sanitize: packages
 	@sh tools/sanitize.sh $(SANITIZE) $(TESTS)
 
-tidy: configure
-	@python3 tools/tidy.py $(BUILD) $(if $(SINCE),--since $(SINCE)) $(FILES)
+tidy: packages
+	@cmake -S . -B $(BUILD)/tidy -G Ninja -DCMAKE_BUILD_TYPE=$(TYPE) -DIFOV_JOIN_SOURCES=OFF > /dev/null
+	@python3 tools/tidy.py $(BUILD)/tidy $(if $(SINCE),--since $(SINCE)) $(FILES)
 
 clean:
 	rm -rf $(BUILD)

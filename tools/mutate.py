@@ -2,7 +2,7 @@
 """Plants random one-line faults, each behind a switch of its own, in a copy of the tree:
 
     mkdir ../faulty && git archive HEAD | tar -x -C ../faulty
-    cmake -S ../faulty -B ../faulty/build -G Ninja -DIFOV_BENCHMARKS=OFF
+    cmake -S ../faulty -B ../faulty/build -G Ninja -DIFOV_BENCHMARKS=OFF -DIFOV_JOIN_SOURCES=OFF
     tools/mutate.py ../faulty --seed 1 --count 100
     cmake --build ../faulty/build
     tools/run_mutants.py ../faulty

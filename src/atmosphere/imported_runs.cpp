@@ -5,12 +5,12 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "math/angle.h"
 
 namespace ifov::atmosphere {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kSameSun_rad = 1.0 * kDegree;
+constexpr double kSameSun_rad = 1.0 * math::kDegree;
 
 void check_geometry(const ImportedPath& path, const std::optional<SunAbove>& sun) {
   const PathGeometry& geometry = path.geometry;
@@ -18,13 +18,13 @@ void check_geometry(const ImportedPath& path, const std::optional<SunAbove>& sun
     throw InputError(
         format("{}: the path looks up ({:.1f} deg from the zenith); expected one from the sensor down to "
                "the ground",
-               path.source(), *geometry.zenith_rad / kDegree));
+               path.source(), *geometry.zenith_rad / math::kDegree));
   if (!geometry.sun_zenith_rad || !sun) return;
   const double zenith_rad = std::acos(std::clamp(sun->cos_zenith, -1.0, 1.0));
   if (std::abs(zenith_rad - *geometry.sun_zenith_rad) > kSameSun_rad)
     throw InputError(
         format("{}: the Sun stands {:.1f} deg from the zenith; expected {:.1f} deg, as in the document",
-               path.source(), *geometry.sun_zenith_rad / kDegree, zenith_rad / kDegree));
+               path.source(), *geometry.sun_zenith_rad / math::kDegree, zenith_rad / math::kDegree));
 }
 
 }  // namespace

@@ -10,8 +10,6 @@
 namespace ifov::atmosphere {
 namespace {
 
-using Q = WeatherQuantity;
-
 constexpr double kYear_s = 365.0 * 86400.0;
 
 constexpr std::array<std::string_view, kWeatherQuantities> kNames{
@@ -32,9 +30,10 @@ double time_of_year(double time_s) {
          year_begin_s() + (time_s - 86400.0 * day);
 }
 
-double between(Q quantity, const WeatherKnot& before, const WeatherKnot& after, double time_s) {
+double between(WeatherQuantity quantity, const WeatherKnot& before, const WeatherKnot& after, double time_s) {
   const double fraction = (time_s - before.time_s) / (after.time_s - before.time_s);
-  if (quantity != Q::wind_direction_rad) return before.value + fraction * (after.value - before.value);
+  if (quantity != WeatherQuantity::wind_direction_rad)
+    return before.value + fraction * (after.value - before.value);
   constexpr double kTurn = 2.0 * std::numbers::pi;
   const double angle = before.value + fraction * std::remainder(after.value - before.value, kTurn);
   return angle - kTurn * std::floor(angle / kTurn);
@@ -77,7 +76,7 @@ bool WeatherSeries::empty() const {
   return std::all_of(knots_.begin(), knots_.end(), [](const auto& list) { return list.empty(); });
 }
 
-std::optional<double> WeatherSeries::measured(Q quantity, double time_s) const {
+std::optional<double> WeatherSeries::measured(WeatherQuantity quantity, double time_s) const {
   const std::vector<WeatherKnot>& list = knots(quantity);
   if (list.empty()) return std::nullopt;
   if (constant_) return list.front().value;
@@ -102,15 +101,18 @@ std::optional<double> WeatherSeries::measured(Q quantity, double time_s) const {
   return between(quantity, before, after, when);
 }
 
-std::optional<double> WeatherSeries::at(Q quantity, geodesy::UtcTime time) const {
+std::optional<double> WeatherSeries::at(WeatherQuantity quantity, geodesy::UtcTime time) const {
   const double time_s = seconds_of(time);
   const std::optional<double> value = measured(quantity, time_s);
-  if (value || (quantity != Q::relative_humidity && quantity != Q::dew_point_k)) return value;
-  const std::optional<double> air = measured(Q::air_temperature_k, time_s);
+  if (value || (quantity != WeatherQuantity::relative_humidity && quantity != WeatherQuantity::dew_point_k))
+    return value;
+  const std::optional<double> air = measured(WeatherQuantity::air_temperature_k, time_s);
   const std::optional<double> other =
-      measured(quantity == Q::dew_point_k ? Q::relative_humidity : Q::dew_point_k, time_s);
+      measured(quantity == WeatherQuantity::dew_point_k ? WeatherQuantity::relative_humidity
+                                                        : WeatherQuantity::dew_point_k,
+               time_s);
   if (!air || !other) return std::nullopt;
-  if (quantity == Q::relative_humidity)
+  if (quantity == WeatherQuantity::relative_humidity)
     return std::min(1.0, saturation_pressure_pa(*other) / saturation_pressure_pa(*air));
   if (!(*other > 0.0)) return std::nullopt;
   return ifov::atmosphere::dew_point_k(*other * saturation_pressure_pa(*air));

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "geodesy/observer.h"
+#include "math/angle.h"
 
 namespace ifov::geodesy {
 
@@ -20,14 +21,13 @@ SunPosition sun_position(UtcTime time, const Geodetic& place, double ut1_minus_u
 }
 
 double refraction_rad(double elevation_rad, double pressure_hpa, double temperature_c) {
-  constexpr double kDegree = std::numbers::pi / 180.0;
   // The Sun's radius and refraction at the horizon: below this nothing of the disc is seen.
   constexpr double kLowest_deg = -(0.26667 + 0.5667);
-  const double elevation_deg = elevation_rad / kDegree;
+  const double elevation_deg = elevation_rad / math::kDegree;
   if (elevation_deg < kLowest_deg) return 0.0;
   const double bend_deg = pressure_hpa / 1010.0 * 283.0 / (273.0 + temperature_c) * 1.02 /
-                          (60.0 * std::tan((elevation_deg + 10.3 / (elevation_deg + 5.11)) * kDegree));
-  return bend_deg * kDegree;
+                          (60.0 * std::tan((elevation_deg + 10.3 / (elevation_deg + 5.11)) * math::kDegree));
+  return bend_deg * math::kDegree;
 }
 
 double compass_deg(double azimuth_rad) {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 #include "core/error.h"
 #include "core/format.h"
@@ -11,11 +10,11 @@
 #include "io/document/samplers/accuracy_sampling.h"
 #include "io/document/samplers/plain_sampling.h"
 #include "landscape/output/library_spectrum.h"
+#include "math/angle.h"
 
 namespace ifov::landscape {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kZero_k = 273.15;  // of 0 degC
 
 template <class Camera>
@@ -108,8 +107,8 @@ View thermal_imager(double size_m) {
 io::LightDocument clear_day(const ViewChoice& choice, SceneFolder& folder) {
   io::LightDocument light;
   light.sun.emplace();
-  light.sun->direction = io::CelestialDirection{35.0 * kDegree, 140.0 * kDegree};
-  light.sun->diameter_rad = 0.53 * kDegree;
+  light.sun->direction = io::CelestialDirection{35.0 * math::kDegree, 140.0 * math::kDegree};
+  light.sun->diameter_rad = 0.53 * math::kDegree;
   light.surroundings.emplace();
   light.surroundings->spectrum = library_spectrum(choice.surroundings, 1, folder);
   light.surroundings->temperature_k = choice.surroundings_c + kZero_k;

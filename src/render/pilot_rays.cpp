@@ -18,7 +18,7 @@ constexpr double kSpacing_px = 0.35;
 constexpr double kSeeded_px = 1.0;
 
 /// However long an object is, it has no more pilot rays than this.
-constexpr double kMostParts = 1e5;
+constexpr double kMostRaysOfOne = 1e5;
 
 /// Faces of meshes are looked through one by one, copies too, while there are no more of them than this.
 constexpr std::size_t kMostFaces = 2000000;
@@ -150,7 +150,7 @@ void points_along(const ThinFace& face, const Add& add) {
                uy = (face.b.y_px - face.a.y_px) / face.length_px;
   const double along = (face.c.x_px - face.a.x_px) * ux + (face.c.y_px - face.a.y_px) * uy;
   const double across = (face.c.y_px - face.a.y_px) * ux - (face.c.x_px - face.a.x_px) * uy;
-  const int parts = static_cast<int>(std::min(std::ceil(face.length_px / kSpacing_px), kMostParts));
+  const int parts = static_cast<int>(std::min(std::ceil(face.length_px / kSpacing_px), kMostRaysOfOne));
   for (int k = 0; k < parts; ++k) {
     const double t = (k + 0.5) / parts * face.length_px;
     const double height = across * (t < along ? t / along : (face.length_px - t) / (face.length_px - along));
@@ -178,7 +178,7 @@ PilotRays::PilotRays(const geometry::World& world, std::size_t materials, const 
     const Outline outline = outline_of(object, camera);
     if (outline.width_px > kSeeded_px) continue;
     const double parts =
-        std::min(std::ceil(outline.length_px / std::max(kSpacing_px, outline.width_px)), kMostParts);
+        std::min(std::ceil(outline.length_px / std::max(kSpacing_px, outline.width_px)), kMostRaysOfOne);
     if (outline.length_px <= kSeeded_px || parts <= 1.0) {
       add(object.pilot_point_m, static_cast<std::uint32_t>(number));
       continue;

@@ -40,12 +40,12 @@ double far_intensity(double v) {
 
 constexpr double kFar = 25.0;
 constexpr double kCellsPerQ = 24.0;  // the first dark ring lies at 1.22 q
-constexpr int kMostCells = 2048;
+constexpr int kMostPupilCells = 2048;
 
 /// Energy of each cell by 3 x 3 Gauss points, none beyond the cut radius.
 EnergyTable tabulate(double q_px, double radius_px) {
   const int cells =
-      2 * static_cast<int>(std::ceil(std::min(radius_px / q_px * kCellsPerQ, 0.5 * kMostCells)));
+      2 * static_cast<int>(std::ceil(std::min(radius_px / q_px * kCellsPerQ, 0.5 * kMostPupilCells)));
   const double cell_px = 2.0 * radius_px / cells;
   constexpr double kNode = 0.7745966692414834;
   constexpr double kNodes[] = {-kNode, 0.0, kNode}, kWeights[] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 
 #include "core/names.h"
 #include "geodesy/sun_position.h"
 #include "geometry/world/world_builder.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
+#include "math/angle.h"
 #include "session/assembly/atmosphere/atmosphere_assembly.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/whole/light_assembly.h"
@@ -18,7 +18,6 @@
 namespace ifov::session {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kSkyByDay_um = 0.45, kSkyByNight_um = 10.0;
 /// Shortest wavelength at which a sky is shown as a temperature.
 constexpr double kThermalSky_um = 4.0;
@@ -92,13 +91,13 @@ std::vector<std::string> describe(const atmosphere::AtmosphereColumn& column,
   if (geometry.sun_zenith_rad) {
     where =
         format("{} {:.1f} deg from the zenith at azimuth {:.1f} deg.", scene.sun->is_moon ? "Moon" : "Sun",
-               *geometry.sun_zenith_rad / kDegree, geodesy::compass_deg(scene.sun->azimuth_rad()));
+               *geometry.sun_zenith_rad / math::kDegree, geodesy::compass_deg(scene.sun->azimuth_rad()));
   } else if (scene.sun) {
     where = scene.sun->is_moon ? "The Moon is below the horizon." : "The Sun is below the horizon.";
   }
   const bool above = geometry.sensor_altitude_km >= atmosphere::kTopOfAtmosphereKm;
   lines.push_back(
-      format("{} Sensor {:.1f} deg from the zenith, {}.", where, geometry.view_zenith_rad / kDegree,
+      format("{} Sensor {:.1f} deg from the zenith, {}.", where, geometry.view_zenith_rad / math::kDegree,
              above ? std::string("above all air") : format("at {:.4g} km", geometry.sensor_altitude_km)));
   return lines;
 }

@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kAngles_deg[] = {7.0, 24.3, 41.6};
 constexpr int kRepeats = 3;  // of each timing; the fastest counts
-constexpr int kEnoughTrials = 100;
 
 io::ErrorSize reflectance_error(double share_of_contrast) {
   const double error = share_of_contrast * (ChartScene::kWhite - ChartScene::kBlack);
@@ -105,7 +104,7 @@ void add_figures(AliasingResults& r) {
 
 StudyOutcome run_aliasing_study(const StudyOptions& options) {
   make_folder(options.output_folder);
-  const bool quick = options.trials < kEnoughTrials;
+  const bool quick = options.is_quick();
   std::vector<ChartScene> charts;
   for (double angle : kAngles_deg) {
     charts.emplace_back(angle * std::numbers::pi / 180.0, options.seed + charts.size());

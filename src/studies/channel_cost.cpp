@@ -17,9 +17,9 @@ namespace {
 
 constexpr double kMostTimes = 1.3;
 constexpr int kGrid = 5;
-constexpr int kTile_px = 20;
+constexpr int kTileSide_px = 20;
 constexpr int kEvery = 4;  // one tile in so many
-constexpr int kRepeats = 3;
+constexpr int kTimings = 3;
 constexpr double kPlantsBrightest_um = 0.87;
 constexpr double kMostApart = 0.02;
 
@@ -44,15 +44,15 @@ void add_channel_cost(const io::Document& document, const StudyOptions& options,
   sampling.method = std::make_shared<const io::GridSampling>(kGrid, kGrid);
 
   const render::ImageInfo& info = all.info();
-  const int across = (info.width_px + kTile_px - 1) / kTile_px,
-            down = (info.height_px + kTile_px - 1) / kTile_px;
+  const int across = (info.width_px + kTileSide_px - 1) / kTileSide_px,
+            down = (info.height_px + kTileSide_px - 1) / kTileSide_px;
   std::vector<int> tiles;
   for (int k = 0; k < across * down; k += kEvery) tiles.push_back(k);
-  const SceneRenderer::Choices choices{options.threads, kTile_px, tiles, options.cancel, nullptr};
+  const SceneRenderer::Choices choices{options.threads, kTileSide_px, tiles, options.cancel, nullptr};
 
   double all_s = std::numeric_limits<double>::max(), one_s = all_s;
   double apart = 0.0;
-  for (int k = 0; k < (quick ? 1 : kRepeats); ++k) {
+  for (int k = 0; k < (quick ? 1 : kTimings); ++k) {
     ImageStore of_one, of_all;
     one_s = std::min(one_s, one.render(sampling, choices, of_one));
     all_s = std::min(all_s, all.render(sampling, choices, of_all));

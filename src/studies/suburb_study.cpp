@@ -20,7 +20,6 @@ namespace ifov::studies {
 
 namespace {
 
-constexpr int kEnoughTrials = 100;
 constexpr int kReferenceSide = 64;     // rays along a pixel's side
 constexpr int kReferenceTile_px = 20;  // radiance of the reference is made for one tile in kReferenceShare
 constexpr int kReferenceShare = 5;
@@ -245,7 +244,7 @@ class SuburbStudy {
 
 StudyOutcome run_suburb_study(const StudyOptions& options) {
   make_folder(options.output_folder);
-  const bool quick = options.trials < kEnoughTrials;
+  const bool quick = options.is_quick();
   const io::Document document = suburb_document(options, quick);
   SceneResults results = SuburbStudy(document, options, quick).run();
   add_channel_cost(document, options, quick, results.figures);

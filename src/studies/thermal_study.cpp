@@ -12,7 +12,6 @@ namespace ifov::studies {
 
 namespace {
 
-constexpr int kEnoughTrials = 100;  // fewer are a quick look, with a shorter sweep too
 constexpr double kMapSide_m = 8.0;
 
 /// All shapes of the study are larger than half a pixel or seeded, so that a lattice of two cells per pixel side
@@ -106,7 +105,7 @@ void add_shift_figures(const ThermalResults& r, FigureTable& figures) {
 StudyOutcome run_thermal_study(const StudyOptions& options) {
   make_folder(options.output_folder);
   const std::filesystem::path& folder = options.output_folder;
-  const bool quick = options.trials < kEnoughTrials;
+  const bool quick = options.is_quick();
   const TextureMap texture(options.seed, kMapSide_m);
   texture.write(folder, "ground", kCold_k);
   texture.write(folder, "target", kHot_k);

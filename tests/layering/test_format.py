@@ -1,6 +1,7 @@
-"""Every C++ file is laid out as clang-format lays it out, by the file .clang-format."""
+"""Every C++ file is laid out as clang-format lays it out, by the file .clang-format; no text holds what a merge left."""
 
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
@@ -16,6 +17,22 @@ def unformatted(files):
     """Lines of clang-format's complaints."""
     run = subprocess.run([PROGRAM, "--style=file", "--dry-run", "-Werror", *files], capture_output=True, text=True)
     return [line for line in run.stderr.splitlines() if "error:" in line]
+
+
+def marks_of_a_merge(text):
+    return re.findall(r"^(?:<{7}|>{7}) .*$", text, re.MULTILINE)
+
+
+class Merges(unittest.TestCase):
+    def test_left_nothing(self):
+        files = [path for folder in (*FOLDERS, "cmake", "data", "docs") for path in (ROOT / folder).rglob("*")
+                 if path.suffix in {".cpp", ".h", ".py", ".md", ".txt", ".json", ".cmake", ".csv", ".sh", ".in"}]
+        self.assertGreater(len(files), 1000)
+        for path in files:
+            self.assertEqual(marks_of_a_merge(path.read_text(errors="replace")), [], path)
+
+    def test_is_noticed(self):
+        self.assertEqual(len(marks_of_a_merge("a\n" + "<" * 7 + " HEAD\nb\n=======\nc\n" + ">" * 7 + " other\n")), 2)
 
 
 @unittest.skipUnless(shutil.which(PROGRAM), f"{PROGRAM} is not installed")

@@ -2,27 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "math/angle.h"
 #include "radiometry/gauss_legendre.h"
 
 namespace ifov::atmosphere {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kHorizon_rad = 89.5 * kDegree;
+constexpr double kHorizon_rad = 89.5 * math::kDegree;
 /// Closer directions than this would be two for one.
-constexpr double kLeastStep_rad = 1.5 * kDegree;
+constexpr double kLeastStep_rad = 1.5 * math::kDegree;
 
 }  // namespace
 
 SkyDirections SkyDirections::standard(std::optional<double> sun_zenith_rad) {
   std::vector<double> fixed, wanted;
   for (const double zenith : {0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 68.0, 75.0, 80.0, 84.0, 87.0})
-    fixed.push_back(zenith * kDegree);
+    fixed.push_back(zenith * math::kDegree);
   if (sun_zenith_rad)
     for (const double beside : {0.0, -3.0, 3.0, -6.0, 6.0})
-      wanted.push_back(*sun_zenith_rad + beside * kDegree);
+      wanted.push_back(*sun_zenith_rad + beside * math::kDegree);
   SkyDirections directions;
   std::vector<double>& zeniths = directions.zenith_rad;
   zeniths = {0.0, kHorizon_rad};
@@ -36,7 +35,7 @@ SkyDirections SkyDirections::standard(std::optional<double> sun_zenith_rad) {
   std::sort(zeniths.begin(), zeniths.end());
   for (const double azimuth : {0.0, 4.0, 8.0, 13.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0, 90.0, 100.0,
                                110.0, 120.0, 135.0, 150.0, 165.0, 180.0})
-    directions.azimuth_rad.push_back(azimuth * kDegree);
+    directions.azimuth_rad.push_back(azimuth * math::kDegree);
   return directions;
 }
 

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "math/angle.h"
 #include "radiometry/gauss_legendre.h"
 
 namespace ifov::atmosphere {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::array kInclinations{0.0, 30.0, 60.0, 90.0};
 constexpr std::array kAzimuths{0.0, 90.0, 180.0};
 
@@ -26,8 +25,8 @@ std::vector<double> with_middles(const std::vector<double>& nodes) {
 
 /// Cosine between surface k and a direction; 0 behind it.
 double facing(std::size_t k, double x, double y, double z) {
-  const double inclination = kInclinations[k / kAzimuths.size()] * kDegree,
-               azimuth = kAzimuths[k % kAzimuths.size()] * kDegree;
+  const double inclination = kInclinations[k / kAzimuths.size()] * math::kDegree,
+               azimuth = kAzimuths[k % kAzimuths.size()] * math::kDegree;
   return std::max(0.0, std::cos(inclination) * z +
                            std::sin(inclination) * (std::cos(azimuth) * x + std::sin(azimuth) * y));
 }

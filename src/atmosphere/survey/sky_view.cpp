@@ -2,18 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "atmosphere/column/light_limits.h"
 #include "atmosphere/scattering/column_solver.h"
 #include "atmosphere/thermal/thermal_column.h"
 #include "core/parallel.h"
+#include "math/angle.h"
 #include "radiometry/planck.h"
 
 namespace ifov::atmosphere {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kZenithStep_deg = 2, kAzimuthStep_deg = 3;
 
 /// What one absorption term scatters into every direction.
@@ -50,8 +49,8 @@ SkyView view_sky(const AtmosphereColumn& column, double wavelength_um, double so
                  std::optional<double> sun_zenith_rad, int threads) {
   SkyView sky;
   sky.wavelength_um = wavelength_um;
-  for (int d = 0; d <= 90; d += kZenithStep_deg) sky.zenith_rad.push_back(d * kDegree);
-  for (int d = 0; d <= 180; d += kAzimuthStep_deg) sky.azimuth_rad.push_back(d * kDegree);
+  for (int d = 0; d <= 90; d += kZenithStep_deg) sky.zenith_rad.push_back(d * math::kDegree);
+  for (int d = 0; d <= 180; d += kAzimuthStep_deg) sky.azimuth_rad.push_back(d * math::kDegree);
   sky.light.resize(sky.zenith_rad.size() * sky.azimuth_rad.size());
   const ColumnOptics optics = column.at(1e4 / wavelength_um);
   std::vector<SkyView> by_term(optics.terms(), sky);  // added in order: the same for any number of threads

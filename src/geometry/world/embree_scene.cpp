@@ -14,9 +14,6 @@ namespace {
 using math::Point3;
 using math::Vec3;
 
-constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
 #ifdef __SANITIZE_THREAD__
 std::atomic<int> commits{0}, calls_back{0};
 #endif

@@ -17,7 +17,6 @@ using math::Transform;
 using math::Vec3;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Outward normal in the scene of one known in a frame `frame_from_scene` leads to.
 Normal3 normal_in_scene(const Transform& frame_from_scene, Normal3 n) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/world/embree_scene.h"
 
@@ -11,8 +10,6 @@ namespace {
 
 using math::Point3;
 using math::Vec3;
-
-constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
 void bound_instance(const RTCBoundsFunctionArguments* a) {
   const WithinCommit order;

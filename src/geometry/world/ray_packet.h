@@ -14,6 +14,9 @@
 
 namespace ifov::geometry {
 
+inline constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
+inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
 inline constexpr int kLanes = 8;
 
 /// What a lane of a packet has met. Embree's numbers: `prim` within the set, `instance`

@@ -1,18 +1,16 @@
 #include "io/atmosphere/modtran_json.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "core/error.h"
 #include "io/files/input_file.h"
 #include "io/json/json_adapter.h"
+#include "math/angle.h"
 
 namespace ifov::io {
 namespace {
 
 using Type = DocumentNode::Type;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 const DocumentNode* object_in(const DocumentNode& node, std::string_view key) {
   const DocumentNode* found = node.find(key);
@@ -79,8 +77,9 @@ void read_geometry(const DocumentNode& input, ModtranCase& result) {
   const DocumentNode* geometry = object_in(input, "GEOMETRY");
   result.sensor_altitude_km = number_in_object(geometry, "H1ALT");
   result.end_altitude_km = number_in_object(geometry, "H2ALT");
-  if (const auto zenith = number_in_object(geometry, "OBSZEN")) result.zenith_rad = *zenith * kDegree;
-  if (const auto azimuth = number_in_object(geometry, "TRUEAZ")) result.true_azimuth_rad = *azimuth * kDegree;
+  if (const auto zenith = number_in_object(geometry, "OBSZEN")) result.zenith_rad = *zenith * math::kDegree;
+  if (const auto azimuth = number_in_object(geometry, "TRUEAZ"))
+    result.true_azimuth_rad = *azimuth * math::kDegree;
   result.day_of_year = integer_in_object(geometry, "IDAY");
   result.time_utc_h = number_in_object(geometry, "GMTIME");
   result.sun_option = integer_in_object(geometry, "IPARM");

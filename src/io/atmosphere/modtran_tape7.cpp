@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "core/error.h"
 #include "io/atmosphere/fixed_columns.h"
 #include "io/atmosphere/format_guess.h"
+#include "math/angle.h"
 
 namespace ifov::io {
 namespace {
 
 constexpr int kMostCards = 100;
-constexpr double kDegree = std::numbers::pi / 180.0;
-
 struct Heading {
   ModtranMode mode = ModtranMode::radiance;
   std::optional<WavelengthUnit> unit;  ///< as the heading says; a bare FREQ says nothing
@@ -246,7 +244,7 @@ class Reader {
     if (*type == 1.0)
       path.geometry.range_km = number_at(card_3, 30, 10);
     else if (zenith_deg)
-      path.geometry.zenith_rad = *zenith_deg * kDegree;
+      path.geometry.zenith_rad = *zenith_deg * math::kDegree;
     if (*type == 2.0) path.geometry.ground_altitude_km = number_at(card_3, 10, 10);
   }
 

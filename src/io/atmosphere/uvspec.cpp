@@ -2,18 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/error.h"
 #include "io/atmosphere/format_guess.h"
 #include "io/atmosphere/spectral_table.h"
+#include "math/angle.h"
 
 namespace ifov::io {
 namespace {
 
 using Q = atmosphere::PathQuantity;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::size_t kMostPaths = 10000;
 
 class Reader {
@@ -121,10 +120,10 @@ class Reader {
         if (!input_.umu.empty()) source += format(", umu {:g}", input_.umu[u]);
         if (!input_.phi_deg.empty()) source += format(", phi {:g}", input_.phi_deg[p]);
         atmosphere::ImportedPath path(source, table.wavelength_um());
-        path.geometry.sun_zenith_rad = input_.sun_zenith_deg * kDegree;
+        path.geometry.sun_zenith_rad = input_.sun_zenith_deg * math::kDegree;
         if (!input_.altitude_km.empty()) path.geometry.sensor_altitude_km = input_.altitude_km[level];
         if (!input_.umu.empty()) path.geometry.zenith_rad = std::acos(std::clamp(-input_.umu[u], -1.0, 1.0));
-        if (!input_.phi_deg.empty()) path.geometry.azimuth_rad = input_.phi_deg[p] * kDegree;
+        if (!input_.phi_deg.empty()) path.geometry.azimuth_rad = input_.phi_deg[p] * math::kDegree;
         if (input_.transmittance) {
           set_transmittances(table, path);
         } else {
@@ -150,7 +149,7 @@ class Reader {
   }
 
   void set_transmittances(const SpectralTable& table, atmosphere::ImportedPath& path) const {
-    const double scale = 1.0 / std::cos(input_.sun_zenith_deg * kDegree);
+    const double scale = 1.0 / std::cos(input_.sun_zenith_deg * math::kDegree);
     std::vector<double> direct = table.column("edir"), global = table.column("eglo");
     const std::vector<double> diffuse = table.column("edn");
     if (global.empty() && !direct.empty() && !diffuse.empty()) {

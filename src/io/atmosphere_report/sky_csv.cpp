@@ -1,21 +1,20 @@
 #include <cmath>
-#include <numbers>
 
 #include "core/format.h"
 #include "io/atmosphere_report/atmosphere_report.h"
+#include "math/angle.h"
 
 namespace ifov::io {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-
 void add_row(std::string& text, double zenith_rad, double azimuth_rad,
              const radiometry::StokesVector& light) {
-  double azimuth_deg = std::fmod(azimuth_rad / kDegree + 720.0, 360.0);
+  double azimuth_deg = std::fmod(azimuth_rad / math::kDegree + 720.0, 360.0);
   if (azimuth_deg > 360.0 - 1e-9) azimuth_deg = 0.0;
-  const double angle_deg = radiometry::angle_of_linear_polarization_rad(light) / kDegree;
-  text += format("{:.6g},{:.6g},{:.7g},{:.7g},{:.7g},{:.5f},{:.2f}\n", zenith_rad / kDegree, azimuth_deg,
-                 light.i, light.q, light.u, radiometry::degree_of_linear_polarization(light), angle_deg);
+  const double angle_deg = radiometry::angle_of_linear_polarization_rad(light) / math::kDegree;
+  text +=
+      format("{:.6g},{:.6g},{:.7g},{:.7g},{:.7g},{:.5f},{:.2f}\n", zenith_rad / math::kDegree, azimuth_deg,
+             light.i, light.q, light.u, radiometry::degree_of_linear_polarization(light), angle_deg);
 }
 
 }  // namespace

@@ -102,12 +102,12 @@ void draw_marks(Canvas& canvas, const AtmosphereReport& report, CanvasPoint cent
 }
 
 void draw_neutral_points(Canvas& canvas, const AtmosphereReport& report, CanvasPoint centre, double radius) {
-  constexpr double kArm = 4.5, kWidth = 1.4;
+  constexpr double kArm = 4.5, kStroke = 1.4;
   const Ink white{1.0, 1.0, 1.0};
   for (const atmosphere::NeutralPoint& point : report.neutral_points) {
     const CanvasPoint at = on_disc(centre, radius, point.zenith_rad, sun_azimuth(report));
-    canvas.fill_rectangle(at.x - kArm, at.y - 0.5 * kWidth, 2.0 * kArm, kWidth, white);
-    canvas.fill_rectangle(at.x - 0.5 * kWidth, at.y - kArm, kWidth, 2.0 * kArm, white);
+    canvas.fill_rectangle(at.x - kArm, at.y - 0.5 * kStroke, 2.0 * kArm, kStroke, white);
+    canvas.fill_rectangle(at.x - 0.5 * kStroke, at.y - kArm, kStroke, 2.0 * kArm, white);
   }
 }
 

@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <string_view>
 
 #include "core/error.h"
 #include "io/files/inputs.h"
 #include "io/files/mapped_file.h"
 #include "io/tables/text_table.h"
+#include "math/angle.h"
 
 namespace ifov::io {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180.0;
 constexpr std::size_t kMostFields = 7;
 constexpr std::string_view kColumns[kMostFields] = {"x", "y", "z", "yaw", "scale", "pitch", "roll"};
 
@@ -83,7 +82,7 @@ class RowReader {
     }
     if (!(v[4] > 0.0)) fail(fields[4].column, format("the scale is {}; expected a number above 0", v[4]));
     return {{v[0], v[1], v[2]},
-            quaternion_of(v[3] * kRadians, v[5] * kRadians, v[6] * kRadians),
+            quaternion_of(v[3] * math::kDegree, v[5] * math::kDegree, v[6] * math::kDegree),
             {v[4], v[4], v[4]}};
   }
 

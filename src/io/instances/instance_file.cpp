@@ -4,15 +4,14 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <numbers>
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "math/angle.h"
 
 namespace ifov::io {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180.0;
 /// A quaternion in floats may be this far from length 1.
 constexpr double kQuaternionLength = 1e-3;
 /// Objects are numbered in 32 bits.
@@ -123,9 +122,10 @@ Instance InstanceFile::instance(std::size_t index) const {
   at += layout_.position_bytes();
   const auto number = [&](std::size_t k) { return read<float>(at + 4 * k, swapped_); };
   if (layout_.rotation == InstanceLayout::Rotation::yaw) {
-    one.quaternion = quaternion_of(number(0) * kRadians, 0.0, 0.0);
+    one.quaternion = quaternion_of(number(0) * math::kDegree, 0.0, 0.0);
   } else if (layout_.rotation == InstanceLayout::Rotation::yaw_pitch_roll) {
-    one.quaternion = quaternion_of(number(0) * kRadians, number(1) * kRadians, number(2) * kRadians);
+    one.quaternion =
+        quaternion_of(number(0) * math::kDegree, number(1) * math::kDegree, number(2) * math::kDegree);
   } else if (layout_.rotation == InstanceLayout::Rotation::quaternion) {
     one.quaternion = {number(0), number(1), number(2), number(3)};
     double length = 0.0;

@@ -2,21 +2,19 @@
 
 namespace ifov::io {
 
-using Type = DocumentNode::Type;
-
 JsonView JsonView::operator[](std::string_view key) const {
-  return JsonView(is(Type::object) ? node_->find(key) : nullptr);
+  return JsonView(is(DocumentNode::Type::object) ? node_->find(key) : nullptr);
 }
 
 std::vector<JsonView> JsonView::items() const {
   std::vector<JsonView> all;
-  if (!is(Type::list)) return all;
+  if (!is(DocumentNode::Type::list)) return all;
   for (const DocumentNode& item : node_->items()) all.emplace_back(&item);
   return all;
 }
 
 std::string JsonView::text(std::string_view otherwise) const {
-  return is(Type::text) ? node_->text() : std::string(otherwise);
+  return is(DocumentNode::Type::text) ? node_->text() : std::string(otherwise);
 }
 
 }  // namespace ifov::io

@@ -7,22 +7,17 @@
 #include <memory>
 
 #include "core/error.h"
+#include "io/raster/gdal_dataset.h"
 #include "io/raster/gdal_setup.h"
 #include "io/raster/quiet_gdal.h"
 
 namespace ifov::io {
 namespace {
 
-struct CloseDataset {
-  void operator()(void* dataset) const { GDALClose(dataset); }
-};
-
 /// A band in memory that GDAL's algorithms can work on.
 template <class T>
-std::unique_ptr<void, CloseDataset> memory_band(std::vector<T>& values, int width, int height,
-                                                GDALDataType type) {
-  std::unique_ptr<void, CloseDataset> set(
-      GDALCreate(GDALGetDriverByName("MEM"), "", width, height, 1, type, nullptr));
+Dataset memory_band(std::vector<T>& values, int width, int height, GDALDataType type) {
+  Dataset set(GDALCreate(GDALGetDriverByName("MEM"), "", width, height, 1, type, nullptr));
   if (!set || GDALRasterIO(GDALGetRasterBand(set.get(), 1), GF_Write, 0, 0, width, height, values.data(),
                            width, height, type, 0, 0) != CE_None)
     throw SystemError("no memory to fill the holes of a raster");

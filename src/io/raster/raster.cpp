@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "io/files/input_file.h"
 #include "io/files/inputs.h"
+#include "io/raster/gdal_dataset.h"
 #include "io/raster/gdal_setup.h"
 #include "io/raster/quiet_gdal.h"
 
@@ -22,11 +23,6 @@ namespace {
 #define IFOV_DRIVER(name) #name,
 constexpr const char* kDrivers[] = {IFOV_RASTER_DRIVERS nullptr};
 #undef IFOV_DRIVER
-
-struct CloseDataset {
-  void operator()(void* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<void, CloseDataset>;
 
 [[noreturn]] void fail(const std::string& name, const std::string& message) {
   stop_if_cancelled();  // GDAL cannot be told, and takes the file for damaged

@@ -11,16 +11,12 @@
 
 #include "core/error.h"
 #include "core/format.h"
+#include "io/raster/gdal_dataset.h"
 #include "io/raster/gdal_setup.h"
 #include "io/raster/quiet_gdal.h"
 
 namespace ifov::io {
 namespace {
-
-struct CloseDataset {
-  void operator()(void* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<void, CloseDataset>;
 
 GDALDriverH driver_named(const char* name) {
   prepare_gdal();

@@ -15,7 +15,7 @@ namespace ifov::io {
 namespace {
 
 constexpr char kMagic[9] = "IFOVTILE";
-constexpr std::uint32_t kByteOrder = 0x01020304, kFormat = 7;
+constexpr std::uint32_t kByteOrder = 0x01020304, kRecordFormat = 7;
 
 std::uint64_t hash_of_header(const TileHeader& header) {
   return XXH3_64bits(&header, offsetof(TileHeader, header_hash));
@@ -147,7 +147,7 @@ std::vector<std::byte> encode_tile(const sampling::TileResult& tile, const TileS
   TileHeader header{};
   std::memcpy(header.magic, kMagic, sizeof header.magic);
   header.byte_order = kByteOrder;
-  header.format = kFormat;
+  header.format = kRecordFormat;
   header.index = stamp.index;
   header.x0 = tile.tile.x0, header.y0 = tile.tile.y0, header.x1 = tile.tile.x1, header.y1 = tile.tile.y1;
   header.columns = tile.columns;
@@ -198,7 +198,7 @@ std::string fault_of(const TileHeader& header, const TileDemands& demands) {
       header.header_hash != hash_of_header(header))
     return "its header is damaged";
   if (header.byte_order != kByteOrder) return "it was written on a machine of another byte order";
-  if (header.format != kFormat) return "it is of another format";
+  if (header.format != kRecordFormat) return "it is of another format";
   if (header.run != demands.run) return "it belongs to another run";
   const bool in_grid = header.index < demands.grid.size();
   const sampling::PixelRect position = in_grid ? demands.grid[header.index] : sampling::PixelRect{};

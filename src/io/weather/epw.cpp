@@ -1,16 +1,15 @@
 #include <cmath>
-#include <numbers>
 
 #include "core/error.h"
 #include "io/weather/weather_file.h"
 #include "io/weather/weather_rows.h"
+#include "math/angle.h"
 
 namespace ifov::io {
 namespace {
 
 using Q = atmosphere::WeatherQuantity;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kHour_s = 3600.0;
 
 // Auxiliary EnergyPlus Programs, "EPW data dictionary": fields from 0 and their codes for missing values.
@@ -23,7 +22,7 @@ const std::vector<WeatherColumn> kColumns{
     {Q::global_irradiance, 13, 1.0, 0.0, 0.0, 2000.0, 9999.0},
     {Q::direct_irradiance, 14, 1.0, 0.0, 0.0, 2000.0, 9999.0},
     {Q::diffuse_irradiance, 15, 1.0, 0.0, 0.0, 2000.0, 9999.0},
-    {Q::wind_direction_rad, 20, kDegree, 0.0, 0.0, 360.0, 999.0},
+    {Q::wind_direction_rad, 20, math::kDegree, 0.0, 0.0, 360.0, 999.0},
     {Q::wind_speed_m_s, 21, 1.0, 0.0, 0.0, 120.0, 999.0},
     {Q::cloud_fraction, 22, 0.1, 0.0, 0.0, 10.0, 99.0},
 };
@@ -46,7 +45,7 @@ Header read_header(const TextFile& file) {
   if (std::abs(latitude) > 90.0 || std::abs(longitude) > 180.0 || std::abs(header.zone_h) > 14.0)
     file.fail(1, 0,
               "found no place on Earth; expected degrees of latitude and longitude and a zone in hours");
-  header.site = {std::string(station[1].text), latitude * kDegree, longitude * kDegree,
+  header.site = {std::string(station[1].text), latitude * math::kDegree, longitude * math::kDegree,
                  weather_number(file, 1, station, 9, "an altitude (m)")};
   for (int number = 2; number <= file.line_count(); ++number) {
     if (!file.line(number).starts_with("DATA PERIODS,")) continue;

@@ -1,16 +1,15 @@
 #include <cmath>
-#include <numbers>
 
 #include "core/error.h"
 #include "io/weather/weather_file.h"
 #include "io/weather/weather_rows.h"
+#include "math/angle.h"
 
 namespace ifov::io {
 namespace {
 
 using Q = atmosphere::WeatherQuantity;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kMissing = -9999.0;
 constexpr std::size_t kFirstValue = 8, kFields = 48;
 constexpr double kNightOffset = -50.0;  // of thermopiles; stations flag those below -30
@@ -24,7 +23,7 @@ const std::vector<WeatherColumn> kColumns{
     {Q::air_temperature_k, 38, 1.0, 273.15, -90.0, 70.0, 1e300, kMissing},
     {Q::relative_humidity, 40, 0.01, 0.0, -5.0, 110.0, 1e300, kMissing},
     {Q::wind_speed_m_s, 42, 1.0, 0.0, 0.0, 120.0, 1e300, kMissing},
-    {Q::wind_direction_rad, 44, kDegree, 0.0, 0.0, 360.0, 1e300, kMissing},
+    {Q::wind_direction_rad, 44, math::kDegree, 0.0, 0.0, 360.0, 1e300, kMissing},
     {Q::pressure_pa, 46, 100.0, 0.0, 310.0, 1200.0, 1e300, kMissing},
 };
 
@@ -41,7 +40,7 @@ atmosphere::WeatherSeries parse_surfrad(const TextFile& file, const WeatherOptio
   const std::vector<Field> words = split(file.line(1), ',');
   // All stations are in the United States; some files write their western longitudes without a sign.
   const atmosphere::WeatherSite site{words.empty() ? std::string() : std::string(words[0].text),
-                                     latitude * kDegree, -std::abs(longitude) * kDegree,
+                                     latitude * math::kDegree, -std::abs(longitude) * math::kDegree,
                                      weather_number(file, 2, station, 2, "an altitude (m)")};
   WeatherRows rows(file, kColumns);
   for (int number = 3; number <= file.line_count(); ++number) {

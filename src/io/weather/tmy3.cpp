@@ -1,17 +1,16 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/error.h"
 #include "io/weather/weather_file.h"
 #include "io/weather/weather_rows.h"
+#include "math/angle.h"
 
 namespace ifov::io {
 namespace {
 
 using Q = atmosphere::WeatherQuantity;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kHour_s = 3600.0;
 constexpr double kMissing = -9900.0;
 
@@ -30,7 +29,7 @@ const std::vector<Named> kColumns{
     {"Dew-point (C)", {Q::dew_point_k, 0, 1.0, 273.15, -100.0, 70.0}},
     {"RHum (%)", {Q::relative_humidity, 0, 0.01, 0.0, 0.0, 110.0}},
     {"Pressure (mbar)", {Q::pressure_pa, 0, 100.0, 0.0, 310.0, 1200.0}},
-    {"Wdir (degrees)", {Q::wind_direction_rad, 0, kDegree, 0.0, 0.0, 360.0}},
+    {"Wdir (degrees)", {Q::wind_direction_rad, 0, math::kDegree, 0.0, 0.0, 360.0}},
     {"Wspd (m/s)", {Q::wind_speed_m_s, 0, 1.0, 0.0, 0.0, 120.0}},
 };
 
@@ -71,7 +70,8 @@ atmosphere::WeatherSeries parse_tmy3(const TextFile& file, const WeatherOptions&
   if (std::abs(latitude) > 90.0 || std::abs(longitude) > 180.0 || std::abs(zone_h) > 14.0)
     file.fail(1, 0,
               "found no place on Earth; expected degrees of latitude and longitude and a zone in hours");
-  const atmosphere::WeatherSite site{std::string(station[1].text), latitude * kDegree, longitude * kDegree,
+  const atmosphere::WeatherSite site{std::string(station[1].text), latitude * math::kDegree,
+                                     longitude * math::kDegree,
                                      weather_number(file, 1, station, 6, "an altitude (m)")};
   WeatherRows rows(file, columns_of(file));
   for (int number = 3; number <= file.line_count(); ++number) {

@@ -1,19 +1,17 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 
 #include "core/error.h"
 #include "core/names.h"
 #include "io/weather/weather_file.h"
 #include "io/weather/weather_rows.h"
+#include "math/angle.h"
 
 namespace ifov::io {
 namespace {
 
 using Q = atmosphere::WeatherQuantity;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 struct Named {
   std::string_view heading;
@@ -27,7 +25,7 @@ const std::vector<Named> kColumns{
     {"dew_point_k", {Q::dew_point_k, 0, 1.0, 0.0, 150.0, 360.0}},
     {"relative_humidity_pct", {Q::relative_humidity, 0, 0.01, 0.0, -5.0, 110.0}},
     {"wind_speed_m_s", {Q::wind_speed_m_s, 0, 1.0, 0.0, 0.0, 120.0}},
-    {"wind_direction_deg", {Q::wind_direction_rad, 0, kDegree, 0.0, 0.0, 360.0}},
+    {"wind_direction_deg", {Q::wind_direction_rad, 0, math::kDegree, 0.0, 0.0, 360.0}},
     {"pressure_hpa", {Q::pressure_pa, 0, 100.0, 0.0, 100.0, 1200.0}},
     {"pressure_pa", {Q::pressure_pa, 0, 1.0, 0.0, 10000.0, 120000.0}},
     {"cloud_fraction", {Q::cloud_fraction, 0, 1.0, 0.0, 0.0, 1.0}},

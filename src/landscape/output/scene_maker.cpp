@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "core/format.h"
 #include "landscape/output/material_table.h"
+#include "math/angle.h"
 
 namespace ifov::landscape {
 namespace {
@@ -37,9 +37,8 @@ io::ObjectDocument moved(io::ObjectDocument object, math::Point3 to_m) {
 }
 
 io::ObjectDocument standing(io::ObjectDocument object, const Stand& stand, double z_m) {
-  constexpr double kDegree = std::numbers::pi / 180.0;
   object = moved(std::move(object), {stand.origin.x, stand.origin.y, z_m});
-  object.transform.rotation_rad = rounded(stand.rotation_rad() * 180.0 / M_PI, 3) * kDegree;
+  object.transform.rotation_rad = rounded(stand.rotation_rad() * 180.0 / M_PI, 3) * math::kDegree;
   return object;
 }
 

@@ -14,7 +14,7 @@ namespace {
 int steps_for(std::size_t surfaces) { return surfaces <= 64 ? 16 : surfaces <= 1024 ? 8 : 4; }
 
 /// Points traced together.
-constexpr std::size_t kBatch = 4096;
+constexpr std::size_t kPointsAtOnce = 4096;
 
 }  // namespace
 
@@ -35,7 +35,7 @@ Glints::Glints(const transport::SpectralScene& scene, const sensor::Camera& came
   std::vector<GlintPoint> points;
   const auto keep = [&](const GlintPoint& point) {
     points.push_back(point);
-    if (points.size() == kBatch) trace(points);
+    if (points.size() == kPointsAtOnce) trace(points);
   };
   std::uint64_t number = 0;
   for (const auto& round : survey.rounds) {

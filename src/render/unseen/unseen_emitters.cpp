@@ -14,7 +14,7 @@ namespace ifov::render {
 namespace {
 
 /// Rays along a side of a pixel.
-constexpr int kAcross = 2;
+constexpr int kRaysAcross = 2;
 
 }  // namespace
 
@@ -38,8 +38,9 @@ void UnseenEmitters::settle(const AccuracyTolerance* tolerance, sampling::TileRe
   std::vector<sampling::FocalPoint> points;
   for (int y = tile.tile.y0; y < tile.tile.y1; ++y)
     for (int x = tile.tile.x0; x < tile.tile.x1; ++x)
-      for (int k = 0; k < kAcross * kAcross; ++k)
-        points.push_back({x + (k % kAcross + 0.5) / kAcross, y + (k / kAcross + 0.5) / kAcross});
+      for (int k = 0; k < kRaysAcross * kRaysAcross; ++k)
+        points.push_back(
+            {x + (k % kRaysAcross + 0.5) / kRaysAcross, y + (k / kRaysAcross + 0.5) / kRaysAcross});
   std::vector<math::Ray> rays(points.size());
   std::vector<geometry::SurfacePoint> hits(points.size());
   camera_.rays(points, rays);
@@ -49,8 +50,8 @@ void UnseenEmitters::settle(const AccuracyTolerance* tolerance, sampling::TileRe
   UnseenWidening widening(*tolerance, channels, kNegligible);
   for (std::size_t pixel = 0; pixel < static_cast<std::size_t>(tile.tile.count()); ++pixel) {
     std::fill(most.begin(), most.end(), 0.0);
-    for (std::size_t k = 0; k < kAcross * kAcross; ++k) {
-      const geometry::SurfacePoint& hit = hits[pixel * kAcross * kAcross + k];
+    for (std::size_t k = 0; k < kRaysAcross * kRaysAcross; ++k) {
+      const geometry::SurfacePoint& hit = hits[pixel * kRaysAcross * kRaysAcross + k];
       if (!hit.hit()) continue;
       double share = 0.0, passes = 0.0;
       for (const scene::Constituent& part : scene.resolve(hit)) {

@@ -16,8 +16,8 @@ namespace ifov::session {
 namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr double kBrightness_um = 3.0;  // from here on channels speak in kelvins
-constexpr std::size_t kNamed = 4;       // channels in a line
+constexpr double kBrightness_um = 3.0;     // from here on channels speak in kelvins
+constexpr std::size_t kChannelsNamed = 4;  // channels in a line
 
 bool on_map(const Parts& parts) {
   return parts.document.scene.origin.has_map_offset || !parts.document.scene.origin.crs.empty();
@@ -103,11 +103,11 @@ std::string by_channel(const Parts& parts, Text text) {
   const std::size_t count = parts.channels.size();
   std::string all;
   for (std::size_t c = 0; c < count; ++c) {
-    if (count > kNamed && c >= kNamed - 1 && c + 1 < count) continue;
+    if (count > kChannelsNamed && c >= kChannelsNamed - 1 && c + 1 < count) continue;
     all += format("{}{} {}",
-                  all.empty()                        ? ""
-                  : c + 1 == count && count > kNamed ? "; ... "
-                                                     : "; ",
+                  all.empty()                                ? ""
+                  : c + 1 == count && count > kChannelsNamed ? "; ... "
+                                                             : "; ",
                   parts.channels[c].name, text(c));
   }
   return all;

@@ -9,6 +9,7 @@
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
 #include "io/document/shapes/box_primitive.h"
+#include "math/angle.h"
 #include "sensor/camera.h"
 #include "session/loaded/acquisition_assembly.h"
 #include "session/loaded/parts.h"
@@ -18,7 +19,7 @@
 namespace ifov::session {
 namespace {
 
-constexpr std::size_t kNamed = 3;
+constexpr std::size_t kObjectsNamed = 3;
 
 /// The share of directions in which a place sees the back of a surface before anything else.
 double backs_about(const geometry::World& world, math::Point3 position) {
@@ -77,11 +78,11 @@ void warn_of_objects_out_of_view(const Parts& parts, const SceneSurvey& survey, 
   std::string names;
   for (std::size_t d = 0; d < survey.in_frame.size(); ++d) {
     if (survey.surveyed[d] == 0 || survey.in_frame[d] > 0) continue;
-    if (whole++ < kNamed) names += (names.empty() ? "" : ", ") + title_of(parts.document, d);
+    if (whole++ < kObjectsNamed) names += (names.empty() ? "" : ", ") + title_of(parts.document, d);
   }
   // Of a landscape around the picture much is out of view, and that is meant; the line "in view" counts it.
   if (whole == 0 || 2 * whole < survey.in_frame.size()) return;
-  if (whole > kNamed) names += format(" and {} more", whole - kNamed);
+  if (whole > kObjectsNamed) names += format(" and {} more", whole - kObjectsNamed);
   log.warn(format("{} of {} objects of the document {} wholly out of the picture: {}{}", whole,
                   survey.in_frame.size(), whole == 1 ? "is" : "are", names,
                   parts.document.scene.origin.has_map_offset
@@ -158,7 +159,7 @@ void warn_of_shared_locations(const Parts& parts, const SceneSurvey& survey, Log
   std::sort(shared.begin(), shared.end(), [](const auto& a, const auto& b) { return a.share > b.share; });
   std::size_t named = 0;
   for (const SceneSurvey::Shared& one : shared) {
-    if (one.share < kNoticed || named++ >= kNamed) break;
+    if (one.share < kNoticed || named++ >= kObjectsNamed) break;
     log.warn(format(
         "surfaces of {} and {} lie in one place in {:.2g} % of the picture: {} is seen there, {}. Lift one by a "
         "centimetre, or put it elsewhere in the list",
@@ -201,21 +202,21 @@ void warn_of_degrees(const Parts& parts, LogSink& log) {
 
 /// Two places for one origin: the Sun follows the first, the map the second.
 void warn_of_two_origins(const Parts& parts, LogSink& log) {
-  constexpr double kNoticed_m = 5000.0, kDegree = std::numbers::pi / 180.0;
+  constexpr double kNoticed_m = 5000.0;
   const io::OriginDocument& origin = parts.document.scene.origin;
   if (!origin.geographic || !origin.has_map_offset) return;
   const auto on_map = geographic_position(parts.info.map_projection, math::Point3{} + parts.map_offset_m);
   if (!on_map) return;
   const double latitude = origin.geographic->latitude_rad, longitude = origin.geographic->longitude_rad;
-  const double apart_m =
-      length(geodesy::ecef_from_geodetic({latitude, longitude}) -
-             geodesy::ecef_from_geodetic({on_map->latitude_deg * kDegree, on_map->longitude_deg * kDegree}));
+  const double apart_m = length(geodesy::ecef_from_geodetic({latitude, longitude}) -
+                                geodesy::ecef_from_geodetic({on_map->latitude_deg * math::kDegree,
+                                                             on_map->longitude_deg * math::kDegree}));
   if (apart_m < kNoticed_m) return;
   log.warn(format(
       "the origin's latitude {:.4g} and longitude {:.4g} deg lie {:.0f} km from its easting and northing, which are at "
       "latitude {:.4g} and longitude {:.4g} deg: the Sun follows the first, the map the second. Correct one, or leave "
       "'latitude' and 'longitude' away",
-      latitude / kDegree, longitude / kDegree, apart_m / 1000.0, on_map->latitude_deg,
+      latitude / math::kDegree, longitude / math::kDegree, apart_m / 1000.0, on_map->latitude_deg,
       on_map->longitude_deg));
 }
 

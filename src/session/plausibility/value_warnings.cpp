@@ -13,7 +13,7 @@
 namespace ifov::session {
 namespace {
 
-constexpr double kThermal_um = 3.0;
+constexpr double kWarm_um = 3.0;
 constexpr double kNothing =
     1e-15;  // W m-2 um-1 and W m-2 sr-1 um-1: what warm ground emits in the visible is less
 
@@ -55,7 +55,7 @@ void warn_of_hot_sky(const Parts& parts, const SceneSurvey& survey, LogSink& log
   if (!parts.scene.sky.radiance || parts.atmosphere) return;
   double hottest_k = 0.0;
   const std::vector<std::string> names = channels_that(parts, [&](std::size_t c) {
-    if (parts.channels[c].centre_um < kThermal_um) return false;
+    if (parts.channels[c].centre_um < kWarm_um) return false;
     const double sky_k = parts.brightness->temperature_k(static_cast<int>(c), survey.sky[c].high / kPi);
     hottest_k = std::max(hottest_k, sky_k);
     return sky_k > kHot_k;
@@ -102,7 +102,7 @@ void warn_of_kelvins(const Parts& parts, LogSink& log) {
   if (!parts.plan.request || parts.plan.request->unit != render::ErrorUnit::kelvin || !parts.tolerance)
     return;
   const std::vector<std::string> names = channels_that(parts, [&](std::size_t c) {
-    return parts.tolerance->judged(static_cast<int>(c)) && parts.channels[c].centre_um < kThermal_um;
+    return parts.tolerance->judged(static_cast<int>(c)) && parts.channels[c].centre_um < kWarm_um;
   });
   if (!names.empty())
     log.warn(format(

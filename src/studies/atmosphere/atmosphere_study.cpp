@@ -13,7 +13,6 @@
 namespace ifov::studies {
 namespace {
 
-constexpr int kEnoughTrials = 100;  // fewer are a quick look at fewer wavelengths and columns
 constexpr const char* kTitle = "Validation of the atmosphere";
 constexpr const char* kAbout =
     "Made by `ifov study atmosphere --reference DIR`, where DIR holds the reference data; what is missing "
@@ -68,7 +67,7 @@ StudyOutcome run_atmosphere_study(const StudyOptions& options) {
   make_folder(options.output_folder);
   make_folder(options.output_folder / "page");
   const ReferenceData reference(reference_folder(options));
-  const AtmosphereOptions choices{reference, options, options.trials < kEnoughTrials};
+  const AtmosphereOptions choices{reference, options, options.is_quick()};
   std::vector<AtmosphereSection> sections;
   for (const auto section :
        {lowtran7_section, terms_section, scattering_section, solar_codes_section, thermal_codes_section,

@@ -1,10 +1,9 @@
 #include "studies/atmosphere/node_errors.h"
 
-#include <numbers>
-
 #include "atmosphere/sensor/channel_light.h"
 #include "core/format.h"
 #include "io/library/material_library.h"
+#include "math/angle.h"
 #include "radiometry/planck.h"
 #include "radiometry/solar_spectrum.h"
 
@@ -12,12 +11,12 @@ namespace ifov::studies {
 
 NodeErrors node_errors(std::span<const radiometry::Channel> channels, const NodeQuestion& question) {
   using namespace atmosphere;
-  constexpr double kDegree = std::numbers::pi / 180.0, kGround_k = 300.0, kFirstWarm_um = 2.5;
+  constexpr double kGround_k = 300.0, kFirstWarm_um = 2.5;
   const AtmosphereColumn column{AtmosphereDescription{}};
   SensorGeometry geometry;
-  geometry.sun_zenith_rad = 40.0 * kDegree;
-  geometry.view_zenith_rad = 10.0 * kDegree;
-  geometry.view_azimuth_rad = 110.0 * kDegree;
+  geometry.sun_zenith_rad = 40.0 * math::kDegree;
+  geometry.view_zenith_rad = 10.0 * math::kDegree;
+  geometry.view_azimuth_rad = 110.0 * math::kDegree;
   ScatteringOptions rough;
   rough.nodes_per_hemisphere = 4;
   rough.polarized = false;

@@ -10,6 +10,7 @@
 #include "io/document/cameras/frame_camera.h"
 #include "io/document/shapes/box_primitive.h"
 #include "io/document/shapes/flat_primitives.h"
+#include "math/angle.h"
 #include "radiometry/solar_spectrum.h"
 #include "studies/common/study_document.h"
 
@@ -103,12 +104,12 @@ std::vector<EnclosureChannel> render_enclosure(const StudyOptions& options, doub
 }
 
 std::vector<PlainChannel> render_plain(const StudyOptions& options) {
-  constexpr double kDegree = std::numbers::pi / 180.0;
   io::Document document = document_of(nadir_camera(100, 100, -50.0, 50.0), kSolar, options.seed);
   document.scene.materials = {grey("plain", kReflectance)};
   document.scene.objects = {object_of(io::PlanePrimitive(), "plain")};
-  document.light.sun.emplace().direction = io::CelestialDirection{kSunZenith_deg * kDegree, 150.0 * kDegree};
-  document.light.sun->diameter_rad = 0.53 * kDegree;
+  document.light.sun.emplace().direction =
+      io::CelestialDirection{kSunZenith_deg * math::kDegree, 150.0 * math::kDegree};
+  document.light.sun->diameter_rad = 0.53 * math::kDegree;
   document.light.surroundings.emplace().spectrum.source = io::ConstantSpectrum{kReflectance};
   document.sampling = single_sampling();
   ImageStore image;

@@ -4,14 +4,13 @@
 #include <utility>
 
 #include "atmosphere/scattering/column_solver.h"
+#include "math/angle.h"
 #include "studies/atmosphere/atmosphere_results.h"
 
 namespace ifov::studies {
 namespace {
 
 using namespace atmosphere;
-constexpr double kDegree = std::numbers::pi / 180.0;
-
 ColumnSolver flat_solver(int nodes, double sublayer_depth, bool polarized) {
   ScatteringOptions options;
   options.nodes_per_hemisphere = nodes;
@@ -48,7 +47,7 @@ void add_natraj(const AtmosphereOptions& options, AtmosphereSection& section) {
   const ColumnSolution vector = solve_layer(flat_solver(16, 0.0025, true), 0.5, 0.2);
   const ColumnSolution scalar = solve_layer(flat_solver(16, 0.0025, false), 0.5, 0.2);
   for (const auto& row : number_rows(*file, 6)) {
-    const Propagation direction{row[1], row[2] * kDegree};
+    const Propagation direction{row[1], row[2] * math::kDegree};
     const StokesVector light = light_with_ground(vector, direction, row[0]);
     worst =
         std::max({worst, std::abs(light.i - row[3]), std::abs(light.q + row[4]), std::abs(light.u - row[5])});
@@ -77,14 +76,14 @@ void add_table(const AtmosphereOptions& options, AtmosphereSection& section) {
       for (const bool polarized : {true, false})
         solutions.push_back(solve_layer(flat_solver(12, 0.005, polarized), depth, mu0));
     }
-    const Propagation direction{row[3], row[4] * kDegree};
+    const Propagation direction{row[3], row[4] * math::kDegree};
     const StokesVector light = light_with_ground(solutions[0], direction, row[2]);
     worst =
         std::max({worst, std::abs(light.i - row[5]), std::abs(light.q - row[6]), std::abs(light.u - row[7])});
     if (row[2] != 0.0) continue;
     const double cosine = -mu0 * row[3] + std::sqrt((1.0 - mu0 * mu0) * (1.0 - row[3] * row[3])) *
                                               std::cos(direction.azimuth_rad);
-    const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) / kDegree;
+    const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) / math::kDegree;
     vector.x.push_back(angle), vector.y.push_back(100.0 * (light.i / row[5] - 1.0));
     scalar.x.push_back(angle);
     scalar.y.push_back(100.0 * (light_with_ground(solutions[1], direction, row[2]).i / row[5] - 1.0));

@@ -1,19 +1,17 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "core/format.h"
 #include "geodesy/sun_position.h"
+#include "math/angle.h"
 #include "studies/atmosphere/atmosphere_results.h"
 #include "studies/atmosphere/sun_references.h"
 
 namespace ifov::studies {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-double angle_deg(math::Vec3 a, math::Vec3 b) { return math::length(a - b) / kDegree; }
+double angle_deg(math::Vec3 a, math::Vec3 b) { return math::length(a - b) / math::kDegree; }
 
 /// The angle that 95 % stay below, and the largest.
 struct Sweep {
@@ -34,14 +32,17 @@ AtmosphereSection sun_section(const AtmosphereOptions&) {
       "differ by is SPA's: it keeps the larger terms of the series of VSOP87 alone.";
   Sweep spa, jpl, between;
   for (const SunReference& reference : kSunReferences) {
-    const math::Vec3 ours = geodesy::sun_position(geodesy::parse_utc(reference.time),
-                                                  {reference.latitude_deg * kDegree,
-                                                   reference.longitude_deg * kDegree, reference.height_m})
-                                .direction_enu.v;
+    const math::Vec3 ours =
+        geodesy::sun_position(geodesy::parse_utc(reference.time),
+                              {reference.latitude_deg * math::kDegree,
+                               reference.longitude_deg * math::kDegree, reference.height_m})
+            .direction_enu.v;
     const math::Vec3 by_spa =
-        geodesy::direction_enu(reference.azimuth_deg * kDegree, reference.elevation_deg * kDegree).v;
-    const math::Vec3 by_jpl =
-        geodesy::direction_enu(reference.jpl_azimuth_deg * kDegree, reference.jpl_elevation_deg * kDegree).v;
+        geodesy::direction_enu(reference.azimuth_deg * math::kDegree, reference.elevation_deg * math::kDegree)
+            .v;
+    const math::Vec3 by_jpl = geodesy::direction_enu(reference.jpl_azimuth_deg * math::kDegree,
+                                                     reference.jpl_elevation_deg * math::kDegree)
+                                  .v;
     spa.angles_deg.push_back(angle_deg(ours, by_spa));
     jpl.angles_deg.push_back(angle_deg(ours, by_jpl));
     between.angles_deg.push_back(angle_deg(by_spa, by_jpl));

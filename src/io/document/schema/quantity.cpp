@@ -2,14 +2,13 @@
 
 #include <charconv>
 #include <cmath>
-#include <numbers>
 
 #include "core/format.h"
+#include "math/angle.h"
 
 namespace ifov::io {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr bool kAlias = false;
 
 constexpr Unit kLengthUnits[] = {
@@ -31,10 +30,10 @@ constexpr Unit kWavelengthUnits[] = {
     {"\u03BCm", 1.0, 0.0, kAlias},
 };
 constexpr Unit kAngleUnits[] = {
-    {"deg", kDegree},
+    {"deg", math::kDegree},
     {"rad"},
     {"mrad", 1e-3},
-    {"\u00B0", kDegree, 0.0, kAlias},
+    {"\u00B0", math::kDegree, 0.0, kAlias},
 };
 constexpr Unit kTemperatureUnits[] = {
     {"K"},

@@ -15,7 +15,7 @@ SchemaType<std::string> word(const std::vector<std::string>& words) {
   return choice<std::string>(choices);
 }
 
-SchemaType<TabulatedAtmosphere> tabulated_type() {
+SchemaType<TabulatedAtmosphere> tabulated_atmosphere_type() {
   const SchemaType<SpectrumDocument> transmittance = spectrum_type(SpectrumOf::fraction);
   Record<TabulatedAtmosphere> record("tabulated atmosphere", "An atmosphere given by its spectra.");
   record
@@ -134,7 +134,7 @@ auto profile(Member member) {
 SchemaType<AtmosphereDocument> atmosphere_type() {
   Record<AtmosphereDocument> record("atmosphere", "What lies between Sun, scene and camera.");
   record.at_most_one()
-      .one("tabulated", &AtmosphereDocument::tabulated, tabulated_type(),
+      .one("tabulated", &AtmosphereDocument::tabulated, tabulated_atmosphere_type(),
            "spectra; those not given change nothing")
       .one("imported", &AtmosphereDocument::imported, imported_type(),
            "output of MODTRAN, libRadtran or any other code")

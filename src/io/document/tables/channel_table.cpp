@@ -52,7 +52,7 @@ SchemaType<MonochromaticChannel> monochromatic_type() {
   return record.type();
 }
 
-SchemaType<TabulatedChannel> tabulated_type() {
+SchemaType<TabulatedChannel> tabulated_channel_type() {
   Record<TabulatedChannel> record(
       "tabulated channel", "A relative response from a file: columns of numbers with the wavelength first.");
   record.required("file", &TabulatedChannel::file, file(), "the file")
@@ -138,7 +138,7 @@ SchemaType<ChannelEntry> entry_type() {
       .exactly_one()
       .one("gaussian", response_of<GaussianChannel>(), gaussian_type(), "a bell")
       .one("top_hat", response_of<TopHatChannel>(), top_hat_type(), "a rectangle")
-      .one("tabulated", response_of<TabulatedChannel>(), tabulated_type(), "from a file")
+      .one("tabulated", response_of<TabulatedChannel>(), tabulated_channel_type(), "from a file")
       .one("monochromatic", response_of<MonochromaticChannel>(), monochromatic_type(), "one wavelength")
       .one("series", &ChannelEntry::responses, series_type(), "many at once")
       .at_most_one()

@@ -6,12 +6,12 @@
 namespace ifov::io {
 namespace {
 
-constexpr std::size_t kMostPrototypes = 1000;
+constexpr std::size_t kMostWeighted = 1000;
 constexpr int kMostBands = 65535;
 constexpr std::int64_t kLargestSeed = 9007199254740991;
 constexpr double kFarthest_m = 1e8;
 
-SchemaType<std::vector<RandomPlacement::Weighted>> prototypes_type() {
+SchemaType<std::vector<RandomPlacement::Weighted>> weighted_type() {
   const SchemaType<DocumentName> name = name_of("a prototype");
   Record<RandomPlacement::Weighted> weighted("weighted prototype",
                                              "One of several prototypes that stand mixed.");
@@ -26,7 +26,7 @@ SchemaType<std::vector<RandomPlacement::Weighted>> prototypes_type() {
       [](const std::vector<RandomPlacement::Weighted>& of) {
         return of.size() == 1 && of[0].weight == 1.0 ? std::optional(of[0].prototype) : std::nullopt;
       });
-  return either(one, list(weighted.type(), 1, kMostPrototypes));
+  return either(one, list(weighted.type(), 1, kMostWeighted));
 }
 
 SchemaType<std::variant<double, DensityMap>> density_type() {
@@ -95,7 +95,7 @@ SchemaType<RandomPlacement> random_placement_type() {
   Record<RandomPlacement> record("random placement",
                                  "Copies of prototypes at random, with a density and a minimum distance.");
   const SchemaType<std::variant<double, DensityMap>> density = density_type();
-  record.required("of", &RandomPlacement::of, prototypes_type(), "what is copied")
+  record.required("of", &RandomPlacement::of, weighted_type(), "what is copied")
       .required("density", &RandomPlacement::density_m2, density,
                 "copies per area, everywhere the same or from a map")
       .with_default("minimum_distance", &RandomPlacement::minimum_distance_m,

@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kRecord = "atmosphere";
 /// Fewer are solved as quickly as they are read.
-constexpr std::size_t kLeast = 48;
+constexpr std::size_t kLeastKept = 48;
 constexpr std::size_t kHead = 3;  // two halves of the key, and how many numbers follow
 
 }  // namespace
@@ -58,7 +58,7 @@ void AtmosphereCache::keep(std::span<const double> question, std::span<const dou
 
 void AtmosphereCache::save() {
   std::erase_if(solutions_, [](const auto& entry) { return !entry.second.used; });
-  if (!changed_ || solutions_.size() < kLeast) return;
+  if (!changed_ || solutions_.size() < kLeastKept) return;
   std::vector<std::byte> bytes;
   for (const auto& [key, solution] : solutions_) {
     const std::array<std::uint64_t, kHead> head{key[0], key[1], solution.answer.size()};

@@ -16,22 +16,22 @@ namespace ifov::session {
 namespace {
 
 using atmosphere::ImportedPath;
-using Q = atmosphere::PathQuantity;
+using atmosphere::PathQuantity;
 
 constexpr std::size_t kMostRuns = 3;
 /// Nodes of a channel at most, and the error they may leave: every node is a column that all paths carry.
-constexpr std::size_t kMostNodes = 8;
-constexpr double kNodeTolerance = 3e-3;
+constexpr std::size_t kMostImportedNodes = 8;
+constexpr double kImportedTolerance = 3e-3;
 constexpr double kSameAlbedo = 0.01;
 /// Lines of sight this far from the run's get a warning.
 constexpr double kSameView_rad = 3.0 * std::numbers::pi / 180.0;
 
-constexpr Q kIrradiances[] = {Q::direct_irradiance, Q::diffuse_irradiance, Q::global_irradiance,
-                              Q::upward_irradiance};
+constexpr PathQuantity kIrradiances[] = {PathQuantity::direct_irradiance, PathQuantity::diffuse_irradiance,
+                                         PathQuantity::global_irradiance, PathQuantity::upward_irradiance};
 
 bool has_irradiance(const ImportedPath& path) {
   return std::any_of(std::begin(kIrradiances), std::end(kIrradiances),
-                     [&](Q quantity) { return path.has(quantity); });
+                     [&](PathQuantity quantity) { return path.has(quantity); });
 }
 
 /// uvspec states radiance and irradiance of each altitude: the highest one is the sensor's, the lowest the
@@ -43,7 +43,7 @@ std::vector<ImportedPath> with_ground_irradiance(std::vector<ImportedPath> paths
   if (paths.empty() || !has_irradiance(paths[0]) || !paths[0].geometry.sensor_altitude_km) return paths;
   const auto [low, high] = std::minmax_element(
       paths.begin(), paths.end(), [&](const auto& a, const auto& b) { return altitude(a) < altitude(b); });
-  if (!paths[0].has(Q::total_radiance)) return {*low};
+  if (!paths[0].has(PathQuantity::total_radiance)) return {*low};
   const ImportedPath ground = *low;
   const double top_km = altitude(*high);
   std::vector<ImportedPath> seen;
@@ -51,7 +51,7 @@ std::vector<ImportedPath> with_ground_irradiance(std::vector<ImportedPath> paths
     if (altitude(path) != top_km ||
         path.geometry.zenith_rad.value_or(std::numbers::pi) < 0.5 * std::numbers::pi)
       continue;
-    for (const Q quantity : kIrradiances) {
+    for (const PathQuantity quantity : kIrradiances) {
       const auto column = ground.column(quantity);
       path.set(quantity, altitude(ground) < top_km || top_km <= 0.0
                              ? std::vector<double>(column.begin(), column.end())
@@ -164,8 +164,8 @@ std::unique_ptr<atmosphere::ImportedAtmosphere> assemble_imported(
     radiometry::NodeDemands demands, LogSink* log) {
   const io::Document& document = subject.document;
   return with_position(document, document.atmosphere.imported->position, [&] {
-    demands.most_nodes = kMostNodes;
-    demands.tolerance = kNodeTolerance;
+    demands.most_nodes = kMostImportedNodes;
+    demands.tolerance = kImportedTolerance;
     const std::optional<atmosphere::SunAbove> sun = sun_above(subject.scene);
     const atmosphere::ImportedRuns runs =
         read_runs(document, sun ? std::optional(subject.scene.sun->zenith_rad()) : std::nullopt);

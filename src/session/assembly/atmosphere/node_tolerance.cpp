@@ -11,7 +11,7 @@
 namespace ifov::session {
 namespace {
 
-constexpr double kShare = 0.1, kLeast = 2e-5;
+constexpr double kShare = 0.1, kLeastTolerance = 2e-5;
 constexpr double kWarm_k = 300.0;
 
 /// What is asked for as a share of a radiance, in one channel.
@@ -46,7 +46,7 @@ double node_tolerance(const scene::Scene& scene, std::span<const radiometry::Cha
                             request.channels.end();
     if (judged) least = std::min(least, kShare * relative(scene, channels[c], request, c));
   }
-  return std::max(least, kLeast);
+  return std::max(least, kLeastTolerance);
 }
 
 }  // namespace ifov::session
