@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <numbers>
 
 #include "cli/command.h"
 #include "cli/document_arguments.h"
@@ -11,11 +12,11 @@
 #include "core/format.h"
 #include "ifov/atmosphere.h"
 #include "ifov/products.h"
-#include "math/angle.h"
 
 namespace ifov::cli {
 namespace {
 
+constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kLowestSun_deg = 90.0, kLowestView_deg = 80.0;
 
 struct AtmosphereArguments {
@@ -45,7 +46,7 @@ AtmosphereQuestion::Direction direction(const std::string& option, const std::st
   if (!(*zenith >= 0.0 && *zenith <= lowest_deg))
     throw InputError(format("ifov: {} has a zenith angle of {:g} degrees, expected 0 to {:g}", option,
                             *zenith, lowest_deg));
-  return {*zenith * math::kDegree, *azimuth * math::kDegree};
+  return {*zenith * kDegree, *azimuth * kDegree};
 }
 
 ExitCode survey(const AtmosphereArguments& arguments) {
