@@ -37,6 +37,10 @@ double Bsdf::shape(const BsdfEvent& event) const {
   return event.incoming_cosine() > 0.0 && event.outgoing_cosine() > 0.0 ? 1.0 : 0.0;
 }
 
+double Bsdf::grey(const BsdfEvent& event) const {
+  return is_separable() ? shape(event) : std::numbers::inv_pi;
+}
+
 void Bsdf::evaluate(const BsdfEvent&, ParameterSpectra, std::size_t, float*) const {
   throw std::logic_error("a separable BSDF has no spectra of its own");
 }

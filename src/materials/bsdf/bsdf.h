@@ -72,6 +72,11 @@ class Bsdf {
   /// 1/sr for a separable model, else 1; 0 where either direction is not on its side of the surface.
   virtual double shape(const BsdfEvent& event) const;
 
+  /// About what evaluate() gives in a wavelength in which the surface absorbs nothing, 1/sr: whether a path goes on is decided
+  /// by this, before its spectrum is known. Lambert's, unless overridden; a model with a lobe overrides it, so that sample()'s
+  /// weight times this is about 1 and no path counts for many. Of a separable model shape().
+  virtual double grey(const BsdfEvent& event) const;
+
   /// What evaluate() needs in the wavelengths of its spectrum; none of a separable model.
   virtual std::span<const radiometry::Spectrum> spectra() const { return {}; }
   /// BSDF, 1/sr, in `count` wavelengths, for an event whose directions are on their sides. `parameters` are the spectra of
