@@ -41,6 +41,7 @@ class PeriodicWorld final : public World {
     return world_->surface_areas_m2(materials);
   }
   const SurfaceSurvey* survey() const override { return world_->survey(); }
+  const SurfaceSurvey* lobe_survey() const override { return world_->lobe_survey(); }
   std::size_t triangle_count() const override { return world_->triangle_count(); }
   std::optional<Period> period() const override { return Period{cell_.width_m, cell_.height_m}; }
 

@@ -10,7 +10,8 @@ inline constexpr std::uint32_t kNoMaterial = 0xffffffffu;
 
 /// How the reflecting normal changes about a surface point.
 enum class Bend : std::uint8_t {
-  none,    ///< a plane: a face, a triangle without vertex normals
+  none,    ///< a plane, a flat face
+  facet,   ///< a triangle without vertex normals
   round,   ///< a round analytic shape
   smooth,  ///< a triangle with vertex normals, which may all be alike
   field    ///< a height field

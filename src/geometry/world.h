@@ -81,6 +81,9 @@ class World {
   /// Where the surfaces are that were to be surveyed (BuildOptions::surveyed); null: none were.
   virtual const SurfaceSurvey* survey() const { return nullptr; }
 
+  /// The same of BuildOptions::lobes, its meshes' facets among the smooth ones.
+  virtual const SurfaceSurvey* lobe_survey() const { return nullptr; }
+
   /// After how much x and y everything repeats; none: once only (see PeriodicWorld).
   struct Period {
     double x_m = 0.0, y_m = 0.0;

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "render/mirrors/glints.h"
+#include "render/mirrors/highlights.h"
 #include "render/mirrors/mirror_images.h"
 #include "render/pilot_rays.h"
 #include "render/scene_field.h"
@@ -115,6 +116,12 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   if (transport.maximum_scatterings != 0 && Glints::in(job.scene))
     glints.emplace(job.scene, job.camera, job.footprint.half_width_px(), job.seed);
 
+  std::optional<Highlights> highlights;
+  if (transport.maximum_scatterings != 0 && Highlights::in(job.scene)) {
+    highlights.emplace(job.scene, job.camera, job.footprint.half_width_px(), job.seed);
+    transport.highlights = transport::TransportOptions::Highlights::left_out;
+  }
+
   std::unique_ptr<const MirrorImages> mirror_images;
   if (transport.maximum_scatterings < 0 || transport.maximum_scatterings > 1)
     mirror_images = MirrorImages::find(job.scene, job.camera, transport, job.footprint.half_width_px(),
@@ -157,6 +164,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     field.blends().settle(result);
     widen(job.nodes, job.tolerance, result);
     if (glints) glints->add_to(job.footprint, job.tolerance, result);
+    if (highlights) highlights->add_to(job.footprint, job.tolerance, result);
     if (mirror_images != nullptr) mirror_images->add_to(job.footprint, job.tolerance, result);
     if (unseen_emitters != nullptr) unseen_emitters->settle(job.tolerance, result);
     if (unseen_images != nullptr) unseen_images->settle(job.tolerance, result);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace ifov::scene {
 
@@ -17,23 +18,39 @@ bool SurfaceAssignment::bends_normals() const {
   return std::any_of(patterns.begin(), patterns.end(), [](const auto& p) { return p->bends_normals(); });
 }
 
-std::vector<bool> Scene::mirror_assignments() const {
-  const auto is_mirror = [&](std::uint32_t material) { return materials[material].bsdf->is_delta(); };
-  std::vector<bool> mirrors;
+namespace {
+
+/// By assignment, whether it may show a material of which `is` holds; empty where none does.
+template <class Is>
+std::vector<bool> assignments_showing(const Scene& scene, const Is& is) {
+  const auto& [assignments, states, materials] = std::tie(scene.assignments, scene.states, scene.materials);
+  std::vector<bool> showing;
   for (const SurfaceAssignment& assignment : assignments) {
     // Curves of a texture scatter as the material of the state does that they replace.
     bool any = std::any_of(assignment.states.begin(), assignment.states.end(),
-                           [&](std::uint32_t state) { return is_mirror(states[state].material); });
+                           [&](std::uint32_t state) { return is(states[state].material); });
     for (const auto& pattern : assignment.patterns) {
       const std::vector<std::uint32_t> brought = pattern->mixed_materials();
-      any = any || std::any_of(brought.begin(), brought.end(), is_mirror);
+      any = any || std::any_of(brought.begin(), brought.end(), is);
       if (pattern->mixes_materials() && brought.empty())
-        for (std::uint32_t m = 0; m < materials.size(); ++m) any = any || is_mirror(m);
+        for (std::uint32_t m = 0; m < materials.size(); ++m) any = any || is(m);
     }
-    mirrors.push_back(any);
+    showing.push_back(any);
   }
-  if (std::find(mirrors.begin(), mirrors.end(), true) == mirrors.end()) mirrors.clear();
-  return mirrors;
+  if (std::find(showing.begin(), showing.end(), true) == showing.end()) showing.clear();
+  return showing;
+}
+
+}  // namespace
+
+std::vector<bool> Scene::mirror_assignments() const {
+  return assignments_showing(*this,
+                             [&](std::uint32_t material) { return materials[material].bsdf->is_delta(); });
+}
+
+std::vector<bool> Scene::lobe_assignments() const {
+  return assignments_showing(
+      *this, [&](std::uint32_t material) { return materials::has_narrow_lobe(*materials[material].bsdf); });
 }
 
 ResolvedSurface Scene::resolve(const geometry::SurfacePoint& point) const {

@@ -107,6 +107,8 @@ struct Scene {
   ResolvedSurface resolve(const geometry::SurfacePoint& point) const;
   /// By surface assignment: whether any of its materials is a mirror. Empty where none is.
   std::vector<bool> mirror_assignments() const;
+  /// The same of materials whose lobe is narrow (has_narrow_lobe).
+  std::vector<bool> lobe_assignments() const;
 
   /// All temperatures at which anything of the scene may emit: states, maps, patterns, surroundings and sky; none
   /// where nothing does. Whoever needs to know asks here (scene_temperatures.cpp), so that nothing is forgotten.

@@ -32,6 +32,19 @@ float* PathLight::radiance(const PathRecord& record, std::size_t k) {
   return spectrum(kSum);
 }
 
+float* PathLight::first_sunlight(const PathRecord& record, std::size_t k) {
+  float* sum = spectrum(kSum);
+  const std::uint32_t first = record.paths[k].first;
+  if (first == PathVertex::kNone || record.vertices[first].sun_weight <= 0.0f) {
+    std::memset(sum, 0, n_ * sizeof(float));
+    return sum;
+  }
+  const PathVertex& vertex = record.vertices[first];
+  spectra::scaled_product(sum, sun_factor(record, vertex),
+                          scene_.sun_irradiance(vertex.height_m, spectrum(kSun)), vertex.sun_weight, n_);
+  return sum;
+}
+
 void PathLight::add_first(const PathRecord& record, const PathVertex& vertex) {
   float *sum = spectrum(kSum), *throughput = spectrum(kThroughput);
   const float* emitted = emission(record, vertex);

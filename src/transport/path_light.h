@@ -17,6 +17,8 @@ class PathLight {
   /// Radiance that path k brings to where its first segment ends, in nodes: what the surface there sends, or the sky,
   /// before the air of that segment (ViewAtmosphere). The spectrum is the caller's until the next call.
   float* radiance(const PathRecord& record, std::size_t k);
+  /// Of that, what the first surface makes of direct sunlight.
+  float* first_sunlight(const PathRecord& record, std::size_t k);
 
  private:
   enum Work {

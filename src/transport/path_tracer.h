@@ -137,10 +137,15 @@ class PathTracer {
                           math::Vec3 outgoing);
   /// Where a vertex keeps its events; null where its lobe is separable.
   PathRecord::Events* events_of(const PathVertex& vertex);
+  /// Bsdf::grey() of how a path goes on, which its weight is multiplied by; 1 of a separable lobe, whose weight holds it.
+  double continuation_grey(const SurfaceLobe& lobe, const PathVertex& vertex);
   /// What becomes of a path at a surface: an event is added, of no weights where it ends there without sunlight.
   void scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface, int depth);
-  void send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
+  void send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit, int depth,
                    sampling::Point2 u, SurfaceEvent& event);
+  /// Share of sunlight from a direction that belongs to these paths (TransportOptions::highlights).
+  double sunlight_share(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
+                        int depth, math::Vec3 direction, bool transmitted) const;
   /// `towards_sun` the middle of the disc, or of an image of it.
   SunRay sun_ray(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
                  math::Vec3 towards_sun, sampling::Point2 u) const;

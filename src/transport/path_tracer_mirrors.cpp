@@ -157,7 +157,7 @@ void PathTracer::note_chain(const Path& path, const SurfaceLobe& lobe, const Sid
     }
   }
   record_.paths[path.number].brightest *=
-      static_cast<float>(highest * lobe.shape_scale()) * event.vertex.continuation_weight;
+      static_cast<float>(highest * continuation_grey(lobe, event.vertex)) * event.vertex.continuation_weight;
 }
 
 void PathTracer::send_to_unseen(const Path& path, const SurfaceLobe& lobe, const Sides& sides,
@@ -191,8 +191,9 @@ void PathTracer::send_to_unseen(const Path& path, const SurfaceLobe& lobe, const
     const math::Vec3 normal = transmitted ? -sides.shading.as_vector() : sides.shading.as_vector();
     const double cosine = math::dot(normal, direction);
     if (highest <= 0.0 || cosine <= 0.0) continue;
-    const double weight = lobe.bsdf->shape(sides.event(lobe, transmitted, direction)) * lobe.shape_scale() *
-                          cosine * cone.solid_angle_sr() * all / probability[picked] * highest *
+    const materials::BsdfEvent seen = sides.event(lobe, transmitted, direction);
+    const double weight = lobe.bsdf->shape(seen) * lobe.grey(seen) * cosine * cone.solid_angle_sr() * all /
+                          probability[picked] * highest *
                           static_cast<double>(record_.paths[path.number].brightest) /
                           static_cast<double>(rays);
     if (!(weight > kNegligible)) continue;

@@ -6,6 +6,7 @@
 #include "math/vec3.h"
 #include "sampling/sequence.h"
 #include "transport/mirrors/emitter_mirrors.h"
+#include "transport/mirrors/sun_lobes.h"
 #include "transport/path_sides.h"
 #include "transport/path_tracer.h"
 #include "transport/sky/sky_dome.h"
@@ -53,6 +54,11 @@ PathRecord::Events* PathTracer::events_of(const PathVertex& vertex) {
   return events == PathVertex::kNone ? nullptr : &record_.events[events];
 }
 
+double PathTracer::continuation_grey(const SurfaceLobe& lobe, const PathVertex& vertex) {
+  const PathRecord::Events* events = events_of(vertex);
+  return events == nullptr ? 1.0 : lobe.grey(events->continuation.event);
+}
+
 void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene::ResolvedSurface& surface,
                          int depth) {
   const double choice =
@@ -73,7 +79,7 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
   const std::uint32_t pair = 1u + 2u * static_cast<std::uint32_t>(depth);
   if (scene_.scene().sun && !lobe.bsdf->is_delta()) {
     const sampling::Point2 u = sampling::sequence_point(path.key.sequence, path.key.index, pair);
-    send_to_sun(lobe, sides, hit, u, event);
+    send_to_sun(lobe, sides, hit, depth, u, event);
     if (mirrors_ != nullptr) {
       send_to_images(path, surface, lobe, sides, hit, depth, u);
       send_to_rounds(path, surface, lobe, sides, hit, depth, u);
@@ -95,7 +101,8 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
       depth + 1 >= kCertainScatterings) {
     const double highest =
         vertex.continuation_transmitted ? lobe.highest_transmittance : lobe.highest_reflectance;
-    const double probability = std::min(1.0, highest * vertex.continuation_weight * lobe.shape_scale());
+    const double probability =
+        std::min(1.0, highest * vertex.continuation_weight * continuation_grey(lobe, vertex));
     const bool survives =
         sampling::unit_double(sampling::hash(path.key.sequence, path.key.index, depth)) < probability;
     vertex.continuation_weight =
@@ -124,9 +131,22 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
   vertex.continuation_factor = factor(vertex.continuation_transmitted);
 }
 
+double PathTracer::sunlight_share(const SurfaceLobe& lobe, const Sides& sides,
+                                  const geometry::SurfacePoint& hit, int depth, math::Vec3 direction,
+                                  bool transmitted) const {
+  using Highlights = TransportOptions::Highlights;
+  if (options_.highlights == Highlights::found || scene_.sun_lobes() == nullptr) return 1.0;
+  const bool apart = depth == 0 && lobe.directional && scene_.sun_lobes()->by_shape(hit);
+  const double highlight =
+      apart ? SunLobes::share(*lobe.bsdf, sides.event(lobe, transmitted, direction)) : 0.0;
+  return options_.highlights == Highlights::alone ? highlight : 1.0 - highlight;
+}
+
 void PathTracer::send_to_sun(const SurfaceLobe& lobe, const Sides& sides, const geometry::SurfacePoint& hit,
-                             sampling::Point2 u, SurfaceEvent& event) {
-  const SunRay light = sun_ray(lobe, sides, hit, scene_.scene().sun->direction, u);
+                             int depth, sampling::Point2 u, SurfaceEvent& event) {
+  SunRay light = sun_ray(lobe, sides, hit, scene_.scene().sun->direction, u);
+  if (light.weight <= 0.0) return;
+  light.weight *= sunlight_share(lobe, sides, hit, depth, light.ray.direction, light.transmitted);
   if (light.weight <= 0.0) return;
   if (PathRecord::Events* events = events_of(event.vertex))
     events->sun = arriving(lobe, sides, light.ray.direction, light.transmitted);

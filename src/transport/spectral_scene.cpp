@@ -10,6 +10,7 @@
 #include "radiometry/planck_table.h"
 #include "transport/emitters.h"
 #include "transport/mirrors/emitter_mirrors.h"
+#include "transport/mirrors/sun_lobes.h"
 #include "transport/mirrors/sun_mirrors.h"
 #include "transport/sky/sky_dome.h"
 #include "transport/view_table.h"
@@ -168,6 +169,9 @@ void SpectralScene::find_mirrors() {
   const geometry::SurfaceSurvey* survey =
       scene_.sun && scene_.world != nullptr ? scene_.world->survey() : nullptr;
   if (survey != nullptr) mirrors_ = std::make_unique<SunMirrors>(scene_, *survey);
+  const geometry::SurfaceSurvey* lobes =
+      scene_.sun && scene_.world != nullptr ? scene_.world->lobe_survey() : nullptr;
+  if (lobes != nullptr) lobes_ = std::make_unique<const SunLobes>(scene_, *lobes);
 }
 
 void SpectralScene::emit_surfaces() {

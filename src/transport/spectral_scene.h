@@ -22,6 +22,7 @@ namespace ifov::transport {
 class EmitterMirrors;
 class Emitters;
 class SkyDome;
+class SunLobes;
 class SunMirrors;
 class ViewTable;
 
@@ -45,6 +46,8 @@ class SpectralScene {
   const materials::SpectralMaterials& materials() const { return materials_; }
   /// Null where the Sun lights no mirror.
   const SunMirrors* sun_mirrors() const { return mirrors_.get(); }
+  /// Null where the Sun lights nothing with a narrow lobe.
+  const SunLobes* sun_lobes() const { return lobes_.get(); }
 
   /// What of the light that meets a material goes on in any node, at most; 0 marks a black surface, which ends paths.
   double brightest(std::uint32_t material) const {
@@ -126,6 +129,7 @@ class SpectralScene {
   std::shared_ptr<const Emitters> emitters_;
   std::shared_ptr<const EmitterMirrors> emitter_mirrors_;
   std::unique_ptr<const SunMirrors> mirrors_;
+  std::unique_ptr<const SunLobes> lobes_;
 };
 
 }  // namespace ifov::transport

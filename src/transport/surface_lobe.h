@@ -1,7 +1,5 @@
 #pragma once
 
-#include <numbers>
-
 #include "materials/bsdf/bsdf.h"
 #include "scene/resolved_surface.h"
 
@@ -18,9 +16,9 @@ struct SurfaceLobe {
   double highest_reflectance = 0.0;    ///< at least the largest factor in any node
   double highest_transmittance = 0.0;  ///< 0: opaque
 
-  /// What weights of a directional lobe, whose shape is 1, are multiplied by where probabilities are made of them without a spectrum:
-  /// as if it were Lambertian.
-  double shape_scale() const { return directional ? std::numbers::inv_pi : 1.0; }
+  /// What weights of a directional lobe, whose shape is 1, are multiplied by where probabilities are made of them without a
+  /// spectrum.
+  double grey(const materials::BsdfEvent& event) const { return directional ? bsdf->grey(event) : 1.0; }
 };
 
 /// Constituents whose model is the same object are added up, weighed by area: nothing random is in it. Where they have unlike

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 namespace ifov::transport {
 
 class SeparateImages;
@@ -16,6 +18,10 @@ struct TransportOptions {
   /// that the sensor sees directly, which are added separately (Glints), and what reaches a surface that scatters by mirrors
   /// that are not sought, which is marked (UnseenLight).
   bool sought_only = false;
+  /// Highlights of the Sun in narrow lobes that the sensor sees directly (SunLobes): as all other light; left out, because they
+  /// are added separately (Highlights); or nothing else but them, for whoever adds them.
+  enum class Highlights : std::uint8_t { found, left_out, alone };
+  Highlights highlights = Highlights::found;
   /// Images in mirrors that are added separately: paths see through what they show; null: none.
   const SeparateImages* separate_images = nullptr;
 };

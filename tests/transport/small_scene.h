@@ -71,6 +71,7 @@ class SmallScene {
   std::unique_ptr<geometry::World> place() {
     geometry::BuildOptions options{.threads = 1};
     options.surveyed = scene_.mirror_assignments();
+    options.lobes = scene_.lobe_assignments();
     return builder_.build(options);
   }
   const transport::SpectralScene& build_spectra() {

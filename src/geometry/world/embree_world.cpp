@@ -203,6 +203,7 @@ void EmbreeWorld::finish_plane(const Candidate& c, SurfacePoint& hit) const {
 
 void EmbreeWorld::finish_triangle(const Candidate& c, SurfacePoint& hit) const {
   const auto& set = *static_cast<const TriangleSet*>(c.set);
+  hit.bend = Bend::facet;
   const Normal3 n = math::as_normal(set.facets[c.prim].normal);
   const FacetTag tag = set.tags[c.prim];
   const bool copied = c.instance == RTC_INVALID_GEOMETRY_ID;

@@ -40,6 +40,7 @@ class EmbreeWorld final : public World {
   void visit_surfaces(const WantedMaterials& wanted, const PieceVisitor& visitor) const override;
   std::vector<double> surface_areas_m2(std::size_t materials) const override;
   const SurfaceSurvey* survey() const override { return survey_.get(); }
+  const SurfaceSurvey* lobe_survey() const override { return lobe_survey_.get(); }
 
  private:
   class SurfaceWalk;
@@ -150,7 +151,7 @@ class EmbreeWorld final : public World {
   std::vector<std::uint32_t> attributes_of_;
   std::size_t triangle_count_ = 0;
   Storage storage_;
-  std::unique_ptr<const SurfaceSurvey> survey_;
+  std::unique_ptr<const SurfaceSurvey> survey_, lobe_survey_;
 };
 
 }  // namespace ifov::geometry

@@ -81,6 +81,8 @@ EmbreeWorld::EmbreeWorld(WorldContent content, const BuildOptions& options)
   materials_ = content.materials;
   if (!options.surveyed.empty())
     survey_ = std::make_unique<const SurfaceSurvey>(survey_of(content, walk, options.surveyed));
+  if (!options.lobes.empty())
+    lobe_survey_ = std::make_unique<const SurfaceSurvey>(survey_of(content, walk, options.lobes, true));
   choose_chunked(content, plan, instanced, options.large_meshes);
   note_figures(content, plan);
   note_objects(content, instanced);

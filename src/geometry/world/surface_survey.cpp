@@ -97,8 +97,9 @@ std::optional<Vec3> common_normal(const MeshLists& mesh, std::size_t triangle, V
 
 class BodySurveyor {
  public:
-  explicit BodySurveyor(const Body& body) : body_(body) {
-    for (const UnitPrimitive& shape : body.analytic) add_faces(shape);
+  BodySurveyor(const Body& body, bool facets) : body_(body), facets_(facets) {
+    if (!facets)
+      for (const UnitPrimitive& shape : body.analytic) add_faces(shape);
     for (std::size_t t = 0; t < body.mesh.triangles.size(); ++t) add_triangle(static_cast<std::uint32_t>(t));
   }
   BodySurvey take() && { return std::move(survey_); }
@@ -123,7 +124,8 @@ class BodySurveyor {
     const double twice = length(across);
     if (!(twice > 0.0)) return;
     const std::uint32_t slot = mesh.slots.empty() ? 0 : mesh.slots[t];
-    if (const auto normal = common_normal(mesh, t, across / twice))
+    const auto normal = facets_ ? std::nullopt : common_normal(mesh, t, across / twice);
+    if (normal)
       add(slot, *normal, {a, b, c, c}, 0.5 * twice);
     else
       survey_.smooth.push_back({slot, t});
@@ -163,6 +165,7 @@ class BodySurveyor {
   }
 
   const Body& body_;
+  bool facets_;
   BodySurvey survey_;
   std::unordered_map<std::uint32_t, std::vector<SurfaceSurvey::Flat>> lists_;  // by slot, for the tables
   std::unordered_map<std::uint32_t, std::vector<std::size_t>> at_;             // places in survey_.flats
@@ -171,8 +174,8 @@ class BodySurveyor {
 
 class Surveyor {
  public:
-  Surveyor(const WorldContent& content, const std::vector<bool>& surveyed)
-      : content_(content), surveyed_(surveyed), table_(survey_.flats) {}
+  Surveyor(const WorldContent& content, const std::vector<bool>& surveyed, bool facets)
+      : content_(content), surveyed_(surveyed), facets_(facets), table_(survey_.flats) {}
 
   bool wanted(std::uint32_t first_material, std::uint32_t slot) const {
     const std::uint32_t material = content_.materials[first_material + slot];
@@ -185,7 +188,7 @@ class Surveyor {
     for (std::uint32_t slot = 0; slot < body.slot_count; ++slot) any = any || wanted(piece.materials, slot);
     if (!any) return;
     auto known = bodies_.find(piece.of);
-    if (known == bodies_.end()) known = bodies_.emplace(piece.of, BodySurveyor(body).take()).first;
+    if (known == bodies_.end()) known = bodies_.emplace(piece.of, BodySurveyor(body, facets_).take()).first;
     for (const BodyFlat& flat : known->second.flats)
       if (wanted(piece.materials, flat.slot)) add_flat(flat, piece.scene_from_body);
     for (const UnitPrimitive& shape : body.analytic) {
@@ -214,7 +217,7 @@ class Surveyor {
 
   void add(const Run& run) {
     const Template& one = content_.templates[run.what.of];
-    if (one.has_body() || !wanted(run.materials, 0)) return;
+    if (facets_ || one.has_body() || !wanted(run.materials, 0)) return;
     if (one.field) {
       add_ball(image_of(one.field->bounds(), run.what.whole_from_list));
       return;
@@ -266,6 +269,7 @@ class Surveyor {
 
   const WorldContent& content_;
   const std::vector<bool>& surveyed_;
+  bool facets_;
   SurfaceSurvey survey_;
   NormalTable table_;
   std::unordered_map<std::uint32_t, BodySurvey> bodies_;  // by template
@@ -273,9 +277,9 @@ class Surveyor {
 
 }  // namespace
 
-SurfaceSurvey survey_of(const WorldContent& content, const PieceWalk& walk,
-                        const std::vector<bool>& surveyed) {
-  Surveyor surveyor(content, surveyed);
+SurfaceSurvey survey_of(const WorldContent& content, const PieceWalk& walk, const std::vector<bool>& surveyed,
+                        bool facets) {
+  Surveyor surveyor(content, surveyed, facets);
   walk.visit([&](const PlacedPiece& piece) { surveyor.add(piece); });
   for (const Run& run : content.runs) surveyor.add(run);
   return std::move(surveyor).take();

@@ -45,7 +45,7 @@ struct SurfaceSurvey {
     std::uint32_t object = 0;
     Ball ball;  ///< about it
   };
-  /// A mesh with vertex normals, some of whose triangles bend: `triangles`.
+  /// A mesh with vertex normals, some of whose triangles bend: `triangles`. Of all triangles, where facets were asked for.
   struct Smooth {
     MeshLists mesh;
     math::Transform scene_from_mesh;
@@ -60,8 +60,9 @@ struct SurfaceSurvey {
   bool all_flats = true;  ///< false: there are more than kMostFlats normals
 };
 
-/// `surveyed` by material: whether it counts. Missing entries do not.
-SurfaceSurvey survey_of(const WorldContent& content, const PieceWalk& walk,
-                        const std::vector<bool>& surveyed);
+/// `surveyed` by material: whether it counts. Missing entries do not. `facets`: flat triangles are listed among the smooth
+/// ones, and no flats.
+SurfaceSurvey survey_of(const WorldContent& content, const PieceWalk& walk, const std::vector<bool>& surveyed,
+                        bool facets = false);
 
 }  // namespace ifov::geometry

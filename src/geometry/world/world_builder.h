@@ -42,6 +42,8 @@ struct BuildOptions {
   LargeMeshes large_meshes = LargeMeshes::by_number;  ///< up to 2^21 stored triangles at once, else by chunk
   /// By material: whether its surfaces are listed (World::survey); empty: none.
   std::vector<bool> surveyed{};
+  /// The same for World::lobe_survey.
+  std::vector<bool> lobes{};
 };
 
 /// Collects shapes and where they stand, then builds the world. Shapes are kept once, however often they are

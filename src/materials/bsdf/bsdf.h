@@ -77,6 +77,15 @@ class Bsdf {
   /// weight times this is about 1 and no path counts for many. Of a separable model shape().
   virtual double grey(const BsdfEvent& event) const;
 
+  /// How far the micro-facets of its lobe lean: least and most standard deviations of their slope, by direction. 0: it has no
+  /// lobe.
+  struct LobeSlopes {
+    double least = 0.0, most = 0.0;
+  };
+  virtual LobeSlopes lobe_slopes() const { return {}; }
+  /// Share of grey() that its lobe makes, 0 to 1.
+  virtual double lobe_share(const BsdfEvent&) const { return 0.0; }
+
   /// What evaluate() needs in the wavelengths of its spectrum; none of a separable model.
   virtual std::span<const radiometry::Spectrum> spectra() const { return {}; }
   /// BSDF, 1/sr, in `count` wavelengths, for an event whose directions are on their sides. `parameters` are the spectra of
@@ -84,5 +93,12 @@ class Bsdf {
   virtual void evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                         float* bsdf) const;
 };
+
+/// Whether highlights of the Sun may be far smaller than the thing that shows them.
+inline bool has_narrow_lobe(const Bsdf& bsdf) {
+  constexpr double kWide = 0.3;  // a tenth of a ball shows a highlight of this slope
+  const double most = bsdf.lobe_slopes().least;
+  return most > 0.0 && most < kWide;
+}
 
 }  // namespace ifov::materials

@@ -25,6 +25,10 @@ constexpr double kLongest_px = 0.25;
 /// Spread of directions from which Newton's method is begun.
 constexpr double kNewton = 1e-2;
 constexpr int kDeepest = 80;
+/// Spread of directions over the slope of a lobe's micro-facets, and over the distance from the highlight's middle.
+constexpr double kLobeStep = 0.3, kLobeGrowth = 0.2;
+/// Sides of triangles of highlights, which are even across them.
+constexpr double kLongestOfLobe_px = 0.5;
 
 constexpr std::uint64_t kGlintPoints = 0x676c696e74ull;
 
@@ -49,6 +53,16 @@ GlintSearch::GlintSearch(const sensor::Camera& camera, Vec3 towards_sun, double 
 GlintSearch::GlintSearch(const sensor::Camera& camera, const geometry::SurfaceSurvey::Ball& ball,
                          double margin_px, double steps, std::uint64_t seed, std::size_t most)
     : camera_(camera), ball_(ball), margin_(margin_px), step_(0.0), steps_(steps), most_(most), seed_(seed) {}
+
+GlintSearch::GlintSearch(const sensor::Camera& camera, Vec3 towards_sun, double least_slope, double reach_rad,
+                         double margin_px, std::uint64_t seed)
+    : camera_(camera),
+      towards_sun_(towards_sun),
+      half_angle_(reach_rad),
+      margin_(margin_px),
+      step_(kLobeStep * 2.0 * least_slope),
+      lobes_(true),
+      seed_(seed) {}
 
 GlintSearch::Corner GlintSearch::corner(const Surface& surface, double u, double v) const {
   Corner c;
@@ -114,8 +128,13 @@ void GlintSearch::search(const geometry::SurfaceSurvey::Smooth& smooth, std::uin
     const Point3 a = smooth.scene_from_mesh(mesh.vertices_m[v[0]]);
     const Vec3 ab = smooth.scene_from_mesh(mesh.vertices_m[v[1]]) - a,
                ac = smooth.scene_from_mesh(mesh.vertices_m[v[2]]) - a;
-    const Vec3 na = mesh.normals[i[0]].as_vector(), nb = mesh.normals[i[1]].as_vector() - na,
-               nc = mesh.normals[i[2]].as_vector() - na;
+    const bool facet_alone =
+        mesh.normals.empty() || std::find(i.begin(), i.end(), geometry::kNoIndex) != i.end();
+    const Vec3 own =
+        cross(mesh.vertices_m[v[1]] - mesh.vertices_m[v[0]], mesh.vertices_m[v[2]] - mesh.vertices_m[v[0]]);
+    const Vec3 na = facet_alone ? own : mesh.normals[i[0]].as_vector(),
+               nb = facet_alone ? Vec3{} : mesh.normals[i[1]].as_vector() - na,
+               nc = facet_alone ? Vec3{} : mesh.normals[i[2]].as_vector() - na;
     const Surface facet = [&](double u, double w, Point3& at, Vec3& normal) {
       at = a + ab * u + ac * w;
       normal = smooth.scene_from_mesh(math::as_normal(na + nb * u + nc * w)).as_vector();
@@ -183,7 +202,11 @@ void GlintSearch::divide(const Surface& surface, const Cell& whole, std::uint64_
         const double turn = length(c[k].off - c[(k + 1) % 3].off),
                      px = apart(c[k].image, c[(k + 1) % 3].image);
         spread = std::max(spread, turn), side_px = std::max(side_px, px);
-        const double needed = std::max(turn / step, wide > 0.0 ? px / kLongest_px : 0.0);
+        const double nearest =
+            std::min(length(c[k].from - towards_sun_), length(c[(k + 1) % 3].from - towards_sun_));
+        const double grown = lobes_ ? step + kLobeGrowth * nearest : step;
+        const double longest_px = lobes_ ? kLongestOfLobe_px : kLongest_px;
+        const double needed = std::max(turn / grown, wide > 0.0 ? px / longest_px : 0.0);
         if (needed > worst) worst = needed, longest = k;
       }
       if (spread < kEven) {
@@ -221,6 +244,7 @@ void GlintSearch::divide(const Surface& surface, const Cell& whole, std::uint64_
 }
 
 bool GlintSearch::shows(const Corner& corner) const {
+  if (lobes_) return true;
   if (!ball_) return length(cross(corner.from, towards_sun_)) < std::sin(half_angle_);
   return length(corner.off) <= 2.0 * std::sin(0.5 * corner.wide) * (1.0 + 1e-9);
 }

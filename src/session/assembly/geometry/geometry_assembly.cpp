@@ -70,6 +70,7 @@ class GeometryAssembly {
     placed.end(builder_.object_count());
     geometry::BuildOptions options;
     options.surveyed = assignments_.mirrors();
+    options.lobes = assignments_.lobes();
     return builder_.build(options);
   }
 

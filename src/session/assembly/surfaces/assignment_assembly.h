@@ -37,6 +37,7 @@ class AssignmentAssembly {
 
   /// By surface assignment made so far: whether any of its materials is a mirror; empty where none is.
   std::vector<bool> mirrors() const { return scene_.mirror_assignments(); }
+  std::vector<bool> lobes() const { return scene_.lobe_assignments(); }
 
   /// How large the cells of the maps are that were made so far.
   const std::vector<MapScale>& map_scales() const { return textures_.map_scales(); }

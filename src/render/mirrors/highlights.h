@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "render/mirrors/focal_lights.h"
+#include "render/mirrors/glint_search.h"
+#include "sampling/tile.h"
+#include "sensor/camera.h"
+#include "transport/path_light.h"
+#include "transport/path_tracer.h"
+#include "transport/view_atmosphere.h"
+
+namespace ifov::transport {
+class SpectralScene;
+}
+
+namespace ifov::render {
+
+/// The Sun's highlights in narrow lobes on curved surfaces and on meshes that the sensor sees directly (SunLobes): found by the
+/// surfaces' shapes (GlintSearch), traced as paths of one scattering, left out of all other paths
+/// (TransportOptions::highlights), and added to finished tiles.
+class Highlights {
+ public:
+  static bool in(const transport::SpectralScene& scene);
+
+  /// Traces all of them. Keeps a reference to the scene. `margin_px`: a footprint's half width.
+  Highlights(const transport::SpectralScene& scene, const sensor::Camera& camera, double margin_px,
+             std::uint64_t seed);
+
+  /// As FocalLights::add_to.
+  void add_to(const sampling::PixelFootprint& footprint, const sampling::Tolerance* tolerance,
+              sampling::TileResult& tile) const {
+    lights_.add_to(footprint, tolerance, tile);
+  }
+
+  std::size_t count() const { return lights_.lights().size(); }
+
+ private:
+  void trace(std::vector<GlintPoint>& points);
+  void add(const GlintPoint& point, const float* channels);
+
+  const transport::SpectralScene& scene_;
+  const sensor::Camera& camera_;
+  std::uint64_t seed_, traced_ = 0;
+  transport::PathTracer tracer_;
+  transport::PathLight light_;
+  transport::ViewAtmosphere air_;
+  FocalLights lights_;           // radiance over that of their spectra at the sensor
+  std::vector<float> spectrum_;  // the last one that was kept
+  std::uint32_t spectrum_number_ = 0;
+};
+
+}  // namespace ifov::render

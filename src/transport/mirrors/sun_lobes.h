@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/surface_point.h"
+#include "materials/bsdf/bsdf.h"
+
+namespace ifov::geometry {
+struct SurfaceSurvey;
+}
+namespace ifov::scene {
+struct Scene;
+}
+
+namespace ifov::transport {
+
+/// Surfaces with narrow lobes under the Sun: on what bends, a lobe's highlight is as small against the thing as its
+/// micro-facets' slopes are against 1, and as bright as it is small. Rays would meet it seldom, so that it is looked for by
+/// the surfaces' shapes, as glints on mirrors are.
+class SunLobes {
+ public:
+  /// Half vectors lean by so many slopes where a highlight begins to be left to paths, and where all is: a lobe with the longest
+  /// tail, GGX, keeps 1 % of its light beyond the first and a quarter of that beyond the second.
+  static constexpr double kFirstSlopes = 10.0, kLastSlopes = 20.0;
+
+  SunLobes(const scene::Scene& scene, const geometry::SurfaceSurvey& survey);
+
+  /// Whether the highlight on a point that the sensor sees directly is found by its shape.
+  bool by_shape(const geometry::SurfacePoint& hit) const;
+  /// Share of the sunlight of such an event that is, 0 to 1: of what the lobe makes of it, all but the tail.
+  static double share(const materials::Bsdf& bsdf, const materials::BsdfEvent& event);
+
+  const geometry::SurfaceSurvey& survey() const { return survey_; }
+  /// Of the materials with narrow lobes.
+  materials::Bsdf::LobeSlopes slopes() const { return slopes_; }
+
+ private:
+  const geometry::SurfaceSurvey& survey_;
+  materials::Bsdf::LobeSlopes slopes_;
+  std::vector<bool> flat_;             // by surface assignment: no relief tilts its normals
+  std::vector<std::uint32_t> rounds_;  // objects, sorted
+};
+
+}  // namespace ifov::transport
