@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "geometry/world.h"
+
 namespace ifov::benchmarks {
 
 namespace {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "geometry/world.h"
 #include "sensor/orthographic_camera.h"
 
 namespace ifov::benchmarks {

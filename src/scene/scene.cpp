@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/world.h"
+#include "materials/bsdf/bsdf.h"
+#include "materials/draped_map.h"
+
 namespace ifov::scene {
 
 double Sun::zenith_rad() const { return std::atan2(std::hypot(direction.x, direction.y), direction.z); }
@@ -16,6 +20,11 @@ bool SurfaceAssignment::mixes_materials() const {
 bool SurfaceAssignment::bends_normals() const {
   return std::any_of(patterns.begin(), patterns.end(), [](const auto& p) { return p->bends_normals(); });
 }
+
+Scene::Scene() = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+Scene::~Scene() = default;
 
 std::vector<bool> Scene::mirror_assignments() const {
   const auto is_mirror = [&](std::uint32_t material) { return materials[material].bsdf->is_delta(); };

@@ -2,7 +2,9 @@
 
 #include <numbers>
 
+#include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/sensor/channel_light.h"
+#include "atmosphere/sensor/sensor_atmosphere.h"
 #include "core/format.h"
 #include "io/library/material_library.h"
 #include "radiometry/planck.h"

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/world/surface_survey.h"
+
+namespace ifov::geometry {
+
+class PieceWalk;
+struct WorldContent;
+
+/// `surveyed` by material: whether it counts. Missing entries do not.
+SurfaceSurvey survey_of(const WorldContent& content, const PieceWalk& walk,
+                        const std::vector<bool>& surveyed);
+
+}  // namespace ifov::geometry
