@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "geometry/world.h"
+#include "materials/bsdf/bsdf.h"
 
 namespace ifov::benchmarks {
 

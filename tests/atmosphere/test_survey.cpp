@@ -4,6 +4,8 @@
 #include <numbers>
 
 #include "atmosphere/column/atmosphere_column.h"
+#include "atmosphere/scattering/propagation.h"
+#include "atmosphere/sensor/channel_bins.h"
 #include "atmosphere/sensor/sensor_geometry.h"
 #include "atmosphere/survey/neutral_points.h"
 #include "atmosphere/survey/sky_view.h"
