@@ -6,6 +6,9 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "geometry/world.h"
+#include "materials/bsdf/bsdf.h"
+
 namespace ifov::benchmarks {
 
 namespace {

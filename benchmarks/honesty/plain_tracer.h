@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "geometry/surface_point.h"
+#include "geometry/world.h"
 #include "honesty/plain_footprint.h"
 #include "honesty/plain_spectra.h"
 #include "honesty/random_stream.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/world.h"
 #include "io/document/document.h"
 #include "sensor/camera.h"
 

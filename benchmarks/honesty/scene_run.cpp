@@ -14,6 +14,7 @@
 #include "io/document/document.h"
 #include "render/image_renderer.h"
 #include "render/scene_field.h"
+#include "sampling/tile.h"
 #include "scene/forest.h"
 #include "sensor/camera.h"
 #include "session/loaded/parts.h"

@@ -4,6 +4,8 @@
 
 #include "io/document/document.h"
 #include "render/image_renderer.h"
+#include "render/tile_sink.h"
+#include "sampling/tile.h"
 
 namespace ifov::benchmarks {
 

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "geometry/world.h"
+#include "materials/bsdf/bsdf.h"
 #include "sensor/orthographic_camera.h"
 
 namespace ifov::benchmarks {

@@ -14,7 +14,9 @@
 #include "io/document/document.h"
 #include "render/image_renderer.h"
 #include "render/tile_grid.h"
+#include "render/tile_sink.h"
 #include "render/tolerance/accuracy_tolerance.h"
+#include "sampling/tile.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
 

@@ -10,6 +10,8 @@
 #include "core/format.h"
 #include "io/document/document.h"
 #include "render/image_renderer.h"
+#include "render/tile_sink.h"
+#include "sampling/tile.h"
 #include "scene/forest.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"

@@ -9,8 +9,11 @@
 #include <vector>
 
 #include "core/format.h"
+#include "geometry/world.h"
 #include "io/document/document.h"
 #include "render/image_renderer.h"
+#include "render/tile_sink.h"
+#include "sampling/tile.h"
 #include "scene/forest.h"
 #include "sensor/camera.h"
 #include "session/loaded/parts.h"

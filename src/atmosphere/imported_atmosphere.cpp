@@ -4,7 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "atmosphere/imported_light.h"
 #include "core/error.h"
+#include "radiometry/channel_grid.h"
 
 namespace ifov::atmosphere {
 namespace {

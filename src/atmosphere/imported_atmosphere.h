@@ -4,10 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "atmosphere/imported_light.h"
 #include "radiometry/spectral_nodes.h"
 
 namespace ifov::atmosphere {
+
+class ImportedLight;
 
 /// The light of another code's runs as one sensor's channels see it: the counterpart of SensorAtmosphere,
 /// under a uniform sky. A channel of the sensor that is one of the file's (same centre and width) has the

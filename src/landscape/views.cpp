@@ -7,6 +7,7 @@
 #include "core/format.h"
 #include "io/document/cameras/frame_camera.h"
 #include "io/document/cameras/orthographic_camera.h"
+#include "io/document/document.h"
 #include "io/document/samplers/accuracy_sampling.h"
 #include "io/document/samplers/plain_sampling.h"
 #include "landscape/output/library_spectrum.h"
@@ -60,6 +61,13 @@ io::Document accurate_picture(double size_m, io::ErrorSize error) {
   return document;
 }
 
+/// A document that includes the scene's: what looks at it, and how.
+struct View {
+  std::string file;       ///< such as "render_vswir.json"
+  std::string purpose;    ///< a comment at its top; lines without "//"
+  io::Document document;  ///< its sensor, sampling and output
+};
+
 View quick_look(double size_m) {
   constexpr int kPixels = 400;
   return {"quicklook.json", "A quick look from above in four bands: seconds to a minute.",
@@ -100,6 +108,13 @@ View thermal_imager(double size_m) {
   add_channel(document, "T3", io::TopHatChannel{11.5, 12.5});
   return {"render_thermal.json", "A thermal imager: three bands, 1 m on the ground, each pixel to 1 K.",
           std::move(document)};
+}
+
+std::string view_text(const View& view, std::string_view title) {
+  return io::document_text(view.document, view.file,
+                           {.comment = format("{}\n{}", title, view.purpose),
+                            .include = {kSceneFile},
+                            .sections = {"sensor", "sampling", "output"}});
 }
 
 }  // namespace

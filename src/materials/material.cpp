@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "materials/bsdf/hemisphere.h"
+#include "materials/bsdf/lambertian.h"
 
 namespace ifov::materials {
 
@@ -60,6 +61,8 @@ void check_energy(const Material& material) {
 }
 
 }  // namespace
+
+const std::shared_ptr<const Bsdf>& usual_bsdf() { return Lambertian::shared(); }
 
 void check(const Material& material) {
   check_fraction(material, material.reflectance, "reflectance");

@@ -5,10 +5,14 @@
 #include <optional>
 #include <string>
 
-#include "materials/bsdf/lambertian.h"
 #include "radiometry/spectrum.h"
 
 namespace ifov::materials {
+
+class Bsdf;
+
+/// The model of a material that names none: Lambert's.
+const std::shared_ptr<const Bsdf>& usual_bsdf();
 
 /// A surface, the same on both sides: opaque, or a thin leaf that also lets light through.
 struct Material {
@@ -17,7 +21,7 @@ struct Material {
   radiometry::Spectrum reflectance;
   /// How it spreads light; never null. Where it is not separable, reflectance and transmittance are its bihemispherical
   /// ones, for whoever needs one number by wavelength.
-  std::shared_ptr<const Bsdf> bsdf = Lambertian::shared();
+  std::shared_ptr<const Bsdf> bsdf = usual_bsdf();
   /// Kelvin. None: the surface does not emit (a reflective-only scene), unless a temperature map says
   /// otherwise.
   std::optional<double> temperature_k = std::nullopt;

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include "materials/bsdf/node_bsdf.h"
+#include "materials/material.h"
+#include "radiometry/spectral_nodes.h"
+
 namespace ifov::materials {
 
 SpectralMaterials::SpectralMaterials(std::span<const Material> materials,
@@ -36,5 +40,7 @@ SpectralMaterials::SpectralMaterials(std::span<const Material> materials,
     if (directional_.back() == nullptr) maximum_transmittance_.back() = highest(transmittance);
   }
 }
+
+SpectralMaterials::~SpectralMaterials() = default;
 
 }  // namespace ifov::materials

@@ -5,18 +5,23 @@
 #include <span>
 #include <vector>
 
-#include "materials/bsdf/node_bsdf.h"
-#include "materials/material.h"
-#include "radiometry/spectral_nodes.h"
 #include "radiometry/spectrum_block.h"
 
+namespace ifov::radiometry {
+class SpectralNodes;
+}
+
 namespace ifov::materials {
+
+class NodeBsdf;
+struct Material;
 
 /// The materials of a scene in the nodes of a sensor: aligned spectra that the integrator multiplies. They are
 /// indexed by material, padded and aligned as SpectrumBlock says.
 class SpectralMaterials {
  public:
   SpectralMaterials(std::span<const Material> materials, const radiometry::SpectralNodes& nodes);
+  ~SpectralMaterials();
 
   std::size_t count() const { return maximum_reflectance_.size(); }
   std::size_t stride() const { return reflectance_.stride(); }

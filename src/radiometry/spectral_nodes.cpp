@@ -8,6 +8,9 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "radiometry/channel_grid.h"
+#include "radiometry/node_rule.h"
+#include "radiometry/node_search.h"
 
 namespace ifov::radiometry {
 namespace {
@@ -61,6 +64,11 @@ SpectralNodes SpectralNodes::build(std::span<const ChannelGrid> channels, std::s
   result.arrange_sums();
   return result;
 }
+
+SpectralNodes::SpectralNodes() = default;
+SpectralNodes::SpectralNodes(SpectralNodes&&) noexcept = default;
+SpectralNodes& SpectralNodes::operator=(SpectralNodes&&) noexcept = default;
+SpectralNodes::~SpectralNodes() = default;
 
 void SpectralNodes::add(FoundRule found) {
   worst_error_ = std::max(worst_error_, found.worst_error);
@@ -130,6 +138,21 @@ void SpectralNodes::average_source(std::span<const Spectrum* const> product, std
                   }
                   rule.project_source(at_points, at_nodes);
                 });
+}
+
+void SpectralNodes::average_factor(std::size_t channel, std::span<const double> at_points,
+                                   std::span<double> nodes) const {
+  rules_[channel].project_factor(at_points, nodes);
+}
+
+void SpectralNodes::average_seen(std::size_t channel, std::span<const double> at_points,
+                                 std::span<double> nodes) const {
+  rules_[channel].project_seen(at_points, nodes);
+}
+
+void SpectralNodes::average_source(std::size_t channel, std::span<const double> at_points,
+                                   std::span<double> nodes) const {
+  rules_[channel].project_source(at_points, nodes);
 }
 
 void SpectralNodes::planck(double temperature_k, std::span<float> nodes) const {

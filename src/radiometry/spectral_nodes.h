@@ -7,11 +7,13 @@
 
 #include "radiometry/channel.h"
 #include "radiometry/node_demands.h"
-#include "radiometry/node_rule.h"
-#include "radiometry/node_search.h"
 #include "radiometry/spectrum.h"
 
 namespace ifov::radiometry {
+
+struct ChannelGrid;
+struct FoundRule;
+class NodeRule;
 
 /// The spectral columns that paths carry. Each channel has one or a few nodes; light that meets several
 /// surfaces is multiplied node by node, and the nodes of a channel are then added with weights. There are as
@@ -35,9 +37,13 @@ class SpectralNodes {
   /// The same for channels as points of the caller's own.
   static SpectralNodes build(std::span<const ChannelGrid> channels, std::span<const Spectrum> surfaces,
                              const NodeDemands& demands = {});
+  SpectralNodes();
+  SpectralNodes(SpectralNodes&&) noexcept;
+  SpectralNodes& operator=(SpectralNodes&&) noexcept;
+  ~SpectralNodes();
 
   std::size_t node_count() const { return weight_.size(); }
-  std::size_t channel_count() const { return rules_.size(); }
+  std::size_t channel_count() const { return channel_error_.size(); }
   /// Nodes [first_node(c), first_node(c + 1)) belong to channel c.
   std::size_t first_node(std::size_t channel) const { return first_node_[channel]; }
   double node_wavelength_um(std::size_t node) const { return wavelength_um_[node]; }
@@ -54,16 +60,10 @@ class SpectralNodes {
   void average_source(const Spectrum& spectrum, std::span<float> nodes) const;
   void average_source(std::span<const Spectrum* const> product, std::span<float> nodes) const;
   /// The same for values at the points of one channel. Spans: nodes of the channel.
-  void average_factor(std::size_t channel, std::span<const double> at_points, std::span<double> nodes) const {
-    rules_[channel].project_factor(at_points, nodes);
-  }
+  void average_factor(std::size_t channel, std::span<const double> at_points, std::span<double> nodes) const;
   /// What light passes between surfaces and the sensor, as NodeRule::project_seen.
-  void average_seen(std::size_t channel, std::span<const double> at_points, std::span<double> nodes) const {
-    rules_[channel].project_seen(at_points, nodes);
-  }
-  void average_source(std::size_t channel, std::span<const double> at_points, std::span<double> nodes) const {
-    rules_[channel].project_source(at_points, nodes);
-  }
+  void average_seen(std::size_t channel, std::span<const double> at_points, std::span<double> nodes) const;
+  void average_source(std::size_t channel, std::span<const double> at_points, std::span<double> nodes) const;
   /// Radiance of a blackbody in each node, W m-2 sr-1 um-1.
   void planck(double temperature_k, std::span<float> nodes) const;
   void planck(double temperature_k, std::span<double> nodes) const;

@@ -5,6 +5,9 @@
 #include <map>
 #include <set>
 
+#include "geometry/surface_point.h"
+#include "scene/scene.h"
+
 namespace ifov::render {
 
 BlendColumns::BlendColumns(const scene::Scene& scene, const scene::TruthMaterials& truth, int channels)

@@ -4,7 +4,14 @@
 #include <vector>
 
 #include "sampling/tile.h"
-#include "scene/scene.h"
+
+namespace ifov::geometry {
+struct SurfacePoint;
+}
+namespace ifov::scene {
+struct Scene;
+struct TruthMaterials;
+}  // namespace ifov::scene
 
 namespace ifov::render {
 

@@ -9,18 +9,23 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "render/mirrors/glints.h"
-#include "render/mirrors/highlights.h"
-#include "render/mirrors/mirror_images.h"
+#include "geometry/world.h"
 #include "render/pilot_rays.h"
 #include "render/scene_field.h"
 #include "render/tile_grid.h"
+#include "render/tile_sink.h"
+#include "render/tile_source.h"
+#include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/atmosphere_budget.h"
 #include "render/tolerance/node_budget.h"
 #include "render/truth_layers.h"
-#include "render/unseen/unseen_emitters.h"
-#include "render/unseen/unseen_images.h"
+#include "render/unsampled_light.h"
 #include "render/wing_light.h"
+#include "sampling/pixel_footprint.h"
+#include "sampling/tile.h"
+#include "scene/scene.h"
+#include "sensor/camera.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::render {
 
@@ -110,30 +115,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     for (std::size_t c = 0; c < job.scene.nodes().channel_count(); ++c)
       steering_channels.push_back(static_cast<int>(c));
 
-  transport::TransportOptions transport = job.transport;
-  transport.sought_only = true;
-  std::optional<Glints> glints;
-  if (transport.maximum_scatterings != 0 && Glints::in(job.scene))
-    glints.emplace(job.scene, job.camera, job.footprint.half_width_px(), job.seed);
-
-  std::optional<Highlights> highlights;
-  if (transport.maximum_scatterings != 0 && Highlights::in(job.scene)) {
-    highlights.emplace(job.scene, job.camera, job.footprint.half_width_px(), job.seed);
-    transport.highlights = transport::TransportOptions::Highlights::left_out;
-  }
-
-  std::unique_ptr<const MirrorImages> mirror_images;
-  if (transport.maximum_scatterings < 0 || transport.maximum_scatterings > 1)
-    mirror_images = MirrorImages::find(job.scene, job.camera, transport, job.footprint.half_width_px(),
-                                       job.seed, control.threads, control.cancel);
-  if (mirror_images != nullptr && !mirror_images->apart().empty())
-    transport.separate_images = &mirror_images->apart();
-  std::unique_ptr<const UnseenImages> unseen_images;
-  if (mirror_images != nullptr)
-    unseen_images = UnseenImages::find(job.scene, job.camera, *mirror_images, job.seed);
-  std::unique_ptr<const UnseenEmitters> unseen_emitters;
-  if (transport.maximum_scatterings != 0) unseen_emitters = UnseenEmitters::find(job.scene, job.camera);
-
+  const UnsampledLight unsampled(job, control.threads, control.cancel);
   Tally tally(pixels, control.progress);
   const auto render_tile = [&](std::size_t index) {
     if (control.cancel != nullptr && control.cancel->cancelled()) throw Cancelled();
@@ -153,7 +135,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     sampling::TileResult before;
     if (job.earlier != nullptr && job.earlier->read(index, before)) problem.before = &before;
 
-    SceneField field(job.scene, job.camera, transport, job.label_detail);
+    SceneField field(job.scene, job.camera, unsampled.transport(), job.label_detail);
     sampling::TileResult result;
     job.sampler.sample(problem, field, result);
     if (job.wings != nullptr) add_wings(*job.wings, problem, job.tolerance, field, result);
@@ -163,11 +145,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     field.unseen().settle(job.tolerance, result);
     field.blends().settle(result);
     widen(job.nodes, job.tolerance, result);
-    if (glints) glints->add_to(job.footprint, job.tolerance, result);
-    if (highlights) highlights->add_to(job.footprint, job.tolerance, result);
-    if (mirror_images != nullptr) mirror_images->add_to(job.footprint, job.tolerance, result);
-    if (unseen_emitters != nullptr) unseen_emitters->settle(job.tolerance, result);
-    if (unseen_images != nullptr) unseen_images->settle(job.tolerance, result);
+    unsampled.add_to(result);
     widen(job.air, job.tolerance, result);
     if (!job.keep_variances && !job.keep_memory) result.drop_variances();
     add_truth_layers(job.collectors, job.scene.scene(), job.camera, result);

@@ -6,14 +6,14 @@
 
 #include "core/run_control.h"
 #include "render/label_detail.h"
-#include "render/tile_sink.h"
-#include "render/tile_source.h"
 #include "render/tolerance/atmosphere_half_width.h"
 #include "render/tolerance/node_half_width.h"
-#include "sampling/pixel_footprint.h"
-#include "sampling/tile.h"
 #include "transport/transport_options.h"
 
+namespace ifov::sampling {
+class PixelFootprint;
+class PixelSampler;
+}  // namespace ifov::sampling
 namespace ifov::sensor {
 class Camera;
 class PsfWings;
@@ -28,6 +28,9 @@ struct Collector;
 namespace ifov::render {
 
 class AccuracyTolerance;
+class EarlierTiles;
+class TileSink;
+class TileSource;
 
 /// All that an image depends on. Keeps references; they must outlive the job.
 struct RenderJob {

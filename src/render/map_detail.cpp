@@ -5,7 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/world.h"
+#include "materials/draped_map.h"
 #include "sampling/accuracy/borders/polygon.h"
+#include "scene/scene.h"
+#include "sensor/camera.h"
 
 namespace ifov::render {
 

@@ -5,10 +5,14 @@
 #include <vector>
 
 #include "geometry/surface_point.h"
-#include "materials/draped_map.h"
 #include "sampling/field.h"
-#include "scene/scene.h"
-#include "sensor/camera.h"
+
+namespace ifov::scene {
+struct Scene;
+}
+namespace ifov::sensor {
+class Camera;
+}
 
 namespace ifov::render {
 

@@ -6,6 +6,9 @@
 #include <numeric>
 #include <tuple>
 
+#include "geometry/world.h"
+#include "sensor/camera.h"
+
 namespace ifov::render {
 
 namespace {

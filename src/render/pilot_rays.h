@@ -2,9 +2,14 @@
 
 #include <vector>
 
-#include "geometry/world.h"
 #include "sampling/tile.h"
-#include "sensor/camera.h"
+
+namespace ifov::geometry {
+class World;
+}
+namespace ifov::sensor {
+class Camera;
+}
 
 namespace ifov::render {
 

@@ -4,7 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/world.h"
+#include "materials/bsdf/bsdf.h"
 #include "sampling/warp.h"
+#include "sensor/camera.h"
+#include "transport/mirror_light.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {
@@ -40,6 +44,8 @@ SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Came
     sunlight_.push_back({scene.brightest(m) > 0.0 && !materials[m].bsdf->is_delta(),
                          scene.materials().maximum_transmittance(m) > 0.0f});
 }
+
+SceneField::~SceneField() = default;
 
 void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) {
   rays_.resize(points.size());

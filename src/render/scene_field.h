@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "render/blend_columns.h"
@@ -8,11 +9,17 @@
 #include "render/surface_label.h"
 #include "render/unseen/unseen_light.h"
 #include "sampling/field.h"
-#include "sensor/camera.h"
-#include "transport/mirror_light.h"
+#include "scene/scene.h"
 #include "transport/path_light.h"
 #include "transport/path_tracer.h"
 #include "transport/view_atmosphere.h"
+
+namespace ifov::sensor {
+class Camera;
+}
+namespace ifov::transport {
+class MirrorLight;
+}
 
 namespace ifov::render {
 
@@ -22,6 +29,7 @@ class SceneField final : public sampling::Field {
   /// Keeps references to all; they must outlive this.
   SceneField(const transport::SpectralScene& scene, const sensor::Camera& camera,
              transport::TransportOptions transport, LabelDetail detail);
+  ~SceneField() override;
 
   /// The channels, then the shares of materials that are mixed somewhere (BlendColumns), then light that is not sought
   /// (UnseenLight).

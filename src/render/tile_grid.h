@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "sampling/tile.h"
+#include "sampling/pixel_rect.h"
 
 namespace ifov::render {
 

@@ -2,6 +2,11 @@
 
 #include <vector>
 
+#include "geometry/world.h"
+#include "scene/scene.h"
+#include "sensor/camera.h"
+#include "truth/collector.h"
+
 namespace ifov::render {
 namespace {
 

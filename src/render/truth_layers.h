@@ -3,9 +3,16 @@
 #include <span>
 
 #include "sampling/tile.h"
-#include "scene/scene.h"
-#include "sensor/camera.h"
-#include "truth/collector.h"
+
+namespace ifov::scene {
+struct Scene;
+}
+namespace ifov::sensor {
+class Camera;
+}
+namespace ifov::truth {
+struct Collector;
+}
 
 namespace ifov::render {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/surface_point.h"
+
 namespace ifov::scene {
 
 namespace {

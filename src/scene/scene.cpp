@@ -4,6 +4,10 @@
 #include <cmath>
 #include <tuple>
 
+#include "geometry/world.h"
+#include "materials/bsdf/bsdf.h"
+#include "materials/draped_map.h"
+
 namespace ifov::scene {
 
 double Sun::zenith_rad() const { return std::atan2(std::hypot(direction.x, direction.y), direction.z); }
@@ -17,6 +21,11 @@ bool SurfaceAssignment::mixes_materials() const {
 bool SurfaceAssignment::bends_normals() const {
   return std::any_of(patterns.begin(), patterns.end(), [](const auto& p) { return p->bends_normals(); });
 }
+
+Scene::Scene() = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+Scene::~Scene() = default;
 
 namespace {
 

@@ -6,11 +6,18 @@
 #include <string>
 #include <vector>
 
-#include "geometry/world.h"
-#include "materials/draped_map.h"
 #include "materials/material.h"
 #include "radiometry/spectrum.h"
 #include "scene/resolved_surface.h"
+
+namespace ifov::geometry {
+struct SurfacePoint;
+class World;
+}  // namespace ifov::geometry
+namespace ifov::materials {
+class ClassMap;
+class TemperatureMap;
+}  // namespace ifov::materials
 
 namespace ifov::scene {
 
@@ -94,6 +101,11 @@ struct SurfaceAssignment {
 /// The immutable assembly of geometry, materials and light. Answers "what is at this point" and "what lights it";
 /// knows nothing of sensors.
 struct Scene {
+  Scene();
+  Scene(Scene&&) noexcept;
+  Scene& operator=(Scene&&) noexcept;
+  ~Scene();
+
   std::unique_ptr<geometry::World> world;
   std::vector<materials::Material> materials;
   std::vector<SurfaceState> states;

@@ -1,6 +1,7 @@
 // What of a scene has a temperature: the one place where they are collected.
 #include <algorithm>
 
+#include "materials/draped_map.h"
 #include "scene/scene.h"
 
 namespace ifov::scene {

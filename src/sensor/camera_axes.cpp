@@ -1,6 +1,7 @@
 #include "sensor/camera_axes.h"
 
 #include "core/error.h"
+#include "geodesy/attitude.h"
 
 namespace ifov::sensor {
 

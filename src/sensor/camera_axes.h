@@ -1,7 +1,10 @@
 #pragma once
 
-#include "geodesy/attitude.h"
 #include "math/vec3.h"
+
+namespace ifov::geodesy {
+struct Attitude;
+}
 
 namespace ifov::sensor {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sensor/energy_table.h"
+#include "sensor/psf.h"
 
 namespace ifov::sensor {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "sensor/psf.h"
-
 namespace ifov::sensor {
+
+class Psf;
 
 /// What the cut of a PSF leaves out, as shares of a pixel's whole response that fall on cells of the focal plane around
 /// it: wings that are too wide to be traced and too faint to need it. Cells are of three sizes, coarser farther out; all

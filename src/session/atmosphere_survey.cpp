@@ -4,16 +4,18 @@
 #include <chrono>
 #include <cmath>
 
+#include "atmosphere/column/atmosphere_column.h"
+#include "atmosphere/sensor/channel_bins.h"
+#include "atmosphere/survey/survey_effects.h"
 #include "core/names.h"
 #include "geodesy/sun_position.h"
-#include "geometry/world/world_builder.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
 #include "math/angle.h"
+#include "scene/scene.h"
 #include "session/assembly/atmosphere/atmosphere_assembly.h"
 #include "session/assembly/shared/with_position.h"
-#include "session/assembly/whole/light_assembly.h"
-#include "session/assembly/whole/sensor_assembly.h"
+#include "session/survey_stage.h"
 
 namespace ifov::session {
 namespace {
@@ -40,20 +42,6 @@ io::Document asked(const io::Document& document, const AtmosphereQuestion& quest
     changed.atmosphere.modelled->sensor_altitude_km = question.sensor_altitude_km;
   return changed;
 }
-
-/// A scene of light alone: no mesh is read.
-struct Stage {
-  scene::Scene scene;
-  std::vector<radiometry::Channel> channels;
-  std::unique_ptr<sensor::Camera> camera;
-
-  explicit Stage(const io::Document& document) {
-    scene.world = geometry::WorldBuilder().build();
-    assemble_light(document, scene);
-    channels = assemble_channels(document);
-    camera = assemble_camera(document, scene);
-  }
-};
 
 /// Where the response is above half of its maximum.
 std::pair<double, double> half_width(const radiometry::Channel& channel) {
@@ -153,7 +141,7 @@ io::AtmosphereReport survey_atmosphere(const io::Document& original, const Atmos
                              "there is no modelled atmosphere to look at: 'atmosphere' has no 'profile'");
   const io::Document document = asked(original, question);
   return with_position(document, document.atmosphere.position, [&] {
-    const Stage stage(document);
+    const SurveyStage stage(document);
     check_channels(document, stage.channels);
     const atmosphere::AtmosphereColumn column = assemble_column(document);
     io::AtmosphereReport report;

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/world.h"
 #include "io/document/document.h"
+#include "io/run_state/run_plan.h"
 #include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "session/assembly/atmosphere/weather_assembly.h"
@@ -33,6 +35,11 @@ std::string describe(const Parts& parts) {
   for (const std::string& line : parts.locations) text += line + "\n";
   for (const std::string& note : notes(parts)) text += note + "\n";
   return text;
+}
+
+std::string sensor_statement(const Parts& parts) {
+  return format("sensor: {} x {} pixels, {} channels in {} spectral nodes", parts.info.width_px,
+                parts.info.height_px, parts.channels.size(), parts.nodes->node_count());
 }
 
 std::string accuracy_statement(const io::RunPlan& plan, const Progress& totals,

@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "core/run_control.h"
-#include "io/run_state/run_plan.h"
 #include "render/tile_sink.h"
 #include "sampling/reason_words.h"
+
+namespace ifov::io {
+struct RunPlan;
+}
 
 namespace ifov::session {
 
@@ -16,6 +19,9 @@ struct Parts;
 
 /// What was loaded, a few lines for people.
 std::string describe(const Parts& parts);
+
+/// "sensor: 400 x 300 pixels, 3 channels in 4 spectral nodes"
+std::string sensor_statement(const Parts& parts);
 
 /// What was asked for, what was reached, and where it was not and why; `reasons` counts the pixels that are done and not
 /// converged, `why_gaps` says why pixels are not done, where some are not.

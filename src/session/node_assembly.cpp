@@ -17,6 +17,9 @@
 namespace ifov::session {
 namespace {
 
+/// Channels integrate within this of a full integration.
+constexpr double kChannelError = 1e-3;
+
 /// Tells how many of the atmosphere's solutions are there, and ends the work when asked to.
 std::function<void(std::size_t, std::size_t)> atmosphere_progress(const LoadOptions& options) {
   if (options.progress == nullptr && options.cancel == nullptr) return {};
@@ -86,6 +89,12 @@ void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmo
       parts.channels, sun, surfaces, demands, scene.sky.radiance ? &*scene.sky.radiance : nullptr));
   parts.nodes = parts.own_nodes.get();
   parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.nodes);
+}
+
+void warn_of_node_errors(const Parts& parts, LogSink& log) {
+  if (!parts.atmosphere && parts.nodes->worst_error() > kChannelError)
+    log.warn(format("the nodes of the channels integrate some product of spectra only within {:.2g} %",
+                    100.0 * parts.nodes->worst_error()));
 }
 
 }  // namespace ifov::session

@@ -14,4 +14,7 @@ namespace ifov::session {
 /// null.
 void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept);
 
+/// Where nodes stand for a channel less well than they should, without a modelled atmosphere, which knows its own error.
+void warn_of_node_errors(const Parts& parts, LogSink& log);
+
 }  // namespace ifov::session

@@ -10,16 +10,15 @@
 #include "core/format.h"
 #include "core/parallel.h"
 #include "core/version.h"
-#include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
-#include "io/document/samplers/plain_sampling.h"
 #include "io/product_parts/product_headers.h"
+#include "io/product_parts/run_record.h"
 #include "io/products/quicklook.h"
 #include "render/image_renderer.h"
 #include "render/make_field.h"
+#include "sampling/field.h"
 #include "sampling/hash.h"
 #include "sensor/camera.h"
-#include "session/assembly/whole/sensor_assembly.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
 
@@ -32,20 +31,6 @@ constexpr int kCoarsest = 8;        // pixels between the first paths
 constexpr std::size_t kBatch = 64;  // paths between two looks at the clock
 constexpr int kMostPaths = 256;     // at a pixel
 constexpr double kPatience = 10.0;  // times the time asked for, until every pixel has a path
-
-std::vector<io::ChannelDocument> shown_channels(const io::Document& document) {
-  const std::vector<io::ChannelDocument>& all = document.sensor.channels;
-  std::vector<io::ChannelDocument> shown;
-  for (const io::DocumentName& named : document.output.quicklook_channels)
-    for (const io::ChannelDocument& channel : all)
-      if (channel.name == named.name) shown.push_back(channel);
-  if (!shown.empty()) return shown;
-  render::ImageInfo info;
-  for (const radiometry::Channel& channel : assemble_channels(document))
-    info.channels.push_back({channel.name, channel.centre_um, channel.fwhm_um});
-  for (const int c : io::picture_channels(info)) shown.push_back(all[static_cast<std::size_t>(c)]);
-  return shown;
-}
 
 class Painter {
  public:
@@ -149,14 +134,6 @@ class Painter {
 };
 
 }  // namespace
-
-io::Document for_preview(io::Document document, int longest_px) {
-  document.sensor.channels = shown_channels(document);
-  document.sensor.psf = io::NoPsf{};
-  document.sampling.method = std::make_shared<const io::SingleSampling>();
-  document.sensor.camera.settings = document.sensor.camera.settings->shrunk(longest_px);
-  return document;
-}
 
 Preview make_preview(const Session& session, const PreviewOptions& options) {
   const Parts& parts = session.parts();

@@ -7,13 +7,13 @@
 #include "core/version.h"
 #include "io/document/document.h"
 #include "io/scene_cache/scene_cache.h"
-#include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/atmosphere_budget.h"
 #include "render/tolerance/channel_brightness.h"
 #include "render/tolerance/node_budget.h"
 #include "sampling/region_interval.h"
-#include "sensor/psf_wings.h"
+#include "sampling/tile.h"
+#include "sensor/camera.h"
 #include "session/assembly/atmosphere/atmosphere_cache.h"
 #include "session/assembly/atmosphere/weather_assembly.h"
 #include "session/assembly/shared/with_position.h"
@@ -26,27 +26,11 @@
 #include "session/node_assembly.h"
 #include "session/plausibility/light_warnings.h"
 #include "session/plausibility/plausibility.h"
-#include "transport/spectral_scene.h"
+#include "session/response_assembly.h"
 
 namespace ifov::session {
 
 namespace {
-
-/// Channels integrate within this of a full integration.
-constexpr double kChannelError = 1e-3;
-
-/// The footprint of a pixel, and what of its PSF lies beyond.
-void set_response(Parts& parts) {
-  const std::unique_ptr<sensor::Psf> psf = assemble_psf(parts.document);
-  const double fill_factor = parts.document.sensor.fill_factor;
-  parts.footprint =
-      std::make_unique<sampling::PixelFootprint>(sensor::make_footprint(psf.get(), fill_factor));
-  if (psf == nullptr) return;
-  if (psf->has_wings() && parts.plan.knows_errors)
-    parts.wings = std::make_unique<sensor::PsfWings>(*psf, fill_factor);
-  else
-    parts.psf_cut = 1.0 - psf->kept();
-}
 
 void warn_of_former_keys(const io::Document& document, LogSink& log) {
   for (const io::FormerKey& key : document.former_keys)
@@ -106,7 +90,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   p.plan = assemble_sampling(document, p.channels);
   p.assumed_surroundings = assume_surroundings(document, *p.camera, p.scene).value_or("");
   if (!p.assumed_surroundings.empty()) log->info(p.assumed_surroundings);
-  with_position(document, document.sensor.psf_position, [&] { set_response(p); });
+  with_position(document, document.sensor.psf_position, [&] { assemble_response(p); });
   std::optional<AtmosphereCache> solutions;
   if (cache && document.atmosphere.modelled) solutions.emplace(*cache);
   const auto save = [&] {
@@ -125,9 +109,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
     throw;
   }
   save();
-  if (!p.atmosphere && p.nodes->worst_error() > kChannelError)
-    log->warn(format("the nodes of the channels integrate some product of spectra only within {:.2g} %",
-                     100.0 * p.nodes->worst_error()));
+  warn_of_node_errors(p, *log);
   warn_of_light_left_out(p, *log);
   p.brightness = std::make_unique<render::ChannelBrightness>(*p.nodes);
   if (p.atmosphere) p.air = render::atmosphere_half_widths(*p.spectral_scene, *p.atmosphere);
@@ -138,8 +120,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   p.info.footprint_px = sampling::response_area_px(*p.footprint);
   for (std::size_t c = 0; c < p.air.size(); ++c) p.info.channels[c].air = p.air[c];
   tell_of_emitters(*p.spectral_scene, *log);
-  log->info(format("sensor: {} x {} pixels, {} channels in {} spectral nodes", p.info.width_px,
-                   p.info.height_px, p.channels.size(), p.nodes->node_count()));
+  log->info(sensor_statement(p));
   phase("plausibility");
   check_plausibility(p, *log);
   return Session(std::move(parts));

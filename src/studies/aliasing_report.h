@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/document/sampling_document.h"
 #include "studies/chart_scene.h"
 #include "studies/common/figures.h"
 #include "studies/common/image_store.h"

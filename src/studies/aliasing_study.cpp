@@ -6,8 +6,13 @@
 #include <numbers>
 
 #include "core/format.h"
+#include "io/document/document.h"
+#include "io/document/samplers/accuracy_sampling.h"
 #include "studies/aliasing_report.h"
+#include "studies/common/study_document.h"
+#include "studies/common/study_files.h"
 #include "studies/common/study_progress.h"
+#include "studies/common/study_rendering.h"
 
 namespace ifov::studies {
 

@@ -2,8 +2,10 @@
 
 #include <utility>
 
+#include "io/document/document.h"
 #include "io/document/shapes/flat_primitives.h"
 #include "sampling/random.h"
+#include "studies/common/study_document.h"
 
 namespace ifov::studies {
 

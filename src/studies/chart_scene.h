@@ -3,8 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "studies/common/study_document.h"
 #include "studies/resolution_chart.h"
+
+namespace ifov::io {
+struct Document;
+struct SamplingDocument;
+}  // namespace ifov::io
 
 namespace ifov::studies {
 

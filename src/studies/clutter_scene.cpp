@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "core/format.h"
+#include "io/document/document.h"
 #include "io/document/shapes/flat_primitives.h"
 #include "radiometry/planck.h"
 #include "sampling/random.h"
+#include "studies/common/study_document.h"
 #include "studies/thermal_scene.h"
 
 namespace ifov::studies {

@@ -4,7 +4,11 @@
 #include <vector>
 
 #include "studies/common/exact_area.h"
-#include "studies/common/study_document.h"
+
+namespace ifov::io {
+struct Document;
+struct SamplingDocument;
+}  // namespace ifov::io
 
 namespace ifov::studies {
 

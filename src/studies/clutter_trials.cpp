@@ -5,8 +5,13 @@
 #include <limits>
 
 #include "core/format.h"
+#include "io/document/document.h"
+#include "io/document/samplers/accuracy_sampling.h"
 #include "sampling/accuracy/accuracy_sampler.h"
 #include "studies/common/html_page.h"
+#include "studies/common/image_store.h"
+#include "studies/common/study_document.h"
+#include "studies/common/study_rendering.h"
 #include "studies/thermal_scene.h"
 
 namespace ifov::studies {

@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "core/parallel.h"
+#include "io/document/samplers/accuracy_sampling.h"
+#include "studies/common/study_document.h"
 
 namespace ifov::studies {
 

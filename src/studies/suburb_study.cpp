@@ -12,7 +12,7 @@
 #include "io/document/samplers/plain_sampling.h"
 #include "studies/channel_cost.h"
 #include "studies/common/scene_renderer.h"
-#include "studies/common/study_document.h"
+#include "studies/common/study_files.h"
 #include "studies/suburb_report.h"
 #include "studies/suburb_scene.h"
 

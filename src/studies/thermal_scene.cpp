@@ -7,11 +7,14 @@
 #include <utility>
 
 #include "core/format.h"
+#include "io/document/document.h"
+#include "io/document/samplers/error_size.h"
 #include "io/document/shapes/box_primitive.h"
 #include "io/document/shapes/flat_primitives.h"
 #include "io/document/shapes/round_primitives.h"
 #include "radiometry/planck.h"
 #include "sampling/random.h"
+#include "studies/common/study_document.h"
 
 namespace ifov::studies {
 

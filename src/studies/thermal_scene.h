@@ -3,9 +3,15 @@
 #include <cstdint>
 #include <string>
 
+#include "io/document/scene_document.h"
 #include "studies/common/exact_area.h"
-#include "studies/common/study_document.h"
 #include "studies/common/texture_map.h"
+
+namespace ifov::io {
+struct Document;
+struct ErrorSize;
+struct SamplingDocument;
+}  // namespace ifov::io
 
 namespace ifov::studies {
 

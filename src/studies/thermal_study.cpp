@@ -6,6 +6,10 @@
 #include <utility>
 
 #include "core/format.h"
+#include "io/document/document.h"
+#include "io/document/samplers/accuracy_sampling.h"
+#include "studies/common/study_document.h"
+#include "studies/common/study_files.h"
 #include "studies/thermal_report.h"
 
 namespace ifov::studies {

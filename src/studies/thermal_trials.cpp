@@ -4,7 +4,11 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "io/document/document.h"
 #include "sampling/random.h"
+#include "studies/common/image_store.h"
+#include "studies/common/study_document.h"
+#include "studies/common/study_rendering.h"
 
 namespace ifov::studies {
 

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "io/document/sampling_document.h"
+#include "studies/common/image_store.h"
 #include "studies/common/study_options.h"
 #include "studies/common/study_progress.h"
 #include "studies/thermal_scene.h"

@@ -5,6 +5,10 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/world.h"
+#include "materials/bsdf/bsdf.h"
+#include "materials/draped_map.h"
+#include "scene/scene.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::transport {

@@ -6,6 +6,8 @@
 #include <map>
 #include <numeric>
 
+#include "geometry/world.h"
+#include "scene/scene.h"
 #include "transport/emitter_choice.h"
 #include "transport/emitter_tree.h"
 #include "transport/spectral_scene.h"

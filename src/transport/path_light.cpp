@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "math/vec3.h"
+#include "scene/scene.h"
 #include "transport/sky/sky_dome.h"
 #include "transport/spectral_scene.h"
 #include "transport/spectrum_arithmetic.h"

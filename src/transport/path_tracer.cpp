@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include "geometry/world.h"
 #include "math/vec3.h"
+#include "scene/scene.h"
 #include "transport/mirrors/emitter_mirrors.h"
+#include "transport/path_parts.h"
 #include "transport/sky/sky_dome.h"
 #include "transport/spectral_scene.h"
 #include "transport/wide_sun.h"
@@ -21,9 +24,11 @@ PathTracer::PathTracer(const SpectralScene& scene, TransportOptions options)
   mirrors_ = scene.sun_mirrors();
   if (mirrors_ != nullptr) {
     images_ = SunImages(*mirrors_, scene.scene().sun->direction, options.mirror_reflections);
-    mirror_tracer_.emplace(scene.scene(), *mirrors_, images_);
+    mirror_tracer_ = std::make_unique<MirrorTracer>(scene.scene(), *mirrors_, images_);
   }
 }
+
+PathTracer::~PathTracer() = default;
 
 const PathRecord& PathTracer::trace(std::span<const math::Ray> rays, std::span<const PathKey> keys,
                                     std::span<geometry::SurfacePoint> first_hits,

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -9,19 +9,19 @@
 #include "math/ray.h"
 #include "sampling/field.h"
 #include "sampling/warp.h"
-#include "transport/emitters.h"
-#include "transport/mirrors/mirror_paths.h"
-#include "transport/mirrors/sun_mirrors.h"
+#include "transport/mirrors/sun_images.h"
 #include "transport/path_record.h"
-#include "transport/separate_images.h"
 #include "transport/surface_lobe.h"
 #include "transport/transport_options.h"
 
 namespace ifov::transport {
 
 class EmitterMirrors;
+class Emitters;
+class MirrorTracer;
 class SkySampler;
 class SpectralScene;
+class SunMirrors;
 
 /// The random numbers of a path: element `index` of the scrambled sequence `sequence`.
 struct PathKey {
@@ -38,6 +38,7 @@ class PathTracer {
  public:
   /// Keeps a reference to the scene, which must outlive this.
   PathTracer(const SpectralScene& scene, TransportOptions options);
+  ~PathTracer();
   PathTracer(const PathTracer&) = delete;
   PathTracer& operator=(const PathTracer&) = delete;
 
@@ -50,81 +51,20 @@ class PathTracer {
                           std::span<geometry::SurfacePoint> first_hits, sampling::RayCounts& counts);
 
  private:
-  struct Sides;
+  struct Sides;  // path_sides.h
   static constexpr std::uint32_t kNone = 0xffffffffu;
   static constexpr double kGrazing = 1e-6;  // the least cosine by which an area is seen
 
-  /// What next-event estimation to emitters has to know of a scattered ray.
-  struct Departure {
-    Receiver receiver;
-    double density = 0.0;             // of the ray's direction, 1/sr, choice of the side included
-    double seek_probability = 0.0;    // that emitters were sought on this side; 0: they were not
-    double mirror_probability = 0.0;  // that they were sought by way of a certain plane of mirrors
-    bool unfolded = false;            // the receiver stands behind the mirror that the path has come by
-    bool by_rounds = false;           // they were sought by way of round mirrors
-    std::uint32_t round = kNone;      // that the path has come by, with the coefficients of its image
-    std::array<double, 3> widens{};
-  };
-  /// The mirrors that a path came by since the sensor or the last surface where sunlight was sought.
-  struct Way {
-    std::array<std::uint16_t, SunImages::kMostReflections> facings{};
-    std::uint8_t reflections = 0;
-    bool from_sensor = true;
-    bool flat = true;     // all of them have a facing
-    bool unseen = false;  // sunlight by this way is found by random paths alone
-  };
-  struct Path {
-    math::Ray ray;
-    PathKey key;
-    std::uint32_t number = 0;  // in the record
-    bool sees_sun = true;      // no next-event estimation was made for this segment
-    Departure left;            // where it left the surface before
-    Way way;
-    SeparateImages::Mirror mirror = SeparateImages::kNone;  // that it came by straight from the sensor
-  };
-  struct SurfaceEvent {  // a path that scatters at this depth
-    std::uint32_t path = 0;
-    std::uint32_t shadow = kNone;  // index of its shadow ray
-    PathVertex vertex;             // sunlight as if nothing blocked it
-    math::Ray next;
-    bool next_sees_sun = false;
-    Departure left;
-    std::uint32_t seek = kNone;  // index of its ray to an emitter
-    // Probability that one was sought for what is reflected; below 0: none was sought.
-    double seek_reflected = -1.0;
-    Way next_chain;
-    SeparateImages::Mirror next_mirror = SeparateImages::kNone;
-  };
-  struct Seek {  // a ray that was sent to an emitter
-    Emitters::Aim aim;
-    double weight = 0.0;  // what the sought emission counts if it is seen
-  };
-  struct MirrorSeek {  // a ray that was sent to an emitter by way of a mirror
-    Emitters::Piece piece;
-    std::uint32_t event = 0;
-    std::uint32_t plane = kNone;  // of a flat one, and the direction from there
-    math::Vec3 onward;
-    std::uint32_t round = kNone;  // a round one, the place on it and that of the light
-    math::Point3 at, light_at;
-    math::Ray ray;
-    PathRecord::Mirrored light;
-  };
-  /// Where the Sun's light may reach a surface from, and what is made of it there.
-  struct SunRay {
-    math::Ray ray;
-    double weight = 0.0;  // 0: none
-    bool transmitted = false;
-  };
-  struct MirrorRay : MirrorPath {
-    std::uint32_t event = 0;  // index into events_
-    PathRecord::Mirrored light;
-  };
-  /// A ray towards mirrors by way of which no sunlight is sought.
-  struct UnseenRay {
-    std::uint32_t event = 0;
-    float weight = 0.0f;
-    math::Ray ray;
-  };
+  // What it keeps of paths and rays (path_parts.h).
+  struct Departure;
+  struct Way;
+  struct Path;
+  struct SurfaceEvent;
+  struct Seek;
+  struct MirrorSeek;
+  struct SunRay;
+  struct MirrorRay;
+  struct UnseenRay;
   void trace_segment(sampling::RayCounts& counts, int depth);
   void advance(int depth, sampling::RayCounts& counts);
   void escape(const Path& path);
@@ -231,7 +171,7 @@ class PathTracer {
   std::vector<geometry::SurfacePoint> seek_hits_;
   const SunMirrors* mirrors_ = nullptr;  // null: there are none, or no Sun
   SunImages images_;
-  std::optional<MirrorTracer> mirror_tracer_;
+  std::unique_ptr<MirrorTracer> mirror_tracer_;
   const EmitterMirrors* emitter_mirrors_ = nullptr;  // null where nothing is sought by way of mirrors
   std::vector<MirrorSeek> mirror_seeks_;
   std::vector<MirrorRay> mirror_rays_;

@@ -3,11 +3,14 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/world.h"
 #include "materials/bsdf/mirror.h"
 #include "math/vec3.h"
 #include "sampling/sequence.h"
+#include "scene/scene.h"
 #include "transport/mirrors/emitter_mirrors.h"
 #include "transport/mirrors/mirror_paths.h"
+#include "transport/path_parts.h"
 #include "transport/path_sides.h"
 #include "transport/path_tracer.h"
 #include "transport/spectral_scene.h"

@@ -3,8 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/world.h"
 #include "sampling/sequence.h"
+#include "scene/scene.h"
 #include "transport/mirrors/emitter_mirrors.h"
+#include "transport/path_parts.h"
 #include "transport/path_sides.h"
 #include "transport/path_tracer.h"
 #include "transport/spectral_scene.h"

@@ -5,8 +5,10 @@
 
 #include "math/vec3.h"
 #include "sampling/sequence.h"
+#include "scene/scene.h"
 #include "transport/mirrors/emitter_mirrors.h"
 #include "transport/mirrors/sun_lobes.h"
+#include "transport/path_parts.h"
 #include "transport/path_sides.h"
 #include "transport/path_tracer.h"
 #include "transport/sky/sky_dome.h"

@@ -1,9 +1,12 @@
 // Light that is sought from emitters, and its balance with what scattered rays find.
 #include <algorithm>
 
+#include "geometry/world.h"
 #include "materials/bsdf/mirror.h"
 #include "math/vec3.h"
 #include "sampling/sequence.h"
+#include "scene/scene.h"
+#include "transport/path_parts.h"
 #include "transport/path_sides.h"
 #include "transport/path_tracer.h"
 #include "transport/sky/sky_dome.h"

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/world.h"
+#include "scene/scene.h"
 #include "transport/emitter_choice.h"
 #include "transport/shapes/emitter_shape.h"
 #include "transport/spectral_scene.h"

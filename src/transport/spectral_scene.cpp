@@ -7,7 +7,10 @@
 
 #include "atmosphere/imported_atmosphere.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
+#include "geometry/world.h"
+#include "materials/bsdf/node_bsdf.h"
 #include "radiometry/planck_table.h"
+#include "scene/scene.h"
 #include "transport/emitters.h"
 #include "transport/mirrors/emitter_mirrors.h"
 #include "transport/mirrors/sun_lobes.h"

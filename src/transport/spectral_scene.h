@@ -7,7 +7,7 @@
 #include "materials/spectral_materials.h"
 #include "radiometry/spectral_nodes.h"
 #include "radiometry/spectrum_block.h"
-#include "scene/scene.h"
+#include "scene/resolved_surface.h"
 
 namespace ifov::atmosphere {
 class ImportedAtmosphere;
@@ -16,6 +16,10 @@ class SensorAtmosphere;
 namespace ifov::radiometry {
 class PlanckTable;
 }
+namespace ifov::scene {
+struct Scene;
+struct SurfaceState;
+}  // namespace ifov::scene
 
 namespace ifov::transport {
 

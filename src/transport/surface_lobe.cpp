@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "materials/bsdf/node_bsdf.h"
+#include "scene/scene.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::transport {

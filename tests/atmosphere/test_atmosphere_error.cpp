@@ -6,8 +6,10 @@
 #include <numbers>
 #include <vector>
 
+#include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/sensor/channel_light.h"
 #include "atmosphere/sensor/finer_atmosphere.h"
+#include "atmosphere/sensor/sensor_atmosphere.h"
 #include "atmosphere/sensor/sky_table_error.h"
 #include "radiometry/planck.h"
 #include "radiometry/solar_spectrum.h"

@@ -8,6 +8,7 @@
 #include "atmosphere/gas/band_model.h"
 #include "atmosphere/gas/gas_transmittance.h"
 #include "atmosphere/particles/aerosol_column.h"
+#include "atmosphere/profile/built_profile.h"
 #include "atmosphere/profile/profile_description.h"
 #include "lowtran_output.h"
 #include "measured.h"

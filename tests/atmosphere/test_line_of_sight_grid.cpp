@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/scattering/column_solver.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "radiometry/solar_spectrum.h"

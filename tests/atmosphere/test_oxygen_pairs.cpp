@@ -4,6 +4,7 @@
 
 #include "atmosphere/gas/continua.h"
 #include "atmosphere/gas/oxygen_pairs.h"
+#include "atmosphere/profile/built_profile.h"
 #include "atmosphere/profile/profile_description.h"
 
 using namespace ifov::atmosphere;

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/scattering/column_solver.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "radiometry/solar_spectrum.h"

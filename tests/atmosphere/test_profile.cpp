@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 
+#include "atmosphere/profile/built_profile.h"
 #include "atmosphere/profile/profile_description.h"
 #include "core/error.h"
 #include "lowtran_output.h"

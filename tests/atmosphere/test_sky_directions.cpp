@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "radiometry/solar_spectrum.h"
 

@@ -3,9 +3,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "atmosphere/survey/atmosphere_effects.h"
+#include "atmosphere/column/atmosphere_column.h"
+#include "atmosphere/scattering/propagation.h"
+#include "atmosphere/sensor/channel_bins.h"
+#include "atmosphere/sensor/sensor_geometry.h"
 #include "atmosphere/survey/neutral_points.h"
 #include "atmosphere/survey/sky_view.h"
+#include "atmosphere/survey/survey_effects.h"
 #include "radiometry/solar_spectrum.h"
 
 namespace ifov::atmosphere {

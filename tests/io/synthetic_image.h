@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/product_parts/run_record.h"
 #include "io/products/product_writer.h"
 #include "render/tile_sink.h"
 

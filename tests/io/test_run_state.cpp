@@ -11,7 +11,9 @@
 
 #include "core/error.h"
 #include "io/quantities/location_quantities.h"
+#include "io/quantities/radiance_quantities.h"
 #include "io/run_of_tiles.h"
+#include "io/run_state/run_folder.h"
 #include "io/run_state/run_state.h"
 #include "io/run_state/tile_packs.h"
 

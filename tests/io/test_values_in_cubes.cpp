@@ -5,7 +5,9 @@
 
 #include "io/products/part_file.h"
 #include "io/products/product_writer.h"
+#include "io/quantities/radiance_quantities.h"
 #include "io/run_of_tiles.h"
+#include "io/run_state/run_folder.h"
 #include "io/run_state/run_state.h"
 #include "io/run_state/tile_packs.h"
 

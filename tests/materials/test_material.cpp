@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "materials/bsdf/lambertian.h"
 #include "materials/bsdf/mirror.h"
 #include "materials/draped_map.h"
 #include "materials/material.h"

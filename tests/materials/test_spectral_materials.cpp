@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
 
+#include "materials/bsdf/lambertian.h"
 #include "materials/bsdf/mirror.h"
+#include "materials/bsdf/node_bsdf.h"
+#include "materials/material.h"
 #include "materials/spectral_materials.h"
 #include "radiometry/solar_spectrum.h"
+#include "radiometry/spectral_nodes.h"
 
 namespace ifov::materials {
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "radiometry/channel_grid.h"
 #include "radiometry/planck.h"
 #include "radiometry/spectral_nodes.h"
 

@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "radiometry/planck.h"
+#include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
+#include "render/tolerance/channel_brightness.h"
 
 namespace ifov::render {
 namespace {

@@ -8,6 +8,7 @@
 #include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/atmosphere_budget.h"
+#include "render/tolerance/channel_brightness.h"
 
 namespace ifov::render {
 namespace {

@@ -6,7 +6,10 @@
 
 #include "render/image_renderer.h"
 #include "render/tile_grid.h"
+#include "render/tile_sink.h"
+#include "sampling/pixel_footprint.h"
 #include "sampling/single_sampler.h"
+#include "sampling/tile.h"
 #include "sensor/orthographic_camera.h"
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"

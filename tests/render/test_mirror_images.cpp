@@ -7,10 +7,13 @@
 
 #include "materials/bsdf/mirror.h"
 #include "render/image_renderer.h"
+#include "render/tile_sink.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "render/tolerance/channel_brightness.h"
 #include "sampling/accuracy/accuracy_sampler.h"
+#include "sampling/pixel_footprint.h"
 #include "sampling/random.h"
+#include "sampling/tile.h"
 #include "sensor/orthographic_camera.h"
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"

@@ -8,6 +8,7 @@
 #include "radiometry/channel.h"
 #include "radiometry/spectral_nodes.h"
 #include "render/tolerance/accuracy_tolerance.h"
+#include "render/tolerance/channel_brightness.h"
 #include "render/tolerance/node_budget.h"
 #include "scene/scene.h"
 #include "transport/spectral_scene.h"

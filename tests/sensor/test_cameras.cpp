@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "geodesy/attitude.h"
 #include "sensor/frame_camera.h"
 #include "sensor/orthographic_camera.h"
 #include "sensor/sinking_scanner.h"

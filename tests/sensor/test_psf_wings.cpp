@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sensor/psf.h"
 #include "sensor/psf_wings.h"
 
 using namespace ifov::sensor;

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/format.h"
+#include "geometry/world.h"
 #include "io/document/document.h"
 #include "radiometry/planck.h"
 #include "session/loaded/parts.h"

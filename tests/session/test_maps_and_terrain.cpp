@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/format.h"
+#include "geometry/world.h"
 #include "io/document/document.h"
 #include "math/ray.h"
 #include "session/loaded/parts.h"

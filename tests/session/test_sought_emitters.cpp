@@ -8,6 +8,8 @@
 #include "io/document/document.h"
 #include "radiometry/spectral_nodes.h"
 #include "render/image_renderer.h"
+#include "render/tile_sink.h"
+#include "sampling/tile.h"
 #include "session/loaded/parts.h"
 #include "session/session.h"
 #include "transport/emitters.h"

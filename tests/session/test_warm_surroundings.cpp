@@ -6,8 +6,10 @@
 #include <filesystem>
 #include <numbers>
 
+#include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/scattering/column_solver.h"
 #include "atmosphere/sensor/channel_light.h"
+#include "atmosphere/sensor/sensor_geometry.h"
 #include "core/format.h"
 #include "io/document/document.h"
 #include "radiometry/planck.h"

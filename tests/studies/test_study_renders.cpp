@@ -4,8 +4,14 @@
 #include <filesystem>
 #include <fstream>
 
+#include "io/document/document.h"
+#include "io/document/samplers/accuracy_sampling.h"
 #include "studies/clutter_scene.h"
 #include "studies/clutter_trials.h"
+#include "studies/common/image_store.h"
+#include "studies/common/study_document.h"
+#include "studies/common/study_files.h"
+#include "studies/common/study_rendering.h"
 #include "studies/sampling_sweep.h"
 #include "studies/studies.h"
 

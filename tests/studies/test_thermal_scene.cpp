@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "io/document/document.h"
+#include "io/document/samplers/accuracy_sampling.h"
 #include "radiometry/planck.h"
+#include "studies/common/study_document.h"
 #include "studies/common/texture_map.h"
 #include "studies/thermal_scene.h"
 

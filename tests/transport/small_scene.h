@@ -5,10 +5,12 @@
 
 #include "core/format.h"
 #include "geometry/world/world_builder.h"
+#include "materials/bsdf/lambertian.h"
 #include "radiometry/spectral_nodes.h"
 #include "scene/scene.h"
 #include "transport/path_light.h"
 #include "transport/path_tracer.h"
+#include "transport/spectral_scene.h"
 #include "transport/view_atmosphere.h"
 
 namespace ifov::test {

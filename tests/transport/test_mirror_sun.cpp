@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "materials/bsdf/mirror.h"
+#include "transport/mirrors/sun_mirrors.h"
 #include "transport/small_scene.h"
 #include "transport/spectral_scene.h"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "radiometry/solar_spectrum.h"
 #include "transport/small_scene.h"

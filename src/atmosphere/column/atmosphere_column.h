@@ -8,7 +8,7 @@
 #include "atmosphere/gas/term_overlap.h"
 #include "atmosphere/layer_optics.h"
 #include "atmosphere/particles/aerosol_column.h"
-#include "atmosphere/profile/profile_description.h"
+#include "atmosphere/profile/built_profile.h"
 
 namespace ifov::atmosphere {
 

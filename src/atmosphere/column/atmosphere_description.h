@@ -1,7 +1,7 @@
 #pragma once
 
-#include "atmosphere/gas/continua.h"
-#include "atmosphere/particles/aerosol_column.h"
+#include "atmosphere/gas/gas_model.h"
+#include "atmosphere/particles/aerosol_description.h"
 #include "atmosphere/profile/profile_description.h"
 
 namespace ifov::atmosphere {

@@ -1,15 +1,9 @@
 #pragma once
 
 #include "atmosphere/gas/gas_amounts.h"
+#include "atmosphere/gas/gas_model.h"
 
 namespace ifov::atmosphere {
-
-enum class GasModel {
-  /// The far-wing term of the water continuum fades out from 1250 to 1900 cm-1; pairs of oxygen molecules
-  /// absorb.
-  standard,
-  lowtran7,  ///< as the program of 1992 computes, for comparison
-};
 
 /// Optical depths of the continuous absorption of a path.
 struct ContinuumDepths {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atmosphere/particles/aerosol_description.h"
 #include "atmosphere/particles/aerosol_height.h"
 #include "atmosphere/profile/column_integral.h"
 #include "core/error.h"

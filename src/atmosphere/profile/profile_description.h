@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "atmosphere/profile/profile.h"
-
 namespace ifov::atmosphere {
 
 /// A level of the user's own profile (a radiosonde). Of the two measures of humidity at most one is given;
@@ -32,15 +30,5 @@ struct ProfileDescription {
   std::optional<double> n2o_ppm = 0.335;
   bool limit_humidity = true;  ///< relative humidity stays at or below 100 %
 };
-
-/// A profile from the ground to 100 km, and what had to be done to it, in words for the user.
-struct BuiltProfile {
-  Profile profile;
-  std::vector<std::string> remarks;
-};
-
-/// InputError for an unknown model, levels that do not rise, values that cannot be, or a ground outside the
-/// levels or at 6 km and above.
-BuiltProfile build_profile(const ProfileDescription& description);
 
 }  // namespace ifov::atmosphere

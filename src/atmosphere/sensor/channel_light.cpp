@@ -3,8 +3,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/column/light_limits.h"
 #include "atmosphere/scattering/column_solver.h"
+#include "atmosphere/sensor/channel_bins.h"
+#include "atmosphere/sensor/sensor_atmosphere.h"
+#include "atmosphere/sensor/sensor_geometry.h"
 #include "atmosphere/thermal/thermal_column.h"
 #include "core/parallel.h"
 #include "radiometry/planck.h"

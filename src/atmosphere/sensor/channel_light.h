@@ -4,9 +4,14 @@
 #include <span>
 #include <vector>
 
-#include "atmosphere/sensor/sensor_atmosphere.h"
+#include "atmosphere/scattering/scattering_options.h"
+#include "radiometry/channel.h"
 
 namespace ifov::atmosphere {
+
+class AtmosphereColumn;
+class SensorAtmosphere;
+struct SensorGeometry;
 
 /// What the air does to light in one part of a channel: a bin of the band model with one absorption term, or
 /// a spectral node. Irradiances in W m-2 um-1, radiances in W m-2 sr-1 um-1, over black ground.

@@ -6,16 +6,9 @@
 
 #include "atmosphere/layer_optics.h"
 #include "atmosphere/profile/profile.h"
+#include "atmosphere/sensor/line_of_sight.h"
 
 namespace ifov::atmosphere {
-
-/// A line of sight from a surface to the sensor.
-struct LineOfSight {
-  double zenith_rad = 0.0;                ///< of the direction from the surface towards the sensor
-  double azimuth_rad = 0.0;               ///< of that direction from the Sun's
-  double height_km = 0.0;                 ///< of the surface above the column's ground
-  double sensor_km = kTopOfAtmosphereKm;  ///< altitude of the sensor above mean sea level
-};
 
 /// Lines of sight of an image, as the box that holds them: slopes tan(zenith) cos(azimuth) along the Sun's
 /// azimuth and |tan(zenith) sin(azimuth)| across it (the air is the same on both sides of the Sun's plane).

@@ -7,10 +7,12 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/column/light_limits.h"
 #include "atmosphere/sensor/channel_lights.h"
 #include "atmosphere/sensor/error_estimate.h"
 #include "core/parallel.h"
+#include "radiometry/channel_grid.h"
 #include "radiometry/planck.h"
 
 namespace ifov::atmosphere {

@@ -5,18 +5,21 @@
 #include <span>
 #include <vector>
 
-#include "atmosphere/column/atmosphere_column.h"
-#include "atmosphere/scattering/propagation.h"
 #include "atmosphere/scattering/scattering_options.h"
 #include "atmosphere/sensor/atmosphere_error.h"
-#include "atmosphere/sensor/channel_points.h"
 #include "atmosphere/sensor/kept_solutions.h"
 #include "atmosphere/sensor/line_of_sight_grid.h"
+#include "atmosphere/sensor/sensor_geometry.h"
 #include "atmosphere/sensor/sky_directions.h"
 #include "radiometry/spectral_nodes.h"
 
+namespace ifov::radiometry {
+struct StokesVector;
+}
+
 namespace ifov::atmosphere {
 
+class AtmosphereColumn;
 struct ChannelLights;
 
 /// The atmosphere as one sensor's channels see it: spectral nodes, and what the air does to light in each of
@@ -91,8 +94,8 @@ class SensorAtmosphere {
   bool polarized() const { return polarization_.has_value(); }
   /// As sky() and groundlit_sky(), about the meridional_frame of light from that direction; azimuths count
   /// counterclockwise from the Sun's, seen from above, and have -u on the other side.
-  StokesVector sky_stokes(std::size_t zenith, std::size_t azimuth, std::size_t node) const;
-  StokesVector groundlit_sky_stokes(std::size_t zenith, std::size_t node) const;
+  radiometry::StokesVector sky_stokes(std::size_t zenith, std::size_t azimuth, std::size_t node) const;
+  radiometry::StokesVector groundlit_sky_stokes(std::size_t zenith, std::size_t node) const;
   /// Q and U of LightAlongLine::radiance and Q of LightAlongLine::diffuse_transmittance (its U is 0), by node, about the
   /// meridional_frame of light that goes towards the sensor; u for a line on the counterclockwise side.
   struct LineOfSightPolarization {

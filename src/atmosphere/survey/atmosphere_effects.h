@@ -1,12 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <span>
-#include <vector>
-
-#include "atmosphere/sensor/sensor_atmosphere.h"
-
 namespace ifov::atmosphere {
 
 /// What the air does to the light of one channel, for people to look at: means over the response. Radiances
@@ -23,23 +16,5 @@ struct AtmosphereEffects {
   double solar_sky = 0.0, thermal_sky = 0.0;  ///< irradiance of the sky
   double spherical_albedo = 0.0;  ///< of the air for light from below, 0 where it was not computed
 };
-
-struct SurveyControl {
-  std::size_t most_nodes = 8;  ///< of a channel; 1 for narrow steps
-  int threads = 0;             ///< 0: all cores
-  /// Told between parts of the work how many channels are done; may throw to end it.
-  std::function<void(std::size_t)> progress = {};
-};
-
-/// Of each channel. InputError as BinOptics.
-std::vector<AtmosphereEffects> survey_effects(const AtmosphereColumn& column,
-                                              std::span<const radiometry::Channel> channels,
-                                              const radiometry::Spectrum& solar_irradiance,
-                                              const SensorGeometry& geometry,
-                                              const SurveyControl& control = {});
-
-/// Rectangular channels side by side, as wide as the band model resolves (20 cm-1), or a multiple of it where
-/// there would be more than `most`; from short to long wavelengths.
-std::vector<radiometry::Channel> resolved_steps(double first_um, double last_um, std::size_t most = 1500);
 
 }  // namespace ifov::atmosphere

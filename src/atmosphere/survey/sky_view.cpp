@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/column/light_limits.h"
 #include "atmosphere/scattering/column_solver.h"
+#include "atmosphere/scattering/scattering_options.h"
 #include "atmosphere/thermal/thermal_column.h"
 #include "core/parallel.h"
 #include "math/angle.h"

@@ -1,13 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
-#include "atmosphere/column/atmosphere_column.h"
-#include "atmosphere/scattering/propagation.h"
-#include "atmosphere/scattering/scattering_options.h"
+#include "radiometry/stokes.h"
 
 namespace ifov::atmosphere {
+
+class AtmosphereColumn;
 
 /// The whole sky at one wavelength, seen from the ground, over black ground and without the Sun's disc.
 struct SkyView {
@@ -15,9 +16,9 @@ struct SkyView {
   std::vector<double> zenith_rad;  ///< 0 to pi / 2
   /// Counterclockwise from the Sun's, 0 to pi; the other half mirrors it, with -u.
   std::vector<double> azimuth_rad;
-  std::vector<StokesVector> light;  ///< [zenith][azimuth], W m-2 sr-1 um-1
+  std::vector<radiometry::StokesVector> light;  ///< [zenith][azimuth], W m-2 sr-1 um-1
 
-  const StokesVector& at(std::size_t zenith, std::size_t azimuth) const {
+  const radiometry::StokesVector& at(std::size_t zenith, std::size_t azimuth) const {
     return light[zenith * azimuth_rad.size() + azimuth];
   }
 };

@@ -7,6 +7,7 @@
 #include "geometry/growing_box.h"
 #include "geometry/mesh_chunks.h"
 #include "geometry/world/embree_world.h"
+#include "geometry/world/survey_of.h"
 
 namespace ifov::geometry {
 namespace {

@@ -4,10 +4,8 @@
 #include <vector>
 
 #include "geometry/mesh_lists.h"
-#include "geometry/unit_primitive.h"
+#include "geometry/unit_kind.h"
 #include "geometry/world.h"
-#include "geometry/world/piece_walk.h"
-#include "geometry/world/world_content.h"
 #include "math/transform.h"
 
 namespace ifov::geometry {
@@ -59,10 +57,5 @@ struct SurfaceSurvey {
   std::vector<Ball> balls;
   bool all_flats = true;  ///< false: there are more than kMostFlats normals
 };
-
-/// `surveyed` by material: whether it counts. Missing entries do not. `facets`: flat triangles are listed among the smooth
-/// ones, and no flats.
-SurfaceSurvey survey_of(const WorldContent& content, const PieceWalk& walk, const std::vector<bool>& surveyed,
-                        bool facets = false);
 
 }  // namespace ifov::geometry

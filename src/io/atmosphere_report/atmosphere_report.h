@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "atmosphere/sensor/sensor_geometry.h"
 #include "atmosphere/survey/atmosphere_effects.h"
 #include "atmosphere/survey/neutral_points.h"
 #include "atmosphere/survey/sky_view.h"

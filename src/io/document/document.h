@@ -18,9 +18,10 @@
 #include "io/document/sensor_document.h"
 #include "io/document/weather_document.h"
 #include "io/json/document_override.h"
-#include "io/json/document_source.h"
 
 namespace ifov::io {
+
+class DocumentSource;
 
 /// Version of the document format that this program reads and writes.
 inline constexpr int kDocumentVersion = 1;

@@ -2,9 +2,7 @@
 
 #include <cstdint>
 #include <functional>
-#include <initializer_list>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -46,28 +44,5 @@ std::span<const ProductFormat* const> all_product_formats();
 
 /// Null where no document can ask for one of this name.
 const ProductFormat* find_product_format(std::string_view name);
-
-/// A choice among them, in their order; those that come with every run are in all.
-class ProductFormats {
- public:
-  ProductFormats() = default;
-  ProductFormats(std::initializer_list<const ProductFormat*> formats) : asked_(formats) {}
-
-  bool has(const ProductFormat& format) const;
-  void add(const ProductFormat& format) { asked_.push_back(&format); }
-  std::vector<const ProductFormat*> list() const;
-
-  /// Of the files, which are not small.
-  std::uint64_t bytes(const render::ImageInfo& image, const QuantitySet& cubes) const;
-
- private:
-  std::vector<const ProductFormat*> asked_;
-};
-
-/// Those that a document asks for, by their words (product_words). std::logic_error for one that no format has.
-ProductFormats product_formats(std::span<const std::string> words);
-
-/// What is written where a document asks for nothing: cubes, picture and report.
-ProductFormats usual_product_formats();
 
 }  // namespace ifov::io

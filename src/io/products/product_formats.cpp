@@ -1,3 +1,5 @@
+#include "io/products/product_formats.h"
+
 #include <algorithm>
 #include <array>
 #include <stdexcept>

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "io/product_parts/map_info.h"
 #include "io/product_parts/run_json.h"
+#include "io/product_parts/run_record.h"
 #include "io/products/cube_set.h"
 #include "io/products/product_format.h"
 

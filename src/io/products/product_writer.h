@@ -6,12 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "io/product_parts/run_record.h"
-#include "io/products/product_format.h"
+#include "io/product_parts/run_identity.h"
+#include "io/products/product_formats.h"
 #include "io/quantities/quantity_set.h"
 #include "render/tile_sink.h"
 
 namespace ifov::io {
+
+struct RunOutcome;
+struct RunRecord;
 
 /// Which products a run leaves, and where.
 struct ProductOptions {

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "io/json/json_adapter.h"
+#include "io/run_state/run_plan.h"
 #include "io/run_state/tile_packs.h"
 
 namespace ifov::io {

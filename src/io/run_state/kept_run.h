@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "core/run_control.h"
-#include "io/run_state/run_plan.h"
 #include "io/run_state/tile_index.h"
 #include "render/tile_sink.h"
 
 namespace ifov::io {
+
+struct RunPlan;
 
 /// Where a finished run keeps its tiles, to be refined: the folder `run.kept` of its output folder.
 std::filesystem::path kept_folder(const std::filesystem::path& folder);

@@ -7,7 +7,10 @@
 #include <sstream>
 
 #include "core/format.h"
+#include "io/products/product_writer.h"
+#include "io/quantities/radiance_quantities.h"
 #include "render/truth_layers.h"
+#include "sampling/tile.h"
 
 namespace ifov::io {
 namespace {
@@ -65,6 +68,10 @@ bool RunPlan::keeps_variances() const {
   const QuantitySet made = made_cubes();
   return keeps_memory ||
          std::any_of(made.begin(), made.end(), [](const Quantity* q) { return q->needs.variances; });
+}
+
+bool RunPlan::leaves_values_to_cubes() const {
+  return !keeps_variances() && (!knows_errors || made_cubes().has(quantities::kHalfWidth));
 }
 
 sampling::TileResult RunPlan::example_tile(int pixels) const {

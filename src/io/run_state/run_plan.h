@@ -5,14 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "io/product_parts/run_record.h"
-#include "io/products/product_writer.h"
-#include "io/quantities/radiance_quantities.h"
+#include "io/product_parts/run_identity.h"
+#include "io/products/product_formats.h"
+#include "io/quantities/quantity_set.h"
 #include "io/scene_cache/file_stamp.h"
+#include "render/image_info.h"
 #include "render/tile_grid.h"
-#include "render/tile_sink.h"
+
+namespace ifov::sampling {
+struct TileResult;
+}
 
 namespace ifov::io {
+
+struct ProductOptions;
 
 /// What a run's tiles and products depend on, kept with the tiles: enough to notice what has changed, and to
 /// make the products without the scene.
@@ -44,9 +50,7 @@ struct RunPlan {
   /// Whether tiles carry the variances.
   bool keeps_variances() const;
   /// Whether the cubes hold all the values that tiles have, so that the state need not.
-  bool leaves_values_to_cubes() const {
-    return !keeps_variances() && (!knows_errors || made_cubes().has(quantities::kHalfWidth));
-  }
+  bool leaves_values_to_cubes() const;
   /// A tile of so many pixels that holds what this run's tiles hold, its lists empty.
   sampling::TileResult example_tile(int pixels) const;
   ProductOptions products(const std::filesystem::path& folder) const;

@@ -7,6 +7,8 @@
 #include "io/json/json_writer.h"
 #include "io/product_parts/acquisition_json.h"
 #include "io/product_parts/sha256.h"
+#include "io/products/product_format.h"
+#include "io/quantities/quantity.h"
 #include "io/run_state/run_plan.h"
 
 namespace ifov::io {

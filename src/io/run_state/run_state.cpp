@@ -9,6 +9,7 @@
 #include "io/files/own_files.h"
 #include "io/products/part_file.h"
 #include "io/run_state/kept_run.h"
+#include "io/run_state/run_folder.h"
 #include "io/run_state/tile_packs.h"
 
 namespace ifov::io {
@@ -76,11 +77,6 @@ void require_same(const std::filesystem::path& folder, const RunPlan& was, const
 
 std::size_t TilesDone::count() const {
   return static_cast<std::size_t>(std::count(done.begin(), done.end(), true));
-}
-
-std::filesystem::path state_folder(const std::filesystem::path& folder) { return folder / "run.part"; }
-std::filesystem::path plan_file(const std::filesystem::path& folder) {
-  return state_folder(folder) / "state.json";
 }
 
 TilesDone survey_tiles(const std::filesystem::path& folder, const RunPlan& plan, TileIndex* index) {

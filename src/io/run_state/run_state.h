@@ -87,10 +87,6 @@ class RunState {
   std::unique_ptr<TileStore> store_;  ///< the last member: its thread ends before what it uses does
 };
 
-/// The folder of a run's state, and the plan in it.
-std::filesystem::path state_folder(const std::filesystem::path& folder);
-std::filesystem::path plan_file(const std::filesystem::path& folder);
-
 /// The tiles of a run that may be at work, by their headers; noted in `index` where it is given.
 TilesDone survey_tiles(const std::filesystem::path& folder, const RunPlan& plan, TileIndex* index = nullptr);
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/format.h"
+#include "io/run_state/run_plan.h"
 #include "io/run_state/tile_packs.h"
 
 namespace ifov::io {

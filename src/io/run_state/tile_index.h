@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "io/run_state/run_plan.h"
 #include "io/run_state/tile_record.h"
 
 namespace ifov::io {
+
+struct RunPlan;
 
 /// Where the finished tiles of a run lie in packs, so that they can be read in any order.
 class TileIndex {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/format.h"
+#include "io/document/document.h"
 #include "landscape/output/material_table.h"
 #include "math/angle.h"
 
@@ -43,7 +44,7 @@ io::ObjectDocument standing(io::ObjectDocument object, const Stand& stand, doubl
 }
 
 io::DocumentName SceneMaker::material(const std::string& name) {
-  auto& known = document_.scene.materials;
+  auto& known = scene_.materials;
   const bool is_new =
       std::none_of(known.begin(), known.end(), [&](const auto& one) { return one.name == name; });
   if (is_new) known.push_back(table_material(name, folder_));
@@ -68,12 +69,13 @@ io::MaterialBinding SceneMaker::classes(const std::string& map_file, double half
 }
 
 void SceneMaker::prototype(const std::string& name, std::vector<io::ObjectDocument> objects) {
-  document_.scene.prototypes.push_back({name, std::move(objects), {}});
+  scene_.prototypes.push_back({name, std::move(objects), {}});
 }
 
 std::string SceneMaker::document(std::string_view title, const io::LightDocument& light,
                                  const io::AtmosphereDocument& atmosphere) const {
-  io::Document whole = document_;
+  io::Document whole;
+  whole.scene = scene_;
   whole.light = light;
   whole.atmosphere = atmosphere;
   return io::document_text(
@@ -82,13 +84,6 @@ std::string SceneMaker::document(std::string_view title, const io::LightDocument
                          "Temperatures are those of a calm, clear early afternoon in summer.",
                          title),
        .sections = {"scene", "light", "atmosphere"}});
-}
-
-std::string view_text(const View& view, std::string_view title) {
-  return io::document_text(view.document, view.file,
-                           {.comment = format("{}\n{}", title, view.purpose),
-                            .include = {kSceneFile},
-                            .sections = {"sensor", "sampling", "output"}});
 }
 
 }  // namespace ifov::landscape

@@ -5,19 +5,17 @@
 #include <utility>
 #include <vector>
 
-#include "io/document/document.h"
+#include "io/document/scene_document.h"
 #include "landscape/output/scene_folder.h"
 #include "landscape/shapes/plane.h"
 #include "math/vec3.h"
 
-namespace ifov::landscape {
+namespace ifov::io {
+struct AtmosphereDocument;
+struct LightDocument;
+}  // namespace ifov::io
 
-/// A document that includes the scene's: what looks at it, and how.
-struct View {
-  std::string file;       ///< such as "render_vswir.json"
-  std::string purpose;    ///< a comment at its top; lines without "//"
-  io::Document document;  ///< its sensor, sampling and output
-};
+namespace ifov::landscape {
 
 /// The scene's part of a document, collected piece by piece.
 class SceneMaker {
@@ -35,22 +33,19 @@ class SceneMaker {
                               const std::vector<std::string>& materials);
 
   void prototype(const std::string& name, std::vector<io::ObjectDocument> objects);
-  void object(io::ObjectDocument object) { document_.scene.objects.push_back(std::move(object)); }
+  void object(io::ObjectDocument object) { scene_.objects.push_back(std::move(object)); }
 
   /// The document that all views include: the scene, and what lights it.
   std::string document(std::string_view title, const io::LightDocument& light,
                        const io::AtmosphereDocument& atmosphere) const;
-  std::size_t material_count() const { return document_.scene.materials.size(); }
+  std::size_t material_count() const { return scene_.materials.size(); }
 
  private:
   SceneFolder& folder_;
-  io::Document document_;
+  io::SceneDocument scene_;
 };
 
 inline constexpr const char* kSceneFile = "scene.json";
-
-/// A view's document, which includes kSceneFile.
-std::string view_text(const View& view, std::string_view title);
 
 /// As documents state lengths here.
 double to_millimetre(double value_m);

@@ -7,6 +7,7 @@
 
 #include "sampling/random.h"
 #include "sampling/warp.h"
+#include "sensor/camera.h"
 
 namespace ifov::render {
 

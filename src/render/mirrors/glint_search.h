@@ -7,7 +7,10 @@
 
 #include "geometry/world/surface_survey.h"
 #include "sampling/field.h"
-#include "sensor/camera.h"
+
+namespace ifov::sensor {
+class Camera;
+}
 
 namespace ifov::render {
 

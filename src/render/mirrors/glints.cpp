@@ -3,8 +3,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/world.h"
 #include "radiometry/spectrum_block.h"
+#include "scene/scene.h"
+#include "sensor/camera.h"
 #include "transport/mirrors/sun_mirrors.h"
+#include "transport/spectral_scene.h"
 
 namespace ifov::render {
 

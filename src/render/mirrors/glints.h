@@ -7,9 +7,13 @@
 #include "render/mirrors/glint_search.h"
 #include "render/mirrors/mirrored_spectra.h"
 #include "sampling/tile.h"
-#include "scene/resolved_surface.h"
-#include "sensor/camera.h"
 
+namespace ifov::scene {
+struct ResolvedSurface;
+}
+namespace ifov::sensor {
+class Camera;
+}
 namespace ifov::transport {
 class SpectralScene;
 }

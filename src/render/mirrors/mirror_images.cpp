@@ -10,7 +10,11 @@
 #include "core/parallel.h"
 #include "geometry/world.h"
 #include "sampling/random.h"
+#include "scene/scene.h"
+#include "sensor/camera.h"
 #include "transport/path_light.h"
+#include "transport/path_tracer.h"
+#include "transport/shapes/round_mirror.h"
 #include "transport/spectral_scene.h"
 #include "transport/view_atmosphere.h"
 

@@ -8,11 +8,16 @@
 #include "render/mirrors/focal_lights.h"
 #include "render/mirrors/glint_search.h"
 #include "render/mirrors/image_spectra.h"
-#include "sensor/camera.h"
-#include "transport/path_tracer.h"
 #include "transport/separate_images.h"
 #include "transport/shining_parts.h"
-#include "transport/spectral_scene.h"
+
+namespace ifov::sensor {
+class Camera;
+}
+namespace ifov::transport {
+class SpectralScene;
+struct TransportOptions;
+}  // namespace ifov::transport
 
 namespace ifov::render {
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "scene/scene.h"
 #include "transport/mirrors/mirror_paths.h"
 #include "transport/mirrors/sun_mirrors.h"
+#include "transport/spectral_scene.h"
 #include "transport/view_table.h"
 
 namespace ifov::render {

@@ -3,7 +3,17 @@
 #include <span>
 #include <vector>
 
-#include "transport/spectral_scene.h"
+#include "radiometry/spectrum_block.h"
+
+namespace ifov::math {
+struct Ray;
+}
+namespace ifov::scene {
+struct ResolvedSurface;
+}
+namespace ifov::transport {
+class SpectralScene;
+}
 
 namespace ifov::render {
 

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "render/tolerance/channel_brightness.h"
+
 namespace ifov::render {
 namespace {
 

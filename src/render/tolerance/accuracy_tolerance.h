@@ -1,29 +1,18 @@
 #pragma once
 
-#include <string>
+#include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
+#include "render/tolerance/accuracy_request.h"
 #include "render/tolerance/atmosphere_half_width.h"
-#include "render/tolerance/channel_brightness.h"
 #include "render/tolerance/node_half_width.h"
 #include "sampling/tolerance.h"
 
 namespace ifov::render {
 
-/// The unit in which the user states the error.
-enum class ErrorUnit { kelvin, radiance, percent, reflectance, noise };
-
-/// What the user asked for.
-struct AccuracyRequest {
-  ErrorUnit unit = ErrorUnit::percent;
-  /// K, W m-2 sr-1 um-1, fraction of the pixel's radiance, reflectance, or share of the noise
-  double error = 0.01;
-  double confidence = 0.95;              ///< per pixel and channel
-  bool simultaneous = false;             ///< the confidence is for all judged channels of all pixels together
-  std::vector<int> channels;             ///< judged channels; empty: all
-  std::vector<double> noise_w_m2_sr_um;  ///< of the sensor, by channel; for errors in its unit
-  double floor = 1e-3;                   ///< of the white reference's radiance (percent and kelvin)
-};
+class ChannelBrightness;
 
 /// Limits by channel for a pixel's radiance L. The white reference W is a level white Lambertian's radiance
 /// under the scene's Sun and sky plus a black body's of 288.15 K, so that it means something in every

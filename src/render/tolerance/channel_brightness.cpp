@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radiometry/spectral_nodes.h"
+
 namespace ifov::render {
 
 ChannelBrightness::ChannelBrightness(const radiometry::SpectralNodes& nodes) {

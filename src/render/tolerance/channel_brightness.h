@@ -2,7 +2,9 @@
 
 #include <vector>
 
-#include "radiometry/spectral_nodes.h"
+namespace ifov::radiometry {
+class SpectralNodes;
+}
 
 namespace ifov::render {
 

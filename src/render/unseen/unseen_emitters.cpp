@@ -5,8 +5,12 @@
 #include <numbers>
 
 #include "geometry/world.h"
+#include "render/tolerance/accuracy_tolerance.h"
 #include "render/unseen/widen_unseen.h"
+#include "scene/scene.h"
+#include "sensor/camera.h"
 #include "transport/emitter_choice.h"
+#include "transport/emitters.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {

@@ -3,13 +3,18 @@
 #include <memory>
 #include <vector>
 
-#include "render/tolerance/accuracy_tolerance.h"
 #include "sampling/tile.h"
-#include "sensor/camera.h"
-#include "transport/emitters.h"
-#include "transport/spectral_scene.h"
+
+namespace ifov::sensor {
+class Camera;
+}
+namespace ifov::transport {
+class SpectralScene;
+}
 
 namespace ifov::render {
+
+class AccuracyTolerance;
 
 /// Light of emitters that are too many to be sought (transport::Emitters::left_out), which scattered paths find by chance:
 /// a pixel that met none of it may be sure of too little. What it may be at most follows from areas and distances, with

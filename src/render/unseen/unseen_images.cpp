@@ -5,8 +5,13 @@
 #include <numbers>
 
 #include "geometry/world.h"
+#include "render/mirrors/mirror_images.h"
+#include "render/tolerance/accuracy_tolerance.h"
 #include "render/unseen/widen_unseen.h"
 #include "sampling/random.h"
+#include "scene/scene.h"
+#include "sensor/camera.h"
+#include "transport/emitters.h"
 #include "transport/mirrors/emitter_mirrors.h"
 #include "transport/mirrors/mirror_paths.h"
 #include "transport/mirrors/sun_mirrors.h"

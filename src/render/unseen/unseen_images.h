@@ -4,12 +4,21 @@
 #include <memory>
 #include <vector>
 
-#include "render/mirrors/mirror_images.h"
-#include "render/tolerance/accuracy_tolerance.h"
 #include "sampling/tile.h"
+#include "transport/separate_images.h"
 #include "transport/shining_parts.h"
 
+namespace ifov::sensor {
+class Camera;
+}
+namespace ifov::transport {
+class SpectralScene;
+}
+
 namespace ifov::render {
+
+class AccuracyTolerance;
+class MirrorImages;
 
 /// Images of what shines by ways that MirrorImages does not seek: by several mirrors in turn, by reliefs, height fields
 /// and the mirrors of a world that repeats, and where there are too many. Rays on a lattice of each pixel are followed from

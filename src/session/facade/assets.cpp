@@ -7,6 +7,7 @@
 #include "geometry/body.h"
 #include "geometry/mesh_lists.h"
 #include "geometry/triangle_mesh.h"
+#include "io/files/inputs.h"
 #include "io/instances/instance.h"
 #include "io/raster/map_reference.h"
 #include "io/raster/raster.h"
@@ -131,6 +132,12 @@ std::vector<io::Instance> instances_of(const std::string& name, const CopiesAsse
 }
 
 }  // namespace
+
+struct Assets::Inside {
+  io::Assets assets;
+};
+
+const io::Assets& FacadeAccess::inside(const Assets& assets) { return assets.inside_->assets; }
 
 Assets::Assets() : inside_(std::make_shared<Inside>()) {}
 

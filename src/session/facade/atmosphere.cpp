@@ -1,7 +1,11 @@
 #include "ifov/atmosphere.h"
 
+#include "core/call_scope.h"
+#include "core/error.h"
+#include "io/files/inputs.h"
 #include "session/atmosphere_survey.h"
 #include "session/facade/access.h"
+#include "session/facade/document_inside.h"
 
 namespace ifov {
 namespace {
@@ -27,7 +31,7 @@ SkyLight sky_of(const io::AtmosphereReport& report) {
   sky.thermal = report.sky_is_thermal;
   sky.zenith_rad = report.sky->zenith_rad;
   sky.azimuth_rad = report.sky->azimuth_rad;
-  for (const atmosphere::StokesVector& light : report.sky->light)
+  for (const radiometry::StokesVector& light : report.sky->light)
     sky.stokes.push_back({light.i, light.q, light.u});
   for (const atmosphere::NeutralPoint& point : report.neutral_points)
     sky.neutral_points.push_back({point.name, point.zenith_rad, point.distance_rad});
@@ -35,6 +39,14 @@ SkyLight sky_of(const io::AtmosphereReport& report) {
 }
 
 }  // namespace
+
+struct AtmosphereReport::Inside {
+  io::AtmosphereReport report;
+};
+
+void FacadeAccess::set(AtmosphereReport& report, io::AtmosphereReport inside) {
+  report.inside_ = std::make_shared<const AtmosphereReport::Inside>(std::move(inside));
+}
 
 AtmosphereReport survey_atmosphere(const Document& document, const AtmosphereQuestion& question) {
   if (question.threads < 0)

@@ -1,7 +1,12 @@
 #include "ifov/document.h"
 
+#include <optional>
+
+#include "core/call_scope.h"
+#include "io/files/inputs.h"
 #include "session/facade/access.h"
-#include "session/preview.h"
+#include "session/facade/document_inside.h"
+#include "session/preview_document.h"
 
 namespace ifov {
 namespace {
@@ -18,6 +23,10 @@ std::shared_ptr<const io::Inputs> own_inputs() {
 }
 
 }  // namespace
+
+Document FacadeAccess::document(Document::Inside inside) {
+  return Document(std::make_shared<const Document::Inside>(std::move(inside)));
+}
 
 Document Document::read(const std::filesystem::path& file, const std::vector<std::string>& set) {
   return FacadeAccess::document({io::read_document(file.string(), overrides_of(set)), own_inputs()});

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "geometry/world.h"
 #include "ifov/radiometry.h"
 #include "radiometry/planck.h"
 #include "session/loaded/parts.h"

@@ -1,7 +1,11 @@
 #include "ifov/runs.h"
 
+#include <optional>
+
+#include "cluster/communicator.h"
 #include "session/facade/access.h"
 #include "session/facade/run_outcome.h"
+#include "session/runs/coordinator.h"
 #include "session/runs/merge.h"
 #include "session/runs/run_status.h"
 #include "session/runs/worker.h"
@@ -17,6 +21,15 @@ Outcome merge(const std::vector<std::filesystem::path>& folders, const MergeOpti
   Outcome outcome = session::outcome_of(std::move(result), {});
   outcome.tiles_left = left;
   return outcome;
+}
+
+struct Ranks::Inside {
+  std::unique_ptr<cluster::Communicator> communicator;
+  std::optional<session::Coordinator> coordinator;  ///< of the rank that leads
+};
+
+session::Coordinator* FacadeAccess::coordinator(const Ranks* ranks) {
+  return ranks != nullptr && ranks->inside_->coordinator ? &*ranks->inside_->coordinator : nullptr;
 }
 
 Ranks::Ranks(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}

@@ -1,15 +1,20 @@
 #include "ifov/simulation.h"
 
+#include "core/call_scope.h"
 #include "core/error.h"
+#include "io/files/inputs.h"
 #include "sampling/reasons.h"
 #include "session/facade/access.h"
+#include "session/facade/document_inside.h"
 #include "session/facade/rays.h"
 #include "session/facade/run_outcome.h"
 #include "session/facade/tiles_in_memory.h"
 #include "session/loaded/parts.h"
 #include "session/preview.h"
+#include "session/runs/coordinator.h"
 #include "session/runs/forecast.h"
 #include "session/runs/run.h"
+#include "session/session.h"
 
 namespace ifov {
 namespace {

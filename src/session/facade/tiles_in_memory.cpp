@@ -7,10 +7,12 @@
 
 #include "core/error.h"
 #include "io/document/document.h"
+#include "io/run_state/run_plan.h"
 #include "render/image_renderer.h"
 #include "render/tile_grid.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "sampling/reason_words.h"
+#include "sampling/tile.h"
 #include "session/assembly/whole/sampling_assembly.h"
 #include "session/loaded/parts.h"
 #include "session/messages.h"

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "geodesy/sun_position.h"
+#include "geometry/world.h"
 #include "io/document/document.h"
 #include "io/raster/map_reference.h"
 #include "sensor/camera.h"

@@ -8,7 +8,7 @@
 #include "atmosphere/weather_series.h"
 #include "io/scene_cache/file_stamp.h"
 #include "radiometry/channel.h"
-#include "render/tile_sink.h"
+#include "render/image_info.h"
 #include "render/tolerance/atmosphere_half_width.h"
 #include "render/tolerance/node_half_width.h"
 #include "sampling/pixel_footprint.h"

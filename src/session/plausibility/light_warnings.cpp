@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/format.h"
+#include "geometry/world.h"
 #include "io/document/document.h"
 #include "sampling/halton.h"
 #include "sampling/warp.h"

@@ -6,6 +6,7 @@
 
 #include "core/format.h"
 #include "geodesy/sun_position.h"
+#include "geometry/world.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
 #include "render/tolerance/channel_brightness.h"

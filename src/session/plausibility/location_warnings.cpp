@@ -6,6 +6,7 @@
 #include "core/format.h"
 #include "core/names.h"
 #include "geodesy/geodetic.h"
+#include "geometry/world.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
 #include "io/document/shapes/box_primitive.h"

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "geometry/world.h"
 #include "io/document/document.h"
 #include "render/image_renderer.h"
 #include "render/make_field.h"

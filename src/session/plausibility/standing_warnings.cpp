@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/format.h"
+#include "geometry/world.h"
 #include "io/document/document.h"
 #include "io/document/shapes/flat_primitives.h"
 #include "session/loaded/parts.h"

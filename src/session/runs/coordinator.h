@@ -1,36 +1,19 @@
 #pragma once
 
-#include <functional>
-#include <map>
-#include <optional>
+#include <cstddef>
+#include <memory>
+#include <vector>
 
-#include "cluster/communicator.h"
-#include "cluster/tile_server.h"
-#include "io/run_state/run_plan.h"
-#include "io/run_state/tile_store.h"
 #include "session/session.h"
+
+namespace ifov::cluster {
+class Communicator;
+class TileServer;
+}  // namespace ifov::cluster
 
 namespace ifov::session {
 
-/// What the first rank of a run tells the others, once it has the run's folder.
-struct SharedRun {
-  io::RunPlan plan;
-  std::filesystem::path folder;
-  io::StoreStart start;
-  std::optional<double> seconds_left;  ///< until tracing has to end
-};
-
-cluster::Payload payload_of(const SharedRun& run);
-SharedRun shared_run_in(cluster::Payload& payload);
-
-/// What a rank says when it has read the scene.
-struct Loaded {
-  cluster::Fault fault;
-  int threads = 0;
-};
-
-cluster::Payload payload_of(const Loaded& loaded);
-Loaded loaded_in(cluster::Payload& payload);
+struct SharedRun;
 
 /// The other ranks of a run, as the first one sees them; run_worker() is what they do.
 class Coordinator {
@@ -43,7 +26,7 @@ class Coordinator {
   Session load(const io::Document& document, LogSink* log, const LoadOptions& options);
 
   /// How many threads this rank has, where the user wants `threads` (0: as many as are usual).
-  int threads(int wanted) const { return wanted > 0 ? wanted : communicator_.usual_threads(); }
+  int threads(int wanted) const;
   int all_threads() const { return all_threads_; }
 
   /// From here on the others render tiles, and ask for more.

@@ -6,7 +6,9 @@
 
 #include "core/machine_memory.h"
 #include "core/parallel.h"
+#include "geometry/world.h"
 #include "io/products/part_file.h"
+#include "io/run_state/kept_run.h"
 #include "io/run_state/run_state.h"
 #include "render/image_renderer.h"
 #include "session/loaded/parts.h"
@@ -16,7 +18,6 @@
 #include "session/runs/refinement.h"
 #include "session/runs/resource_check.h"
 #include "session/session.h"
-#include "transport/spectral_scene.h"
 
 namespace ifov::session {
 namespace {
@@ -79,7 +80,7 @@ Forecast forecast_run(const Session& session, const RunRequest& request) {
                           : options.threads > 0          ? options.threads
                                                          : usual_threads();
 
-  const geometry::World& world = *parts.job().scene.scene().world;
+  const geometry::World& world = *parts.scene.world;
 
   Forecast forecast;
   const io::ProductBytes products = plan.share.is_whole() ? io::product_bytes(plan) : io::ProductBytes{};

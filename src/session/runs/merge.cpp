@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "core/error.h"
+#include "io/run_state/run_folder.h"
 #include "io/run_state/run_state.h"
 #include "session/runs/run_products.h"
 #include "session/runs/tile_assembly.h"

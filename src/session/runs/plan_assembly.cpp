@@ -5,6 +5,7 @@
 #include "core/version.h"
 #include "io/document/document.h"
 #include "io/files/inputs.h"
+#include "io/run_state/run_plan.h"
 #include "io/run_state/scene_files.h"
 #include "render/image_renderer.h"
 #include "render/tolerance/accuracy_tolerance.h"

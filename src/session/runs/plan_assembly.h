@@ -1,7 +1,8 @@
 #pragma once
 
-#include "io/run_state/run_plan.h"
-
+namespace ifov::io {
+struct RunPlan;
+}
 namespace ifov::render {
 struct RenderJob;
 }

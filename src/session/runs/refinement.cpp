@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "io/run_state/kept_run.h"
+#include "io/run_state/run_folder.h"
 #include "io/run_state/run_state.h"
 #include "session/loaded/parts.h"
 

@@ -3,9 +3,13 @@
 #include <filesystem>
 #include <memory>
 
+#include "core/run_control.h"
 #include "core/run_start.h"
-#include "io/run_state/kept_run.h"
-#include "io/run_state/run_plan.h"
+
+namespace ifov::io {
+class KeptTiles;
+struct RunPlan;
+}  // namespace ifov::io
 
 namespace ifov::session {
 

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "io/run_state/run_plan.h"
+namespace ifov::io {
+struct RunPlan;
+}
 
 namespace ifov::session {
 

@@ -4,16 +4,17 @@
 #include <new>
 #include <optional>
 
+#include "cluster/tile_server.h"
 #include "core/error.h"
 #include "core/machine_memory.h"
-#include "io/document/document.h"
-#include "io/files/own_files.h"
 #include "io/products/part_file.h"
+#include "io/run_state/kept_run.h"
 #include "io/run_state/run_state.h"
 #include "render/image_renderer.h"
 #include "session/loaded/parts.h"
 #include "session/runs/coordinator.h"
 #include "session/runs/plan_assembly.h"
+#include "session/runs/rank_messages.h"
 #include "session/runs/refinement.h"
 #include "session/runs/resource_check.h"
 #include "session/runs/run_products.h"
@@ -303,16 +304,6 @@ class Run {
 };
 
 }  // namespace
-
-std::filesystem::path RunRequest::folder(const Session& session) const {
-  if (!options.output_folder.empty()) return options.output_folder;
-  const io::Document& document = session.parts().document;
-  std::filesystem::path folder = document.output.folder;
-  if (!share.is_whole()) folder += format(".{}-of-{}", share.number, share.count);
-  // It stands beside the document, perhaps in somebody's archive; a folder that the user gives may be a link.
-  io::refuse_links_below(std::filesystem::path(document.file_name).parent_path(), folder);
-  return folder;
-}
 
 RunResult render_run(const Session& session, const RunRequest& request) { return Run(session, request).go(); }
 

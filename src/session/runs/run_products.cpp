@@ -5,6 +5,9 @@
 #include <ctime>
 #include <limits>
 
+#include "io/product_parts/run_record.h"
+#include "io/run_state/run_plan.h"
+
 namespace ifov::session {
 namespace {
 

@@ -3,9 +3,12 @@
 #include <filesystem>
 
 #include "io/products/product_writer.h"
-#include "io/run_state/run_plan.h"
 #include "session/messages.h"
 #include "session/session.h"
+
+namespace ifov::io {
+struct RunPlan;
+}
 
 namespace ifov::session {
 

@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "io/run_state/run_plan.h"
+#include "session/runs/run_products.h"
 
 namespace ifov::session {
 

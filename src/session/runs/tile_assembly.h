@@ -6,12 +6,18 @@
 #include <optional>
 #include <vector>
 
-#include "io/run_state/run_plan.h"
 #include "render/tile_source.h"
+#include "sampling/pixel_rect.h"
+#include "sampling/reasons.h"
 #include "sampling/tile.h"
-#include "session/runs/run_products.h"
+
+namespace ifov::io {
+struct RunPlan;
+}
 
 namespace ifov::session {
+
+class RunProducts;
 
 /// Brings tiles into a run's products line by line of the image, whether they are traced now or were kept: products whose
 /// lines become whole in their order are written in large pieces.

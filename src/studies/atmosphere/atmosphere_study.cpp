@@ -8,7 +8,7 @@
 #include "studies/atmosphere/atmosphere_results.h"
 #include "studies/common/html_page.h"
 #include "studies/common/report_figures.h"
-#include "studies/common/study_document.h"
+#include "studies/common/study_files.h"
 
 namespace ifov::studies {
 namespace {

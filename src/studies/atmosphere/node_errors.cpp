@@ -1,6 +1,8 @@
 #include "studies/atmosphere/node_errors.h"
 
+#include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/sensor/channel_light.h"
+#include "atmosphere/sensor/sensor_atmosphere.h"
 #include "core/format.h"
 #include "io/library/material_library.h"
 #include "math/angle.h"

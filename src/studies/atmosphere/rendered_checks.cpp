@@ -6,13 +6,17 @@
 
 #include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/sensor/channel_light.h"
+#include "atmosphere/sensor/sensor_geometry.h"
 #include "core/format.h"
 #include "io/document/cameras/frame_camera.h"
+#include "io/document/document.h"
 #include "io/document/shapes/box_primitive.h"
 #include "io/document/shapes/flat_primitives.h"
 #include "math/angle.h"
 #include "radiometry/solar_spectrum.h"
+#include "studies/common/image_store.h"
 #include "studies/common/study_document.h"
+#include "studies/common/study_rendering.h"
 
 namespace ifov::studies {
 namespace {

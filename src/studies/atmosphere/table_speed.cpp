@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "atmosphere/column/atmosphere_column.h"
 #include "atmosphere/sensor/channel_light.h"
+#include "atmosphere/sensor/sensor_atmosphere.h"
 #include "io/library/material_library.h"
 #include "radiometry/solar_spectrum.h"
 

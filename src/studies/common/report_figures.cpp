@@ -6,7 +6,7 @@
 #include "core/format.h"
 #include "io/report/report_data.h"
 #include "studies/common/html_page.h"
-#include "studies/common/study_document.h"
+#include "studies/common/study_files.h"
 
 namespace ifov::studies {
 namespace {

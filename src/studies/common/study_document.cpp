@@ -1,16 +1,9 @@
 #include "studies/common/study_document.h"
 
-#include <chrono>
-#include <system_error>
-
-#include "core/error.h"
-#include "core/format.h"
 #include "io/document/cameras/orthographic_camera.h"
+#include "io/document/document.h"
+#include "io/document/samplers/accuracy_sampling.h"
 #include "io/document/samplers/plain_sampling.h"
-#include "io/files/own_files.h"
-#include "render/image_renderer.h"
-#include "session/loaded/parts.h"
-#include "session/session.h"
 
 namespace ifov::studies {
 
@@ -79,50 +72,6 @@ io::MaterialDocument black(const std::string& name, io::TemperatureDocument temp
   material.is_emissivity = true;
   material.temperature = std::move(temperature);
   return material;
-}
-
-RenderTimes render_document(const std::string& text, const std::filesystem::path& folder,
-                            const RenderChoices& choices, ImageStore& image) {
-  using Clock = std::chrono::steady_clock;
-  const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };
-  const Clock::time_point start = Clock::now();
-  const io::Document document = io::parse_document(text, (folder / "study.json").string());
-  const session::Session session = session::Session::load(document, nullptr);
-  const Clock::time_point loaded = Clock::now();
-  const session::Session::Parts& parts = session.parts();
-  const render::RenderJob own = parts.job();
-  render::RenderJob job{own.scene,
-                        own.camera,
-                        own.footprint,
-                        choices.sampler != nullptr ? *choices.sampler : own.sampler,
-                        own.tolerance,
-                        own.transport,
-                        own.label_detail,
-                        own.seed,
-                        own.tile_px,
-                        own.pilot_rays,
-                        own.steering_channels,
-                        own.air};
-  job.nodes = own.nodes;
-  job.wings = own.wings;
-  job.cut = own.cut;
-  image.begin(parts.info);
-  render::RenderControl control;
-  control.threads = choices.threads;
-  control.cancel = choices.cancel;
-  control.tile_order = choices.tile_order;
-  render::render_image(job, control, image);
-  return {seconds(loaded - start), seconds(Clock::now() - loaded)};
-}
-
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw SystemError(format("cannot make the folder '{}': {}", folder.string(), error.message()));
-}
-
-void write_file(const std::filesystem::path& path, std::string_view content) {
-  io::write_new_file(path, content);
 }
 
 }  // namespace ifov::studies

@@ -1,22 +1,22 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <memory>
-#include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 
-#include "core/run_control.h"
-#include "io/document/document.h"
-#include "io/document/samplers/accuracy_sampling.h"
-#include "io/document/shapes/primitive.h"
-#include "sampling/tile.h"
-#include "studies/common/image_store.h"
+#include "io/document/sampling_document.h"
+#include "io/document/scene_document.h"
+#include "io/document/sensor_document.h"
 
-/// Documents as the studies write them, and their images.
+namespace ifov::io {
+struct AccuracySampling;
+struct Document;
+struct ErrorSize;
+}  // namespace ifov::io
+
+/// Documents as the studies write them.
 namespace ifov::studies {
 
 /// The document as a study keeps and renders it.
@@ -49,28 +49,5 @@ io::ObjectDocument object_of(Primitive primitive, const std::string& material) {
   object.material = io::MaterialBinding{io::DocumentName{material, {}}, {}};
   return object;
 }
-
-struct RenderTimes {
-  double load_s = 0.0, render_s = 0.0;
-};
-
-/// How a rendering is done. Only `sampler` changes the result.
-struct RenderChoices {
-  int threads = 1;
-  const CancelToken* cancel = nullptr;
-  const sampling::PixelSampler* sampler = nullptr;  ///< takes the place of the document's
-  std::span<const int> tile_order;                  ///< as in render::RenderControl
-};
-
-/// Reads the text as a document, loads it by session::Session and renders it into `image`. Files it names are
-/// looked for in `folder`.
-RenderTimes render_document(const std::string& text, const std::filesystem::path& folder,
-                            const RenderChoices& choices, ImageStore& image);
-
-/// Makes a folder where there is none; SystemError where that fails.
-void make_folder(const std::filesystem::path& folder);
-
-/// Writes a file whole; SystemError where that fails.
-void write_file(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace ifov::studies

@@ -8,7 +8,7 @@
 
 #include "core/format.h"
 #include "sampling/random.h"
-#include "studies/common/study_document.h"
+#include "studies/common/study_files.h"
 
 namespace ifov::studies {
 

@@ -5,6 +5,7 @@
 
 #include "geometry/world.h"
 #include "geometry/world/surface_survey.h"
+#include "scene/scene.h"
 
 namespace ifov::transport {
 

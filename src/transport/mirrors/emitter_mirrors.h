@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "geometry/surface_point.h"
-#include "scene/scene.h"
 #include "transport/mirrors/round_mirrors.h"
 #include "transport/shapes/emitter_shape.h"
+
+namespace ifov::scene {
+struct Scene;
+}
 
 namespace ifov::transport {
 

@@ -5,9 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "geometry/world.h"
+#include "materials/bsdf/bsdf.h"
 #include "math/ray.h"
 #include "sampling/field.h"
 #include "scene/scene.h"
+#include "transport/mirrors/sun_images.h"
 #include "transport/mirrors/sun_mirrors.h"
 
 namespace ifov::transport {

@@ -1,6 +1,7 @@
 #include "transport/mirrors/round_mirrors.h"
 
 #include "geometry/world.h"
+#include "scene/scene.h"
 
 namespace ifov::transport {
 

@@ -6,9 +6,13 @@
 #include <span>
 #include <vector>
 
+#include "geometry/surface_point.h"
 #include "geometry/world/surface_survey.h"
-#include "scene/scene.h"
 #include "transport/shapes/round_mirror.h"
+
+namespace ifov::scene {
+struct Scene;
+}
 
 namespace ifov::transport {
 

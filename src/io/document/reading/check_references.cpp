@@ -9,6 +9,7 @@
 #include "core/names.h"
 #include "core/overloaded.h"
 #include "io/document/cameras/camera_settings.h"
+#include "io/document/document.h"
 #include "io/document/samplers/sampler_settings.h"
 
 namespace ifov::io {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "io/document/document.h"
-
 namespace ifov::io {
+
+struct Document;
 
 /// Holds what one table of keys alone cannot: every name that the document refers to is declared in it, names
 /// of channels are unique, and what the Sun's direction follows from is there. Throws InputError.

@@ -5,6 +5,7 @@
 #include "io/document/reading/named_files.h"
 #include "io/document/tables/tables.h"
 #include "io/json/document_parts.h"
+#include "io/json/document_source.h"
 
 namespace ifov::io {
 namespace {

@@ -2,10 +2,11 @@
 
 #include <string>
 
-#include "io/document/document.h"
 #include "io/document/schema/schema_type.h"
 
 namespace ifov::io {
+
+struct Document;
 
 /// The table of a whole document, made once.
 const SchemaType<Document>& whole_document_type();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/document/document.h"
 #include "io/document/tables/tables.h"
 
 namespace ifov::io {

@@ -1,5 +1,6 @@
 #include "io/document/cameras/camera_model.h"
 #include "io/document/schema/record.h"
+#include "io/document/sensor_document.h"
 #include "io/document/tables/tables.h"
 
 namespace ifov::io {

@@ -5,6 +5,7 @@
 #include "core/format.h"
 #include "core/overloaded.h"
 #include "io/document/schema/record.h"
+#include "io/document/sensor_document.h"
 #include "io/document/tables/tables.h"
 
 namespace ifov::io {

@@ -1,5 +1,6 @@
 #include "core/format.h"
 #include "geodesy/utc_time.h"
+#include "io/document/document.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
 

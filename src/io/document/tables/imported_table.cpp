@@ -1,4 +1,5 @@
 #include "core/format.h"
+#include "io/document/atmosphere_document.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
 

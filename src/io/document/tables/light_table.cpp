@@ -1,3 +1,4 @@
+#include "io/document/light_document.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
 

@@ -2,6 +2,7 @@
 #include <charconv>
 
 #include "core/format.h"
+#include "io/document/map_document.h"
 #include "io/document/tables/map_tables.h"
 #include "io/document/tables/raster_keys.h"
 #include "io/document/tables/tables.h"

@@ -1,4 +1,5 @@
 #include "core/format.h"
+#include "io/document/scene_document.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/map_tables.h"
 #include "io/document/tables/tables.h"

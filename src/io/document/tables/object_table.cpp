@@ -1,3 +1,4 @@
+#include "io/document/scene_document.h"
 #include "io/document/schema/record.h"
 #include "io/document/shapes/primitive.h"
 #include "io/document/tables/map_tables.h"

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "core/format.h"
+#include "io/document/output_document.h"
 #include "io/document/product_words.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"

@@ -1,4 +1,5 @@
 #include "io/document/samplers/sampler_model.h"
+#include "io/document/sampling_document.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
 

@@ -1,6 +1,7 @@
 #include <map>
 
 #include "core/format.h"
+#include "io/document/scene_document.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
 #include "materials/bsdf/bsdf_model.h"

@@ -1,3 +1,4 @@
+#include "io/document/scene_document.h"
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
 

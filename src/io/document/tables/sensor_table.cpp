@@ -1,4 +1,5 @@
 #include "io/document/schema/record.h"
+#include "io/document/sensor_document.h"
 #include "io/document/tables/tables.h"
 
 namespace ifov::io {

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "io/document/schema/record.h"
+#include "io/document/spectrum_document.h"
 #include "io/document/tables/tables.h"
 #include "io/library/material_library.h"
 

@@ -1,9 +1,30 @@
 #pragma once
 
-#include "io/document/document.h"
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "io/document/schema/schema_type.h"
 
 namespace ifov::io {
+
+struct AtmosphereDocument;
+struct CameraDocument;
+struct ChannelDocument;
+struct Document;
+struct ImportedDocument;
+struct LightDocument;
+struct MaterialDocument;
+struct ObjectDocument;
+struct OutputDocument;
+struct SamplingDocument;
+struct ScatteringDocument;
+struct SceneDocument;
+struct SensorDocument;
+struct SpectrumDocument;
+struct TemperatureDocument;
+struct WeatherDocument;
+enum class SpectrumOf;
 
 /// The tables of keys, one function for each section of a document and for each part that sections share.
 

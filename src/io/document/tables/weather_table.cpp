@@ -1,5 +1,6 @@
 #include "io/document/schema/record.h"
 #include "io/document/tables/tables.h"
+#include "io/document/weather_document.h"
 
 namespace ifov::io {
 

@@ -4,8 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "atmosphere/column/atmosphere_column.h"
+#include "atmosphere/sensor/channel_bins.h"
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "core/format.h"
+#include "geometry/world.h"
 #include "io/document/document.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "atmosphere/imported_atmosphere.h"
+#include "atmosphere/imported_light.h"
 #include "core/names.h"
 #include "io/atmosphere/import_paths.h"
 #include "io/document/document.h"

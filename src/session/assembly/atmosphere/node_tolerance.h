@@ -3,8 +3,13 @@
 #include <span>
 
 #include "radiometry/channel.h"
-#include "render/tolerance/accuracy_tolerance.h"
-#include "scene/scene.h"
+
+namespace ifov::render {
+struct AccuracyRequest;
+}
+namespace ifov::scene {
+struct Scene;
+}
 
 namespace ifov::session {
 

@@ -9,9 +9,13 @@
 #include <set>
 
 #include "core/names.h"
+#include "geometry/world/world_builder.h"
 #include "io/city/city_json_reader.h"
 #include "io/document/document.h"
+#include "io/document/scene_document.h"
+#include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/with_position.h"
+#include "session/assembly/surfaces/assignment_assembly.h"
 
 namespace ifov::session {
 namespace {

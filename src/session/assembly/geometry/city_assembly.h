@@ -1,17 +1,20 @@
 #pragma once
 
 #include "core/run_control.h"
-#include "geometry/world/world_builder.h"
-#include "io/document/scene_document.h"
 #include "math/transform.h"
-#include "session/assembly/shared/map_frame.h"
-#include "session/assembly/surfaces/assignment_assembly.h"
 
+namespace ifov::geometry {
+class WorldBuilder;
+}
 namespace ifov::io {
 struct Document;
-}
+struct ObjectDocument;
+}  // namespace ifov::io
 
 namespace ifov::session {
+
+class AssignmentAssembly;
+class MapFrame;
 
 /// Reads the city model of an object and places each of its buildings, roads and so on as an object of its
 /// own. `scene_from_document` takes map coordinates (after the object's transform) to the scene. Coordinates

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "geometry/world.h"
 #include "geometry/world/world_builder.h"
 #include "io/document/document.h"
 #include "io/instances/instance_csv.h"
@@ -16,7 +17,9 @@
 #include "session/assembly/geometry/mesh_cache.h"
 #include "session/assembly/geometry/random_placement_assembly.h"
 #include "session/assembly/geometry/shape_assembly.h"
+#include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/with_position.h"
+#include "session/assembly/surfaces/assignment_assembly.h"
 
 namespace ifov::session {
 namespace {

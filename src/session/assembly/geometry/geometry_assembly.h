@@ -3,17 +3,20 @@
 #include <memory>
 
 #include "core/run_control.h"
-#include "geometry/world.h"
 #include "session/assembly/geometry/placed_objects.h"
-#include "session/assembly/shared/map_frame.h"
-#include "session/assembly/surfaces/assignment_assembly.h"
 
+namespace ifov::geometry {
+class World;
+}
 namespace ifov::io {
 struct Document;
 class SceneCache;
 }  // namespace ifov::io
 
 namespace ifov::session {
+
+class AssignmentAssembly;
+class MapFrame;
 
 /// All that stands in a document's scene, about its origin; what covers it is asked of `assignments`. Meshes
 /// and lists are kept in `cache` from run to run; it and `log` may be null. Throws InputError with the place

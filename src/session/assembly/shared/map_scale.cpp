@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include "core/format.h"
+#include "geometry/world.h"
+#include "sensor/camera.h"
 
 namespace ifov::session {
 

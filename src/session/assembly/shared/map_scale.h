@@ -3,8 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "geometry/world.h"
-#include "sensor/camera.h"
+namespace ifov::geometry {
+class World;
+}
+namespace ifov::sensor {
+class Camera;
+}
 
 namespace ifov::session {
 

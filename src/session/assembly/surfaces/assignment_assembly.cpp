@@ -8,7 +8,9 @@
 #include "core/overloaded.h"
 #include "io/document/document.h"
 #include "io/raster/fill_unknown.h"
+#include "materials/bsdf/bsdf_model.h"
 #include "materials/bsdf/hemisphere.h"
+#include "scene/map_patterns.h"
 #include "session/assembly/shared/spectrum_assembly.h"
 #include "session/assembly/shared/with_position.h"
 

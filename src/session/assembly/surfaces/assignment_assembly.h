@@ -10,7 +10,6 @@
 
 #include "core/run_control.h"
 #include "io/document/scene_document.h"
-#include "scene/map_patterns.h"
 #include "scene/scene.h"
 #include "session/assembly/shared/map_scale.h"
 #include "session/assembly/shared/raster_assembly.h"
@@ -18,6 +17,9 @@
 
 namespace ifov::io {
 struct Document;
+}
+namespace ifov::materials {
+class MixtureMap;
 }
 
 namespace ifov::session {

@@ -5,6 +5,7 @@
 
 #include "core/overloaded.h"
 #include "io/document/document.h"
+#include "materials/relief_map.h"
 #include "sampling/hash.h"
 #include "session/assembly/shared/with_position.h"
 

@@ -8,7 +8,6 @@
 
 #include "core/run_control.h"
 #include "io/document/scene_document.h"
-#include "materials/relief_map.h"
 #include "materials/texture_map.h"
 #include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/map_scale.h"
@@ -16,6 +15,9 @@
 
 namespace ifov::io {
 struct Document;
+}
+namespace ifov::materials {
+class ReliefMap;
 }
 
 namespace ifov::session {

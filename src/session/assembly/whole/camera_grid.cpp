@@ -1,5 +1,7 @@
 #include "session/assembly/whole/camera_grid.h"
 
+#include "sensor/camera.h"
+
 namespace ifov::session {
 
 std::vector<geometry::SurfacePoint> hits_of_camera(const geometry::World& world, const sensor::Camera& camera,

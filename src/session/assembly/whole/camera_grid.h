@@ -3,7 +3,10 @@
 #include <vector>
 
 #include "geometry/world.h"
-#include "sensor/camera.h"
+
+namespace ifov::sensor {
+class Camera;
+}
 
 namespace ifov::session {
 

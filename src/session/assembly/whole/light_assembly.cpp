@@ -9,6 +9,7 @@
 #include "io/document/document.h"
 #include "radiometry/planck.h"
 #include "radiometry/solar_spectrum.h"
+#include "scene/scene.h"
 #include "session/assembly/shared/spectrum_assembly.h"
 #include "session/assembly/shared/with_position.h"
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "scene/scene.h"
-
 namespace ifov::io {
 struct Document;
+}
+namespace ifov::scene {
+struct Scene;
 }
 
 namespace ifov::session {

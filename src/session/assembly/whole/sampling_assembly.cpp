@@ -5,6 +5,7 @@
 #include "io/document/document.h"
 #include "io/document/samplers/accuracy_sampling.h"
 #include "render/image_renderer.h"
+#include "sampling/tile.h"
 #include "session/assembly/shared/spectrum_assembly.h"
 #include "session/assembly/shared/with_position.h"
 

@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "radiometry/channel.h"
-#include "render/tolerance/accuracy_tolerance.h"
-#include "sampling/tile.h"
+#include "render/tolerance/accuracy_request.h"
 
 namespace ifov::io {
 struct Document;
+}
+namespace ifov::sampling {
+class PixelSampler;
 }
 
 namespace ifov::session {

@@ -1,6 +1,7 @@
 #include "session/assembly/whole/scene_assembly.h"
 
 #include "geometry/periodic_world.h"
+#include "geometry/world.h"
 #include "io/document/document.h"
 #include "io/scene_cache/scene_cache.h"
 #include "session/assembly/geometry/geometry_assembly.h"

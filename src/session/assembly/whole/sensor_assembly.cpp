@@ -3,11 +3,16 @@
 #include <algorithm>
 
 #include "core/overloaded.h"
+#include "geometry/world.h"
 #include "io/document/cameras/camera_settings.h"
 #include "io/document/document.h"
 #include "io/raster/raster.h"
 #include "io/spectra/channel_table.h"
 #include "io/spectra/csv_spectrum.h"
+#include "render/tile_sink.h"
+#include "scene/scene.h"
+#include "sensor/camera.h"
+#include "sensor/psf.h"
 #include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/with_position.h"
 

@@ -3,15 +3,22 @@
 #include <memory>
 #include <vector>
 
+#include "math/vec3.h"
 #include "radiometry/channel.h"
-#include "render/tile_sink.h"
-#include "scene/scene.h"
-#include "sensor/camera.h"
-#include "sensor/psf.h"
 
 namespace ifov::io {
 struct Document;
 }
+namespace ifov::render {
+struct ImageInfo;
+}
+namespace ifov::scene {
+struct Scene;
+}
+namespace ifov::sensor {
+class Camera;
+class Psf;
+}  // namespace ifov::sensor
 
 namespace ifov::session {
 

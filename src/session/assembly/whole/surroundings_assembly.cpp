@@ -5,7 +5,10 @@
 #include <vector>
 
 #include "core/format.h"
+#include "geometry/world.h"
 #include "io/document/document.h"
+#include "scene/scene.h"
+#include "sensor/camera.h"
 #include "session/assembly/whole/camera_grid.h"
 
 namespace ifov::session {

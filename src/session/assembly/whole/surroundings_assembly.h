@@ -3,11 +3,14 @@
 #include <optional>
 #include <string>
 
-#include "scene/scene.h"
-#include "sensor/camera.h"
-
 namespace ifov::io {
 struct Document;
+}
+namespace ifov::scene {
+struct Scene;
+}
+namespace ifov::sensor {
+class Camera;
 }
 
 namespace ifov::session {

@@ -1,8 +1,9 @@
-#include "atmosphere/profile/profile_description.h"
+#include "atmosphere/profile/built_profile.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "atmosphere/profile/profile_description.h"
 #include "core/error.h"
 
 namespace ifov::atmosphere {

@@ -1,4 +1,4 @@
-#include "geometry/world/surface_survey.h"
+#include "geometry/world/survey_of.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,10 @@
 #include <unordered_map>
 
 #include "geometry/growing_box.h"
+#include "geometry/unit_primitive.h"
 #include "geometry/world/instance_set.h"
+#include "geometry/world/piece_walk.h"
+#include "geometry/world/world_content.h"
 
 namespace ifov::geometry {
 

@@ -1,9 +1,12 @@
-#include "atmosphere/survey/atmosphere_effects.h"
+#include "atmosphere/survey/survey_effects.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "atmosphere/column/atmosphere_column.h"
+#include "atmosphere/sensor/channel_points.h"
+#include "atmosphere/sensor/sensor_atmosphere.h"
 #include "core/format.h"
 #include "core/parallel.h"
 

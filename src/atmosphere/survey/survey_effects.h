@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "atmosphere/survey/atmosphere_effects.h"
+#include "radiometry/channel.h"
+
+namespace ifov::atmosphere {
+
+class AtmosphereColumn;
+struct SensorGeometry;
+
+struct SurveyControl {
+  std::size_t most_nodes = 8;  ///< of a channel; 1 for narrow steps
+  int threads = 0;             ///< 0: all cores
+  /// Told between parts of the work how many channels are done; may throw to end it.
+  std::function<void(std::size_t)> progress = {};
+};
+
+/// Of each channel. InputError as BinOptics.
+std::vector<AtmosphereEffects> survey_effects(const AtmosphereColumn& column,
+                                              std::span<const radiometry::Channel> channels,
+                                              const radiometry::Spectrum& solar_irradiance,
+                                              const SensorGeometry& geometry,
+                                              const SurveyControl& control = {});
+
+/// Rectangular channels side by side, as wide as the band model resolves (20 cm-1), or a multiple of it where
+/// there would be more than `most`; from short to long wavelengths.
+std::vector<radiometry::Channel> resolved_steps(double first_um, double last_um, std::size_t most = 1500);
+
+}  // namespace ifov::atmosphere

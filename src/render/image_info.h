@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/tolerance/atmosphere_half_width.h"
+
+namespace ifov::render {
+
+/// Name, centre and width of an output channel.
+struct ChannelInfo {
+  std::string name;
+  double centre_um = 0.0;
+  double fwhm_um = 0.0;
+  std::optional<AtmosphereHalfWidth> air = {};  ///< where the atmosphere knows its error
+};
+
+/// What every product says of itself.
+struct ImageInfo {
+  int width_px = 0, height_px = 0;
+  std::vector<ChannelInfo> channels;
+  std::vector<std::string> materials;  ///< names by material index, for abundances
+  std::string radiance_unit = "W m-2 sr-1 um-1";
+  bool has_map = false;  ///< map coordinates of the upper left corner and the pixel size
+  double map_x_m = 0.0, map_y_m = 0.0, gsd_m = 0.0;
+  double map_rotation_rad = 0.0;  ///< azimuth of the upward direction of the image, clockwise from north
+  std::string map_projection;     ///< "Arbitrary" for a local ENU frame, else well-known text
+  double footprint_px = 1.0;      ///< sampling::response_area_px(): pixels that share what one of them sees
+};
+
+}  // namespace ifov::render

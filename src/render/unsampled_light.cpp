@@ -1,0 +1,46 @@
+#include "render/unsampled_light.h"
+
+#include "render/image_renderer.h"
+#include "render/mirrors/glints.h"
+#include "render/mirrors/highlights.h"
+#include "render/mirrors/mirror_images.h"
+#include "render/tolerance/accuracy_tolerance.h"
+#include "render/unseen/unseen_emitters.h"
+#include "render/unseen/unseen_images.h"
+#include "sampling/pixel_footprint.h"
+#include "sampling/tile.h"
+
+namespace ifov::render {
+
+UnsampledLight::UnsampledLight(const RenderJob& job, int threads, const CancelToken* cancel)
+    : job_(job), transport_(job.transport) {
+  const double margin_px = job.footprint.half_width_px();
+  transport_.sought_only = true;
+  if (transport_.maximum_scatterings != 0 && Glints::in(job.scene))
+    glints_ = std::make_unique<const Glints>(job.scene, job.camera, margin_px, job.seed);
+  if (transport_.maximum_scatterings < 0 || transport_.maximum_scatterings > 1)
+    mirror_images_ =
+        MirrorImages::find(job.scene, job.camera, transport_, margin_px, job.seed, threads, cancel);
+  if (mirror_images_ != nullptr && !mirror_images_->apart().empty())
+    transport_.separate_images = &mirror_images_->apart();
+  if (mirror_images_ != nullptr)
+    unseen_images_ = UnseenImages::find(job.scene, job.camera, *mirror_images_, job.seed);
+  // Images in mirrors hold the highlights that they show.
+  if (transport_.maximum_scatterings != 0 && Highlights::in(job.scene)) {
+    highlights_ = std::make_unique<const Highlights>(job.scene, job.camera, margin_px, job.seed);
+    transport_.highlights = transport::TransportOptions::Highlights::left_out;
+  }
+  if (transport_.maximum_scatterings != 0) unseen_emitters_ = UnseenEmitters::find(job.scene, job.camera);
+}
+
+UnsampledLight::~UnsampledLight() = default;
+
+void UnsampledLight::add_to(sampling::TileResult& tile) const {
+  if (glints_ != nullptr) glints_->add_to(job_.footprint, job_.tolerance, tile);
+  if (highlights_ != nullptr) highlights_->add_to(job_.footprint, job_.tolerance, tile);
+  if (mirror_images_ != nullptr) mirror_images_->add_to(job_.footprint, job_.tolerance, tile);
+  if (unseen_emitters_ != nullptr) unseen_emitters_->settle(job_.tolerance, tile);
+  if (unseen_images_ != nullptr) unseen_images_->settle(job_.tolerance, tile);
+}
+
+}  // namespace ifov::render

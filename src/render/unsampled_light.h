@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+
+#include "transport/transport_options.h"
+
+namespace ifov {
+class CancelToken;
+}
+namespace ifov::sampling {
+struct TileResult;
+}
+
+namespace ifov::render {
+
+class Glints;
+class Highlights;
+class MirrorImages;
+class UnseenEmitters;
+class UnseenImages;
+struct RenderJob;
+
+/// Light that a job's paths leave out: glints and images in mirrors, and highlights in narrow lobes, which are worked out beside them, and what may not be
+/// found at all.
+class UnsampledLight {
+ public:
+  /// Keeps a reference to the job. Throws Cancelled.
+  UnsampledLight(const RenderJob& job, int threads, const CancelToken* cancel);
+  ~UnsampledLight();
+
+  /// The job's, of paths that leave that light out.
+  const transport::TransportOptions& transport() const { return transport_; }
+
+  /// To the radiances of a finished tile that has channels alone, and to its half-widths. From any thread.
+  void add_to(sampling::TileResult& tile) const;
+
+ private:
+  const RenderJob& job_;
+  transport::TransportOptions transport_;
+  std::unique_ptr<const Glints> glints_;
+  std::unique_ptr<const Highlights> highlights_;
+  std::unique_ptr<const MirrorImages> mirror_images_;
+  std::unique_ptr<const UnseenImages> unseen_images_;
+  std::unique_ptr<const UnseenEmitters> unseen_emitters_;
+};
+
+}  // namespace ifov::render

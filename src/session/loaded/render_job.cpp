@@ -1,0 +1,40 @@
+#include "io/document/document.h"
+#include "render/image_renderer.h"
+#include "render/tolerance/accuracy_tolerance.h"
+#include "render/wing_light.h"
+#include "sensor/camera.h"
+#include "session/loaded/parts.h"
+#include "transport/spectral_scene.h"
+
+namespace ifov::session {
+
+render::RenderJob Parts::job() const { return job(plan, tolerance.get()); }
+
+render::RenderJob Parts::job(const SamplingPlan& sampling, const render::AccuracyTolerance* limits) const {
+  render::RenderJob job{*spectral_scene, *camera, *footprint, *sampling.sampler};
+  job.tolerance = limits;
+  job.wings = wings.get();
+  job.cut = psf_cut;
+  job.nodes = node_errors;
+  job.air = air;
+  if (document.sampling.max_depth) job.transport.maximum_scatterings = *document.sampling.max_depth;
+  job.transport.mirror_reflections = document.sampling.mirror_reflections;
+  job.label_detail = sampling.request ? render::LabelDetail::sun_state : render::LabelDetail::material;
+  job.seed = document.seed;
+  job.tile_px = document.sampling.tile_px;
+  job.pilot_rays = sampling.pilot_rays;
+  job.steering_channels = sampling.steering_channels;
+  return job;
+}
+
+std::unique_ptr<render::AccuracyTolerance> Parts::tolerance_of(const SamplingPlan& sampling) const {
+  if (!sampling.request) return nullptr;
+  auto limits = std::make_unique<render::AccuracyTolerance>(
+      *sampling.request, *brightness, spectral_scene->white_reflected(),
+      static_cast<std::int64_t>(camera->width_px()) * camera->height_px(), spectral_scene->path_radiance(),
+      air);
+  limits->leave_room(node_errors, wings ? render::kCutShare : 0.0);
+  return limits;
+}
+
+}  // namespace ifov::session
