@@ -223,7 +223,7 @@ TEST(Bsdf, TheRegistryKnowsEveryModel) {
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()),
               "there is no scattering model 'lambertain'; there are 'lambertian', 'mirror', 'oren_nayar', "
-              "'ross_li', 'rpv'");
+              "'ross_li', 'roujean', 'rpv', 'hapke', 'snow'");
   }
 }
 
