@@ -23,7 +23,7 @@ struct BsdfParameter {
   };
   std::string_view key, doc;
   Form form = Form::number;
-  double low = 0.0, high = 1.0;        ///< of a number, an angle in degrees, or a length in metres
+  double low = 0.0, high = 1.0;        ///< of a number, an angle in degrees, or a length in millimetres
   std::string_view default_json = {};  ///< empty: the document has to give it, unless it is optional
   bool optional = false;               ///< may be left out without a default; then the inputs lack it
 };

@@ -94,7 +94,7 @@ const BsdfModel Snow::kModel{
     "snow",
     "deep snow by the size of its grains (Kokhanovsky et al. 2018); the reflectance is a factor, 1 for snow "
     "that is nothing else",
-    {{"grain", "effective diameter of the grains", BsdfParameter::Form::length, 0.02e-3, 5e-3},
+    {{"grain", "effective diameter of the grains", BsdfParameter::Form::length, 0.02, 5.0},
      {"soot", "mass of soot, ng in a gram of snow", BsdfParameter::Form::number, 0.0, 1e5, "0"}},
     [](const BsdfInputs& inputs) -> std::shared_ptr<const Bsdf> {
       return std::make_shared<Snow>(inputs.reflectance, inputs.number("grain"), 1e-9 * inputs.number("soot"));

@@ -42,7 +42,7 @@ SchemaType<ScatteringDocument> parameters_type(const BsdfModel& model) {
         add(record, parameter, quantity(kAngle, Range::between(parameter.low, parameter.high, "deg")));
         break;
       case BsdfParameter::Form::length:
-        add(record, parameter, quantity(kLength, Range::between(parameter.low, parameter.high, "m")));
+        add(record, parameter, quantity(kLength, Range::between(parameter.low, parameter.high, "mm")));
         break;
       case BsdfParameter::Form::spectrum: add(record, parameter, spectrum_type(SpectrumOf::fraction)); break;
     }
