@@ -42,24 +42,27 @@ inline double reflectance_factor(const Bsdf& bsdf, const BsdfEvent& event) {
 }
 
 /// Radiances of uvspec (libRadtran) above a surface without air, in units of the Sun's irradiance: per cosine of the
-/// view the mean over azimuth and the radiances at the azimuths of the heading.
+/// view the mean over azimuth and the radiances at the azimuths of the heading. What uvspec prints of the solver before its
+/// fluxes, the last line of seven numbers, is skipped.
 struct UvspecRow {
   double cosine, mean;
   std::vector<double> radiance;
 };
 inline std::vector<UvspecRow> read_uvspec(const std::filesystem::path& path) {
   std::ifstream file(path);
-  std::string line;
-  std::getline(file, line);  // fluxes
-  std::getline(file, line);  // azimuths
-  std::vector<UvspecRow> rows;
-  while (std::getline(file, line)) {
+  std::vector<std::vector<double>> lines;
+  for (std::string line; std::getline(file, line);) {
     std::istringstream words(line);
-    UvspecRow row;
-    if (!(words >> row.cosine >> row.mean)) continue;
-    for (double value; words >> value;) row.radiance.push_back(value);
-    rows.push_back(row);
+    std::vector<double> numbers;
+    for (double value; words >> value;) numbers.push_back(value);
+    if (!words.eof()) numbers.clear();  // words among them
+    if (numbers.size() == 7) lines.clear();
+    lines.push_back(std::move(numbers));
   }
+  std::vector<UvspecRow> rows;
+  for (std::size_t k = 2; k < lines.size(); ++k)  // after fluxes and azimuths
+    if (lines[k].size() > 2)
+      rows.push_back({lines[k][0], lines[k][1], {lines[k].begin() + 2, lines[k].end()}});
   return rows;
 }
 

@@ -72,8 +72,9 @@ std::vector<std::pair<std::string, std::shared_ptr<const Bsdf>>> models() {
       if (p.form == BsdfParameter::Form::spectrum)
         inputs.values.emplace_back(p.key, Spectrum({0.4, 1.0}, {0.2, 0.7}));
       else
-        inputs.values.emplace_back(p.key,
-                                   p.form == BsdfParameter::Form::angle ? middle * pi / 180.0 : middle);
+        inputs.values.emplace_back(p.key, p.form == BsdfParameter::Form::angle    ? middle * pi / 180.0
+                                          : p.form == BsdfParameter::Form::length ? middle * 1e-3
+                                                                                  : middle);
     }
     list.emplace_back(model->key, model->make(inputs));
   }
@@ -223,7 +224,7 @@ TEST(Bsdf, TheRegistryKnowsEveryModel) {
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()),
               "there is no scattering model 'lambertain'; there are 'lambertian', 'mirror', 'oren_nayar', "
-              "'ross_li', 'rpv'");
+              "'ross_li', 'roujean', 'rpv', 'hapke', 'snow'");
   }
 }
 

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "materials/bsdf/hapke.h"
 #include "materials/bsdf/hemisphere.h"
 #include "materials/bsdf/mirror.h"
 #include "materials/bsdf/oren_nayar.h"
 #include "materials/bsdf/ross_li.h"
+#include "materials/bsdf/roujean.h"
 #include "materials/bsdf/rpv.h"
 #include "radiometry/planck.h"
 #include "transport/small_scene.h"
@@ -159,6 +161,29 @@ TEST(DirectionalModels, FurnaceOfLandReturnsPlanck) {
     const auto estimate = scene.radiance({{0.1, -0.2, 0.3}, math::normalized(towards)}, 1 << 17);
     EXPECT_LT(estimate.standard_error, 2e-3 * expected);
     EXPECT_NEAR(estimate.mean, expected, 3.0 * estimate.standard_error + 5e-4 * expected);
+  }
+}
+
+TEST(DirectionalModels, FurnaceOfSoilReturnsPlanck) {
+  SmallScene scene;
+  const auto constant = [](double value) { return Spectrum::constant(value); };
+  materials::HapkeParameters regolith;
+  regolith.b0 = 0.8;
+  regolith.h = 0.1;
+  regolith.b = 0.5;
+  regolith.roughness_rad = 0.35;
+  scene.place(geometry::Box{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}},
+              scattering_by(scene, std::make_shared<materials::Hapke>(constant(0.7), regolith), 300.0));
+  scene.place(
+      geometry::Sphere{{0.3, 0.4, -0.6}, 0.3},
+      scattering_by(scene, std::make_shared<materials::Roujean>(constant(0.4), constant(0.05), constant(0.3)),
+                    300.0));
+  scene.build();
+  const double expected = radiometry::planck_w_m2_sr_um(SmallScene::kWavelength_um, 300.0);
+  for (const Vec3 towards : {Vec3{0.3, 0.5, -0.7}, {0.9, 0.05, 0.1}, {-0.5, 0.5, 0.2}}) {
+    const auto estimate = scene.radiance({{0.1, -0.2, 0.3}, math::normalized(towards)}, 1 << 17);
+    EXPECT_LT(estimate.standard_error, 2e-3 * expected);
+    EXPECT_NEAR(estimate.mean, expected, 3.0 * estimate.standard_error + 2e-3 * expected);
   }
 }
 

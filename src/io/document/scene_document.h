@@ -34,7 +34,7 @@ struct OriginDocument {
 /// A model of materials::bsdf_models() with its parameters.
 struct ScatteringDocument {
   std::string model = "lambertian";
-  /// By key; angles in radians.
+  /// By key; angles in radians, lengths in metres.
   std::vector<std::pair<std::string, std::variant<double, SpectrumDocument>>> values;
 };
 

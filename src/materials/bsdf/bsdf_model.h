@@ -18,11 +18,12 @@ struct BsdfParameter {
   enum class Form {
     number,
     angle,     ///< "20 deg" in documents, radians here
+    length,    ///< "0.2 mm" in documents, metres here
     spectrum,  ///< numbers from 0 to 1 by wavelength
   };
   std::string_view key, doc;
   Form form = Form::number;
-  double low = 0.0, high = 1.0;        ///< of a number, or an angle in degrees
+  double low = 0.0, high = 1.0;        ///< of a number, an angle in degrees, or a length in millimetres
   std::string_view default_json = {};  ///< empty: the document has to give it, unless it is optional
   bool optional = false;               ///< may be left out without a default; then the inputs lack it
 };

@@ -4,17 +4,20 @@
 
 #include "core/error.h"
 #include "materials/bsdf/bsdf_model.h"
+#include "materials/bsdf/hapke.h"
 #include "materials/bsdf/lambertian.h"
 #include "materials/bsdf/mirror.h"
 #include "materials/bsdf/oren_nayar.h"
 #include "materials/bsdf/ross_li.h"
+#include "materials/bsdf/roujean.h"
 #include "materials/bsdf/rpv.h"
+#include "materials/bsdf/snow.h"
 
 namespace ifov::materials {
 namespace {
 
 constexpr std::array kModels{&Lambertian::kModel, &Mirror::kModel, &OrenNayar::kModel, &RossLi::kModel,
-                             &Rpv::kModel};
+                             &Roujean::kModel,    &Rpv::kModel,    &Hapke::kModel,     &Snow::kModel};
 
 template <class Value>
 const Value& value_of(const BsdfInputs& inputs, std::string_view key) {

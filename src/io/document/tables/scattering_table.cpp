@@ -42,6 +42,9 @@ SchemaType<ScatteringDocument> parameters_type(const BsdfModel& model) {
       case BsdfParameter::Form::angle:
         add(record, parameter, quantity(kAngle, Range::between(parameter.low, parameter.high, "deg")));
         break;
+      case BsdfParameter::Form::length:
+        add(record, parameter, quantity(kLength, Range::between(parameter.low, parameter.high, "mm")));
+        break;
       case BsdfParameter::Form::spectrum: add(record, parameter, spectrum_type(SpectrumOf::fraction)); break;
     }
   return record.type();

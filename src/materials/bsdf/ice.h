@@ -1,0 +1,10 @@
+#pragma once
+
+#include "radiometry/spectrum.h"
+
+namespace ifov::materials {
+
+/// Imaginary part of the refractive index of ice at 266 K, 0.191 to 160 um (Warren and Brandt 2008; data/indices/ice.txt).
+const radiometry::Spectrum& ice_extinction_index();
+
+}  // namespace ifov::materials
