@@ -8,13 +8,14 @@
 #include "materials/bsdf/mirror.h"
 #include "materials/bsdf/oren_nayar.h"
 #include "materials/bsdf/ross_li.h"
+#include "materials/bsdf/rough_conductor.h"
 #include "materials/bsdf/rpv.h"
 
 namespace ifov::materials {
 namespace {
 
-constexpr std::array kModels{&Lambertian::kModel, &Mirror::kModel, &OrenNayar::kModel, &RossLi::kModel,
-                             &Rpv::kModel};
+constexpr std::array kModels{&Lambertian::kModel, &Mirror::kModel, &OrenNayar::kModel,
+                             &RossLi::kModel,     &Rpv::kModel,    &RoughConductor::kModel};
 
 template <class Value>
 const Value& value_of(const BsdfInputs& inputs, std::string_view key) {
@@ -35,6 +36,8 @@ double BsdfInputs::number(std::string_view key) const { return value_of<double>(
 const radiometry::Spectrum& BsdfInputs::spectrum(std::string_view key) const {
   return value_of<radiometry::Spectrum>(*this, key);
 }
+
+const std::string& BsdfInputs::word(std::string_view key) const { return value_of<std::string>(*this, key); }
 
 bool BsdfModel::needs_parameters() const {
   return std::any_of(parameters.begin(), parameters.end(),
