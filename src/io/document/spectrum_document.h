@@ -72,8 +72,8 @@ struct TableSpectrum {
 };
 
 /// What a spectrum is of. Samples of spectral libraries give the first three; `fraction` is any other number
-/// from 0 to 1.
-enum class SpectrumOf { reflectance, emissivity, transmittance, fraction, radiance, irradiance };
+/// from 0 to 1, `number` any number without a unit, such as a refractive index.
+enum class SpectrumOf { reflectance, emissivity, transmittance, fraction, number, radiance, irradiance };
 
 struct SpectrumDocument;
 

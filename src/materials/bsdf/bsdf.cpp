@@ -33,6 +33,8 @@ UnitSquarePoint Bsdf::invert(const BsdfEvent& event) const {
   return {u.x, u.y};
 }
 
+double Bsdf::seam(const BsdfEvent&) const { return 0.0; }
+
 double Bsdf::shape(const BsdfEvent& event) const {
   return event.incoming_cosine() > 0.0 && event.outgoing_cosine() > 0.0 ? 1.0 : 0.0;
 }

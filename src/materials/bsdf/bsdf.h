@@ -69,6 +69,9 @@ class Bsdf {
   virtual double pdf(const BsdfEvent& event) const;
   /// The numbers from which sample() draws `incoming`.
   virtual UnitSquarePoint invert(const BsdfEvent& event) const;
+  /// Where sample() draws from two lobes: it takes one for u1 below this number, which is 0 of a model with one. It is smooth in
+  /// its numbers on either side, and two points of the square may lead to one direction; invert() then gives either.
+  virtual double seam(const BsdfEvent& view) const;
   /// 1/sr for a separable model, else 1; 0 where either direction is not on its side of the surface.
   virtual double shape(const BsdfEvent& event) const;
 

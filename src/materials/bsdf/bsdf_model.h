@@ -19,18 +19,20 @@ struct BsdfParameter {
     number,
     angle,     ///< "20 deg" in documents, radians here
     length,    ///< "0.2 mm" in documents, metres here
-    spectrum,  ///< numbers from 0 to 1 by wavelength
+    spectrum,  ///< numbers by wavelength
+    word,      ///< one of `choices`
   };
   std::string_view key, doc;
   Form form = Form::number;
-  double low = 0.0, high = 1.0;        ///< of a number, an angle in degrees, or a length in millimetres
+  double low = 0.0, high = 1.0;        ///< of a number, of a spectrum's, an angle in degrees, or a length in millimetres
   std::string_view default_json = {};  ///< empty: the document has to give it, unless it is optional
   bool optional = false;               ///< may be left out without a default; then the inputs lack it
+  std::span<const std::string_view> (*choices)() = nullptr;  ///< of a word
 };
 
 /// What a model is made of: the material's reflectance, and the model's parameters by key.
 struct BsdfInputs {
-  using Value = std::variant<double, radiometry::Spectrum>;
+  using Value = std::variant<double, radiometry::Spectrum, std::string>;
   radiometry::Spectrum reflectance;
   std::vector<std::pair<std::string, Value>> values;
 
@@ -38,6 +40,7 @@ struct BsdfInputs {
   /// Throw std::logic_error where the model has declared no such parameter of this form.
   double number(std::string_view key) const;
   const radiometry::Spectrum& spectrum(std::string_view key) const;
+  const std::string& word(std::string_view key) const;
 };
 
 /// A model of the registry: whoever reads documents, explains them or makes materials asks this.

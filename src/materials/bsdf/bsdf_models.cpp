@@ -10,6 +10,7 @@
 #include "materials/bsdf/oren_nayar.h"
 #include "materials/bsdf/ross_li.h"
 #include "materials/bsdf/roujean.h"
+#include "materials/bsdf/rough_conductor.h"
 #include "materials/bsdf/rpv.h"
 #include "materials/bsdf/snow.h"
 
@@ -17,7 +18,8 @@ namespace ifov::materials {
 namespace {
 
 constexpr std::array kModels{&Lambertian::kModel, &Mirror::kModel, &OrenNayar::kModel, &RossLi::kModel,
-                             &Roujean::kModel,    &Rpv::kModel,    &Hapke::kModel,     &Snow::kModel};
+                             &Roujean::kModel,    &Rpv::kModel,    &Hapke::kModel,     &Snow::kModel,
+                             &RoughConductor::kModel};
 
 template <class Value>
 const Value& value_of(const BsdfInputs& inputs, std::string_view key) {
@@ -38,6 +40,8 @@ double BsdfInputs::number(std::string_view key) const { return value_of<double>(
 const radiometry::Spectrum& BsdfInputs::spectrum(std::string_view key) const {
   return value_of<radiometry::Spectrum>(*this, key);
 }
+
+const std::string& BsdfInputs::word(std::string_view key) const { return value_of<std::string>(*this, key); }
 
 bool BsdfModel::needs_parameters() const {
   return std::any_of(parameters.begin(), parameters.end(),

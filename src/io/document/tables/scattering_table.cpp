@@ -45,7 +45,17 @@ SchemaType<ScatteringDocument> parameters_type(const BsdfModel& model) {
       case BsdfParameter::Form::length:
         add(record, parameter, quantity(kLength, Range::between(parameter.low, parameter.high, "mm")));
         break;
-      case BsdfParameter::Form::spectrum: add(record, parameter, spectrum_type(SpectrumOf::fraction)); break;
+      case BsdfParameter::Form::spectrum:
+        add(record, parameter,
+            spectrum_type(parameter.low == 0.0 && parameter.high == 1.0 ? SpectrumOf::fraction
+                                                                        : SpectrumOf::number));
+        break;
+      case BsdfParameter::Form::word: {
+        std::vector<std::pair<std::string, std::string>> words;
+        for (const std::string_view word : parameter.choices()) words.emplace_back(word, word);
+        add(record, parameter, choice<std::string>(words));
+        break;
+      }
     }
   return record.type();
 }

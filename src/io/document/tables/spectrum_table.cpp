@@ -53,7 +53,7 @@ SchemaType<SpectrumDocument> finished_file(Record<Entry<Source>>& record, Spectr
   return finished(record, quantity_of);
 }
 
-/// The dimension of a spectrum's values; null for fractions, which have no unit.
+/// The dimension of a spectrum's values; null for those that have no unit.
 const Dimension* dimension_of(SpectrumOf quantity) {
   switch (quantity) {
     case SpectrumOf::radiance: return &kRadiance;
@@ -61,7 +61,8 @@ const Dimension* dimension_of(SpectrumOf quantity) {
     case SpectrumOf::reflectance:
     case SpectrumOf::emissivity:
     case SpectrumOf::transmittance:
-    case SpectrumOf::fraction: break;
+    case SpectrumOf::fraction:
+    case SpectrumOf::number: break;
   }
   return nullptr;
 }
@@ -74,12 +75,14 @@ std::string name_for(std::string_view form, SpectrumOf quantity) {
     case SpectrumOf::emissivity:
     case SpectrumOf::transmittance:
     case SpectrumOf::fraction: break;
+    case SpectrumOf::number: return format("{} of a number", form);
   }
   return std::string(form);
 }
 
 SchemaType<double> value_type(SpectrumOf quantity_of) {
   const Dimension* dimension = dimension_of(quantity_of);
+  if (quantity_of == SpectrumOf::number) return number();
   if (dimension == nullptr) return number(Range::between(0.0, 1.0));
   return quantity(*dimension, Range::at_least(0.0, dimension->units[0].spelling));
 }

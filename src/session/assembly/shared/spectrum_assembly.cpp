@@ -146,7 +146,8 @@ struct Assemble {
       case io::SpectrumOf::emissivity: return curve.emissivity();
       case io::SpectrumOf::transmittance: return curve.transmittance.value();
       case io::SpectrumOf::reflectance:
-      case io::SpectrumOf::fraction: return curve.reflectance;
+      case io::SpectrumOf::fraction:
+      case io::SpectrumOf::number: return curve.reflectance;
       case io::SpectrumOf::radiance:
       case io::SpectrumOf::irradiance: break;
     }

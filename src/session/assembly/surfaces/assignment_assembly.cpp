@@ -15,6 +15,24 @@
 #include "session/assembly/shared/with_position.h"
 
 namespace ifov::session {
+namespace {
+
+/// Whether a spectrum keeps to what its parameter may be, in all wavelengths.
+void check_range(const io::Document& document, const io::SpectrumDocument& source,
+                 const radiometry::Spectrum& spectrum, const materials::BsdfParameter& parameter) {
+  const double low = spectrum.minimum(), high = spectrum.maximum();
+  if (low >= parameter.low && high <= parameter.high) return;
+  const bool is_low = low < parameter.low;
+  const double limit = is_low ? parameter.low : parameter.high, value = is_low ? low : high;
+  with_position(document, source.position, [&] {
+    throw InputError(format("'{}' is {:g}{}, {} {:g}: it lies between {:g} and {:g}", parameter.key, value,
+                            spectrum.is_constant() ? "" : " at some wavelength", is_low ? "below" : "above",
+                            limit, parameter.low, parameter.high));
+  });
+}
+
+}  // namespace
+
 AssignmentAssembly::AssignmentAssembly(const io::Document& document, const MapFrame& frame,
                                        scene::Scene& scene, LogSink* log)
     : document_(document), scene_(scene), log_(log), textures_(document, frame, log) {
@@ -23,17 +41,24 @@ AssignmentAssembly::AssignmentAssembly(const io::Document& document, const MapFr
 
 void AssignmentAssembly::assemble_scattering(const io::MaterialDocument& source,
                                              materials::Material& material) const {
+  const materials::BsdfModel& model = materials::bsdf_model(source.scattering.model);
+  const auto parameter = [&](const std::string& key) -> const materials::BsdfParameter& {
+    return *std::find_if(model.parameters.begin(), model.parameters.end(),
+                         [&](const materials::BsdfParameter& p) { return p.key == key; });
+  };
   materials::BsdfInputs inputs{material.reflectance, {}};
   for (const auto& [key, value] : source.scattering.values) {
     std::visit(Overloaded{[&](double number) { inputs.values.emplace_back(key, number); },
+                          [&](const std::string& word) { inputs.values.emplace_back(key, word); },
                           [&](const io::SpectrumDocument& spectrum) {
-                            inputs.values.emplace_back(
-                                key,
-                                assemble_spectrum(document_, spectrum, format("{} of {}", key, source.name)));
+                            const radiometry::Spectrum values =
+                                assemble_spectrum(document_, spectrum, format("{} of {}", key, source.name));
+                            check_range(document_, spectrum, values, parameter(key));
+                            inputs.values.emplace_back(key, values);
                           }},
                value);
   }
-  material.bsdf = materials::bsdf_model(source.scattering.model).make(inputs);
+  material.bsdf = model.make(inputs);
   materials::check(material);
   if (!material.bsdf->is_separable())
     material.reflectance = materials::directional_hemispherical(*material.bsdf, materials::Side::reflected,

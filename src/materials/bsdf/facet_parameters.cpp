@@ -1,0 +1,48 @@
+#include "materials/bsdf/facet_parameters.h"
+
+#include <array>
+
+#include "core/error.h"
+#include "radiometry/refractive_index.h"
+
+namespace ifov::materials {
+
+std::span<const std::string_view> facet_shapes() {
+  static constexpr std::array<std::string_view, 2> kWords{"ggx", "beckmann"};
+  return kWords;
+}
+
+FacetShape facet_shape(const BsdfInputs& inputs) {
+  return inputs.word("distribution") == "ggx" ? FacetShape::ggx : FacetShape::beckmann;
+}
+
+double facet_width(const BsdfInputs& inputs, std::string_view key) {
+  // Narrower lobes throw sunlight on other surfaces that random paths find so seldom that they do not know how seldom.
+  constexpr double kLeast = 0.1;
+  const double width = inputs.number(key);
+  if (width < kLeast)
+    throw InputError(
+        format("a '{}' of {:g} is below {:g}: what so narrow a lobe throws on other surfaces is not sought; a smooth surface is "
+               "\"scattering\": \"mirror\"",
+               key, width, kLeast));
+  return width;
+}
+
+IndexSpectra refractive_index(const BsdfInputs& inputs) {
+  const bool by_name = inputs.has("index"), by_value = inputs.has("n") || inputs.has("k");
+  if (by_name && by_value)
+    throw InputError(
+        "a refractive index is given either by its name, 'index', or as 'n' and 'k', not by both");
+  if (by_name) {
+    const radiometry::RefractiveIndex& found = radiometry::refractive_index(inputs.word("index"));
+    return {found.n, found.k};
+  }
+  if (!inputs.has("n") || !inputs.has("k"))
+    throw InputError(format("{} missing: a refractive index is given by its name, 'index', or as 'n' and 'k'",
+                            !by_value         ? "the refractive index is"
+                            : inputs.has("n") ? "'k' is"
+                                              : "'n' is"));
+  return {inputs.spectrum("n"), inputs.spectrum("k")};
+}
+
+}  // namespace ifov::materials

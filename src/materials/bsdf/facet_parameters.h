@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "materials/bsdf/bsdf_model.h"
+#include "materials/bsdf/microfacet/facet_distribution.h"
+
+namespace ifov::materials {
+
+/// What models of facets ask for in the same words.
+
+/// "ggx", "beckmann".
+std::span<const std::string_view> facet_shapes();
+FacetShape facet_shape(const BsdfInputs& inputs);
+
+/// A width of the distribution of facets. Throws InputError below the least, and points to the mirror.
+double facet_width(const BsdfInputs& inputs, std::string_view key);
+
+struct IndexSpectra {
+  radiometry::Spectrum n, k;
+};
+/// A refractive index by `index`, its name in the built-in table, or by `n` and `k`; InputError unless it is one of these.
+IndexSpectra refractive_index(const BsdfInputs& inputs);
+
+}  // namespace ifov::materials

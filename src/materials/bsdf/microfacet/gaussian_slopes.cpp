@@ -1,0 +1,60 @@
+#include "materials/bsdf/microfacet/gaussian_slopes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ifov::materials::gaussian_slopes {
+namespace {
+
+constexpr double kSteepest = 8.0;  // beyond it erfc is below 1e-28
+constexpr double kLeastShare = 1e-17;
+
+double seen_below(double cosine, double sine, double slope) {
+  return 0.5 * (cosine * std::erfc(-slope) + sine * std::numbers::inv_sqrtpi * std::exp(-slope * slope));
+}
+
+}  // namespace
+
+double share(double slope) { return 0.5 * std::erfc(-slope); }
+
+double quantile(double share) {
+  const double tail = 2.0 * std::max(kLeastShare, std::min(share, 1.0 - share));
+  // Winitzki's approximation of the inverse of erfc, 2e-3 off, then Halley's steps.
+  const double log_both = std::log(tail * (2.0 - tail)),
+               a = 2.0 / (std::numbers::pi * 0.147) + 0.5 * log_both;
+  double slope = std::sqrt(std::max(0.0, std::sqrt(a * a - log_both / 0.147) - a));
+  for (int k = 0; k < 3; ++k) {
+    const double excess = std::erfc(slope) - tail;
+    slope += excess / (2.0 * std::numbers::inv_sqrtpi * std::exp(-slope * slope) - slope * excess);
+  }
+  return share < 0.5 ? -slope : slope;
+}
+
+double seen(double cosine, double sine) {
+  return sine > 0.0 ? seen_below(cosine, sine, std::min(cosine / sine, kSteepest)) : cosine;
+}
+
+double seen_share(double cosine, double sine, double slope) {
+  return std::min(1.0, seen_below(cosine, sine, slope) / seen(cosine, sine));
+}
+
+double seen_quantile(double cosine, double sine, double share) {
+  const double wanted = std::max(kLeastShare, share) * seen(cosine, sine);
+  double low = -kSteepest, high = sine * kSteepest > cosine ? cosine / sine : kSteepest;
+  double slope = std::clamp(quantile(share), low, high);
+  // Newton's steps, kept within what is known to hold the root.
+  for (int k = 0; k < 60; ++k) {
+    const double excess = seen_below(cosine, sine, slope) - wanted;
+    (excess > 0.0 ? high : low) = slope;
+    const double rate = (cosine - slope * sine) * std::exp(-slope * slope) * std::numbers::inv_sqrtpi;
+    double next = slope - excess / rate;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    const double step = std::abs(next - slope);
+    slope = next;
+    if (step <= 2e-16 * (1.0 + std::abs(slope))) break;
+  }
+  return slope;
+}
+
+}  // namespace ifov::materials::gaussian_slopes

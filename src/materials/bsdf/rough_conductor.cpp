@@ -1,0 +1,168 @@
+#include "materials/bsdf/rough_conductor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "materials/bsdf/facet_parameters.h"
+#include "materials/bsdf/microfacet/facet_frame.h"
+#include "materials/bsdf/microfacet/facet_reflection.h"
+#include "materials/bsdf/microfacet/fresnel_rows.h"
+#include "radiometry/refractive_index.h"
+
+namespace ifov::materials {
+
+using math::Vec3;
+using radiometry::Spectrum;
+
+const BsdfModel RoughConductor::kModel{
+    "rough_conductor",
+    "metal, water, ice, minerals: facets of a complex refractive index (Cook and Torrance 1982; Heitz 2014), which absorb what "
+    "they do not reflect; the reflectance is a factor on all of it, 1 where the surface is clean",
+    {{"index",
+      "name of a refractive index of the built-in table",
+      BsdfParameter::Form::word,
+      0.0,
+      0.0,
+      {},
+      true,
+      radiometry::refractive_index_names},
+     {"n",
+      "real part of the refractive index, in place of a name",
+      BsdfParameter::Form::spectrum,
+      0.01,
+      1000.0,
+      {},
+      true},
+     {"k", "imaginary part: absorption", BsdfParameter::Form::spectrum, 0.0, 1000.0, {}, true},
+     {"roughness", "width of the distribution of the facets' slopes", BsdfParameter::Form::number, 0.0, 1.0},
+     {"across",
+      "the width across the direction, where it is another",
+      BsdfParameter::Form::number,
+      0.0,
+      1.0,
+      {},
+      true},
+     {"direction", "along which `roughness` is the width: from the tangent (east), counterclockwise",
+      BsdfParameter::Form::angle, -360.0, 360.0, "\"0 deg\""},
+     {"distribution", "of the facets' slopes: `ggx`, with long tails, or `beckmann`, Gaussian",
+      BsdfParameter::Form::word, 0.0, 0.0, "\"ggx\"", false, facet_shapes}},
+    [](const BsdfInputs& inputs) -> std::shared_ptr<const Bsdf> {
+      const IndexSpectra index = refractive_index(inputs);
+      const double along = facet_width(inputs, "roughness");
+      const double across = inputs.has("across") ? facet_width(inputs, "across") : along;
+      return std::make_shared<RoughConductor>(
+          index.n, index.k, inputs.reflectance,
+          Facets{facet_shape(inputs), along, across, inputs.number("direction")});
+    }};
+
+RoughConductor::RoughConductor(const Spectrum& n, const Spectrum& k, const Spectrum& factor, Facets facets)
+    : facets_(facets.shape, facets.width_x, facets.width_y),
+      albedo_(FacetAlbedo::shared(facets.shape, facets.width_x, facets.width_y)),
+      cos_direction_(std::cos(facets.direction_rad)),
+      sin_direction_(std::sin(facets.direction_rad)) {
+  const std::vector<Spectrum> rows = FresnelRows::of_index(n, k);
+  std::vector<Spectrum> all = rows;
+  all.push_back(factor);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const Spectrum both[] = {rows[row], factor};
+    spectra_.push_back(combined(both, [](std::span<const double> v) { return v[0] * v[1]; }));
+  }
+  spectra_.push_back(combined(all, [&](std::span<const double> v) {
+    double mean = 0.0;
+    for (std::size_t row = 0; row < FresnelRows::kCount; ++row)
+      mean += FresnelRows::mean_weights()[row] * v[row];
+    return v.back() * albedo_->again_factor(mean);
+  }));
+}
+
+math::Frame RoughConductor::frame_of(const BsdfEvent& event) const {
+  const math::Frame frame = facet_frame(event.normal, event.tangent);
+  return {cos_direction_ * frame.x + sin_direction_ * frame.y,
+          cos_direction_ * frame.y - sin_direction_ * frame.x, frame.z};
+}
+
+/// Of both lobes: facets that a view sees, and light reflected again, in the proportion in which perfect ones would send it.
+double RoughConductor::density(Vec3 out, Vec3 in) const {
+  const double again = albedo_->lost(out);
+  return (1.0 - again) * FacetReflection(facets_, out, in).density + again * albedo_->pdf(in);
+}
+
+BsdfSample RoughConductor::sample(const BsdfEvent& view, double u1, double u2) const {
+  const math::Frame frame = frame_of(view);
+  const Vec3 out = frame.local_from_outer(view.outgoing);
+  const double again = seam(view);
+  Vec3 in;
+  if (u1 < again) {
+    in = albedo_->sample({u1 / again, u2});
+  } else {
+    const Vec3 facet = facets_.sample_visible(out, {(u1 - again) / (1.0 - again), u2});
+    in = 2.0 * math::dot(out, facet) * facet - out;
+  }
+  BsdfSample sample{math::normalized(frame.outer_from_local(in)), 0.0, 0.0};
+  if (!(in.z > 0.0) || !(out.z > 0.0)) return sample;
+  sample.pdf = density(out, in);
+  sample.weight = in.z / sample.pdf;
+  return sample;
+}
+
+double RoughConductor::seam(const BsdfEvent& view) const {
+  return albedo_->lost(frame_of(view).local_from_outer(view.outgoing));
+}
+
+double RoughConductor::pdf(const BsdfEvent& event) const {
+  const math::Frame frame = frame_of(event);
+  const Vec3 out = frame.local_from_outer(event.outgoing), in = frame.local_from_outer(event.incoming);
+  return out.z > 0.0 && in.z > 0.0 ? density(out, in) : 0.0;
+}
+
+UnitSquarePoint RoughConductor::invert(const BsdfEvent& event) const {
+  const math::Frame frame = frame_of(event);
+  const Vec3 out = frame.local_from_outer(event.outgoing), in = frame.local_from_outer(event.incoming);
+  const double again = albedo_->lost(out);
+  if (again * albedo_->pdf(in) > (1.0 - again) * FacetReflection(facets_, out, in).density) {
+    const sampling::Point2 u = albedo_->invert(in);
+    return {again * u.x, u.y};
+  }
+  const sampling::Point2 u = facets_.invert_visible(out, math::normalized(out + in));
+  return {again + (1.0 - again) * u.x, u.y};
+}
+
+double RoughConductor::grey(const BsdfEvent& event) const {
+  const math::Frame frame = frame_of(event);
+  const Vec3 out = frame.local_from_outer(event.outgoing), in = frame.local_from_outer(event.incoming);
+  if (!(out.z > 0.0) || !(in.z > 0.0)) return 0.0;
+  return FacetReflection(facets_, out, in).bsdf + albedo_->again(albedo_->lost(out), albedo_->lost(in));
+}
+
+Bsdf::LobeSlopes RoughConductor::lobe_slopes() const {
+  return {std::min(facets_.width_x(), facets_.width_y()), std::max(facets_.width_x(), facets_.width_y())};
+}
+
+double RoughConductor::lobe_share(const BsdfEvent& event) const {
+  const math::Frame frame = frame_of(event);
+  const Vec3 out = frame.local_from_outer(event.outgoing), in = frame.local_from_outer(event.incoming);
+  if (!(out.z > 0.0) || !(in.z > 0.0)) return 0.0;
+  const double once = FacetReflection(facets_, out, in).bsdf;
+  return once > 0.0 ? once / (once + albedo_->again(albedo_->lost(out), albedo_->lost(in))) : 0.0;
+}
+
+void RoughConductor::evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
+                              float* bsdf) const {
+  const math::Frame frame = frame_of(event);
+  const Vec3 out = frame.local_from_outer(event.outgoing), in = frame.local_from_outer(event.incoming);
+  const FacetReflection once(facets_, out, in);
+  const RowWeights rows = FresnelRows::at(once.cosine);
+  std::array<float, 4> w;
+  for (std::size_t i = 0; i < 4; ++i) w[i] = static_cast<float>(once.bsdf * rows.weight[i]);
+  const float again = static_cast<float>(albedo_->again(albedo_->lost(out), albedo_->lost(in)));
+  const float* __restrict a = parameters[rows.first];
+  const float* __restrict b = parameters[rows.first + 1];
+  const float* __restrict c = parameters[rows.first + 2];
+  const float* __restrict d = parameters[rows.first + 3];
+  const float* __restrict e = parameters[FresnelRows::kCount];
+  for (std::size_t n = 0; n < count; ++n)
+    bsdf[n] = w[0] * a[n] + w[1] * b[n] + w[2] * c[n] + w[3] * d[n] + again * e[n];
+}
+
+}  // namespace ifov::materials

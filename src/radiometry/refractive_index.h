@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "radiometry/spectrum.h"
+
+namespace ifov::radiometry {
+
+/// A measured complex refractive index n + ik relative to vacuum, k >= 0 where it absorbs (docs/formats/data.md).
+struct RefractiveIndex {
+  std::string_view name;
+  std::string_view about;   ///< what was measured
+  std::string_view source;  ///< publication
+  Spectrum n, k;            ///< at the same wavelengths; an error outside them
+};
+
+/// The built-in table, by name.
+std::span<const RefractiveIndex> refractive_indices();
+std::span<const std::string_view> refractive_index_names();
+/// Throws InputError, with the choices, where there is none of that name.
+const RefractiveIndex& refractive_index(std::string_view name);
+
+}  // namespace ifov::radiometry
