@@ -6,9 +6,11 @@
 #include "core/call_scope.h"
 #include "ifov/assets.h"
 #include "ifov/atmosphere.h"
+#include "ifov/brdf.h"
 #include "ifov/document.h"
 #include "ifov/runs.h"
 #include "io/atmosphere_report/atmosphere_report.h"
+#include "io/brdf_report/brdf_report.h"
 #include "io/document/document.h"
 #include "io/files/inputs.h"
 #include "session/runs/coordinator.h"
@@ -28,6 +30,10 @@ struct AtmosphereReport::Inside {
   io::AtmosphereReport report;
 };
 
+struct BrdfReport::Inside {
+  io::BrdfReport report;
+};
+
 struct Ranks::Inside {
   std::unique_ptr<cluster::Communicator> communicator;
   std::optional<session::Coordinator> coordinator;  ///< of the rank that leads
@@ -45,6 +51,9 @@ struct FacadeAccess {
   }
   static void set(AtmosphereReport& report, io::AtmosphereReport inside) {
     report.inside_ = std::make_shared<const AtmosphereReport::Inside>(std::move(inside));
+  }
+  static void set(BrdfReport& report, io::BrdfReport inside) {
+    report.inside_ = std::make_shared<const BrdfReport::Inside>(std::move(inside));
   }
 };
 
