@@ -17,7 +17,7 @@ struct BrdfArguments {
   std::string subject, material, at, reflectance, light, plot, csv;
   std::vector<std::string> set;
   int curve = 1;
-  bool list = false, quiet = false;
+  bool list = false, markdown = false, quiet = false;
 };
 
 /// "0,30,60", degrees from the normal, in radians.
@@ -58,7 +58,7 @@ BrdfReport ask(const BrdfArguments& arguments) {
 
 ExitCode run_brdf(const BrdfArguments& arguments) {
   if (arguments.list) {
-    say(scattering_models_list());
+    say(arguments.markdown ? scattering_models_reference() : scattering_models_list());
     return ExitCode::ok;
   }
   if (arguments.subject.empty())
@@ -89,7 +89,8 @@ Command add_brdf_command(CLI::App& app) {
       app.add_subcommand("brdf", "Show how a scattering model, or a material, reflects and emits");
   parser->add_option("MODEL|FILE", arguments->subject, "A scattering model, or a document (JSON)");
   parser->add_option("MATERIAL", arguments->material, "A material of the document");
-  parser->add_flag("--list", arguments->list, "The models and their parameters");
+  CLI::Option* list = parser->add_flag("--list", arguments->list, "The models and their parameters");
+  parser->add_flag("--markdown", arguments->markdown, "The list as tables in Markdown")->needs(list);
   parser
       ->add_option(
           "--set", arguments->set,

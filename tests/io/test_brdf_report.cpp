@@ -55,7 +55,7 @@ TEST(BrdfReport, TableSaysAnglesAndNumbers) {
   EXPECT_EQ(text.substr(0, text.find("\n\n")), "panel: ward, 0.55 um\n  reflectance 0.3");
   EXPECT_NE(text.find("  view deg   light from    0 deg     30 deg     60 deg\n"), std::string::npos) << text;
   // The mirror's direction of light from 30 deg is a view of -30 deg; 1 / (10 deg)^2 + 0.01.
-  EXPECT_NE(text.find("\n       -30                0.01405     32.838    0.01405\n"), std::string::npos)
+  EXPECT_NE(text.find("\n       -30               0.014051     32.838   0.014051\n"), std::string::npos)
       << text;
   EXPECT_NE(text.find("\n          85       0.50000       0.50000\n"), std::string::npos) << text;
 }
