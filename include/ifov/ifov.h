@@ -11,6 +11,7 @@
 
 #include "ifov/assets.h"
 #include "ifov/atmosphere.h"
+#include "ifov/brdf.h"
 #include "ifov/check.h"
 #include "ifov/document.h"
 #include "ifov/error.h"

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -172,6 +173,45 @@ TEST_F(Values, OfMaterials) {
     EXPECT_NE(std::string(error.what()).find("asphalt"), std::string::npos) << error.what();
   }
   EXPECT_EQ(ifov::document_reference(), said("schema --markdown"));
+}
+
+TEST_F(Values, OfScattering) {
+  const std::vector<ifov::ScatteringModel> models = ifov::scattering_models();
+  const auto rough =
+      std::find_if(models.begin(), models.end(), [](const auto& m) { return m.key == "oren_nayar"; });
+  ASSERT_NE(rough, models.end());
+  ASSERT_EQ(rough->parameters.size(), 1u);
+  EXPECT_EQ(rough->parameters[0].value, "angle between 0 and 60 deg");
+  EXPECT_TRUE(rough->parameters[0].required);
+  EXPECT_EQ(ifov::scattering_models_list(), said("brdf --list"));
+  EXPECT_EQ(ifov::scattering_models_reference(), said("brdf --list --markdown"));
+
+  const ifov::BrdfReport ground = ifov::survey_brdf(scene(), "ground", {.light_rad = {40 * kDegree}});
+  EXPECT_EQ(ground.model, "lambertian");
+  ASSERT_EQ(ground.lobes.size(), 1u);
+  ASSERT_EQ(ground.lobes[0].brdf.size(), ground.view_rad.size());
+  for (const double brdf : ground.lobes[0].brdf) EXPECT_NEAR(brdf, 0.3 / M_PI, 1e-7);
+  for (const double emissivity : ground.by_angle.emissivity) EXPECT_NEAR(emissivity, 0.7, 1e-7);
+  EXPECT_TRUE(ground.by_angle.transmittance.empty());
+  EXPECT_TRUE(ground.spectra.empty());
+
+  const ifov::BrdfReport soil =
+      ifov::survey_model("rpv", {"k=0.648", "asymmetry=-0.29"},
+                         R"({"table": {"wavelength": ["0.4 um", "0.8 um"], "values": [0.05, 0.1]}})",
+                         {.wavelength_um = ifov::wavelength_um_of("600nm"), .figure = true});
+  EXPECT_EQ(soil.spectrum_um, (std::vector<double>{0.4, 0.8}));
+  ASSERT_EQ(soil.spectra.size(), 2u);
+  EXPECT_LT(soil.spectra[0].reflectance[0], soil.spectra[0].reflectance[1]);
+  // Of rpv the shape depends on the level by the hot spot alone.
+  EXPECT_NEAR(soil.by_angle.reflectance[0],
+              0.5 * (soil.spectra[0].reflectance[0] + soil.spectra[0].reflectance[1]), 2e-3);
+  const std::string tables = said(
+      "brdf rpv --set k=0.648 --set asymmetry=-0.29 --at 0.6um --reflectance "
+      R"('{"table": {"wavelength": ["0.4 um", "0.8 um"], "values": [0.05, 0.1]}}')");
+  EXPECT_EQ(soil.table(), tables);
+  EXPECT_THROW(ifov::survey_brdf(scene(), "sky"), ifov::InputError);
+  EXPECT_THROW(ifov::survey_brdf(scene(), "ground", {.light_rad = {2.0}}), ifov::InputError);
+  EXPECT_THROW(ifov::wavelength_um_of("3 m"), ifov::InputError);
 }
 
 TEST_F(Values, FilesAreMadeAnewAndFollowNoLink) {

@@ -4,6 +4,7 @@
 #include "io/atmosphere_report/atmosphere_report.h"
 #include "io/atmosphere_report/sky_picture.h"
 #include "io/figures/axes.h"
+#include "io/figures/palette.h"
 
 namespace ifov::io {
 namespace {
@@ -13,7 +14,6 @@ using atmosphere::AtmosphereEffects;
 constexpr double kWidth = 1180.0, kLeft = 84.0, kPlotWidth = 690.0, kPlotHeight = 190.0, kGap = 52.0,
                  kTitle = 26.0;
 constexpr double kSkyCentre = 960.0, kSkyRadius = 132.0;
-constexpr Ink kBlue{0.00, 0.45, 0.70}, kRed{0.84, 0.37, 0.00}, kGreen{0.00, 0.62, 0.45};
 /// Decades that a logarithmic axis shows below the brightest light.
 constexpr double kDecades = 1e-4;
 
@@ -21,22 +21,6 @@ std::vector<CanvasPoint> points(const std::vector<AtmosphereEffects>& spectrum,
                                 double AtmosphereEffects::*value) {
   std::vector<CanvasPoint> found;
   for (const AtmosphereEffects& step : spectrum) found.push_back({step.wavelength_um, step.*value});
-  return found;
-}
-
-/// Round wavelengths between the ends, more of them where the axis is short.
-std::vector<double> wavelength_ticks(const Axis& axis) {
-  if (!axis.logarithmic) return axis.ticks(9);
-  std::vector<double> found;
-  double last = -1.0;
-  for (const double tick : {0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.7,  0.8,  1.0,  1.2,  1.5,  2.0,
-                            2.5, 3.0,  4.0, 5.0,  6.0, 8.0, 10.0, 12.0, 14.0, 20.0, 30.0, 50.0}) {
-    if (tick < axis.first || tick > axis.last) continue;
-    constexpr double kLeastDistance = 0.045;
-    if (last > 0.0 && axis.position(tick) - axis.position(last) < kLeastDistance) continue;
-    found.push_back(tick);
-    last = tick;
-  }
   return found;
 }
 
@@ -78,21 +62,21 @@ std::string atmosphere_report_figure(const AtmosphereReport& report) {
   Axis across{spectrum.front().wavelength_um, spectrum.back().wavelength_um, false};
   across.logarithmic = across.last > 3.0 * across.first;
   std::vector<Curve> transmittance{
-      {"ground to sensor", kBlue, false, points(spectrum, &AtmosphereEffects::view_transmittance)}};
+      {"ground to sensor", kBlueInk, false, points(spectrum, &AtmosphereEffects::view_transmittance)}};
   std::vector<Curve> path{
-      {"emission of the air", kRed, false, points(spectrum, &AtmosphereEffects::thermal_path)}};
+      {"emission of the air", kRedInk, false, points(spectrum, &AtmosphereEffects::thermal_path)}};
   std::vector<Curve> irradiance{
-      {"emission of the sky", kRed, false, points(spectrum, &AtmosphereEffects::thermal_sky)}};
+      {"emission of the sky", kRedInk, false, points(spectrum, &AtmosphereEffects::thermal_sky)}};
   if (day) {
     const std::string light = report.body == "Sun" ? "sunlight" : "moonlight";
-    transmittance.insert(transmittance.begin(), {report.body + " to ground", kRed, false,
+    transmittance.insert(transmittance.begin(), {report.body + " to ground", kRedInk, false,
                                                  points(spectrum, &AtmosphereEffects::sun_transmittance)});
     path.insert(path.begin(),
-                {"scattered " + light, kBlue, false, points(spectrum, &AtmosphereEffects::solar_path)});
+                {"scattered " + light, kBlueInk, false, points(spectrum, &AtmosphereEffects::solar_path)});
     irradiance.insert(
         irradiance.begin(),
-        {{report.body, kGreen, false, points(spectrum, &AtmosphereEffects::direct_irradiance)},
-         {light + " from the sky", kBlue, false, points(spectrum, &AtmosphereEffects::solar_sky)}});
+        {{report.body, kGreenInk, false, points(spectrum, &AtmosphereEffects::direct_irradiance)},
+         {light + " from the sky", kBlueInk, false, points(spectrum, &AtmosphereEffects::solar_sky)}});
   }
   // What is dark everywhere has no curve.
   for (std::vector<Curve>* curves : {&path, &irradiance})
@@ -105,15 +89,14 @@ std::string atmosphere_report_figure(const AtmosphereReport& report) {
       {kLeft, top + kPlotHeight + kGap, kPlotWidth, kPlotHeight, across, logarithmic_axis(path),
        "Path, W m\u207b\u00b2 sr\u207b\u00b9 \u00b5m\u207b\u00b9"},
       {kLeft, top + 2.0 * (kPlotHeight + kGap), kPlotWidth, kPlotHeight, across, logarithmic_axis(irradiance),
-       "On the ground, W m\u207b\u00b2 \u00b5m\u207b\u00b9"}};
+       "On the ground, W m\u207b\u00b2 \u00b5m\u207b\u00b9", "Wavelength (\u00b5m)"}};
   const std::vector<const std::vector<Curve>*> curves{&transmittance, &path, &irradiance};
   for (std::size_t k = 0; k < plots.size(); ++k) {
     draw_channels(canvas, report, plots[k]);
-    draw_axes(canvas, plots[k], wavelength_ticks(across), k + 1 == plots.size());
+    draw_axes(canvas, plots[k], wavelength_ticks(across, kPlotWidth), k + 1 == plots.size());
     draw_curves(canvas, plots[k], *curves[k]);
   }
   const double bottom = plots.back().y + kPlotHeight;
-  canvas.text({kLeft + 0.5 * kPlotWidth, bottom + 38.0}, "Wavelength (\u00b5m)", 13.0, Anchor::centre);
   canvas.text({kLeft, bottom + 56.0}, "Over black ground. Shaded: the sensor's channels.", 11.5, Anchor::left,
               false, kGreyInk);
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/format.h"
-#include "io/figures/axes.h"
+#include "io/figures/colour_scale.h"
 #include "radiometry/planck.h"
 
 namespace ifov::io {
@@ -52,10 +52,6 @@ Axis scale_of(const AtmosphereReport& report, SkyQuantity quantity) {
 const ColourMap& colours_of(const AtmosphereReport& report, SkyQuantity quantity) {
   return quantity == SkyQuantity::polarization || report.sky_is_thermal ? heat_colours()
                                                                         : sequential_colours();
-}
-
-Rgb colour_at(const ColourMap& colours, double share) {
-  return colours[static_cast<std::size_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)))];
 }
 
 /// Azimuth from north of the table's zero.
@@ -111,21 +107,6 @@ void draw_neutral_points(Canvas& canvas, const AtmosphereReport& report, CanvasP
   }
 }
 
-void draw_scale(Canvas& canvas, const ColourMap& colours, const Axis& scale, double x, double y,
-                double height) {
-  constexpr double kBarWidth = 16.0;
-  for (int k = 0; k < 256; ++k) {
-    const Rgb c = colours[static_cast<std::size_t>(k)];
-    canvas.fill_rectangle(x, y + height * (255 - k) / 256.0, kBarWidth, height / 256.0 + 0.6,
-                          {c.r / 255.0, c.g / 255.0, c.b / 255.0});
-  }
-  for (const double tick : scale.ticks(5)) {
-    const double at = y + height * (1.0 - scale.position(tick));
-    canvas.fill_rectangle(x + kBarWidth, at - 0.5, 5.0, 1.0, kBlackInk);
-    canvas.text({x + kBarWidth + 8.0, at + 4.5}, tick_label(tick, scale), 12.0);
-  }
-}
-
 }  // namespace
 
 void draw_sky(Canvas& canvas, const AtmosphereReport& report, CanvasPoint centre, double radius,
@@ -135,8 +116,8 @@ void draw_sky(Canvas& canvas, const AtmosphereReport& report, CanvasPoint centre
   draw_marks(canvas, report, centre, radius);
   const bool marks_points = quantity == SkyQuantity::polarization && !report.neutral_points.empty();
   if (marks_points) draw_neutral_points(canvas, report, centre, radius);
-  draw_scale(canvas, colours_of(report, quantity), scale, centre.x + radius + 28.0, centre.y - 0.8 * radius,
-             1.6 * radius);
+  draw_colour_scale(canvas, colours_of(report, quantity), scale, centre.x + radius + 28.0,
+                    centre.y - 0.8 * radius, 1.6 * radius);
   const std::string what = quantity == SkyQuantity::polarization ? "Degree of linear polarization, %"
                            : report.sky_is_thermal
                                ? "Brightness temperature of the sky, K"

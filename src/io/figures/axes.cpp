@@ -50,6 +50,21 @@ std::vector<double> Axis::ticks(int most) const {
   return found;
 }
 
+std::vector<double> wavelength_ticks(const Axis& axis, double width) {
+  constexpr double kNumber = 31.0;
+  if (!axis.logarithmic) return axis.ticks(std::clamp(static_cast<int>(width / 75.0), 2, 9));
+  std::vector<double> found;
+  double last = -1.0;
+  for (const double tick : {0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.7,  0.8,  1.0,  1.2,  1.5,  2.0,
+                            2.5, 3.0,  4.0, 5.0,  6.0, 8.0, 10.0, 12.0, 14.0, 20.0, 30.0, 50.0}) {
+    if (tick < axis.first || tick > axis.last) continue;
+    if (last > 0.0 && width * (axis.position(tick) - axis.position(last)) < kNumber) continue;
+    found.push_back(tick);
+    last = tick;
+  }
+  return found;
+}
+
 std::string tick_label(double value, const Axis& axis) {
   if (axis.logarithmic && (value < 0.00999 || value > 1001.0))
     return "10" + raised(static_cast<int>(std::lround(std::log10(value))));
@@ -71,14 +86,16 @@ void draw_axes(Canvas& canvas, const Plot& plot, const std::vector<double>& tick
   }
   canvas.frame(plot.x, plot.y, plot.width, plot.height, kBlackInk, 1.0);
   canvas.upright_text({plot.x - 52.0, plot.y + 0.5 * plot.height}, plot.label, kLabels);
+  if (numbers_below && !plot.label_across.empty())
+    canvas.text({plot.x + 0.5 * plot.width, bottom + 38.0}, plot.label_across, kLabels, Anchor::centre);
 }
 
-void draw_curves(Canvas& canvas, const Plot& plot, const std::vector<Curve>& curves) {
+void draw_lines(Canvas& canvas, const Plot& plot, const std::vector<Curve>& curves) {
   canvas.begin_clip(plot.x, plot.y, plot.width, plot.height);
   for (const Curve& curve : curves) {
     std::vector<CanvasPoint> line;
     const auto finish = [&] {
-      if (line.size() > 1) canvas.line(line, curve.ink, 1.3, curve.dashed);
+      if (line.size() > 1) canvas.line(line, curve.ink, curve.width, curve.dashed);
       line.clear();
     };
     for (const CanvasPoint& p : curve.points)
@@ -89,6 +106,10 @@ void draw_curves(Canvas& canvas, const Plot& plot, const std::vector<Curve>& cur
     finish();
   }
   canvas.end_clip();
+}
+
+void draw_curves(Canvas& canvas, const Plot& plot, const std::vector<Curve>& curves) {
+  draw_lines(canvas, plot, curves);
   double x = plot.x + 2.0;
   const double y = plot.y - 8.0;
   for (const Curve& curve : curves) {

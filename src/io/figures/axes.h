@@ -19,6 +19,10 @@ struct Axis {
   std::vector<double> ticks(int most) const;
 };
 
+/// Round wavelengths (um) between the ends, more of them where the axis is short; so many that their numbers find room in
+/// `width`.
+std::vector<double> wavelength_ticks(const Axis& axis, double width);
+
 /// Digits that tell the ticks apart, without zeros at the end; powers of ten far from 1 as 10 and a raised
 /// number.
 std::string tick_label(double value, const Axis& axis);
@@ -27,22 +31,27 @@ std::string tick_label(double value, const Axis& axis);
 struct Plot {
   double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
   Axis across, up;
-  std::string label;  ///< of the upright axis
+  std::string label;              ///< of the upright axis
+  std::string label_across = {};  ///< of the other, under its numbers; empty: none
   double to_x(double value) const { return x + width * across.position(value); }
   double to_y(double value) const { return y + height * (1.0 - up.position(value)); }
 };
 
-/// Grid, frame and numbers; those of the horizontal axis only where `numbers_below`.
+/// Grid, frame, labels and numbers; those of the horizontal axis only where `numbers_below`.
 void draw_axes(Canvas& canvas, const Plot& plot, const std::vector<double>& ticks_across, bool numbers_below);
 
 struct Curve {
   std::string name;
   Ink ink;
   bool dashed = false;
-  std::vector<CanvasPoint> points;  ///< values, not places; above 0 where the axis is logarithmic
+  std::vector<CanvasPoint>
+      points;          ///< values, not places; 0 and less is left out where the axis is logarithmic
+  double width = 1.3;  ///< of the line
 };
 
-/// The curves inside the plot, and their names in a row above its upper left corner.
+/// The curves inside the plot.
+void draw_lines(Canvas& canvas, const Plot& plot, const std::vector<Curve>& curves);
+/// The same, and their names in a row above the plot's upper left corner.
 void draw_curves(Canvas& canvas, const Plot& plot, const std::vector<Curve>& curves);
 
 }  // namespace ifov::io

@@ -9,6 +9,7 @@
 namespace ifov::io {
 class Assets;
 struct AtmosphereReport;
+struct BrdfReport;
 }  // namespace ifov::io
 namespace ifov::session {
 class Coordinator;
@@ -17,6 +18,7 @@ class Coordinator;
 namespace ifov {
 
 class AtmosphereReport;
+class BrdfReport;
 class Ranks;
 
 /// What public classes keep, for the functions of the facade alone. Each `Inside` is defined where its class is, that of a
@@ -28,6 +30,7 @@ struct FacadeAccess {
   /// Of the rank that leads; null on the others, and for null.
   static session::Coordinator* coordinator(const Ranks* ranks);
   static void set(AtmosphereReport& report, io::AtmosphereReport inside);
+  static void set(BrdfReport& report, io::BrdfReport inside);
 };
 
 }  // namespace ifov

@@ -6,6 +6,8 @@
 #include <stdexcept>
 
 #include "io/figures/axes.h"
+#include "io/figures/colour_scale.h"
+#include "io/figures/words.h"
 
 namespace ifov::studies {
 namespace {
@@ -23,23 +25,6 @@ io::Ink ink_of(const std::string& colour) {
     throw std::logic_error("colours are #rgb or #rrggbb: " + colour);
   const auto byte = [&](std::size_t at) { return (16.0 * digit(at) + digit(at + 1)) / 255.0; };
   return {byte(1), byte(3), byte(5)};
-}
-
-/// Words in lines of at most `width`.
-std::vector<std::string> wrapped(const io::Canvas& canvas, const std::string& words, double size,
-                                 double width) {
-  std::vector<std::string> lines{""};
-  for (std::size_t at = 0; at < words.size();) {
-    const std::size_t end = std::min(words.find(' ', at), words.size());
-    const std::string word = words.substr(at, end - at),
-                      longer = lines.back().empty() ? word : lines.back() + ' ' + word;
-    if (lines.back().empty() || canvas.text_width(longer, size, true) <= width)
-      lines.back() = longer;
-    else
-      lines.push_back(word);
-    at = end + 1;
-  }
-  return lines;
 }
 
 /// What an axis has to show.
@@ -148,7 +133,7 @@ DrawnFigure draw(const Plot& plot) {
 
   io::Canvas canvas(kWidth, kHeight);
   double at = 26.0;
-  for (const std::string& line : wrapped(canvas, plot.title, kTitle, kWidth - kLeft - kRight)) {
+  for (const std::string& line : io::wrapped(canvas, plot.title, kTitle, kWidth - kLeft - kRight, true)) {
     canvas.text({kLeft, at}, line, kTitle, io::Anchor::left, true);
     at += kRow;
   }
@@ -180,11 +165,10 @@ DrawnFigure draw(const ImagePanel& panel) {
   const double width = std::max<double>(columns, 0.75 * kSide), height = rows;
   const io::ColourMap& colours = panel.heat ? io::heat_colours() : io::sequential_colours();
   const auto colour_of = [&](double share) {
-    return colours[static_cast<std::size_t>(
-        std::isfinite(share) ? std::lround(255.0 * std::clamp(share, 0.0, 1.0)) : 0)];
+    return io::colour_at(colours, std::isfinite(share) ? share : 0.0);
   };
   const io::Canvas measure(1.0, 1.0);
-  const std::vector<std::string> title = wrapped(measure, panel.title, kLabel, width);
+  const std::vector<std::string> title = io::wrapped(measure, panel.title, kLabel, width, true);
   const double top = 8.0 + kRow * static_cast<double>(title.size());
   io::Canvas canvas(width, top + height + kBar + 36.0);
   for (std::size_t k = 0; k < title.size(); ++k)

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ifov/brdf.h"
+#include "io/brdf_report/brdf_report.h"
+
+namespace ifov::io {
+struct Document;
+}
+
+namespace ifov::session {
+
+/// Answers without reading more of the scene than the material. Errors as of ifov::survey_brdf.
+io::BrdfReport survey_brdf(const io::Document& document, const std::string& material,
+                           const BrdfQuestion& question);
+
+/// A document with one material, called as the model, of this model and reflectance. Errors as of ifov::survey_model.
+io::Document document_of_model(const std::string& model, const std::vector<std::string>& set,
+                               const std::string& reflectance);
+
+}  // namespace ifov::session
