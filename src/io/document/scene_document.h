@@ -35,7 +35,7 @@ struct OriginDocument {
 struct ScatteringDocument {
   std::string model = "lambertian";
   /// By key; angles in radians, lengths in metres.
-  std::vector<std::pair<std::string, std::variant<double, SpectrumDocument>>> values;
+  std::vector<std::pair<std::string, std::variant<double, SpectrumDocument, DocumentFile, bool>>> values;
 };
 
 struct MaterialDocument {

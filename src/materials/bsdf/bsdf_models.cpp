@@ -12,12 +12,14 @@
 #include "materials/bsdf/roujean.h"
 #include "materials/bsdf/rpv.h"
 #include "materials/bsdf/snow.h"
+#include "materials/bsdf/tabulated.h"
 
 namespace ifov::materials {
 namespace {
 
-constexpr std::array kModels{&Lambertian::kModel, &Mirror::kModel, &OrenNayar::kModel, &RossLi::kModel,
-                             &Roujean::kModel,    &Rpv::kModel,    &Hapke::kModel,     &Snow::kModel};
+constexpr std::array kModels{&Lambertian::kModel, &Mirror::kModel,  &OrenNayar::kModel,
+                             &RossLi::kModel,     &Roujean::kModel, &Rpv::kModel,
+                             &Hapke::kModel,      &Snow::kModel,    &Tabulated::kModel};
 
 template <class Value>
 const Value& value_of(const BsdfInputs& inputs, std::string_view key) {
@@ -37,6 +39,10 @@ double BsdfInputs::number(std::string_view key) const { return value_of<double>(
 
 const radiometry::Spectrum& BsdfInputs::spectrum(std::string_view key) const {
   return value_of<radiometry::Spectrum>(*this, key);
+}
+
+const MeasuredBrdf& BsdfInputs::brdf(std::string_view key) const {
+  return value_of<MeasuredBrdf>(*this, key);
 }
 
 bool BsdfModel::needs_parameters() const {

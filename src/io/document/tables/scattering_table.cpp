@@ -44,6 +44,8 @@ SchemaType<ScatteringDocument> parameters_type(const BsdfModel& model) {
       case BsdfParameter::Form::length:
         add(record, parameter, quantity(kLength, Range::between(parameter.low, parameter.high, "mm")));
         break;
+      case BsdfParameter::Form::brdf_file: add(record, parameter, file()); break;
+      case BsdfParameter::Form::flag: add(record, parameter, boolean()); break;
       case BsdfParameter::Form::spectrum: add(record, parameter, spectrum_type(SpectrumOf::fraction)); break;
     }
   return record.type();

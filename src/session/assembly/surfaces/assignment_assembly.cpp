@@ -8,6 +8,7 @@
 #include "core/overloaded.h"
 #include "io/document/document.h"
 #include "io/raster/fill_unknown.h"
+#include "io/spectra/brdf_table.h"
 #include "materials/bsdf/hemisphere.h"
 #include "session/assembly/shared/spectrum_assembly.h"
 #include "session/assembly/shared/with_position.h"
@@ -21,15 +22,23 @@ AssignmentAssembly::AssignmentAssembly(const io::Document& document, const MapFr
 
 void AssignmentAssembly::assemble_scattering(const io::MaterialDocument& source,
                                              materials::Material& material) const {
-  materials::BsdfInputs inputs{material.reflectance, {}};
+  materials::BsdfInputs inputs{material.reflectance, {}, [&](const std::string& change) {
+                                 if (log_ != nullptr)
+                                   log_->warn(format("material '{}': {}", source.name, change));
+                               }};
   for (const auto& [key, value] : source.scattering.values) {
-    std::visit(Overloaded{[&](double number) { inputs.values.emplace_back(key, number); },
-                          [&](const io::SpectrumDocument& spectrum) {
-                            inputs.values.emplace_back(
-                                key,
-                                assemble_spectrum(document_, spectrum, format("{} of {}", key, source.name)));
-                          }},
-               value);
+    std::visit(
+        Overloaded{[&](double number) { inputs.values.emplace_back(key, number); },
+                   [&](const io::SpectrumDocument& spectrum) {
+                     inputs.values.emplace_back(
+                         key, assemble_spectrum(document_, spectrum, format("{} of {}", key, source.name)));
+                   },
+                   [&](const io::DocumentFile& file) {
+                     with_position(document_, file.position,
+                                   [&] { inputs.values.emplace_back(key, io::read_brdf_table(file.path)); });
+                   },
+                   [&](bool flag) { inputs.values.emplace_back(key, flag ? 1.0 : 0.0); }},
+        value);
   }
   material.bsdf = materials::bsdf_model(source.scattering.model).make(inputs);
   materials::check(material);
