@@ -35,7 +35,7 @@ def main(source, target):
         kept = [row for row in rows(source / file) if first <= float(row[0]) <= last]
         text = [f"# {about} Complex index of refraction n + ik: wavelength um, n, k.",
                 f"# {publication};",
-                f"# {file} of the refractiveindex.info database, CC0 1.0. Made by tools/make_indices.py; format in "
+                f"# {file} of the refractiveindex.info database. Licence: CC0 1.0. Made by tools/make_indices.py; format in "
                 "docs/formats/data.md."]
         text += [f"{float(um):.6g} {float(n):.6g} {float(k):.6g}" for um, n, k in kept]
         (target / f"{name}.txt").write_text("\n".join(text) + "\n", encoding="utf-8")

@@ -57,6 +57,12 @@ def moon(**keys):
     return several(("light.sun", None), ("light.moon", keys))
 
 
+def measured_brdf():
+    """Light from 60 deg seen upright is a quarter brighter than the other way round."""
+    rows = [(i, o, a, um, 0.1 if i > o else 0.08) for i in (0, 60) for o in (0, 60) for a in (0, 180) for um in (0.5, 12)]
+    return "light,view,azimuth,wavelength,BRDF\n" + "".join(",".join(map(str, row)) + "\n" for row in rows)
+
+
 def classes(names, file="classes.asc"):
     return changed(OBJECTS + "[0].material", {"map": {"file": file, "classes": names}})
 
@@ -76,6 +82,13 @@ MISTAKES = [
     ("a model of leaves without its weights", changed(MATERIALS + ".wall.scattering", {"ross_li": {"f_geo": 0.01}}), ERROR, "lacks the key 'f_vol'"),
     ("a way to scatter that is not there", changed(MATERIALS + ".wall.scattering", "specular"), ERROR, "expected 'lambertian', 'mirror' or 'hapke'"),
     ("grains of snow as large as a hand", changed(MATERIALS + ".wall.scattering", {"snow": {"grain": "10 cm"}}), ERROR, "grain.*expected a length between 0.02 and 5 mm"),
+    ("a measured BRDF that is not there", changed(MATERIALS + ".wall.scattering", {"table": {"file": "no.csv"}}), ERROR, "no.csv"),
+    ("a measured BRDF that is not reciprocal", changed(MATERIALS + ".wall", {"reflectance": 1, "temperature": "30 degC", "scattering": {"table": {"file": "tile.csv"}}}), ERROR,
+     "not reciprocal by 22.2 %: at 0.5 um light from 60 deg seen from 0 deg, azimuth 0 deg, has a BRDF of 0.1 /sr, and with both exchanged 0.08"),
+    ("a measured BRDF that is repaired", changed(MATERIALS + ".wall", {"reflectance": 1, "temperature": "30 degC", "scattering": {"table": {"file": "tile.csv", "repair": True}}}), WARNING,
+     "material 'wall': the mean of both directions is taken, which differ by up to 22.2 %"),
+    ("a measured BRDF with a hole", changed(MATERIALS + ".wall.scattering", {"table": {"file": "hole.csv"}}), ERROR,
+     "no row for light 60 deg, view 60 deg, azimuth 180 deg, 12 um"),
     ("a grain that scatters less than nothing", changed(MATERIALS + ".wall.scattering", {"hapke": {"b": 1.2}}), ERROR,
      "hapke: the phase function would be -0.2, below 0, at a phase angle of 180 deg"),
     ("several curves and no texture", changed(MATERIALS + ".lawn.reflectance", [0.1, 0.2]), ERROR, "several curves need a 'texture'"),
@@ -188,5 +201,7 @@ FILES = {
     "flat.csv": "6,0,0,0,0\n",
     "response.csv": "wavelength,response\n600,0\n650,1\n700,0\n",
     "classes.asc": ascii_grid([[1, 2, 1, 1]] * 4),
+    "tile.csv": measured_brdf(),
+    "hole.csv": measured_brdf().rsplit("\n", 2)[0] + "\n",
     "fractions.asc": ascii_grid([[0.2, 0.5, 0.7, 1.0]] * 4),
 }

@@ -24,6 +24,7 @@
 #include "io/raster/raster.h"
 #include "io/scene_cache/scene_cache.h"
 #include "io/spectra/asd.h"
+#include "io/spectra/brdf_table.h"
 #include "io/spectra/channel_table.h"
 #include "io/spectra/csv_spectrum.h"
 #include "io/spectra/ecostress.h"
@@ -152,6 +153,11 @@ std::vector<FuzzedReader> fuzzed_readers() {
        table_seeds(),
        {",", ";", "\t", "\n\n", "nan"},
        [](const auto& path) { io::read_csv_spectrum(path); }},
+      {"brdf_table",
+       "a.csv",
+       {"0 0 0 0.5 0.1\n0 0 180 0.5 0.1\n60 0 0 0.5 0.1\n60 0 180 0.5 0.2\n", "30, 30, 0, 0.5, 0.1\n"},
+       {",", "\t", "\n\n", "nan", "90", "180"},
+       [](const auto& path) { materials::BsdfTable(io::read_brdf_table(path), true); }},
       {"usgs",
        "a.asc",
        usgs_seeds(),

@@ -35,7 +35,8 @@ struct OriginDocument {
 struct ScatteringDocument {
   std::string model = "lambertian";
   /// By key; angles in radians, lengths in metres.
-  std::vector<std::pair<std::string, std::variant<double, SpectrumDocument, std::string>>> values;
+  std::vector<std::pair<std::string, std::variant<double, SpectrumDocument, std::string, DocumentFile, bool>>>
+      values;
 };
 
 struct MaterialDocument {

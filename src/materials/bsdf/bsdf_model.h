@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "materials/bsdf/bsdf.h"
+#include "materials/bsdf/bsdf_table.h"
 
 namespace ifov::materials {
 
@@ -17,14 +19,17 @@ namespace ifov::materials {
 struct BsdfParameter {
   enum class Form {
     number,
-    angle,     ///< "20 deg" in documents, radians here
-    length,    ///< "0.2 mm" in documents, metres here
-    spectrum,  ///< numbers by wavelength
-    word,      ///< one of `choices`
+    angle,      ///< "20 deg" in documents, radians here
+    length,     ///< "0.2 mm" in documents, metres here
+    spectrum,   ///< numbers by wavelength
+    word,       ///< one of `choices`
+    brdf_file,  ///< name of a file in documents, a MeasuredBrdf here
+    flag,       ///< true or false in documents, 1 or 0 here
   };
   std::string_view key, doc;
   Form form = Form::number;
-  double low = 0.0, high = 1.0;        ///< of a number, of a spectrum's, an angle in degrees, or a length in millimetres
+  double low = 0.0,
+         high = 1.0;  ///< of a number, of a spectrum's, an angle in degrees, or a length in millimetres
   std::string_view default_json = {};  ///< empty: the document has to give it, unless it is optional
   bool optional = false;               ///< may be left out without a default; then the inputs lack it
   std::span<const std::string_view> (*choices)() = nullptr;  ///< of a word
@@ -32,15 +37,18 @@ struct BsdfParameter {
 
 /// What a model is made of: the material's reflectance, and the model's parameters by key.
 struct BsdfInputs {
-  using Value = std::variant<double, radiometry::Spectrum, std::string>;
+  using Value = std::variant<double, radiometry::Spectrum, std::string, MeasuredBrdf>;
   radiometry::Spectrum reflectance;
   std::vector<std::pair<std::string, Value>> values;
+  /// Told what the model has changed of what it was given; may be empty.
+  std::function<void(const std::string& change)> say = {};
 
   bool has(std::string_view key) const;
   /// Throw std::logic_error where the model has declared no such parameter of this form.
   double number(std::string_view key) const;
   const radiometry::Spectrum& spectrum(std::string_view key) const;
   const std::string& word(std::string_view key) const;
+  const MeasuredBrdf& brdf(std::string_view key) const;
 };
 
 /// A model of the registry: whoever reads documents, explains them or makes materials asks this.

@@ -9,17 +9,18 @@
 #include "materials/bsdf/mirror.h"
 #include "materials/bsdf/oren_nayar.h"
 #include "materials/bsdf/ross_li.h"
-#include "materials/bsdf/roujean.h"
 #include "materials/bsdf/rough_conductor.h"
+#include "materials/bsdf/roujean.h"
 #include "materials/bsdf/rpv.h"
 #include "materials/bsdf/snow.h"
+#include "materials/bsdf/tabulated.h"
 
 namespace ifov::materials {
 namespace {
 
-constexpr std::array kModels{&Lambertian::kModel, &Mirror::kModel, &OrenNayar::kModel, &RossLi::kModel,
-                             &Roujean::kModel,    &Rpv::kModel,    &Hapke::kModel,     &Snow::kModel,
-                             &RoughConductor::kModel};
+constexpr std::array kModels{&Lambertian::kModel, &Mirror::kModel,        &OrenNayar::kModel, &RossLi::kModel,
+                             &Roujean::kModel,    &Rpv::kModel,           &Hapke::kModel,     &Snow::kModel,
+                             &Tabulated::kModel,  &RoughConductor::kModel};
 
 template <class Value>
 const Value& value_of(const BsdfInputs& inputs, std::string_view key) {
@@ -42,6 +43,9 @@ const radiometry::Spectrum& BsdfInputs::spectrum(std::string_view key) const {
 }
 
 const std::string& BsdfInputs::word(std::string_view key) const { return value_of<std::string>(*this, key); }
+const MeasuredBrdf& BsdfInputs::brdf(std::string_view key) const {
+  return value_of<MeasuredBrdf>(*this, key);
+}
 
 bool BsdfModel::needs_parameters() const {
   return std::any_of(parameters.begin(), parameters.end(),

@@ -56,6 +56,8 @@ SchemaType<ScatteringDocument> parameters_type(const BsdfModel& model) {
         add(record, parameter, choice<std::string>(words));
         break;
       }
+      case BsdfParameter::Form::brdf_file: add(record, parameter, file()); break;
+      case BsdfParameter::Form::flag: add(record, parameter, boolean()); break;
     }
   return record.type();
 }

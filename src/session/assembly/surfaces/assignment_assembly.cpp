@@ -8,6 +8,7 @@
 #include "core/overloaded.h"
 #include "io/document/document.h"
 #include "io/raster/fill_unknown.h"
+#include "io/spectra/brdf_table.h"
 #include "materials/bsdf/bsdf_model.h"
 #include "materials/bsdf/hemisphere.h"
 #include "scene/map_patterns.h"
@@ -46,7 +47,10 @@ void AssignmentAssembly::assemble_scattering(const io::MaterialDocument& source,
     return *std::find_if(model.parameters.begin(), model.parameters.end(),
                          [&](const materials::BsdfParameter& p) { return p.key == key; });
   };
-  materials::BsdfInputs inputs{material.reflectance, {}};
+  materials::BsdfInputs inputs{material.reflectance, {}, [&](const std::string& change) {
+                                 if (log_ != nullptr)
+                                   log_->warn(format("material '{}': {}", source.name, change));
+                               }};
   for (const auto& [key, value] : source.scattering.values) {
     std::visit(Overloaded{[&](double number) { inputs.values.emplace_back(key, number); },
                           [&](const std::string& word) { inputs.values.emplace_back(key, word); },
@@ -55,7 +59,13 @@ void AssignmentAssembly::assemble_scattering(const io::MaterialDocument& source,
                                 assemble_spectrum(document_, spectrum, format("{} of {}", key, source.name));
                             check_range(document_, spectrum, values, parameter(key));
                             inputs.values.emplace_back(key, values);
-                          }},
+                          },
+                          [&](const io::DocumentFile& file) {
+                            with_position(document_, file.position, [&] {
+                              inputs.values.emplace_back(key, io::read_brdf_table(file.path));
+                            });
+                          },
+                          [&](bool flag) { inputs.values.emplace_back(key, flag ? 1.0 : 0.0); }},
                value);
   }
   material.bsdf = model.make(inputs);
