@@ -1,5 +1,6 @@
 #include "materials/bsdf/rough_conductor.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -81,16 +82,19 @@ math::Frame RoughConductor::frame_of(const BsdfEvent& event) const {
           cos_direction_ * frame.y - sin_direction_ * frame.x, frame.z};
 }
 
+/// Of directions drawn from the lobe of light that is reflected again: never none.
+double RoughConductor::share_again(Vec3 out) const { return std::max(1e-6, albedo_->lost(out)); }
+
 /// Of both lobes: facets that a view sees, and light reflected again, in the proportion in which perfect ones would send it.
 double RoughConductor::density(Vec3 out, Vec3 in) const {
-  const double again = albedo_->lost(out);
+  const double again = share_again(out);
   return (1.0 - again) * FacetReflection(facets_, out, in).density + again * albedo_->pdf(in);
 }
 
 BsdfSample RoughConductor::sample(const BsdfEvent& view, double u1, double u2) const {
   const math::Frame frame = frame_of(view);
   const Vec3 out = frame.local_from_outer(view.outgoing);
-  const double again = seam(view);
+  const double again = share_again(out);
   Vec3 in;
   if (u1 < again) {
     in = albedo_->sample({u1 / again, u2});
@@ -106,7 +110,7 @@ BsdfSample RoughConductor::sample(const BsdfEvent& view, double u1, double u2) c
 }
 
 double RoughConductor::seam(const BsdfEvent& view) const {
-  return albedo_->lost(frame_of(view).local_from_outer(view.outgoing));
+  return share_again(frame_of(view).local_from_outer(view.outgoing));
 }
 
 double RoughConductor::pdf(const BsdfEvent& event) const {
@@ -118,7 +122,7 @@ double RoughConductor::pdf(const BsdfEvent& event) const {
 UnitSquarePoint RoughConductor::invert(const BsdfEvent& event) const {
   const math::Frame frame = frame_of(event);
   const Vec3 out = frame.local_from_outer(event.outgoing), in = frame.local_from_outer(event.incoming);
-  const double again = albedo_->lost(out);
+  const double again = share_again(out);
   if (again * albedo_->pdf(in) > (1.0 - again) * FacetReflection(facets_, out, in).density) {
     const sampling::Point2 u = albedo_->invert(in);
     return {again * u.x, u.y};

@@ -38,6 +38,7 @@ class RoughConductor final : public Bsdf {
 
  private:
   math::Frame frame_of(const BsdfEvent& event) const;
+  double share_again(math::Vec3 out) const;
   double density(math::Vec3 out, math::Vec3 in) const;
 
   FacetDistribution facets_;
