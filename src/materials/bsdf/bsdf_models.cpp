@@ -9,13 +9,16 @@
 #include "materials/bsdf/oren_nayar.h"
 #include "materials/bsdf/ross_li.h"
 #include "materials/bsdf/rough_conductor.h"
+#include "materials/bsdf/rough_dielectric.h"
 #include "materials/bsdf/rpv.h"
+#include "materials/bsdf/ward.h"
 
 namespace ifov::materials {
 namespace {
 
-constexpr std::array kModels{&Lambertian::kModel, &Mirror::kModel, &OrenNayar::kModel,
-                             &RossLi::kModel,     &Rpv::kModel,    &RoughConductor::kModel};
+constexpr std::array kModels{&Lambertian::kModel,      &Mirror::kModel, &OrenNayar::kModel,
+                             &RossLi::kModel,          &Rpv::kModel,    &RoughConductor::kModel,
+                             &RoughDielectric::kModel, &Ward::kModel};
 
 template <class Value>
 const Value& value_of(const BsdfInputs& inputs, std::string_view key) {
