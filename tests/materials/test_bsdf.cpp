@@ -83,7 +83,7 @@ std::vector<std::pair<std::string, std::shared_ptr<const Bsdf>>> models() {
       if (p.form == BsdfParameter::Form::word) {
         if (!p.optional) inputs.values.emplace_back(p.key, std::string(p.choices().front()));
       } else if (p.form == BsdfParameter::Form::spectrum)
-        inputs.values.emplace_back(p.key, Spectrum({0.4, 1.0}, {0.2, 0.7}));
+        inputs.values.emplace_back(p.key, Spectrum({0.4, 1.0}, {p.low + 0.2, p.low + 0.7}));
       else if (p.form == BsdfParameter::Form::brdf_file)
         inputs.values.emplace_back(p.key, bowl());
       else
@@ -251,7 +251,8 @@ TEST(Bsdf, TheRegistryKnowsEveryModel) {
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()),
               "there is no scattering model 'lambertain'; there are 'lambertian', 'mirror', 'oren_nayar', "
-              "'ross_li', 'roujean', 'rpv', 'hapke', 'snow', 'table', 'rough_conductor'");
+              "'ross_li', 'roujean', 'rpv', 'hapke', 'snow', 'table', 'rough_conductor', 'rough_dielectric', "
+              "'ward'");
   }
 }
 

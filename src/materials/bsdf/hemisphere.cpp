@@ -5,24 +5,35 @@
 #include <numbers>
 #include <vector>
 
+#include "materials/bsdf/microfacet/crowded_square.h"
+
 namespace ifov::materials {
 namespace {
 
 constexpr int kAcross = 64;           // directions along each side of the unit square
+constexpr int kAcrossLobe = 128;      // of models with a lobe besides
+constexpr double kNegligible = 2e-6;  // of all light
 constexpr int kAzimuths = 8;          // of models with a direction
-constexpr double kNegligible = 1e-6;  // of all light
 constexpr int kViewAngles = 12;       // of bihemispherical values
 
 /// Numbers of the unit interval that crowd at its ends, where directions graze and integrands are least smooth, and what
-/// each counts (the polynomial transformation of Korobov 1963 of fifth degree, for the midpoint rule: exact of a constant within
-/// 1e-7).
+/// each counts (the polynomial transformation of Korobov, for the midpoint rule).
 struct Crowded {
   double u, weight;
 };
 Crowded crowded(int k) {
   const double t = (k + 0.5) / kAcross;
-  const double both = t * (1.0 - t);
-  return {t * t * t * (10.0 - t * (15.0 - 6.0 * t)), 30.0 * both * both / kAcross};
+  return {t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / kAcross};
+}
+
+std::vector<SquarePoint> plain_square() {
+  std::vector<SquarePoint> points;
+  for (int i = 0; i < kAcross; ++i)
+    for (int j = 0; j < kAcross; ++j) {
+      const Crowded x = crowded(i), y = crowded(j);
+      points.push_back({x.u, y.u, x.weight * y.weight});
+    }
+  return points;
 }
 
 }  // namespace
@@ -33,18 +44,17 @@ void directional_hemispherical(const Bsdf& bsdf, Side side, ParameterSpectra par
   const int azimuths = bsdf.is_isotropic() ? 1 : kAzimuths;
   std::vector<double> sum(count, 0.0);
   std::vector<float> values(count);
-  const auto add_part = [&](BsdfEvent event, double first, double last) {
-    if (!(last > first)) return;
-    for (int i = 0; i < kAcross; ++i)
-      for (int j = 0; j < kAcross; ++j) {
-        const Crowded x = crowded(i), y = crowded(j);
-        const BsdfSample sample = bsdf.sample(event, first + (last - first) * x.u, y.u);
-        if (!(sample.weight > 0.0)) continue;
-        event.incoming = sample.incoming;
-        bsdf.evaluate(event, parameters, count, values.data());
-        const double weight = (last - first) * x.weight * y.weight * sample.weight;
-        for (std::size_t n = 0; n < count; ++n) sum[n] += weight * static_cast<double>(values[n]);
-      }
+  static const std::vector<SquarePoint> plain = plain_square(), lobe = crowded_square(kAcrossLobe);
+  const auto add_part = [&](BsdfEvent event, double first, double last,
+                            const std::vector<SquarePoint>& points) {
+    for (const SquarePoint& point : points) {
+      const BsdfSample sample = bsdf.sample(event, first + (last - first) * point.u1, point.u2);
+      if (!(sample.weight > 0.0)) continue;
+      event.incoming = sample.incoming;
+      bsdf.evaluate(event, parameters, count, values.data());
+      const double weight = (last - first) * point.weight * sample.weight;
+      for (std::size_t n = 0; n < count; ++n) sum[n] += weight * static_cast<double>(values[n]);
+    }
   };
   for (int a = 0; a < azimuths; ++a) {
     const double azimuth = 2.0 * std::numbers::pi * a / azimuths;
@@ -53,10 +63,10 @@ void directional_hemispherical(const Bsdf& bsdf, Side side, ParameterSpectra par
     event.normal = {0.0, 0.0, 1.0};
     event.tangent = {1.0, 0.0, 0.0};
     event.side = side;
-    // Each lobe by itself, as far as it counts for anything.
+    // Of two lobes each by itself.
     const double seam = bsdf.seam(event);
-    add_part(event, kNegligible < seam ? 0.0 : seam, seam);
-    add_part(event, seam, 1.0);
+    if (seam > kNegligible) add_part(event, 0.0, seam, plain);
+    add_part(event, seam, 1.0, seam > 0.0 ? lobe : plain);
   }
   for (std::size_t n = 0; n < count; ++n) spectrum[n] = static_cast<float>(sum[n] / azimuths);
 }

@@ -6,7 +6,7 @@ namespace ifov::materials {
 
 /// Directional-hemispherical reflectance (transmittance) of a model that is not separable, towards `cosine` above the
 /// surface, in `count` wavelengths: over 4096 directions drawn by the model itself on a grid, 2e-4 of itself from the integral
-/// for smooth models. Models with a direction are averaged over azimuth.
+/// for smooth models; as near with 16384 directions of its lobe for one that has a seam(). Models with a direction are averaged over azimuth.
 void directional_hemispherical(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_t count,
                                double cosine, float* spectrum);
 

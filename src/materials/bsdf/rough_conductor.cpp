@@ -5,7 +5,6 @@
 
 #include "core/error.h"
 #include "materials/bsdf/facet_parameters.h"
-#include "materials/bsdf/microfacet/facet_frame.h"
 #include "materials/bsdf/microfacet/facet_reflection.h"
 #include "materials/bsdf/microfacet/fresnel_rows.h"
 #include "radiometry/refractive_index.h"
@@ -57,10 +56,9 @@ const BsdfModel RoughConductor::kModel{
     }};
 
 RoughConductor::RoughConductor(const Spectrum& n, const Spectrum& k, const Spectrum& factor, Facets facets)
-    : facets_(facets.shape, facets.width_x, facets.width_y),
-      albedo_(FacetAlbedo::shared(facets.shape, facets.width_x, facets.width_y)),
-      cos_direction_(std::cos(facets.direction_rad)),
-      sin_direction_(std::sin(facets.direction_rad)) {
+    : TwoLobes(facets.direction_rad),
+      facets_(facets.shape, facets.width_x, facets.width_y),
+      albedo_(FacetAlbedo::shared(facets.shape, facets.width_x, facets.width_y)) {
   const std::vector<Spectrum> rows = FresnelRows::of_index(n, k);
   std::vector<Spectrum> all = rows;
   all.push_back(factor);
@@ -76,81 +74,40 @@ RoughConductor::RoughConductor(const Spectrum& n, const Spectrum& k, const Spect
   }));
 }
 
-math::Frame RoughConductor::frame_of(const BsdfEvent& event) const {
-  const math::Frame frame = facet_frame(event.normal, event.tangent);
-  return {cos_direction_ * frame.x + sin_direction_ * frame.y,
-          cos_direction_ * frame.y - sin_direction_ * frame.x, frame.z};
+/// The broad lobe is of light that is reflected again: as often as perfect facets would send it, and never not at all.
+double RoughConductor::broad_share(Vec3 out) const { return std::clamp(albedo_->lost(out), 1e-6, 0.999); }
+
+Vec3 RoughConductor::draw(Lobe lobe, Vec3 out, sampling::Point2 u) const {
+  if (lobe == Lobe::broad) return albedo_->sample(u);
+  const Vec3 facet = facets_.sample_visible(out, u);
+  return 2.0 * math::dot(out, facet) * facet - out;
 }
 
-/// Of both lobes: facets that a view sees, and light reflected again, in the proportion in which perfect ones would send it.
-double RoughConductor::density(Vec3 out, Vec3 in) const {
-  const double again = albedo_->lost(out);
-  return (1.0 - again) * FacetReflection(facets_, out, in).density + again * albedo_->pdf(in);
+double RoughConductor::density(Lobe lobe, const Directions& event) const {
+  return lobe == Lobe::broad ? albedo_->pdf(event.in) : FacetReflection(facets_, event.out, event.in).density;
 }
 
-BsdfSample RoughConductor::sample(const BsdfEvent& view, double u1, double u2) const {
-  const math::Frame frame = frame_of(view);
-  const Vec3 out = frame.local_from_outer(view.outgoing);
-  const double again = seam(view);
-  Vec3 in;
-  if (u1 < again) {
-    in = albedo_->sample({u1 / again, u2});
-  } else {
-    const Vec3 facet = facets_.sample_visible(out, {(u1 - again) / (1.0 - again), u2});
-    in = 2.0 * math::dot(out, facet) * facet - out;
-  }
-  BsdfSample sample{math::normalized(frame.outer_from_local(in)), 0.0, 0.0};
-  if (!(in.z > 0.0) || !(out.z > 0.0)) return sample;
-  sample.pdf = density(out, in);
-  sample.weight = in.z / sample.pdf;
-  return sample;
+sampling::Point2 RoughConductor::undraw(Lobe lobe, const Directions& event) const {
+  if (lobe == Lobe::broad) return albedo_->invert(event.in);
+  return facets_.invert_visible(event.out, math::normalized(event.out + event.in));
 }
 
-double RoughConductor::seam(const BsdfEvent& view) const {
-  return albedo_->lost(frame_of(view).local_from_outer(view.outgoing));
-}
-
-double RoughConductor::pdf(const BsdfEvent& event) const {
-  const math::Frame frame = frame_of(event);
-  const Vec3 out = frame.local_from_outer(event.outgoing), in = frame.local_from_outer(event.incoming);
-  return out.z > 0.0 && in.z > 0.0 ? density(out, in) : 0.0;
-}
-
-UnitSquarePoint RoughConductor::invert(const BsdfEvent& event) const {
-  const math::Frame frame = frame_of(event);
-  const Vec3 out = frame.local_from_outer(event.outgoing), in = frame.local_from_outer(event.incoming);
-  const double again = albedo_->lost(out);
-  if (again * albedo_->pdf(in) > (1.0 - again) * FacetReflection(facets_, out, in).density) {
-    const sampling::Point2 u = albedo_->invert(in);
-    return {again * u.x, u.y};
-  }
-  const sampling::Point2 u = facets_.invert_visible(out, math::normalized(out + in));
-  return {again + (1.0 - again) * u.x, u.y};
-}
-
-double RoughConductor::grey(const BsdfEvent& event) const {
-  const math::Frame frame = frame_of(event);
-  const Vec3 out = frame.local_from_outer(event.outgoing), in = frame.local_from_outer(event.incoming);
-  if (!(out.z > 0.0) || !(in.z > 0.0)) return 0.0;
-  return FacetReflection(facets_, out, in).bsdf + albedo_->again(albedo_->lost(out), albedo_->lost(in));
+double RoughConductor::grey_bsdf(const Directions& event) const {
+  return FacetReflection(facets_, event.out, event.in).bsdf +
+         albedo_->again(albedo_->lost(event.out), albedo_->lost(event.in));
 }
 
 Bsdf::LobeSlopes RoughConductor::lobe_slopes() const {
   return {std::min(facets_.width_x(), facets_.width_y()), std::max(facets_.width_x(), facets_.width_y())};
 }
 
-double RoughConductor::lobe_share(const BsdfEvent& event) const {
-  const math::Frame frame = frame_of(event);
-  const Vec3 out = frame.local_from_outer(event.outgoing), in = frame.local_from_outer(event.incoming);
-  if (!(out.z > 0.0) || !(in.z > 0.0)) return 0.0;
-  const double once = FacetReflection(facets_, out, in).bsdf;
-  return once > 0.0 ? once / (once + albedo_->again(albedo_->lost(out), albedo_->lost(in))) : 0.0;
+double RoughConductor::narrow_grey(const Directions& event) const {
+  return FacetReflection(facets_, event.out, event.in).bsdf;
 }
 
 void RoughConductor::evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                               float* bsdf) const {
-  const math::Frame frame = frame_of(event);
-  const Vec3 out = frame.local_from_outer(event.outgoing), in = frame.local_from_outer(event.incoming);
+  const auto [out, in] = directions_of(event);
   const FacetReflection once(facets_, out, in);
   const RowWeights rows = FresnelRows::at(once.cosine);
   std::array<float, 4> w;

@@ -6,14 +6,14 @@
 #include "materials/bsdf/bsdf_model.h"
 #include "materials/bsdf/microfacet/facet_albedo.h"
 #include "materials/bsdf/microfacet/facet_distribution.h"
-#include "math/frame.h"
+#include "materials/bsdf/two_lobes.h"
 
 namespace ifov::materials {
 
 /// The smooth facets that a rough surface of a metal, of water or of any other body of a complex refractive index is made of; what
 /// it does not reflect is absorbed. Cook and Torrance 1982 with Smith's masking and shadowing (FacetReflection), and light that
 /// goes from facet to facet after Kulla and Conty 2017 (FacetAlbedo): facets that absorb nothing reflect all.
-class RoughConductor final : public Bsdf {
+class RoughConductor final : public TwoLobes {
  public:
   static const BsdfModel kModel;
 
@@ -27,24 +27,21 @@ class RoughConductor final : public Bsdf {
                  const radiometry::Spectrum& factor, Facets facets);
 
   bool is_isotropic() const override { return facets_.width_x() == facets_.width_y(); }
-  BsdfSample sample(const BsdfEvent& view, double u1, double u2) const override;
-  double pdf(const BsdfEvent& event) const override;
-  UnitSquarePoint invert(const BsdfEvent& event) const override;
-  double seam(const BsdfEvent& view) const override;
-  double grey(const BsdfEvent& event) const override;
   LobeSlopes lobe_slopes() const override;
-  double lobe_share(const BsdfEvent& event) const override;
   std::span<const radiometry::Spectrum> spectra() const override { return spectra_; }
   void evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                 float* bsdf) const override;
 
  private:
-  math::Frame frame_of(const BsdfEvent& event) const;
-  double density(math::Vec3 out, math::Vec3 in) const;
+  double broad_share(math::Vec3 out) const override;
+  math::Vec3 draw(Lobe lobe, math::Vec3 out, sampling::Point2 u) const override;
+  double density(Lobe lobe, const Directions& event) const override;
+  sampling::Point2 undraw(Lobe lobe, const Directions& event) const override;
+  double grey_bsdf(const Directions& event) const override;
+  double narrow_grey(const Directions& event) const override;
 
   FacetDistribution facets_;
   std::shared_ptr<const FacetAlbedo> albedo_;
-  double cos_direction_, sin_direction_;
   std::vector<radiometry::Spectrum>
       spectra_;  // FresnelRows, then the factor of light that is reflected again
 };

@@ -17,8 +17,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr std::size_t kSlants = 41;
-constexpr std::size_t kAzimuthsOfQuadrant = 13;
+constexpr std::size_t kSlants = 49;
+constexpr std::size_t kAzimuthsOfQuadrant = 17;
 constexpr std::size_t kKnots = 49;  // of the lobe
 constexpr double kLeast = 1e-6;     // of a view that grazes
 
@@ -35,7 +35,7 @@ FacetAlbedo::FacetAlbedo(const FacetDistribution& facets)
     const auto k = static_cast<std::size_t>(index);
     const double turn =
         azimuths_ == 1 ? 0.0 : 0.5 * pi * static_cast<double>(k / kSlants) / (kAzimuthsOfQuadrant - 1);
-    const double upright = std::max(kLeast, static_cast<double>(k % kSlants) / (kSlants - 1));
+    const double upright = std::max(kLeast, std::pow(static_cast<double>(k % kSlants) / (kSlants - 1), 2));
     const math::Vec3 out = math::normalized(
         {(1.0 - upright) * std::cos(turn) / width_x_, (1.0 - upright) * std::sin(turn) / width_y_, upright});
     double reflected = 0.0;
@@ -48,19 +48,21 @@ FacetAlbedo::FacetAlbedo(const FacetDistribution& facets)
 std::shared_ptr<const FacetAlbedo> FacetAlbedo::shared(FacetShape shape, double width_x, double width_y) {
   using Key = std::tuple<FacetShape, double, double>;
   static std::mutex mutex;
-  static std::map<Key, std::weak_ptr<const FacetAlbedo>> known;
+  constexpr std::size_t kMost = 256;  // of 7 KB
+  static std::map<Key, std::shared_ptr<const FacetAlbedo>> known;
   const std::lock_guard lock(mutex);
-  std::weak_ptr<const FacetAlbedo>& place = known[Key{shape, width_x, width_y}];
-  std::shared_ptr<const FacetAlbedo> found = place.lock();
-  if (!found) place = found = std::make_shared<FacetAlbedo>(FacetDistribution(shape, width_x, width_y));
-  return found;
+  if (known.size() >= kMost) known.clear();
+  std::shared_ptr<const FacetAlbedo>& place = known[Key{shape, width_x, width_y}];
+  if (!place) place = std::make_shared<FacetAlbedo>(FacetDistribution(shape, width_x, width_y));
+  return place;
 }
 
 // By the slant of a view where widths have been stretched to 1, on which alone depends what is masked.
 double FacetAlbedo::lost(math::Vec3 direction) const {
   const double x = std::abs(width_x_ * direction.x), y = std::abs(width_y_ * direction.y);
   const double cosine = std::max(0.0, direction.z);
-  const RowWeights by_slant = cubic_weights(cosine / (cosine + std::hypot(x, y)) * (kSlants - 1), kSlants);
+  const RowWeights by_slant =
+      cubic_weights(std::sqrt(cosine / (cosine + std::hypot(x, y))) * (kSlants - 1), kSlants);
   const auto along = [&](std::size_t azimuth) {
     const double* row = &lost_[azimuth * kSlants + by_slant.first];
     double sum = 0.0;

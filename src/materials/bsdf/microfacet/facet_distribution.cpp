@@ -21,13 +21,7 @@ struct Slant {
   }
 };
 
-/// Of the cap of directions whose mean with `view` is above the horizon: uniform in azimuth and height.
-Vec3 on_cap(Vec3 view, sampling::Point2 u) {
-  const double drop = u.y * (1.0 + view.z), sine = std::sqrt(std::max(0.0, drop * (2.0 - drop)));
-  const double azimuth = 2.0 * std::numbers::pi * u.x;
-  return {sine * std::cos(azimuth), sine * std::sin(azimuth), 1.0 - drop};
-}
-
+/// The numbers that lead to a direction of the cap of those whose mean with `view` is above the horizon, which is uniform in azimuth and height.
 sampling::Point2 on_cap_inverse(Vec3 view, Vec3 on_cap) {
   const double turn = std::atan2(on_cap.y, on_cap.x) / (2.0 * std::numbers::pi);
   return {turn < 0.0 ? turn + 1.0 : turn, std::clamp((1.0 - on_cap.z) / (1.0 + view.z), 0.0, 1.0)};
@@ -54,17 +48,30 @@ Vec3 FacetDistribution::stretched(Vec3 direction) const {
   return math::normalized({width_x_ * direction.x, width_y_ * direction.y, std::max(0.0, direction.z)});
 }
 
-Vec3 FacetDistribution::sample_visible(Vec3 view, sampling::Point2 u) const {
-  const Vec3 of_unit_width = stretched(view);
-  if (shape_ == FacetShape::ggx) {
-    const Vec3 sum = on_cap(of_unit_width, u) + of_unit_width;
-    return math::normalized({width_x_ * sum.x, width_y_ * sum.y, std::max(0.0, sum.z)});
+FacetDistribution::VisibleRow::VisibleRow(const FacetDistribution& facets, Vec3 view, double u1)
+    : facets_(facets), view_(facets.stretched(view)) {
+  if (facets.shape_ == FacetShape::ggx) {
+    x_ = std::cos(2.0 * std::numbers::pi * u1);
+    y_ = std::sin(2.0 * std::numbers::pi * u1);
+    slope_ = 0.0;
+  } else {
+    const Slant slant(view_);
+    x_ = slant.x;
+    y_ = slant.y;
+    slope_ = gaussian_slopes::seen_quantile(slant.cosine, slant.sine, u1);
   }
-  const Slant slant(of_unit_width);
-  const double along = gaussian_slopes::seen_quantile(slant.cosine, slant.sine, u.x),
-               across = gaussian_slopes::quantile(u.y);
-  return math::normalized({-width_x_ * (along * slant.x - across * slant.y),
-                           -width_y_ * (along * slant.y + across * slant.x), 1.0});
+}
+
+Vec3 FacetDistribution::VisibleRow::facet(double u2) const {
+  const double width_x = facets_.width_x_, width_y = facets_.width_y_;
+  if (facets_.shape_ == FacetShape::ggx) {
+    const double drop = u2 * (1.0 + view_.z), sine = std::sqrt(std::max(0.0, drop * (2.0 - drop)));
+    return math::normalized({width_x * (sine * x_ + view_.x), width_y * (sine * y_ + view_.y),
+                             std::max(0.0, 1.0 - drop + view_.z)});
+  }
+  const double across = gaussian_slopes::quantile(u2);
+  return math::normalized(
+      {-width_x * (slope_ * x_ - across * y_), -width_y * (slope_ * y_ + across * x_), 1.0});
 }
 
 sampling::Point2 FacetDistribution::invert_visible(Vec3 view, Vec3 facet) const {

@@ -30,9 +30,23 @@ class FacetDistribution {
   /// Draws the normal of a facet that is seen from `view`, in proportion to the area of it that is seen: density
   /// D max(0, view.facet) / projected_area(view) (GGX: Heitz 2018, JCGT 7(4), by the spherical caps of Dupuy and Benyoub 2023;
   /// Beckmann: Heitz and d'Eon 2014, by inversion of its closed distribution functions).
-  math::Vec3 sample_visible(math::Vec3 view, sampling::Point2 u) const;
+  math::Vec3 sample_visible(math::Vec3 view, sampling::Point2 u) const {
+    return VisibleRow(*this, view, u.x).facet(u.y);
+  }
   /// The numbers from which sample_visible() draws `facet`.
   sampling::Point2 invert_visible(math::Vec3 view, math::Vec3 facet) const;
+
+  /// All that sample_visible() draws with one u.x.
+  class VisibleRow {
+   public:
+    VisibleRow(const FacetDistribution& facets, math::Vec3 view, double u1);
+    math::Vec3 facet(double u2) const;
+
+   private:
+    const FacetDistribution& facets_;
+    math::Vec3 view_;       // where widths are stretched to 1
+    double x_, y_, slope_;  // GGX: azimuth on the cap; Beckmann: of the view, and the slope along it
+  };
 
  private:
   math::Vec3 stretched(math::Vec3 direction) const;

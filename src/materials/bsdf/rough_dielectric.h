@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "materials/bsdf/bsdf_model.h"
+#include "materials/bsdf/microfacet/facet_albedo.h"
+#include "materials/bsdf/microfacet/facet_distribution.h"
+#include "materials/bsdf/microfacet/fresnel_rows.h"
+#include "materials/bsdf/two_lobes.h"
+
+namespace ifov::materials {
+
+/// Lacquer, gloss paint, varnished wood: a clear coat with a rough surface on a Lambertian base, whose reflectance is the
+/// material's. The surface reflects as facets do (FacetReflection, FacetAlbedo); what it lets through, T(cos) = 1 - its own
+/// directional-hemispherical reflectance, is spread by the base, and goes to and fro under the surface, which returns r = 1 -
+/// T_mean / n^2 of it (radiance grows by n^2, and a clear surface passes as much one way as the other):
+///   f = f_surface + T(cos out) T(cos in) / (pi T_mean) x (1 - r) base / (1 - r base).
+/// Reciprocal, and a white base sends back all that arrives. Of a smooth surface it is Wolff 1994 (Diffuse-reflectance model for
+/// smooth dielectric surfaces, J. Opt. Soc. Am. A 11) with all reflections; the split by T is Kelemen and Szirmay-Kalos 2001.
+class RoughDielectric final : public TwoLobes {
+ public:
+  static const BsdfModel kModel;
+  /// n, 1 or more, of the coat, which absorbs nothing; InputError else.
+  RoughDielectric(const radiometry::Spectrum& n, const radiometry::Spectrum& base, FacetShape shape,
+                  double width);
+
+  LobeSlopes lobe_slopes() const override;
+  std::span<const radiometry::Spectrum> spectra() const override { return spectra_; }
+  void evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
+                float* bsdf) const override;
+
+ private:
+  static constexpr std::size_t kAngles = 33;  // of T
+  // Places in spectra_: FresnelRows; the factor of light that facets reflect again; T by angle; its mean; what the base returns.
+  static constexpr std::size_t kAgain = FresnelRows::kCount, kPassed = kAgain + 1, kMean = kPassed + kAngles,
+                               kBase = kMean + 1;
+  double broad_share(math::Vec3 out) const override;
+  math::Vec3 draw(Lobe lobe, math::Vec3 out, sampling::Point2 u) const override;
+  double density(Lobe lobe, const Directions& event) const override;
+  sampling::Point2 undraw(Lobe lobe, const Directions& event) const override;
+  double grey_bsdf(const Directions& event) const override;
+  double narrow_grey(const Directions& event) const override;
+  static RowWeights passed_at(double cosine);
+  void add_spectra(const radiometry::Spectrum& n, const radiometry::Spectrum& base);
+  double grey_passed(double cosine) const;
+
+  FacetDistribution facets_;
+  std::shared_ptr<const FacetAlbedo> albedo_;
+  std::vector<radiometry::Spectrum> spectra_;
+  std::vector<double> grey_;  // means of the spectra over their wavelengths
+};
+
+}  // namespace ifov::materials
