@@ -10,7 +10,6 @@
 #include "materials/bsdf/oren_nayar.h"
 #include "materials/bsdf/ross_li.h"
 #include "materials/bsdf/rough_conductor.h"
-#include "materials/bsdf/rough_conductor.h"
 #include "materials/bsdf/rough_dielectric.h"
 #include "materials/bsdf/rpv.h"
 #include "materials/bsdf/snow.h"
@@ -20,10 +19,12 @@
 namespace ifov::materials {
 namespace {
 
-constexpr std::array kModels{&Lambertian::kModel,     &Mirror::kModel,          &OrenNayar::kModel,
-                             &RossLi::kModel,         &Roujean::kModel,         &Rpv::kModel,
-                             &Hapke::kModel,          &Snow::kModel,            &Tabulated::kModel,
-                             &RoughConductor::kModel, &RoughDielectric::kModel, &Ward::kModel};
+constexpr std::array kModels{&Lambertian::kModel,      &Mirror::kModel,
+                             &OrenNayar::kModel,       &RossLi::kModel,
+                             &Roujean::kModel,         &Rpv::kModel,
+                             &Hapke::kModel,           &Snow::kModel,
+                             &Tabulated::kModel,       &RoughConductor::kModel,
+                             &RoughDielectric::kModel, &Ward::kModel};
 
 template <class Value>
 const Value& value_of(const BsdfInputs& inputs, std::string_view key) {

@@ -21,10 +21,10 @@ double facet_width(const BsdfInputs& inputs, std::string_view key) {
   constexpr double kLeast = 0.1;
   const double width = inputs.number(key);
   if (width < kLeast)
-    throw InputError(
-        format("a '{}' of {:g} is below {:g}: what so narrow a lobe throws on other surfaces is not sought; a smooth surface is "
-               "\"scattering\": \"mirror\"",
-               key, width, kLeast));
+    throw InputError(format(
+        "a '{}' of {:g} is below {:g}: what so narrow a lobe throws on other surfaces is not sought; a smooth surface is "
+        "\"scattering\": \"mirror\"",
+        key, width, kLeast));
   return width;
 }
 

@@ -81,7 +81,9 @@ double Ward::narrow_grey(const Directions& event) const { return (1.0 - broad_) 
 
 double Ward::grey_bsdf(const Directions& event) const { return broad_ / pi + narrow_grey(event); }
 
-Bsdf::LobeSlopes Ward::lobe_slopes() const { return {std::min(width_x_, width_y_), std::max(width_x_, width_y_)}; }
+Bsdf::LobeSlopes Ward::lobe_slopes() const {
+  return {std::min(width_x_, width_y_), std::max(width_x_, width_y_)};
+}
 
 void Ward::evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                     float* bsdf) const {
