@@ -11,6 +11,7 @@
 #include "materials/bsdf/ross_li.h"
 #include "materials/bsdf/rough_conductor.h"
 #include "materials/bsdf/rough_dielectric.h"
+#include "materials/bsdf/roujean.h"
 #include "materials/bsdf/rpv.h"
 #include "materials/bsdf/snow.h"
 #include "materials/bsdf/tabulated.h"
