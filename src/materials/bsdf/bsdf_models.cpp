@@ -52,9 +52,11 @@ const MeasuredBrdf& BsdfInputs::brdf(std::string_view key) const {
   return value_of<MeasuredBrdf>(*this, key);
 }
 
-bool BsdfModel::needs_parameters() const {
-  return std::any_of(parameters.begin(), parameters.end(),
-                     [](const BsdfParameter& p) { return p.default_json.empty() && !p.optional; });
+const BsdfParameter* BsdfModel::first_needed() const {
+  const auto needed = std::find_if(parameters.begin(), parameters.end(), [](const BsdfParameter& p) {
+    return p.default_json.empty() && !p.optional;
+  });
+  return needed == parameters.end() ? nullptr : &*needed;
 }
 
 std::span<const BsdfModel* const> bsdf_models() { return kModels; }
