@@ -87,7 +87,9 @@ std::vector<std::string> description_of(const io::MaterialDocument& source,
   if (material.bsdf->is_delta())
     lines.push_back(
         "all light leaves in one direction (a delta): there is no BRDF to draw, and this is its reflectance");
-  if (!material.bsdf->is_isotropic()) lines.push_back("the light stands over the direction of the surface");
+  if (!material.bsdf->is_isotropic())
+    lines.push_back(
+        "lobes and map: the light is in azimuth 0, the surface's tangent; reflectance and emissivity: means over azimuth");
   return lines;
 }
 

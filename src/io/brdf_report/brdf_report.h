@@ -8,7 +8,7 @@ namespace ifov::io {
 
 /// How a surface scatters light at one wavelength. Angles in radians from the normal. The principal plane is that of the
 /// normal and the light; views in it have a zenith angle above 0 where they are on the side of the light. Where the model
-/// has a direction along the surface, the light stands over it.
+/// has a direction along the surface, the light is in the azimuth of the tangent, and shares are means over azimuth.
 struct BrdfReport {
   std::string name, model;               ///< of the material; the model's key
   std::vector<std::string> description;  ///< parameters and what is to be known, a line each
