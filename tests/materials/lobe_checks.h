@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "materials/bsdf/bsdf.h"
+#include "materials/bsdf/hemisphere.h"
 #include "materials/bsdf/microfacet/crowded_square.h"
 #include "materials/reflectance_events.h"
 #include "sampling/random.h"
@@ -22,6 +23,18 @@ inline double brdf_at(const Bsdf& bsdf, const BsdfEvent& event, double um = 1.0)
   for (const float& value : values) rows.push_back(&value);
   float found = 0.0f;
   bsdf.evaluate(event, rows, 1, &found);
+  return static_cast<double>(found);
+}
+
+/// As emissivity has it, averaged over azimuth.
+inline double hemispherical_at(const Bsdf& bsdf, double cosine, double um = 1.0) {
+  std::vector<float> values;
+  std::vector<const float*> rows;
+  for (const radiometry::Spectrum& spectrum : bsdf.spectra())
+    values.push_back(static_cast<float>(spectrum.at(um)));
+  for (const float& value : values) rows.push_back(&value);
+  float found = 0.0f;
+  directional_hemispherical(bsdf, Side::reflected, rows, 1, cosine, &found);
   return static_cast<double>(found);
 }
 

@@ -150,7 +150,7 @@ TEST(RoughConductor, TheGridOfEmissivityIsFineEnough) {
         const RoughConductor bsdf = conductor(n, k, shape, width, width);
         for (const double cosine : {1.0, 0.5, 0.05}) {
           const double fine = test::reflectance_towards(bsdf, at(std::acos(cosine), 0.3), 400);
-          const double found = directional_hemispherical(bsdf, Side::reflected, cosine).values()[0];
+          const double found = test::hemispherical_at(bsdf, cosine);
           EXPECT_NEAR(found, fine, cosine < 0.1 ? 3e-4 : 2e-4)
               << width << ' ' << n << ' ' << cosine << ' ' << static_cast<int>(shape);
           worst = std::max(worst, std::abs(found - fine));
@@ -163,9 +163,8 @@ TEST(RoughConductor, AlmostSmoothItReflectsAsFresnelSays) {
   // n = 1.5 at 45 deg: 0.0920134 across and 0.0084665 along the plane of incidence.
   for (const FacetShape shape : kShapes) {
     const RoughConductor bsdf = conductor(1.5, 0.0, shape, 0.001, 0.001);
-    EXPECT_NEAR(directional_hemispherical(bsdf, Side::reflected, std::sqrt(0.5)).values()[0], 0.05023995,
-                3e-5);
-    EXPECT_NEAR(directional_hemispherical(bsdf, Side::reflected, 1.0).values()[0], 0.04, 1e-5);
+    EXPECT_NEAR(test::hemispherical_at(bsdf, std::sqrt(0.5)), 0.05023995, 3e-5);
+    EXPECT_NEAR(test::hemispherical_at(bsdf, 1.0), 0.04, 1e-5);
   }
 }
 

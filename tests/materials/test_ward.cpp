@@ -38,11 +38,10 @@ TEST(Ward, ReflectsNoMoreThanItsShares) {
   for (const Widths w : kWidths) {
     double most = 0.0;
     for (const double cosine : {1.0, 0.7, 0.4, 0.2, 0.1, 0.05, 0.02}) {
-      const double whole = directional_hemispherical(ward(0.0, 1.0, w), Side::reflected, cosine).values()[0];
+      const double whole = test::hemispherical_at(ward(0.0, 1.0, w), cosine);
       EXPECT_LT(whole, 1.0 + 1e-4) << w.x << ' ' << w.y << ' ' << cosine;
       most = std::max(most, whole);
-      EXPECT_NEAR(directional_hemispherical(ward(0.5, 0.0, w), Side::reflected, cosine).values()[0], 0.5,
-                  3e-4);
+      EXPECT_NEAR(test::hemispherical_at(ward(0.5, 0.0, w), cosine), 0.5, 3e-4);
     }
     // Narrow lobes reflect all of their share where nothing of them is below the horizon.
     EXPECT_GT(most, w.x <= 0.1 && w.y <= 0.1 ? 0.97 : 0.0);

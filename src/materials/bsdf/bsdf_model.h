@@ -51,7 +51,9 @@ struct BsdfModel {
   std::shared_ptr<const Bsdf> (*make)(const BsdfInputs& inputs);
 
   /// Whether its name alone does not say all: a parameter has to be given.
-  bool needs_parameters() const;
+  bool needs_parameters() const { return first_needed() != nullptr; }
+  /// The first parameter that has to be given; null where there is none.
+  const BsdfParameter* first_needed() const;
 };
 
 /// All models, in the order in which they are listed. A new one is a pair of files beside these, and a row in

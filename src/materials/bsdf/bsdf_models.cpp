@@ -42,9 +42,11 @@ const radiometry::Spectrum& BsdfInputs::spectrum(std::string_view key) const {
 
 const std::string& BsdfInputs::word(std::string_view key) const { return value_of<std::string>(*this, key); }
 
-bool BsdfModel::needs_parameters() const {
-  return std::any_of(parameters.begin(), parameters.end(),
-                     [](const BsdfParameter& p) { return p.default_json.empty() && !p.optional; });
+const BsdfParameter* BsdfModel::first_needed() const {
+  const auto needed = std::find_if(parameters.begin(), parameters.end(), [](const BsdfParameter& p) {
+    return p.default_json.empty() && !p.optional;
+  });
+  return needed == parameters.end() ? nullptr : &*needed;
 }
 
 std::span<const BsdfModel* const> bsdf_models() { return kModels; }

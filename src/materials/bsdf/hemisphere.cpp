@@ -38,13 +38,15 @@ std::vector<SquarePoint> plain_square() {
 
 }  // namespace
 
-void directional_hemispherical(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_t count,
-                               double cosine, float* spectrum) {
+namespace {
+
+void add_up(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_t count, double cosine,
+            const std::vector<SquarePoint>& lobe, float* spectrum) {
   const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
   const int azimuths = bsdf.is_isotropic() ? 1 : kAzimuths;
   std::vector<double> sum(count, 0.0);
   std::vector<float> values(count);
-  static const std::vector<SquarePoint> plain = plain_square(), lobe = crowded_square(kAcrossLobe);
+  static const std::vector<SquarePoint> plain = plain_square();
   const auto add_part = [&](BsdfEvent event, double first, double last,
                             const std::vector<SquarePoint>& points) {
     for (const SquarePoint& point : points) {
@@ -71,6 +73,14 @@ void directional_hemispherical(const Bsdf& bsdf, Side side, ParameterSpectra par
   for (std::size_t n = 0; n < count; ++n) spectrum[n] = static_cast<float>(sum[n] / azimuths);
 }
 
+}  // namespace
+
+void directional_hemispherical(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_t count,
+                               double cosine, float* spectrum) {
+  static const std::vector<SquarePoint> lobe = crowded_square(kAcrossLobe);
+  add_up(bsdf, side, parameters, count, cosine, lobe, spectrum);
+}
+
 radiometry::Spectrum directional_hemispherical(const Bsdf& bsdf, Side side, double cosine) {
   std::vector<const radiometry::Spectrum*> spectra;
   for (const radiometry::Spectrum& spectrum : bsdf.spectra()) spectra.push_back(&spectrum);
@@ -85,10 +95,11 @@ radiometry::Spectrum directional_hemispherical(const Bsdf& bsdf, Side side, doub
   }
   for (const std::vector<float>& row : rows) parameters.push_back(row.data());
 
+  static const std::vector<SquarePoint> lobe = crowded_square(kAcross);
   std::vector<double> values(common.um.size(), 0.0);
   std::vector<float> row(values.size());
   const auto add = [&](double towards, double weight) {
-    directional_hemispherical(bsdf, side, parameters, row.size(), towards, row.data());
+    add_up(bsdf, side, parameters, row.size(), towards, lobe, row.data());
     for (std::size_t k = 0; k < row.size(); ++k) values[k] += weight * static_cast<double>(row[k]);
   };
   if (cosine >= 0.0) {

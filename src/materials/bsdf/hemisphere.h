@@ -13,7 +13,7 @@ void directional_hemispherical(const Bsdf& bsdf, Side side, ParameterSpectra par
 /// In place of a cosine: of light and views from all sides alike.
 inline constexpr double kBihemispherical = -1.0;
 
-/// The same as a spectrum, at the wavelengths of the model's own spectra; `cosine` may be kBihemispherical.
+/// The same as a spectrum, at the wavelengths of the model's own spectra, over 4096 directions of either lobe (1e-3 of itself); `cosine` may be kBihemispherical.
 radiometry::Spectrum directional_hemispherical(const Bsdf& bsdf, Side side, double cosine);
 
 }  // namespace ifov::materials

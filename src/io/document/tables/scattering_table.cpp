@@ -70,7 +70,7 @@ SchemaType<ScatteringDocument> named_type() {
     for (const BsdfModel* model : materials::bsdf_models())
       if (model->needs_parameters() && node.type() == DocumentNode::Type::text && node.text() == model->key)
         node.fail(format("{} is '{}', which needs its parameters: {{\"{}\": {{\"{}\": ...}}}}", node.title(),
-                         model->key, model->key, model->parameters.front().key));
+                         model->key, model->key, model->first_needed()->key));
     const std::string name = named.read(node);
     const DocumentTree nothing = parse_json("{}", "no parameters");
     return ScatteringDocument{name, parameters.at(name).read(*nothing.root).values};
