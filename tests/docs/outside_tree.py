@@ -63,10 +63,24 @@ def command_for(output):
 
 
 def objects_of_the_program():
-    """Object of each source that the program is linked of, with the archive of its room, or None for the program's own."""
+    """Objects that the program is linked of, each with the archive of its room, or None for the program's own."""
     archives = sorted(set(re.findall(r"src/\w+/libifov_\w+\.a", command_for("ifov"))))
-    found = {made: archive for archive in archives for made in re.findall(r"\S+\.cpp\.o", command_for(archive))}
-    return found | {made: None for made in re.findall(r"\S+\.cpp\.o", command_for("ifov"))}
+    found = {made: archive for archive in archives for made in re.findall(r"\S+\.c(?:pp|xx)\.o", command_for(archive))}
+    return found | {made: None for made in re.findall(r"\S+\.c(?:pp|xx)\.o", command_for("ifov"))}
+
+
+def joining(made):
+    """The file that joins an object's sources; None where it has one source."""
+    file = BUILD / made.removesuffix(".o")
+    return file if "/Unity/" in made else None
+
+
+def sources_of(made):
+    """What an object is made of, as paths from the tree's root."""
+    file = joining(made)
+    if file is None:
+        return [re.sub(r"CMakeFiles/\w+\.dir/(.*)\.o$", r"\1", made)]
+    return [str(pathlib.Path(source).relative_to(ROOT)) for source in re.findall(r'^#include "([^"]+)"', file.read_text(), re.MULTILINE)]
 
 
 class Extended:
@@ -110,21 +124,25 @@ class Extended:
     def program(self):
         """The program linked anew, of the files written and of what includes a header of theirs."""
         archive_of = objects_of_the_program()
-        source_of = {made: re.sub(r"CMakeFiles/\w+\.dir/(.*)\.o$", r"\1", made) for made in archive_of}
+        sources = {made: sources_of(made) for made in archive_of}
         headers = {str(ROOT / "src" / path) for path in self.edited if path.endswith(".h")}
-        tasks = {source_of[made]: (ROOT / source_of[made], made) for made in self.including(headers) & set(archive_of)}
-        for path in self.written:
-            if path.endswith(".cpp"):
-                room = [made for made in archive_of if made.startswith(f"src/{path.partition('/')[0]}/") and "processor" not in made]
-                # Its own object, else one of its folder, and so of its library.
-                tasks[f"src/{path}"] = (self.folder / path, max(room, key=lambda made: len(os.path.commonprefix([source_of[made] + "\n", f"src/{path}\n"]))))
+        edited = {f"src/{path}": self.folder / path for path in self.written if path.endswith(".cpp")}
+        known = {source: made for made, own in sources.items() for source in own}
+        stale = self.including(headers) & set(archive_of) | {known[source] for source in edited if source in known}
+        tasks = {made: (self.replacing(made, sources[made], edited), made) for made in stale}
+        for source, file in edited.items():
+            if source not in known:
+                room = [other for other in known
+                        if other.split("/")[:2] == source.split("/")[:2] and "processor" not in other]
+                # With the flags of a source of its folder, and so in its library.
+                tasks[source] = (file, known[max(room, key=lambda other: len(os.path.commonprefix([other + "\n", source + "\n"])))])
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             compiled = dict(zip(tasks, pool.map(lambda task: self.compile(*task), tasks.values())))
 
         link = re.sub(r"-o ifov\b", f"-o {self.folder / 'ifov'}", command_for("ifov"))
         for archive in {archive_of[like] for _, like in tasks.values()}:
-            kept = {made: compiled.get(source_of[made], made) for made in archive_of if archive_of[made] == archive}
-            added = [file for source, file in compiled.items() if archive_of[tasks[source][1]] == archive and file not in kept.values()]
+            kept = {made: compiled.get(made, made) for made in archive_of if archive_of[made] == archive}
+            added = [file for what, file in compiled.items() if archive_of[tasks[what][1]] == archive and file not in kept.values()]
             if archive:
                 copy = self.folder / pathlib.Path(archive).name
                 subprocess.run(["ar", "rcs", copy, *kept.values(), *added], cwd=BUILD, check=True, capture_output=True)
@@ -135,6 +153,15 @@ class Extended:
                 link = link.replace(" -o ", f" {' '.join(added)} -o ", 1)
         subprocess.run(link, shell=True, cwd=BUILD, check=True, capture_output=True)
         return self.folder / "ifov"
+
+    def replacing(self, made, sources, edited):
+        """What an object is compiled of, edited files in place of the tree's."""
+        if joining(made) is None:
+            return edited.get(sources[0], ROOT / sources[0])
+        joined = self.folder / "joined" / made.replace("/", "-").removesuffix(".o")
+        joined.parent.mkdir(exist_ok=True)
+        joined.write_text("".join(f'#include "{edited.get(source, ROOT / source)}"\n' for source in sources))
+        return joined
 
     def including(self, headers):
         """Objects of the tree that depend on one of the headers."""
