@@ -19,7 +19,9 @@ class AddAModel(PageTest):
                    + PAGE.code(f"src/{FOLDER}/minnaert.h") + "}\n")
         tree.write(f"{FOLDER}/minnaert.cpp", '#include "materials/bsdf/minnaert.h"\n#include <cmath>\n#include <numbers>\n'
                    "namespace ifov::materials {\n" + PAGE.code(f"src/{FOLDER}/minnaert.cpp") + "}\n")
-        registry, rows = re.subn(r"^constexpr std::array kModels\{.*?\};\n", PAGE.code("src/" + REGISTRY),
+        # The page shows the end of the list, after dots.
+        shown = re.fullmatch(r"constexpr std::array kModels\{\.\.\., &(\w+)::kModel, (&\w+::kModel)\};\n", PAGE.code("src/" + REGISTRY))
+        registry, rows = re.subn(rf"^(constexpr std::array kModels\{{.*?&{shown.group(1)}::kModel)(\}};\n)", rf"\1, {shown.group(2)}\2",
                                  (ROOT / "src" / REGISTRY).read_text(), flags=re.MULTILINE | re.DOTALL)
         self.assertEqual(rows, 1)
         tree.write(REGISTRY, '#include "materials/bsdf/minnaert.h"\n' + registry)
