@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "materials/bsdf/hemisphere.h"
-#include "materials/bsdf/ice.h"
+#include "materials/indices/ice.h"
 #include "materials/bsdf/reflection_angles.h"
 #include "materials/bsdf/snow.h"
 #include "materials/material.h"

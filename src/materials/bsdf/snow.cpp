@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "materials/bsdf/ice.h"
+#include "materials/indices/ice.h"
 
 namespace ifov::materials {
 

@@ -1,4 +1,4 @@
-#include "materials/bsdf/ice.h"
+#include "materials/indices/ice.h"
 
 #include <sstream>
 #include <string>
