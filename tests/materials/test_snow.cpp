@@ -7,9 +7,9 @@
 
 #include "core/error.h"
 #include "materials/bsdf/hemisphere.h"
-#include "materials/indices/ice.h"
 #include "materials/bsdf/reflection_angles.h"
 #include "materials/bsdf/snow.h"
+#include "materials/indices/ice.h"
 #include "materials/material.h"
 #include "materials/reflectance_events.h"
 
