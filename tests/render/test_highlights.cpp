@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "materials/bsdf/bsdf.h"
+#include "materials/bsdf/rough_conductor.h"
 #include "render/mirrors/highlights.h"
 #include "sampling/pixel_footprint.h"
 #include "sampling/tile.h"
@@ -20,10 +21,10 @@ using materials::BsdfEvent;
 using std::numbers::pi;
 using test::SmallScene;
 
-/// Facets of Gaussian slopes that do not hide each other, over a Lambertian base.
+/// Facets that do not hide each other, of Gaussian slopes or with a long tail (GGX), over a Lambertian base.
 class Lobe final : public materials::Bsdf {
  public:
-  Lobe(double slope, double base) : slope_(slope), base_(base) {}
+  Lobe(double slope, double base, bool tail = false) : slope_(slope), base_(base), tail_(tail) {}
   std::span<const radiometry::Spectrum> spectra() const override { return spectra_; }
   void evaluate(const BsdfEvent& event, materials::ParameterSpectra parameters, std::size_t count,
                 float* bsdf) const override {
@@ -38,13 +39,16 @@ class Lobe final : public materials::Bsdf {
     const math::Vec3 half = math::normalized(event.outgoing + event.incoming);
     const double cosine = math::dot(event.normal, half), square = cosine * cosine;
     const double tangent2 = (1.0 - square) / square;
-    return std::exp(-tangent2 / (slope_ * slope_)) / (pi * slope_ * slope_ * square * square) / 4.0 /
-           std::max(event.outgoing_cosine(), event.incoming_cosine());
+    const double over = tangent2 / (slope_ * slope_);
+    const double distribution = (tail_ ? 1.0 / ((1.0 + over) * (1.0 + over)) : std::exp(-over)) /
+                                (pi * slope_ * slope_ * square * square);
+    return distribution / 4.0 / std::max(event.outgoing_cosine(), event.incoming_cosine());
   }
   double of(const BsdfEvent& event) const { return lobe(event) + base_ / pi; }
 
  private:
   double slope_, base_;
+  bool tail_;
   std::vector<radiometry::Spectrum> spectra_{radiometry::Spectrum::constant(0.5)};
 };
 
@@ -52,10 +56,10 @@ constexpr double kFactor = 0.5, kIrradiance = 1000.0, kRadius = 0.4, kGsd = 1.0;
 constexpr int kSide = 4;
 const math::Vec3 kSun = math::normalized({0.6, 0.2, 1.0});
 
-sensor::OrthographicCamera nadir_camera() {
+sensor::OrthographicCamera nadir_camera(double gsd_m) {
   sensor::OrthographicCamera::Settings settings;
   settings.width_px = settings.height_px = kSide;
-  settings.gsd_m = kGsd;
+  settings.gsd_m = gsd_m;
   settings.start_height_m = 100.0;
   return sensor::OrthographicCamera(settings);
 }
@@ -64,8 +68,8 @@ sensor::OrthographicCamera nadir_camera() {
 struct Sum {
   double mean = 0.0, error = 0.0;
 };
-Sum highlights_of(const transport::SpectralScene& scene, std::uint64_t seed = 1) {
-  const auto camera = nadir_camera();
+Sum highlights_of(const transport::SpectralScene& scene, std::uint64_t seed = 1, double gsd_m = kGsd) {
+  const auto camera = nadir_camera(gsd_m);
   sampling::TileResult tile;
   tile.reset({0, 0, kSide, kSide}, 1);
   if (render::Highlights::in(scene))
@@ -98,8 +102,8 @@ double sent_by_ball(const Weigh& weigh) {
 }
 
 struct Ball : SmallScene {
-  Ball(double slope, double base, double half_angle, double x = 0.13)
-      : lobe(std::make_shared<Lobe>(slope, base)) {
+  Ball(double slope, double base, double half_angle, double x = 0.13, bool tail = false)
+      : lobe(std::make_shared<Lobe>(slope, base, tail)) {
     place(geometry::Sphere{{x, 0.21, 1.0}, kRadius}, material(kFactor, 0.0, lobe));
     sun(kSun, kIrradiance, half_angle);
   }
@@ -121,6 +125,37 @@ TEST(Highlights, AreTheLobesShareOfABallsSunlight) {
         const double whole = sent_by_ball([&](const BsdfEvent& event) { return ball.lobe->lobe(event); });
         EXPECT_NEAR(expected, whole, 5e-3 * whole) << slope << " " << base;
       }
+}
+
+/// Rims of balls, where the tail of a real model is seen at grazing angles: triangles are wide there, and their images curved.
+TEST(Highlights, TailsReachTheBallsRim) {
+  const auto gold = std::make_shared<materials::RoughConductor>(
+      radiometry::Spectrum::constant(0.15), radiometry::Spectrum::constant(3.5),
+      radiometry::Spectrum::constant(1.0),
+      materials::RoughConductor::Facets{materials::FacetShape::ggx, 0.29, 0.29, 0.0});
+  std::vector<float> values;
+  std::vector<const float*> rows;
+  for (const radiometry::Spectrum& spectrum : gold->spectra())
+    values.push_back(static_cast<float>(spectrum.at(10.0)));
+  for (const float& value : values) rows.push_back(&value);
+  const double expected = sent_by_ball([&](const BsdfEvent& event) {
+                            float bsdf = 0.0f;
+                            gold->evaluate(event, rows, 1, &bsdf);
+                            return static_cast<double>(bsdf) * transport::SunLobes::share(*gold, event);
+                          }) /
+                          kFactor;
+  double sum = 0.0, squares = 0.0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SmallScene scene;
+    scene.place(geometry::Sphere{{0.5, 0.5, 2.0}, kRadius}, scene.material(1.0, 0.0, gold));
+    scene.sun(kSun, kIrradiance, 0.0);
+    const Sum found = highlights_of(scene.build(), seed);
+    sum += found.mean / 20.0, squares += found.error * found.error;
+  }
+  const double error = std::sqrt(squares) / 20.0;
+  EXPECT_NEAR(sum, expected, 4.0 * error + 1e-4 * expected) << (sum - expected) / expected;
+  EXPECT_LT(error, 1e-3 * expected);
+  RecordProperty("off", std::to_string((sum - expected) / expected));
 }
 
 TEST(Highlights, ErrorsOfPixelsHold) {

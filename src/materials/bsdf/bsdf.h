@@ -100,8 +100,8 @@ class Bsdf {
 /// Whether highlights of the Sun may be far smaller than the thing that shows them.
 inline bool has_narrow_lobe(const Bsdf& bsdf) {
   constexpr double kWide = 0.3;  // a tenth of a ball shows a highlight of this slope
-  const double most = bsdf.lobe_slopes().least;
-  return most > 0.0 && most < kWide;
+  const double least = bsdf.lobe_slopes().least;
+  return least > 0.0 && least < kWide;
 }
 
 }  // namespace ifov::materials

@@ -250,6 +250,21 @@ bool GlintSearch::shows(const Corner& corner) const {
   return length(corner.off) <= 2.0 * std::sin(0.5 * corner.wide) * (1.0 + 1e-9);
 }
 
+GlintSearch::Corner GlintSearch::within(const Surface& surface, const Cell& cell, double s, double t) const {
+  const Corner* c = cell.corner;
+  return corner(surface, c[0].u + s * (c[1].u - c[0].u) + t * (c[2].u - c[0].u),
+                c[0].v + s * (c[1].v - c[0].v) + t * (c[2].v - c[0].v));
+}
+
+double GlintSearch::area_at(const Surface& surface, const Cell& cell, double s, double t,
+                            const Corner& here) const {
+  constexpr double kStep = 1e-4;
+  const Corner along_s = within(surface, cell, s + kStep, t), along_t = within(surface, cell, s, t + kStep);
+  const double xs = along_s.image.x_px - here.image.x_px, ys = along_s.image.y_px - here.image.y_px;
+  const double xt = along_t.image.x_px - here.image.x_px, yt = along_t.image.y_px - here.image.y_px;
+  return 0.5 * std::abs(xs * yt - xt * ys) / (kStep * kStep);
+}
+
 void GlintSearch::draw(const Surface& surface, const Cell& cell, std::uint64_t number, const Found& found) {
   const Corner* c = cell.corner;
   const double x1 = c[1].image.x_px - c[0].image.x_px, y1 = c[1].image.y_px - c[0].image.y_px;
@@ -260,19 +275,15 @@ void GlintSearch::draw(const Surface& surface, const Cell& cell, std::uint64_t n
     const double root = std::sqrt(sampling::unit_double(key + 2 * k)),
                  share = sampling::unit_double(key + 2 * k + 1);
     const double s = root * (1.0 - share), t = root * share;
-    const Corner at = corner(surface, c[0].u + s * (c[1].u - c[0].u) + t * (c[2].u - c[0].u),
-                             c[0].v + s * (c[1].v - c[0].v) + t * (c[2].v - c[0].v));
-    if (at.seen && shows(at)) found({at.at, at.image, area, k});
+    const Corner at = within(surface, cell, s, t);
+    // Triangles of lobes are too wide for an image without curvature.
+    if (at.seen && shows(at)) found({at.at, at.image, lobes_ ? area_at(surface, cell, s, t, at) : area, k});
   }
 }
 
 void GlintSearch::solve(const Surface& surface, const Cell& cell, const Found& found) {
   const Corner* c = cell.corner;
-  // s and t from corner 0 towards the others.
-  const auto at = [&](double s, double t) {
-    return corner(surface, c[0].u + s * (c[1].u - c[0].u) + t * (c[2].u - c[0].u),
-                  c[0].v + s * (c[1].v - c[0].v) + t * (c[2].v - c[0].v));
-  };
+  const auto at = [&](double s, double t) { return within(surface, cell, s, t); };
   constexpr double kStep = 1e-4, kOutside = 1e-7;
   double s = 1.0 / 3.0, t = s;
   for (int iteration = 0; iteration < 20; ++iteration) {

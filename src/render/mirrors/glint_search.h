@@ -74,6 +74,10 @@ class GlintSearch {
     int depth = 0;
   };
   Corner corner(const Surface& surface, double u, double v) const;
+  /// s and t from corner 0 towards the others.
+  Corner within(const Surface& surface, const Cell& cell, double s, double t) const;
+  /// Of the whole triangle's image, px2, as if it were everywhere as at a point of it.
+  double area_at(const Surface& surface, const Cell& cell, double s, double t, const Corner& here) const;
   void divide(const Surface& surface, const Cell& whole, std::uint64_t number, const Found& found);
   void divide_quad(const Surface& surface, double u0, double v0, double u1, double v1, std::uint64_t number,
                    const Found& found);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "geometry/world/surface_survey.h"
+#include "radiometry/spectrum_block.h"
 #include "sampling/random.h"
 #include "transport/mirrors/sun_lobes.h"
 #include "transport/spectral_scene.h"
@@ -78,8 +79,8 @@ void Highlights::trace(std::vector<GlintPoint>& points) {
   camera_.rays(images, rays);
   sampling::RayCounts counts;
   const transport::PathRecord& record = tracer_.trace(rays, keys, hits, counts);
-  std::vector<float> nothing(scene_.stride()),
-      channels(std::max(scene_.stride(), scene_.nodes().channel_count()));
+  radiometry::SpectrumBlock nothing(1, scene_.node_count());
+  std::vector<float> channels(std::max(scene_.stride(), scene_.nodes().channel_count()));
   for (std::size_t k = 0; k < points.size(); ++k) {
     // What was searched must be what is seen.
     if (!hits[k].hit() || !scene_.sun_lobes()->by_shape(hits[k]) ||
@@ -90,9 +91,10 @@ void Highlights::trace(std::vector<GlintPoint>& points) {
     float* radiance = light_.first_sunlight(record, k);
     // Of what the air makes of light its own light is no part here.
     air_.apply(record.paths[k], radiance);
-    std::fill(nothing.begin(), nothing.end(), 0.0f);
-    air_.apply(record.paths[k], nothing.data());
-    for (std::size_t n = 0; n < nothing.size(); ++n) radiance[n] = std::max(0.0f, radiance[n] - nothing[n]);
+    std::fill_n(nothing.row(0), nothing.stride(), 0.0f);
+    air_.apply(record.paths[k], nothing.row(0));
+    for (std::size_t n = 0; n < nothing.stride(); ++n)
+      radiance[n] = std::max(0.0f, radiance[n] - nothing.row(0)[n]);
     scene_.nodes().to_channels(radiance, channels.data());
     add(points[k], channels.data());
   }

@@ -130,7 +130,8 @@ std::vector<std::vector<UnseenImages::Leaving>> UnseenImages::follow(
       next.at = hit.position_m + hit.offset_m * next.outward;
       next.time_s = rays[k].time_s;
       // Faces of one object count as one where they bend, each as its own else.
-      const std::uint64_t face = hit.bend <= geometry::Bend::facet ? hit.primitive + 1u : 0u;
+      const std::uint64_t face =
+          hit.bend == geometry::Bend::none || hit.bend == geometry::Bend::facet ? hit.primitive + 1u : 0u;
       next.way = sampling::hash(before != nullptr ? before->way : level, hit.instance, hit.patch, face);
       if (before == nullptr) next.only = images_.apart().mirror_of(hit, normal);
       next.brightness = (before != nullptr ? before->brightness : 1.0) * share;
