@@ -29,6 +29,7 @@ UnsampledLight::UnsampledLight(const RenderJob& job, int threads, const CancelTo
   if (transport_.maximum_scatterings != 0 && Highlights::in(job.scene)) {
     highlights_ = std::make_unique<const Highlights>(job.scene, job.camera, margin_px, job.seed);
     transport_.highlights = transport::TransportOptions::Highlights::left_out;
+    transport_.large_lobes = &highlights_->large();
   }
   if (transport_.maximum_scatterings != 0) unseen_emitters_ = UnseenEmitters::find(job.scene, job.camera);
 }

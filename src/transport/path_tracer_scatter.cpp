@@ -138,7 +138,9 @@ double PathTracer::sunlight_share(const SurfaceLobe& lobe, const Sides& sides,
                                   bool transmitted) const {
   using Highlights = TransportOptions::Highlights;
   if (options_.highlights == Highlights::found || scene_.sun_lobes() == nullptr) return 1.0;
-  const bool apart = depth == 0 && lobe.directional && scene_.sun_lobes()->by_shape(hit);
+  const std::vector<std::uint32_t>* large = options_.large_lobes;
+  const bool apart = depth == 0 && lobe.directional && scene_.sun_lobes()->by_shape(hit) &&
+                     (large == nullptr || !std::binary_search(large->begin(), large->end(), hit.instance));
   const double highlight =
       apart ? SunLobes::share(*lobe.bsdf, sides.event(lobe, transmitted, direction)) : 0.0;
   return options_.highlights == Highlights::alone ? highlight : 1.0 - highlight;

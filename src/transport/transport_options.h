@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 namespace ifov::transport {
 
@@ -22,6 +23,8 @@ struct TransportOptions {
   /// are added separately (Highlights); or nothing else but them, for whoever adds them.
   enum class Highlights : std::uint8_t { found, left_out, alone };
   Highlights highlights = Highlights::found;
+  /// Objects whose highlights are not left out all the same, sorted; null: none.
+  const std::vector<std::uint32_t>* large_lobes = nullptr;
   /// Images in mirrors that are added separately: paths see through what they show; null: none.
   const SeparateImages* separate_images = nullptr;
 };

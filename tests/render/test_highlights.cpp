@@ -226,6 +226,30 @@ TEST(Highlights, PathsLeaveOutWhatTheyAreAndNoMore) {
   }
 }
 
+TEST(Highlights, WhatFillsManyPixelsIsLeftToPaths) {
+  Ball ball(0.1, 0.0, 0.0);
+  const std::uint32_t lobe = 0;
+  ball.place(geometry::Sphere{{0.13, 1.2, 1.0}, 0.002}, lobe);
+  const transport::SpectralScene& scene = ball.build();
+  sensor::OrthographicCamera::Settings settings;
+  settings.width_px = settings.height_px = 4000;
+  settings.gsd_m = 0.001;
+  settings.start_height_m = 100.0;
+  const render::Highlights found(scene, sensor::OrthographicCamera(settings), 0.5, 1);
+  EXPECT_EQ(found.large(), std::vector<std::uint32_t>{0});
+  EXPECT_GT(found.count(), 100u);  // of the small ball
+  EXPECT_LT(found.count(), 20000u);
+
+  const math::Ray ray{.origin_m = {0.13, 0.21, 50.0}, .direction = {0.0, 0.0, -1.0}};
+  transport::TransportOptions options;
+  options.maximum_scatterings = 1;
+  const double all = ball.radiance(ray, 2, 1, options).mean;
+  options.highlights = transport::TransportOptions::Highlights::left_out;
+  EXPECT_LT(ball.radiance(ray, 2, 1, options).mean, 1e-3 * all);
+  options.large_lobes = &found.large();
+  EXPECT_EQ(ball.radiance(ray, 2, 1, options).mean, all);
+}
+
 TEST(Highlights, WideLobesAndPlanesAreLeftToPaths) {
   Ball wide(0.35, 0.0, 0.0);
   EXPECT_FALSE(render::Highlights::in(wide.build()));

@@ -49,13 +49,17 @@ struct SurfaceSurvey {
     math::Transform scene_from_mesh;
     std::uint32_t object = 0;
     std::vector<std::uint32_t> triangles;
+    Ball ball;  ///< about them
   };
+  /// So many triangles are listed where facets are asked for; else none is.
+  static constexpr std::size_t kMostFacets = std::size_t{1} << 22;
   std::vector<Flat> flats;
   std::vector<Round> rounds;
   std::vector<Smooth> smooths;
   /// About what is neither flat nor known as a mirror: other round shapes, smooth triangles, height fields, flats too many.
   std::vector<Ball> balls;
-  bool all_flats = true;  ///< false: there are more than kMostFlats normals
+  bool all_flats = true;   ///< false: there are more than kMostFlats normals
+  bool all_facets = true;  ///< false: there are more than kMostFacets
 };
 
 }  // namespace ifov::geometry

@@ -203,7 +203,8 @@ class Surveyor {
       else
         survey_.balls.push_back(ball);
     }
-    SurfaceSurvey::Smooth smooth{body.mesh, piece.scene_from_body, piece.object, {}};
+    if (facets_ && !room_for(known->second.smooth.size())) return;
+    SurfaceSurvey::Smooth smooth{body.mesh, piece.scene_from_body, piece.object, {}, {}};
     GrowingBox box;
     for (const auto& [slot, triangle] : known->second.smooth) {
       if (!wanted(piece.materials, slot)) continue;
@@ -214,8 +215,9 @@ class Surveyor {
       }
     }
     if (smooth.triangles.empty()) return;
+    smooth.ball = ball_about(box.bounds);
+    survey_.balls.push_back(smooth.ball);
     survey_.smooths.push_back(std::move(smooth));
-    add_ball(box.bounds);
   }
 
   void add(const Run& run) {
@@ -238,6 +240,15 @@ class Surveyor {
   SurfaceSurvey take() && { return std::move(survey_); }
 
  private:
+  bool room_for(std::size_t facets) {
+    listed_ += facets;
+    if (listed_ > SurfaceSurvey::kMostFacets && survey_.all_facets) {
+      survey_.all_facets = false;
+      survey_.smooths = {};
+    }
+    return survey_.all_facets;
+  }
+
   void add_flat(const BodyFlat& part, const Transform& scene_from_body) {
     const World::Bounds bounds = image_of(part.box.bounds, scene_from_body);
     const std::size_t k = table_.find_or_add(scene_from_body(math::as_normal(part.normal)).as_vector());
@@ -273,6 +284,7 @@ class Surveyor {
   const WorldContent& content_;
   const std::vector<bool>& surveyed_;
   bool facets_;
+  std::size_t listed_ = 0;
   SurfaceSurvey survey_;
   NormalTable table_;
   std::unordered_map<std::uint32_t, BodySurvey> bodies_;  // by template

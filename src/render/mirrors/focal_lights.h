@@ -29,6 +29,8 @@ class FocalLights {
   std::uint32_t add_spectrum(std::span<const float> channels);
   void add(const Light& light) { lights_.push_back(light); }
   void append(const FocalLights& other);
+  /// Keeps the first ones that were added.
+  void keep(std::size_t count) { lights_.resize(count); }
   /// Before add_to.
   void sort();
 

@@ -56,13 +56,14 @@ GlintSearch::GlintSearch(const sensor::Camera& camera, const geometry::SurfaceSu
     : camera_(camera), ball_(ball), margin_(margin_px), step_(0.0), steps_(steps), most_(most), seed_(seed) {}
 
 GlintSearch::GlintSearch(const sensor::Camera& camera, Vec3 towards_sun, double least_slope, double reach_rad,
-                         double margin_px, std::uint64_t seed)
+                         double margin_px, std::uint64_t seed, std::size_t most)
     : camera_(camera),
       towards_sun_(towards_sun),
       half_angle_(reach_rad),
       margin_(margin_px),
       step_(kLobeStep * 2.0 * least_slope),
       lobes_(true),
+      most_(most),
       seed_(seed) {}
 
 GlintSearch::Corner GlintSearch::corner(const Surface& surface, double u, double v) const {

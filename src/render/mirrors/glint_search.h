@@ -41,11 +41,11 @@ class GlintSearch {
   GlintSearch(const sensor::Camera& camera, const geometry::SurfaceSurvey::Ball& ball, double margin_px,
               double steps, std::uint64_t seed, std::size_t most);
 
-  /// For the highlights of lobes whose micro-facets have these slopes, in place of mirrors: there is no border within which a
+  /// More triangles than `most` are not made. For the highlights of lobes whose micro-facets have these slopes, in place of mirrors: there is no border within which a
   /// highlight lies; triangles are finer the nearer their directions are to the Sun, and all are left that come nearer than
   /// `reach_rad`.
   GlintSearch(const sensor::Camera& camera, math::Vec3 towards_sun, double least_slope, double reach_rad,
-              double margin_px, std::uint64_t seed);
+              double margin_px, std::uint64_t seed, std::size_t most);
 
   /// Whether there were more triangles than were to be made; those that were lie anywhere.
   bool broken_off() const { return broken_off_; }

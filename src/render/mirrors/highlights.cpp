@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "geometry/world/surface_survey.h"
@@ -13,6 +14,9 @@
 namespace ifov::render {
 
 namespace {
+
+/// Seconds of search; what is larger than that many pixels shows its highlights well enough.
+constexpr std::size_t kMostTriangles = std::size_t{1} << 18;
 
 /// Points traced together.
 constexpr std::size_t kTogether = 4096;
@@ -48,22 +52,55 @@ Highlights::Highlights(const transport::SpectralScene& scene, const sensor::Came
       light_(scene),
       air_(scene),
       lights_(scene.nodes().channel_count()) {
-  const transport::SunLobes& lobes = *scene.sun_lobes();
-  const scene::Sun& sun = *scene.scene().sun;
+  find(seed, margin_px);
+  lights_.sort();
+}
+
+void Highlights::find(std::uint64_t seed, double margin_px) {
+  const transport::SunLobes& lobes = *scene_.sun_lobes();
+  const scene::Sun& sun = *scene_.scene().sun;
+  // Parts of one object are sought together or not at all.
+  struct Thing {
+    double radius_m = 0.0;
+    std::vector<std::size_t> rounds, smooths;
+  };
+  std::map<std::uint32_t, Thing> things;
+  const geometry::SurfaceSurvey& survey = lobes.survey();
+  for (std::size_t k = 0; k < survey.rounds.size(); ++k) {
+    Thing& thing = things[survey.rounds[k].object];
+    thing.radius_m = std::max(thing.radius_m, survey.rounds[k].ball.radius_m);
+    thing.rounds.push_back(k);
+  }
+  for (std::size_t k = 0; k < survey.smooths.size(); ++k) {
+    Thing& thing = things[survey.smooths[k].object];
+    thing.radius_m = std::max(thing.radius_m, survey.smooths[k].ball.radius_m);
+    thing.smooths.push_back(k);
+  }
+  std::vector<std::pair<double, std::uint32_t>> order;
+  for (const auto& [object, thing] : things) order.emplace_back(thing.radius_m, object);
+  std::sort(order.begin(), order.end());
+
   const double reach =
       2.0 * std::atan(transport::SunLobes::kLastSlopes * lobes.slopes().most) + sun.half_angle_rad;
-  GlintSearch search(camera, sun.direction, lobes.slopes().least, std::min(reach, std::numbers::pi),
-                     margin_px, seed);
+  GlintSearch search(camera_, sun.direction, lobes.slopes().least, std::min(reach, std::numbers::pi),
+                     margin_px, seed, kMostTriangles);
   std::vector<GlintPoint> points;
   const auto keep = [&](const GlintPoint& point) {
     points.push_back(point);
     if (points.size() == kTogether) trace(points);
   };
-  std::uint64_t number = 0;
-  for (const auto& round : lobes.survey().rounds) search.search(round, number++, keep);
-  for (const auto& smooth : lobes.survey().smooths) search.search(smooth, number++, keep);
-  trace(points);
-  lights_.sort();
+  for (const auto& [radius_m, object] : order) {
+    const Thing& thing = things[object];
+    const std::size_t before = lights_.lights().size();
+    for (const std::size_t k : thing.rounds) search.search(survey.rounds[k], k, keep);
+    for (const std::size_t k : thing.smooths)
+      search.search(survey.smooths[k], survey.rounds.size() + k, keep);
+    trace(points);
+    if (!search.broken_off()) continue;
+    lights_.keep(before);
+    large_.push_back(object);
+  }
+  std::sort(large_.begin(), large_.end());
 }
 
 void Highlights::trace(std::vector<GlintPoint>& points) {

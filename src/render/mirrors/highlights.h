@@ -35,9 +35,14 @@ class Highlights {
 
   std::size_t count() const { return lights_.lights().size(); }
 
+  /// Objects of so many pixels that their highlights are left to paths, sorted: there is room for some 250,000 triangles of the
+  /// focal plane, taken by the smallest things first.
+  const std::vector<std::uint32_t>& large() const { return large_; }
+
  private:
   void trace(std::vector<GlintPoint>& points);
   void add(const GlintPoint& point, const float* channels);
+  void find(std::uint64_t seed, double margin_px);
 
   const transport::SpectralScene& scene_;
   const sensor::Camera& camera_;
@@ -45,6 +50,7 @@ class Highlights {
   transport::PathTracer tracer_;
   transport::PathLight light_;
   transport::ViewAtmosphere air_;
+  std::vector<std::uint32_t> large_;
   FocalLights lights_;           // radiance over that of their spectra at the sensor
   std::vector<float> spectrum_;  // the last one that was kept
   std::uint32_t spectrum_number_ = 0;

@@ -1,12 +1,14 @@
 #include "session/plausibility/plausibility.h"
 
 #include "core/format.h"
+#include "geometry/world/surface_survey.h"
 #include "session/loaded/parts.h"
 #include "session/plausibility/light_warnings.h"
 #include "session/plausibility/location_lines.h"
 #include "session/plausibility/plausibility_warnings.h"
 #include "transport/emitters.h"
 #include "transport/mirrors/emitter_mirrors.h"
+#include "transport/mirrors/sun_lobes.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::session {
@@ -27,6 +29,15 @@ void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log) {
         "light of surfaces that outshine the scene is sought by way of one mirror that is flat, a ball or a round "
         "column, not of other shapes or of several in turn: what those throw of it on other surfaces is found by chance "
         "alone, and pixels near them may be less sure than they say");
+}
+
+void tell_of_highlights(const transport::SpectralScene& scene, LogSink& log) {
+  const transport::SunLobes* lobes = scene.sun_lobes();
+  if (lobes != nullptr && !lobes->survey().all_facets)
+    log.warn(format(
+        "meshes with glossy materials have more than {} triangles: the Sun's highlights on them are found by random "
+        "paths alone, and pixels whose highlights are smaller than they may be less sure than they say",
+        geometry::SurfaceSurvey::kMostFacets));
 }
 
 void check_plausibility(Parts& parts, LogSink& log) {

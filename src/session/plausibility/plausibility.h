@@ -16,5 +16,7 @@ void check_plausibility(Parts& parts, LogSink& log);
 
 /// What is sought of the light of what outshines the scene, and what is not.
 void tell_of_emitters(const transport::SpectralScene& scene, LogSink& log);
+/// The same of the Sun's highlights on glossy meshes.
+void tell_of_highlights(const transport::SpectralScene& scene, LogSink& log);
 
 }  // namespace ifov::session

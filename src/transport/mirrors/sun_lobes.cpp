@@ -25,7 +25,7 @@ bool SunLobes::by_shape(const geometry::SurfacePoint& hit) const {
   if (!flat_[hit.material]) return false;
   if (hit.bend == geometry::Bend::round)
     return std::binary_search(rounds_.begin(), rounds_.end(), hit.instance);
-  return hit.bend == geometry::Bend::smooth || hit.bend == geometry::Bend::facet;
+  return survey_.all_facets && (hit.bend == geometry::Bend::smooth || hit.bend == geometry::Bend::facet);
 }
 
 double SunLobes::share(const materials::Bsdf& bsdf, const materials::BsdfEvent& event) {
