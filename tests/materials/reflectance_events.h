@@ -10,10 +10,11 @@
 #include <vector>
 
 #include "materials/bsdf/bsdf.h"
+#include "math/angle.h"
 
 namespace ifov::materials::test {
 
-inline constexpr double kDegree = std::numbers::pi / 180.0;
+using math::kDegree;
 
 inline math::Vec3 at(double zenith_rad, double azimuth_rad) {
   return {std::sin(zenith_rad) * std::cos(azimuth_rad), std::sin(zenith_rad) * std::sin(azimuth_rad),

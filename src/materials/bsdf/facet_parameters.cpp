@@ -28,6 +28,30 @@ double facet_width(const BsdfInputs& inputs, std::string_view key) {
   return width;
 }
 
+BsdfParameter across_parameter() {
+  return {"across",
+          "the width across the direction, where it is another",
+          BsdfParameter::Form::number,
+          0.0,
+          1.0,
+          {},
+          true};
+}
+
+BsdfParameter direction_parameter() {
+  return {"direction",
+          "along which `roughness` is the width: from the tangent (east), counterclockwise",
+          BsdfParameter::Form::angle,
+          -360.0,
+          360.0,
+          "\"0 deg\""};
+}
+
+FacetWidths facet_widths(const BsdfInputs& inputs) {
+  const double along = facet_width(inputs, "roughness");
+  return {along, inputs.has("across") ? facet_width(inputs, "across") : along};
+}
+
 IndexSpectra refractive_index(const BsdfInputs& inputs) {
   const bool by_name = inputs.has("index"), by_value = inputs.has("n") || inputs.has("k");
   if (by_name && by_value)

@@ -17,6 +17,14 @@ FacetShape facet_shape(const BsdfInputs& inputs);
 /// A width of the distribution of facets. Throws InputError below the least, and points to the mirror.
 double facet_width(const BsdfInputs& inputs, std::string_view key);
 
+/// Keys of a distribution of two widths, beside 'roughness'.
+BsdfParameter across_parameter();
+BsdfParameter direction_parameter();
+struct FacetWidths {
+  double along = 0.0, across = 0.0;  ///< the direction
+};
+FacetWidths facet_widths(const BsdfInputs& inputs);
+
 struct IndexSpectra {
   radiometry::Spectrum n, k;
 };

@@ -35,24 +35,16 @@ const BsdfModel RoughConductor::kModel{
       true},
      {"k", "imaginary part: absorption", BsdfParameter::Form::spectrum, 0.0, 1000.0, {}, true},
      {"roughness", "width of the distribution of the facets' slopes", BsdfParameter::Form::number, 0.0, 1.0},
-     {"across",
-      "the width across the direction, where it is another",
-      BsdfParameter::Form::number,
-      0.0,
-      1.0,
-      {},
-      true},
-     {"direction", "along which `roughness` is the width: from the tangent (east), counterclockwise",
-      BsdfParameter::Form::angle, -360.0, 360.0, "\"0 deg\""},
+     across_parameter(),
+     direction_parameter(),
      {"distribution", "of the facets' slopes: `ggx`, with long tails, or `beckmann`, Gaussian",
       BsdfParameter::Form::word, 0.0, 0.0, "\"ggx\"", false, facet_shapes}},
     [](const BsdfInputs& inputs) -> std::shared_ptr<const Bsdf> {
       const IndexSpectra index = refractive_index(inputs);
-      const double along = facet_width(inputs, "roughness");
-      const double across = inputs.has("across") ? facet_width(inputs, "across") : along;
+      const FacetWidths widths = facet_widths(inputs);
       return std::make_shared<RoughConductor>(
           index.n, index.k, inputs.reflectance,
-          Facets{facet_shape(inputs), along, across, inputs.number("direction")});
+          Facets{facet_shape(inputs), widths.along, widths.across, inputs.number("direction")});
     }};
 
 RoughConductor::RoughConductor(const Spectrum& n, const Spectrum& k, const Spectrum& factor, Facets facets)

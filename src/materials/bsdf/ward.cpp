@@ -19,20 +19,12 @@ const BsdfModel Ward::kModel{
     "reflectance, and a lobe",
     {{"specular", "what the lobe reflects of all light", BsdfParameter::Form::spectrum, 0.0, 1.0},
      {"roughness", "width of the lobe's distribution of slopes", BsdfParameter::Form::number, 0.0, 1.0},
-     {"across",
-      "the width across the direction, where it is another",
-      BsdfParameter::Form::number,
-      0.0,
-      1.0,
-      {},
-      true},
-     {"direction", "along which `roughness` is the width: from the tangent (east), counterclockwise",
-      BsdfParameter::Form::angle, -360.0, 360.0, "\"0 deg\""}},
+     across_parameter(),
+     direction_parameter()},
     [](const BsdfInputs& inputs) -> std::shared_ptr<const Bsdf> {
-      const double along = facet_width(inputs, "roughness");
-      const double across = inputs.has("across") ? facet_width(inputs, "across") : along;
-      return std::make_shared<Ward>(inputs.reflectance, inputs.spectrum("specular"), along, across,
-                                    inputs.number("direction"));
+      const FacetWidths widths = facet_widths(inputs);
+      return std::make_shared<Ward>(inputs.reflectance, inputs.spectrum("specular"), widths.along,
+                                    widths.across, inputs.number("direction"));
     }};
 
 Ward::Ward(radiometry::Spectrum diffuse, radiometry::Spectrum specular, double width_along,
