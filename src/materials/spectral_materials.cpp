@@ -28,6 +28,8 @@ SpectralMaterials::SpectralMaterials(std::span<const Material> materials,
     maximum_transmittance_.push_back(0.0f);
     directional_.push_back(material.bsdf->is_separable() ? nullptr
                                                          : std::make_unique<NodeBsdf>(material.bsdf, nodes));
+    any_pane_ = any_pane_ || material.bsdf->passage() == Passage::straight;
+    any_medium_ = any_medium_ || material.bsdf->passage() == Passage::into;
     if (const NodeBsdf* model = directional_.back().get()) {
       maximum_reflectance_.back() = static_cast<float>(model->highest_reflectance());
       maximum_transmittance_.back() = static_cast<float>(model->highest_transmittance());

@@ -20,8 +20,12 @@ class NodeBsdf {
     bsdf_->evaluate(event, pointers_, parameters_.stride(), spectrum);
   }
   /// Towards a direction of this cosine above the surface: 1 - reflectance - transmittance of light from there (Kirchhoff),
-  /// linear between 33 angles.
-  void emissivity(double cosine, float* spectrum) const;
+  /// linear between 33 angles; of a delta at that angle itself. A delta uses `work` (stride floats).
+  void emissivity(double cosine, float* spectrum, float* work) const;
+  /// Largest share of a delta at this angle, in any node.
+  double highest_share(const BsdfEvent& view, Side side) const;
+  /// What the medium behind the surface absorbs, 1/m; null: nothing.
+  const float* absorption() const { return has_absorption_ ? absorption_.row(0) : nullptr; }
   /// Largest directional-hemispherical values in any node and at any of those angles.
   double highest_reflectance() const { return highest_[0]; }
   double highest_transmittance() const { return highest_[1]; }
@@ -31,7 +35,9 @@ class NodeBsdf {
   radiometry::SpectrumBlock parameters_;
   std::vector<const float*> pointers_;
   radiometry::SpectrumBlock emissivity_;  // by angle
-  double highest_[2] = {0.0, 0.0};        // by Side
+  radiometry::SpectrumBlock absorption_;
+  bool has_absorption_ = false;
+  double highest_[2] = {0.0, 0.0};  // by Side
 };
 
 }  // namespace ifov::materials

@@ -52,6 +52,7 @@ class Glints {
   MirroredSpectra mirrored_;
   FocalLights lights_;  // radiance of the Sun's disc, reflected, at the sensor
   std::uint32_t last_material_ = ~0u, last_row_ = 0;
+  double last_cosine_ = 0.0;
 };
 
 }  // namespace ifov::render

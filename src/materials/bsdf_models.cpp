@@ -3,6 +3,9 @@
 #include <stdexcept>
 
 #include "core/error.h"
+#include "materials/bsdf/boundary/film.h"
+#include "materials/bsdf/boundary/slab.h"
+#include "materials/bsdf/boundary/smooth.h"
 #include "materials/bsdf/bsdf_model.h"
 #include "materials/bsdf/hapke.h"
 #include "materials/bsdf/lambertian.h"
@@ -20,12 +23,21 @@
 namespace ifov::materials {
 namespace {
 
-constexpr std::array kModels{&Lambertian::kModel,      &Mirror::kModel,
-                             &OrenNayar::kModel,       &RossLi::kModel,
-                             &Roujean::kModel,         &Rpv::kModel,
-                             &Hapke::kModel,           &Snow::kModel,
-                             &Tabulated::kModel,       &RoughConductor::kModel,
-                             &RoughDielectric::kModel, &Ward::kModel};
+constexpr std::array kModels{&Lambertian::kModel,
+                             &Mirror::kModel,
+                             &OrenNayar::kModel,
+                             &RossLi::kModel,
+                             &Roujean::kModel,
+                             &Rpv::kModel,
+                             &Hapke::kModel,
+                             &Snow::kModel,
+                             &Tabulated::kModel,
+                             &RoughConductor::kModel,
+                             &RoughDielectric::kModel,
+                             &Ward::kModel,
+                             &smooth::kModel,
+                             &slab::kModel,
+                             &film::kModel};
 
 template <class Value>
 const Value& value_of(const BsdfInputs& inputs, std::string_view key) {
