@@ -158,6 +158,12 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
   if (passages_ && vertex.continuation_weight > 0.0f) {
     const bool delta = lobe.bsdf->is_delta(), transmitted = vertex.continuation_transmitted;
     event.next_medium = transmitted ? medium_after(path.medium, lobe, surface) : path.medium;
+    // Media within others, and sensors within one, are not followed: the pixel may lack, or hold, what a white surface shows.
+    const materials::Passage passage = lobe.bsdf->passage();
+    if (transmitted && ((passage == materials::Passage::into && path.medium != kNone) ||
+                        (passage == materials::Passage::out_of && path.medium == kNone)))
+      record_.paths[event.number].unseen +=
+          path.share * static_cast<float>(lobe.highest_transmittance / std::numbers::pi);
     event.next_direct = path.direct && delta;
     event.next_forks = static_cast<std::uint8_t>(path.forks + (branch == Branch::by_chance ? 0 : 1));
     event.next_share =
