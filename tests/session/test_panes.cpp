@@ -191,6 +191,13 @@ TEST(PanesOfDocuments, MistakesAreTold) {
                 .find("between 0.001 and 10000 mm"),
             std::string::npos);
   EXPECT_NE(mistake(R"({"slab": {"n": 1.5, "k": 0}})", disk).find("'thickness'"), std::string::npos);
+  EXPECT_NE(
+      mistake(R"({"smooth": {"index": "water"}})", ball)
+          .find(
+              "'index' is 'water': the built-in table tells what a surface reflects, not how little is absorbed "
+              "on a way through; give 'n' and 'k'"),
+      std::string::npos);
+  EXPECT_EQ(mistake(R"({"smooth": {"index": "silver"}})", disk), "none");
   // A coated pane is seen otherwise from behind.
   const std::string coated =
       R"({"film": {"n": 2, "k": 0, "thickness": "1e-4 mm", "substrate_n": 1.5, "substrate_k": 0, "pane": "4 mm"}})";

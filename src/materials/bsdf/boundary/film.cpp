@@ -76,6 +76,7 @@ const BsdfModel kModel{
           {},
           true}}),
     [](const BsdfInputs& inputs) {
+      if (inputs.has("pane")) refuse_name(inputs, "substrate", "substrate_n", "substrate_k");
       const IndexSpectra index = refractive_index(inputs), substrate = substrate_of(inputs);
       return make({index.n, index.k, inputs.number("thickness")}, substrate.n, substrate.k,
                   inputs.has("pane") ? std::optional(inputs.number("pane")) : std::nullopt,

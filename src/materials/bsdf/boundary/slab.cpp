@@ -6,7 +6,6 @@
 #include "materials/bsdf/boundary/delta_boundary.h"
 #include "materials/bsdf/boundary/index_parameters.h"
 #include "materials/bsdf/boundary/pane_shares.h"
-#include "materials/bsdf/facet_parameters.h"
 
 namespace ifov::materials::slab {
 
@@ -16,10 +15,9 @@ const BsdfModel kModel{
     "slab",
     "a pane of glass or plastic as one sheet: all reflections between its faces, absorption between them; light goes through it "
     "straight on. The reflectance is a factor on what is reflected, 1 where the pane is clean",
-    with_index({{"thickness", "of the pane", BsdfParameter::Form::length, 1e-3, 1e4}}),
+    with_numbers({{"thickness", "of the pane", BsdfParameter::Form::length, 1e-3, 1e4}}),
     [](const BsdfInputs& inputs) {
-      const IndexSpectra index = refractive_index(inputs);
-      return make(index.n, index.k, inputs.number("thickness"), inputs.reflectance);
+      return make(inputs.spectrum("n"), inputs.spectrum("k"), inputs.number("thickness"), inputs.reflectance);
     }};
 
 std::shared_ptr<const Bsdf> make(const Spectrum& n, const Spectrum& k, double thickness_m,

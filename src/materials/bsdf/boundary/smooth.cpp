@@ -46,6 +46,7 @@ const BsdfModel kModel{
       const IndexSpectra index = refractive_index(inputs);
       const bool medium =
           inputs.has("over") ? inputs.word("over") == "medium" : !medium_of(index.n, index.k).is_opaque;
+      if (medium) refuse_name(inputs, "index", "n", "k");
       return make(index.n, index.k, inputs.reflectance, medium);
     }};
 
