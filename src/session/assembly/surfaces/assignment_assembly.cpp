@@ -12,6 +12,7 @@
 #include "materials/bsdf/bsdf_model.h"
 #include "materials/bsdf/hemisphere.h"
 #include "scene/map_patterns.h"
+#include "scene/scene.h"
 #include "session/assembly/shared/spectrum_assembly.h"
 #include "session/assembly/shared/with_position.h"
 
@@ -195,6 +196,9 @@ void AssignmentAssembly::check_one_sided(const io::MaterialBinding& binding,
 bool AssignmentAssembly::refracts(std::uint32_t material) const {
   return scene_.materials[material].bsdf->passage() == materials::Passage::into;
 }
+
+std::vector<bool> AssignmentAssembly::mirrors() const { return scene_.mirror_assignments(); }
+std::vector<bool> AssignmentAssembly::lobes() const { return scene_.lobe_assignments(); }
 
 bool AssignmentAssembly::any_medium() const {
   for (std::uint32_t m = 0; m < scene_.materials.size(); ++m)

@@ -10,7 +10,6 @@
 
 #include "core/run_control.h"
 #include "io/document/scene_document.h"
-#include "scene/scene.h"
 #include "session/assembly/shared/map_scale.h"
 #include "session/assembly/shared/raster_assembly.h"
 #include "session/assembly/surfaces/texture_assembly.h"
@@ -19,8 +18,17 @@ namespace ifov::io {
 struct Document;
 }
 namespace ifov::materials {
+class ClassMap;
 class MixtureMap;
-}
+struct Material;
+class TemperatureMap;
+}  // namespace ifov::materials
+namespace ifov::scene {
+class Pattern;
+struct Scene;
+struct SurfaceAssignment;
+struct SurfaceState;
+}  // namespace ifov::scene
 
 namespace ifov::session {
 
@@ -38,8 +46,8 @@ class AssignmentAssembly {
                            const std::optional<io::TemperatureDocument>& temperature);
 
   /// By surface assignment made so far: whether any of its materials is a mirror; empty where none is.
-  std::vector<bool> mirrors() const { return scene_.mirror_assignments(); }
-  std::vector<bool> lobes() const { return scene_.lobe_assignments(); }
+  std::vector<bool> mirrors() const;
+  std::vector<bool> lobes() const;
   /// Whether light is refracted into what some material covers.
   bool any_medium() const;
   /// Throws where a binding has a material that light is refracted into: for objects without an inside.
