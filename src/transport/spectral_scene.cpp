@@ -10,6 +10,7 @@
 #include "geometry/world.h"
 #include "materials/bsdf/node_bsdf.h"
 #include "radiometry/planck_table.h"
+#include "scene/lamp.h"
 #include "scene/scene.h"
 #include "transport/emitters.h"
 #include "transport/mirrors/emitter_mirrors.h"
@@ -155,6 +156,11 @@ void SpectralScene::sky_of_scene() {
     nodes_.planck(*scene_.sky.temperature_k, light_.values(kSky));
 }
 
+const float* SpectralScene::lamp_radiance(std::uint32_t state) const {
+  const std::uint32_t lamp = scene_.states[state].lamp;
+  return lamp > 0 ? lamps_.row(lamp - 1) : nullptr;
+}
+
 void SpectralScene::emit(const scene::SurfaceState& state, float* spectrum) const {
   if (state.temperature_k <= 0.0) return;
   std::vector<float> planck(node_count());
@@ -177,6 +183,25 @@ void SpectralScene::find_mirrors() {
   if (lobes != nullptr) lobes_ = std::make_unique<const SunLobes>(scene_, *lobes);
 }
 
+void SpectralScene::light_lamps() {
+  if (scene_.lamps.empty()) return;
+  lamps_.resize(scene_.lamps.size(), node_count());
+  for (std::size_t k = 0; k < scene_.lamps.size(); ++k)
+    nodes_.average_source(scene_.lamps[k].radiance, lamps_.values(k));
+  std::vector<const scene::RadiationPattern*> patterns(scene_.states.size());
+  bool any = false;
+  for (std::uint32_t s = 0; s < scene_.states.size(); ++s) {
+    const scene::Lamp* lamp = scene_.lamp_of(s);
+    if (lamp == nullptr) continue;
+    patterns[s] = lamp->pattern.get();
+    any = any || patterns[s] != nullptr;
+    if (patterns[s] != nullptr) continue;
+    float *whole = emission_.row(s), *own = lamps_.row(scene_.states[s].lamp - 1);
+    for (std::size_t n = 0; n < stride(); ++n) whole[n] += own[n];
+  }
+  if (any) patterned_ = std::move(patterns);
+}
+
 void SpectralScene::emit_surfaces() {
   bool directional = false;
   for (std::size_t s = 0; s < scene_.states.size(); ++s) {
@@ -194,6 +219,7 @@ void SpectralScene::emit_surfaces() {
   if (const std::optional<scene::TemperatureRange> range = scene_.mapped_temperatures())
     planck_ = std::make_unique<radiometry::PlanckTable>(
         nodes_, std::max(0.5 * range->coldest_k, range->coldest_k - kBeyond_k), range->hottest_k + kBeyond_k);
+  light_lamps();
 }
 
 void SpectralScene::light_surroundings() {
@@ -207,8 +233,8 @@ void SpectralScene::light_surroundings() {
         (light_.row(kSunIrradiance)[n] * static_cast<float>(sine / std::numbers::pi) + light_.row(kSky)[n]);
 }
 
-const float* SpectralScene::emission(const scene::Constituent& constituent, double cosine, float* scratch,
-                                     float* work) const {
+const float* SpectralScene::thermal_emission(const scene::Constituent& constituent, double cosine,
+                                             float* scratch, float* work) const {
   const double own_k = scene_.states[constituent.state].temperature_k;
   const materials::NodeBsdf* model = materials_.directional(constituent.material);
   if (constituent.mapped_temperature_k <= 0.0 && model == nullptr)
@@ -228,14 +254,29 @@ const float* SpectralScene::emission(const scene::Constituent& constituent, doub
   return scratch;
 }
 
+const float* SpectralScene::emission(const scene::Constituent& constituent, double cosine,
+                                     math::Vec3 outgoing, float* scratch, float* work) const {
+  const float* lamp = lamp_radiance(constituent.state);
+  if (lamp == nullptr) return thermal_emission(constituent, cosine, scratch, work);
+  const scene::RadiationPattern* pattern = lamp_pattern(constituent.state);
+  if (pattern == nullptr && constituent.mapped_temperature_k <= 0.0 &&
+      materials_.directional(constituent.material) == nullptr)
+    return emission_.row(constituent.state);  // with the lamp's light
+  const float share = pattern != nullptr ? static_cast<float>(pattern->at(outgoing)) : 1.0f;
+  const float* thermal = thermal_emission(constituent, cosine, scratch, work);
+  for (std::size_t n = 0; n < stride(); ++n)
+    scratch[n] = share * lamp[n] + (thermal != nullptr ? thermal[n] : 0.0f);
+  return scratch;
+}
+
 const float* SpectralScene::emission(const scene::ResolvedSurface& surface, math::Vec3 outgoing,
                                      float* scratch) const {
   const double cosine = std::abs(math::dot(surface.shading_normal, outgoing));
   float *part = scratch + stride(), *work = part + stride();
-  if (surface.count == 1) return emission(surface.constituents[0], cosine, scratch, work);
+  if (surface.count == 1) return emission(surface.constituents[0], cosine, outgoing, scratch, work);
   bool any = false;
   for (const scene::Constituent& constituent : surface) {
-    const float* spectrum = emission(constituent, cosine, part, work);
+    const float* spectrum = emission(constituent, cosine, outgoing, part, work);
     if (spectrum == nullptr) continue;
     const float weight = static_cast<float>(constituent.weight);
     if (any)

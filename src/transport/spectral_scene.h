@@ -17,6 +17,7 @@ namespace ifov::radiometry {
 class PlanckTable;
 }
 namespace ifov::scene {
+class RadiationPattern;
 struct Scene;
 struct SurfaceState;
 }  // namespace ifov::scene
@@ -58,11 +59,18 @@ class SpectralScene {
     return materials_.maximum_reflectance(material) + materials_.maximum_transmittance(material);
   }
 
-  /// Whether the spectra of a surface have to be computed: materials side by side, a temperature from a map, or a model that
-  /// depends on direction.
+  /// Whether the spectra of a surface have to be computed: materials side by side, a temperature from a map, or a model or a
+  /// lamp that depends on direction.
   bool is_mixed(const scene::ResolvedSurface& surface) const {
     return surface.count > 1 || surface.constituents[0].mapped_temperature_k > 0.0 ||
-           materials_.directional(surface.constituents[0].material) != nullptr;
+           materials_.directional(surface.constituents[0].material) != nullptr ||
+           (!patterned_.empty() && patterned_[surface.constituents[0].state] != nullptr);
+  }
+  /// What the lamp of a state gives off in its brightest direction, W m-2 sr-1 um-1, and how that depends on the direction;
+  /// null: it has no lamp, it does not.
+  const float* lamp_radiance(std::uint32_t state) const;
+  const scene::RadiationPattern* lamp_pattern(std::uint32_t state) const {
+    return patterned_.empty() ? nullptr : patterned_[state];
   }
   /// Emitted radiance of a resolved surface towards a direction (unit, away from it), W m-2 sr-1 um-1; null where it emits
   /// nothing. `scratch` (3 stride() floats, 64-byte aligned) is used where the surface is_mixed().
@@ -101,9 +109,13 @@ class SpectralScene {
   std::vector<double> path_radiance() const;
 
  private:
-  const float* emission(const scene::Constituent& constituent, double cosine, float* scratch,
-                        float* work) const;
+  const float* emission(const scene::Constituent& constituent, double cosine, math::Vec3 outgoing,
+                        float* scratch, float* work) const;
+  /// What temperature makes it emit, without a lamp.
+  const float* thermal_emission(const scene::Constituent& constituent, double cosine, float* scratch,
+                                float* work) const;
   void emit_surfaces();
+  void light_lamps();
   void find_emitters();
   void find_mirrors();
   void emit(const scene::SurfaceState& state, float* spectrum) const;
@@ -123,8 +135,10 @@ class SpectralScene {
   materials::SpectralMaterials materials_;
   radiometry::SpectrumBlock emission_;  // by state; towards all sides alike
   radiometry::SpectrumBlock black_;     // by state, of directional materials: a black body of its temperature
-  radiometry::SpectrumBlock light_;     // by LightRow
-  std::unique_ptr<radiometry::PlanckTable> planck_;  // only where a temperature map needs it
+  radiometry::SpectrumBlock lamps_;     // by lamp, in its brightest direction
+  std::vector<const scene::RadiationPattern*> patterned_;  // by state; empty: all shine evenly
+  radiometry::SpectrumBlock light_;                        // by LightRow
+  std::unique_ptr<radiometry::PlanckTable> planck_;        // only where a temperature map needs it
   std::unique_ptr<const SkyDome> dome_;
   std::unique_ptr<const ViewTable> view_table_, single_view_;
   std::vector<double> heights_m_;                        // rising from 0; empty: all is as at the ground

@@ -38,6 +38,7 @@ SchemaType<std::vector<ObjectDocument>> objects_type();
 SchemaType<SceneDocument> scene_type();
 
 SchemaType<LightDocument> light_type();
+SchemaType<std::vector<LampDocument>> lamps_type();
 SchemaType<AtmosphereDocument> atmosphere_type();
 SchemaType<ImportedDocument> imported_type();
 SchemaType<WeatherDocument> weather_type();

@@ -3,6 +3,7 @@
 #include <compare>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/surfaces/assignment_assembly.h"
+#include "session/assembly/surfaces/lamp_assembly.h"
 
 namespace ifov::session {
 namespace {
@@ -63,7 +65,7 @@ class GeometryAssembly {
         cache_(cache),
         shapes_(document, frame, builder_, cache, log) {}
 
-  std::unique_ptr<geometry::World> assemble(PlacedObjects& placed) {
+  std::unique_ptr<geometry::World> assemble(std::span<const PlacedLamp> lamps, PlacedObjects& placed) {
     const math::Transform scene_from_document =
         math::Transform::translation(-document_.scene.origin.offset_m);
     for (const io::ObjectDocument& object : document_.scene.objects) {
@@ -71,6 +73,7 @@ class GeometryAssembly {
       with_position(document_, object.position, [&] { place(object, scene_from_document); });
     }
     placed.end(builder_.object_count());
+    place_lamps(lamps);
     geometry::BuildOptions options;
     options.surveyed = assignments_.mirrors();
     options.lobes = assignments_.lobes();
@@ -93,6 +96,18 @@ class GeometryAssembly {
         materials.push_back(assignments_.assignment(*object.material, slot, object.temperature));
       builder_.place(shape.id, scene_from_object * shape.object_from_shape, materials,
                      object.pilot_ray.value_or(true));
+    }
+  }
+
+  void place_lamps(std::span<const PlacedLamp> lamps) {
+    std::optional<geometry::ShapeId> ball, disk;
+    for (const PlacedLamp& lamp : lamps) {
+      std::optional<geometry::ShapeId>& shape = lamp.is_disk ? disk : ball;
+      if (!shape)
+        shape = builder_.add_shape(lamp.is_disk ? geometry::Shape(geometry::Disk{})
+                                                : geometry::Shape(geometry::Sphere{}));
+      const std::vector<std::uint32_t> materials{assignments_.assignment(lamp.state)};
+      builder_.place(*shape, lamp.scene_from_unit, materials, true);
     }
   }
 
@@ -226,10 +241,11 @@ class GeometryAssembly {
 }  // namespace
 
 std::unique_ptr<geometry::World> assemble_geometry(const io::Document& document,
-                                                   AssignmentAssembly& assignments, const MapFrame& frame,
+                                                   AssignmentAssembly& assignments,
+                                                   std::span<const PlacedLamp> lamps, const MapFrame& frame,
                                                    LogSink* log, io::SceneCache* cache,
                                                    PlacedObjects& placed) {
-  return GeometryAssembly(document, assignments, frame, log, cache).assemble(placed);
+  return GeometryAssembly(document, assignments, frame, log, cache).assemble(lamps, placed);
 }
 
 }  // namespace ifov::session

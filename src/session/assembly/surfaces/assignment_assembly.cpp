@@ -147,6 +147,12 @@ std::uint32_t AssignmentAssembly::assignment(const io::MaterialBinding& binding,
   return add(std::move(assignment));
 }
 
+std::uint32_t AssignmentAssembly::assignment(scene::SurfaceState surface) {
+  scene::SurfaceAssignment assignment;
+  assignment.states.push_back(state(surface));
+  return add(std::move(assignment));
+}
+
 void AssignmentAssembly::add_patterns(scene::SurfaceAssignment& assignment,
                                       const std::vector<Surface>& surfaces) {
   std::vector<Pattern> reliefs, textures;

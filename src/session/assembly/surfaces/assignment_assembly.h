@@ -37,6 +37,9 @@ class AssignmentAssembly {
   std::uint32_t assignment(const io::MaterialBinding& binding, const std::string& slot_name,
                            const std::optional<io::TemperatureDocument>& temperature);
 
+  /// Of a surface of one state, without maps.
+  std::uint32_t assignment(scene::SurfaceState surface);
+
   /// By surface assignment made so far: whether any of its materials is a mirror; empty where none is.
   std::vector<bool> mirrors() const { return scene_.mirror_assignments(); }
   std::vector<bool> lobes() const { return scene_.lobe_assignments(); }

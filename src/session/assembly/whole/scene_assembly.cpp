@@ -8,6 +8,7 @@
 #include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/with_position.h"
 #include "session/assembly/surfaces/assignment_assembly.h"
+#include "session/assembly/surfaces/lamp_assembly.h"
 #include "session/assembly/whole/light_assembly.h"
 
 namespace ifov::session {
@@ -36,7 +37,8 @@ AssembledScene assemble_scene(const io::Document& document, LogSink* log, io::Sc
   const MapFrame frame(document);
   assembled.map_offset_m = frame.offset_m();
   AssignmentAssembly assignments(document, frame, scene, log);
-  scene.world = assemble_geometry(document, assignments, frame, log, cache, assembled.placed);
+  const std::vector<PlacedLamp> lamps = assemble_lamps(document, scene);
+  scene.world = assemble_geometry(document, assignments, lamps, frame, log, cache, assembled.placed);
   assembled.map_scales = assignments.map_scales();
   if (document.scene.periodic) {
     const io::PeriodicDocument& periodic = *document.scene.periodic;
