@@ -13,6 +13,7 @@
 #include "scene/lamp.h"
 #include "scene/scene.h"
 #include "transport/emitters.h"
+#include "transport/lamp_light.h"
 #include "transport/mirrors/emitter_mirrors.h"
 #include "transport/mirrors/sun_lobes.h"
 #include "transport/mirrors/sun_mirrors.h"
@@ -290,7 +291,7 @@ const float* SpectralScene::emission(const scene::ResolvedSurface& surface, math
 
 std::vector<double> SpectralScene::white_reflected() const {
   const double sine = scene_.sun ? std::max(0.0, scene_.sun->direction.z) : 0.0;
-  std::vector<double> white(nodes_.channel_count(), 0.0);
+  std::vector<double> white = white_below_lamps(*this);
   for (std::size_t c = 0; c < white.size(); ++c)
     for (std::size_t n = nodes_.first_node(c); n < nodes_.first_node(c + 1); ++n) {
       const double reflected = light_.row(kSunIrradiance)[n] * sine / std::numbers::pi + light_.row(kSky)[n];

@@ -103,7 +103,8 @@ class SpectralScene {
   /// How much brighter than at the ground the sky is there.
   const float* sky_share(double height_m, float* scratch) const;
 
-  /// By channel: radiance of a level white Lambertian under Sun and sky, through the view path's transmittance.
+  /// By channel: radiance of a level white Lambertian under Sun and sky, through the view path's transmittance, and of one below
+  /// the lamp that lights it most.
   std::vector<double> white_reflected() const;
   /// What the path to the sensor adds, by channel, W m-2 sr-1 um-1.
   std::vector<double> path_radiance() const;

@@ -38,7 +38,8 @@ std::vector<std::string> channels_that(const Parts& parts, Is is) {
 bool dark(const Parts& parts, const SceneSurvey& survey, std::size_t c) {
   const std::vector<double> path = parts.spectral_scene->path_radiance();
   return !(survey.sun[c].high > kNothing) && !(survey.sky[c].high > kNothing) &&
-         !(survey.radiance[c].high > kNothing) && !(path[c] > kNothing);
+         !(survey.radiance[c].high > kNothing) && !(path[c] > kNothing) &&
+         !(parts.spectral_scene->white_reflected()[c] > kNothing);
 }
 
 void warn_of_dark_channels(const Parts& parts, const SceneSurvey& survey, LogSink& log) {

@@ -13,6 +13,7 @@ struct CameraDocument;
 struct ChannelDocument;
 struct Document;
 struct ImportedDocument;
+struct LampDocument;
 struct LightDocument;
 struct MaterialDocument;
 struct ObjectDocument;
