@@ -13,6 +13,7 @@
 #include "io/photometry/ies.h"
 #include "radiometry/photometry.h"
 #include "radiometry/planck.h"
+#include "scene/lamp.h"
 #include "session/assembly/shared/spectrum_assembly.h"
 #include "session/assembly/shared/with_position.h"
 

@@ -2,9 +2,7 @@
 
 #include <vector>
 
-#include "io/document/light_document.h"
 #include "math/transform.h"
-#include "scene/lamp.h"
 #include "scene/scene.h"
 
 namespace ifov::io {
