@@ -3,7 +3,7 @@
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
-add_library(libifov SHARED $<TARGET_OBJECTS:ifov_session>)
+add_library(libifov SHARED $<TARGET_OBJECTS:ifov_session_facade>)
 add_library(ifov::ifov ALIAS libifov)
 set(IFOV_SYMBOLS ${CMAKE_CURRENT_LIST_DIR}/libifov.map)
 # The names of include/ifov may change with every 0.x; from 1.0 on they will not within one number.

@@ -8,14 +8,19 @@ function(ifov_room name)
   ifov_library(ifov_${name} "${sources}" "${ROOM_ROOMS}" "${ROOM_LIBRARIES}")
 endfunction()
 
-# A room that others want in part is several libraries ifov_<room>_<part>, each made of some of its folders (FOLDERS).
+# A room that others want in part is several libraries ifov_<room>_<part>, each made of some of its folders (FOLDERS; "."
+# for the room's own files).
 # PARTS are those of the same room that it may include. ROOMS of whoever wants no more than a part names <room>_<part>;
 # ifov_<room> is all parts that have been declared before ifov_whole_room.
 function(ifov_part room part)
   cmake_parse_arguments(PART "" "" "FOLDERS;PARTS;ROOMS;LIBRARIES" ${ARGN})
   set(sources)
   foreach(folder ${PART_FOLDERS})
-    file(GLOB_RECURSE found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+    if(folder STREQUAL ".")
+      file(GLOB found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    else()
+      file(GLOB_RECURSE found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+    endif()
     list(APPEND sources ${found})
   endforeach()
   list(TRANSFORM PART_PARTS PREPEND ${room}_)
