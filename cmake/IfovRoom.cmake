@@ -90,8 +90,9 @@ function(ifov_compile_options target)
   ifov_harden(${target})
 endfunction()
 
-# What a processor needs for IFOV_MARCH, as words of __builtin_cpu_supports; src/cli/processor.cpp asks for each.
-function(ifov_processor_needs result)
+# What a processor needs for IFOV_MARCH, as words of __builtin_cpu_supports, each of which src/cli/processor.cpp asks for; and the
+# level of the x86-64 psABI that holds most of it (2 to 4, or 1), which the loader of libifov asks for.
+function(ifov_processor_needs result level)
   execute_process(COMMAND ${CMAKE_CXX_COMPILER} -march=${IFOV_MARCH} -dM -E -x c++ /dev/null
                   OUTPUT_VARIABLE macros ERROR_VARIABLE error RESULT_VARIABLE status)
   if(NOT status EQUAL 0)
@@ -107,4 +108,21 @@ function(ifov_processor_needs result)
     endif()
   endforeach()
   set(${result} "${needs}" PARENT_SCOPE)
+
+  set(highest 1)
+  set(level_2 SSE3 SSSE3 SSE4_1 SSE4_2 POPCNT)
+  set(level_3 AVX AVX2 BMI BMI2 F16C FMA LZCNT MOVBE)
+  set(level_4 AVX512F AVX512BW AVX512CD AVX512DQ AVX512VL)
+  foreach(above 2 3 4)
+    math(EXPR below "${above} - 1")
+    if(highest EQUAL below)
+      set(highest ${above})
+      foreach(feature ${level_${above}})
+        if(NOT macros MATCHES "#define __${feature}__ 1")
+          set(highest ${below})
+        endif()
+      endforeach()
+    endif()
+  endforeach()
+  set(${level} ${highest} PARENT_SCOPE)
 endfunction()
