@@ -24,10 +24,11 @@ std::string describe(const Parts& parts) {
   const char* const body = !parts.scene.sun ? "no sun" : parts.scene.sun->is_moon ? "moon" : "sun";
   text += format("light: {}, {}\n", body, sky ? "sky" : "no sky");
   if (parts.atmosphere)
-    text += format("atmosphere: {} ('ifov atmosphere {}' shows it)\n",
-                   parts.document.atmosphere.modelled->description.air.model, parts.document.file_name);
+    text +=
+        format("atmosphere: {} ('ifov atmosphere {}' shows it)\n",
+               parts.document.atmosphere.modelled->description.air.model, parts.document.sources.file_name);
   if (parts.imported) text += "atmosphere: imported runs\n";
-  if (parts.weather) text += weather_statement(parts.document, *parts.weather) + "\n";
+  if (parts.weather) text += weather_statement(parts.document.time, *parts.weather) + "\n";
   text += format("sensor: {} x {} pixels, {} channels ({} spectral nodes)\n", parts.info.width_px,
                  parts.info.height_px, parts.channels.size(), parts.nodes->node_count());
   text += format("sampling: {}\n",

@@ -66,6 +66,7 @@ void add_lamps(const scene::Scene& scene, radiometry::NodeDemands& demands) {
 }  // namespace
 
 void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept) {
+  const io::Document& document = parts.document;
   const scene::Scene& scene = parts.scene;
   std::vector<radiometry::Spectrum> surfaces;
   for (const materials::Material& material : scene.materials) {
@@ -74,32 +75,34 @@ void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmo
     if (!material.transmittance) continue;
     surfaces.push_back(*material.transmittance);
     // What a leaf emits is what it neither reflects nor transmits.
-    if (parts.document.atmosphere.modelled)
+    if (document.atmosphere.modelled)
       surfaces.push_back(radiometry::sum(material.reflectance, *material.transmittance));
   }
   if (scene.sun) surfaces.push_back(scene.sun->transmittance);
   if (scene.view_path.transmittance) surfaces.push_back(*scene.view_path.transmittance);
 
   const render::AccuracyRequest* request = parts.plan.request ? &*parts.plan.request : nullptr;
-  const AtmosphereSubject subject{parts.document, scene, *parts.camera, parts.channels, request};
+  const AtmosphereSubject subject{document.sources, scene, *parts.camera, parts.channels, request};
   radiometry::NodeDemands demands;
   demands.tolerance = node_tolerance(scene, parts.channels, request, demands.tolerance);
-  if (const std::optional<int>& depth = parts.document.sampling.max_depth)
+  if (const std::optional<int>& depth = document.sampling.max_depth)
     demands.reflections = std::clamp(*depth, 1, demands.reflections);
   const scene::TemperatureRange emitted = scene.temperatures().value_or(scene::TemperatureRange{});
   demands.coldest_k = emitted.coldest_k;
   demands.hottest_k = emitted.hottest_k;
   add_lamps(scene, demands);
-  demands.all_glow = parts.document.atmosphere.modelled && scene.all_emit();
-  if (parts.document.atmosphere.modelled) {
-    parts.atmosphere = assemble_atmosphere(subject, surfaces, demands,
-                                           {options.threads, kept, atmosphere_progress(options), log});
+  demands.all_glow = document.atmosphere.modelled && scene.all_emit();
+  if (document.atmosphere.modelled) {
+    parts.atmosphere =
+        assemble_atmosphere(document.atmosphere, document.scene.origin, document.sensor, subject, surfaces,
+                            demands, {options.threads, kept, atmosphere_progress(options), log});
     parts.nodes = &parts.atmosphere->nodes();
     parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.atmosphere);
     return;
   }
-  if (parts.document.atmosphere.imported) {
-    parts.imported = assemble_imported(subject, surfaces, demands, log);
+  if (document.atmosphere.imported) {
+    parts.imported =
+        assemble_imported(*document.atmosphere.imported, document.light, subject, surfaces, demands, log);
     parts.nodes = &parts.imported->nodes();
     parts.spectral_scene = std::make_unique<transport::SpectralScene>(scene, *parts.imported);
     return;

@@ -98,12 +98,12 @@ class Ranks(WholeProducts, unittest.TestCase):
                 done = mpirun(ranks, "render", "scene.json", cwd=folder, launch=launch)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
                 # Said once, by the first rank.
-                self.assertEqual(len(re.findall(r"^3300 pixels, ", done.stdout, re.MULTILINE)), 1, done.stdout)
+                self.assertEqual(len(re.findall(r"^1800 pixels, ", done.stdout, re.MULTILINE)), 1, done.stdout)
                 self.expect_whole(folder / "scene.out")
 
     def test_tiles_that_take_no_time_are_handed_out_in_groups(self):
         """Thousands of them, far quicker than a message."""
-        cheap = re.sub(r'"sampling": .*\n', '"sampling": {"single": {}, "tile": 4},\n', SCENE).replace("[60, 55]", "[400, 300]")
+        cheap = re.sub(r'"sampling": .*\n', '"sampling": {"single": {}, "tile": 4},\n', SCENE).replace("[45, 40]", "[400, 300]")
         with Folder(scene=cheap) as folder:
             self.assertEqual(run("render", "scene.json", "-o", "alone", cwd=folder).returncode, 0)
             done = mpirun(3, "render", "scene.json", cwd=folder)
@@ -221,7 +221,7 @@ class Ranks(WholeProducts, unittest.TestCase):
             content = products(folder)
             return content | {"run.kept": sorted(os.listdir(folder / "run.kept"))}
 
-        first = SCENE.replace("[60, 55]", "[30, 25]")
+        first = SCENE.replace("[45, 40]", "[30, 25]")
         with Folder(scene=first) as folder:
             launchers = {"alone": lambda *words: run("render", "scene.json", *words, cwd=folder),
                          "ranks": lambda *words: mpirun(3, "render", "scene.json", *words, cwd=folder)}
@@ -238,7 +238,7 @@ class Ranks(WholeProducts, unittest.TestCase):
                 self.assertEqual(whole(folder / where), whole(folder / "alone"), where)
 
     def test_a_damaged_kept_tile_is_told_by_the_rank_that_met_it(self):
-        first = SCENE.replace("[60, 55]", "[30, 25]")
+        first = SCENE.replace("[45, 40]", "[30, 25]")
         with Folder(scene=first) as folder:
             self.assertEqual(run("render", "scene.json", "--keep", cwd=folder).returncode, 0)
             for pack in (folder / "scene.out/run.kept/tiles").iterdir():

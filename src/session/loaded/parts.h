@@ -21,6 +21,9 @@ namespace ifov::atmosphere {
 class ImportedAtmosphere;
 class SensorAtmosphere;
 }  // namespace ifov::atmosphere
+namespace ifov::io {
+struct Document;
+}
 namespace ifov::radiometry {
 class SpectralNodes;
 }

@@ -15,14 +15,14 @@ class Camera;
 }
 
 namespace ifov::io {
-struct Document;
+struct DocumentSources;
 }
 
 namespace ifov::session {
 
 /// What the air is worked out for: a sensor over a scene, and how exactly.
 struct AtmosphereSubject {
-  const io::Document& document;
+  const io::DocumentSources& sources;
   const scene::Scene& scene;
   const sensor::Camera& camera;
   std::span<const radiometry::Channel> channels;

@@ -10,7 +10,6 @@
 
 #include "geometry/world.h"
 #include "geometry/world/world_builder.h"
-#include "io/document/document.h"
 #include "io/instances/instance_csv.h"
 #include "io/instances/instance_file.h"
 #include "io/scene_cache/scene_cache.h"
@@ -56,21 +55,23 @@ class SlotList {
 
 class GeometryAssembly {
  public:
-  GeometryAssembly(const io::Document& document, AssignmentAssembly& assignments, const MapFrame& frame,
-                   LogSink* log, io::SceneCache* cache)
-      : document_(document),
+  GeometryAssembly(const io::DocumentSources& sources, std::span<const io::ObjectDocument> objects,
+                   std::span<const io::PrototypeDocument> prototypes, AssignmentAssembly& assignments,
+                   const MapFrame& frame, LogSink* log, io::SceneCache* cache)
+      : sources_(sources),
+        objects_(objects),
+        prototype_documents_(prototypes),
         assignments_(assignments),
         frame_(frame),
         log_(log),
         cache_(cache),
-        shapes_(document, frame, builder_, cache, log) {}
+        shapes_(sources, frame, builder_, cache, log) {}
 
   std::unique_ptr<geometry::World> assemble(std::span<const PlacedLamp> lamps, PlacedObjects& placed) {
-    const math::Transform scene_from_document =
-        math::Transform::translation(-document_.scene.origin.offset_m);
-    for (const io::ObjectDocument& object : document_.scene.objects) {
+    const math::Transform scene_from_document = math::Transform::translation(-frame_.document_offset_m());
+    for (const io::ObjectDocument& object : objects_) {
       placed.begin(builder_.object_count());
-      with_position(document_, object.position, [&] { place(object, scene_from_document); });
+      with_position(sources_, object.position, [&] { place(object, scene_from_document); });
     }
     placed.end(builder_.object_count());
     place_lamps(lamps);
@@ -86,7 +87,7 @@ class GeometryAssembly {
     if (const io::DocumentName* of = copied_by(object)) {
       place_copies(object, prototype(of->name), scene_from_object);
     } else if (std::holds_alternative<io::CityShape>(object.shape)) {
-      place_city(document_, object, scene_from_object, frame_, assignments_, builder_, log_);
+      place_city(sources_, object, scene_from_object, frame_, assignments_, builder_, log_);
     } else if (const auto* placement = std::get_if<io::RandomPlacement>(&object.shape)) {
       place_at_random(object, *placement, scene_from_document);
     } else {
@@ -133,8 +134,7 @@ class GeometryAssembly {
                        const math::Transform& scene_from_document) {
     const geometry::World* carrier =
         placement.on ? &ground(placement.on->name, scene_from_document) : nullptr;
-    std::vector<std::vector<io::Instance>> copies =
-        random_copies(document_, placement, frame_, carrier, log_);
+    std::vector<std::vector<io::Instance>> copies = random_copies(sources_, placement, frame_, carrier, log_);
     for (std::size_t k = 0; k < copies.size(); ++k) {
       if (copies[k].empty()) continue;
       const BuiltPrototype& built = prototype(placement.of[k].prototype.name);
@@ -148,10 +148,10 @@ class GeometryAssembly {
   const geometry::World& ground(const std::string& name, const math::Transform& scene_from_document) {
     std::unique_ptr<geometry::World>& world = grounds_[name];
     if (world) return *world;
-    GeometryAssembly alone(document_, assignments_, frame_, nullptr, cache_);
-    for (const io::ObjectDocument& object : document_.scene.objects)
+    GeometryAssembly alone(sources_, objects_, prototype_documents_, assignments_, frame_, nullptr, cache_);
+    for (const io::ObjectDocument& object : objects_)
       if (object.name == name && object.material)
-        with_position(document_, object.position, [&] { alone.place(object, scene_from_document); });
+        with_position(sources_, object.position, [&] { alone.place(object, scene_from_document); });
     world = alone.builder_.build();
     return *world;
   }
@@ -162,10 +162,10 @@ class GeometryAssembly {
     BuiltPrototype built;
     SlotList slots;
     std::vector<geometry::Part> parts;
-    for (const io::PrototypeDocument& source : document_.scene.prototypes) {
+    for (const io::PrototypeDocument& source : prototype_documents_) {
       if (source.name != name) continue;
       for (const io::ObjectDocument& object : source.objects)
-        with_position(document_, object.position, [&] { parts.push_back(part_of(object, slots)); });
+        with_position(sources_, object.position, [&] { parts.push_back(part_of(object, slots)); });
     }
     built.slots = std::move(slots).take();
     built.id = builder_.add_prototype(parts);
@@ -207,7 +207,7 @@ class GeometryAssembly {
     const auto file = many->binary ? many->binary : many->csv;
     if (file) {
       const auto list =
-          with_position(document_, file->position, [&]() -> std::shared_ptr<const geometry::Placements> {
+          with_position(sources_, file->position, [&]() -> std::shared_ptr<const geometry::Placements> {
             if (many->binary) return std::make_shared<io::InstanceFile>(file->path);
             return cached_instances(cache_, {file->path}, [&] { return io::read_instance_csv(file->path); });
           });
@@ -227,7 +227,9 @@ class GeometryAssembly {
     return transform * math::Transform::scaling(source.scale);
   }
 
-  const io::Document& document_;
+  const io::DocumentSources& sources_;
+  std::span<const io::ObjectDocument> objects_;
+  std::span<const io::PrototypeDocument> prototype_documents_;
   AssignmentAssembly& assignments_;
   const MapFrame& frame_;
   LogSink* log_;
@@ -240,12 +242,15 @@ class GeometryAssembly {
 
 }  // namespace
 
-std::unique_ptr<geometry::World> assemble_geometry(const io::Document& document,
+std::unique_ptr<geometry::World> assemble_geometry(const io::DocumentSources& sources,
+                                                   std::span<const io::ObjectDocument> objects,
+                                                   std::span<const io::PrototypeDocument> prototypes,
                                                    AssignmentAssembly& assignments,
                                                    std::span<const PlacedLamp> lamps, const MapFrame& frame,
                                                    LogSink* log, io::SceneCache* cache,
                                                    PlacedObjects& placed) {
-  return GeometryAssembly(document, assignments, frame, log, cache).assemble(lamps, placed);
+  return GeometryAssembly(sources, objects, prototypes, assignments, frame, log, cache)
+      .assemble(lamps, placed);
 }
 
 }  // namespace ifov::session

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/overloaded.h"
-#include "io/document/document.h"
 #include "io/raster/fill_unknown.h"
 #include "io/spectra/brdf_table.h"
 #include "materials/bsdf/bsdf_model.h"
@@ -19,13 +18,13 @@ namespace ifov::session {
 namespace {
 
 /// Whether a spectrum keeps to what its parameter may be, in all wavelengths.
-void check_range(const io::Document& document, const io::SpectrumDocument& source,
+void check_range(const io::DocumentSources& sources, const io::SpectrumDocument& source,
                  const radiometry::Spectrum& spectrum, const materials::BsdfParameter& parameter) {
   const double low = spectrum.minimum(), high = spectrum.maximum();
   if (low >= parameter.low && high <= parameter.high) return;
   const bool is_low = low < parameter.low;
   const double limit = is_low ? parameter.low : parameter.high, value = is_low ? low : high;
-  with_position(document, source.position, [&] {
+  with_position(sources, source.position, [&] {
     throw InputError(format("'{}' is {:g}{}, {} {:g}: it lies between {:g} and {:g}", parameter.key, value,
                             spectrum.is_constant() ? "" : " at some wavelength", is_low ? "below" : "above",
                             limit, parameter.low, parameter.high));
@@ -34,9 +33,14 @@ void check_range(const io::Document& document, const io::SpectrumDocument& sourc
 
 }  // namespace
 
-AssignmentAssembly::AssignmentAssembly(const io::Document& document, const MapFrame& frame,
-                                       scene::Scene& scene, LogSink* log)
-    : document_(document), scene_(scene), log_(log), textures_(document, frame, log) {
+AssignmentAssembly::AssignmentAssembly(const io::DocumentSources& sources,
+                                       const std::vector<io::MaterialDocument>& materials, std::uint64_t seed,
+                                       const MapFrame& frame, scene::Scene& scene, LogSink* log)
+    : sources_(sources),
+      written_(materials),
+      scene_(scene),
+      log_(log),
+      textures_(sources, materials, seed, frame, log) {
   add_materials();
 }
 
@@ -56,12 +60,12 @@ void AssignmentAssembly::assemble_scattering(const io::MaterialDocument& source,
                           [&](const std::string& word) { inputs.values.emplace_back(key, word); },
                           [&](const io::SpectrumDocument& spectrum) {
                             const radiometry::Spectrum values =
-                                assemble_spectrum(document_, spectrum, format("{} of {}", key, source.name));
-                            check_range(document_, spectrum, values, parameter(key));
+                                assemble_spectrum(sources_, spectrum, format("{} of {}", key, source.name));
+                            check_range(sources_, spectrum, values, parameter(key));
                             inputs.values.emplace_back(key, values);
                           },
                           [&](const io::DocumentFile& file) {
-                            with_position(document_, file.position, [&] {
+                            with_position(sources_, file.position, [&] {
                               inputs.values.emplace_back(key, io::read_brdf_table(file.path));
                             });
                           },
@@ -77,21 +81,21 @@ void AssignmentAssembly::assemble_scattering(const io::MaterialDocument& source,
 
 void AssignmentAssembly::add_materials() {
   std::vector<materials::Material> further;
-  const auto first = static_cast<std::uint32_t>(document_.scene.materials.size());
-  for (const io::MaterialDocument& source : document_.scene.materials) {
+  const auto first = static_cast<std::uint32_t>(written_.size());
+  for (const io::MaterialDocument& source : written_) {
     materials::Material material;
     material.name = source.name;
     if (source.transmittance)
       material.transmittance =
-          assemble_spectrum(document_, *source.transmittance, format("transmittance of {}", source.name));
+          assemble_spectrum(sources_, *source.transmittance, format("transmittance of {}", source.name));
     if (source.temperature)
       if (const double* fixed_k = std::get_if<double>(&source.temperature->value))
         material.temperature_k = *fixed_k;
     const auto take = [&](const io::SpectrumDocument& curve, const std::string& what) {
       const radiometry::Spectrum spectrum =
-          assemble_spectrum(document_, curve, format("{}{}", what, source.name));
+          assemble_spectrum(sources_, curve, format("{}{}", what, source.name));
       material.reflectance = source.is_emissivity ? spectrum.complement() : spectrum;
-      with_position(document_, source.position, [&] { assemble_scattering(source, material); });
+      with_position(sources_, source.position, [&] { assemble_scattering(source, material); });
     };
     take(source.spectrum, source.further_curves.empty() ? "" : "curve 1 of ");
     scene_.materials.push_back(material);
@@ -119,21 +123,21 @@ std::uint32_t AssignmentAssembly::assignment(const io::MaterialBinding& binding,
                      for (const auto& slot : slots.slots)
                        names += (names.empty() ? "'" : ", '") + slot.first + "'";
                      throw io::document_error(
-                         document_, binding.position,
+                         sources_, binding.position,
                          format("no material for slot '{}' of the mesh; the slots given are {}", slot_name,
                                 names.empty() ? "none" : names));
                    }
                    surfaces.push_back(surface_of(found->second, temperature));
                  },
                  [&](const io::MaterialMap& map) {
-                   with_position(document_, binding.position, [&] { assignment.classes = class_map(map); });
+                   with_position(sources_, binding.position, [&] { assignment.classes = class_map(map); });
                    for (const auto& entry : map.classes)
                      surfaces.push_back(surface_of(entry.second, temperature));
                  },
                  [&](const io::MixtureDocument& source) {
                    for (const io::DocumentName& material : source.materials)
                      surfaces.push_back(surface_of(material, temperature));
-                   with_position(document_, binding.position,
+                   with_position(sources_, binding.position,
                                  [&] { assignment.patterns.push_back(mixture(source, surfaces)); });
                    assignment.states.push_back(surfaces[0].state);
                  }},
@@ -160,7 +164,7 @@ void AssignmentAssembly::add_patterns(scene::SurfaceAssignment& assignment,
     if (std::find(list.begin(), list.end(), pattern) == list.end()) list.push_back(pattern);
   };
   for (const Surface& surface : surfaces) {
-    const io::MaterialDocument& source = document_.scene.materials[surface.material];
+    const io::MaterialDocument& source = written_[surface.material];
     if (source.relief) {
       Pattern& relief = patterns_[format("relief {}", surface.material)];
       if (!relief)
@@ -263,11 +267,11 @@ AssignmentAssembly::Surface AssignmentAssembly::surface_of(
   Surface surface;
   surface.material = material_index(material.name);
   const std::optional<io::TemperatureDocument>& source =
-      temperature ? temperature : document_.scene.materials[surface.material].temperature;
+      temperature ? temperature : written_[surface.material].temperature;
   if (source) {
     std::visit(Overloaded{[&](double fixed_k) { surface.fixed_k = fixed_k; },
                           [&](const io::TemperatureMap& map) {
-                            with_position(document_, source->position,
+                            with_position(sources_, source->position,
                                           [&] { surface.temperature = temperature_map(map); });
                           }},
                source->value);
@@ -314,8 +318,8 @@ std::shared_ptr<const materials::TemperatureMap> AssignmentAssembly::temperature
 }
 
 std::uint32_t AssignmentAssembly::material_index(const std::string& name) const {
-  for (std::size_t m = 0; m < document_.scene.materials.size(); ++m)
-    if (document_.scene.materials[m].name == name) return static_cast<std::uint32_t>(m);
+  for (std::size_t m = 0; m < written_.size(); ++m)
+    if (written_[m].name == name) return static_cast<std::uint32_t>(m);
   throw InputError(format("there is no material '{}'", name));
 }
 

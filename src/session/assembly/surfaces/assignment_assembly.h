@@ -16,7 +16,7 @@
 #include "session/assembly/surfaces/texture_assembly.h"
 
 namespace ifov::io {
-struct Document;
+struct DocumentSources;
 }
 namespace ifov::materials {
 class MixtureMap;
@@ -29,8 +29,9 @@ namespace ifov::session {
 class AssignmentAssembly {
  public:
   /// Reads all materials into the scene: those of the document in its order, then the further curves of textured ones.
-  /// Keeps all references; `log` may be null.
-  AssignmentAssembly(const io::Document& document, const MapFrame& frame, scene::Scene& scene, LogSink* log);
+  /// Keeps all references; `seed` as of TextureAssembly; `log` may be null.
+  AssignmentAssembly(const io::DocumentSources& sources, const std::vector<io::MaterialDocument>& materials,
+                     std::uint64_t seed, const MapFrame& frame, scene::Scene& scene, LogSink* log);
 
   /// Index of the surface assignment for a binding on one slot of an object (`slot_name` as in a mesh file, else empty);
   /// `temperature` replaces the materials' own.
@@ -69,7 +70,8 @@ class AssignmentAssembly {
   void add_patterns(scene::SurfaceAssignment& assignment, const std::vector<Surface>& surfaces);
   std::uint32_t add(scene::SurfaceAssignment assignment);
 
-  const io::Document& document_;
+  const io::DocumentSources& sources_;
+  const std::vector<io::MaterialDocument>& written_;
   scene::Scene& scene_;
   LogSink* log_;
   TextureAssembly textures_;

@@ -8,12 +8,13 @@
 #include <optional>
 #include <string>
 
-#include "io/document/document.h"
+#include "io/document/light_document.h"
 #include "io/document/shapes/measures.h"
 #include "io/photometry/ies.h"
 #include "radiometry/photometry.h"
 #include "radiometry/planck.h"
 #include "scene/lamp.h"
+#include "session/assembly/shared/map_frame.h"
 #include "session/assembly/shared/spectrum_assembly.h"
 #include "session/assembly/shared/with_position.h"
 
@@ -45,7 +46,8 @@ math::Vec3 plane_of_zero(const io::LampDocument& lamp) {
 
 class LampAssembly {
  public:
-  LampAssembly(const io::Document& document, scene::Scene& scene) : document_(document), scene_(scene) {
+  LampAssembly(const io::DocumentSources& sources, const MapFrame& frame, scene::Scene& scene)
+      : sources_(sources), frame_(frame), scene_(scene) {
     materials::Material black;
     black.name = "light source";
     material_ = static_cast<std::uint32_t>(scene.materials.size());
@@ -55,7 +57,7 @@ class LampAssembly {
   PlacedLamp place(const io::LampDocument& lamp) {
     PlacedLamp placed;
     placed.is_disk = lamp.form == Form::disk;
-    const math::Point3 at = lamp.at_m - document_.scene.origin.offset_m;
+    const math::Point3 at = lamp.at_m - frame_.document_offset_m();
     const math::Transform sized = math::Transform::scaling({lamp.radius_m, lamp.radius_m, lamp.radius_m});
     placed.scene_from_unit = placed.is_disk ? io::upright_to(at, lamp.towards) * sized
                                             : math::Transform::translation(at - math::Point3{}) * sized;
@@ -100,7 +102,7 @@ class LampAssembly {
       lamp.pattern = spot;
     }
     if (source.form == Form::goniometer) {
-      measured = with_position(document_, source.intensities->position,
+      measured = with_position(sources_, source.intensities->position,
                                [&] { return io::read_ies(source.intensities->path); });
       solid_angle_sr = measured->flux_lm() / measured->highest();
       lamp.pattern =
@@ -130,8 +132,8 @@ class LampAssembly {
     if (source.temperature_k) return blackbody(*source.temperature_k);
     const auto& given = source.radiance ? source.radiance : source.spectrum;
     if (!given) return radiometry::Spectrum::constant(1.0);
-    const radiometry::Spectrum spectrum = assemble_spectrum(document_, *given, "light of a lamp");
-    with_position(document_, given->position, [&] {
+    const radiometry::Spectrum spectrum = assemble_spectrum(sources_, *given, "light of a lamp");
+    with_position(sources_, given->position, [&] {
       if (spectrum.minimum() < 0.0) throw InputError("the light is below 0 at some wavelength");
       if (!(spectrum.maximum() > 0.0)) throw InputError("the light is 0 at all wavelengths");
     });
@@ -139,7 +141,8 @@ class LampAssembly {
     return spectrum.is_constant() ? spectrum : spectrum.with_outside(radiometry::OutsideRange::zero);
   }
 
-  const io::Document& document_;
+  const io::DocumentSources& sources_;
+  const MapFrame& frame_;
   scene::Scene& scene_;
   std::uint32_t material_ = 0;
   std::map<std::string, std::uint32_t> known_;
@@ -147,12 +150,14 @@ class LampAssembly {
 
 }  // namespace
 
-std::vector<PlacedLamp> assemble_lamps(const io::Document& document, scene::Scene& scene) {
+std::vector<PlacedLamp> assemble_lamps(const io::DocumentSources& sources,
+                                       std::span<const io::LampDocument> lamps, const MapFrame& frame,
+                                       scene::Scene& scene) {
   std::vector<PlacedLamp> placed;
-  if (document.light.lamps.empty()) return placed;
-  LampAssembly assembly(document, scene);
-  for (const io::LampDocument& lamp : document.light.lamps)
-    with_position(document, lamp.position, [&] { placed.push_back(assembly.place(lamp)); });
+  if (lamps.empty()) return placed;
+  LampAssembly assembly(sources, frame, scene);
+  for (const io::LampDocument& lamp : lamps)
+    with_position(sources, lamp.position, [&] { placed.push_back(assembly.place(lamp)); });
   return placed;
 }
 
