@@ -150,7 +150,7 @@ class Runs(WholeProducts, unittest.TestCase):
             whole = products(folder / "scene.out")
         self.assertGreater(calls, 60)
         # The first calls are those of the lock and the plan, the last ones of assembly, publishing and clearing away.
-        moments = sorted({*range(1, 9), *range(calls - 40, calls + 1, 2), *random.Random(3).sample(range(1, calls), 20)})
+        moments = sorted({*range(1, 9), *range(calls - 40, calls + 1, 2), *random.Random(3).sample(range(1, calls), KILLS // 2)})
         for moment in moments:
             with self.subTest(call=moment), Folder(scene=QUICK) as folder:
                 process = start(folder, LD_PRELOAD=str(KILLER), IFOV_KILL_AT=str(moment))
