@@ -257,7 +257,7 @@ TEST(Bsdf, TheRegistryKnowsEveryModel) {
     EXPECT_EQ(std::string(error.what()),
               "there is no scattering model 'lambertain'; there are 'lambertian', 'mirror', 'oren_nayar', "
               "'ross_li', 'roujean', 'rpv', 'hapke', 'snow', 'table', 'rough_conductor', 'rough_dielectric', "
-              "'ward'");
+              "'ward', 'sea'");
   }
 }
 

@@ -13,6 +13,7 @@
 #include "materials/bsdf/rough_dielectric.h"
 #include "materials/bsdf/roujean.h"
 #include "materials/bsdf/rpv.h"
+#include "materials/bsdf/sea/sea.h"
 #include "materials/bsdf/snow.h"
 #include "materials/bsdf/tabulated.h"
 #include "materials/bsdf/ward.h"
@@ -20,12 +21,20 @@
 namespace ifov::materials {
 namespace {
 
-constexpr std::array kModels{&Lambertian::kModel,      &Mirror::kModel,
-                             &OrenNayar::kModel,       &RossLi::kModel,
-                             &Roujean::kModel,         &Rpv::kModel,
-                             &Hapke::kModel,           &Snow::kModel,
-                             &Tabulated::kModel,       &RoughConductor::kModel,
-                             &RoughDielectric::kModel, &Ward::kModel};
+constexpr std::array kModels{&Lambertian::kModel,
+                             &Mirror::kModel,
+                             &OrenNayar::kModel,
+                             &RossLi::kModel,
+                             &Roujean::kModel,
+                             &Rpv::kModel,
+                             &Hapke::kModel,
+                             &Snow::kModel,
+                             &Tabulated::kModel,
+                             &RoughConductor::kModel,
+                             &RoughDielectric::kModel,
+                             &Ward::kModel,
+                             &Sea::kModel,
+                             &Leaf::kModel};
 
 template <class Value>
 const Value& value_of(const BsdfInputs& inputs, std::string_view key) {
