@@ -79,6 +79,7 @@ std::vector<std::pair<std::string, std::shared_ptr<const Bsdf>>> models() {
   for (const BsdfModel* model : bsdf_models()) {
     BsdfInputs inputs{Spectrum({0.4, 1.0}, {0.3, 0.6}), {}};
     for (const BsdfParameter& p : model->parameters) {
+      if (p.key == "proteins" || p.key == "carbon") continue;  // in place of dry matter
       const double middle = 0.5 * (p.low + p.high);
       if (p.form == BsdfParameter::Form::word) {
         if (!p.optional) inputs.values.emplace_back(p.key, std::string(p.choices().front()));
@@ -257,7 +258,7 @@ TEST(Bsdf, TheRegistryKnowsEveryModel) {
     EXPECT_EQ(std::string(error.what()),
               "there is no scattering model 'lambertain'; there are 'lambertian', 'mirror', 'oren_nayar', "
               "'ross_li', 'roujean', 'rpv', 'hapke', 'snow', 'table', 'rough_conductor', 'rough_dielectric', "
-              "'ward', 'sea'");
+              "'ward', 'sea', 'leaf'");
   }
 }
 

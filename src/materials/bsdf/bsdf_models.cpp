@@ -6,6 +6,7 @@
 #include "materials/bsdf/bsdf_model.h"
 #include "materials/bsdf/hapke.h"
 #include "materials/bsdf/lambertian.h"
+#include "materials/bsdf/leaf/leaf.h"
 #include "materials/bsdf/mirror.h"
 #include "materials/bsdf/oren_nayar.h"
 #include "materials/bsdf/ross_li.h"
