@@ -40,6 +40,22 @@ struct UnitSquarePoint {
   double u1 = 0.0, u2 = 0.0;
 };
 
+/// A Mueller matrix in several wavelengths: 16 rows of `stride` floats, column by column, so that what is made of
+/// unpolarized light, the first column, is the first four.
+///
+/// Rows and columns are in the order I, Q, U, V, with the signs of radiometry::StokesVector. Light that arrives propagates along
+/// -incoming, light that leaves along outgoing; each side is about its radiometry::surface_frame(), x in the plane
+/// of its own direction and the event's normal (p) and y in the surface (s).
+struct MuellerRows {
+  float* values = nullptr;
+  std::size_t stride = 0;
+  /// False: light that arrives is unpolarized, and the first column alone is asked for.
+  bool all = true;
+
+  float* at(std::size_t row, std::size_t column) const { return values + (4 * column + row) * stride; }
+  std::size_t columns() const { return all ? 4 : 1; }
+};
+
 /// Spectral parameters of a model over wavelengths or nodes.
 using ParameterSpectra = std::span<const float* const>;
 
@@ -95,6 +111,17 @@ class Bsdf {
   /// spectra(), in their order. Never called of a separable model.
   virtual void evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
                         float* bsdf) const;
+
+  /// Whether light that leaves is polarized by the surface, or keeps of its polarization. Without it light leaves
+  /// unpolarized, whatever arrives.
+  virtual bool polarizes() const { return false; }
+  /// What evaluate_mueller() needs beside spectra(); they may be negative. None of a separable model.
+  virtual std::span<const radiometry::Spectrum> polarization_spectra() const { return {}; }
+  /// As evaluate(), the whole matrix (of a separable model over its factor; of a delta as seen by sample()): writes
+  /// columns() of `rows` in `count` wavelengths. `parameters` are the spectra of spectra() and then those of
+  /// polarization_spectra(). Element 0, 0 is what evaluate() gives. Called where polarizes() alone.
+  virtual void evaluate_mueller(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
+                                const MuellerRows& rows) const;
 };
 
 /// Whether highlights of the Sun may be far smaller than the thing that shows them.
