@@ -42,8 +42,8 @@ BsdfEvent event_of(double out_rad, double in_rad, double azimuth_rad, Side side 
           direction(kTilted, 0.5 * pi, 0.3), side};
 }
 
-/// A model with parameters and spectra of its own that is not separable, transmits and has a direction: what a path, a
-/// material and the registry promise holds for whatever comes.
+/// A model with parameters and spectra of its own that is not separable, transmits and has a direction: what
+/// a path, a material and the registry promise holds for whatever comes.
 class Dummy final : public Bsdf {
  public:
   Dummy(Spectrum back, double share) : spectra_{std::move(back)}, share_(share) {}
@@ -258,7 +258,8 @@ TEST(Bsdf, TheRegistryKnowsEveryModel) {
     EXPECT_EQ(std::string(error.what()),
               "there is no scattering model 'lambertain'; there are 'lambertian', 'mirror', 'oren_nayar', "
               "'ross_li', 'roujean', 'rpv', 'hapke', 'snow', 'table', 'rough_conductor', 'rough_dielectric', "
-              "'ward', 'sea', 'leaf'");
+              "'ward', 'sea', 'leaf', 'priest_germer', "
+              "'maxwell_beard', 'shell_target', 'maignan'");
   }
 }
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "materials/bsdf/leaf/wax_coat.h"
-#include "materials/bsdf/microfacet/facet_reflection.h"
+#include "materials/bsdf/microfacet/facet_mueller.h"
 #include "sampling/warp.h"
 
 namespace ifov::materials {
@@ -29,6 +29,10 @@ WaxCoat::WaxCoat(const Spectrum& index, double width, const Spectrum& inner_refl
     spectra_.push_back(combined(both, [](std::span<const double> v) { return v[0] / v[1]; }));
   }
   grey_ = grey_levels(spectra_);
+  polarization_ = FresnelRows::polarization_of_index(index, Spectrum::constant(0.0));
+  const std::vector<Spectrum> along = CoatRows::polarization_of_fresnel(
+      FacetShape::ggx, width, std::span(polarization_).first(FresnelRows::kCount));
+  polarization_.insert(polarization_.end(), along.begin(), along.end());
 }
 
 double WaxCoat::grey_spread(double cosine_out, double cosine_in, std::size_t place) const {
@@ -103,6 +107,23 @@ void WaxCoat::evaluate(const BsdfEvent& event, ParameterSpectra parameters, std:
     bsdf[n] += f[0] * r[0][n] + f[1] * r[1][n] + f[2] * r[2][n] + f[3] * r[3][n] + again * more[n];
 }
 
+void WaxCoat::spread_mueller(double cosine_out, double cosine_in, ParameterSpectra parameters,
+                             std::size_t place, std::size_t count, const MuellerRows& rows) const {
+  CoatRows::add_under(cosine_out, cosine_in, parameters.subspan(kPassed),
+                      parameters.subspan(spectra_.size() + 3 * FresnelRows::kCount), parameters[place], count,
+                      rows);
+}
+
+void WaxCoat::evaluate_mueller(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
+                               const MuellerRows& rows) const {
+  const auto [out, in] = directions_of(event);
+  write_facets(FacetPlane(event), FacetReflection(facets_, out, in), parameters.first(FresnelRows::kCount),
+               parameters.subspan(spectra_.size()), count, rows);
+  spread_mueller(out.z, in.z, parameters, kBack, count, rows);
+  const float again = static_cast<float>(albedo_->again(albedo_->lost(out), albedo_->lost(in)));
+  for (std::size_t n = 0; n < count; ++n) rows.at(0, 0)[n] += again * parameters[kAgain][n];
+}
+
 WaxedLeaf::WaxedLeaf(const Spectrum& index, double width, const Spectrum& inner_reflectance,
                      const Spectrum& inner_transmittance)
     : coat_(std::make_unique<WaxCoat>(index, width, inner_reflectance, inner_transmittance)) {}
@@ -147,6 +168,17 @@ void WaxedLeaf::evaluate(const BsdfEvent& event, ParameterSpectra parameters, st
   else
     WaxCoat::spread(event.outgoing_cosine(), event.incoming_cosine(), parameters, WaxCoat::kThrough, count,
                     bsdf);
+}
+
+std::span<const Spectrum> WaxedLeaf::polarization_spectra() const { return coat_->polarization_spectra(); }
+
+void WaxedLeaf::evaluate_mueller(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
+                                 const MuellerRows& rows) const {
+  if (event.side == Side::reflected) return coat_->evaluate_mueller(event, parameters, count, rows);
+  for (std::size_t column = 0; column < rows.columns(); ++column)
+    for (std::size_t row = 0; row < 4; ++row) std::fill_n(rows.at(row, column), count, 0.0f);
+  coat_->spread_mueller(event.outgoing_cosine(), event.incoming_cosine(), parameters, WaxCoat::kThrough,
+                        count, rows);
 }
 
 }  // namespace ifov::materials

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "materials/bsdf/bsdf.h"
+#include "materials/bsdf/event/bsdf_event.h"
 #include "materials/bsdf/microfacet/facet_reflection.h"
 
 namespace ifov::materials {

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "materials/bsdf/microfacet/coat_rows.h"
+#include "materials/bsdf/microfacet/facet_mueller.h"
 #include "radiometry/refractive_index.h"
 #include "sampling/warp.h"
 
@@ -31,7 +32,8 @@ SlopeStatistics statistics_of(const std::string& word) {
 }
 
 Sea::Surface surface_of(const BsdfInputs& inputs) {
-  // Below, highlights on other surfaces are not sought (facet_width); the slopes were measured up to kStrongest.
+  // Below, highlights on other surfaces are not sought (facet_width); the slopes were measured up to
+  // kStrongest.
   constexpr double kWeakest = 1.6, kStrongest = 14.0;
   const double wind = inputs.number("wind");
   if (wind < kWeakest)
@@ -86,13 +88,13 @@ const BsdfModel Sea::kModel{
 Sea::Sea(const Surface& surface, const Spectrum& below, const Spectrum& foam)
     : TwoLobes(0.5 * pi - surface.wind_from_rad),
       slopes_(surface.wind_m_s, surface.slopes),
-      is_skewed_(surface.slopes == SlopeStatistics::skewed),
       even_width_(std::sqrt(slopes_.variance_along() + slopes_.variance_across())),
       albedo_(FacetAlbedo::shared(FacetShape::beckmann, even_width_, even_width_)) {
   const double white = surface.whitecaps.value_or(whitecap_share(surface.wind_m_s)), clear = 1.0 - white;
 
-  const std::vector<Spectrum> fresnel =
-      FresnelRows::of_index(sea_water_index(surface.salinity), radiometry::refractive_index("water").k);
+  const Spectrum n = sea_water_index(surface.salinity);
+  const Spectrum& k = radiometry::refractive_index("water").k;
+  const std::vector<Spectrum> fresnel = FresnelRows::of_index(n, k);
   for (const Spectrum& row : fresnel) spectra_.push_back(row.scaled(clear));
   spectra_.push_back(combined(fresnel, [&](std::span<const double> v) {
     return clear * albedo_->again_factor(mean_reflectance(v));
@@ -103,6 +105,12 @@ Sea::Sea(const Surface& surface, const Spectrum& below, const Spectrum& foam)
   spectra_.push_back(combined(both, [&](std::span<const double> v) { return clear * v[0] / (v[1] * v[1]); }));
   spectra_.push_back(foam.scaled(white));
   grey_ = grey_levels(spectra_);
+
+  polarization_ = FresnelRows::polarization_of_index(n, k);
+  const std::vector<Spectrum> along = CoatRows::polarization_of_fresnel(
+      FacetShape::beckmann, even_width_, std::span(polarization_).first(FresnelRows::kCount));
+  for (Spectrum& row : polarization_) row = row.scaled(clear);
+  polarization_.insert(polarization_.end(), along.begin(), along.end());
 }
 
 double Sea::broad_share(Vec3 out) const {
@@ -170,6 +178,20 @@ void Sea::evaluate(const BsdfEvent& event, ParameterSpectra parameters, std::siz
     const float passes_in = b[0] * q[0][n] + b[1] * q[1][n] + b[2] * q[2][n] + b[3] * q[3][n];
     bsdf[n] = facets + even * (foam[n] + passes_out * passes_in * below[n]);
   }
+}
+
+void Sea::evaluate_mueller(const BsdfEvent& event, ParameterSpectra parameters, std::size_t count,
+                           const MuellerRows& rows) const {
+  const auto [out, in] = directions_of(event);
+  const std::size_t own = spectra_.size();
+  write_facets(FacetPlane(event), SeaReflection(slopes_, out, in), parameters.first(FresnelRows::kCount),
+               parameters.subspan(own), count, rows);
+  CoatRows::add_under(out.z, in.z, parameters.subspan(kPassed),
+                      parameters.subspan(own + 3 * FresnelRows::kCount), parameters[kBelow], count, rows);
+  const float again = static_cast<float>(albedo_->again(albedo_->lost(out), albedo_->lost(in)));
+  const float even = static_cast<float>(inv_pi);
+  for (std::size_t n = 0; n < count; ++n)
+    rows.at(0, 0)[n] += again * parameters[kAgain][n] + even * parameters[kFoam][n];
 }
 
 }  // namespace ifov::materials

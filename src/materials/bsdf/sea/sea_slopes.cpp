@@ -63,8 +63,9 @@ double SeaSlopes::series(math::Vec3 facet) const {
 double SeaSlopes::projected_area(math::Vec3 direction) const {
   const double gaussian = gaussian_.projected_area(direction);
   if (!is_skewed_) return gaussian;
-  // Slopes along the direction, in units of their standard deviation `spread`, up to `last`, beyond which they are turned away.
-  // The integral of (last - t) He_n(t) over the Gaussian, below last, is He_(n-2)(last) times the Gaussian there.
+  // Slopes along the direction, in units of their standard deviation `spread`, up to `last`, beyond which
+  // they are turned away. The integral of (last - t) He_n(t) over the Gaussian, below last, is He_(n-2)(last)
+  // times the Gaussian there.
   const double x = std::sqrt(variance_along_) * direction.x, y = std::sqrt(variance_across_) * direction.y;
   const double spread = std::hypot(x, y), cosine = std::max(0.0, direction.z);
   if (!(cosine < 8.0 * spread)) return gaussian;
@@ -77,13 +78,12 @@ double SeaSlopes::projected_area(math::Vec3 direction) const {
   return std::max(gaussian + more, std::max(cosine, 0.5 * gaussian));
 }
 
-SeaReflection::SeaReflection(const SeaSlopes& slopes, math::Vec3 out, math::Vec3 in) {
+SeaReflection::SeaReflection(const SeaSlopes& slopes, math::Vec3 out, math::Vec3 in)
+    : FacetReflection(slopes.gaussian(), out, in) {
+  if (!slopes.is_skewed()) return;
   const math::Vec3 facet = math::normalized(out + in);
-  const double gaussian = slopes.gaussian().density(facet);
   const double area_out = slopes.projected_area(out), area_in = slopes.projected_area(in);
-  bsdf = 0.25 * gaussian * slopes.series(facet) / (area_out * in.z + area_in * out.z - out.z * in.z);
-  density = 0.25 * gaussian / slopes.gaussian().projected_area(out);
-  cosine = std::sqrt(std::clamp(0.5 + 0.5 * math::dot(out, in), 0.0, 1.0));
+  bsdf = 0.25 * slopes.density(facet) / (area_out * in.z + area_in * out.z - out.z * in.z);
 }
 
 }  // namespace ifov::materials

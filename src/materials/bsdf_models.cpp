@@ -9,6 +9,8 @@
 #include "materials/bsdf/leaf/leaf.h"
 #include "materials/bsdf/mirror.h"
 #include "materials/bsdf/oren_nayar.h"
+#include "materials/bsdf/polarized/facet_brdf.h"
+#include "materials/bsdf/polarized/maignan.h"
 #include "materials/bsdf/ross_li.h"
 #include "materials/bsdf/rough_conductor.h"
 #include "materials/bsdf/rough_dielectric.h"
@@ -35,7 +37,11 @@ constexpr std::array kModels{&Lambertian::kModel,
                              &RoughDielectric::kModel,
                              &Ward::kModel,
                              &Sea::kModel,
-                             &Leaf::kModel};
+                             &Leaf::kModel,
+                             &FacetBrdf::kPriestGermer,
+                             &FacetBrdf::kMaxwellBeard,
+                             &FacetBrdf::kShellTarget,
+                             &Maignan::kModel};
 
 template <class Value>
 const Value& value_of(const BsdfInputs& inputs, std::string_view key) {
