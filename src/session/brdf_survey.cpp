@@ -79,7 +79,7 @@ std::vector<std::string> description_of(const io::MaterialDocument& source,
   const std::size_t curves = source.further_curves.size() + 1;
   if (curves > 1) lines.push_back(format("curve {} of {}; its texture is left out", curve, curves));
   if (source.relief) lines.push_back("its relief is left out");
-  if (material.transmittance)
+  if (material.transmittance && material.bsdf->is_separable())
     lines.push_back(
         "what it transmits leaves the other side as Lambert's law says, transmittance / pi, 1/sr");
   if (material.bsdf->is_delta())

@@ -8,7 +8,7 @@ from outside_tree import ROOT, Page, PageTest
 
 PAGE = Page("add_a_bsdf_model.md")
 FOLDER = "materials/bsdf"
-REGISTRY = f"{FOLDER}/bsdf_models.cpp"
+REGISTRY = "materials/bsdf_models.cpp"
 
 
 class AddAModel(PageTest):

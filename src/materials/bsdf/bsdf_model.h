@@ -66,7 +66,7 @@ struct BsdfModel {
 };
 
 /// All models, in the order in which they are listed. A new one is a pair of files beside these, and a row in
-/// bsdf_models.cpp.
+/// materials/bsdf_models.cpp.
 std::span<const BsdfModel* const> bsdf_models();
 /// Throws InputError, with the choices, where there is none of that key.
 const BsdfModel& bsdf_model(std::string_view key);

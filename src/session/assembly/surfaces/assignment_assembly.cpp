@@ -73,10 +73,18 @@ void AssignmentAssembly::assemble_scattering(const io::MaterialDocument& source,
                value);
   }
   material.bsdf = model.make(inputs);
+  const bool directional = !material.bsdf->is_separable(),
+             transmits = directional && material.bsdf->may_transmit();
+  if (transmits && source.transmittance)
+    throw InputError(format("material '{}': '{}' says itself what it transmits; leave 'transmittance' out",
+                            source.name, model.key));
+  if (transmits) material.transmittance.reset();
   materials::check(material);
-  if (!material.bsdf->is_separable())
-    material.reflectance = materials::directional_hemispherical(*material.bsdf, materials::Side::reflected,
-                                                                materials::kBihemispherical);
+  const auto whole = [&](materials::Side side) {
+    return materials::directional_hemispherical(*material.bsdf, side, materials::kBihemispherical);
+  };
+  if (directional) material.reflectance = whole(materials::Side::reflected);
+  if (transmits) material.transmittance = whole(materials::Side::transmitted);
 }
 
 void AssignmentAssembly::add_materials() {

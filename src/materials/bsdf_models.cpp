@@ -6,13 +6,17 @@
 #include "materials/bsdf/bsdf_model.h"
 #include "materials/bsdf/hapke.h"
 #include "materials/bsdf/lambertian.h"
+#include "materials/bsdf/leaf/leaf.h"
 #include "materials/bsdf/mirror.h"
 #include "materials/bsdf/oren_nayar.h"
+#include "materials/bsdf/polarized/facet_brdf.h"
+#include "materials/bsdf/polarized/maignan.h"
 #include "materials/bsdf/ross_li.h"
 #include "materials/bsdf/rough_conductor.h"
 #include "materials/bsdf/rough_dielectric.h"
 #include "materials/bsdf/roujean.h"
 #include "materials/bsdf/rpv.h"
+#include "materials/bsdf/sea/sea.h"
 #include "materials/bsdf/snow.h"
 #include "materials/bsdf/tabulated.h"
 #include "materials/bsdf/ward.h"
@@ -20,12 +24,24 @@
 namespace ifov::materials {
 namespace {
 
-constexpr std::array kModels{&Lambertian::kModel,      &Mirror::kModel,
-                             &OrenNayar::kModel,       &RossLi::kModel,
-                             &Roujean::kModel,         &Rpv::kModel,
-                             &Hapke::kModel,           &Snow::kModel,
-                             &Tabulated::kModel,       &RoughConductor::kModel,
-                             &RoughDielectric::kModel, &Ward::kModel};
+constexpr std::array kModels{&Lambertian::kModel,
+                             &Mirror::kModel,
+                             &OrenNayar::kModel,
+                             &RossLi::kModel,
+                             &Roujean::kModel,
+                             &Rpv::kModel,
+                             &Hapke::kModel,
+                             &Snow::kModel,
+                             &Tabulated::kModel,
+                             &RoughConductor::kModel,
+                             &RoughDielectric::kModel,
+                             &Ward::kModel,
+                             &Sea::kModel,
+                             &Leaf::kModel,
+                             &FacetBrdf::kPriestGermer,
+                             &FacetBrdf::kMaxwellBeard,
+                             &FacetBrdf::kShellTarget,
+                             &Maignan::kModel};
 
 template <class Value>
 const Value& value_of(const BsdfInputs& inputs, std::string_view key) {
