@@ -188,7 +188,7 @@ double emissivity_of_facets(const SeaSlopes& slopes, Vec3 view, double um) {
 
 TEST(Sea, EmitsInTheThermalWindowAsItsFacetsDo) {
   for (const double um : {8.5, 10.5, 12.0})
-    for (const double wind : {2.0, 5.0, 10.0}) {
+    for (const double wind : {2.0, 10.0}) {
       const Sea sea = bare(wind, SlopeStatistics::isotropic);
       const double nadir = 1.0 - test::hemispherical_at(sea, 1.0, um),
                    slanting = 1.0 - test::hemispherical_at(sea, 0.5, um);
