@@ -29,6 +29,7 @@ namespace ifov::render {
 
 class AccuracyTolerance;
 class EarlierTiles;
+struct Polarimetry;
 class TileSink;
 class TileSource;
 
@@ -39,6 +40,7 @@ struct RenderJob {
   const sampling::PixelFootprint& footprint;
   const sampling::PixelSampler& sampler;
   const AccuracyTolerance* tolerance = nullptr;
+  const Polarimetry* polarimetry = nullptr;  ///< null: radiance alone
   transport::TransportOptions transport{};
   LabelDetail label_detail = LabelDetail::sun_state;
   std::uint64_t seed = 1;

@@ -38,19 +38,21 @@ void widen(std::span<const AtmosphereHalfWidth> air, const AccuracyTolerance* to
            sampling::TileResult& tile) {
   if (air.empty() || !tile.has_errors()) return;
   const std::size_t columns = static_cast<std::size_t>(tile.columns);
-  std::vector<double> mean(columns), limit(columns);
+  std::vector<double> mean(columns), limit(columns), more(columns);
+  const std::size_t channels = air.size();  // behind them Q, U and V
   for (std::size_t p = 0; p < tile.samples.size(); ++p) {
     float* half_width = tile.half_width.data() + p * columns;
     for (std::size_t c = 0; c < columns; ++c) {
       mean[c] = tile.mean[p * columns + c];
-      half_width[c] += static_cast<float>(air[c].of(mean[c]));
+      more[c] = c < channels ? air[c].of(mean[c]) : air[c % channels].of_polarization(mean[c % channels]);
+      half_width[c] += static_cast<float>(more[c]);
     }
     if (tolerance == nullptr) continue;
     tolerance->asked(mean, limit);
     double worst = 0.0;
     bool no_room = false;
     for (std::size_t c = 0; c < columns; ++c) {
-      no_room = no_room || air[c].of(mean[c]) > (1.0 - AccuracyTolerance::kLeastShare) * limit[c];
+      no_room = no_room || more[c] > (1.0 - AccuracyTolerance::kLeastShare) * limit[c];
       const double ratio = half_width[c] / limit[c];
       worst = std::max(worst, std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio);
     }
