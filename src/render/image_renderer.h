@@ -40,7 +40,6 @@ struct RenderJob {
   const sampling::PixelFootprint& footprint;
   const sampling::PixelSampler& sampler;
   const AccuracyTolerance* tolerance = nullptr;
-  const Polarimetry* polarimetry = nullptr;  ///< null: radiance alone
   transport::TransportOptions transport{};
   LabelDetail label_detail = LabelDetail::sun_state;
   std::uint64_t seed = 1;
@@ -55,6 +54,7 @@ struct RenderJob {
   bool keep_variances = true;  ///< else tiles have half-widths alone, unless they are to be gone on from
   std::vector<const truth::Collector*> collectors{};  ///< of what tiles note beside radiance
   EarlierTiles* earlier = nullptr;                    ///< tiles of a run at a looser tolerance, to go on from
+  const Polarimetry* polarimetry = nullptr;  ///< null: radiance alone
 };
 
 /// How the work is done; the result does not depend on it.

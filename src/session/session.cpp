@@ -86,6 +86,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   if (cache) p.known_files = cache->known_files();
   p.weather = assemble_weather(document);
   p.channels = assemble_channels(document);
+  p.polarimetry = assemble_polarimetry(document);
   p.camera = assemble_camera(document, p.scene);
   p.plan = assemble_sampling(document, p.channels);
   p.assumed_surroundings = assume_surroundings(document, *p.camera, p.scene).value_or("");

@@ -5,10 +5,20 @@
 #include <limits>
 
 #include "atmosphere/sensor/sensor_atmosphere.h"
+#include "materials/bsdf/bsdf.h"
 #include "render/tolerance/accuracy_tolerance.h"
+#include "scene/scene.h"
 #include "transport/spectral_scene.h"
 
 namespace ifov::render {
+
+namespace {
+
+/// How far Q/I and U/I of path and sky may be off between the directions of their tables
+/// (tests/transport/test_polarized_light.cpp).
+constexpr double kPathPolarization = 3e-3, kSkyPolarization = 0.02;
+
+}  // namespace
 
 std::vector<AtmosphereHalfWidth> atmosphere_half_widths(const transport::SpectralScene& scene,
                                                         const atmosphere::SensorAtmosphere& atmosphere) {
@@ -28,6 +38,11 @@ std::vector<AtmosphereHalfWidth> atmosphere_half_widths(const transport::Spectra
     for (std::size_t n = nodes.first_node(c); n < nodes.first_node(c + 1); ++n) {
       air.grey_radiance += nodes.node_weight(n) * (1.0 - kGrey) * planck[n] * scene.view_transmittance()[n];
       air.white_in_sky += nodes.node_weight(n) * scene.sky_radiance()[n] * scene.view_transmittance()[n];
+    }
+    if (atmosphere.polarized()) {
+      air.polarization_path = kPathPolarization;
+      for (const materials::Material& material : scene.scene().materials)
+        if (material.bsdf->polarizes()) air.polarization_sky = kSkyPolarization;
     }
     air.grey_radiance += air.path_radiance + kGrey * white[c];
   }

@@ -11,7 +11,8 @@ struct Document;
 }
 namespace ifov::render {
 struct ImageInfo;
-}
+struct Polarimetry;
+}  // namespace ifov::render
 namespace ifov::scene {
 struct Scene;
 }
@@ -25,6 +26,8 @@ namespace ifov::session {
 /// `scene` tells where rays of a nadir camera without a height start.
 std::unique_ptr<sensor::Camera> assemble_camera(const io::Document& document, const scene::Scene& scene);
 std::vector<radiometry::Channel> assemble_channels(const io::Document& document);
+/// Whether polarization is told, and what stands before the channels.
+render::Polarimetry assemble_polarimetry(const io::Document& document);
 /// Null without one: perfect optics.
 std::unique_ptr<sensor::Psf> assemble_psf(const io::Document& document);
 
