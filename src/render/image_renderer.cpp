@@ -114,6 +114,14 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   if (steering_channels.empty())
     for (std::size_t c = 0; c < job.scene.nodes().channel_count(); ++c)
       steering_channels.push_back(static_cast<int>(c));
+  // Q, U and V of a channel are judged as its radiance is.
+  if (job.polarimetry != nullptr && job.polarimetry->stokes) {
+    const std::size_t judged = steering_channels.size();
+    for (int component = 1; component < 4; ++component)
+      for (std::size_t k = 0; k < judged; ++k)
+        steering_channels.push_back(steering_channels[k] +
+                                    component * static_cast<int>(job.scene.nodes().channel_count()));
+  }
 
   const UnsampledLight unsampled(job, control.threads, control.cancel);
   Tally tally(pixels, control.progress);
@@ -135,7 +143,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     sampling::TileResult before;
     if (job.earlier != nullptr && job.earlier->read(index, before)) problem.before = &before;
 
-    SceneField field(job.scene, job.camera, unsampled.transport(), job.label_detail);
+    SceneField field(job.scene, job.camera, unsampled.transport(), job.label_detail, job.polarimetry);
     sampling::TileResult result;
     job.sampler.sample(problem, field, result);
     if (job.wings != nullptr) add_wings(*job.wings, problem, job.tolerance, field, result);
@@ -147,6 +155,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     widen(job.nodes, job.tolerance, result);
     unsampled.add_to(result);
     widen(job.air, job.tolerance, result);
+    field.stokes().settle(result);
     if (!job.keep_variances && !job.keep_memory) result.drop_variances();
     add_truth_layers(job.collectors, job.scene.scene(), job.camera, result);
     sink.write(result);

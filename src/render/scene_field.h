@@ -6,13 +6,12 @@
 #include "render/blend_columns.h"
 #include "render/label_detail.h"
 #include "render/map_detail.h"
+#include "render/scene_light.h"
 #include "render/surface_label.h"
 #include "render/unseen/unseen_light.h"
 #include "sampling/field.h"
 #include "scene/scene.h"
-#include "transport/path_light.h"
 #include "transport/path_tracer.h"
-#include "transport/view_atmosphere.h"
 
 namespace ifov::sensor {
 class Camera;
@@ -28,10 +27,11 @@ class SceneField final : public sampling::Field {
  public:
   /// Keeps references to all; they must outlive this.
   SceneField(const transport::SpectralScene& scene, const sensor::Camera& camera,
-             transport::TransportOptions transport, LabelDetail detail);
+             transport::TransportOptions transport, LabelDetail detail,
+             const Polarimetry* polarimetry = nullptr);
   ~SceneField() override;
 
-  /// The channels, then the shares of materials that are mixed somewhere (BlendColumns), then light that is not sought
+  /// The channels, Q, U and V of all of them where they are told (StokesColumns), then the shares of materials that are mixed somewhere (BlendColumns), then light that is not sought
   /// (UnseenLight).
   int columns() const override { return blends_.first_column() + blends_.count() + unseen_.count(); }
   void labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) override;
@@ -52,6 +52,7 @@ class SceneField final : public sampling::Field {
   std::uint32_t object_of(sampling::Label label) const override;
   const BlendColumns& blends() const { return blends_; }
   const UnseenLight& unseen() const { return unseen_; }
+  const StokesColumns& stokes() const { return light_.columns(); }
   sampling::RayCounts counts() const override { return counts_; }
 
  private:
@@ -66,8 +67,7 @@ class SceneField final : public sampling::Field {
   const sensor::Camera& camera_;
   LabelDetail detail_;
   transport::PathTracer tracer_;
-  transport::PathLight light_;
-  transport::ViewAtmosphere air_;
+  SceneLight light_;
   scene::TruthMaterials truth_;
   BlendColumns blends_;
   MapDetail map_detail_;

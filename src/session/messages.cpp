@@ -82,6 +82,15 @@ std::vector<std::string> notes(const Parts& parts) {
         format("floor of the accuracy: {:g} of a white surface's radiance, {:.3g} to {:.3g} W m-2 sr-1 um-1",
                parts.plan.request->floor, low, high));
   }
+  if (parts.polarimetry.any()) {
+    lines.push_back(
+        "polarization: about the focal plane's axes; light that ground around the scene and the ground's own light in the air send "
+        "is taken to be unpolarized");
+    if (!parts.atmosphere)
+      lines.push_back(parts.imported
+                          ? "polarization: sky and path of imported runs are taken to be unpolarized"
+                          : "polarization: the sky is unpolarized without a modelled atmosphere");
+  }
   if (!parts.air.empty()) lines.push_back(atmosphere_error_note(parts.air));
   for (const std::string& line :
        scale_statements(parts.map_scales, ground_sample_m(*parts.camera, *parts.scene.world)))

@@ -93,6 +93,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   if (cache) p.known_files = cache->known_files();
   if (document.weather) p.weather = assemble_weather(document.sources, *document.weather, document.time);
   p.channels = assemble_channels(document.sources, document.sensor.channels);
+  p.polarimetry = assemble_polarimetry(document.sensor);
   p.camera = assemble_camera(document.sources, document.sensor.camera, document.scene.origin, *p.scene.world);
   p.plan = assemble_sampling(document.sources, document.sampling, document.sensor.channels, p.channels);
   p.assumed_surroundings =

@@ -83,12 +83,20 @@ struct PathRecord {
     const float* emission = nullptr;  ///< null: of `emission_mixed`
     std::uint32_t emission_mixed = PathVertex::kNone;
   };
+  /// Of a vertex, where polarization is asked for (SpectralScene::polarized()).
+  struct Directions {
+    math::Vec3 outgoing;                          ///< unit, towards where the path comes from
+    math::Vec3 incoming;                          ///< unit, along the path's next segment
+    math::Vec3 normal;                            ///< that its lobe scatters about, on the side of `outgoing`
+    const materials::Bsdf* polarizing = nullptr;  ///< its lobe's model; null: that depolarizes
+  };
   std::vector<Path> paths;
   std::vector<PathVertex> vertices;
   std::vector<Mixed> mixed;
   std::vector<Events> events;
   std::vector<LobeEvent> way_events;  ///< at surfaces that mirrors light
   std::vector<Mirrored> mirrored;
+  std::vector<Directions> directions;  ///< by vertex; empty where nobody asks
 
   void start(std::size_t count) {
     paths.assign(count, {});
@@ -97,6 +105,7 @@ struct PathRecord {
     events.clear();
     way_events.clear();
     mirrored.clear();
+    directions.clear();
   }
   void add(std::uint32_t path, const PathVertex& vertex) {
     const auto index = static_cast<std::uint32_t>(vertices.size());

@@ -74,10 +74,16 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
   event.vertex = vertex_of(surface, lobe, -path.ray.direction);
   event.vertex.height_m = hit.position_m.z;
   if (path.left.seek_probability > 0.0) event.vertex.emission_weight = unsought(path, hit);
+  if (scene_.polarized())
+    directions_.push_back({-path.ray.direction, {}, surface.shading_normal.as_vector(), nullptr});
   if (depth == options_.maximum_scatterings || lobe.highest_reflectance + lobe.highest_transmittance <= 0.0)
     return;
 
   const Sides sides(path.ray, hit, surface.shading_normal);
+  if (scene_.polarized()) {
+    directions_.back().normal = sides.shading.as_vector();
+    if (lobe.bsdf->polarizes()) directions_.back().polarizing = lobe.bsdf;
+  }
   const std::uint32_t pair = 1u + 2u * static_cast<std::uint32_t>(depth);
   if (scene_.scene().sun && !lobe.bsdf->is_delta()) {
     const sampling::Point2 u = sampling::sequence_point(path.key.sequence, path.key.index, pair);
@@ -110,6 +116,7 @@ void PathTracer::scatter(const Path& path, std::uint32_t path_index, const scene
     vertex.continuation_weight =
         survives ? static_cast<float>(vertex.continuation_weight / probability) : 0.0f;
   }
+  if (scene_.polarized()) directions_.back().incoming = event.next.direction;
   if (by_mirrors && vertex.continuation_weight > 0.0f) {
     if (!lobe.bsdf->is_delta()) {
       event.left.mirror_probability = lobe.highest_transmittance > 0.0 ? 0.0 : mirror_probability();

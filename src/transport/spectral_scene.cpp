@@ -22,10 +22,12 @@
 
 namespace ifov::transport {
 
-SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::SpectralNodes& nodes)
+SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::SpectralNodes& nodes,
+                             bool polarized)
     : scene_(scene),
       nodes_(nodes),
-      materials_(scene.materials, nodes),
+      polarized_(polarized),
+      materials_(scene.materials, nodes, polarized),
       emission_(scene.states.size(), nodes.node_count()),
       light_(kLightRows, nodes.node_count()) {
   emit_surfaces();
@@ -47,10 +49,12 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const radiometry::Spectr
   find_emitters();
 }
 
-SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::SensorAtmosphere& air)
+SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::SensorAtmosphere& air,
+                             bool polarized)
     : scene_(scene),
       nodes_(air.nodes()),
-      materials_(scene.materials, nodes_),
+      polarized_(polarized),
+      materials_(scene.materials, nodes_, polarized),
       emission_(scene.states.size(), nodes_.node_count()),
       light_(kLightRows, nodes_.node_count()),
       has_view_path_(true) {
@@ -70,10 +74,12 @@ SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::Sensor
   find_mirrors();
 }
 
-SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::ImportedAtmosphere& air)
+SpectralScene::SpectralScene(const scene::Scene& scene, const atmosphere::ImportedAtmosphere& air,
+                             bool polarized)
     : scene_(scene),
       nodes_(air.nodes()),
-      materials_(scene.materials, nodes_),
+      polarized_(polarized),
+      materials_(scene.materials, nodes_, polarized),
       emission_(scene.states.size(), nodes_.node_count()),
       light_(kLightRows, nodes_.node_count()),
       has_view_path_(true) {
@@ -245,12 +251,7 @@ const float* SpectralScene::thermal_emission(const scene::Constituent& constitue
     model->emissivity(cosine, work);
     emissivity = work;
   }
-  if (constituent.mapped_temperature_k > 0.0) {
-    planck_->row(constituent.mapped_temperature_k, scratch);
-  } else {
-    if (!(own_k > 0.0)) return nullptr;
-    std::copy_n(black_.row(constituent.state), stride(), scratch);
-  }
+  if (!black_body(constituent, scratch)) return nullptr;
   for (std::size_t n = 0; n < stride(); ++n) scratch[n] *= emissivity[n];
   return scratch;
 }
@@ -268,6 +269,33 @@ const float* SpectralScene::emission(const scene::Constituent& constituent, doub
   for (std::size_t n = 0; n < stride(); ++n)
     scratch[n] = share * lamp[n] + (thermal != nullptr ? thermal[n] : 0.0f);
   return scratch;
+}
+
+bool SpectralScene::black_body(const scene::Constituent& constituent, float* spectrum) const {
+  if (constituent.mapped_temperature_k > 0.0) {
+    planck_->row(constituent.mapped_temperature_k, spectrum);
+    return true;
+  }
+  if (!(scene_.states[constituent.state].temperature_k > 0.0)) return false;
+  std::copy_n(black_.row(constituent.state), stride(), spectrum);
+  return true;
+}
+
+bool SpectralScene::emission_q(const scene::ResolvedSurface& surface, math::Vec3 outgoing,
+                               float* scratch) const {
+  const double cosine = std::abs(math::dot(surface.shading_normal, outgoing));
+  float *black = scratch + stride(), *share = black + stride();
+  bool any = false;
+  for (const scene::Constituent& constituent : surface) {
+    const materials::NodeBsdf* model = materials_.directional(constituent.material);
+    if (model == nullptr || !model->polarized_emission(cosine, share) || !black_body(constituent, black))
+      continue;
+    const float weight = static_cast<float>(constituent.weight);
+    for (std::size_t n = 0; n < stride(); ++n)
+      scratch[n] = (any ? scratch[n] : 0.0f) + weight * black[n] * share[n];
+    any = true;
+  }
+  return any;
 }
 
 const float* SpectralScene::emission(const scene::ResolvedSurface& surface, math::Vec3 outgoing,

@@ -34,16 +34,20 @@ class ViewTable;
 /// The scene's spectra in the spectral nodes of a sensor: what a path multiplies and adds.
 class SpectralScene {
  public:
-  /// Keeps references to both; they must outlive this.
-  SpectralScene(const scene::Scene& scene, const radiometry::SpectralNodes& nodes);
+  /// Keeps references to both; they must outlive this. `polarized`: what the polarization of light needs is kept.
+  SpectralScene(const scene::Scene& scene, const radiometry::SpectralNodes& nodes, bool polarized = false);
   /// With an atmosphere in place of the scene's uniform sky and its tables of transmittance and path radiance. Light
   /// that goes back and forth between air and ground counts once, over ground as the scene's surroundings.
-  SpectralScene(const scene::Scene& scene, const atmosphere::SensorAtmosphere& atmosphere);
+  SpectralScene(const scene::Scene& scene, const atmosphere::SensorAtmosphere& atmosphere,
+                bool polarized = false);
   /// With what another code computed, under a uniform sky of its irradiance; where it has none, under the scene's own.
-  SpectralScene(const scene::Scene& scene, const atmosphere::ImportedAtmosphere& atmosphere);
+  SpectralScene(const scene::Scene& scene, const atmosphere::ImportedAtmosphere& atmosphere,
+                bool polarized = false);
   ~SpectralScene();
 
   const scene::Scene& scene() const { return scene_; }
+  /// Whether paths tell the polarization of their light (PolarizedPathLight).
+  bool polarized() const { return polarized_; }
   const radiometry::SpectralNodes& nodes() const { return nodes_; }
   std::size_t node_count() const { return nodes_.node_count(); }
   std::size_t stride() const { return light_.stride(); }
@@ -75,6 +79,9 @@ class SpectralScene {
   /// Emitted radiance of a resolved surface towards a direction (unit, away from it), W m-2 sr-1 um-1; null where it emits
   /// nothing. `scratch` (3 stride() floats, 64-byte aligned) is used where the surface is_mixed().
   const float* emission(const scene::ResolvedSurface& surface, math::Vec3 outgoing, float* scratch) const;
+  /// Its Q about radiometry::surface_frame() of the direction and the shading normal, into `scratch` (as above; U and V are 0).
+  /// False where it is unpolarized.
+  bool emission_q(const scene::ResolvedSurface& surface, math::Vec3 outgoing, float* scratch) const;
 
   /// Irradiance on a surface that faces the Sun (zero without one).
   const float* sun_irradiance() const { return light_.row(kSunIrradiance); }
@@ -115,6 +122,8 @@ class SpectralScene {
   /// What temperature makes it emit, without a lamp.
   const float* thermal_emission(const scene::Constituent& constituent, double cosine, float* scratch,
                                 float* work) const;
+  /// A black body of a constituent's temperature, where its model depends on direction or a map tells the temperature.
+  bool black_body(const scene::Constituent& constituent, float* spectrum) const;
   void emit_surfaces();
   void light_lamps();
   void find_emitters();
@@ -133,6 +142,7 @@ class SpectralScene {
   enum LightRow { kSunIrradiance, kSky, kSurroundings, kViewTransmittance, kViewRadiance, kLightRows };
   const scene::Scene& scene_;
   const radiometry::SpectralNodes& nodes_;
+  bool polarized_;
   materials::SpectralMaterials materials_;
   radiometry::SpectrumBlock emission_;  // by state; towards all sides alike
   radiometry::SpectrumBlock black_;     // by state, of directional materials: a black body of its temperature

@@ -87,17 +87,19 @@ void add_up(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_
 }  // namespace
 
 void polarized_hemispherical(const Bsdf& bsdf, ParameterSpectra parameters, std::size_t count, double cosine,
-                             float* spectrum) {
+                             float* whole, float* q) {
   static const std::vector<SquarePoint> lobe = crowded_square(kAcrossLobe);
-  std::vector<float> column(4 * count);
+  std::vector<float> column(4 * count), both(2 * count);
   const MuellerRows rows{column.data(), count, false};
   add_up(
       bsdf,
       [&](const BsdfEvent& event, float* values) {
         bsdf.evaluate_mueller(event, parameters, count, rows);
-        std::copy_n(rows.at(1, 0), count, values);
+        std::copy_n(rows.at(0, 0), 2 * count, values);
       },
-      Side::reflected, count, cosine, lobe, spectrum);
+      Side::reflected, 2 * count, cosine, lobe, both.data());
+  std::copy_n(both.data(), count, whole);
+  std::copy_n(both.data() + count, count, q);
 }
 
 void directional_hemispherical(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_t count,

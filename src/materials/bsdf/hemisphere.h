@@ -10,10 +10,10 @@ namespace ifov::materials {
 void directional_hemispherical(const Bsdf& bsdf, Side side, ParameterSpectra parameters, std::size_t count,
                                double cosine, float* spectrum);
 
-/// Q of what is reflected towards `cosine` of unpolarized light of radiance 1 from all sides, in the plane of the direction
-/// and the normal (DHR_10), of a model that polarizes; as the first. `parameters` as Bsdf::evaluate_mueller.
+/// The same of a model that polarizes, on the side of reflection, with Q of what is reflected of unpolarized light of radiance 1 from
+/// all sides, in the plane of the direction and the normal (DHR_00 and DHR_10). `parameters` as Bsdf::evaluate_mueller.
 void polarized_hemispherical(const Bsdf& bsdf, ParameterSpectra parameters, std::size_t count, double cosine,
-                             float* spectrum);
+                             float* whole, float* q);
 
 /// In place of a cosine: of light and views from all sides alike.
 inline constexpr double kBihemispherical = -1.0;

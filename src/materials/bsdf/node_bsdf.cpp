@@ -41,16 +41,17 @@ NodeBsdf::NodeBsdf(std::shared_ptr<const Bsdf> bsdf, const radiometry::SpectralN
   parallel_for(kAngles, 0, [&](std::int64_t index) {
     const auto k = static_cast<std::size_t>(index);
     const double cosine = cosine_of(k);
-    directional_hemispherical(*bsdf_, Side::reflected, pointers_, nodes.node_count(), cosine,
-                              reflected.row(k));
+    if (q_wanted)
+      polarized_hemispherical(*bsdf_, pointers_, nodes.node_count(), cosine, reflected.row(k),
+                              emitted_q_.row(k));
+    else
+      directional_hemispherical(*bsdf_, Side::reflected, pointers_, nodes.node_count(), cosine,
+                                reflected.row(k));
     if (bsdf_->may_transmit())
       directional_hemispherical(*bsdf_, Side::transmitted, pointers_, nodes.node_count(), cosine,
                                 transmitted.row(k));
-    if (q_wanted) {
-      float* const q = emitted_q_.row(k);
-      polarized_hemispherical(*bsdf_, pointers_, nodes.node_count(), cosine, q);
-      for (std::size_t n = 0; n < nodes.node_count(); ++n) q[n] = -q[n];
-    }
+    if (q_wanted)
+      for (std::size_t n = 0; n < nodes.node_count(); ++n) emitted_q_.row(k)[n] *= -1.0f;
     for (std::size_t n = 0; n < nodes.node_count(); ++n)
       emissivity_.row(k)[n] = std::max(0.0f, 1.0f - reflected.row(k)[n] - transmitted.row(k)[n]);
   });

@@ -4,11 +4,10 @@
 
 #include "render/mirrors/focal_lights.h"
 #include "render/mirrors/glint_search.h"
+#include "render/scene_light.h"
 #include "sampling/tile.h"
 #include "sensor/camera.h"
-#include "transport/path_light.h"
 #include "transport/path_tracer.h"
-#include "transport/view_atmosphere.h"
 
 namespace ifov::transport {
 class SpectralScene;
@@ -25,7 +24,7 @@ class Highlights {
 
   /// Traces all of them. Keeps a reference to the scene. `margin_px`: a footprint's half width.
   Highlights(const transport::SpectralScene& scene, const sensor::Camera& camera, double margin_px,
-             std::uint64_t seed);
+             std::uint64_t seed, const Polarimetry* polarimetry = nullptr);
 
   /// As FocalLights::add_to.
   void add_to(const sampling::PixelFootprint& footprint, const sampling::Tolerance* tolerance,
@@ -48,8 +47,7 @@ class Highlights {
   const sensor::Camera& camera_;
   std::uint64_t seed_, traced_ = 0;
   transport::PathTracer tracer_;
-  transport::PathLight light_;
-  transport::ViewAtmosphere air_;
+  SceneLight light_;
   std::vector<std::uint32_t> large_;
   FocalLights lights_;           // radiance over that of their spectra at the sensor
   std::vector<float> spectrum_;  // the last one that was kept

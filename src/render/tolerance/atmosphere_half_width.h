@@ -17,6 +17,14 @@ struct AtmosphereHalfWidth {
   double nodes_path = 0.0, nodes_surface = 0.0,
          nodes_sky = 0.0;  ///< what of the first three the few spectral nodes make
 
+  /// How far Q and U of the path, and of the sky that surfaces reflect, may be off beside that, in parts of the
+  /// radiance (docs/theory/polarization.md).
+  double polarization_path = 0.0, polarization_sky = 0.0;
+
+  /// Of Q, U or V of light of this radiance.
+  double of_polarization(double radiance) const {
+    return of(radiance) + sum(polarization_path * path_radiance, 0.0, polarization_sky, radiance);
+  }
   double of(double radiance) const { return sum(path, surface, sky, radiance); }
   /// The nodes' part of it.
   double of_nodes(double radiance) const { return sum(nodes_path, nodes_surface, nodes_sky, radiance); }

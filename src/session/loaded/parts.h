@@ -9,6 +9,7 @@
 #include "io/scene_cache/file_stamp.h"
 #include "radiometry/channel.h"
 #include "render/image_info.h"
+#include "render/polarimetry.h"
 #include "render/tolerance/atmosphere_half_width.h"
 #include "render/tolerance/node_half_width.h"
 #include "sampling/pixel_footprint.h"
@@ -55,6 +56,7 @@ struct Parts {
   std::vector<io::FileStamp> known_files;  ///< files whose bytes the scene cache vouches for
   std::optional<atmosphere::WeatherSeries> weather;
   std::vector<radiometry::Channel> channels;
+  render::Polarimetry polarimetry;  ///< what the sensor does with polarization
   std::unique_ptr<sensor::Camera> camera;
   std::string assumed_surroundings;  ///< what they were taken to be where none are declared; empty: nothing
   std::unique_ptr<atmosphere::SensorAtmosphere> atmosphere;  ///< null without a modelled one

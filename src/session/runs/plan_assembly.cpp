@@ -64,7 +64,7 @@ io::RunPlan assemble_plan(const Parts& parts, bool with_files) {
   plan.formats = io::product_formats(document.output.formats);
   plan.name = document.output.name;
   const bool map_tells = parts.camera->ground_grid().has_value();
-  plan.cubes = document.output.products.value_or(io::usual_quantities(map_tells));
+  plan.cubes = document.output.products.value_or(io::usual_quantities(map_tells, document.sensor.stokes));
   for (const io::DocumentName& channel : document.output.quicklook_channels)
     for (std::size_t c = 0; c < document.sensor.channels.size(); ++c)
       if (document.sensor.channels[c].name == channel.name)

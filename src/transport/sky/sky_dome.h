@@ -38,6 +38,16 @@ class SkyDome {
   /// that the zenith is a direction like others.
   radiometry::PolarizationFrame stokes(math::Vec3 direction, std::span<radiometry::StokesVector> nodes) const;
 
+  /// The same by rows of spectra, about a frame of light from there (its direction is -direction): Q is the sum of
+  /// cosine q + sine side u, U of cosine side u - sine q, over the corners at().
+  struct PolarizedCorners {
+    std::array<const float*, 4> q{}, u{};
+    std::array<float, 4> cosine{}, sine{};  ///< of twice the angles, times the corners' weights
+    float side = 1.0f;
+  };
+  PolarizedCorners polarization(const Corners& corners, math::Vec3 direction,
+                                const radiometry::PolarizationFrame& frame) const;
+
   /// Directions that are drawn as bright as they are, all nodes alike.
   const SkySampler& sampler() const { return sampler_; }
 

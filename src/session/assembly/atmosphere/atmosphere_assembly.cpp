@@ -178,6 +178,7 @@ std::unique_ptr<atmosphere::SensorAtmosphere> assemble_atmosphere(
         line_of_sight_range(subject.camera, subject.scene.sun, subject.scene.world->heights().high_m),
         column.levels(), sensor_altitudes(modelled, subject.camera, ground_km));
     inputs.with_errors = true;
+    inputs.polarized = subject.polarized;
     inputs.ground = subject.scene.materials[subject.scene.surroundings.material].reflectance;
     inputs.threads = work.threads;
     inputs.kept = work.kept;

@@ -27,6 +27,7 @@ struct AtmosphereSubject {
   const sensor::Camera& camera;
   std::span<const radiometry::Channel> channels;
   const render::AccuracyRequest* request = nullptr;  ///< null: no accuracy is asked for
+  bool polarized = false;                            ///< Q and U of sky and path are wanted
 };
 
 }  // namespace ifov::session

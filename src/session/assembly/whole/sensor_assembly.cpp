@@ -9,6 +9,7 @@
 #include "io/raster/raster.h"
 #include "io/spectra/channel_table.h"
 #include "io/spectra/csv_spectrum.h"
+#include "render/polarimetry.h"
 #include "render/tile_sink.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
@@ -79,6 +80,26 @@ std::vector<radiometry::Channel> assemble_channels(const io::DocumentSources& so
   return channels;
 }
 
+render::Polarimetry assemble_polarimetry(const io::SensorDocument& sensor) {
+  using radiometry::MuellerMatrix;
+  const std::vector<io::ChannelDocument>& channels = sensor.channels;
+  render::Polarimetry polarimetry{sensor.stokes, {}};
+  if (std::none_of(channels.begin(), channels.end(),
+                   [](const io::ChannelDocument& channel) { return channel.polarizer || channel.retarder; }))
+    return polarimetry;
+  for (const io::ChannelDocument& channel : channels) {
+    MuellerMatrix optics;
+    if (channel.retarder)
+      optics = MuellerMatrix::linear_retarder(channel.retarder->retardance_rad, channel.retarder->angle_rad);
+    if (channel.polarizer)
+      optics = MuellerMatrix::linear_diattenuator(1.0, 1.0 / channel.polarizer->extinction,
+                                                  channel.polarizer->angle_rad) *
+               optics;
+    polarimetry.optics.push_back(optics);
+  }
+  return polarimetry;
+}
+
 std::unique_ptr<sensor::Psf> assemble_psf(const io::DocumentSources& sources,
                                           const io::SensorDocument& sensor) {
   return with_position(sources, sensor.psf_position, [&] {
@@ -111,6 +132,7 @@ render::ImageInfo image_info(const io::OriginDocument& origin, const sensor::Cam
   render::ImageInfo info;
   info.width_px = camera.width_px();
   info.height_px = camera.height_px();
+  info.stokes = document.sensor.stokes;
   for (const radiometry::Channel& channel : channels)
     info.channels.push_back({channel.name, channel.centre_um, channel.fwhm_um});
   info.materials = scene::truth_materials(scene).names;

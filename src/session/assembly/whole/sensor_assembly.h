@@ -19,7 +19,8 @@ struct SensorDocument;
 }  // namespace ifov::io
 namespace ifov::render {
 struct ImageInfo;
-}
+struct Polarimetry;
+}  // namespace ifov::render
 namespace ifov::scene {
 struct Scene;
 }
@@ -37,6 +38,8 @@ std::unique_ptr<sensor::Camera> assemble_camera(const io::DocumentSources& sourc
                                                 const geometry::World& world);
 std::vector<radiometry::Channel> assemble_channels(const io::DocumentSources& sources,
                                                    std::span<const io::ChannelDocument> written);
+/// Whether polarization is told, and what stands before the channels.
+render::Polarimetry assemble_polarimetry(const io::SensorDocument& sensor);
 /// Null without one: perfect optics.
 std::unique_ptr<sensor::Psf> assemble_psf(const io::DocumentSources& sources,
                                           const io::SensorDocument& sensor);
