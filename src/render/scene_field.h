@@ -5,8 +5,8 @@
 
 #include "render/blend_columns.h"
 #include "render/label_detail.h"
+#include "render/light/scene_light.h"
 #include "render/map_detail.h"
-#include "render/scene_light.h"
 #include "render/surface_label.h"
 #include "render/unseen/unseen_light.h"
 #include "sampling/field.h"

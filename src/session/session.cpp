@@ -64,6 +64,11 @@ class KeptWarnings final : public LogSink {
 }  // namespace
 
 Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Session Session::load_file(const std::string& document, std::span<const io::DocumentOverride> overrides,
+                           LogSink* log, const LoadOptions& options) {
+  return load(io::read_document(document, overrides), log, options);
+}
+
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() = default;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "atmosphere/sensor/sensor_atmosphere.h"
+#include "radiometry/polarization_frame.h"
 
 namespace ifov::transport {
 namespace {

@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "math/vec3.h"
-#include "radiometry/polarization_frame.h"
 #include "radiometry/spectrum_block.h"
 
+namespace ifov::radiometry {
+struct PolarizationFrame;
+struct StokesVector;
+}  // namespace ifov::radiometry
 namespace ifov::atmosphere {
 class SensorAtmosphere;
 }

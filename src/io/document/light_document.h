@@ -68,8 +68,7 @@ struct LampDocument {
   double azimuth_rad = 0.0;  ///< of the file's plane of 0 deg, clockwise from north
   /// One of these, or none beside a file, whose light is then grey.
   std::optional<double> temperature_k;
-  std::optional<SpectrumDocument> spectrum;  ///< in any unit
-  std::optional<SpectrumDocument> radiance;  ///< W m-2 sr-1 um-1, of the brightest direction
+  std::optional<SpectrumDocument> spectrum, radiance;  ///< any unit; W m-2 sr-1 um-1
   /// At most one; without them the temperature, the radiance or the file's own intensities say how much there is.
   std::optional<double> power_w, flux_lm;
   SourcePosition position;

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "render/light/scene_light.h"
 #include "render/mirrors/focal_lights.h"
 #include "render/mirrors/glint_search.h"
-#include "render/scene_light.h"
 #include "sampling/tile.h"
 #include "sensor/camera.h"
 #include "transport/path_tracer.h"

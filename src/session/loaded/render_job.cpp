@@ -35,7 +35,8 @@ std::unique_ptr<render::AccuracyTolerance> Parts::tolerance_of(const SamplingPla
       static_cast<std::int64_t>(camera->width_px()) * camera->height_px(), spectral_scene->path_radiance(),
       air);
   std::vector<double> passed;
-  for (std::size_t c = 0; c < polarimetry.optics.size(); ++c) passed.push_back(polarimetry.passed(c));
+  for (std::size_t c = 0; polarimetry.optics && c < channels.size(); ++c)
+    passed.push_back(polarimetry.passed(c));
   limits->judge_stokes(polarimetry.stokes, std::move(passed));
   limits->leave_room(node_errors, wings ? render::kCutShare : 0.0);
   return limits;

@@ -1,5 +1,6 @@
 #include "transport/polarized/polarized_air.h"
 
+#include "radiometry/polarization_frame.h"
 #include "transport/spectral_scene.h"
 #include "transport/spectrum_arithmetic.h"
 #include "transport/view_table.h"

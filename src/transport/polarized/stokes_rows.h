@@ -3,7 +3,9 @@
 #include <array>
 #include <cstddef>
 
-#include "radiometry/polarization_frame.h"
+namespace ifov::radiometry {
+struct PolarizationFrame;
+}
 
 namespace ifov::transport {
 
@@ -19,11 +21,7 @@ struct FrameTurn {
   float cosine = 1.0f, sine = 0.0f;
 
   FrameTurn() = default;
-  FrameTurn(const radiometry::PolarizationFrame& from, const radiometry::PolarizationFrame& to) {
-    const double c = dot(to.x, from.x), s = dot(to.x, from.y()), square = c * c + s * s;
-    cosine = static_cast<float>((c * c - s * s) / square);
-    sine = static_cast<float>(2.0 * c * s / square);
-  }
+  FrameTurn(const radiometry::PolarizationFrame& from, const radiometry::PolarizationFrame& to);
   /// In place, over n values.
   void apply(const StokesRows& light, std::size_t n) const {
     float* __restrict q = light[1];

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "atmosphere/sensor/sensor_atmosphere.h"
+#include "radiometry/polarization_frame.h"
 
 namespace ifov::transport {
 namespace {

@@ -6,10 +6,13 @@
 #include <vector>
 
 #include "math/vec3.h"
-#include "radiometry/polarization_frame.h"
 #include "radiometry/spectrum_block.h"
 #include "transport/sky/sky_sampler.h"
 
+namespace ifov::radiometry {
+struct PolarizationFrame;
+struct StokesVector;
+}  // namespace ifov::radiometry
 namespace ifov::atmosphere {
 class SensorAtmosphere;
 }

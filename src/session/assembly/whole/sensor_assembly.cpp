@@ -9,7 +9,7 @@
 #include "io/raster/raster.h"
 #include "io/spectra/channel_table.h"
 #include "io/spectra/csv_spectrum.h"
-#include "render/polarimetry.h"
+#include "render/light/polarimetry.h"
 #include "render/tile_sink.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
@@ -83,10 +83,11 @@ std::vector<radiometry::Channel> assemble_channels(const io::DocumentSources& so
 render::Polarimetry assemble_polarimetry(const io::SensorDocument& sensor) {
   using radiometry::MuellerMatrix;
   const std::vector<io::ChannelDocument>& channels = sensor.channels;
-  render::Polarimetry polarimetry{sensor.stokes, {}};
+  render::Polarimetry polarimetry{sensor.stokes};
   if (std::none_of(channels.begin(), channels.end(),
                    [](const io::ChannelDocument& channel) { return channel.polarizer || channel.retarder; }))
     return polarimetry;
+  std::vector<MuellerMatrix> all;
   for (const io::ChannelDocument& channel : channels) {
     MuellerMatrix optics;
     if (channel.retarder)
@@ -95,8 +96,9 @@ render::Polarimetry assemble_polarimetry(const io::SensorDocument& sensor) {
       optics = MuellerMatrix::linear_diattenuator(1.0, 1.0 / channel.polarizer->extinction,
                                                   channel.polarizer->angle_rad) *
                optics;
-    polarimetry.optics.push_back(optics);
+    all.push_back(optics);
   }
+  polarimetry.optics = std::make_shared<const std::vector<MuellerMatrix>>(std::move(all));
   return polarimetry;
 }
 

@@ -1,10 +1,12 @@
-#include "render/stokes_columns.h"
+#include "render/light/stokes_columns.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
+#include "radiometry/mueller.h"
 #include "radiometry/spectral_nodes.h"
+#include "transport/polarized/stokes_rows.h"
 
 namespace ifov::render {
 
@@ -28,8 +30,7 @@ StokesColumns::StokesColumns(const Polarimetry* polarimetry, const radiometry::S
       work_(4 * channels_) {}
 
 void StokesColumns::pass(std::size_t channel, const radiometry::StokesVector& light, float* row) const {
-  const radiometry::StokesVector seen =
-      polarimetry_.optics.empty() ? light : polarimetry_.optics[channel] * light;
+  const radiometry::StokesVector seen = polarimetry_.optics ? (*polarimetry_.optics)[channel] * light : light;
   row[channel] = static_cast<float>(seen.i);
   if (!polarimetry_.stokes) return;
   row[channels_ + channel] = static_cast<float>(seen.q);
@@ -39,7 +40,7 @@ void StokesColumns::pass(std::size_t channel, const radiometry::StokesVector& li
 
 void StokesColumns::write(const transport::StokesRows& light, float* row) {
   for (std::size_t c = 0; c < 4; ++c) nodes_.to_channels(light[c], work_.data() + c * channels_);
-  if (polarimetry_.optics.empty()) {
+  if (!polarimetry_.optics) {
     std::copy_n(work_.data(), count(), row);
     return;
   }
