@@ -10,6 +10,7 @@
 #include "materials/bsdf/rough_dielectric.h"
 #include "radiometry/fresnel.h"
 #include "radiometry/planck.h"
+#include "radiometry/polarization_frame.h"
 #include "transport/polarized/polarized_air.h"
 #include "transport/polarized/polarized_path_light.h"
 #include "transport/small_scene.h"

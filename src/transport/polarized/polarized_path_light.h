@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "radiometry/polarization_frame.h"
 #include "radiometry/spectrum_block.h"
 #include "transport/path_record.h"
 #include "transport/polarized/stokes_rows.h"

@@ -9,6 +9,7 @@
 #include "io/raster/raster.h"
 #include "io/spectra/channel_table.h"
 #include "io/spectra/csv_spectrum.h"
+#include "radiometry/mueller.h"
 #include "render/light/polarimetry.h"
 #include "render/tile_sink.h"
 #include "scene/scene.h"
