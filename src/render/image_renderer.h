@@ -54,7 +54,7 @@ struct RenderJob {
   bool keep_variances = true;  ///< else tiles have half-widths alone, unless they are to be gone on from
   std::vector<const truth::Collector*> collectors{};  ///< of what tiles note beside radiance
   EarlierTiles* earlier = nullptr;                    ///< tiles of a run at a looser tolerance, to go on from
-  const Polarimetry* polarimetry = nullptr;  ///< null: radiance alone
+  const Polarimetry* polarimetry = nullptr;           ///< null: radiance alone
 };
 
 /// How the work is done; the result does not depend on it.

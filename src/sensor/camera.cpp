@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radiometry/polarization_frame.h"
+
 namespace ifov::sensor {
 
 math::Transform GroundGrid::scene_from_image() const {

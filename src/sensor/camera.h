@@ -6,9 +6,12 @@
 
 #include "math/ray.h"
 #include "math/transform.h"
-#include "radiometry/polarization_frame.h"
 #include "sampling/field.h"
 #include "sensor/camera_axes.h"
+
+namespace ifov::radiometry {
+struct PolarizationFrame;
+}
 
 namespace ifov::sensor {
 

@@ -6,7 +6,7 @@
 #include "render/mirrors/focal_lights.h"
 #include "render/mirrors/glint_search.h"
 #include "render/mirrors/mirrored_spectra.h"
-#include "render/stokes_columns.h"
+#include "render/polarized/stokes_columns.h"
 #include "sampling/tile.h"
 
 namespace ifov::scene {

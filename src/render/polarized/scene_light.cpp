@@ -1,8 +1,9 @@
-#include "render/scene_light.h"
+#include "render/polarized/scene_light.h"
 
 #include <algorithm>
 #include <stdexcept>
 
+#include "radiometry/polarization_frame.h"
 #include "radiometry/spectral_nodes.h"
 #include "sensor/camera.h"
 #include "transport/polarized/polarized_air.h"

@@ -1,10 +1,11 @@
-#include "render/stokes_columns.h"
+#include "render/polarized/stokes_columns.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
 #include "radiometry/spectral_nodes.h"
+#include "render/polarized/steering.h"
 
 namespace ifov::render {
 
@@ -26,6 +27,14 @@ StokesColumns::StokesColumns(const Polarimetry* polarimetry, const radiometry::S
       nodes_(nodes),
       channels_(nodes.channel_count()),
       work_(4 * channels_) {}
+
+void add_stokes_columns(const Polarimetry* polarimetry, std::size_t channels, std::vector<int>& columns) {
+  if (polarimetry == nullptr || !polarimetry->stokes) return;
+  const std::size_t judged = columns.size();
+  for (std::size_t component = 1; component < 4; ++component)
+    for (std::size_t k = 0; k < judged; ++k)
+      columns.push_back(columns[k] + static_cast<int>(component * channels));
+}
 
 void StokesColumns::pass(std::size_t channel, const radiometry::StokesVector& light, float* row) const {
   const radiometry::StokesVector seen =

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "render/polarimetry.h"
+#include "render/polarized/polarimetry.h"
 #include "sampling/tile.h"
 #include "transport/polarized/stokes_rows.h"
 
