@@ -11,6 +11,7 @@
 #include "core/parallel.h"
 #include "geometry/world.h"
 #include "render/pilot_rays.h"
+#include "render/polarized/steering.h"
 #include "render/scene_field.h"
 #include "render/tile_grid.h"
 #include "render/tile_sink.h"
@@ -114,14 +115,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
   if (steering_channels.empty())
     for (std::size_t c = 0; c < job.scene.nodes().channel_count(); ++c)
       steering_channels.push_back(static_cast<int>(c));
-  // Q, U and V of a channel are judged as its radiance is.
-  if (job.polarimetry != nullptr && job.polarimetry->stokes) {
-    const std::size_t judged = steering_channels.size();
-    for (int component = 1; component < 4; ++component)
-      for (std::size_t k = 0; k < judged; ++k)
-        steering_channels.push_back(steering_channels[k] +
-                                    component * static_cast<int>(job.scene.nodes().channel_count()));
-  }
+  add_stokes_columns(job.polarimetry, job.scene.nodes().channel_count(), steering_channels);
 
   const UnsampledLight unsampled(job, control.threads, control.cancel);
   Tally tally(pixels, control.progress);
@@ -155,7 +149,7 @@ Progress render_image(const RenderJob& job, const RenderControl& control, TileSi
     widen(job.nodes, job.tolerance, result);
     unsampled.add_to(result);
     widen(job.air, job.tolerance, result);
-    field.stokes().settle(result);
+    field.settle(result);
     if (!job.keep_variances && !job.keep_memory) result.drop_variances();
     add_truth_layers(job.collectors, job.scene.scene(), job.camera, result);
     sink.write(result);

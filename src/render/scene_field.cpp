@@ -6,6 +6,7 @@
 
 #include "geometry/world.h"
 #include "materials/bsdf/bsdf.h"
+#include "render/polarized/scene_light.h"
 #include "sampling/warp.h"
 #include "sensor/camera.h"
 #include "transport/mirror_light.h"
@@ -27,9 +28,9 @@ SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Came
       camera_(camera),
       detail_(detail),
       tracer_(scene, transport),
-      light_(scene, camera, polarimetry),
+      light_(std::make_unique<SceneLight>(scene, camera, polarimetry)),
       truth_(scene::truth_materials(scene.scene())),
-      blends_(scene.scene(), truth_, static_cast<int>(light_.columns().count())),
+      blends_(scene.scene(), truth_, static_cast<int>(light_->columns().count())),
       map_detail_(scene.scene(), camera),
       unseen_(scene, blends_.first_column() + blends_.count()),
       mirror_light_(
@@ -46,6 +47,8 @@ SceneField::SceneField(const transport::SpectralScene& scene, const sensor::Came
 }
 
 SceneField::~SceneField() = default;
+
+void SceneField::settle(sampling::TileResult& tile) const { light_->columns().settle(tile); }
 
 void SceneField::labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) {
   rays_.resize(points.size());
@@ -106,7 +109,7 @@ void SceneField::values(std::span<const sampling::PathRequest> requests, std::sp
     const transport::PathRecord& paths = tracer_.trace(rays_, keys_, hits_, counts_);
     for (std::size_t k = 0; k < count; ++k) {
       float* row = values.data() + (first + k) * row_length;
-      light_.write(paths, k, points_[k], rays_[k], row);
+      light_->write(paths, k, points_[k], rays_[k], row);
       if (blends_.count() > 0) blends_.write_shares(hits_[k], row);
       unseen_.write(paths.paths[k], row);
     }

@@ -5,14 +5,17 @@
 
 #include "render/blend_columns.h"
 #include "render/label_detail.h"
-#include "render/light/scene_light.h"
 #include "render/map_detail.h"
+#include "render/polarized/scene_light.h"
 #include "render/surface_label.h"
 #include "render/unseen/unseen_light.h"
 #include "sampling/field.h"
 #include "scene/scene.h"
 #include "transport/path_tracer.h"
 
+namespace ifov::sampling {
+struct TileResult;
+}
 namespace ifov::sensor {
 class Camera;
 }
@@ -21,6 +24,9 @@ class MirrorLight;
 }
 
 namespace ifov::render {
+
+class SceneLight;
+struct Polarimetry;
 
 /// The picture on a camera's focal plane: answers a sampler's queries by tracing the scene. One tile, one thread.
 class SceneField final : public sampling::Field {
@@ -31,8 +37,8 @@ class SceneField final : public sampling::Field {
              const Polarimetry* polarimetry = nullptr);
   ~SceneField() override;
 
-  /// The channels, Q, U and V of all of them where they are told (StokesColumns), then the shares of materials that are mixed somewhere (BlendColumns), then light that is not sought
-  /// (UnseenLight).
+  /// The channels, Q, U and V of all of them where they are told (StokesColumns), then the shares of materials that
+  /// are mixed somewhere (BlendColumns), then light that is not sought (UnseenLight).
   int columns() const override { return blends_.first_column() + blends_.count() + unseen_.count(); }
   void labels(std::span<const sampling::FocalPoint> points, std::span<sampling::Label> labels) override;
   void values(std::span<const sampling::PathRequest> requests, std::span<sampling::Label> labels,
@@ -52,7 +58,8 @@ class SceneField final : public sampling::Field {
   std::uint32_t object_of(sampling::Label label) const override;
   const BlendColumns& blends() const { return blends_; }
   const UnseenLight& unseen() const { return unseen_; }
-  const StokesColumns& stokes() const { return light_.columns(); }
+  /// As StokesColumns::settle().
+  void settle(sampling::TileResult& tile) const;
   sampling::RayCounts counts() const override { return counts_; }
 
  private:
@@ -67,7 +74,7 @@ class SceneField final : public sampling::Field {
   const sensor::Camera& camera_;
   LabelDetail detail_;
   transport::PathTracer tracer_;
-  SceneLight light_;
+  const std::unique_ptr<SceneLight> light_;
   scene::TruthMaterials truth_;
   BlendColumns blends_;
   MapDetail map_detail_;

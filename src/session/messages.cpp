@@ -82,7 +82,7 @@ std::vector<std::string> notes(const Parts& parts) {
         format("floor of the accuracy: {:g} of a white surface's radiance, {:.3g} to {:.3g} W m-2 sr-1 um-1",
                parts.plan.request->floor, low, high));
   }
-  if (parts.polarimetry.any()) {
+  if (parts.polarimetry) {
     lines.push_back(
         "polarization: about the focal plane's axes; light that ground around the scene and the ground's own light in the air send "
         "is taken to be unpolarized");

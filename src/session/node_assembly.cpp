@@ -85,7 +85,7 @@ void add_lamps(const scene::Scene& scene, radiometry::NodeDemands& demands) {
 void assemble_nodes(Parts& parts, LogSink* log, const LoadOptions& options, atmosphere::KeptSolutions* kept) {
   const io::Document& document = parts.document;
   const scene::Scene& scene = parts.scene;
-  const bool polarized = parts.polarimetry.any();
+  const bool polarized = parts.polarimetry != nullptr;
   std::vector<radiometry::Spectrum> surfaces;
   for (const materials::Material& material : scene.materials) {
     surfaces.push_back(material.reflectance);

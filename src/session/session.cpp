@@ -127,6 +127,7 @@ Session Session::load(const io::Document& document, LogSink* outer_log, const Lo
   warn_of_light_left_out(p, *log);
   p.brightness = std::make_unique<render::ChannelBrightness>(*p.nodes);
   if (p.atmosphere) p.air = render::atmosphere_half_widths(*p.spectral_scene, *p.atmosphere);
+  if (p.polarimetry) render::pass_optics(*p.polarimetry, p.air);
   if (!p.atmosphere) p.node_errors = render::node_half_widths(*p.spectral_scene);
   p.tolerance = p.tolerance_of(p.plan);
   warn_of_atmosphere_errors(p, *log);

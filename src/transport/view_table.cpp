@@ -67,11 +67,14 @@ void ViewTable::polarize(const atmosphere::SensorAtmosphere& atmosphere,
   const std::size_t nodes = atmosphere.node_count();
   q_.resize(radiance_.rows(), nodes);
   u_.resize(radiance_.rows(), nodes);
-  // Here x is towards the Sun and z up.
+  // Here x is towards the Sun and z up. A single line's light is that of the sensor's own geometry, whose azimuth counts
+  // at the vertical, too, where the grid knows none.
+  const bool single = grid.trivial();
+  const double azimuth_rad = atmosphere.geometry().view_azimuth_rad;
   std::vector<radiometry::MuellerMatrix> turn;
   for (const atmosphere::LineOfSight& line : grid.lines()) {
-    const radiometry::PolarizationFrame own =
-        radiometry::meridional_frame(std::cos(line.zenith_rad), counterclockwise(line.azimuth_rad));
+    const radiometry::PolarizationFrame own = radiometry::meridional_frame(
+        std::cos(line.zenith_rad), counterclockwise(single ? azimuth_rad : line.azimuth_rad));
     turn.push_back(turned(own, radiometry::carried({}, own.direction)));
   }
   std::vector<radiometry::StokesVector> light(nodes);

@@ -36,16 +36,13 @@ struct TabulatedChannel {
   std::string band;          ///< which block of a file with several (";; <name>" lines); empty: the only one
 };
 
-/// Passes the field along an axis of the focal plane.
 struct PolarizerDocument {
   double angle_rad = 0.0;  ///< of the axis, from the image's right counterclockwise as the image is looked at
   double extinction = 1e4;  ///< light along the axis that is let through over light across it
   friend bool operator==(const PolarizerDocument&, const PolarizerDocument&) = default;
 };
-/// Holds the field along its slow axis back by a phase; stands before the polarizer.
-struct RetarderDocument {
-  double retardance_rad = 0.0;
-  double angle_rad = 0.0;  ///< of the slow axis, as a polarizer's
+struct RetarderDocument {                        ///< before the polarizer
+  double retardance_rad = 0.0, angle_rad = 0.0;  ///< the angle is of the slow axis, as a polarizer's
   friend bool operator==(const RetarderDocument&, const RetarderDocument&) = default;
 };
 

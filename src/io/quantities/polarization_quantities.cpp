@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "render/light/stokes_columns.h"
+#include "render/polarized/stokes_columns.h"
 #include "render/tile_sink.h"
 
 namespace ifov::io::quantities {

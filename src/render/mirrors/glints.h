@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/light/stokes_columns.h"
 #include "render/mirrors/focal_lights.h"
 #include "render/mirrors/glint_search.h"
 #include "render/mirrors/mirrored_spectra.h"
+#include "render/polarized/stokes_columns.h"
 #include "sampling/tile.h"
 
 namespace ifov::scene {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geometry/world/surface_survey.h"
+#include "render/polarized/scene_light.h"
 #include "sampling/random.h"
 #include "transport/mirrors/sun_lobes.h"
 #include "transport/spectral_scene.h"
@@ -48,8 +49,8 @@ Highlights::Highlights(const transport::SpectralScene& scene, const sensor::Came
       camera_(camera),
       seed_(seed),
       tracer_(scene, highlights_alone()),
-      light_(scene, camera, polarimetry),
-      lights_(light_.columns().count()) {
+      light_(std::make_unique<SceneLight>(scene, camera, polarimetry)),
+      lights_(light_->columns().count()) {
   find(seed, margin_px);
   lights_.sort();
 }
@@ -101,6 +102,8 @@ void Highlights::find(std::uint64_t seed, double margin_px) {
   std::sort(large_.begin(), large_.end());
 }
 
+Highlights::~Highlights() = default;
+
 void Highlights::trace(std::vector<GlintPoint>& points) {
   std::vector<sampling::FocalPoint> images;
   std::vector<transport::PathKey> keys;
@@ -114,7 +117,7 @@ void Highlights::trace(std::vector<GlintPoint>& points) {
   camera_.rays(images, rays);
   sampling::RayCounts counts;
   const transport::PathRecord& record = tracer_.trace(rays, keys, hits, counts);
-  std::vector<float> channels(std::max(scene_.stride(), light_.columns().count()));
+  std::vector<float> channels(std::max(scene_.stride(), light_->columns().count()));
   for (std::size_t k = 0; k < points.size(); ++k) {
     // What was searched must be what is seen.
     if (!hits[k].hit() || !scene_.sun_lobes()->by_shape(hits[k]) ||
@@ -122,14 +125,14 @@ void Highlights::trace(std::vector<GlintPoint>& points) {
       continue;
     const std::uint32_t first = record.paths[k].first;
     if (first == transport::PathVertex::kNone || record.vertices[first].sun_weight <= 0.0f) continue;
-    light_.write_sunlight(record, k, points[k].image, rays[k], channels.data());
+    light_->write_sunlight(record, k, points[k].image, rays[k], channels.data());
     add(points[k], channels.data());
   }
   points.clear();
 }
 
 void Highlights::add(const GlintPoint& point, const float* channels) {
-  const std::size_t count = light_.columns().count(), radiances = scene_.nodes().channel_count();
+  const std::size_t count = light_->columns().count(), radiances = scene_.nodes().channel_count();
   const float brightest = *std::max_element(channels, channels + radiances);
   if (!(brightest > 0.0f)) return;
   bool same = !spectrum_.empty();

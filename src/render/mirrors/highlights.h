@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "render/light/scene_light.h"
 #include "render/mirrors/focal_lights.h"
 #include "render/mirrors/glint_search.h"
+#include "render/polarized/scene_light.h"
 #include "sampling/tile.h"
 #include "sensor/camera.h"
 #include "transport/path_tracer.h"
@@ -14,6 +14,9 @@ class SpectralScene;
 }
 
 namespace ifov::render {
+
+class SceneLight;
+struct Polarimetry;
 
 /// The Sun's highlights in narrow lobes on curved surfaces and on meshes that the sensor sees directly (SunLobes): found by the
 /// surfaces' shapes (GlintSearch), traced as paths of one scattering, left out of all other paths
@@ -25,6 +28,7 @@ class Highlights {
   /// Traces all of them. Keeps a reference to the scene. `margin_px`: a footprint's half width.
   Highlights(const transport::SpectralScene& scene, const sensor::Camera& camera, double margin_px,
              std::uint64_t seed, const Polarimetry* polarimetry = nullptr);
+  ~Highlights();
 
   /// As FocalLights::add_to.
   void add_to(const sampling::PixelFootprint& footprint, const sampling::Tolerance* tolerance,
@@ -47,7 +51,7 @@ class Highlights {
   const sensor::Camera& camera_;
   std::uint64_t seed_, traced_ = 0;
   transport::PathTracer tracer_;
-  SceneLight light_;
+  const std::unique_ptr<SceneLight> light_;
   std::vector<std::uint32_t> large_;
   FocalLights lights_;           // radiance over that of their spectra at the sensor
   std::vector<float> spectrum_;  // the last one that was kept

@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "geometry/world.h"
-#include "render/light/scene_light.h"
+#include "render/polarized/scene_light.h"
 #include "sampling/random.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"

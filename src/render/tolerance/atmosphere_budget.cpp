@@ -6,6 +6,7 @@
 
 #include "atmosphere/sensor/sensor_atmosphere.h"
 #include "materials/bsdf/bsdf.h"
+#include "render/polarized/polarimetry.h"
 #include "render/tolerance/accuracy_tolerance.h"
 #include "scene/scene.h"
 #include "transport/spectral_scene.h"
@@ -47,6 +48,14 @@ std::vector<AtmosphereHalfWidth> atmosphere_half_widths(const transport::Spectra
     air.grey_radiance += air.path_radiance + kGrey * white[c];
   }
   return all;
+}
+
+void pass_optics(const Polarimetry& polarimetry, std::span<AtmosphereHalfWidth> air) {
+  for (std::size_t c = 0; c < air.size() && c < polarimetry.optics.size(); ++c) {
+    const radiometry::MuellerMatrix& optics = polarimetry.optics[c];
+    if (optics(0, 1) != 0.0 || optics(0, 2) != 0.0 || optics(0, 3) != 0.0)
+      air[c].passed = polarimetry.passed(c);
+  }
 }
 
 void widen(std::span<const AtmosphereHalfWidth> air, const AccuracyTolerance* tolerance,

@@ -9,7 +9,6 @@
 #include "io/scene_cache/file_stamp.h"
 #include "radiometry/channel.h"
 #include "render/image_info.h"
-#include "render/light/polarimetry.h"
 #include "render/tolerance/atmosphere_half_width.h"
 #include "render/tolerance/node_half_width.h"
 #include "sampling/pixel_footprint.h"
@@ -31,6 +30,7 @@ class SpectralNodes;
 namespace ifov::render {
 class AccuracyTolerance;
 class ChannelBrightness;
+struct Polarimetry;
 struct RenderJob;
 }  // namespace ifov::render
 namespace ifov::sensor {
@@ -56,7 +56,8 @@ struct Parts {
   std::vector<io::FileStamp> known_files;  ///< files whose bytes the scene cache vouches for
   std::optional<atmosphere::WeatherSeries> weather;
   std::vector<radiometry::Channel> channels;
-  render::Polarimetry polarimetry;  ///< what the sensor does with polarization
+  std::shared_ptr<const render::Polarimetry>
+      polarimetry;  ///< what the sensor does with it; null: radiance alone
   std::unique_ptr<sensor::Camera> camera;
   std::string assumed_surroundings;  ///< what they were taken to be where none are declared; empty: nothing
   std::shared_ptr<atmosphere::SensorAtmosphere> atmosphere;  ///< null without a modelled one

@@ -9,8 +9,7 @@
 #include "io/raster/raster.h"
 #include "io/spectra/channel_table.h"
 #include "io/spectra/csv_spectrum.h"
-#include "radiometry/mueller.h"
-#include "render/light/polarimetry.h"
+#include "render/polarized/polarimetry.h"
 #include "render/tile_sink.h"
 #include "scene/scene.h"
 #include "sensor/camera.h"
@@ -81,14 +80,16 @@ std::vector<radiometry::Channel> assemble_channels(const io::DocumentSources& so
   return channels;
 }
 
-render::Polarimetry assemble_polarimetry(const io::SensorDocument& sensor) {
+std::shared_ptr<const render::Polarimetry> assemble_polarimetry(const io::SensorDocument& sensor) {
   using radiometry::MuellerMatrix;
   const std::vector<io::ChannelDocument>& channels = sensor.channels;
-  render::Polarimetry polarimetry{sensor.stokes};
-  if (std::none_of(channels.begin(), channels.end(),
-                   [](const io::ChannelDocument& channel) { return channel.polarizer || channel.retarder; }))
-    return polarimetry;
-  std::vector<MuellerMatrix> all;
+  auto polarimetry = std::make_shared<render::Polarimetry>();
+  polarimetry->stokes = sensor.stokes;
+  const bool bare = std::none_of(channels.begin(), channels.end(), [](const io::ChannelDocument& channel) {
+    return channel.polarizer || channel.retarder;
+  });
+  if (bare && !sensor.stokes) return nullptr;
+  if (bare) return polarimetry;
   for (const io::ChannelDocument& channel : channels) {
     MuellerMatrix optics;
     if (channel.retarder)
@@ -97,9 +98,8 @@ render::Polarimetry assemble_polarimetry(const io::SensorDocument& sensor) {
       optics = MuellerMatrix::linear_diattenuator(1.0, 1.0 / channel.polarizer->extinction,
                                                   channel.polarizer->angle_rad) *
                optics;
-    all.push_back(optics);
+    polarimetry->optics.push_back(optics);
   }
-  polarimetry.optics = std::make_shared<const std::vector<MuellerMatrix>>(std::move(all));
   return polarimetry;
 }
 

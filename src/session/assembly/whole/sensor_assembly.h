@@ -39,7 +39,7 @@ std::unique_ptr<sensor::Camera> assemble_camera(const io::DocumentSources& sourc
 std::vector<radiometry::Channel> assemble_channels(const io::DocumentSources& sources,
                                                    std::span<const io::ChannelDocument> written);
 /// Whether polarization is told, and what stands before the channels.
-render::Polarimetry assemble_polarimetry(const io::SensorDocument& sensor);
+std::shared_ptr<const render::Polarimetry> assemble_polarimetry(const io::SensorDocument& sensor);
 /// Null without one: perfect optics.
 std::unique_ptr<sensor::Psf> assemble_psf(const io::DocumentSources& sources,
                                           const io::SensorDocument& sensor);

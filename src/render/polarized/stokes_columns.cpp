@@ -1,12 +1,11 @@
-#include "render/light/stokes_columns.h"
+#include "render/polarized/stokes_columns.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
-#include "radiometry/mueller.h"
 #include "radiometry/spectral_nodes.h"
-#include "transport/polarized/stokes_rows.h"
+#include "render/polarized/steering.h"
 
 namespace ifov::render {
 
@@ -29,8 +28,17 @@ StokesColumns::StokesColumns(const Polarimetry* polarimetry, const radiometry::S
       channels_(nodes.channel_count()),
       work_(4 * channels_) {}
 
+void add_stokes_columns(const Polarimetry* polarimetry, std::size_t channels, std::vector<int>& columns) {
+  if (polarimetry == nullptr || !polarimetry->stokes) return;
+  const std::size_t judged = columns.size();
+  for (std::size_t component = 1; component < 4; ++component)
+    for (std::size_t k = 0; k < judged; ++k)
+      columns.push_back(columns[k] + static_cast<int>(component * channels));
+}
+
 void StokesColumns::pass(std::size_t channel, const radiometry::StokesVector& light, float* row) const {
-  const radiometry::StokesVector seen = polarimetry_.optics ? (*polarimetry_.optics)[channel] * light : light;
+  const radiometry::StokesVector seen =
+      polarimetry_.optics.empty() ? light : polarimetry_.optics[channel] * light;
   row[channel] = static_cast<float>(seen.i);
   if (!polarimetry_.stokes) return;
   row[channels_ + channel] = static_cast<float>(seen.q);
@@ -40,7 +48,7 @@ void StokesColumns::pass(std::size_t channel, const radiometry::StokesVector& li
 
 void StokesColumns::write(const transport::StokesRows& light, float* row) {
   for (std::size_t c = 0; c < 4; ++c) nodes_.to_channels(light[c], work_.data() + c * channels_);
-  if (!polarimetry_.optics) {
+  if (polarimetry_.optics.empty()) {
     std::copy_n(work_.data(), count(), row);
     return;
   }

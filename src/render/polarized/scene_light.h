@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "render/light/stokes_columns.h"
+#include "render/polarized/stokes_columns.h"
 #include "sampling/field.h"
 #include "transport/path_light.h"
 #include "transport/view_atmosphere.h"

@@ -1,4 +1,4 @@
-#include "render/light/scene_light.h"
+#include "render/polarized/scene_light.h"
 
 #include <algorithm>
 #include <stdexcept>

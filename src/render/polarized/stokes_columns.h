@@ -4,15 +4,12 @@
 #include <span>
 #include <vector>
 
-#include "render/light/polarimetry.h"
+#include "render/polarized/polarimetry.h"
 #include "sampling/tile.h"
+#include "transport/polarized/stokes_rows.h"
 
 namespace ifov::radiometry {
 class SpectralNodes;
-struct StokesVector;
-}  // namespace ifov::radiometry
-namespace ifov::transport {
-struct StokesRows;
 }
 
 namespace ifov::render {
