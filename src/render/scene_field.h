@@ -6,7 +6,6 @@
 #include "render/blend_columns.h"
 #include "render/label_detail.h"
 #include "render/map_detail.h"
-#include "render/polarized/scene_light.h"
 #include "render/surface_label.h"
 #include "render/unseen/unseen_light.h"
 #include "sampling/field.h"

@@ -4,7 +4,6 @@
 
 #include "render/mirrors/focal_lights.h"
 #include "render/mirrors/glint_search.h"
-#include "render/polarized/scene_light.h"
 #include "sampling/tile.h"
 #include "sensor/camera.h"
 #include "transport/path_tracer.h"
